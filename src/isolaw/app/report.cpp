@@ -13,7 +13,6 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/campaign/store.hpp"
-#include "isolaw/render/json/run_json.hpp"
 #include "isolaw/render/json/summary_json.hpp"
 #include "isolaw/render/terminal/terminal.hpp"
 #include "isolaw/render/write.hpp"
@@ -39,8 +38,7 @@ void draw_figures(study::Summary const& summary, render::FigureChoice choice, st
 void print(study::Summary const& summary, std::filesystem::path const& directory, Printed how,
            std::string_view profile) {
   if (how.json) {
-    auto text = render::summary_json(summary);
-    app::print(profile.empty() ? text : render::with_profile(std::move(text), profile));
+    app::print(render::summary_json(summary, profile));
     return;
   }
   int const width = std::min(terminal_width(STDOUT_FILENO), 120);

@@ -16,16 +16,16 @@ std::string_view name(TaskKind kind) {
 }
 
 TaskLikelihood likely(TaskKind kind, TaskSize const& size) {
-  // Evaluations of each device's record, by the square of the free parameters: what the example lot and the measured
-  // bearing took with the paper's laws, above all abe.
+  // Evaluations of a device's record per squared number of free parameters, as the example lot and the measured bearing
+  // needed with the paper's laws, above all abe.
   constexpr std::array<double, task_kinds> per_square{80.0, 220.0, 55.0, 6.0};
-  // Beside the laws: descents take about so much of a step, populations next to nothing.
+  // Time per step that descents spend outside the laws' code. Populations spend next to none.
   constexpr double around_s = 5e-9;
   bool const populations = kind == TaskKind::run && size.in_populations > 0.0;
   auto const free = static_cast<double>(std::max<std::size_t>(size.free, 1));
   double each = per_square[static_cast<std::size_t>(kind)] * free * free;
   if (populations) each = size.in_populations;
-  // After the genetic algorithm the least objective is looked for first.
+  // After the genetic algorithm an analysis first looks for the least objective, as a run of `best` does.
   else if (kind == TaskKind::device && size.in_populations > 0.0)
     each += per_square[static_cast<std::size_t>(TaskKind::run)] * free * free;
   return {each * static_cast<double>(size.devices),
@@ -76,45 +76,45 @@ void Estimate::give_up(std::size_t task) {
 }
 
 std::map<Estimate::Key, double> Estimate::unit_s(double now_s) const {
-  // What was measured to what was likely.
+  // Sums of measured and of guessed costs, whose ratio corrects other guesses.
   struct Ratio {
     double measured = 0.0, likely = 0.0;
-    void add(double of_measured, double of_likely) {
-      measured += of_measured;
-      likely += of_likely;
+    void add(double more_measured, double more_likely) {
+      measured += more_measured;
+      likely += more_likely;
     }
     double or_else(double other) const { return measured > 0.0 && likely > 0.0 ? measured / likely : other; }
   };
   Ratio all;
-  std::map<std::string_view, Ratio> laws;  // of an evaluation's time
-  std::array<Ratio, task_kinds> kinds;     // of evaluations, dear ones counting more
+  std::map<std::string_view, Ratio> laws;  // ratios of the time of an evaluation
+  std::array<Ratio, task_kinds> kinds;     // ratios of numbers of evaluations, weighted by the time of an evaluation
   for (auto const& [key, group] : groups_) {
     double const evaluation_s = group.likely.evaluation_s;
-    if (evaluation_s <= 0.0) continue;  // nobody expected it
+    if (evaluation_s <= 0.0) continue;  // begun without expect()
     for (auto* ratio : {&all, &laws[key.second]}) ratio->add(group.measured_s, group.evaluations * evaluation_s);
     kinds[static_cast<std::size_t>(key.first)].add(
         group.evaluations * evaluation_s,
         static_cast<double>(group.measured) * group.likely.evaluations * evaluation_s);
   }
-  // Laws that take little time say little of those that take most of it.
+  // Fast laws say little about slow ones, so a tenth of a task of every law counts as if it had cost what was guessed.
   constexpr double doubt = 0.1;
   for (auto const& [key, group] : groups_) {
     auto& ratio = kinds[static_cast<std::size_t>(key.first)];
     double const one_task = group.likely.evaluations * group.likely.evaluation_s;
     ratio.add(doubt * one_task, doubt * one_task);
   }
-  std::map<Key, double> made;
+  std::map<Key, double> units;
   for (auto const& [key, group] : groups_)
-    made[key] = group.measured > 0
-                    ? group.measured_s / static_cast<double>(group.measured)
-                    : group.likely.evaluations * kinds[static_cast<std::size_t>(key.first)].or_else(1.0) *
-                          group.likely.evaluation_s * laws[key.second].or_else(all.or_else(1.0));
-  // None was measured, and one has gone on for longer: so long at least.
+    units[key] = group.measured > 0
+                     ? group.measured_s / static_cast<double>(group.measured)
+                     : group.likely.evaluations * kinds[static_cast<std::size_t>(key.first)].or_else(1.0) *
+                           group.likely.evaluation_s * laws[key.second].or_else(all.or_else(1.0));
+  // Without a measurement a task takes at least as long as the running one has taken so far.
   for (auto const& [id, task] : running_) {
-    auto& unit = made.at({task.kind, task.law});
+    auto& unit = units.at({task.kind, task.law});
     if (groups_.at({task.kind, task.law}).measured == 0) unit = std::max(unit, now_s - task.since_s);
   }
-  return made;
+  return units;
 }
 
 double Estimate::share(double now_s) const {
@@ -135,7 +135,7 @@ double Estimate::left_s(double now_s) const {
   auto const unit = unit_s(now_s);
   double sum = 0.0;
   for (std::size_t kind = 0; kind < task_kinds; ++kind) {
-    // No faster than its longest task, which one thread does alone.
+    // A kind takes at least as long as its longest task, which one thread does alone.
     double work = 0.0, longest = 0.0;
     for (auto const& [key, group] : groups_) {
       if (static_cast<std::size_t>(key.first) != kind || group.left == 0) continue;
@@ -156,7 +156,7 @@ void expect_all(Estimate& estimate, Contents const& contents) {
   bool const genetic = settings.method == Method::genetic;
   constexpr double budget_s = 2e-3, steps = 600.0;
   auto const cost = fit::measured_cost(budget_s, settings.laws.size());
-  auto const of_law = [](auto const& items, std::string_view law) {
+  auto const count_of = [](auto const& items, std::string_view law) {
     return static_cast<std::size_t>(std::ranges::count(items, law, [](auto const& item) { return item.law; }));
   };
   for (auto const& law : settings.laws) {
@@ -176,8 +176,8 @@ void expect_all(Estimate& estimate, Contents const& contents) {
     if (settings.analysis || !genetic) size.step_s = step_s(fit::Block::residuals, fit::residual_block);
     if (genetic) size.population_step_s = step_s(fit::Block::wide, fit::wide_block);
     if (genetic) size.in_populations = static_cast<double>(settings.genetic.population) * settings.genetic.generations;
-    auto const expect = [&](TaskKind kind, std::size_t count, auto const& there) {
-      auto const done = std::min(count, of_law(there, law));
+    auto const expect = [&](TaskKind kind, std::size_t count, auto const& results) {
+      auto const done = std::min(count, count_of(results, law));
       estimate.expect(kind, law, likely(kind, size), count - done, done);
     };
     expect(TaskKind::run, devices * static_cast<std::size_t>(settings.runs), contents.runs);
@@ -204,12 +204,12 @@ TimedTask::~TimedTask() {
   if (estimate_ != nullptr) estimate_->give_up(id_);
 }
 
-void TimedTask::done(int evaluations, TaskDone const& told) {
+void TimedTask::done(int evaluations, TaskDone const& task_done) {
   if (estimate_ == nullptr) return;
   auto* const estimate = std::exchange(estimate_, nullptr);
   try {
     double const seconds = estimate->end(id_, evaluations, now_s());
-    if (told) told({kind_, std::string(law_), evaluations, seconds});
+    if (task_done) task_done({kind_, std::string(law_), evaluations, seconds});
   } catch (std::bad_alloc const&) {  // the task is done, whether or not there is memory left to say so
   }
 }

@@ -1,4 +1,4 @@
-// How much of a campaign is done, and how long the rest takes: from what its tasks have cost so far.
+// Estimates how much of a campaign is done and how long the rest takes, from the cost of its finished tasks.
 #pragma once
 
 #include <cstddef>
@@ -13,49 +13,49 @@
 
 namespace isolaw::campaign {
 
-// One run of a search; what one device's test determines of a law, and its intervals; one law for the lot; that law
-// without one of the devices. In this order, each after all of the one before.
+// A run of a search; the analysis of a law on a device; the fit of a law to the lot; that fit without one device. They
+// are done in this order: a kind begins when the one before it is finished.
 enum class TaskKind { run, device, lot, left_out };
 inline constexpr std::size_t task_kinds = 4;
 std::string_view name(TaskKind kind);
 
-// What a task computes, before any was measured.
+// The size of a task, from which its cost is guessed before one like it was measured.
 struct TaskSize {
-  double step_s = 0.0;             // one step of one candidate in blocks for residuals
-  double population_step_s = 0.0;  // and in those of populations
-  double steps = 0.0;              // of the device's record, or of a device's on the average
-  std::size_t devices = 1;         // that the task computes
-  std::size_t free = 0;            // parameters
-  double in_populations = 0.0;     // evaluations of a run of the genetic algorithm; 0: of `best`
+  double step_s = 0.0;             // time of one step of one candidate in a block for residuals
+  double population_step_s = 0.0;  // the same in a block for populations
+  double steps = 0.0;              // steps in the device's record, or the mean over devices
+  std::size_t devices = 1;         // number of devices whose records the task computes
+  std::size_t free = 0;            // number of free parameters
+  double in_populations = 0.0;     // evaluations of a run of the genetic algorithm; 0 with Method::best
 };
 
-// What a task costs in all likelihood; in proportion alone, since what is measured corrects it.
+// The guessed cost of a task. Only its ratio to that of other tasks matters, since measurements correct it.
 struct TaskLikelihood {
   double evaluations = 0.0, evaluation_s = 0.0;
 };
 TaskLikelihood likely(TaskKind kind, TaskSize const& size);
 
-// Tasks of one kind and law cost about the same. What has been measured counts. What has not been is taken from its
-// likely cost, corrected by how long an evaluation of the law took in tasks of other kinds, and by how many evaluations
-// tasks of this kind took of other laws: a search takes as many as its record asks for, what follows hardly more or
-// fewer. Thread-safe.
+// Tasks of one kind and law cost about the same, so the mean of those measured counts. Before the first measurement the
+// guess is corrected: the time of an evaluation by what tasks of other kinds took with this law, the number of
+// evaluations by what tasks of this kind took with other laws. (Of a search it depends on the record; of an analysis it
+// hardly varies.) Thread-safe.
 class Estimate {
  public:
   explicit Estimate(std::size_t threads) : threads_(threads == 0 ? 1 : threads) {}
 
-  // So many tasks are to be done, and so many of an earlier process are done already.
+  // `left` tasks are to be done; an earlier process has done `done_before`.
   void expect(TaskKind kind, std::string_view law, TaskLikelihood const& each, std::size_t left,
               std::size_t done_before);
-  // Of a kind whose tasks are known by now.
+  // Corrects the number of tasks to be done once it is known for this kind; a law that is not named has none.
   void expect_left(TaskKind kind, std::map<std::string, std::size_t> const& by_law);
 
-  // Times are of one clock [s]. A task that began and was given up is not missed.
+  // All times come from one clock, in s. begin() returns an id; a task that is given up stays among those to be done.
   std::size_t begin(TaskKind kind, std::string_view law, double now_s);
-  double end(std::size_t task, int evaluations, double now_s);  // what it took
+  double end(std::size_t task, int evaluations, double now_s);  // returns how long the task took
   void give_up(std::size_t task);
 
-  double share(double now_s) const;   // of all work, 0 to 1
-  double left_s(double now_s) const;  // time, with all threads at work
+  double share(double now_s) const;   // the part of all work that is done, 0 to 1
+  double left_s(double now_s) const;  // the time that the rest takes with all threads
 
  private:
   struct Group {
@@ -69,7 +69,7 @@ class Estimate {
     double since_s;
   };
   using Key = std::pair<TaskKind, std::string>;
-  std::map<Key, double> unit_s(double now_s) const;  // of one task
+  std::map<Key, double> unit_s(double now_s) const;  // the time of one task
 
   mutable std::mutex mutex_;
   std::size_t threads_;
@@ -78,7 +78,7 @@ class Estimate {
   std::size_t next_ = 0;
 };
 
-// What every task of a campaign is expected to cost, and what is done of it. Measures for a few milliseconds.
+// Registers all tasks of a campaign, those left and those done. Measures the laws' code for a few milliseconds.
 void expect_all(Estimate& estimate, Contents const& contents);
 
 struct TaskCost {
@@ -89,14 +89,14 @@ struct TaskCost {
 };
 using TaskDone = std::function<void(TaskCost const&)>;
 
-// One task, given up unless it is said to be done. Of an estimate that may not be there.
+// Times one task for an estimate, which may be null. The task is given up unless done() is called.
 class TimedTask {
  public:
   TimedTask(Estimate* estimate, TaskKind kind, std::string_view law);
   TimedTask(TimedTask const&) = delete;
   TimedTask& operator=(TimedTask const&) = delete;
   ~TimedTask();
-  void done(int evaluations, TaskDone const& told);
+  void done(int evaluations, TaskDone const& task_done);
 
   static double now_s();
 

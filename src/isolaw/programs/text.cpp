@@ -236,7 +236,7 @@ std::vector<Fact> bound_facts(Subject const& subject, bool one_factor) {
 std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, UnitSystem const& units,
                         std::string_view program) {
   auto const& law = subject.law->info;
-  std::vector<Fact> made{
+  std::vector<Fact> result{
       {"SPDX-License-Identifier", std::string(export_licence)},
       {"Licence", std::string(export_licence_text)},
       {"Export", fmt::format("isolaw {}, for {}", subject.version, program)},
@@ -247,29 +247,29 @@ std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, 
            (subject.title.empty() ? "" : ", lot " + subject.title)},
       {"Parameters", fmt::format("{} (units of the law: {}, {}, s)", parameter_text(*subject.law, subject.parameters),
                                  law.force.symbol, law.length.symbol)}};
-  for (auto& fact : measured_facts(subject)) made.push_back(std::move(fact));
-  made.push_back({"Prediction", wording::remark(subject.doubts.prediction)});
+  for (auto& fact : measured_facts(subject)) result.push_back(std::move(fact));
+  result.push_back({"Prediction", wording::remark(subject.doubts.prediction)});
   for (auto& warning : wording::sentences(subject.doubts.findings, wording::with_law))
-    made.push_back({"Warning", std::move(warning)});
-  made.push_back({"Units of this file", fmt::format("{}, {}, s", units.force.symbol, units.length.symbol)});
-  made.push_back({"Fidelity", fmt::format("{}: {}", name(realisation.fidelity), realisation.explanation)});
+    result.push_back({"Warning", std::move(warning)});
+  result.push_back({"Units of this file", fmt::format("{}, {}, s", units.force.symbol, units.length.symbol)});
+  result.push_back({"Fidelity", fmt::format("{}: {}", name(realisation.fidelity), realisation.explanation)});
   if (!realisation.substitute.empty())
-    made.push_back({"Fitted in its place", fmt::format("{}: {}", realisation.substitute,
-                                                       parameter_text(laws::find_law(realisation.substitute),
-                                                                      realisation.substitute_parameters))});
+    result.push_back({"Fitted in its place", fmt::format("{}: {}", realisation.substitute,
+                                                         parameter_text(laws::find_law(realisation.substitute),
+                                                                        realisation.substitute_parameters))});
   if (!realisation.substitute.empty() && !header_parts(law.id).empty())
-    made.push_back({"The law itself", "--to opensees-cpp writes it as a material of OpenSees, to compile"});
-  for (auto& fact : replay_facts(subject, realisation, units)) made.push_back(std::move(fact));
-  for (auto const& refused : realisation.refused) made.push_back({"Refused", refused});
-  for (auto& fact : validity(subject, units)) made.push_back(std::move(fact));
-  made.push_back({"Beyond these",
-                  subject.fitted.part.empty()
-                      ? "nothing was tested, and the law is an extrapolation"
-                      : "of what it was fitted to the law is a prediction, and beyond the tests an extrapolation"});
-  for (auto& fact : away_facts(subject, realisation)) made.push_back(std::move(fact));
-  for (auto& fact : bound_facts(subject, false)) made.push_back(std::move(fact));
-  for (auto const& note : subject.notes) made.push_back({"Note", note});
-  return made;
+    result.push_back({"The law itself", "--to opensees-cpp writes it as a material of OpenSees, to compile"});
+  for (auto& fact : replay_facts(subject, realisation, units)) result.push_back(std::move(fact));
+  for (auto const& refused : realisation.refused) result.push_back({"Refused", refused});
+  for (auto& fact : validity(subject, units)) result.push_back(std::move(fact));
+  result.push_back({"Beyond these",
+                    subject.fitted.part.empty()
+                        ? "nothing was tested, and the law is an extrapolation"
+                        : "of what it was fitted to the law is a prediction, and beyond the tests an extrapolation"});
+  for (auto& fact : away_facts(subject, realisation)) result.push_back(std::move(fact));
+  for (auto& fact : bound_facts(subject, false)) result.push_back(std::move(fact));
+  for (auto const& note : subject.notes) result.push_back({"Note", note});
+  return result;
 }
 
 std::vector<Fact> facts_of_the_law(Subject const& subject, UnitSystem const& units, std::string_view program,

@@ -1,6 +1,5 @@
-// What a rule set says of a device and of the lot as results: inspection.json, the data of the page and
-// tables/tests.csv, lot.csv and lambda.csv are written from these rows; docs/inspection-json.md is checked against
-// them.
+// The assessments of the devices and the lot as results: inspection.json, the data of the page and tables/tests.csv,
+// lot.csv and lambda.csv are written from these rows. docs/inspection-json.md is checked against them.
 #pragma once
 
 #include "isolaw/study/acceptance.hpp"
@@ -9,15 +8,15 @@
 
 namespace isolaw::study {
 
-// An assessment and the block that it is of.
+// An assessment and the block of the record that it judges.
 struct AssessmentOf {
   rules::Assessment const& assessment;
   std::optional<int> block;
 };
 
 template <auto member>
-Value of_assessment(AssessmentOf const& of) {
-  return get<member>(of.assessment);
+Value of_assessment(AssessmentOf const& row) {
+  return get<member>(row.assessment);
 }
 
 inline constexpr Result<AssessmentOf> assessment_results[]{
@@ -94,11 +93,11 @@ inline constexpr Result<rules::LotQuantity> quantity_results[]{
 };
 
 template <auto member>
-Value of_test(rules::LotQuantity const& of) {
-  return of.test_factors ? get<member>(*of.test_factors) : Value();
+Value of_test(rules::LotQuantity const& quantity) {
+  return quantity.test_factors ? get<member>(*quantity.test_factors) : Value();
 }
 
-// Extremes of lambda_test: members of `lambda_test` above.
+// The members of `lambda_test` above.
 inline constexpr Result<rules::LotQuantity> test_factor_results[]{
     {"min", "", "lambda_test min", "the smallest", of_test<&rules::TestFactors::min>},
     {"min_cycle", "", "min cycle", "where it was measured", of_test<&rules::TestFactors::min_cycle>},
@@ -108,7 +107,6 @@ inline constexpr Result<rules::LotQuantity> test_factor_results[]{
     {"max_device", "", "", "on which device", get<&rules::LotQuantity::test_max_device>},
 };
 
-// The verdict of the whole.
 inline constexpr Result<OverallVerdict> verdict_results[]{
     {"word", "", "verdict", "`\"PASS\"`, `\"FAIL\"` or `\"INCOMPLETE\"`", word<&OverallVerdict::word>},
     {"sentence", "", "", "the reasons of the verdict, or why there is none", get<&OverallVerdict::sentence>},
@@ -129,34 +127,34 @@ inline constexpr Result<Requirement> requirement_results[]{
     {"verdict", "", "", "", get<&Requirement::verdict>},
 };
 
-// A device that stands apart, and the quantity by which it does.
+// An outlying device and the quantity that sets it apart.
 struct OutlierOf {
   rules::LotQuantity const& quantity;
   rules::Outlier const& outlier;
 };
 
 inline constexpr Result<OutlierOf> lot_outlier_results[]{
-    {"device", "", "device", "name of the device", [](OutlierOf const& of) { return value_of(of.outlier.device); }},
+    {"device", "", "device", "name of the device", [](OutlierOf const& row) { return value_of(row.outlier.device); }},
     {"quantity", "", "quantity", "property by which it stands apart",
-     [](OutlierOf const& of) { return value_of(of.quantity.quantity); }},
-    {"value", own_unit, "value", "its value", [](OutlierOf const& of) { return value_of(of.outlier.value); }},
-    {"unit", "", "unit", "unit of `value`", [](OutlierOf const& of) { return value_of(of.quantity.unit); }},
-    {"why", "", "why", "the reason in words", [](OutlierOf const& of) { return value_of(of.outlier.reason); }},
+     [](OutlierOf const& row) { return value_of(row.quantity.quantity); }},
+    {"value", own_unit, "value", "its value", [](OutlierOf const& row) { return value_of(row.outlier.value); }},
+    {"unit", "", "unit", "unit of `value`", [](OutlierOf const& row) { return value_of(row.quantity.unit); }},
+    {"why", "", "why", "the reason in words", [](OutlierOf const& row) { return value_of(row.outlier.reason); }},
 };
 
-// Factors of one source and the quantity that they are of.
+// The factors lambda from one source, and the quantity that they multiply.
 struct FactorOf {
   rules::LotQuantity const& quantity;
   rules::Bound const& bound;
 };
 
 template <auto... members>
-Value of_bound(FactorOf const& of) {
-  return get<members...>(of.bound);
+Value of_bound(FactorOf const& row) {
+  return get<members...>(row.bound);
 }
 template <auto member>
-Value of_quantity(FactorOf const& of) {
-  return get<member>(of.quantity);
+Value of_quantity(FactorOf const& row) {
+  return get<member>(row.quantity);
 }
 
 inline constexpr Result<FactorOf> factor_results[]{

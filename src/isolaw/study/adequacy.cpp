@@ -13,7 +13,7 @@ std::optional<Finding> inadequacy(LawResult const& law) {
   if (law.objective.mean && !(*law.objective.mean <= adequate_objective))
     finding.numbers.push_back({"misfit", *law.objective.mean});
   auto const add = [&](std::optional<double> DeviceFit::*error, double most, std::string name) {
-    // An error relative to nothing is infinite and says nothing.
+    // An error relative to zero is infinite and cannot be judged.
     if (auto const mean = mean_magnitude(law, error); mean && std::isfinite(*mean) && *mean > most)
       finding.numbers.push_back({std::move(name), *mean});
   };
@@ -29,21 +29,21 @@ Finding Pinned::finding(std::string const& law) const {
 }
 
 Pinned pinned(LawResult const& law) {
-  Pinned made;
-  if (std::ranges::count_if(law.devices, [](auto const& fit) { return fit_status(fit) == "ok"; }) < 2) return made;
+  Pinned result;
+  if (std::ranges::count_if(law.devices, [](auto const& fit) { return fit_status(fit) == "ok"; }) < 2) return result;
   auto const& parameters = parameters_of(law);
   for (std::size_t n = 0; n < parameters.size(); ++n) {
     if (!parameters[n].free) continue;
-    ++made.calibrated;
-    std::size_t devices = 0, there = 0;
+    ++result.calibrated;
+    std::size_t devices = 0, held = 0;
     for (auto const& fit : law.devices) {
       if (n >= fit.parameters.size() || fit_status(fit) != "ok") continue;
       ++devices;
-      if (fit.parameters[n].at_bound != fit::AtBound::no) ++there;
+      if (fit.parameters[n].at_bound != fit::AtBound::no) ++held;
     }
-    if (2 * there >= devices && there > 0) ++made.count;
+    if (2 * held >= devices && held > 0) ++result.count;
   }
-  return made;
+  return result;
 }
 
 }  // namespace isolaw::study

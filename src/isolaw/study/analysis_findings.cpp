@@ -15,7 +15,7 @@ namespace {
 using Names = std::vector<std::string>;
 
 // Ids of the laws on a front, the most accurate first.
-Names on(Summary const& summary, bool LawResult::*front) {
+Names laws_on(Summary const& summary, bool LawResult::*front) {
   std::vector<LawResult const*> laws;
   for (auto const& law : summary.laws)
     if (law.*front) laws.push_back(&law);
@@ -27,7 +27,7 @@ Names on(Summary const& summary, bool LawResult::*front) {
   return ids;
 }
 
-// By more than a tenth.
+// True where beta changes by more than a tenth, and by more than 1e-4.
 bool changes_beta(LawResult const& law) {
   if (!law.beta || !law.beta_converged) return false;
   constexpr double nothing = 1e-4;
@@ -35,13 +35,14 @@ bool changes_beta(LawResult const& law) {
 }
 
 void add_front(Summary const& summary, std::vector<Finding>& findings) {
-  auto const runs = on(summary, &LawResult::on_front), converged = on(summary, &LawResult::on_front_converged);
+  auto const runs = laws_on(summary, &LawResult::on_front);
+  auto const converged = laws_on(summary, &LawResult::on_front_converged);
   if (converged.empty()) return;
-  Names of_runs;
-  for (auto const& id : runs) of_runs.emplace_back(laws::called(id));
+  Names run_names;
+  for (auto const& id : runs) run_names.emplace_back(laws::called(id));
   findings.push_back({.kind = FindingKind::converged_front,
                       .other_laws = converged,
-                      .words = {{"same", runs == converged ? "yes" : "no"}, {"of_runs", enumerate(of_runs)}}});
+                      .words = {{"same", runs == converged ? "yes" : "no"}, {"of_runs", enumerate(run_names)}}});
   for (auto const& law : summary.laws)
     if (changes_beta(law))
       findings.push_back({.kind = FindingKind::converged_beta,

@@ -1,5 +1,5 @@
-// The meaning of the analyses as findings: changes without the optimiser's noise and why, the error on a device that was
-// not tested, and the parameters that the tests leave open.
+// Findings from the analyses: what changes without the optimiser's noise and why, the error on a device that was not
+// tested, how the laws predict blocks, and how many parameters the tests determine.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace isolaw::study {
 
-// For the first screen; empty without analyses.
+// Empty while runs or analyses of the campaign are missing.
 std::vector<Finding> converged_findings(Summary const& summary);
 
 }  // namespace isolaw::study

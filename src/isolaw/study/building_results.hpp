@@ -1,6 +1,6 @@
-// What the analyses of a building say, each number under one name with its unit and meaning: building.json, the page
-// and the tables are written from these rows; docs/building-json.md is checked against them. What is measured of a
-// building is a row of building::quantities().
+// The results of a building's analyses, each number under one name with its unit and meaning: building.json, the page
+// and the tables are written from these rows; docs/building-json.md is checked against them. building::quantities() has
+// the quantities that are measured in a building.
 #pragma once
 
 #include "isolaw/building/answers.hpp"
@@ -9,8 +9,8 @@
 namespace isolaw::study {
 
 template <std::size_t place>
-Value fractile_of(building::Distribution const& of) {
-  return value_of(of.fractiles[place]);
+Value fractile_of(building::Distribution const& distribution) {
+  return value_of(distribution.fractiles[place]);
 }
 
 inline constexpr Result<building::Distribution> distribution_results[]{
@@ -67,7 +67,6 @@ inline constexpr Result<building::Checked> checked_results[]{
     {"equivalent_damping", "-", "effective damping", "its damping", get<&building::Checked::equivalent_damping>},
 };
 
-// Of one motion.
 inline constexpr Result<building::NominalHistory> history_results[]{
     {"step_s", "s", "", "time between the points of the arrays", get<&building::NominalHistory::step_s>},
     {"x_mm", "", "", "displacement of the base's centre of mass along x, mm", nested<building::NominalHistory>},

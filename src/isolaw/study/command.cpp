@@ -10,7 +10,7 @@
 namespace isolaw::study {
 namespace {
 
-// As a device is named without a lot file; its name is part of its seed.
+// True for the name that a device gets without a lot file; another name would change its seed.
 bool is_named_by_its_file(DeviceResult const& device) {
   return device.name == campaign::name_of_file(device.file);
 }

@@ -1,5 +1,5 @@
 // The properties of cycles and blocks and the error budget as results: inspection.json, the data and tables of the page
-// and tables/cycles.csv are written from these rows; docs/inspection-json.md is checked against them.
+// and tables/cycles.csv are written from these rows, and docs/inspection-json.md is checked against them.
 #pragma once
 
 #include "isolaw/study/levels.hpp"
@@ -7,15 +7,15 @@
 
 namespace isolaw::study {
 
-// A cycle and the device whose rubber gives its strain.
+// A cycle and its device, whose rubber gives the strain.
 struct CycleOf {
   data::Cycle const& cycle;
   DeviceResult const& device;
 };
 
 template <auto member>
-Value of_cycle(CycleOf const& of) {
-  return get<member>(of.cycle);
+Value of_cycle(CycleOf const& row) {
+  return get<member>(row.cycle);
 }
 
 inline constexpr Result<CycleOf> cycle_results[]{
@@ -56,15 +56,15 @@ inline constexpr Result<CycleOf> cycle_results[]{
      of_cycle<&data::Cycle::closure_mm>, significant(2)},
     {"closure_kN", "kN", "closure", "the same for the force", of_cycle<&data::Cycle::closure_kN>, significant(2)},
     {"strain_percent", "%", "strain", "shear strain",
-     [](CycleOf const& of) {
-       auto const& thickness = of.device.rubber_thickness_mm;
-       return thickness ? Value(data::strains(of.cycle, *thickness, 1.0).shear_strain_percent) : Value();
+     [](CycleOf const& row) {
+       auto const& thickness = row.device.rubber_thickness_mm;
+       return thickness ? Value(data::strains(row.cycle, *thickness, 1.0).shear_strain_percent) : Value();
      },
      decimals(0)},
     {"G_MPa", "MPa", "G", "shear modulus",
-     [](CycleOf const& of) {
-       auto const &thickness = of.device.rubber_thickness_mm, &area = of.device.rubber_area_mm2;
-       return thickness && area ? Value(data::strains(of.cycle, *thickness, *area).G_MPa) : Value();
+     [](CycleOf const& row) {
+       auto const &thickness = row.device.rubber_thickness_mm, &area = row.device.rubber_area_mm2;
+       return thickness && area ? Value(data::strains(row.cycle, *thickness, *area).G_MPa) : Value();
      },
      significant(3)},
 };
@@ -80,7 +80,7 @@ inline constexpr Result<data::Block> block_results[]{
      nested<data::Block>},
 };
 
-// How a property keeps through the counted cycles of a block.
+// How far a property keeps its value through the counted cycles of a block.
 inline constexpr Result<data::Stability> stability_results[]{
     {"ratio_to_third", "", "", "value in each counted cycle over that in the third", nested<data::Stability>},
     {"min_2_10", "-", "least of cycles 2-10", "least of these ratios over cycles 2 to 10, or as many as there are",
@@ -97,7 +97,6 @@ inline constexpr Result<data::Stability> stability_results[]{
      get<&data::Stability::first_to_mean_1_3>},
 };
 
-// A block among the levels of its device's test.
 inline constexpr Result<Level> level_results[]{
     {"block", "", "block", "block of the record", get<&Level::block>},
     {"amplitude_mm", "mm", "amplitude", "amplitude of the block", get<&Level::amplitude_mm>, decimals(1)},
@@ -114,7 +113,7 @@ inline constexpr Result<Level> level_results[]{
     {"reference", "", "reference", "this is the counting block itself", get<&Level::reference>},
 };
 
-// The compression test of a device: what it gives, and its file.
+// A number of the device's vertical stiffness; undefined for a device without one.
 template <auto... members>
 Value of_vertical(DeviceResult const& device) {
   return device.vertical ? get<members...>(*device.vertical) : Value();
@@ -150,7 +149,6 @@ inline constexpr Result<DeviceResult> vertical_results[]{
      get<&DeviceResult::vertical_test, &data::VerticalTest::refusal>},
 };
 
-// An effect of the error budget.
 inline constexpr Result<data::Effect> effect_results[]{
     {"effect", "", "effect", "what was assessed: `\"skew\"`", get<&data::Effect::effect>},
     {"value", own_unit, "value", "how large it is", get<&data::Effect::value>},
@@ -159,10 +157,10 @@ inline constexpr Result<data::Effect> effect_results[]{
     {"exceeds", "", "exceeds", "it exceeds its limit; a warning says so", get<&data::Effect::exceeds>},
 };
 
-// The properties that are followed from cycle to cycle of a block, by their short names; key: their row above.
+// A property that is followed from cycle to cycle of a block, by its short name; key: its row in cycle_results.
 struct FollowedProperty {
   std::string_view name, key;
-  double data::Cycle::*of;
+  double data::Cycle::*value;
 };
 inline constexpr FollowedProperty followed_properties[]{{"K_eff", "K_eff_kN_per_mm", &data::Cycle::K_eff_kN_per_mm},
                                                         {"energy", "energy_kN_mm", &data::Cycle::energy_kN_mm},

@@ -1,4 +1,4 @@
-// The findings against one law of a campaign, for whoever takes it from there: exports, `simulate` and `building`.
+// Collects the findings against one law of a campaign for those who use it: exports, `simulate` and `building`.
 #pragma once
 
 #include <optional>
@@ -15,22 +15,22 @@ namespace isolaw::study {
 Finding prediction_of(Summary const& summary, LawResult const& law);
 
 struct Doubts {
-  // Limits of its rule set that the device, or the lot, does not keep; devices that the lot's law says nothing of; and
+  // The limits of the rule set that the device or the lot does not keep, the devices that the lot's law leaves out, and
   // the warnings about the law on the device.
   std::vector<Finding> findings;
   Finding prediction;
   std::optional<Finding> objection;  // why the law should not be taken at all
 };
 
-// About the law on one device; without a device, about the one law of the lot.
+// The doubts about the law on one device or, without a device, about the one law of the lot.
 Doubts doubts(Summary const& summary, std::string_view law, std::optional<std::string_view> device);
 
-// "law bouc-wen, device 'a'" or "law bouc-wen, the lot": the place that messages about its parameters name.
+// "law bouc-wen, device 'a'" or "law bouc-wen, the lot", by which messages name the place of a law's parameters.
 std::string whose(std::string_view law, std::optional<std::string_view> device);
 
-// Throws Error where there is an objection and the law is not taken anyway; `where` is whose().
+// Throws Error where there is an objection, unless `anyway` overrules it; `where` is whose().
 void require_taken(Doubts const& doubts, std::string const& where, bool anyway);
-// The line about an objection that --anyway has overruled.
+// The line that tells of an objection that --anyway has overruled.
 std::string let_through(std::string_view objection);
 
 // The part of the tests that a law was fitted to, in words: `part` is that of data::Selection, empty for all.

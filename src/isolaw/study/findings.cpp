@@ -24,23 +24,23 @@ bool dominates(LawResult const& a, LawResult const& b) {
   return no_worse && (*a.objective.mean < *b.objective.mean || *a.beta < *b.beta);
 }
 
-// Whoever is told to take a law must know that it holds only where it was fitted.
+// Whoever is told of a law as a choice must know where its box or its prediction speaks against it.
 void add_cautions(std::vector<Finding>& findings, Summary const& summary, LawResult const& law) {
   if (auto const held = pinned(law); held.decides()) findings.push_back(held.finding(law.id));
   if (!law.prediction_holds()) findings.push_back(prediction_of(summary, law));
 }
 
-// Whether a law may be taken at all, and is compared with the others: identified, and near enough to the devices.
+// True for a law that was identified and is near enough to the devices: no other is compared or recommended.
 bool describes(LawResult const& law) {
   return law.objective.mean && is_adequate(law);
 }
 
-// The laws that a comparison speaks of: all, or those that describe the devices.
+// The laws that a comparison covers: "all", or "adequate" where some do not describe the devices.
 std::string among(Summary const& summary) {
   return std::ranges::all_of(summary.laws, is_adequate) ? "all" : "adequate";
 }
 
-// A finding on a law beside the others, with its error and its scatter where it has one.
+// A finding that compares a law with the others, with its error and beta where it has them.
 Finding beside_others(Summary const& summary, FindingKind kind, LawResult const& law) {
   Finding finding{.kind = kind, .law = law.id, .words = {{"among", among(summary)}}};
   if (law.objective.mean) finding.numbers.push_back({"misfit", *law.objective.mean});
@@ -48,31 +48,31 @@ Finding beside_others(Summary const& summary, FindingKind kind, LawResult const&
   return finding;
 }
 
-// The front of the laws that describe the devices: one that does not is no choice, whatever it beats.
+// The front of the laws that describe the devices: any other law is no choice, whatever it beats.
 std::vector<bool> front_among_adequate(Summary const& summary) {
   return front_of(
       summary.laws, [](auto const& law) { return describes(law) ? law.beta : std::nullopt; },
       [](auto const& law) { return law.objective.mean; });
 }
 
-// The same without the optimiser's noise.
+// The same front without the optimiser's noise.
 std::vector<bool> converged_among_adequate(Summary const& summary) {
   return front_of(
       summary.laws, [](auto const& law) { return describes(law) ? law.beta_converged : std::nullopt; },
       [](auto const& law) { return law.objective_converged; });
 }
 
-// The place of the front's robust end: its last law that is not held together by its box. Where all but the most
-// accurate one are, that one's, and the front has no robust end.
+// The place of the front's robust end: the last law that its box does not hold together. Place 0 means that the front
+// has no robust end: the box holds all laws but perhaps the most accurate one.
 std::size_t robust_end(Summary const& summary, std::vector<std::size_t> const& front) {
   for (std::size_t place = front.size(); place-- > 1;)
     if (!pinned(summary.laws[front[place]]).decides()) return place;
   return 0;
 }
 
-// Of the laws between the ends of the front, the place of the one nearest to having the best of both, each measured by
-// the front's extent; the front's size where there is none. No compromise is a law whose prediction does not hold, that
-// its box holds together, or that leaves the front with the optimiser's noise.
+// The place of the law between the front's ends that is nearest to the best of both, measured by the front's extent, or
+// the front's size where there is none. A law is no compromise where its prediction does not hold, its box holds it
+// together, or it leaves the front once the optimiser's noise is removed.
 std::size_t compromise(Summary const& summary, std::vector<std::size_t> const& front) {
   auto const& laws = summary.laws;
   bool const analysed = std::ranges::any_of(laws, &LawResult::on_front_converged);
@@ -157,7 +157,7 @@ LawVerdict unranked_verdict(Summary const& summary, std::size_t index, LawResult
   return verdict;
 }
 
-// `best`: the most accurate law that describes the devices; the number of laws where there is none.
+// `best` is the index of the most accurate law that describes the devices, or the number of laws without one.
 std::vector<Finding> headline(Summary const& summary, std::vector<std::size_t> const& front, std::size_t best) {
   auto const& laws = summary.laws;
   auto const about = [&](FindingKind kind, std::size_t index) {

@@ -1,4 +1,4 @@
-// What stands beside the published study as results: `published` of summary.json and the page's data are written from
+// The comparison with the published study as results: `published` of summary.json and the page's data are written from
 // these rows; docs/summary-json.md is checked against them.
 #pragma once
 

@@ -15,17 +15,17 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-// The error of a law for a purpose, and its error on every device.
+// The error of a law for a purpose, and its errors on the devices.
 struct Known {
   double error = 0.0;
   std::vector<std::pair<std::string_view, double>> of_devices;
 };
 
-template <class Of>
-Known over_devices(LawResult const& law, double error, Of of) {
+template <class ErrorOn>
+Known over_devices(LawResult const& law, double error, ErrorOn error_on) {
   Known known{.error = error, .of_devices = {}};
   for (auto const& fit : law.devices)
-    if (auto const value = of(fit)) known.of_devices.emplace_back(fit.device, *value);
+    if (auto const value = error_on(fit)) known.of_devices.emplace_back(fit.device, *value);
   return known;
 }
 
@@ -40,7 +40,7 @@ std::optional<double> predicted_of(DeviceFit const& fit) {
   return count > 0 ? std::optional(sum / count) : std::nullopt;
 }
 
-// The worse of what is known: on blocks and on devices that the law was not fitted to.
+// The larger error on what the law was not fitted to: blocks, or devices left out.
 std::optional<Known> known_for_untested(LawResult const& law) {
   auto const& loo = law.loo_objective;
   auto const& predicted = law.predicted_objective;
@@ -49,7 +49,7 @@ std::optional<Known> known_for_untested(LawResult const& law) {
   return over_devices(law, *loo, [](DeviceFit const& fit) { return fit.left_out_objective; });
 }
 
-// Without the optimiser's noise where there is an analysis.
+// The error on the tests, without the optimiser's noise where there is an analysis.
 std::optional<Known> known_of_tests(LawResult const& law) {
   if (law.objective_converged)
     return over_devices(law, *law.objective_converged, [](DeviceFit const& fit) { return fit.optimum; });
@@ -67,7 +67,7 @@ std::size_t calibrated(LawResult const& law) {
   return static_cast<std::size_t>(std::ranges::count_if(parameters, &ParameterFit::free));
 }
 
-// The share of the parameters examined on the devices that the tests do not determine; empty without analysis.
+// The share of the examined parameters that the tests do not determine, over all devices; empty without analysis.
 std::optional<double> share_open(LawResult const& law) {
   int examined = 0, open = 0;
   for (auto const& fit : law.devices)
@@ -84,10 +84,10 @@ struct Candidate {
   LawResult const* law = nullptr;
   Known known;
   std::size_t parameters = 0;
-  std::vector<Finding> weak = {};  // why a choice of it is not a sure one
+  std::vector<Finding> weak = {};  // why choosing it is not sure
 };
 
-// A law that may be taken at all, on every device that takes part.
+// True for a law that may be taken: identified on every device, adequate, and not refuted by its prediction.
 bool may_be_taken(Summary const& summary, LawResult const& law) {
   auto const usable = device_names(summary).size();
   auto const identified = static_cast<std::size_t>(
@@ -95,7 +95,7 @@ bool may_be_taken(Summary const& summary, LawResult const& law) {
   return law.objective.mean && identified == usable && is_adequate(law) && law.prediction_holds();
 }
 
-// Means differ by no more than chance makes of the devices.
+// True where the mean errors differ by no more than their scatter over the devices explains.
 bool tie(Known const& best, Known const& other) {
   std::vector<double> differences;
   for (auto const& [device, error] : best.of_devices) {
@@ -141,8 +141,8 @@ std::vector<Finding> weaknesses(Summary const& summary, Candidate const& candida
   return found;
 }
 
-// Among laws that tie, one that nothing speaks against comes first, then fewer parameters, then one that analysis
-// programs have.
+// Among laws that tie, one that nothing speaks against comes first, then one with fewer parameters, then one that
+// analysis programs have.
 bool preferred(Candidate const& a, Candidate const& b) {
   if (a.weak.empty() != b.weak.empty()) return a.weak.empty();
   if (a.parameters != b.parameters) return a.parameters < b.parameters;
@@ -154,7 +154,7 @@ bool predicts_blocks(Summary const& summary) {
   return std::ranges::any_of(summary.laws, [](auto const& law) { return law.predicted_objective.has_value(); });
 }
 
-// Where an error was found.
+// Says where the error of a law was found.
 std::string measure_of(bool untested, LawResult const& law) {
   if (!untested) return "fitted to each device";
   bool const of_blocks =
@@ -184,7 +184,7 @@ std::vector<Finding> what_would_decide(Summary const& summary, Purpose purpose, 
   return steps;
 }
 
-// What was not tested and is judged: nobody knows of the rest.
+// The title names only what the errors are known for: devices left out, blocks, or both.
 std::string title_of(Summary const& summary, Purpose purpose) {
   if (purpose == Purpose::these_tests) return "For these tests";
   if (purpose == Purpose::simplest) return "Simplest that serves";
@@ -193,7 +193,7 @@ std::string title_of(Summary const& summary, Purpose purpose) {
   return devices ? "For a device not tested" : "For what was not tested";
 }
 
-// The findings on why no law is left.
+// Why no law is left to recommend.
 std::vector<Finding> why_none(Summary const& summary, Purpose purpose) {
   auto const identified =
       std::ranges::count_if(summary.laws, [](auto const& law) { return law.objective.mean.has_value(); });
@@ -230,7 +230,7 @@ Recommendation none(Summary const& summary, Purpose purpose) {
   return answer;
 }
 
-// Why a law may not be taken; none where it may.
+// Why a law may not be taken; nullopt where it may.
 std::optional<Finding> ruled_out(Summary const& summary, LawResult const& law, bool known, double error) {
   auto const because = [&](FindingKind kind, std::string_view grade = {}) {
     Finding reason{.kind = kind, .law = law.id};
@@ -245,28 +245,29 @@ std::optional<Finding> ruled_out(Summary const& summary, LawResult const& law, b
   return error > fair_prediction ? because(FindingKind::out_error, grade_of_error(error)) : std::nullopt;
 }
 
-// Where every law stands, the chosen ones first, in their order.
+// The standing of every law: the chosen ones first, in their order.
 std::vector<Standing> standings_of(Summary const& summary, bool untested, std::vector<Candidate> const& chosen) {
-  std::vector<Standing> made, out;
-  for (auto const& c : chosen) made.push_back({c.index, made.empty() ? Rank::taken : Rank::tied, c.known.error, {}});
-  auto const first_behind = static_cast<std::ptrdiff_t>(made.size());
+  std::vector<Standing> standings, out;
+  for (auto const& c : chosen)
+    standings.push_back({c.index, standings.empty() ? Rank::taken : Rank::tied, c.known.error, {}});
+  auto const first_behind = static_cast<std::ptrdiff_t>(standings.size());
   for (std::size_t i = 0; i < summary.laws.size(); ++i) {
     if (std::ranges::find(chosen, i, &Candidate::index) != chosen.end()) continue;
     auto const& law = summary.laws[i];
     auto const known = untested ? known_for_untested(law) : known_of_tests(law);
     auto const error = known ? std::optional(known->error) : std::nullopt;
     auto reason = ruled_out(summary, law, known.has_value(), error.value_or(0.0));
-    auto& list = reason ? out : made;
+    auto& list = reason ? out : standings;
     list.push_back({i, reason ? Rank::ruled_out : Rank::behind, error, std::move(reason)});
   }
   auto const by_error = [](Standing const& s) { return s.error.value_or(std::numeric_limits<double>::infinity()); };
-  std::ranges::stable_sort(made.begin() + first_behind, made.end(), {}, by_error);
+  std::ranges::stable_sort(standings.begin() + first_behind, standings.end(), {}, by_error);
   std::ranges::stable_sort(out, {}, by_error);
-  made.insert(made.end(), out.begin(), out.end());
-  return made;
+  standings.insert(standings.end(), out.begin(), out.end());
+  return standings;
 }
 
-// A law that follows the tests more closely and may not be taken: readers ask why it was not.
+// The law that follows the tests most closely but does not predict: readers ask why it was not taken.
 std::optional<Finding> closer_but_refused(Summary const& summary, Candidate const& taken, Purpose purpose) {
   if (purpose != Purpose::these_tests) return std::nullopt;
   LawResult const* closest = nullptr;
@@ -298,14 +299,14 @@ Recommendation recommend(Summary const& summary, Purpose purpose) {
     candidates.push_back({.index = i, .law = &law, .known = *known, .parameters = calibrated(law)});
   }
   if (candidates.empty()) {
-    auto made = none(summary, purpose);
-    made.standings = standings_of(summary, untested, {});
-    return made;
+    auto advice = none(summary, purpose);
+    advice.standings = standings_of(summary, untested, {});
+    return advice;
   }
   std::ranges::stable_sort(candidates, {}, [](auto const& c) { return c.known.error; });
   auto const& best = candidates.front();
 
-  std::vector<Candidate> chosen;  // that cannot be told apart for the purpose
+  std::vector<Candidate> chosen;  // the laws that cannot be told apart for the purpose
   if (purpose == Purpose::simplest) {
     double const most = best.known.error + std::max(simple_share * best.known.error, simple_error);
     auto fewest = best.parameters;
@@ -320,7 +321,7 @@ Recommendation recommend(Summary const& summary, Purpose purpose) {
     for (auto const& c : candidates)
       if (&c == &best || tie(best.known, c.known)) chosen.push_back(c);
   }
-  // A grade outranks an error: a law whose prediction is good comes before one whose is fair.
+  // A grade outranks an error: a law that predicts well comes before one that predicts fairly.
   auto const grade_of = [](Candidate const& c) { return c.law->prediction_grade.value_or(PredictionGrade::good); };
   auto const least_grade = std::ranges::min(chosen | std::views::transform(grade_of));
   std::erase_if(chosen, [&](auto const& c) { return grade_of(c) != least_grade; });
@@ -328,50 +329,52 @@ Recommendation recommend(Summary const& summary, Purpose purpose) {
   std::ranges::stable_sort(chosen, preferred);
 
   auto const& taken = chosen.front();
-  Recommendation made;
-  made.purpose = purpose;
-  made.law = taken.index;
-  made.error = taken.known.error;
-  made.measure = measure_of(untested, *taken.law);
-  made.standings = standings_of(summary, untested, chosen);
+  Recommendation advice;
+  advice.purpose = purpose;
+  advice.law = taken.index;
+  advice.error = taken.known.error;
+  advice.measure = measure_of(untested, *taken.law);
+  advice.standings = standings_of(summary, untested, chosen);
   Names tied;
   for (auto const& c : chosen | std::views::drop(1)) {
-    made.ties.push_back(c.index);
+    advice.ties.push_back(c.index);
     tied.push_back(c.law->id);
   }
-  made.weak = taken.weak;
-  made.sure = !made.weak.empty() ? Sure::weak : !made.ties.empty() ? Sure::tie : Sure::clear;
+  advice.weak = taken.weak;
+  advice.sure = !advice.weak.empty() ? Sure::weak : !advice.ties.empty() ? Sure::tie : Sure::clear;
 
   Finding error{.kind = FindingKind::why_error,
                 .law = taken.law->id,
                 .numbers = {{"error", taken.known.error}},
-                .words = {{"measure", made.measure}}};
+                .words = {{"measure", advice.measure}}};
   if (purpose == Purpose::simplest) error.numbers.push_back({"parameters", static_cast<double>(taken.parameters)});
-  made.why.push_back(std::move(error));
+  advice.why.push_back(std::move(error));
   if (purpose == Purpose::simplest && taken.index != best.index)
-    made.why.push_back(
+    advice.why.push_back(
         {.kind = FindingKind::why_simpler,
          .law = best.law->id,
          .numbers = {{"error", best.known.error}, {"parameters", static_cast<double>(best.parameters)}}});
   if (!tied.empty()) {
-    made.why.push_back({.kind = FindingKind::why_ties,
-                        .law = taken.law->id,
-                        .other_laws = tied,
-                        .numbers = {{"devices", static_cast<double>(device_names(summary).size())}}});
+    advice.why.push_back({.kind = FindingKind::why_ties,
+                          .law = taken.law->id,
+                          .other_laws = tied,
+                          .numbers = {{"devices", static_cast<double>(device_names(summary).size())}}});
   } else if (purpose != Purpose::simplest && candidates.size() > 1) {
     auto const& next = candidates[best.index == taken.index ? 1 : 0];
-    made.why.push_back({.kind = FindingKind::why_next, .law = next.law->id, .numbers = {{"error", next.known.error}}});
+    advice.why.push_back(
+        {.kind = FindingKind::why_next, .law = next.law->id, .numbers = {{"error", next.known.error}}});
   }
-  if (auto closer = closer_but_refused(summary, taken, purpose)) made.why.push_back(std::move(*closer));
-  made.answer = {.kind = FindingKind::law_recommended,
-                 .law = taken.law->id,
-                 .other_laws = tied,
-                 .numbers = {{"error", taken.known.error}},
-                 .words = {{"measure", made.measure}, {"sure", std::string(name(made.sure))}, {"elsewhere", "yes"}}};
-  made.surer = what_would_decide(summary, purpose, made.sure != Sure::clear);
-  made.valid_mm = largest_displacement(summary, *taken.law);
-  if (!taken.law->in_programs) made.programs = Finding{.kind = FindingKind::not_in_opensees, .law = taken.law->id};
-  return made;
+  if (auto closer = closer_but_refused(summary, taken, purpose)) advice.why.push_back(std::move(*closer));
+  advice.answer = {
+      .kind = FindingKind::law_recommended,
+      .law = taken.law->id,
+      .other_laws = tied,
+      .numbers = {{"error", taken.known.error}},
+      .words = {{"measure", advice.measure}, {"sure", std::string(name(advice.sure))}, {"elsewhere", "yes"}}};
+  advice.surer = what_would_decide(summary, purpose, advice.sure != Sure::clear);
+  advice.valid_mm = largest_displacement(summary, *taken.law);
+  if (!taken.law->in_programs) advice.programs = Finding{.kind = FindingKind::not_in_opensees, .law = taken.law->id};
+  return advice;
 }
 
 }  // namespace
@@ -396,17 +399,17 @@ bool compares_laws(Summary const& summary) {
 }
 
 std::vector<Recommendation> recommendations(Summary const& summary) {
-  std::vector<Recommendation> made;
-  if (summary.laws.empty()) return made;
+  std::vector<Recommendation> answers;
+  if (summary.laws.empty()) return answers;
   for (auto const purpose : {Purpose::untested_device, Purpose::these_tests, Purpose::simplest}) {
-    made.push_back(recommend(summary, purpose));
-    made.back().title = title_of(summary, purpose);
+    answers.push_back(recommend(summary, purpose));
+    answers.back().title = title_of(summary, purpose);
   }
-  // The sentence that names a law says what it is not shown for.
-  if (made.front().law) return made;
-  for (auto& each : made | std::views::drop(1))
+  // Where no law is known for untested devices, the other answers say that theirs is not shown to hold elsewhere.
+  if (answers.front().law) return answers;
+  for (auto& each : answers | std::views::drop(1))
     if (each.law) std::ranges::find(each.answer.words, "elsewhere", &FindingWord::name)->text = "no";
-  return made;
+  return answers;
 }
 
 std::optional<Finding> verdict(std::vector<Recommendation> const& recommendations) {

@@ -1,4 +1,4 @@
-// Every result under one name: its key in JSON, its unit, its heading in tables, what it means. summary.json, the data
+// Every result under one name: its key in JSON, its unit, its heading in tables and its meaning. summary.json, the data
 // of the page and the tables are written from these rows, in their order; docs/summary-json.md is checked against them.
 #pragma once
 
@@ -43,29 +43,29 @@ Value value_of(T const& from) {
     return from;
 }
 
-// Through members, or functions of the object: get<&ParameterFit::value, &Statistic::mean>.
-template <auto first, auto... rest, class Of>
-Value get(Of const& of) {
+// Reads a member or calls a function of the object, and so on: get<&ParameterFit::value, &Statistic::mean>.
+template <auto first, auto... rest, class Object>
+Value get(Object const& object) {
   if constexpr (sizeof...(rest) > 0)
-    return get<rest...>(std::invoke(first, of));
+    return get<rest...>(std::invoke(first, object));
   else
-    return value_of(std::invoke(first, of));
+    return value_of(std::invoke(first, object));
 }
-template <auto lower, auto upper, class Of>
-Value ends(Of const& of) {
-  return Ends{of.*lower, of.*upper};
+template <auto lower, auto upper, class Object>
+Value ends(Object const& object) {
+  return Ends{object.*lower, object.*upper};
 }
-// A word that is undefined where it is empty.
-template <auto member, class Of>
-Value word(Of const& of) {
-  return (of.*member).empty() ? Value() : value_of(of.*member);
+// A text that is undefined where it is empty.
+template <auto member, class Object>
+Value word(Object const& object) {
+  return (object.*member).empty() ? Value() : value_of(object.*member);
 }
-template <class Of>
-Value nested(Of const&) {
+template <class Object>
+Value nested(Object const&) {
   return Nested{};
 }
 
-// Of a parameter: stated beside it.
+// Marks a number whose unit differs from object to object and stands beside it, as that of a parameter.
 inline constexpr std::string_view own_unit = "its own";
 
 // How the page's tables print a number.
@@ -79,13 +79,13 @@ constexpr Printed significant(int count) {
   return {.decimals = {}, .significant = count};
 }
 
-template <class Of>
+template <class Object>
 struct Result {
-  // unit: "-" of a number without one, "" of what is none; heading: "" of what no table holds, the page's among them.
+  // unit: "-" for a number without one, "" for what is no number; heading: "" for what no table and no page shows.
   std::string_view key, unit, heading, meaning;
-  Value (*of)(Of const&) = nullptr;
+  Value (*of)(Object const&) = nullptr;
   Printed printed{};
-  int digits = 9;  // significant ones in the page's data, where numbers are drawn rather than computed with
+  int digits = 9;  // significant digits in the page's data, where numbers are only drawn
 };
 
 inline std::string_view fit_message(DeviceFit const& fit) {
@@ -221,14 +221,14 @@ inline constexpr Result<DeviceFit> fit_results[]{
     {"energy_fall_percent", "%", "energy lost, law", "the same loss by the law", get<energy_fall_of_law>},
 };
 
-// What `blocks` of a fit holds.
+// The members of an object in `blocks` of a fit.
 inline constexpr Result<BlockScore> score_results[]{
     {"block", "", "block", "by its number", get<&BlockScore::block>},
     {"fitted", "", "fitted", "false: predicted", get<&BlockScore::fitted>},
     {"objective", "-", "OF", "on this block", get<&BlockScore::objective>},
 };
 
-// What `intervals` of a fit holds.
+// The members of `intervals` of a fit.
 inline constexpr Result<DeviceFit> interval_results[]{
     {"level", "-", "", "confidence", get<&DeviceFit::interval_level>},
     {"samples", "", "", "that were judged", get<&DeviceFit::interval_samples>},
@@ -258,7 +258,7 @@ inline constexpr Result<ParameterFit> parameter_results[]{
      word<&ParameterFit::paper_name>},
 };
 
-// Beside those of a parameter that an analysis has examined.
+// Further members of a parameter that an analysis has examined.
 inline constexpr Result<ParameterAnalysis> analysis_results[]{
     {"identifiability", "", "identifiability", "the verdict; without it the keys below are absent",
      get<&ParameterAnalysis::identifiability>},
@@ -306,11 +306,11 @@ inline constexpr Result<OutlyingDevice> outlier_results[]{
     {"percent", "%", "difference", "difference from the median", get<&OutlyingDevice::percent>},
 };
 
-// The rows of some keys, in their order; "key: heading" gives one another heading. A key that is not there does not
-// compile.
-template <class Of, std::size_t all, std::size_t count>
-consteval std::array<Result<Of>, count> columns(Result<Of> const (&rows)[all], std::string_view const (&keys)[count]) {
-  std::array<Result<Of>, count> chosen;
+// Picks rows in the order of the keys; "key: heading" also changes the heading. An unknown key does not compile.
+template <class Object, std::size_t all, std::size_t count>
+consteval std::array<Result<Object>, count> columns(Result<Object> const (&rows)[all],
+                                                    std::string_view const (&keys)[count]) {
+  std::array<Result<Object>, count> chosen;
   for (std::size_t i = 0; i < count; ++i) {
     auto const colon = keys[i].find(": ");
     std::size_t row = 0;
@@ -321,16 +321,16 @@ consteval std::array<Result<Of>, count> columns(Result<Of> const (&rows)[all], s
   return chosen;
 }
 
-// What stands above a row in a table: one for each cell that its value takes.
+// The heading of one cell. A row has one for each cell that its value takes: three for a Statistic.
 struct Heading {
-  std::string title, unit;   // unit: empty of what has none of its own
-  std::string text() const;  // with the unit
+  std::string title, unit;   // unit: empty where the row has no fixed one
+  std::string text() const;  // "title [unit]"
 };
-std::vector<Heading> headings(std::string_view heading, std::string_view unit, Value const& of_kind);
-template <class Of>
-std::vector<Heading> headings(Result<Of> const& row) {
-  if constexpr (std::default_initializable<Of>)
-    return headings(row.heading, row.unit, row.of(Of{}));
+std::vector<Heading> headings(std::string_view heading, std::string_view unit, Value const& example);
+template <class Object>
+std::vector<Heading> headings(Result<Object> const& row) {
+  if constexpr (std::default_initializable<Object>)
+    return headings(row.heading, row.unit, row.of(Object{}));
   else
     return headings(row.heading, row.unit, {});
 }

@@ -1,4 +1,4 @@
-// Pieces of sentences in study: those of wording/words.hpp, and the name of a law of the summary.
+// Helpers for sentences in study: those of wording/words.hpp, and the name of a law in the summary.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ using wording::enumerate;
 using wording::percent;
 using wording::with_decimals;
 
-// The law as sentences name it; its id is for what is typed.
+// The name by which sentences call a law; its id is for what a user types.
 inline std::string called(LawResult const& law) {
   return std::string(laws::called(law.id));
 }

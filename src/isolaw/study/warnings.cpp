@@ -92,8 +92,8 @@ class Collector {
     return found != summary_.settings.end() && found->json != "\"all\"" && found->json != "\"\"";
   }
 
-  // A device loses energy from cycle to cycle and no law does, so the laws hold for a mean of its cycles. In the scope
-  // of one law that is said whatever other laws do.
+  // Warns where a device loses energy from cycle to cycle and no law in scope follows: the laws then hold for a mean of
+  // its cycles.
   void degradation() {
     for (auto const* device : devices_) {
       EnergyFall const* nearest = nullptr;
@@ -160,7 +160,7 @@ class Collector {
 
   void search(LawResult const& law) {
     auto share = law.success_share;
-    if (auto const of_device = fits(law); scope_.device && !of_device.empty()) share = of_device.front()->success_share;
+    if (auto const found = fits(law); scope_.device && !found.empty()) share = found.front()->success_share;
     constexpr double enough_runs = 0.5;
     if (share && *share < enough_runs) add({.kind = searches_disagree, .law = law.id, .numbers = {{"share", *share}}});
   }
@@ -168,7 +168,7 @@ class Collector {
   void parameters(LawResult const& law) {
     double fitted = 0.0, examined = 0.0;
     std::vector<Finding> open, bounds;
-    // The finding of this kind on this parameter and side, made where there is none yet.
+    // Finds the finding on this parameter and side, or adds it.
     auto const about = [&](std::vector<Finding>& list, FindingKind kind, std::string const& parameter,
                            std::vector<FindingWord> const& words) -> Finding& {
       auto const found = std::ranges::find_if(
@@ -220,8 +220,8 @@ class Collector {
 
   void outliers() {
     for (auto const& outlier : summary_.outliers) {
-      bool const of_other_law = scope_.law && !outlier.law.empty() && outlier.law != *scope_.law;
-      if (of_other_law || !scope_.covers_device(outlier.device)) continue;
+      bool const on_other_law = scope_.law && !outlier.law.empty() && outlier.law != *scope_.law;
+      if (on_other_law || !scope_.covers_device(outlier.device)) continue;
       add({.kind = FindingKind::outlier,
            .law = outlier.law,
            .devices = {outlier.device},
@@ -256,8 +256,8 @@ std::vector<Finding> Collector::record_findings(DeviceResult const& device) {
   return found;
 }
 
-// A record under two names counts twice and makes parameters look less scattered than they are; and one compression
-// test cannot be that of two devices.
+// A record under two names counts twice and makes parameters look less scattered than they are. One compression test
+// cannot belong to two devices.
 std::vector<Finding> Collector::shared_records(Summary const& summary) {
   std::vector<Finding> found;
   auto const names_of = [](auto const& group) {

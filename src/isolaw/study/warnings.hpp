@@ -1,5 +1,5 @@
-// Findings that a careful reader must know before trusting a campaign or an inspection. Each is computed here once, as
-// fields; wording/table.hpp says what to do about it and makes the sentence.
+// Collects the findings that a careful reader must know before trusting a campaign or an inspection. Each is computed
+// once, as fields; wording/table.hpp says what to do about it and makes the sentence.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ namespace isolaw::study {
 // A finer integration step that moves the objective by more than this is worth a warning.
 inline constexpr double large_integration_shift = 1e-3;
 
-// The part of a campaign that findings are asked about: one law or all, on one device or all.
+// The part of a campaign that findings are wanted for: one law or all, on one device or all.
 struct Scope {
   std::optional<std::string_view> law = {}, device = {};
 
@@ -26,7 +26,7 @@ struct Scope {
 // whole campaign whatever the scope.
 std::vector<Finding> warnings(Summary const& summary, Scope const& scope = {});
 
-// For each device, in the order of the summary: the findings on its record, and on others that hold the same one.
+// For each device, in the order of the summary: the findings on its record and on sharing it with other devices.
 std::vector<std::vector<Finding>> device_warnings(Summary const& summary);
 
 }  // namespace isolaw::study

@@ -36,7 +36,7 @@ class BuildingWriter {
     quantities();
     number("law_std_ln", answers_.law_std_ln);
     each("laws", answers_.laws, [&](building::LawAnswer const& law) {
-      write_results(out_, answer_results, law, digits_, [&](std::string_view key) { of_law(law, key); });
+      write_results(out_, answer_results, law, digits_, [&](std::string_view key) { nested(law, key); });
     });
   }
 
@@ -145,23 +145,23 @@ class BuildingWriter {
     out_.end_array();
   }
 
-  void loops(building::BearingLoops const& of) {
-    out_.member("motion", std::uint64_t{of.motion}).member("of", of.drawn ? "draw 1" : "nominal");
-    number("step_s", of.step_s);
-    out_.key("x_mm").line(of.x_mm, history_digits);
-    out_.key("y_mm").line(of.y_mm, history_digits);
-    out_.key("rotation_rad").line(of.rotation_rad, history_digits);
+  void loops(building::BearingLoops const& curves) {
+    out_.member("motion", std::uint64_t{curves.motion}).member("of", curves.drawn ? "draw 1" : "nominal");
+    number("step_s", curves.step_s);
+    out_.key("x_mm").line(curves.x_mm, history_digits);
+    out_.key("y_mm").line(curves.y_mm, history_digits);
+    out_.key("rotation_rad").line(curves.rotation_rad, history_digits);
     out_.key("bearings").begin_array();
-    for (std::size_t j = 0; j < of.force_x_kN.size(); ++j) {
+    for (std::size_t j = 0; j < curves.force_x_kN.size(); ++j) {
       out_.begin_object();
-      out_.key("x_kN").line(of.force_x_kN[j], spectrum_digits);
-      out_.key("y_kN").line(of.force_y_kN[j], spectrum_digits);
+      out_.key("x_kN").line(curves.force_x_kN[j], spectrum_digits);
+      out_.key("y_kN").line(curves.force_y_kN[j], spectrum_digits);
       out_.end_object();
     }
     out_.end_array();
   }
 
-  void of_law(building::LawAnswer const& law, std::string_view key) {
+  void nested(building::LawAnswer const& law, std::string_view key) {
     if (key == "coverage") return coverage(law);
     if (key == "histories") return histories(law);
     if (key == "checked") {
@@ -200,7 +200,7 @@ class BuildingWriter {
     out_.end_object();
   }
 
-  static constexpr std::size_t first_fractile = 3;  // of distribution_results
+  static constexpr std::size_t first_fractile = 3;  // place in distribution_results
   static_assert(distribution_results[first_fractile].key == "p16");
 
   JsonWriter& out_;

@@ -1,4 +1,4 @@
-// building.json, the results of the analyses of a building (docs/building-json.md).
+// Writes building.json, the results of the analyses of a building (docs/building-json.md).
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace isolaw::render {
 
-// Members of the open object.
+// Writes the members of the object that is open.
 void write_building(JsonWriter& out, building::Study const& study, building::Answers const& answers, Digits digits);
 
-// The sentences of the warnings, those on the calibration last.
+// The warnings as sentences; those on the calibration come last.
 std::vector<std::string> building_warnings(building::Answers const& answers);
 
 std::string building_json(building::Study const& study, building::Answers const& answers);

@@ -117,8 +117,8 @@ void write_recommendations(JsonWriter& out, study::Summary const& summary,
 
 void write_published(JsonWriter& out, study::Summary const& summary, Digits digits) {
   out.key("published");
-  auto const made = study::published(summary);
-  if (!made) {
+  auto const comparison = study::published(summary);
+  if (!comparison) {
     out.null();
     return;
   }
@@ -131,9 +131,9 @@ void write_published(JsonWriter& out, study::Summary const& summary, Digits digi
     }
     out.end_array();
   };
-  out.begin_object().member("source", made->source).member("verdict", made->verdict);
-  rows("laws", study::published_law_results, made->laws);
-  rows("statements", study::published_statement_results, made->statements);
+  out.begin_object().member("source", comparison->source).member("verdict", comparison->verdict);
+  rows("laws", study::published_law_results, comparison->laws);
+  rows("statements", study::published_statement_results, comparison->statements);
   out.end_object();
 }
 

@@ -15,7 +15,7 @@ namespace isolaw::render {
 
 namespace {
 
-// Of times: to the microsecond.
+// Rounds times to the microsecond.
 double shown(double seconds) {
   return std::round(1e6 * seconds) / 1e6;
 }
@@ -38,13 +38,6 @@ std::string profile_json(campaign::Profile const& profile) {
   }
   out.end_array();
   return out.take();
-}
-
-std::string with_profile(std::string summary_json, std::string_view profile) {
-  JsonWriter out(JsonWriter::Layout::indented);
-  out.begin_object().key("profile").json(profile).end_object();
-  summary_json.resize(summary_json.rfind("\n}"));
-  return fmt::format("{},{}\n", summary_json, out.take().substr(1));
 }
 
 std::string run_json(RunFacts const& facts) {

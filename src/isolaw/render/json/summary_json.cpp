@@ -103,6 +103,10 @@ void write(JsonWriter& out, DeviceResult const& device) {
 }  // namespace
 
 std::string summary_json(Summary const& summary) {
+  return summary_json(summary, {});
+}
+
+std::string summary_json(Summary const& summary, std::string_view profile) {
   JsonWriter out(JsonWriter::Layout::indented);
   out.begin_object();
   out.member("schema", summary_schema).key("isolaw").begin_array();
@@ -129,6 +133,7 @@ std::string summary_json(Summary const& summary) {
   write_findings(out, "warnings", warnings(summary));
   write_recommendations(out, summary, recommendations(summary));
   write_published(out, summary, Digits::all);
+  if (!profile.empty()) out.key("profile").json(profile);
   out.end_object();
   return out.take() + "\n";
 }

@@ -17,7 +17,7 @@
 namespace isolaw::render {
 namespace {
 
-// Code points, which are columns for the scripts met in names of devices and laws.
+// Counts code points: each takes one column in the scripts met in names of devices and laws.
 int columns(std::string_view text) {
   return static_cast<int>(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
@@ -40,7 +40,7 @@ std::string padded(std::string_view text, int width, bool right = false) {
   return right ? blanks + std::string(text) : std::string(text) + blanks;
 }
 
-// In at most ten characters, whatever the value.
+// Prints any value in at most ten characters.
 std::string bounded(double value, int decimals, double largest = 1e5) {
   return std::abs(value) < largest ? fmt::format("{:.{}f}", value, decimals) : fmt::format("{:.2e}", value);
 }
@@ -49,22 +49,22 @@ std::string fixed(std::optional<double> const& value, int decimals) {
   return value && std::isfinite(*value) ? bounded(*value, decimals) : "–";
 }
 
-// A standard deviation below what is printed of its mean is no zero.
+// A standard deviation too small for the printed digits must not look like zero.
 std::string spread(std::optional<double> const& std) {
   constexpr double least = 1e-4;
   if (!std || *std >= least / 2.0) return fixed(std, 4);
   return *std > 0.0 ? "<1e-4" : "0";
 }
 
-// A law in a table: its place, its name, cells aligned to the right, what stands after them.
+// A law's row in a table: its place, its name, cells aligned to the right, and a remark after them.
 struct Row {
   std::string place, id;
   std::vector<std::string> cells;
   std::string remark = {};
 };
 
-// Every column as wide as its texts and two blanks, the names as they are and `id_gap` blanks; none narrower than what
-// is given.
+// Lays out the rows. A column is as wide as its longest text and two blanks, that of the names as its longest name and
+// `id_gap` blanks, and no column is narrower than the width given for it.
 std::string table(std::vector<Row> const& rows, std::vector<int> widths, int id_width, int id_gap = 0) {
   widths.resize(rows.front().cells.size());
   for (auto const& row : rows) {
@@ -102,7 +102,7 @@ std::string law_table(Summary const& summary) {
   return table(rows, {18, 8, 7, 7, 9, 9}, 3);
 }
 
-// Where the laws are judged by a part of the tests, which no other number of stiffness or energy is of.
+// Explains |dK| and |dE| where laws are judged by part of the tests: no other stiffness or energy is of that part.
 std::string compared_on(Summary const& summary, int width) {
   bool const part =
       std::ranges::any_of(summary.devices, [](auto const& device) { return !device.record.scored.empty(); });
@@ -113,7 +113,6 @@ std::string compared_on(Summary const& summary, int width) {
               : std::string();
 }
 
-// The laws without the optimiser's noise.
 std::string converged_table(Summary const& summary, int width) {
   std::vector<Row> rows{{"", "law", {"found", "least OF", "beta", "front", "left out", "worst", "open"}}};
   for (std::size_t const index : by_objective(summary)) {
@@ -140,7 +139,7 @@ std::string converged_table(Summary const& summary, int width) {
              5, width);
 }
 
-// Objectives on each block, means over the devices that have it.
+// Objectives on each block, as means over the devices that have the block.
 std::string prediction_table(Summary const& summary) {
   std::map<int, bool> blocks;  // number, and whether it was fitted
   for (auto const& law : summary.laws)
@@ -206,7 +205,7 @@ class Canvas {
   std::vector<std::string> cells_;
 };
 
-// Beside, above or below the point, wherever there is room; a label without room is left out (the table has it).
+// Puts a label beside, above or below its point; one that has no room is left out, since the table has it.
 void put_label(Canvas& canvas, int column, int row, std::string_view id) {
   int const length = static_cast<int>(id.size());  // identifiers of laws are ASCII
   std::array const places{
@@ -223,7 +222,7 @@ void put_label(Canvas& canvas, int column, int row, std::string_view id) {
 struct Axis {
   double lower, upper;
 
-  // The data's range with a margin, never degenerate.
+  // The range of the values with a margin; its width is never zero.
   static Axis around(std::vector<double> const& values) {
     constexpr double largest = 1e300;  // what lies beyond is drawn at the edge
     auto const [least, most] = std::minmax_element(values.begin(), values.end());
@@ -237,7 +236,7 @@ struct Axis {
   }
 };
 
-// In at most eight characters.
+// Prints a tick's number in at most eight characters.
 std::string tick_text(double value) {
   return std::abs(value) < 1e3 ? fmt::format("{:.3f}", value) : fmt::format("{:.1e}", value);
 }
@@ -334,13 +333,13 @@ std::string answers(Summary const& summary, Findings const& found, int width) {
   return text + '\n';
 }
 
-// The recommendation that names a law, that for a building first; nullptr where none does.
+// The first recommendation that names a law, beginning with the one for buildings; nullptr where none does.
 Recommendation const* taken(std::vector<Recommendation> const& recommendations) {
   auto const found = std::ranges::find_if(recommendations, [](auto const& each) { return each.law.has_value(); });
   return found == recommendations.end() ? nullptr : &*found;
 }
 
-// The laws as the answer ranks them: how near they are to the tests, to what they were not fitted to, and their size.
+// The laws as the answer ranks them: errors on the tests and on what they were not fitted to, number of parameters.
 std::string short_table(Summary const& summary, Recommendation const& answer) {
   constexpr std::size_t most = 8;
   auto const any = [&](auto has) { return std::ranges::any_of(summary.laws, has); };
