@@ -174,14 +174,15 @@ Coverage covered(Quantity const& quantity, std::vector<double> const& draws, Dis
   Coverage coverage{.quantity = quantity.key, .factor_low = {}, .factor_high = {}, .not_monotonic = {}};
   constexpr double rounding = 1e-9;  // relative; a response that does not change is monotonic
   if (d.nominal < least - rounding * std::abs(least) || d.nominal > most + rounding * std::abs(most)) {
-    coverage.monotony =
-        Finding{.kind = FindingKind::bounds_not_monotonic,
-                .numbers = {{"lower", d.lower},
-                            {"nominal", d.nominal},
-                            {"upper", d.upper},
-                            {"lower_factor", settings.lower},
-                            {"upper_factor", settings.upper}},
-                .words = {{"quantity", std::string(quantity.title)}, {"unit", std::string(quantity.unit)}}};
+    coverage.monotony = Finding{.kind = FindingKind::bounds_not_monotonic,
+                                .numbers = {{"lower", d.lower},
+                                            {"nominal", d.nominal},
+                                            {"upper", d.upper},
+                                            {"lower_factor", settings.lower},
+                                            {"upper_factor", settings.upper}},
+                                .words = {{"quantity", std::string(quantity.title)},
+                                          {"unit", quantity.unit == "-" ? "" : std::string(quantity.unit)},
+                                          {"side", d.nominal < least ? "above" : "below"}}};
     coverage.not_monotonic = wording::remark(*coverage.monotony);
   }
   std::size_t inside = 0, below = 0;
@@ -233,18 +234,24 @@ std::vector<Finding> verdict_of(Study const& study, Answers const& answers) {
                 .words = {{"answer", !answers.bounds_are_enough   ? "No answer yet"
                                      : *answers.bounds_are_enough ? "Yes"
                                                                   : "No"},
-                          {"nominal_outside", c.monotony && c.inside < wanted_share ? "yes" : "no"}}};
-  for (auto& number : covering_factors(c).numbers) cover.numbers.push_back(std::move(number));
+                          {"nominal_outside", c.monotony && c.inside < wanted_share ? "yes" : ""}}};
+  auto const factors = covering_factors(c);
+  cover.numbers.insert(cover.numbers.end(), factors.numbers.begin(), factors.numbers.end());
+  cover.words.insert(cover.words.end(), factors.words.begin(), factors.words.end());
   std::vector<Finding> verdict{std::move(cover)};
   for (auto const& law : answers.laws)
     if (law.by_first_bounds && *law.by_first_bounds < wanted_share)
       verdict.push_back({.kind = FindingKind::building_bounds_cover_with,
                          .law = law.law,
                          .numbers = {{"inside", *law.by_first_bounds}}});
-  if (answers.law_std_ln)
+  if (answers.law_std_ln) {
+    double const lot = first.distributions.front().lot_std_ln;
+    bool const law_matters_more = *answers.law_std_ln > lot;
     verdict.push_back(
         {.kind = FindingKind::building_law_or_lot,
-         .numbers = {{"law_std_ln", *answers.law_std_ln}, {"lot_std_ln", first.distributions.front().lot_std_ln}}});
+         .numbers = {{"law_std_ln", *answers.law_std_ln}, {"lot_std_ln", lot}},
+         .words = {{"more", law_matters_more ? "law" : "lot"}, {"less", law_matters_more ? "lot" : "law"}}});
+  }
   return verdict;
 }
 
@@ -333,7 +340,7 @@ void warn_of_coverage(LawAnswer const& law, std::vector<Finding>& warnings) {
     } else if (&c != &law.coverage.front()) {
       warnings.push_back({.kind = FindingKind::bounds_cover_less,
                           .law = law.law,
-                          .numbers = {{"inside", c.inside}, {"enough", wanted_share}},
+                          .numbers = {{"inside", c.inside}, {"wanted", wanted_share}},
                           .words = {{"quantity", std::string(quantity(c.quantity).title)}}});
     }
   }
@@ -417,10 +424,13 @@ std::string_view form(LawAnswer const& law) {
 
 Finding covering_factors(Coverage const& coverage) {
   Finding finding{.kind = FindingKind::covering_factors,
-                  .numbers = {{"enough", wanted_share},
+                  .numbers = {{"wanted", wanted_share},
                               {"grid_low", grid_factor(0)},
                               {"grid_high", grid_factor(2 * grid_half)},
                               {"grid_step", grid_step}}};
+  constexpr double rounding = 1e-9;
+  bool const near = coverage.factor_low && *coverage.factor_low > 1.0 - grid_step - rounding;
+  finding.words = {{"factors", !coverage.factor_low ? "none" : near ? "near" : "found"}};
   if (coverage.factor_low) finding.numbers.push_back({"factor_low", *coverage.factor_low});
   if (coverage.factor_high) finding.numbers.push_back({"factor_high", *coverage.factor_high});
   return finding;
@@ -655,7 +665,7 @@ Answers answer(Study const& study, RunStore const& store) {
   if (has_draws(study) && !answers.laws.empty() && !answers.bounds_are_enough)
     answers.warnings.push_back(
         {.kind = FindingKind::draws_too_few,
-         .numbers = {{"draws", static_cast<double>(answers.laws.front().draws)}, {"enough", wanted_share}}});
+         .numbers = {{"draws", static_cast<double>(answers.laws.front().draws)}, {"wanted", wanted_share}}});
   if (auto const motions = study.file.motions.size(); motions < motions_for_a_mean)
     answers.warnings.push_back(
         {.kind = FindingKind::motions_too_few,

@@ -42,14 +42,15 @@ void add_front(Summary const& summary, std::vector<Finding>& findings) {
   for (auto const& id : runs) run_names.emplace_back(laws::called(id));
   findings.push_back({.kind = FindingKind::converged_front,
                       .other_laws = converged,
-                      .words = {{"same", runs == converged ? "yes" : "no"}, {"of_runs", enumerate(run_names)}}});
+                      .words = {{"same", runs == converged ? "yes" : "no"},
+                                {"of_runs", runs == converged ? "" : enumerate(run_names)}}});
   for (auto const& law : summary.laws)
     if (changes_beta(law))
       findings.push_back({.kind = FindingKind::converged_beta,
                           .law = law.id,
                           .parameters = law.left_out_of_beta,
                           .numbers = {{"beta", *law.beta}, {"beta_converged", *law.beta_converged}},
-                          .words = {{"reduced", law.reduced ? "yes" : "no"}}});
+                          .words = {{"reduced", law.reduced ? "yes" : ""}}});
 }
 
 void add_error_on_untested(Summary const& summary, std::vector<Finding>& findings) {
@@ -65,7 +66,7 @@ void add_error_on_untested(Summary const& summary, std::vector<Finding>& finding
                   .law = best->id,
                   .devices = {best->loo_worst_device},
                   .numbers = {{"error", *best->loo_objective}, {"worst", *best->loo_worst}},
-                  .words = {{"among", best == least ? "all" : "adequate"}}};
+                  .words = {{"least", best == least ? "all" : "predicting"}}};
   if (best->objective_converged) finding.numbers.push_back({"fitted", *best->objective_converged});
   findings.push_back(std::move(finding));
 }

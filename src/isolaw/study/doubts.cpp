@@ -35,7 +35,7 @@ Doubts doubts(Summary const& summary, std::string_view law_id, std::optional<std
   if (auto against = verdict_against(summary, device)) result.findings.push_back(std::move(*against));
   if (!device) {
     Finding left_out{.kind = FindingKind::devices_not_in_lot_law,
-                     .numbers = {{"devices", static_cast<double>(summary.devices.size())}}};
+                     .numbers = {{"lot_devices", static_cast<double>(summary.devices.size())}}};
     for (auto const& one : summary.devices)
       if (one.status != "ok") left_out.devices.push_back(one.name);
     if (!left_out.devices.empty()) result.findings.push_back(std::move(left_out));

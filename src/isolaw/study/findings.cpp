@@ -113,12 +113,12 @@ LawVerdict front_verdict(Summary const& summary, std::vector<std::size_t> const&
     finding.kind = FindingKind::role_most_robust;
     finding.other_laws = {accurate.id};
     finding.numbers.push_back({"other_misfit", *accurate.objective.mean});
-    if (place + 1 < front.size()) finding.words = {{"among", "unboxed"}};
+    finding.words = {{"least", place + 1 < front.size() ? "unboxed" : among(summary)}};
   } else {
     auto const &accurate = laws[front[place - 1]], &robust = laws[front[place + 1]];
     if (place == compromise(summary, front)) verdict.role = Role::compromise;
     finding.kind = FindingKind::role_between;
-    finding.other_laws = {accurate.id, robust.id};
+    finding.words = {{"accurate", accurate.id}, {"robust", robust.id}};
     finding.numbers.push_back({"accurate_beta", *accurate.beta});
     finding.numbers.push_back({"robust_misfit", *robust.objective.mean});
   }
@@ -147,10 +147,10 @@ LawVerdict unranked_verdict(Summary const& summary, std::size_t index, LawResult
     finding.kind = FindingKind::role_not_identified;
   } else if (is_best) {
     finding.kind = FindingKind::role_least_error;
-    if (!compares_laws(summary)) finding.words = {{"among", "only"}};
+    if (compares_laws(summary)) finding.words = {{"least", among(summary)}};
   } else {
     finding.other_laws = {best.id};
-    finding.numbers.push_back({"other_misfit", *best.objective.mean});
+    finding.numbers.push_back({"times", *law.objective.mean / *best.objective.mean});
   }
   verdict.findings.push_back(std::move(finding));
   if (is_best && law.objective.mean) add_cautions(verdict.findings, summary, law);
@@ -177,11 +177,12 @@ std::vector<Finding> headline(Summary const& summary, std::vector<std::size_t> c
         front, [&](std::size_t law) { return law != front[0] && law != front[end] && pinned(laws[law]).decides(); });
     auto findings = about(FindingKind::headline_choice, front[0]);
     auto& choice = findings.front();
-    choice.other_laws = {laws[front[end]].id};
-    if (middle < front.size()) choice.other_laws.push_back(laws[front[middle]].id);
-    choice.words.push_back({"none_between", end > 1 ? "yes" : "no"});
+    bool const between = middle < front.size();
+    choice.words.push_back({"robust", laws[front[end]].id});
+    if (between) choice.words.push_back({"compromise", laws[front[middle]].id});
+    choice.words.push_back({"none_between", !between && end > 1 ? "yes" : "no"});
     choice.numbers.push_back({"considered", static_cast<double>(front.size()) - static_cast<double>(held)});
-    choice.numbers.push_back({"laws", static_cast<double>(laws.size())});
+    choice.numbers.push_back({"compared", static_cast<double>(laws.size())});
     add_cautions(findings, summary, laws[front[end]]);
     return findings;
   }

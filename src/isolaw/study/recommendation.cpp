@@ -159,7 +159,7 @@ std::string measure_of(bool untested, LawResult const& law) {
   if (!untested) return "fitted to each device";
   bool const of_blocks =
       law.predicted_objective && (!law.loo_objective || *law.predicted_objective >= *law.loo_objective);
-  return of_blocks ? "on blocks it was not fitted to" : "on a device left out";
+  return of_blocks ? "on blocks it was not fitted to" : "on a device it was not fitted to";
 }
 
 // Tests and commands that would make the answer surer.
@@ -179,7 +179,8 @@ std::vector<Finding> what_would_decide(Summary const& summary, Purpose purpose, 
   }
   if (elsewhere && open && predicts_blocks(summary)) add(FindingKind::surer_further_test);
   if (elsewhere && (devices == 1 || (open && devices < few)))
-    steps.push_back({.kind = FindingKind::surer_more_devices, .numbers = {{"devices", static_cast<double>(devices)}}});
+    steps.push_back(
+        {.kind = FindingKind::surer_more_devices, .numbers = {{"devices_tested", static_cast<double>(devices)}}});
   if (open && steps.empty()) add(FindingKind::surer_amplitude_between);
   return steps;
 }
@@ -358,7 +359,7 @@ Recommendation recommend(Summary const& summary, Purpose purpose) {
     advice.why.push_back({.kind = FindingKind::why_ties,
                           .law = taken.law->id,
                           .other_laws = tied,
-                          .numbers = {{"devices", static_cast<double>(device_names(summary).size())}}});
+                          .words = {{"tie", device_names(summary).size() > 1 ? "lot" : "device"}}});
   } else if (purpose != Purpose::simplest && candidates.size() > 1) {
     auto const& next = candidates[best.index == taken.index ? 1 : 0];
     advice.why.push_back(
@@ -408,7 +409,10 @@ std::vector<Recommendation> recommendations(Summary const& summary) {
   // Where no law is known for untested devices, the other answers say that theirs is not shown to hold elsewhere.
   if (answers.front().law) return answers;
   for (auto& each : answers | std::views::drop(1))
-    if (each.law) std::ranges::find(each.answer.words, "elsewhere", &FindingWord::name)->text = "no";
+    if (each.law) {
+      std::ranges::find(each.answer.words, "elsewhere", &FindingWord::name)->text = "no";
+      each.answer.words.push_back({"others", "none"});
+    }
   return answers;
 }
 

@@ -113,11 +113,11 @@ class Collector {
            .devices = {device->name},
            .blocks = {nearest->block},
            .numbers = {{"measured_percent", nearest->measured_percent},
-                       {"law_percent", nearest->percent},
+                       {"law_percent", std::max(0.0, nearest->percent)},
                        {"first_cycle", static_cast<double>(nearest->first_cycle)},
                        {"last_cycle", static_cast<double>(nearest->last_cycle)}},
-           .words = {{"only_law", laws_.size() == 1 ? "yes" : "no"},
-                     {"fit_cycles", is_given("fit-cycles") ? "given" : ""}}});
+           .words = {{laws_.size() == 1 ? "only_law" : "several_laws", "yes"},
+                     {"fit_cycles", is_given("fit-cycles") ? "" : "open"}}});
     }
   }
 
@@ -126,7 +126,7 @@ class Collector {
       if (fit->refusal.empty()) continue;
       Finding finding{
           .kind = law_refused, .law = law.id, .devices = {fit->device}, .words = {{"reason", fit->refusal}}};
-      if (law.objective.mean) finding.numbers = {{"others", 1.0}};
+      finding.numbers = {{"others", static_cast<double>(std::ranges::count(law.devices, "ok", fit_status))}};
       add(std::move(finding));
     }
   }
@@ -146,7 +146,9 @@ class Collector {
              .numbers = {{"failed", static_cast<double>(fit->failed_runs)}, {"runs_of_law", runs}},
              .words = {{"reason", fit->failure}}});
     if (failed > 0.0)
-      add({.kind = evaluations_failed, .law = law.id, .numbers = {{"failed", failed}, {"tried", tried}}});
+      add({.kind = evaluations_failed,
+           .law = law.id,
+           .numbers = {{"failed", failed}, {"tried", tried}, {"share", failed / tried}}});
   }
 
   void held(LawResult const& law) {
@@ -188,8 +190,19 @@ class Collector {
               .devices.push_back(fit->device);
       }
     }
-    for (auto& finding : open) finding.numbers = {{"fitted_devices", examined}}, add(std::move(finding));
-    for (auto& finding : bounds) finding.numbers = {{"fitted_devices", fitted}}, add(std::move(finding));
+    for (auto& finding : open) {
+      auto const affected = static_cast<double>(finding.devices.size());
+      if (affected < examined) finding.numbers = {{"affected", affected}, {"examined", examined}};
+      add(std::move(finding));
+    }
+    for (auto& finding : bounds) {
+      bool const all = fitted > 1.0 && static_cast<double>(finding.devices.size()) == fitted;
+      if (all)
+        finding.numbers = {{"all_devices", fitted}};
+      else
+        finding.words.push_back({"some", "yes"});
+      add(std::move(finding));
+    }
     if (law.lot && !scope_.device)
       for (auto const& [parameter, side] : law.lot->at_bound)
         add({.kind = lot_law_at_bound,
@@ -265,12 +278,14 @@ std::vector<Finding> Collector::shared_records(Summary const& summary) {
     for (auto const* device : group) names.push_back(device->name);
     return names;
   };
-  for (auto const& group : devices_of_one_record(summary))
-    found.push_back({.kind = same_record,
-                     .devices = names_of(group),
-                     .words = {{"refused", group.front()->raw.size() == 0 ? "yes" : "no"}}});
+  for (auto const& group : devices_of_one_record(summary)) {
+    auto& finding = found.emplace_back(Finding{.kind = same_record, .devices = names_of(group)});
+    if (group.front()->raw.size() > 0) finding.numbers = {{"times", static_cast<double>(group.size())}};
+  }
   for (auto const& group : devices_of_one_compression(summary))
-    found.push_back({.kind = same_compression_test, .devices = names_of(group)});
+    found.push_back({.kind = same_compression_test,
+                     .devices = names_of(group),
+                     .numbers = {{"times", static_cast<double>(group.size())}}});
   return found;
 }
 

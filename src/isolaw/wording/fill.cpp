@@ -63,8 +63,9 @@ constexpr Phrase phrases[]{
     {"factors", "near", "factors within {grid_step:0%} of 1, the accuracy, would cover {wanted:0%}"},
     {"factors", "found", "factors of {factor_low:.2f} and {factor_high:.2f} would cover {wanted:0%}"},
     {"than_any", "longer", "no isolator goes that far"},
-    {"than_any", "stiffer", "stiffer than any isolator's"},
-    {"than_any", "softer", "softer than any isolator's"},
+    {"than_any", "stiffer", "{stiffness_kN_per_mm:4} kN/mm is stiffer than any isolator"},
+    {"than_any", "softer", "{stiffness_kN_per_mm:4} kN/mm is softer than any isolator"},
+    {"whole", "yes", "the whole record, which has no cycle to report"},
 };
 
 class Filler {
@@ -98,9 +99,11 @@ class Filler {
 
   bool has_all(std::string_view text) const {
     for (auto open = text.find('{'); open != text.npos; open = text.find('{', open + 1)) {
-      auto const name = text.substr(open + 1, text.find_first_of(":|}", open) - open - 1);
-      bool const is_choice = text[text.find_first_of(":|}", open)] == '|';
-      if (!is_choice && !has(name)) return false;
+      auto const end = text.find_first_of(":|}", open);
+      auto const name = text.substr(open + 1, end - open - 1);
+      bool const is_count = text[end] == '}';
+      if (text[end] != '|' && (!has(name) || (is_count && first().has_number(name) && first().number(name) == 0.0)))
+        return false;
     }
     return true;
   }
@@ -159,7 +162,11 @@ class Filler {
     if (spec == "%") return percent(value);
     if (spec == "%1") return with_decimals(100.0 * value, 1) + " %";
     if (spec == "0%") return fmt::format("{:.0f} %", 100.0 * value);
-    if (spec == ",") return with_commas(value);
+    if (spec == ",") {
+      auto text = fmt::format("{:.0f}", value);
+      for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, 1, ',');
+      return text;
+    }
     if (auto const digits = number_in<int>(spec)) return number_text(value, *digits);
     return fmt::format(fmt::runtime(fmt::format("{{:{}}}", spec)), value);
   }

@@ -4,7 +4,7 @@
 //                 (4.2 %, 4.2 %, 4 %), with thousands `,`, or as fmt prints it `.1f`; `law`: a word that is a law's id
 //   {law} {laws} {devices} {parameters} {block}   the members of the finding; {laws} are the other laws
 //   {one|many}    chosen by the list or the number that was printed last
-//   [ ... ]       left out where a field inside is absent
+//   [ ... ]       left out where a field inside is absent, or a count in it, {name}, is 0
 //   < ... >       said of each finding, with its device where there are several; ~ ... ~ the same without the device
 // A number that differs between the findings of a group is printed as a range.
 #pragma once

@@ -175,7 +175,7 @@ std::span<Row const> rows() {
           "{law} is the most accurate law{among}; the laws that scatter less are held together by their search box."),
       answer(
           headline_choice, "headline-choice", "comparison",
-          "{considered} of {compared} laws are worth considering: choose between accuracy ({law}) and robustness ({robust}).[ The best compromise is {compromise}.]{none_between}"),
+          "{considered} of {compared} laws are worth considering: choose between accuracy ({law}) and robustness ({robust:law}).[ The best compromise is {compromise:law}.]{none_between}"),
       answer(headline_nearest, "headline-nearest", "comparison",
              "No law describes these devices. The nearest is {law}."),
       answer(
@@ -189,7 +189,7 @@ std::span<Row const> rows() {
           "Its parameters lie up to {beta:%} from the lot's mean, averaged over the parameters, {least}. The price is an error of {misfit:%1} against {other_misfit:%1} for {laws}."),
       answer(
           role_between, "role-between", "comparison",
-          "It scatters less than {accurate} ({beta:%} against {accurate_beta:%}) and errs less than {robust} ({misfit:%1} against {robust_misfit:%1})."),
+          "It scatters less than {accurate:law} ({beta:%} against {accurate_beta:%}) and errs less than {robust:law} ({misfit:%1} against {robust_misfit:%1})."),
       answer(role_dominated, "role-dominated", "comparison",
              "{laws} {is|are} at least as accurate and as robust (this law: error {misfit:%1}, scatter {beta:%})."),
       answer(role_not_on_front, "role-not-on-front", "comparison",
@@ -228,11 +228,11 @@ std::span<Row const> rows() {
       answer(building_no_draws, "building-no-draws", "answer",
              "No bearing is a draw of the lot: there is no scatter that bounds could cover."),
       campaign(
-          displacement_beyond_tests, "displacement-beyond-tests", "extrapolation", serious, "Test to that displacement",
+          displacement_beyond_tests, "displacement-beyond-tests", "extrapolation", serious, "Test to that displacement", each_alone, with_building, law, "bearings move up to {most_mm:.0f} mm (95 % of the draws, under the strongest motion), but the tests went to {tested_mm:.0f} mm. Beyond that the law is extrapolated."),
+      campaign(
+          bounds_not_monotonic, "bounds-not-monotonic", "bounds", caution, "Ignore the share for this quantity",
           each_alone, with_building, law,
-          "bearings move up to {most_mm:.0f} mm (95 % of the draws, under the strongest motion), but the tests went to {tested_mm:.0f} mm. Beyond that the law is extrapolated."),
-      campaign(bounds_not_monotonic,
-               "bounds-not-monotonic", "bounds", caution, "Ignore the share for this quantity", each_alone, with_building, law, "[ignore the {inside:0%} for {quantity}: ]both bound analyses ({lower:4} and {upper:4}{unit}) are {side} the nominal building ({nominal:4}{unit})."),
+          "[ignore the {inside:0%} for {quantity}: ]both bound analyses ({lower:4} and {upper:4}[ {unit}]) are {side} the nominal building ({nominal:4}[ {unit}])."),
       campaign(bounds_cover_less, "bounds-cover-less", "bounds", caution, "Widen the factors for these quantities",
                by_law, with_building, law,
                "less than {wanted:0%} of the draws lie between the bounds in ~{quantity} {inside:0%}~."),
@@ -271,9 +271,9 @@ std::span<Row const> rows() {
       doubt(vertical_test_refused, "vertical-test-refused", serious, by_words, "vertical test: {reason}"),
       doubt(
           units_implausible, "units-implausible", serious, by_words,
-          "{force_kN:4} kN over {way_mm:4} mm: [{stiffness_kN_per_mm:4} kN/mm is ]{than_any}. Are displacements really in {disp_unit} and forces in {force_unit}? (--units disp=UNIT,force=UNIT)"),
+          "{force_kN:4} kN over {way_mm:4} mm: {than_any}. Are displacements really in {disp_unit} and forces in {force_unit}? (--units disp=UNIT,force=UNIT)"),
       doubt(vertical_stiffness_implausible, "vertical-stiffness-implausible", serious, by_words,
-            "vertical test: a vertical stiffness of {K_v_kN_per_mm:4} kN/mm is {than_any}. Are the units right?"),
+            "vertical test: no isolator has a vertical stiffness of {K_v_kN_per_mm:4} kN/mm. Are the units right?"),
       doubt(
           vertical_softer_than_expected, "vertical-softer-than-expected", serious, one_sentence,
           "vertical test: {K_v_kN_per_mm:4} kN/mm is less than {least_ratio} times the horizontal stiffness. Is it a compression test, in the units that its file states?"),
@@ -306,8 +306,7 @@ std::span<Row const> rows() {
           loop_open, "loop-open", caution, one_sentence,
           "<cycle {cycle} of block {block} ends {closure_mm:3} mm from where it starts>, {percent:2} % of the whole travel (limit {limit_percent} %). Energy may be wrong by the force times that, {energy_kN_mm:3} kN mm."),
       doubt(speed_off, "speed-off", caution, by_words, "", wording::largest_speed),
-      doubt(off_centre, "off-centre",
-            caution, by_words, "{channel} is off centre by <{offset:unit4} in cycle {cycle} of block {block}>, {percent:2} % of its amplitude. Stiffness from peak to peak and energy do not feel that; F/d of one side and the laws do. `isolaw calibrate --center` takes it off."),
+      doubt(off_centre, "off-centre", caution, by_words, "{channel} is off centre by <{offset:unit4} in cycle {cycle} of block {block}>, {percent:2} % of its amplitude. Stiffness from peak to peak and energy do not feel that; F/d of one side and the laws do. `isolaw calibrate --center` takes it off."),
       doubt(
           starts_off_zero, "starts-off-zero", caution, one_sentence,
           "the first sample is at {disp_mm:4} mm, {percent:2} % of the half range of {half_range_mm:4} mm; laws start at rest at zero."),
@@ -379,7 +378,7 @@ std::span<Row const> rows() {
       fact(force_multiplied, "force-multiplied", "force multiplied by {factor:6}"),
       fact(
           centred, "centred",
-          "centred: {disp_mm:4} mm taken from displacement and {force_kN:4} kN from force, (max + min) / 2 over {stretch}"),
+          "centred: {disp_mm:4} mm taken from displacement and {force_kN:4} kN from force, (max + min) / 2 over [cycle {cycle} of block {block}][{whole}]"),
       fact(
           smoothed, "smoothed",
           "displacement and force averaged over {window_samples} samples, fewer at the ends[: takes {percent:2} % from a sine of the test's frequency, {third_harmonic_percent:2} % from its third harmonic]"),

@@ -58,7 +58,9 @@ Row const* find_row(std::string_view key) {
 
 std::string remark(Group group) {
   auto const part = group.front().word("part");
-  return (part.empty() ? std::string() : std::string(part) + ": ") + row(group.front().kind).text(group);
+  auto const& about = row(group.front().kind);
+  return (part.empty() ? std::string() : std::string(part) + ": ") +
+         (about.compose != nullptr ? about.compose(group) : fill(about.text, group));
 }
 std::string remark(Finding const& finding) {
   return remark(Group(&finding, 1));

@@ -410,12 +410,19 @@ std::string answer(Summary const& summary, std::string_view directory, int width
     text += wrapped("", fmt::format("Low confidence: {}.", wording::paragraph(shown.weak, "; ")), 2, width);
   text += '\n' + short_table(summary, shown) + '\n';
   if (!shown.surer.empty()) text += wrapped("To be surer", wording::paragraph(shown.surer, "; ") + ".", margin, width);
-  auto const groups = wording::grouped(found.warnings);
-  constexpr std::size_t most = 3;
+  // Warnings about laws that are not taken stay with the details.
+  auto concerned = found.warnings;
+  std::erase_if(concerned, [&](Finding const& finding) {
+    return law != nullptr && !finding.law.empty() && finding.law != summary.laws[*law->law].id;
+  });
+  auto const groups = wording::grouped(concerned), every = wording::grouped(found.warnings);
+  constexpr std::size_t most = 2;
   for (std::size_t i = 0; i < std::min(most, groups.size()); ++i)
     text += wrapped(i == 0 ? "Look at" : "", wording::sentence(groups[i], 3), margin, width);
-  if (groups.size() > most)
-    text += wrapped("", fmt::format("and {} more warnings: --details", groups.size() - most), margin, width);
+  if (every.size() > most)
+    text += wrapped(groups.empty() ? "Look at" : "",
+                    fmt::format("{} more warnings: --details", every.size() - std::min(most, groups.size())), margin,
+                    width);
   if (law != nullptr)
     text += wrapped("Next",
                     fmt::format("isolaw export {} --law {} --device {} --to {}", directory, summary.laws[*law->law].id,
