@@ -11,15 +11,17 @@
 
 namespace isolaw::study::fixture {
 
-inline ParameterAnalysis analysis(ParameterFit const& parameter, double objective, double rise, std::size_t place) {
-  static std::array<std::string, 4> const verdicts{"determined", "weakly determined", "undetermined", "at its bound"};
+inline ParameterAnalysis analysed(ParameterFit const& parameter, double objective, double rise, std::size_t place) {
+  using analysis::Verdict;
+  constexpr std::array verdicts{Verdict::determined, Verdict::weakly_determined, Verdict::undetermined,
+                                Verdict::at_bound};
   ParameterAnalysis made;
   made.identifiability = verdicts[place % 4];
   made.optimum = *parameter.value.best;
-  double const width = std::abs(made.optimum) * (made.identifiability == "determined" ? 0.02 : 0.3);
+  double const width = std::abs(made.optimum) * (made.identifiability == Verdict::determined ? 0.02 : 0.3);
   made.open_lower = made.optimum - width;
   made.open_upper = made.optimum + width;
-  made.open_above = made.identifiability == "at its bound";
+  made.open_above = made.identifiability == Verdict::at_bound;
   made.linear_lower = made.optimum - 0.7 * width;
   made.linear_upper = made.optimum + 0.7 * width;
   if (place % 2 == 0) {

@@ -224,7 +224,7 @@ inline Summary lot(int device_count = 3, int law_count = 3) {
         double const difference = scatter * (1.0 + 0.4 * static_cast<double>(n));
         parameter.value.mean = *parameter.value.mean * (1.0 + difference);
         if (device_count > 1) parameter.percent_of_lot = 100.0 * difference;
-        if (parameter.name == "alpha+" && d != 1) parameter.at_bound = "upper";
+        if (parameter.name == "alpha+" && d != 1) parameter.at_bound = fit::AtBound::upper;
         fit.parameters.push_back(parameter);
       }
       law.devices.push_back(fit);
