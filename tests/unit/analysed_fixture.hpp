@@ -50,7 +50,7 @@ inline void analyse(DeviceFit& fit, std::size_t device) {
   fit.left_out_objective = 1.9 * *fit.optimum;
   fit.blocks = {{1, true, *fit.optimum}, {2, false, 3.0 * *fit.optimum}};
   for (std::size_t n = 0; n < fit.parameters.size(); ++n)
-    fit.parameters[n].analysis = analysis(fit.parameters[n], *fit.optimum, *fit.rise, n + device);
+    fit.parameters[n].analysis = analysed(fit.parameters[n], *fit.optimum, *fit.rise, n + device);
 }
 
 inline lot::Population population(LawResult const& law) {
