@@ -105,7 +105,8 @@ INSTANTIATE_TEST_SUITE_P(Stores, Old,
                                          OldStore{"schema-5", 5, "best", "0.2.0", "a3ff8a28a3fe"},
                                          OldStore{"schema-6", 6, "best", "0.3.0", "739a26b2273a"},
                                          OldStore{"schema-7", 7, "best", "0.3.0", "43ecd2137f7f"},
-                                         OldStore{"schema-8", 8, "best", "0.3.0", "7b5597ed424f"}),
+                                         OldStore{"schema-8", 8, "best", "0.3.0", "7b5597ed424f"},
+                                         OldStore{"schema-9", 9, "best", "0.3.0", "a3bf76736f9c"}),
                          [](auto const& instance) {
                            auto name = instance.param.name;
                            std::ranges::replace(name, '-', '_');

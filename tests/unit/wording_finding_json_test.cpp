@@ -13,7 +13,8 @@ namespace {
 
 TEST(FindingJson, ReadsBackEveryKindAndField) {
   std::vector<Finding> all;
-  for (auto const& row : rows()) all.push_back({.kind = row.kind});
+  for (auto const& row : rows())
+    if (row.kind != FindingKind::stated_by_older_store) all.push_back({.kind = row.kind});
   all.push_back({.kind = FindingKind::drift,
                  .law = "bilinear",
                  .devices = {"a", "b \"c\""},
@@ -41,6 +42,7 @@ TEST(FindingJson, ReadsTextsOfOlderStores) {
   ASSERT_EQ(read.size(), 2u);
   EXPECT_EQ(read[0].kind, FindingKind::stated_by_older_store);
   EXPECT_EQ(remark(read[0]), "a channel is late");
+  EXPECT_EQ(findings_json(read), R"(["a channel is late",""])") << "as it was";
 }
 
 TEST(FindingJson, RefusesWhatItDoesNotWrite) {

@@ -56,6 +56,8 @@ enum class FindingKind {
   // What was done to it: corrections, and the steps before laws are fitted to it.
   spikes_repaired, skew_removed, friction_removed, inertia_removed, force_multiplied, centred, smoothed,
   not_smoothed, scored_in_part, all_samples_kept, velocity_computed, no_velocity, samples_thinned,
+  // The condition under which a device's damping is another one: study/value_doubts.hpp.
+  if_late_force_is_moved, if_force_is_early, if_jump_is_of_rig, if_rig_rubs,
 };
 // clang-format on
 

@@ -14,7 +14,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;  // numbers and words keep their order
 
-Json object_of(Finding const& finding) {
+Json json_of(Finding const& finding) {
+  // As it was read: a store that was not changed is written the same.
+  if (finding.kind == FindingKind::stated_by_older_store) return finding.word("text");
   Json object{{"kind", row(finding.kind).key}};
   auto const add = [&](char const* key, auto const& value) {
     if (!value.empty()) object[key] = value;
@@ -71,7 +73,7 @@ Finding finding_of(Json const& object) {
 
 std::string findings_json(std::vector<Finding> const& findings) {
   Json all = Json::array();
-  for (auto const& finding : findings) all.push_back(object_of(finding));
+  for (auto const& finding : findings) all.push_back(json_of(finding));
   return all.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
