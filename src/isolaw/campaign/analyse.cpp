@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -36,9 +35,6 @@ struct LawOnLot {
   }
 };
 
-int evaluations_of(DeviceAnalysis const& made) {
-  return made.determination.evaluations + made.intervals.evaluations;
-}
 int evaluations_of(LotAnalysis const& made) {
   return made.mean.evaluations + made.worst.law.evaluations;
 }
@@ -264,22 +260,20 @@ class Analysis {
   template <class Made, class LawOf, class Work>
   void each(std::size_t count, std::vector<Made>& where, Part part, LawOf&& law_of, Work&& work) {
     if (options_.estimate != nullptr) {
-      std::map<std::string, std::size_t> left;
-      for (std::size_t i = 0; i < count; ++i) ++left[std::string(law_of(i))];
-      options_.estimate->expect_left(part.kind, left);
+      options_.estimate->expect_none(part.kind);
+      for (std::size_t i = 0; i < count; ++i) options_.estimate->expect(part.kind, law_of(i));
     }
     if (count == 0) return;
     where.reserve(where.size() + count);
     auto const worked = for_each_in_parallel(count, options_.threads, [&](std::size_t i) {
       if (interrupted()) return;
       Meter meter(options_.profile);
-      TimedTask timed(options_.estimate, part.kind, law_of(i));
       auto found = work(i, meter);
       if (!found) return;
       {
         std::scoped_lock const lock(one_writer_);
         store_.add(*found);
-        timed.done(evaluations_of(*found), options_.task_done);
+        if (options_.estimate != nullptr) options_.estimate->done(part.kind, found->law);
         where.push_back(std::move(*found));
         if (options_.progress) options_.progress(contents_.analyses(), total_);
       }

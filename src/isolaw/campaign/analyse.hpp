@@ -27,7 +27,6 @@ struct AnalyseOptions {
   std::function<bool()> interrupted;                                  // asked from any thread
   Profile* profile = nullptr;
   Estimate* estimate = nullptr;
-  TaskDone task_done = {};
   // Of the devices alone, dealt into so many; and where all of them are examined then, of the laws of the lot.
   std::optional<Part> share = {};
 };
