@@ -156,7 +156,6 @@ enum class FindingKind {
   loads_ambiguous,
   load_unit_unclear,
   velocity_unused,
-  stated_by_older_store,  // the text of a store written before findings had fields
   // Notes: numbers worth knowing of a record.
   samples_per_cycle,
   force_early,
@@ -209,7 +208,7 @@ struct FindingWord {
 };
 
 struct Finding {
-  FindingKind kind = FindingKind::stated_by_older_store;
+  FindingKind kind = {};
   std::string law = {};  // its id; empty: the finding is about no single law
   std::vector<std::string> other_laws = {};
   std::vector<std::string> devices = {}, parameters = {};

@@ -30,9 +30,9 @@ class Store {
   // by byte, in whatever order and on however many machines their runs were computed. Leaves the file as it is where
   // that is so already, and where the new one cannot be written.
   static void put_in_order(std::filesystem::path const& file);
-  // Everything in it, also of an older schema; the file is not changed. Throws Error as above.
+  // Everything in it; the file is not changed. Throws Error as above.
   static Contents read(std::filesystem::path const& file);
-  // What a campaign began with, without its records' series and without results, of the present schema alone.
+  // What a campaign began with, without its records' series and without results.
   static Contents read_beginning(std::filesystem::path const& file);
   // The same with the series.
   static Contents read_beginning_and_series(std::filesystem::path const& file);

@@ -33,8 +33,6 @@ Json object_of(Finding const& finding) {
 }
 
 Finding finding_of(Json const& object) {
-  if (object.is_string())
-    return {.kind = FindingKind::stated_by_older_store, .words = {{"text", object.get<std::string>()}}};
   Finding finding;
   for (auto const& [key, value] : object.items()) {
     if (key == "kind") {

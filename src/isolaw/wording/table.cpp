@@ -287,7 +287,6 @@ std::span<Row const> rows() {
       warning(loads_ambiguous, "loads-ambiguous", caution, by_words, wording::loads_ambiguous),
       warning(load_unit_unclear, "load-unit-unclear", caution, by_words, wording::load_unit_unclear),
       warning(velocity_unused, "velocity-unused", caution, by_words, wording::velocity_unused),
-      warning(stated_by_older_store, "stated-by-older-store", caution, by_words, wording::stated),
       of_record(samples_per_cycle, "samples-per-cycle", wording::samples_per_cycle),
       of_record(force_early, "force-early", wording::force_early),
       of_record(jump_of_force, "jump-of-force", wording::jump_of_force),
