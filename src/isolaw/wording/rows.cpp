@@ -334,7 +334,6 @@ std::span<Row const> rows() {
             "{reason}: the vertical load is not read ({options} says its unit)."),
       doubt(velocity_unused, "velocity-unused", caution, by_words,
             "{column} is not used: velocities are computed from displacement and time."),
-      doubt(stated_by_older_store, "stated-by-older-store", caution, by_words, stated),
       fact(
           samples_per_cycle, "samples-per-cycle",
           "{samples:.1f} samples per cycle: energy comes out {energy_percent:2} % too small, and a peak up to {peak_percent:2} %."),
