@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t key_length = 64;
 constexpr int digits = 9;
 
-// Nine significant digits; the same text for either zero.
+// Nine significant digits; 0 and -0 give the same text.
 std::string rounded(double value) {
   return fmt::format("{:.{}e}", value + 0.0, digits - 1);
 }
@@ -32,8 +32,8 @@ int decade(double value) {
   return exponent;
 }
 
-// The values of a channel in steps of its largest one's ninth digit. The edges between steps are shifted to where no
-// decimal number of a file lies, nor a mean of a few of them: there rounding would decide the step.
+// Writes the values of a channel as multiples of the ninth digit of its largest value. The edges between steps are
+// shifted away from the decimal numbers of a file and the means of a few of them, where rounding would decide the step.
 void add_channel(std::string& text, std::string_view name, std::vector<double> const& values) {
   constexpr double shift = 0.318309886;
   double largest = 0.0;
@@ -98,38 +98,38 @@ class Reader {
  private:
   void entry(toml::table const& source) {
     EntryTable table(source, file_, "[[best]]", complaints_);
-    BestKnown made;
-    table.text("record", made.record);
-    table.text("settings", made.settings);
-    table.text("law", made.law);
-    table.text("key", made.key);
-    table.number("objective", made.objective);
-    table.text("found_by", made.found_by);
-    if (made.objective < 0.0) table.complain(fmt::format("an objective of {}", made.objective), "0 or more");
+    BestKnown best;
+    table.text("record", best.record);
+    table.text("settings", best.settings);
+    table.text("law", best.law);
+    table.text("key", best.key);
+    table.number("objective", best.objective);
+    table.text("found_by", best.found_by);
+    if (best.objective < 0.0) table.complain(fmt::format("an objective of {}", best.objective), "0 or more");
     bool const is_hash =
-        made.key.size() == key_length && made.key.find_first_not_of("0123456789abcdef") == std::string::npos;
-    if (!made.key.empty() && !is_hash) table.complain("'key' is no SHA-256", "64 hexadecimal digits");
-    if (std::ranges::any_of(entries_, [&](BestKnown const& other) { return other.key == made.key; }))
+        best.key.size() == key_length && best.key.find_first_not_of("0123456789abcdef") == std::string::npos;
+    if (!best.key.empty() && !is_hash) table.complain("'key' is no SHA-256", "64 hexadecimal digits");
+    if (std::ranges::any_of(entries_, [&](BestKnown const& other) { return other.key == best.key; }))
       table.complain("a key for the second time", "one entry for each problem");
-    parameters(table, made);
+    parameters(table, best);
     table.refuse_unknown();
-    entries_.push_back(std::move(made));
+    entries_.push_back(std::move(best));
   }
 
-  void parameters(EntryTable& table, BestKnown& made) {
+  void parameters(EntryTable& table, BestKnown& best) {
     auto const* values = table.table("parameters");
     if (values == nullptr) return table.complain("'parameters' is missing", "a table: parameters = { K1 = 1.0, ... }");
     laws::LawEntry const* law = nullptr;
     for (auto const& known : laws::catalogue())
-      if (known.info.id == made.law) law = &known;
+      if (known.info.id == best.law) law = &known;
     if (law == nullptr) {
-      if (!made.law.empty()) table.complain(fmt::format("no law '{}'", made.law), "the id of a law");
+      if (!best.law.empty()) table.complain(fmt::format("no law '{}'", best.law), "the id of a law");
       return;
     }
     EntryTable numbers(*values, file_, "parameters", complaints_);
-    made.parameters.resize(law->parameters.size());
-    for (std::size_t i = 0; i < made.parameters.size(); ++i)
-      numbers.number(law->parameters[i].name, made.parameters[i]);
+    best.parameters.resize(law->parameters.size());
+    for (std::size_t i = 0; i < best.parameters.size(); ++i)
+      numbers.number(law->parameters[i].name, best.parameters[i]);
     numbers.refuse_unknown();
   }
 
@@ -138,19 +138,19 @@ class Reader {
   std::vector<BestKnown> entries_;
 };
 
-// As TOML writes a number: one that looks whole needs a point.
+// TOML would read a float without a point as an integer.
 std::string number(double value) {
   auto const text = fmt::format("{}", value + 0.0);
   return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
 
 std::string toml_string(std::string_view text) {
-  std::string made = "\"";
+  std::string quoted = "\"";
   for (char const c : text) {
-    if (c == '"' || c == '\\') made += '\\';
-    made += c;
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c;
   }
-  return made + '"';
+  return quoted + '"';
 }
 
 // A TOML key; names such as kb+ need quotes.

@@ -1,7 +1,6 @@
-// How long the draws of a building take: 28 bearings of bouc-wen under five floors, 20 s at 0.005 s, two components.
-//   building_bench [DRAWS] [MOTIONS] [THREADS] [N] [--json]
-// 1000, 11, 2 and 1.2 where nothing is said; then some draws by a plain scalar loop and one by the implicit path.
-// bench/building writes what it says to bench/results.
+// Times the draws of a building: 28 bearings of bouc-wen under five floors, 20 s at 0.005 s, two components; then a few
+// draws by a plain scalar loop and one by the implicit path. bench/building writes its output to bench/results.
+//   building_bench [DRAWS] [MOTIONS] [THREADS] [N] [--json]      defaults: 1000, 11, 2, 1.2
 #include <fmt/format.h>
 
 #include <chrono>
@@ -46,7 +45,7 @@ int main(int count, char** arguments) {
     work();
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
-  // Of this thread: other work on the machine does not lengthen it.
+  // This thread's own time, which other work on the machine does not lengthen.
   auto const own_seconds = [](auto&& work) {
     double const start = thread_time_s();
     work();
@@ -62,7 +61,7 @@ int main(int count, char** arguments) {
     });
   });
   double const lanes_cpu = process_time_s() - cpu_before;
-  // The plain loop: one draw after the other.
+  // The plain loop takes one draw after the other.
   std::size_t const scalar_draws = std::min<std::size_t>(draws, 8);
   double const scalar = own_seconds([&] {
                           respond(model, "bouc-wen", std::span(values).first(scalar_draws * each), ground[0], {},

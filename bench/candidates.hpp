@@ -1,4 +1,4 @@
-// Candidates of a search box, in the layouts the benchmarks want.
+// Candidates from a search box, in the layouts that the benchmarks need.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace isolaw::bench {
 
-// `count` candidates, uniform in the box: one after another, each in the law's order.
+// `count` candidates, uniform in the box, one after another, parameters in the law's order.
 inline std::vector<double> candidates(fit::SearchBox const& box, std::size_t count) {
   std::vector<double> values(count * box.parameters.size()), point(box.free_count());
   for (std::size_t i = 0; i < count; ++i) {
@@ -20,7 +20,7 @@ inline std::vector<double> candidates(fit::SearchBox const& box, std::size_t cou
   return values;
 }
 
-// Of `width` of them, from number `first` on: the first parameter of every candidate, then the second, and so on.
+// `width` of these candidates from number `first` on: the first parameter of each, then the second, and so on.
 inline std::vector<double> block(std::vector<double> const& candidates, std::size_t parameters, std::size_t first,
                                  std::size_t width) {
   std::vector<double> values(parameters * width);

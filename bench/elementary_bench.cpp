@@ -1,5 +1,5 @@
-// num/elementary.hpp against the standard library, per instruction set: arrays of 32 lanes in the first-level cache.
-// The counter `per_element` is the time per element.
+// num/elementary.hpp against the standard library for each instruction set, on arrays of 32 lanes in the first-level
+// cache. The counter `per_element` is the time per element.
 #include <benchmark/benchmark.h>
 
 #include <array>

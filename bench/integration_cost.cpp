@@ -1,8 +1,8 @@
-// How to integrate bouc-wen and abe-y0: cost against error of the objective, for Runge-Kutta with sub-steps and for the
-// exact flow. The reference is the exact flow on a path 100 times finer. Three errors of the objective: median and
-// largest over candidates drawn in the published box, and at the best point that the genetic algorithm finds when it
-// sees that very integration (largest of several searches), since a search exploits the error.
-// Usage: integration_cost RECORD [REPETITIONS]; prints CSV. ISOLAW_SIMD chooses the instruction set.
+// Cost and error of the objective for ways to integrate bouc-wen and abe-y0: Runge-Kutta with sub-steps, and the exact
+// flow. The reference is the exact flow on a path 100 times finer. Three errors: median and largest over candidates
+// drawn in the published box, and the error at the best point that the genetic algorithm finds with that very
+// integration (largest of several searches), since a search exploits the error. Usage: integration_cost RECORD
+// [REPETITIONS]; prints CSV. ISOLAW_SIMD chooses the instruction set.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -37,7 +37,7 @@ constexpr std::array routes{
     Route{"rk4 x8", laws::Integration::paper, 8},       Route{"rk4 x32", laws::Integration::paper, 32},
     Route{"rk4 x100", laws::Integration::paper, finer}, Route{"exact flow", laws::Integration::converged, 1}};
 
-// The objective of one law on one record along paths of any fineness.
+// The objective of a law on a record, along paths of any fineness.
 class Subject {
  public:
   Subject(laws::LawEntry const& law, data::FitRecord const& record)
@@ -101,7 +101,7 @@ std::vector<double> errors(Subject const& subject, Route const& route, std::vect
   return values;
 }
 
-// Shortest of the repetitions: what else the machine does only adds time.
+// The shortest repetition counts: other work on the machine only adds time.
 double ns_per_sample(Subject const& subject, Route const& route, std::vector<double> const& candidates,
                      int repetitions) {
   using Clock = std::chrono::steady_clock;

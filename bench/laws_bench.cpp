@@ -1,6 +1,6 @@
-// The hot path, law by law: a block of candidates over one record of 600 samples, for every instruction set of this
-// machine, both widths of a block and both integrations; `scalar` is one candidate at a time.
-// Compare ratios within one run; the counter `per_sample` is the time per sample and candidate.
+// Times the hot path law by law: a block of candidates over one record of 600 samples, for every instruction set of
+// this machine, both block widths and both integrations; `scalar` takes one candidate at a time. The counter
+// `per_sample` is the time per sample and candidate; compare ratios within one run.
 #include <benchmark/benchmark.h>
 
 #include <array>

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""What a merge costs, by synthetic parts: time, memory and bytes for 10, 100 and 1,000 of them.
+"""Costs of a merge, from synthetic parts: time, memory and bytes for 10, 100 and 1,000 of them.
 
-bench/merge_sweep.py ISOLAW [RUNS_PER_PART] [PARTS,PARTS,...]; prints the table of docs/scale.md. A part is a real one of
-the built-in lot (ten devices, two laws) with its runs repeated under other numbers: rows as a campaign has them, results
-that mean nothing.
+bench/merge_sweep.py ISOLAW [RUNS_PER_PART] [PARTS,PARTS,...]; prints the table of docs/scale.md. Each part is a real part
+of the built-in lot (ten devices, two laws) whose runs are repeated under other numbers: rows like a campaign's, with
+meaningless results.
 """
 import os
 import shutil
@@ -22,8 +22,8 @@ each = per_part // searches  # runs of a search in a part
 
 def parts_of(count, work):
     runs = each * count
-    # Part 1 has the runs 1, 1 + count, ... of every search: that many are dealt evenly. Those of a real part are
-    # computed once, for the first of each.
+    # Part 1 has the runs 1, 1 + count, ... of every search, so that each part gets equally many. A real part's runs are
+    # computed once, for the first run of each search.
     first = os.path.join(work, "real")
     subprocess.run(
         [isolaw, "calibrate", "lot/lot.toml", "--laws", "bilinear,bouc-wen", "--runs", str(count), "--method", "best",
@@ -41,11 +41,11 @@ def parts_of(count, work):
                    f"WHERE number <= {count}", shift)
     db.commit()
     db.close()
-    made = []
+    folders = []
     for number in range(1, count + 1):
-        made.append(os.path.join(work, str(number)))
-        os.mkdir(made[-1])
-        copy = os.path.join(made[-1], "campaign.sqlite")
+        folders.append(os.path.join(work, str(number)))
+        os.mkdir(folders[-1])
+        copy = os.path.join(folders[-1], "campaign.sqlite")
         shutil.copyfile(store, copy)
         db = sqlite3.connect(copy)
         db.execute("PRAGMA synchronous = OFF")
@@ -54,7 +54,7 @@ def parts_of(count, work):
             db.execute(f"UPDATE {table} SET number = number + ?", (number - 1,))
         db.commit()
         db.close()
-    return made, os.path.getsize(store)
+    return folders, os.path.getsize(store)
 
 
 print("| parts | runs | bytes of a part | merged bytes | bytes a run | time [s] | ms a part | most memory [MiB] |")

@@ -1,4 +1,4 @@
-// The searches of a lot as problems with a name and a key, and what is known of their least objectives.
+// The searches of a lot as problems with a name and a key, and the file of their smallest known objectives.
 #pragma once
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@
 
 namespace isolaw::bench {
 
-// A run succeeds where it ends within this of the best objective, relative.
+// A run succeeds if it ends within this relative distance of the best objective.
 inline constexpr double success_tolerance = 1e-3;
 
 struct NamedProblem {
@@ -30,7 +30,7 @@ struct NamedProblem {
   fit::SearchBox box;
   fit::LawOnRecord model;
   fit::IdentificationProblem problem{model, box};
-  BestKnown entry;  // of whoever finds something: objective, parameters and founder are open
+  BestKnown entry;  // without objective, parameters and founder, which found() fills in
   num::Stream stream;
 
   NamedProblem(campaign::Contents const& contents, campaign::Search const& search, std::string const& name)
@@ -52,20 +52,20 @@ struct NamedProblem {
   NamedProblem(NamedProblem const&) = delete;
   NamedProblem& operator=(NamedProblem const&) = delete;
 
-  // A point of the unit box with the objective that the scalar law gives, which is the one that is reported.
+  // The entry for a point of the unit box, with the objective of the scalar law, which is the one that is reported.
   BestKnown found(std::span<double const> point, std::string const& found_by) const {
-    auto made = entry;
+    auto result = entry;
     std::vector<double> work;
-    made.parameters.resize(box.parameters.size());
-    box.expand(point, made.parameters);
-    made.objective = model.objective(made.parameters, work);
-    made.found_by = found_by;
-    return made;
+    result.parameters.resize(box.parameters.size());
+    box.expand(point, result.parameters);
+    result.objective = model.objective(result.parameters, work);
+    result.found_by = found_by;
+    return result;
   }
 };
 
 struct Choice {
-  std::vector<std::string> laws, devices;  // empty: all of the lot file
+  std::vector<std::string> laws, devices;  // empty: all in the lot file
 };
 
 // The records may lie outside the lot file's folder.
@@ -86,7 +86,8 @@ struct NamedProblems {
   }
 };
 
-// The file of best objectives while it is added to; without a file, the project's own, which stays as it is.
+// The file of best objectives, to be added to. Without a file name it reads the project's own and leaves that
+// unchanged.
 class BestFile {
  public:
   explicit BestFile(std::string file) : file_(std::move(file)) {

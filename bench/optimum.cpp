@@ -1,10 +1,10 @@
-// How often, and at what cost, the search `best` finds the least objective: repeated with other random numbers for
-// every law and device of a lot, beside other programs where they are asked for. A run succeeds within 0.1 % of the
-// least objective of all runs and of the best known.
+// How often, and at what cost, the search `best` finds the smallest objective: repeats it with other random numbers for
+// every law and device of a lot, on request beside other programs. A run succeeds if it ends within 0.1 % of the
+// smallest objective of all runs and of the best known.
 // Usage: optimum LOT.toml RUNS [LAW...] [--device NAME]... [--peers FACTOR] [--update FILE --name RECORD]
-//   --peers    other programs too, each run with FACTOR times the evaluations that `best` takes on average
-//   --update   add what is found to FILE, bench/best_known.toml or another, and lower what it holds, as entries of the
-//              record "RECORD, device"
+//   --peers    other programs too; each run gets FACTOR times the evaluations that `best` takes on average
+//   --update   add results to FILE (bench/best_known.toml or another) and lower its objectives; entries have the record
+//              "RECORD, device"
 // Prints the runs as CSV, then a table by law and method. The records may lie outside the lot file's folder.
 #include <fmt/format.h>
 
@@ -44,7 +44,7 @@ bool parse_number(std::string const& text, Number& number) {
 }
 
 Arguments parse(int argc, char** argv) {
-  Arguments made;
+  Arguments arguments;
   std::vector<std::string> positional;
   bool names_entries = false;
   for (int i = 1; i < argc; ++i) {
@@ -55,23 +55,24 @@ Arguments parse(int argc, char** argv) {
     }
     std::string const value = argv[++i];
     if (word == "--update")
-      made.update = value;
+      arguments.update = value;
     else if (word == "--name")
-      made.name = value, names_entries = true;
+      arguments.name = value, names_entries = true;
     else if (word == "--device")
-      made.choice.devices.push_back(value);
-    else if (word == "--peers" && parse_number(value, made.peers) && made.peers > 0.0)
+      arguments.choice.devices.push_back(value);
+    else if (word == "--peers" && parse_number(value, arguments.peers) && arguments.peers > 0.0)
       continue;
     else
       throw Error({.where = word, .found = "not an option, or not a value of it: " + value, .allowed = usage});
   }
   if (positional.size() > 1) {
-    made.lot = positional[0];
-    if (!parse_number(positional[1], made.runs)) made.runs = 0;
-    made.choice.laws.assign(positional.begin() + 2, positional.end());
+    arguments.lot = positional[0];
+    if (!parse_number(positional[1], arguments.runs)) arguments.runs = 0;
+    arguments.choice.laws.assign(positional.begin() + 2, positional.end());
   }
-  if (made.runs < 1 || (!made.update.empty() && !names_entries)) throw Error({.where = "usage", .found = usage});
-  return made;
+  if (arguments.runs < 1 || (!arguments.update.empty() && !names_entries))
+    throw Error({.where = "usage", .found = usage});
+  return arguments;
 }
 
 struct Run {

@@ -1,6 +1,6 @@
-// Ceres on isolaw's residuals: Levenberg-Marquardt with bounds from random starts, the absolute value rounded off by
-// its soft L1 loss, first widely, then closely. All residuals and differences of a step are computed in one batch
-// before Ceres asks for them one by one.
+// Ceres on isolaw's residuals: Levenberg-Marquardt with bounds from random starts. Its soft L1 loss rounds off the
+// absolute value, first widely, then closely. One batch computes all residuals and differences of a step before Ceres
+// asks for them one by one.
 #include <ceres/ceres.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Other programs' searches on isolaw's objective, for bench/optimum: each evaluates the same blocks of candidates.
+// Searches of other programs on isolaw's objective, for bench/optimum; all evaluate the same blocks of candidates.
 #pragma once
 
 #include <cmath>
@@ -14,8 +14,8 @@
 
 namespace isolaw::bench {
 
-// A problem that remembers the best point of all that was evaluated, and how many: whatever a search returns, what it
-// has seen counts for it.
+// A problem that counts evaluations and remembers the best point: a search is judged by the best it has evaluated,
+// whatever it returns.
 class Watched final : public opt::DeviationProblem {
  public:
   explicit Watched(opt::DeviationProblem const& problem) : problem_(problem) {}
@@ -39,14 +39,14 @@ class Watched final : public opt::DeviationProblem {
 
 struct Peer {
   std::string name;
-  // Searches until about `budget` evaluations are spent.
+  // Searches until it has spent about `budget` evaluations.
   std::function<void(Watched const& problem, std::uint64_t seed, int budget)> search;
 };
 
-// Those that are installed; says on standard error what is not. `script`: bench/peers/optimum.py.
+// The installed peers; standard error names those that are missing. `script` is bench/peers/optimum.py.
 std::vector<Peer> peers(std::string const& script);
 
-// In peer_ceres.cpp, which is compiled where Ceres is found.
+// In peer_ceres.cpp, compiled only if Ceres is installed.
 void search_by_ceres(Watched const& problem, std::uint64_t seed, int budget);
 
 }  // namespace isolaw::bench

@@ -1,4 +1,4 @@
-# tests/unit/elementary_arrays.cpp once per instruction set, as elementary_arrays: for the unit test and the benchmark.
+# Compiles tests/unit/elementary_arrays.cpp once per instruction set, for the unit test and the benchmark.
 include_guard(GLOBAL)
 add_library(elementary_arrays INTERFACE)
 function(elementary_table set)
@@ -6,7 +6,7 @@ function(elementary_table set)
   target_include_directories(elementary_${set} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(elementary_${set} PRIVATE ISOLAW_ELEMENTARY_TABLE=elementary_${set})
   target_link_libraries(elementary_${set} PRIVATE isolaw_warnings)
-  # After isolaw_warnings, which forbids fusing; -O3 in every build type, since only then loops become vectors.
+  # After isolaw_warnings, which forbids fusing. -O3 in every build type: only then do loops become vectors.
   target_compile_options(elementary_${set} PRIVATE ${ARGN} -O3 -fno-math-errno -fno-trapping-math -fno-signed-zeros
                          $<$<CXX_COMPILER_ID:GNU>:-fschedule-insns -fsched-pressure>)
   set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/unit/elementary_arrays.cpp

@@ -1,20 +1,20 @@
-# isolaw_embed(TARGET FUNCTION BASE FILES...): the files as a table of names and texts in TARGET, which the function of that
-# name, `std::span<isolaw::Embedded const> FUNCTION()` (base/embedded.hpp), returns in the order given. A file below BASE is
-# named by its path from there, another by its last part. A changed file makes the table again, at build time.
+# isolaw_embed(TARGET FUNCTION BASE FILES...) puts the files' names and texts into TARGET as a table. The function
+# `std::span<isolaw::Embedded const> FUNCTION()` (base/embedded.hpp) returns it, in the order given. A file below BASE is
+# named by its path from there, any other by its file name. When a file changes the next build writes the table again.
 if(NOT CMAKE_SCRIPT_MODE_FILE)
   set(isolaw_embed_script ${CMAKE_CURRENT_LIST_FILE})
   function(isolaw_embed target function base)
     string(REPLACE "::" "_" file ${function})
-    set(made ${CMAKE_CURRENT_BINARY_DIR}/${file}.cpp)
+    set(source ${CMAKE_CURRENT_BINARY_DIR}/${file}.cpp)
     list(JOIN ARGN "|" files)
-    add_custom_command(OUTPUT ${made}
-      COMMAND ${CMAKE_COMMAND} -DFUNCTION=${function} -DBASE=${base} "-DFILES=${files}" -DMADE=${made} -P ${isolaw_embed_script}
+    add_custom_command(OUTPUT ${source}
+      COMMAND ${CMAKE_COMMAND} -DFUNCTION=${function} -DBASE=${base} "-DFILES=${files}" -DOUTPUT=${source} -P ${isolaw_embed_script}
       DEPENDS ${ARGN} ${isolaw_embed_script} VERBATIM COMMENT "Embedding ${function}")
-    # TARGET may be of another folder, which does not see the command.
-    add_custom_target(${file} DEPENDS ${made})
+    # Custom commands are only seen in their own folder, and TARGET may be in another.
+    add_custom_target(${file} DEPENDS ${source})
     add_dependencies(${target} ${file})
-    target_sources(${target} PRIVATE ${made})
-    set_source_files_properties(${made} TARGET_DIRECTORY ${target} PROPERTIES GENERATED ON SKIP_PRECOMPILE_HEADERS ON)
+    target_sources(${target} PRIVATE ${source})
+    set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES GENERATED ON SKIP_PRECOMPILE_HEADERS ON)
   endfunction()
   return()
 endif()
@@ -31,10 +31,10 @@ foreach(file IN LISTS FILES)
     cmake_path(GET file FILENAME named)
   endif()
   file(READ ${file} text)
-  # Raw, so that nothing in the text means anything; one literal, which GCC and clang take at any length.
+  # A raw string, in which nothing has a meaning; GCC and clang accept one of any length.
   string(APPEND table "    {\"${named}\", R\"_embedded_(${text})_embedded_\"sv},\n")
 endforeach()
-file(WRITE ${MADE} "#include \"isolaw/base/embedded.hpp\"\n\n#pragma GCC diagnostic ignored \"-Woverlength-strings\"\n\n"
+file(WRITE ${OUTPUT} "#include \"isolaw/base/embedded.hpp\"\n\n#pragma GCC diagnostic ignored \"-Woverlength-strings\"\n\n"
   "namespace ${namespace} {\n\nusing namespace std::string_view_literals;\n\nstd::span<Embedded const> ${name}();\n\n"
   "std::span<Embedded const> ${name}() {\n  static constexpr Embedded files[] = {\n${table}  };\n  return files;\n}\n\n"
   "}  // namespace ${namespace}\n")

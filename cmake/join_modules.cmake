@@ -1,10 +1,10 @@
-# Joins the ES modules of a folder into one script without global names: each in a function of its own, after those that
-# it imports.
+# Joins the ES modules of a folder into one script without global names. Each module becomes a function, after the modules
+# that it imports.
 #   cmake -D FOLDER=DIR -D ENTRY=NAME.js [-D ENTRIES=A.js,B.js] -D OUTPUT=FILE -P join_modules.cmake
-# ENTRIES: of all scripts that are made of the folder; what ENTRY does not reach is left out.
-# Nothing here understands JavaScript; so these forms alone, at the beginning of a line:
+# ENTRIES names the entries of all scripts made from the folder; modules that ENTRY does not reach are left out.
+# This script does not parse JavaScript and accepts only these forms, at the beginning of a line:
 #   import { a, b } from './folder/file.js';    export const a = ...    export function a(...)
-# Refused: any other, a name that its module does not export, an export or a file that nobody imports, a cycle.
+# It refuses any other form, an import that its module does not export, an export or a file that nobody imports, a cycle.
 cmake_minimum_required(VERSION 3.20)
 if(DEFINED ENTRIES)
   string(REPLACE "," ";" entries "${ENTRIES}")
@@ -79,7 +79,7 @@ foreach(file IN LISTS files)
   endforeach()
 endforeach()
 
-# Those that the entry reaches; a cycle too, which is refused below.
+# Collects the modules that the entry reaches, cycles included, which are refused below.
 set(reached "${ENTRY}")
 set(open "${ENTRY}")
 while(open)
@@ -101,7 +101,7 @@ if(DEFINED ENTRIES)
   set(files ${kept})
 endif()
 
-# A module is ready when all that it imports have been written.
+# A module can be written once all its imports have been.
 set(script "(() => {\n'use strict';\nconst modules = {};\n")
 set(done "")
 while(files)

@@ -3,8 +3,8 @@ include(CMakePackageConfigHelpers)
 install(TARGETS isolaw EXPORT isolaw-targets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 
-# The public headers: api/isolaw.hpp, and what it includes.
-function(isolaw_public_headers made)
+# The public headers: api/isolaw.hpp and everything that it includes.
+function(isolaw_public_headers result)
   set(open isolaw/api/isolaw.hpp)
   set(known "")
   while(open)
@@ -18,7 +18,7 @@ function(isolaw_public_headers made)
     list(REMOVE_DUPLICATES open)
     list(REMOVE_ITEM open ${known})
   endwhile()
-  set(${made} ${known} PARENT_SCOPE)
+  set(${result} ${known} PARENT_SCOPE)
 endfunction()
 isolaw_public_headers(headers)
 foreach(header IN LISTS headers)
@@ -26,6 +26,7 @@ foreach(header IN LISTS headers)
   install(FILES ${PROJECT_SOURCE_DIR}/src/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder})
 endforeach()
 
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/LICENSES/MIT-0.txt DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/rules DESTINATION ${CMAKE_INSTALL_DATADIR}/isolaw FILES_MATCHING PATTERN "*.toml")
 install(EXPORT isolaw-targets NAMESPACE isolaw:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/isolaw)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/isolaw-config.cmake.in

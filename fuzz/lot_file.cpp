@@ -1,4 +1,4 @@
-// The text of a lot file. What is read must also be writable, and read back as the same.
+// The text of a lot file. A file that can be read must also be writable and read back as the same.
 #include "isolaw/campaign/lot_file.hpp"
 #include "harness.hpp"
 

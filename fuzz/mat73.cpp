@@ -1,4 +1,4 @@
-// The bytes of a MATLAB file of version 7.3, whatever they are: read in a process of its own, whose end is an Error.
+// The bytes of a MATLAB file of version 7.3, read in a process of its own; if that process dies the result is an Error.
 #include "record.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {

@@ -1,4 +1,4 @@
-// What every fuzz target of a record does: the bytes are read as `isolaw inspect` and `isolaw calibrate` read them.
+// Reads a record's bytes as `isolaw inspect` and `isolaw calibrate` do; shared by the targets for kinds of records.
 #pragma once
 
 #include <cmath>

@@ -78,7 +78,7 @@ def shared(texts):
 
 
 def workbooks():
-    stored = zipfile.ZIP_STORED  # so that a fuzzer can get at the text
+    stored = zipfile.ZIP_STORED  # uncompressed, so that a fuzzer can change the text
     sound = worksheet(sheet_rows())
     write("workbook", "sound.xlsx", workbook({"Test": sound}))
     write("workbook", "stored.xlsx", workbook({"Test": sound}, method=stored))

@@ -1,5 +1,5 @@
-// Feeds every file of the folders named to the target it is linked with: the corpus as an ordinary test, without
-// libFuzzer. Fails when there is no file.
+// Feeds every file of the named folders to the target that this is linked with, so that the corpus is an ordinary test
+// without libFuzzer. Fails if there is no file.
 #include <algorithm>
 #include <fstream>
 #include <iterator>

@@ -1,4 +1,4 @@
-// The text of a rule file. What is read keeps the promises of its bounds, and gives no verdict that nobody signed for.
+// The text of a rule file. A set that can be read keeps its bounds, and without a signature it gives no verdict.
 #include "harness.hpp"
 #include "isolaw/rules/lot_view.hpp"
 
@@ -7,24 +7,24 @@ namespace {
 using namespace isolaw;
 
 rules::BlockValues block() {
-  rules::BlockValues made{.number = 1,
-                          .amplitude_mm = 100.0,
-                          .frequency_Hz = 0.5,
-                          .shear_strain_percent = 100.0,
-                          .load_mean_kN = 1000.0,
-                          .cycles = {}};
+  rules::BlockValues values{.number = 1,
+                            .amplitude_mm = 100.0,
+                            .frequency_Hz = 0.5,
+                            .shear_strain_percent = 100.0,
+                            .load_mean_kN = 1000.0,
+                            .cycles = {}};
   for (int number = 1; number <= 11; ++number)
-    made.cycles.push_back({.number = number,
-                           .d_plus_mm = 100.0,
-                           .d_minus_mm = -100.0,
-                           .F_plus_kN = 120.0,
-                           .F_minus_kN = -115.0,
-                           .K_eff_kN_per_mm = 1.175,
-                           .damping_percent = 15.0,
-                           .energy_kN_mm = 11074.0,
-                           .Q_d_kN = 30.0,
-                           .K_d_kN_per_mm = 0.875});
-  return made;
+    values.cycles.push_back({.number = number,
+                             .d_plus_mm = 100.0,
+                             .d_minus_mm = -100.0,
+                             .F_plus_kN = 120.0,
+                             .F_minus_kN = -115.0,
+                             .K_eff_kN_per_mm = 1.175,
+                             .damping_percent = 15.0,
+                             .energy_kN_mm = 11074.0,
+                             .Q_d_kN = 30.0,
+                             .K_d_kN_per_mm = 0.875});
+  return values;
 }
 
 void require_plain(std::string const& text) {

@@ -1,4 +1,4 @@
-// The bytes of a campaign's store, reported as `isolaw report` does.
+// The bytes of a campaign's store, reported as by `isolaw report`.
 #include <fstream>
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes fuzz/corpus/store again, after a change of the store's schema: python3 fuzz/store_corpus.py ISOLAW [--all FOLDER]
 
-Each file is a tiny campaign, as the program wrote it or with one thing in it that no program of ours writes.
+Each file is a tiny campaign, as the program wrote it or with one thing in it that isolaw never writes.
 """
 import math
 import pathlib
@@ -16,7 +16,7 @@ ENDLESS = "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n)"
 
 
 def view(table, body):
-    """The table's rows from a view of the same name."""
+    """SQL that replaces a table by a view of the same name."""
     return f"ALTER TABLE {table} RENAME TO kept; CREATE VIEW {table} AS {body}"
 
 
@@ -75,8 +75,8 @@ FAULTS = {
                         "GENERATED ALWAYS AS (hex(zeroblob(400000000))) VIRTUAL",
 }
 
-# What is committed: what once hung a reader or passed unseen, and the kinds that get furthest into one. With --all,
-# everything, as seeds for a longer run.
+# The committed files: those that once hung a reader or passed unnoticed, and the kinds that get furthest into the reader.
+# --all writes every one, as seeds for a longer run.
 KEPT = {"sound", "view-endless-runs", "view-endless-setting", "view-large-values", "generated-column", "setting-range",
         "run-number-huge", "parameters-infinite", "box-null", "name-control", "series-one-nan", "history-odd"}
 

@@ -1,4 +1,4 @@
-// What this is, that nothing leaves the machine, the self-test, licences.
+// The page's version, privacy, self-test and licences.
 
 import { button, element, fill, place, visible } from './dom.js';
 import { engine } from './engine_use.js';

@@ -17,10 +17,10 @@ const options = { cmake: ['cmake'], report: [], 'engine-html': [] };
 for (let i = 2; i < process.argv.length; i += 2) (options[process.argv[i].slice(2)] ??= []).push(process.argv[i + 1]);
 const one = (name) => options[name]?.at(-1);
 
-// The text of scripts as it stands in HTML; of those that a browser runs.
+// The text of the scripts that a browser runs, as it stands in HTML.
 const scriptsOf = (html) => [...html.matchAll(/<script(?![^>]*\btype=)[^>]*>([\s\S]*?)<\/script>/g)].map(([, script]) => script);
 const hash = (script) => "'sha256-" + createHash('sha256').update(script, 'utf8').digest('base64') + "'";
-// Inside <script> only these two end or change the script (render/page/html.cpp does the same).
+// Only these two sequences end or change a <script> (render/page/html.cpp does the same).
 const inline = (script) => script.replace(/<(?=!--|\/s)/gi, '<\\');
 
 function joined() {
@@ -59,5 +59,5 @@ const policy = [
   "form-action 'none'",
   "base-uri 'none'",
 ].join('; ');
-// The first only: what stands in scripts stays as it is.
+// Replaces the first alone: the same text within scripts stays as it is.
 writeFileSync(one('out'), page.replace('{{policy}}', () => policy));

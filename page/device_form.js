@@ -1,4 +1,4 @@
-// How one device is read: a form that is its table in the lot file.
+// The form for one device, which edits its table in the lot file.
 
 import { element, visible } from './dom.js';
 import { choiceField, choicesOf, fieldset, flagField, textField } from './fields.js';
@@ -9,15 +9,8 @@ const CHANNELS = ['time', 'disp', 'force', 'load'];
 const UNITS = { time: ['s', 'ms', 'min', 'd'], disp: ['mm', 'cm', 'm', 'in'], force: ['kN', 'N', 'MN', 'tonf', 'kgf', 'daN', 'kip', 'lbf'] };
 UNITS.load = UNITS.force;
 
-// Names of columns that the program mentions, as suggestions.
-function columnsSaid(found, message) {
-  const names = new Set();
-  for (const sentence of found?.recognised ?? []) for (const [, name] of sentence.matchAll(/columns? [0-9A-Z]+ '([^']+)'/g)) names.add(name);
-  for (const [, name] of message.matchAll(/column [0-9A-Z]+ '([^']+)'/g)) names.add(name);
-  const variables = /allowed: variables ([^;]*)/.exec(message)?.[1] ?? '';
-  for (const [, name] of variables.matchAll(/([\w.:()]+)(?: to [\w.:]+)? \(\d/g)) names.add(name);
-  return [...names];
-}
+// Names of columns, as suggestions: those that were read, or where one was not found, those that there are.
+const columnNames = (found, problems) => [...new Set([...Object.values(found?.columns ?? {}).map(String), ...problems.flatMap(({ names = [] }) => names)])];
 
 // The first lines of a file of text.
 function linesOf(bytes) {
@@ -26,7 +19,7 @@ function linesOf(bytes) {
   if (!wide && head.includes(0)) return null;
   let words;
   try {
-    // The last characters may be cut in two.
+    // Stops at a line's end: the last character of `head` may be cut in two.
     words = new TextDecoder(wide || 'utf-8', { fatal: !wide }).decode(wide ? head : head.subarray(0, head.length === bytes.length ? head.length : head.lastIndexOf(10) + 1));
   } catch {
     words = new TextDecoder('windows-1252').decode(head);
@@ -34,8 +27,9 @@ function linesOf(bytes) {
   return words.split(/\r\n|\r|\n/).slice(0, 16).map((line) => visible(line.slice(0, 300)));
 }
 
-// `found`: of inspection.json, or undefined; `write(key, value)` and `writePart(key, channel, value)` change the lot file.
-export function deviceForm(device, found, message, write, writePart) {
+// `found`: the device in inspection.json, or undefined; `problems`: the program's complaints. `write(key, value)` and
+// `writePart(key, channel, value)` change the lot file.
+export function deviceForm(device, found, problems, write, writePart) {
   const id = (key) => 'device-' + device.place + '-' + key;
   const value = (key) => device.table.keys.get(key)?.value;
   const field = (key, options) => textField(id(key), text.form[key], value(key), (typed) => write(key, typed), options);
@@ -47,7 +41,7 @@ export function deviceForm(device, found, message, write, writePart) {
   const column = (channel) => (typed) => writePart('columns', channel, typed);
   const unit = (channel) => (typed) => writePart('units', channel, typed);
   const numeral = (write) => (typed) => write(typed !== null && /^\d+$/.test(typed) ? Number(typed) : typed);
-  const suggested = element('datalist', { id: id('names') }, columnsSaid(found, message).map((name) => element('option', { value: name })));
+  const suggested = element('datalist', { id: id('names') }, columnNames(found, problems).map((name) => element('option', { value: name })));
   const channels = CHANNELS.map((channel) =>
     element(
       'div',
@@ -68,7 +62,7 @@ export function deviceForm(device, found, message, write, writePart) {
     bytes &&
       element(
         'details',
-        { class: 'look', open: message !== '' },
+        { class: 'look', open: problems.length > 0 },
         element('summary', {}, text.look),
         element('pre', { tabindex: '0' }, lines ? lines.join('\n') : text.lookBinary),
       ),

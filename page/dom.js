@@ -17,7 +17,7 @@ export function element(tag, attributes = {}, ...children) {
 
 export const place = (id) => document.getElementById(id);
 
-// What stands in `node` becomes `children`, as little of it as differs.
+// Makes `children` the content of `node` and changes only what differs.
 export function fill(node, ...children) {
   const next = document.createDocumentFragment();
   next.append(...present(children));
@@ -29,7 +29,7 @@ export const button = (title, press, attributes = {}) => element('button', { typ
 // Control characters, and marks that turn the direction of writing.
 export const unseen = /[\u0000-\u001f\u007f-\u009f\u200e\u200f\u202a-\u202e\u2066-\u2069]/g;
 
-// Names and messages as a reader can see them, in their lines.
+// Names and messages with such characters spelled out; line ends stay.
 export const visible = (words) =>
   String(words).replace(unseen, (sign) => (sign === '\n' || sign === '\t' ? sign : '\\x' + sign.codePointAt(0).toString(16).padStart(2, '0')));
 
@@ -40,7 +40,7 @@ const shapes = {
   down: 'M6 1 L6 8 M2.8 5 L6 8.2 L9.2 5 M1.5 11 L10.5 11',
 };
 
-// A small sign in a field of 12 by 12; what it says stands beside it in words.
+// A small sign in a field of 12 by 12; words beside it say the same.
 export function sign(name, tone) {
   const space = 'http://www.w3.org/2000/svg';
   const svg = document.createElementNS(space, 'svg');

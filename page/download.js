@@ -2,7 +2,7 @@
 
 import { element } from './dom.js';
 
-// A name that every file system takes.
+// Makes a name that every file system accepts.
 export const fileName = (title) =>
   title
     .normalize('NFKC')

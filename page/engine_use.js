@@ -1,10 +1,10 @@
-// The program as the rest of the page uses it.
+// Calls of the engine for the rest of the page.
 
 import { createEngine } from './engine/engine.js';
 
 let ready = null;
 
-// Started once; the page does not wait for it before it shows itself.
+// Starts once, at the first call; the page shows itself before that is done.
 export const engine = () => (ready ??= createEngine());
 
 const decoder = new TextDecoder();
@@ -15,8 +15,11 @@ export const run = async (argv, files, keep, signal) => (await engine()).run({ a
 
 export const fileOf = (files, path) => files.find((file) => file.path === path)?.bytes ?? null;
 
-// A path as an argument that is no option.
+// A path as an argument that cannot be taken for an option.
 export const argument = (path) => (path.startsWith('-') ? './' + path : path);
 
-// What the program says without its name in front of each line.
-export const messageOf = (stderr) => stderr.replace(/^isolaw: /gm, '').trim();
+// The program's complaints about a command, or where it has none, its messages as such.
+export const complaintsOf = ({ error, stderr = '' }) => error?.complaints ?? asComplaints(stderr);
+
+// Each line of a text as a complaint that has no other parts.
+export const asComplaints = (text) => text.split('\n').filter(Boolean).map((found) => ({ where: '', found, allowed: '', advice: '' }));

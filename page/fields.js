@@ -1,4 +1,4 @@
-// Fields of forms: each shows a key of the lot file and writes it back when it changes.
+// Fields of forms. Each shows a key of the lot file and writes it back when it changes.
 
 import { element } from './dom.js';
 import { text } from './text.js';
@@ -14,7 +14,7 @@ const shown = (value) => (value === undefined || value === null ? '' : typeof va
 const labelled = (id, [label, hint], control) =>
   element('div', { class: 'field' }, element('label', { for: id }, label), control, hint && element('small', { id: id + '-hint' }, hint));
 
-// `write` is called with the value, or null where the field was emptied.
+// Calls `write` with the value, or with null where the field was emptied.
 export function textField(id, words, value, write, { number = false, whole = false, list = null } = {}) {
   const control = element('input', {
     id,

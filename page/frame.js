@@ -1,4 +1,4 @@
-// A report of the program in a frame of its own: an origin apart, no way to this page, its policy the page's.
+// A report in a frame of its own, with another origin and no access to this page, under the page's policy.
 
 import { button, element } from './dom.js';
 import { download } from './download.js';
@@ -6,7 +6,7 @@ import { text } from './text.js';
 
 const addresses = new Set();
 
-// The report's bytes with a script that prints on demand, which a frame apart cannot be asked otherwise.
+// The report's bytes with a script that prints on demand: a frame of another origin cannot be told to print otherwise.
 function addressOf(bytes) {
   const script = document.getElementById('isolaw-frame').textContent;
   const url = URL.createObjectURL(new Blob([bytes, '<script>', script, '</script>'], { type: 'text/html;charset=utf-8' }));
@@ -39,7 +39,7 @@ export function reportFrame(id, title, bytes, name, extra = []) {
   return { tools, frame };
 }
 
-// Reports that are no longer shown; one that stands in a tab of its own stays there.
+// Frees the reports that are no longer shown. One that was opened in a tab of its own stays there.
 export function forgetFrames() {
   for (const url of addresses) URL.revokeObjectURL(url);
   addresses.clear();

@@ -1,7 +1,7 @@
-// Identification: what is asked, how far it is, the report.
+// Identification: its settings, its progress, the report.
 
 import { button, element, fill, place, visible } from './dom.js';
-import { engine, fileOf } from './engine_use.js';
+import { complaintsOf, engine, fileOf } from './engine_use.js';
 import { fileName } from './download.js';
 import { choiceField, textField } from './fields.js';
 import { reportFrame } from './frame.js';
@@ -16,8 +16,8 @@ let running = null; // AbortController
 let workers = 1;
 let settingsOpen = false;
 let shown = null;
-let progress = null; // the last that was told
-let furthest = 0; // what was told grows with what turns out to be there to do; the bar does not go back
+let progress = null; // the last that the engine reported
+let furthest = 0; // the largest share reported: more work may turn up, and the bar must not go back
 let started = 0;
 
 const settings = () => lotTables().tables?.find(({ path }) => path === 'calibrate')?.keys ?? new Map();
@@ -94,7 +94,7 @@ function drawProgress() {
   document.title = known ? text.percent(furthest) + ' \u2013 ' + text.program : text.program;
 }
 
-// What of the lot file says how much there is to do, again as options: the engine deals it out by these.
+// The engine splits the work by these settings, so they are repeated from the lot file as options.
 const spelled = () => [...['method', 'analysis'].flatMap((key) => (settings().has(key) ? ['--' + key, String(value(key))] : [])), '--runs', String(chosenRuns())];
 
 export const isIdentifying = () => running !== null;
@@ -129,11 +129,11 @@ async function identify({ fail }) {
   try {
     const parts = state.parts.length > 0 ? state.parts : store?.length > 0 ? store : undefined;
     let result = await ask(parts);
-    // Of other settings: the earlier one is no start for it.
+    // The earlier campaign has other settings and cannot be continued: start anew.
     if (parts && !fileOf(result.files, 'out/summary.json')) result = await ask(undefined);
     if (state.lots !== lots) return;
     state.parts = [];
-    if (!fileOf(result.files, 'out/summary.json')) throw Object.assign(new Error(text.failed), { stderr: result.stderr });
+    if (!fileOf(result.files, 'out/summary.json')) throw Object.assign(new Error(text.failed), { complaints: complaintsOf(result) });
     setCampaign(result.files, of);
   } catch (error) {
     if (state.lots !== lots) return;
@@ -146,7 +146,7 @@ async function identify({ fail }) {
     running = null;
     document.title = text.program;
     changed();
-    // Not from where one writes meanwhile.
+    // Takes the focus only where nobody is typing.
     if (document.activeElement === document.body) place(state.campaign && !state.cancelled ? 'laws-title' : 'identify')?.focus();
   }
 }
@@ -227,8 +227,8 @@ export function drawLaws(use) {
         settingsOpen = false;
         changed();
       }, { class: 'action' }),
-      element('span', { class: 'muted' }, devices === 0 ? (state.problem ? '' : text.noDevice) : laws.length === 0 ? text.noLaw : visible(text.work(devices, laws.length, runs) + text.workers(workers))),
+      element('span', { class: 'muted' }, devices === 0 ? (state.problems.length > 0 ? '' : text.noDevice) : laws.length === 0 ? text.noLaw : visible(text.work(devices, laws.length, runs) + text.workers(workers))),
     ),
-    devices === 0 && state.problem && element('div', { class: 'poor' }, problemList(state.problem)),
+    devices === 0 && state.problems.length > 0 && element('div', { class: 'poor' }, problemList(state.problems)),
   );
 }

@@ -1,6 +1,6 @@
-// From files to a lot: what is a lot file, a saved campaign, a record; the program reads and writes all of it.
+// From files to a lot: tells lot files, saved campaigns and records apart. The program reads and writes all of them.
 
-import { argument, asBytes, asText, fileOf, messageOf, run } from './engine_use.js';
+import { argument, asBytes, asText, complaintsOf, fileOf, run } from './engine_use.js';
 import { changed, state } from './state.js';
 import { text } from './text.js';
 import { deviceTables, readToml, valuesOf, withKey, withSetting, writeValue } from './toml.js';
@@ -9,11 +9,10 @@ const LOT = 'lot.toml';
 
 const recordFiles = () => [...state.files].map(([path, bytes]) => ({ path, bytes }));
 
-// The records and the lot file, as a command gets them.
 export const lotFiles = () => [...recordFiles(), { path: LOT, bytes: asBytes(state.lot) }];
 export const lotPath = LOT;
 
-// The tables of the lot file; null where this page does not understand it. Kept for the text it was read from.
+// The tables of the lot file; null where this page does not understand it. They are read once for each text.
 const NONE = { tables: null, line: 0 };
 let readOf = null,
   read = NONE;
@@ -32,7 +31,7 @@ export function lotTables() {
 
 const filesOf = (table) => [table.keys.get('file')?.value, table.keys.get('files')?.value].flat().filter((file) => typeof file === 'string');
 
-// All files that the lot file names, those of channels and compression tests and a rule set too.
+// All files that the lot file names, also those of channels, compression tests and a rule set.
 export function namedFiles() {
   const { tables } = lotTables();
   return tables && namedIn(tables);
@@ -60,15 +59,16 @@ function devicesIn(tables) {
   });
 }
 
-// [{number, place, table, file, name}] of the devices of the lot file: `number` of its table, `place` among the devices.
+// The devices of the lot file as [{number, place, table, file, name}]: `number` counts tables, `place` devices.
 export const lotDevices = () => devicesIn(lotTables().tables ?? []);
 
-// What `isolaw init` says of files it cannot read stands below its devices; here they are devices too, that are refused.
-const NOT_READ = /\n*^# Not read, and no device here:\n(?:#.*\n?)*/m;
+// `isolaw init` names files that it cannot read in a last paragraph of comments, `# file = ...` for each; here they are
+// devices too, which are refused.
+const FILES_LEFT_OUT = /\n\n(?:#.*\n)*# file = .*\n(?:#.*\n)*$/;
 
 const stem = (path) => path.replace(/^.*\//, '').replace(/\.[^.]*$/, '');
 
-// A device of a file that was not recognised: whoever leaves it out does so by hand, and every output says the rest.
+// A file that was not recognised becomes a device too, so that every output reports it until somebody leaves it out.
 const deviceOf = (file) => '\n[[device]]\nfile = ' + writeValue(file) + '\n';
 
 async function recognise(paths, like) {
@@ -80,7 +80,7 @@ async function recognise(paths, like) {
   }
   const result = await run(words, files, ['isolaw-new.toml']);
   const written = fileOf(result.files, 'isolaw-new.toml');
-  const recognised = written && asText(written).replace(NOT_READ, '\n');
+  const recognised = written && asText(written).replace(FILES_LEFT_OUT, '\n');
   const lot = recognised ? (like === null ? withReadInDevices(recognised) : recognised) : like !== null ? like.slice(0, devicesFrom(like)) : empty();
   const named = new Set(readToml(lot).flatMap(filesOf));
   return lot.replace(/\n*$/, '\n') + paths.filter((path) => !named.has(path)).map(deviceOf).join('');
@@ -90,7 +90,7 @@ const empty = () => 'title = ' + writeValue(state.title || text.untitled) + '\n'
 
 const devicesFrom = (lot) => readToml(lot).find(({ array }) => array)?.from ?? lot.length;
 
-// What was recognised in all of these files alike stands with each of them: it says nothing of files that come later.
+// Moves columns and units that all of these files share into each device, since later files may have others.
 function withReadInDevices(lot) {
   for (const key of ['columns', 'units']) {
     const shared = readToml(lot).find(({ path }) => path === 'read')?.keys.get(key)?.value;
@@ -101,7 +101,7 @@ function withReadInDevices(lot) {
   return lot;
 }
 
-// No two devices of one name: a later one is called by its path, or counted.
+// Gives every device its own name: a second one of the same name is called by its path or gets a number.
 function withNamesApart(lot) {
   const taken = new Set();
   for (const { number, name, file } of devicesIn(readToml(lot))) {
@@ -117,25 +117,25 @@ function withNamesApart(lot) {
 const digestOf = async (bytes) => [...new Uint8Array(await crypto.subtle.digest('SHA-256', bytes))].map((byte) => byte.toString(16).padStart(2, '0')).join('');
 
 const MARKER = 'isolaw-campaign.json';
-const PARTS = /^(parts|shares|lots)\/\d+-of-\d+\//; // of a campaign that was cancelled
+const PARTS = /^(parts|shares|lots)\/\d+-of-\d+\//; // folders of a campaign that was cancelled
 
-// What a saved campaign says of itself: of which lot file and records its results are.
+// Names the lot file and the records that the results in a saved campaign belong to.
 export const markerFile = () => ({
   path: MARKER,
   bytes: asBytes(JSON.stringify({ isolaw: 'campaign', schema: 2, of: state.campaign?.of && { lot: state.campaign.of.lot, files: Object.fromEntries(state.campaign.of.digests) } }) + '\n'),
 });
 
-// The lot file and the records as they are now; of results, what they were computed of.
+// The lot file and the records as they are now, to be kept with the results that are computed from them.
 export const present = () => ({ lot: state.lot, digests: new Map([...(namedFiles() ?? [])].map((path) => [path, state.digests.get(path)])) });
 
-// Results of another lot file, or of other records, than those that are here.
+// Whether the results were computed from another lot file or other records than those that are here.
 export const outdated = () => {
   if (!state.campaign || state.lot === null) return false;
   const { lot, digests } = state.campaign.of ?? digestsOf(state.campaign.summary);
   return (lot !== null && lot !== state.lot) || [...digests].some(([path, digest]) => state.digests.get(path) !== digest);
 };
 
-// What stands beside results wherever they are shown or saved; '' where nothing does.
+// The warning that stands beside results wherever they are shown or saved; '' where there is none.
 export const resultsDoubt = () => (outdated() ? text.outdated : state.campaign?.summary.complete === false ? text.incomplete : '');
 
 export const titleOfAll = () => {
@@ -143,7 +143,7 @@ export const titleOfAll = () => {
   return (typeof own === 'string' && own) || state.inspection?.title || state.campaign?.summary.title || state.title;
 };
 
-// A lot file may call a record as another system does: by '\\', in other letters, or in another folder.
+// Finds records that the lot file names as another system would: with '\\', other capitals, or another folder.
 function rename(named) {
   const lower = (path) => path.replace(/\\/g, '/').toLowerCase();
   const last = (path) => lower(path).replace(/^.*\//, '');
@@ -153,7 +153,7 @@ function rename(named) {
     const same = [lower, last].map((short) => free.filter((one) => short(one) === short(path))).find((found) => found.length === 1)?.[0];
     if (same === undefined) continue;
     if (/^([A-Za-z]:|[\\/])|(^|[\\/])\.\.([\\/]|$)/.test(path)) {
-      // There is no such place here: the lot file is told where the record is.
+      // The path leads outside, so the lot file is changed to where the record is here.
       const device = lotDevices().find(({ file }) => file === path);
       if (device?.table.keys.get('file')) state.lot = withKey(state.lot, device.number, 'file', same);
       continue;
@@ -167,13 +167,13 @@ function rename(named) {
 
 const isStore = ({ path }) => /(^|\/)campaign\.sqlite$/.test(path) && !PARTS.test(path);
 const isToml = ({ path }) => /\.toml$/i.test(path);
-// Of a lot file under any name; a rule set has none.
+// Tells a lot file of any name from a rule set, which has no devices.
 const namesDevices = ({ bytes }) => /^\s*\[\[\s*device/m.test(asText(bytes));
 
 const folderOf = ({ path }) => path.slice(0, path.lastIndexOf('/') + 1);
 
-// Which of these files is the lot file, which the store; `results`, that the program makes again of it, are no records
-// unless the lot file names them; `base`: what its names are relative to.
+// Finds the lot file and the store among these files. `results`: files that the program writes again from the store, so
+// no records unless the lot file names them; `base`: the folder that the lot file's names are relative to.
 function sorted(files) {
   const store = files.find(isStore);
   const lots = files.filter(isToml);
@@ -185,19 +185,19 @@ function sorted(files) {
   } catch {
     // The program says what is wrong with it.
   }
-  const made = /^(tables|figures)\/|^(summary|run)\.json$|\.(html|tex|sqlite)$/i;
-  const results = new Set(store ? files.filter((file) => file === store || (file.path.startsWith(folderOf(store)) && !PARTS.test(file.path) && made.test(file.path.slice(folderOf(store).length)) && !named.has(file.path.slice(base.length)))) : []);
+  const outputs = /^(tables|figures)\/|^(summary|run)\.json$|\.(html|tex|sqlite)$/i;
+  const results = new Set(store ? files.filter((file) => file === store || (file.path.startsWith(folderOf(store)) && !PARTS.test(file.path) && outputs.test(file.path.slice(folderOf(store).length)) && !named.has(file.path.slice(base.length)))) : []);
   return { store, lot, base, results };
 }
 
-// What of the page takes the place of what is here: 'results', 'everything', or ''.
+// Which part of the page these files would replace: 'results', 'everything', or '' for none.
 export function replaces(files) {
   if (!files.some(isStore)) return '';
   const { lot, results } = sorted(files);
   return lot || files.some((file) => file.path !== MARKER && !results.has(file)) ? 'everything' : 'results';
 }
 
-// New files beside what is there. Returns {store} where a store is to be reported.
+// Adds files to those that are here. Returns {store, of} where there is a store to make a report of.
 export const addFiles = async ({ files, title, notes }) => {
   state.notes = notes;
   const { store, lot: own, base, results } = sorted(files);
@@ -226,13 +226,13 @@ export const addFiles = async ({ files, title, notes }) => {
   if (!state.title) state.title = title;
   if (own) {
     const lot = asText(own.bytes).replace(/^\ufeff/, '').replace(/\r\n/g, '\n');
-    Object.assign(state, { lot, inspection: null, inspectionFiles: [], problem: '' });
+    Object.assign(state, { lot, inspection: null, inspectionFiles: [], problems: [] });
     rename(namedFiles() ?? new Set());
     const named = namedFiles();
     const records = fresh.filter((path) => !/\.toml$/i.test(path));
     // Next month's records with this month's lot file.
     if (!store && named && records.length > 0 && named.size > 0 && ![...named].some((path) => state.files.has(path))) {
-      // Else the program would call it after the folder it runs in.
+      // Without a title the program would take the name of the folder that it runs in.
       state.lot = withSetting(withNamesApart(await recognise(records, lot)), '', 'title', state.title || text.untitled);
       state.notes.push(text.likeLast(records.length));
     }
@@ -256,7 +256,7 @@ function markedOf(bytes) {
 
 const namedFilesOr = (other) => (state.lot === null ? other : (namedFiles() ?? other));
 
-// Files of no device yet become devices, as the program recognises them.
+// Makes devices of files that belong to none yet, as the program recognises them.
 export const readRecords = async (paths) => {
   const { lots } = state;
   const found = await recognise(paths, null);
@@ -268,7 +268,7 @@ export const readRecords = async (paths) => {
 let running = false,
   again = false;
 
-// Cycles, properties and verdicts of what the lot file says now; called while one runs, it follows it.
+// Computes cycles, properties and verdicts for the lot file as it is now. A call while one runs makes it run again.
 export const inspect = async () => {
   if (running) {
     again = true;
@@ -285,7 +285,7 @@ export const inspect = async () => {
       const read = json ? JSON.parse(asText(json)) : null;
       state.inspection = read && { ...read, devices: read.devices ?? [read] };
       state.inspectionFiles = result.files.map(({ path, bytes }) => ({ path: path.slice('isolaw-out/'.length), bytes }));
-      state.problem = json ? '' : messageOf(result.stderr);
+      state.problems = json ? [] : complaintsOf(result);
       changed();
     } while (again);
   } finally {
@@ -293,23 +293,23 @@ export const inspect = async () => {
   }
 };
 
-// The command line keeps what its records were, and not the lot file.
+// The digests that a summary of the command line holds; it does not say which lot file it had.
 function digestsOf({ devices }) {
   const here = (file) => [...state.files.keys()].filter((path) => path === file || path.endsWith('/' + file));
   return { lot: null, digests: new Map(devices.flatMap(({ file, sha256 }) => (here(file).length === 1 ? [[here(file)[0], sha256]] : []))) };
 }
 
-// The report of a store made again: what is shown is this program's. `of`: what its results are of, where that is known.
+// Makes the report of a store again, so that this version of the program wrote it. `of`: the lot file and records that
+// the results were computed from, where that is known.
 export const openStore = async (bytes, of) => {
   const { lots } = state;
   const result = await run(['report', 'out', '--figures', 'none'], [{ path: 'out/campaign.sqlite', bytes }], ['out/*']);
   const files = result.files.some(({ path }) => path === 'out/campaign.sqlite') ? result.files : [...result.files, { path: 'out/campaign.sqlite', bytes }];
-  if (!fileOf(files, 'out/summary.json')) throw Object.assign(new Error(text.failed), { stderr: result.stderr });
-  // The command line keeps what its records were, and not the lot file.
+  if (!fileOf(files, 'out/summary.json')) throw Object.assign(new Error(text.failed), { complaints: complaintsOf(result) });
   if (state.lots !== lots) return;
   const { saved } = state;
   setCampaign(files, of ?? null);
-  state.saved = saved; // as it was dropped
+  state.saved = saved; // a store that was dropped is a file already
 };
 
 export function setCampaign(files, of) {
@@ -319,11 +319,11 @@ export function setCampaign(files, of) {
   state.saved = false;
 }
 
-// What the laws and rule sets are called: from the program, so that they are listed once.
+// Laws and rule sets come from the program, so that the page has no list of its own.
 export const readCatalogue = async () => {
-  const [laws, rules] = await Promise.all([run(['laws'], [], []), run(['rules'], [], [])]);
-  state.laws = [...laws.stdout.matchAll(/^(\S+) +(\S+) +(\d+) parameters? +(.*)$/gm)].map(([, id, set, parameters, title]) => ({ id, set, parameters: Number(parameters), title }));
-  state.rules = [...rules.stdout.matchAll(/^(\S+) +(.*)$/gm)].map(([, id, title]) => ({ id, title })).filter(({ id }) => id !== 'template');
+  const [laws, rules] = await Promise.all([run(['laws', '--json'], [], []), run(['rules', '--json'], [], [])]);
+  state.laws = JSON.parse(laws.stdout).map(({ id, title, set, parameters }) => ({ id, title, set, parameters: parameters.length }));
+  state.rules = JSON.parse(rules.stdout).map(({ id, title, verified_by: by }) => ({ id, title, verified: by !== '' }));
 };
 
 // The built-in lot, as if its folder had been dropped.

@@ -1,4 +1,4 @@
-// What holds for the whole lot: a form that is the lot file, and the lot file itself.
+// The form for the whole lot, which edits the lot file, and the lot file itself.
 
 import { button, element, place } from './dom.js';
 import { choiceField, fieldset, textField } from './fields.js';
@@ -38,7 +38,7 @@ export function lotForm(edit) {
     parts.push(
       fieldset(
         text.rulesOf,
-        choiceField('rules', [text.rules, ''], [['', text.noRules], ...state.rules.map(({ id, title }) => [id, id + ': ' + title]), ...files], acceptance.get('rules')?.value, setting('acceptance', 'rules')),
+        choiceField('rules', [text.rules, ''], [['', text.noRules], ...state.rules.map(({ id, title, verified }) => [id, id + ': ' + title + (verified ? '' : text.notVerified)]), ...files], acceptance.get('rules')?.value, setting('acceptance', 'rules')),
         textField('lot-size', [text.lotSize, ''], acceptance.get('lot-size')?.value, setting('acceptance', 'lot-size'), { whole: true }),
       ),
       fieldset(text.design, Object.entries(text.designs).map(designField)),

@@ -2,7 +2,7 @@
 
 import { drawAbout } from './about.js';
 import { button, element, fill, place, visible } from './dom.js';
-import { engine, messageOf } from './engine_use.js';
+import { asComplaints, complaintsOf, engine } from './engine_use.js';
 import { forgetFrames, isFrame, printFrame } from './frame.js';
 import { cancelIdentifying, drawLaws, isIdentifying, knowWorkers } from './laws.js';
 import { addFiles, exampleLot, inspect, lotDevices, openStore, readCatalogue, readRecords, replaces, titleOfAll } from './lot.js';
@@ -67,7 +67,7 @@ const use = {
     if (lotDevices().length === 0) {
       state.inspection = null;
       state.inspectionFiles = [];
-      state.problem = '';
+      state.problems = [];
     }
     changed();
     busy(text.inspecting, inspectIfAny);
@@ -122,7 +122,7 @@ function startOver() {
   show('records', true);
 }
 
-// What is being done, in words; the page stays free meanwhile.
+// Shows `words` while `work` goes on; the page can be used meanwhile.
 async function busy(words, work) {
   ++working;
   document.body.dataset.busy = String(working);
@@ -150,12 +150,12 @@ const hush = () => {
 
 function fail(error) {
   const node = place('failure');
-  const said = messageOf(error.stderr ?? '');
+  const complaints = error.complaints ?? complaintsOf(error);
   fill(
     node,
     element('p', { class: 'word' }, visible(error.message || text.failed)),
-    said && problemList(said).slice(0, 5),
-    !said && !error.shown && element('p', { class: 'fine' }, visible(error.name)),
+    problemList(complaints).slice(0, 5),
+    complaints.length === 0 && !error.shown && element('p', { class: 'fine' }, visible(error.name)),
     button(text.close, () => {
       node.hidden = true;
       place('show-' + current)?.focus();
@@ -184,7 +184,7 @@ const takeIn = async (files) => {
   } else show('records');
 };
 
-let received = Promise.resolve(); // one drop after the other: each adds to what the one before has made
+let received = Promise.resolve(); // drops are taken one after the other, since each adds to the one before
 const receive = (chosen) => {
   const before = received;
   received = busy(text.starting, async () => {
@@ -200,7 +200,7 @@ const receive = (chosen) => {
 };
 
 function listen() {
-  // What is dragged comes to lie over a sheet above all, reports' frames too, which would keep it to themselves.
+  // While a file is dragged a sheet covers the page, since a report's frame would keep the drop to itself.
   const over = (on) => document.body.toggleAttribute('data-dropping', on);
   addEventListener('dragenter', (event) => {
     event.preventDefault();
@@ -208,12 +208,12 @@ function listen() {
   });
   addEventListener('message', ({ data, source }) => data === 'isolaw: drag' && isFrame(source) && over(true));
   place('dropping').addEventListener('dragleave', () => over(false));
-  addEventListener('pointermove', () => over(false)); // none comes while one drags
+  addEventListener('pointermove', () => over(false)); // browsers send no such event during a drag
   addEventListener('dragover', (event) => event.preventDefault());
   addEventListener('drop', (event) => {
     event.preventDefault();
     over(false);
-    document.activeElement?.blur(); // what is being typed is of the lot that is here
+    document.activeElement?.blur(); // writes a field that is being edited into the present lot
     receive(ofDrop(event.dataTransfer));
   });
   for (const id of ['pick', 'pick-folder'])
@@ -229,7 +229,7 @@ function listen() {
   });
   addEventListener('keydown', (event) => {
     if (event.key === 'Escape' && current === 'laws' && isIdentifying()) cancelIdentifying();
-    // Of a page with a frame a browser prints one sheet.
+    // Browsers print one sheet of a page with a frame, so the frame prints itself.
     if (event.key.toLowerCase() === 'p' && (event.ctrlKey || event.metaKey) && printFrame(place('view-' + current))) event.preventDefault();
   });
 }
@@ -251,4 +251,4 @@ engine()
     document.body.dataset.ready = '';
     changed();
   })
-  .catch((error) => fail(Object.assign(new Error(text.noEngine + ' ' + text.noEngineTry), { stderr: error.message, shown: true })));
+  .catch((error) => fail(Object.assign(new Error(text.noEngine + ' ' + text.noEngineTry), { complaints: asComplaints(error.message), shown: true })));

@@ -1,5 +1,5 @@
-// A view that is drawn anew changes what differs and keeps what stands there: the field one writes in, the button the
-// pointer is down on, what is folded open, how far one has scrolled.
+// Redrawing a view changes only the elements that differ. So the field one types in, the button under the pointer,
+// unfolded details and the scroll position stay.
 
 const handlers = new WeakMap(); // element -> Map of event -> function
 
@@ -10,7 +10,7 @@ export function listen(node, event, handler) {
   own.set(event, handler);
 }
 
-// A report's frame is never told to show another: that would be one more step for the browser's way back.
+// A report's frame is replaced, never pointed at another report: that would add a step to the browser's history.
 const alike = (old, next) =>
   old.nodeType === next.nodeType && old.nodeName === next.nodeName && (old.id ?? '') === (next.id ?? '') && old.type === next.type && old.nodeName !== 'IFRAME';
 
@@ -21,7 +21,7 @@ function patch(old, next) {
   }
   const isText = old.nodeName === 'TEXTAREA' || (old.nodeName === 'INPUT' && old.type === 'text');
   const isTyped = isText && old === document.activeElement && old.value !== old.defaultValue;
-  // What is folded open is the reader's to say.
+  // Only the reader opens and closes details.
   for (const { name } of [...old.attributes]) if (name !== 'open' && !next.hasAttribute(name)) old.removeAttribute(name);
   for (const { name, value } of [...next.attributes]) if (name !== 'open' && old.getAttribute(name) !== value) old.setAttribute(name, value);
   for (const [event] of handlers.get(old) ?? []) handlers.get(old).set(event, null);
@@ -32,7 +32,7 @@ function patch(old, next) {
   if ((old.type === 'checkbox' || old.type === 'radio') && old.checked !== next.checked) old.checked = next.checked;
 }
 
-// `next` gives its children away.
+// `next` loses its children.
 export function patchChildren(old, next) {
   const wanted = new Set([...next.childNodes].map(({ id }) => id).filter(Boolean));
   const mayGo = (node) => !wanted.has(node.id) && !node.contains(document.activeElement);

@@ -21,8 +21,8 @@ export function drawProperties({ show }) {
     return;
   }
   const { word, sentence } = state.inspection.result ?? {};
-  // Why stands in the page below, in full.
-  const verdict = element('p', { class: 'verdict-line' }, element('b', { class: 'word ' + (TONES[word] ?? '') }, word ?? text.noVerdict), !word && sentence && ' ' + visible(sentence.replace(/^no verdict: /, '')));
+  // The page below says what a verdict is based on; why there is none stands here too.
+  const verdict = element('p', { class: 'verdict-line' }, word ? element('b', { class: 'word ' + (TONES[word] ?? '') }, word) : visible(sentence ?? text.noVerdict));
   const { tools, frame } = reportFrame('inspection-frame', text.inspectionFrame, page, fileName(titleOfAll() || text.untitled) + '-inspection.html', [
     verdict,
     !state.inspection.assessment?.rule_set &&

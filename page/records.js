@@ -1,7 +1,8 @@
-// The first screen: what was dropped, what was recognised in it, and how it is corrected.
+// The first screen: the files that were dropped, what was recognised in them, and the forms that correct it.
 
 import { button, element, fill, place, sign, visible } from './dom.js';
 import { deviceForm } from './device_form.js';
+import { asComplaints } from './engine_use.js';
 import { lotForm } from './lot_form.js';
 import { lotDevices, lotTables, namedFiles } from './lot.js';
 import { state } from './state.js';
@@ -19,27 +20,19 @@ const CHANNELS = ['time', 'disp', 'force', 'load'];
 
 const number = (value, digits) => (typeof value === 'number' ? String(Number(value.toPrecision(digits))).replace('-', '\u2212') : '\u2013');
 
-// "where: what; allowed: ...; try: ..." of the program, in its parts.
-function problemParts(message) {
-  return message.split('\n').filter(Boolean).map((line) => {
-    const [head, advice = ''] = line.split(/; try: (.*)/s);
-    const [what, allowed = ''] = head.split(/; allowed: (.*)/s);
-    return { what, allowed, advice };
-  });
-}
-
-export const problemList = (message, own = '') =>
-  problemParts(message).map(({ what, allowed, advice }) =>
+// Shows the program's complaints. The file `own` stands above them and is not named again.
+export const problemList = (complaints, own = '') =>
+  complaints.map(({ where, found, allowed, advice }) =>
     element(
       'div',
       { class: 'problem' },
-      element('p', {}, visible(own && what.startsWith(own + ': ') ? what.slice(own.length + 2) : what)),
+      element('p', {}, visible([where === own ? '' : where, found].filter(Boolean).join(': '))),
       allowed && element('p', {}, element('b', {}, text.allowed + ' '), visible(allowed)),
       advice && element('p', {}, element('b', {}, text.try + ' '), visible(advice)),
     ),
   );
 
-// The devices of the lot file, each with what inspect says of it.
+// The devices of the lot file, each with its result of inspect.
 function devicesFound() {
   const devices = lotDevices();
   const found = state.inspection?.devices ?? [];
@@ -47,10 +40,14 @@ function devicesFound() {
   return devices.map((device, i) => {
     const own = alike ? found[i] : found.find(({ name }) => name === device.name);
     const absent = device.file && !state.files.has(device.file) ? text.absent : '';
-    const message = absent ? absent : own ? (own.status === 'ok' ? own.properties_refusal : own.message) : state.problem && devices.length === 1 ? state.problem : '';
-    return { device, found: own, message, readable: own?.status === 'ok' };
+    const problems = absent ? asComplaints(absent) : own ? refusalOf(own) : devices.length === 1 ? state.problems : [];
+    return { device, found: own, problems, readable: own?.status === 'ok' };
   });
 }
+
+// Why a device is refused, or why it has no properties.
+const refusalOf = ({ status, complaints, message, properties_refusal: bare }) =>
+  status === 'ok' ? asComplaints(bare ?? '') : (complaints ?? asComplaints(message));
 
 export const readable = () => devicesFound().filter((one) => one.readable).length;
 
@@ -69,14 +66,14 @@ const reported = (found) => {
   return block?.cycles.find(({ number: one }) => one === found.reported?.number) ?? null;
 };
 
-function remarks({ found, message, device }) {
-  if (message) {
-    const problems = problemList(message, device.file);
+function remarks({ found, problems, device }) {
+  if (problems.length > 0) {
+    const items = problemList(problems, device.file);
     return element(
       'div',
       { class: found?.status === 'ok' ? 'care' : 'poor' },
-      problems.slice(0, 2),
-      problems.length > 2 && element('details', {}, element('summary', {}, text.more(problems.length - 2)), problems.slice(2)),
+      items.slice(0, 2),
+      items.length > 2 && element('details', {}, element('summary', {}, text.more(items.length - 2)), items.slice(2)),
     );
   }
   const warnings = found?.warnings ?? [];
@@ -91,10 +88,10 @@ function remarks({ found, message, device }) {
 }
 
 function rowsOf(one, edit, redraw) {
-  const { device, found, message, readable: isRead } = one;
+  const { device, found, problems, readable: isRead } = one;
   const cycle = reported(found);
   const isOpen = openForms.has(device.place);
-  const tone = !found && !message ? 'muted' : !isRead ? 'poor' : message || found.warnings.length > 0 ? 'care' : 'good';
+  const tone = !found && problems.length === 0 ? 'muted' : !isRead ? 'poor' : problems.length > 0 || found.warnings.length > 0 ? 'care' : 'good';
   const shape = { good: 'tick', care: 'care', poor: 'cross' }[tone];
   const cell = (label, value, className) => element('td', { class: className, 'data-label': label }, value);
   const toggle = button(
@@ -130,7 +127,7 @@ function rowsOf(one, edit, redraw) {
         element(
           'td',
           { colspan: '8' },
-          deviceForm(device, found, message, write, writePart),
+          deviceForm(device, found, problems, write, writePart),
           element(
             'p',
             { class: 'form-end' },
@@ -158,10 +155,10 @@ const focusTitle = () => place('records-title').focus();
 function band(all) {
   const read = all.filter((one) => one.readable).length;
   const not = all.length - read;
-  const bare = all.filter((one) => one.readable && one.message).length;
-  // Of one device alone the program says no more than what is wrong with it.
-  const broken = state.problem && !state.inspection && all.length !== 1;
-  // A store alone.
+  const bare = all.filter((one) => one.readable && one.problems.length > 0).length;
+  // Where the lot has one device, what is wrong stands in its row.
+  const broken = state.problems.length > 0 && !state.inspection && all.length !== 1;
+  // A store without records.
   if (state.lot === null && state.campaign && not === 0) return { read, node: ['muted', text.readBand.results, text.readResults, false] };
   const [tone, word, said] = broken
     ? ['poor', text.readBand.broken, '']
@@ -188,7 +185,7 @@ export function drawRecords({ edit, show, pick, pickFolder, startOver, addAgain 
   const all = devicesFound();
   const { read, node: [tone, word, said, broken] } = band(all);
   const unreadable = all.filter((one) => !one.readable);
-  const pending = all.length > 0 && !state.inspection && !state.problem;
+  const pending = all.length > 0 && !state.inspection && state.problems.length === 0;
   const named = namedFiles();
   const missing = named ? [...named].filter((path) => !state.files.has(path)) : [];
   const unused = named ? [...state.files.keys()].filter((path) => !named.has(path) && !/\.toml$/i.test(path)) : [];
@@ -202,7 +199,7 @@ export function drawRecords({ edit, show, pick, pickFolder, startOver, addAgain 
         { class: 'band ' + tone, id: 'read-band' },
         element('p', { class: 'word' }, word),
         said && element('p', { class: 'said' }, said),
-        broken && problemList(state.problem),
+        broken && problemList(state.problems),
         read > 0 &&
           element(
             'p',

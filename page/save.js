@@ -1,7 +1,7 @@
-// What can be taken away: everything as one file, single files, a law for an analysis program.
+// Saving: everything as one file, single files, a law for an analysis program.
 
 import { button, element, fill, place, visible } from './dom.js';
-import { asBytes, fileOf, messageOf, run } from './engine_use.js';
+import { asBytes, complaintsOf, fileOf, run } from './engine_use.js';
 import { download, fileName } from './download.js';
 import { choiceField, flagField } from './fields.js';
 import { problemList } from './records.js';
@@ -11,13 +11,13 @@ import { text } from './text.js';
 import { writeZip } from './zip.js';
 
 const TYPES = { html: 'text/html', json: 'application/json', toml: 'application/toml', zip: 'application/zip' };
-let said = []; // of the last export
-let exportsOf = null; // the campaign that these are of
+let said = []; // messages on the last export
+let exportsOf = null; // the campaign of that export
 const chosen = { law: null, device: null, to: 'opensees-cpp', units: 'kN-mm', anyway: false };
 
 const name = () => fileName(titleOfAll() || text.untitled);
 
-// The lot file with its records, and results below out/: as the command line lays it out; what was finished of a
+// The lot file with its records and the results below out/, laid out as by the command line, and the finished part of a
 // campaign that was cancelled.
 const wholeFiles = () => [
   ...(state.lot === null ? [] : [{ path: 'lot.toml', bytes: asBytes(state.lot) }]),
@@ -66,14 +66,14 @@ async function makeExport() {
   if (chosen.anyway) words.push('--anyway');
   said = [];
   const result = await run(words, under(state.campaign.files, 'out/').filter(({ path }) => /\.(sqlite|json)$/.test(path)), ['*']);
-  const made = result.files.filter(({ path }) => !path.startsWith('out/'));
-  for (const { path, bytes } of made) download(path.replace(/^.*\//, ''), bytes);
-  // What was written is said already.
-  const warnings = messageOf(result.stderr).split('\n').filter((line) => !made.some(({ path }) => line === path || line === 'written: ' + path)).join('\n');
+  const written = result.files.filter(({ path }) => !path.startsWith('out/'));
+  for (const { path, bytes } of written) download(path.replace(/^.*\//, ''), bytes);
+  // The program names the file that it wrote, as the page does already.
+  const warnings = result.stderr.split('\n').filter((line) => line !== file).join('\n').trim();
   said = [
-    made.length > 0 ? element('p', { class: warnings || resultsDoubt() ? 'care' : 'good' }, visible(text.exported(made.map(({ path }) => path).join(', ')))) : null,
-    made.length > 0 && resultsDoubt() && element('p', { class: 'care' }, resultsDoubt()),
-    made.length > 0 ? warnings && element('pre', { tabindex: '0' }, visible(warnings)) : element('div', { class: 'poor' }, problemList(warnings)),
+    written.length > 0 ? element('p', { class: warnings || resultsDoubt() ? 'care' : 'good' }, visible(text.exported(written.map(({ path }) => path).join(', ')))) : null,
+    written.length > 0 && resultsDoubt() && element('p', { class: 'care' }, resultsDoubt()),
+    written.length > 0 ? warnings && element('pre', { tabindex: '0' }, visible(warnings)) : element('div', { class: 'poor' }, problemList(complaintsOf(result))),
   ];
 }
 
@@ -89,7 +89,7 @@ export function drawSave({ busy, show }) {
   if (!laws.includes(chosen.law)) chosen.law = summary?.recommendations?.find(({ law }) => laws.includes(law))?.law ?? laws[0] ?? null;
   const title = (id) => state.laws.find((one) => one.id === id)?.title ?? id;
   const devices = summary?.devices.filter(({ status }) => status === 'ok').map(({ name: one }) => one) ?? [];
-  // One law for all is an analysis, of two devices at least.
+  // One law for the lot comes from an analysis and needs two devices.
   const ofLot = summary?.settings.analysis !== 'none' && devices.length > 1;
   if (chosen.device === null || (chosen.device === 'lot' ? !ofLot : !devices.includes(chosen.device))) chosen.device = ofLot ? 'lot' : (devices[0] ?? null);
   const choose = (key) => (picked) => {

@@ -1,16 +1,16 @@
-// What the page holds, and who is told when it changes.
+// The data of the page, and the listeners for changes.
 
 const nothing = () => ({
   files: new Map(), // path -> bytes: records, relative to the lot file
   digests: new Map(), // path -> SHA-256 of these, in hexadecimal
-  title: '', // of what was dropped
+  title: '', // from the folder that was dropped
   lot: null, // the text of the lot file
-  notes: [], // what is to be said of the last drop
+  notes: [], // remarks on the last drop
   inspection: null, // inspection.json
   inspectionFiles: [],
-  problem: '', // why there is none
-  campaign: null, // {files, summary, of: {lot, digests} or null}: of `calibrate`, below out/; what it was computed of
-  parts: [], // files of one that was cancelled
+  problems: [], // the program's complaints where there is no inspection
+  campaign: null, // {files, summary, of: {lot, digests} or null}: results below out/, and what they were computed from
+  parts: [], // files of a campaign that was cancelled
   cancelled: false, // the last identification was
   saved: true,
 });
@@ -18,8 +18,8 @@ const nothing = () => ({
 export const state = {
   ...nothing(),
   laws: [], // {id, title, parameters, set}
-  rules: [], // {id, title}
-  lots: 0, // that stood here before: what was begun for one of them is not this one's
+  rules: [], // {id, title, verified}
+  lots: 0, // counts the lots so far: work that was begun for an earlier one is dropped
 };
 
 export const forgetAll = () => Object.assign(state, nothing(), { lots: state.lots + 1 });

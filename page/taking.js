@@ -1,17 +1,17 @@
-// What was dropped or chosen, as files with a path: folders gone through, zip files unpacked, names made safe.
+// Turns what was dropped or chosen into files with a path: walks folders, unpacks zip files, makes names safe.
 
 import { unseen } from './dom.js';
 import { text } from './text.js';
-import { looksLikeZip, readZip } from './zip.js';
+import { TooLarge, looksLikeZip, readZip } from './zip.js';
 
-const MOST = 768 * 1024 * 1024; // of all files together: workers hold copies of them
+const MOST = 768 * 1024 * 1024; // for all files together: workers hold copies of them
 
-// What isolaw looks at in a folder (docs/records.md); what is chosen by hand is tried whatever it is called.
+// Names that isolaw reads in a folder (docs/records.md). A file that was chosen by hand is tried whatever its name.
 const RECORD = /\.(csv|tsv|txt|dat|asc|lvm|mat|xlsx|json)$/i;
 
 const failure = (message) => Object.assign(new Error(message), { shown: true });
 
-// A path without ways out of its folder, and without what no file system or no lot file takes.
+// A path that stays in its folder, without characters that a file system or a lot file refuses.
 function safePath(path) {
   const parts = path.replace(/\\/g, '/').split('/').filter((part) => part !== '' && part !== '.' && part !== '..');
   return parts.map((part) => part.replace(unseen, '_')).join('/');
@@ -25,7 +25,7 @@ async function walkHandle(directory, folder, found) {
   }
 }
 
-// The same where there are no handles.
+// The same for browsers without handles.
 async function walkEntry(directory, folder, found) {
   const reader = directory.createReader();
   const some = () => new Promise((resolve, reject) => reader.readEntries(resolve, reject));
@@ -65,7 +65,7 @@ export const ofDrop = (transfer) => {
 export const ofInput = (input) =>
   [...input.files].map((file) => ({ path: file.webkitRelativePath || file.name, file, inFolder: Boolean(file.webkitRelativePath) })).sort((a, b) => (a.path < b.path ? -1 : 1));
 
-// [{path, bytes}] and what to say of them. `size` is that of the files that are here already.
+// The files as [{path, bytes, inFolder}], with remarks. `size`: bytes of the files that are here already.
 export const take = async (chosen, size) => {
   if (chosen.length === 0) throw failure(text.nothing);
   let total = size;
@@ -91,9 +91,9 @@ export const take = async (chosen, size) => {
     );
     if (looksLikeZip(bytes) && !/\.xlsx$/i.test(path)) {
       const unpacked = await readZip(bytes).catch((error) => {
-        throw failure(error instanceof RangeError && error.message === 'unpacked' ? text.bigZip(path) : text.badZip(path));
+        throw failure(error instanceof TooLarge ? text.bigZip(path) : text.badZip(path));
       });
-      // A workbook under another name.
+      // A workbook is a zip file too, here under another name.
       if (unpacked.some((one) => one.path === '[Content_Types].xml')) files.push({ path: safePath(path), bytes, inFolder });
       else
         for (const one of unpacked) {

@@ -1,4 +1,4 @@
-// All text of the page: a translation is another file like this one. What the program itself says stays as it says it.
+// All text of the page: a translation is another file like this one. Text of the program itself is not in it.
 
 const several = (number, one, many) => number + '\u202f' + (number === 1 ? one : many);
 const some = (names, most = 6) => (names.length > most ? names.slice(0, most).join(', ') + ' and ' + (names.length - most) + ' more' : names.join(', '));
@@ -148,6 +148,7 @@ export const text = {
   differ: 'of all devices; they differ now',
   rulesOf: 'What the tests are held to',
   rules: 'Rule set',
+  notVerified: '; limits not verified: information, no verdict',
   noRules: 'none',
   lotSize: 'Devices of the production lot, tested or not',
   design: 'Design values',

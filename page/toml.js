@@ -1,5 +1,5 @@
-// The text of a lot file as tables whose keys know where they stand, so that a form changes a value and leaves all else,
-// comments too, as it was. Of TOML 1.0 what lot files use; the program itself judges the text.
+// Reads a lot file into tables whose keys know their place in the text, so that a form can change one value and leave
+// all else, comments too. It knows the part of TOML 1.0 that lot files use; the program itself judges the text.
 
 class Reader {
   constructor(text) {
@@ -170,7 +170,7 @@ const lineEnd = (text, from) => {
   return end < 0 ? text.length : end + 1;
 };
 
-// The same of the table called `path`, which is made above the first device where there is none.
+// The same for the table called `path`, which is added above the first device where there is none.
 export function withSetting(text, path, name, value) {
   const tables = readToml(text);
   const number = tables.findIndex((table) => table.path === path && !table.array);
@@ -183,7 +183,7 @@ export function withSetting(text, path, name, value) {
   return before + gap + '[' + path + ']\n' + name + ' = ' + writeValue(value) + '\n\n' + text.slice(at);
 }
 
-// What is a number as it is typed and as a table of values in one text ('disp=2, force=F') says it: no 0x10.
+// A number as people type it, also within a table of values in one text ('disp=2, force=F'); not 0x10.
 export const NUMERAL = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 
 const entriesOf = (words) =>
@@ -217,7 +217,7 @@ export function valuesOf(tables, number, name) {
   return { values, write };
 }
 
-// The same of the table called `path`, which need not be there.
+// The same for the table called `path`, which need not exist.
 export function settingsOf(tables, path, name) {
   const number = tables.findIndex((table) => table.path === path && !table.array);
   if (number >= 0) return valuesOf(tables, number, name);
@@ -231,7 +231,7 @@ export function settingsOf(tables, path, name) {
 // The numbers of the tables that are devices, in order.
 export const deviceTables = (tables) => tables.flatMap(({ path, array }, number) => (path === 'device' && array ? [number] : []));
 
-// Without a device, with the tables below it.
+// The text without a device and the tables below it.
 export function withoutDevice(text, number) {
   const tables = readToml(text);
   let last = number;

@@ -1,7 +1,6 @@
-// What the page must know of the program's settings before it asks it for anything; page.commands asks whether it is so.
+// Settings of the program that the page must know before it asks for anything; the test page.commands compares them.
 
-// Runs where none are asked for.
 export const usualRuns = (method) => (method === 'ga' ? 20 : 3);
 
-// What the program takes with the genetic algorithm alone.
+// Options that the program takes with the genetic algorithm alone.
 export const OF_GA = ['population', 'generations', 'stagnation-tolerance'];

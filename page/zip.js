@@ -1,5 +1,5 @@
 // Zip files, read and written: a saved campaign is one. APPNOTE.TXT 6.3.10, without encryption, spanning or ZIP64.
-// What is unpacked is bounded, as records are (docs/records.md): 30 times the file, at least 64 MiB, at most 1 GiB.
+// Unpacked files are bounded as records are (docs/records.md): 30 times the file, at least 64 MiB, at most 1 GiB.
 
 const LOCAL = 0x04034b50,
   CENTRAL = 0x02014b50,
@@ -18,6 +18,9 @@ function crc32(bytes) {
   return (crc ^ 0xffffffff) >>> 0;
 }
 
+// A file that unpacks to more than is allowed.
+export const TooLarge = class extends RangeError {};
+
 // All bytes that come out of a stream, no more than `most`.
 async function through(bytes, stream, most) {
   const reader = new Blob([bytes]).stream().pipeThrough(stream).getReader();
@@ -27,7 +30,7 @@ async function through(bytes, stream, most) {
     size += step.value.length;
     if (size > most) {
       reader.cancel();
-      throw new RangeError('unpacked');
+      throw new TooLarge();
     }
     parts.push(step.value);
   }
@@ -42,7 +45,7 @@ async function through(bytes, stream, most) {
 
 export const looksLikeZip = (bytes) => bytes.length > 21 && bytes[0] === 0x50 && bytes[1] === 0x4b && (bytes[2] === 3 || bytes[2] === 5);
 
-// [{path, bytes}] of [{path, bytes}]; the same bytes for the same files: no times in it.
+// From [{path, bytes}]. It holds no times, so that the same files give the same bytes.
 export const writeZip = async (files) => {
   const encoder = new TextEncoder();
   const parts = [],
@@ -87,7 +90,7 @@ export const writeZip = async (files) => {
   return new Uint8Array(await new Blob([...parts, ...entries, end.buffer]).arrayBuffer());
 };
 
-// The files of a zip file; throws where it is none, is damaged, or unpacks to too much.
+// The files in a zip file as [{path, bytes}]. Throws where it is none or damaged, TooLarge where it unpacks to too much.
 export const readZip = async (bytes) => {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   let end = bytes.length - 22;
@@ -111,7 +114,7 @@ export const readZip = async (bytes) => {
     if (flags & 1 || ![0, 8].includes(method) || view.getUint32(local, true) !== LOCAL) throw new Error('zip');
     const from = local + 30 + view.getUint16(local + 26, true) + view.getUint16(local + 28, true);
     const data = bytes.subarray(from, from + packed);
-    if (method === 0 && data.length > left) throw new RangeError('unpacked');
+    if (method === 0 && data.length > left) throw new TooLarge();
     const whole = method === 0 ? data.slice() : await through(data, new DecompressionStream('deflate-raw'), left);
     if (crc32(whole) !== crc) throw new Error('zip');
     left -= whole.length;

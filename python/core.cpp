@@ -1,6 +1,6 @@
-// The Python package `isolaw`: NumPy views of what the library holds, and its calls with the interpreter's lock
-// released. What is said to Python users stands in the docstrings here and in isolaw/__init__.pyi; tests/python holds
-// the two together.
+// The compiled part of the Python package `isolaw`: NumPy views of the library's values, and its calls with the
+// interpreter's lock released. Users read the docstrings here and in isolaw/__init__.py; tests/python compares the
+// package with its stub __init__.pyi.
 #include <pybind11/functional.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -35,13 +35,11 @@ namespace isolaw::python {
 namespace {
 
 using Array = py::array_t<double>;
-// Rows of doubles as they lie in memory: taken without a copy where the caller's array is of that form.
+// Rows of doubles in C order. An array of the caller that has this form is not copied.
 using Rows = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Contents = campaign::Contents;
 
-// --- views ----------------------------------------------------------------------------------------------------------
-
-// Values that `owner` keeps alive, read-only: a view, no copy.
+// A read-only view, without a copy, of values that `owner` keeps alive.
 Array view(std::vector<double> const& values, py::object owner) {
   Array array(static_cast<py::ssize_t>(values.size()), values.data(), std::move(owner));
   array.attr("flags").attr("writeable") = false;
@@ -59,15 +57,11 @@ std::vector<double> values_of(std::optional<Rows> const& array, char const* what
   return {array->data(), array->data() + array->size()};
 }
 
-// --- records --------------------------------------------------------------------------------------------------------
-
 struct Record {
   std::string name;
   data::TestRecord raw;
 };
 using RecordPtr = std::shared_ptr<Record>;
-
-// --- options, given as keywords -------------------------------------------------------------------------------------
 
 Json json_of(py::handle value) {
   if (value.is_none()) return {};
@@ -77,21 +71,21 @@ Json json_of(py::handle value) {
   if (PyIndex_Check(value.ptr()) != 0) {
     auto const whole = py::reinterpret_steal<py::int_>(PyNumber_Index(value.ptr()));
     auto const text = std::string(py::str(py::handle(whole)));
-    auto const number = Json::parse(text);  // beyond 64 bits it would be another number
+    auto const number = Json::parse(text);  // above 64 bits this gives a rounded double, so the text is passed on
     return number.is_number_integer() ? number : Json(text);
   }
   if (py::isinstance<py::dict>(value)) {
-    Json made = Json::object();
-    for (auto const& [key, item] : value.cast<py::dict>()) made[std::string(py::str(key))] = json_of(item);
-    return made;
+    Json object = Json::object();
+    for (auto const& [key, item] : value.cast<py::dict>()) object[std::string(py::str(key))] = json_of(item);
+    return object;
   }
   if (!py::isinstance<py::list>(value) && !py::isinstance<py::tuple>(value)) return std::string(py::str(value));
-  Json made = Json::array();
-  for (auto const& item : value) made.push_back(json_of(item));
-  return made;
+  Json array = Json::array();
+  for (auto const& item : value) array.push_back(json_of(item));
+  return array;
 }
 
-// What is given of a table, by its keywords; None is nothing.
+// The values for a table's rows among the keywords. None counts as not given.
 template <class Rows>
 Values given_of(Rows const& rows, py::dict const& given) {
   Values values;
@@ -109,13 +103,13 @@ campaign::Settings settings_of(py::dict const& given) {
   return settings;
 }
 
-// A table for Python: rows by their keywords.
+// Describes a table's rows for Python, by their keywords.
 template <class Rows>
 Json described(Rows const& rows) {
   using Row = std::remove_cvref_t<decltype(rows.front())>;
-  Json made = Json::object();
+  Json table = Json::object();
   for (auto const& row : rows) {
-    auto& one = made[row.python()];
+    auto& one = table[row.python()];
     one["option"] = row.option();
     one["help"] = row.help;
     one["default"] = row.get({});
@@ -123,13 +117,13 @@ Json described(Rows const& rows) {
     one["limits"] = row.limits ? Json{row.limits->least, row.limits->most} : Json();
     if constexpr (std::is_same_v<Row, data::Reading>) one["of_test"] = row.of_test;
     if constexpr (std::is_same_v<Row, campaign::Setting>) {
-      campaign::Settings of;
-      of.method = row.of.value_or(of.method);
-      one["method"] = row.of ? campaign::find_setting("method")->get(of) : Json();
+      campaign::Settings settings;
+      settings.method = row.of.value_or(settings.method);
+      one["method"] = row.of ? campaign::find_setting("method")->get(settings) : Json();
       one["stored_only"] = row.stored_only;
     }
   }
-  return made;
+  return table;
 }
 
 RecordPtr record_of_file(std::filesystem::path const& file, bool motion, std::optional<std::string> const& name,
@@ -143,13 +137,14 @@ RecordPtr record_of_file(std::filesystem::path const& file, bool motion, std::op
              .raw = motion ? data::read_motion(file, options) : data::read_record(file, options)});
 }
 
-// A compression test: a file, K_v in kN/mm, or a dict of the file, the loads and how it is read; None for none.
+// A compression test, given as a file, as K_v in kN/mm, or as a dict of file, loads and reading keywords. None: no
+// test.
 campaign::VerticalInput vertical_input(py::handle const& given, std::string const& where) {
-  campaign::VerticalInput made;
-  if (given.is_none()) return made;
+  campaign::VerticalInput test;
+  if (given.is_none()) return test;
   auto const take_file = [&](py::handle const& file) {
-    made.file = file.cast<std::filesystem::path>();
-    made.shown_file = printable(made.file.filename().string());
+    test.file = file.cast<std::filesystem::path>();
+    test.shown_file = printable(test.file.filename().string());
   };
   if (py::isinstance<py::dict>(given)) {
     auto const told = given.cast<py::dict>();
@@ -162,7 +157,7 @@ campaign::VerticalInput vertical_input(py::handle const& given, std::string cons
       if (name == "file")
         take_file(value);
       else if (name == "loads")
-        made.loads = data::parse_loads(value.cast<std::string>());
+        test.loads = data::parse_loads(value.cast<std::string>());
       else if (std::ranges::any_of(rows, [&](auto const& row) { return row.python() == name; }))
         reading[key] = value;
       else
@@ -170,21 +165,21 @@ campaign::VerticalInput vertical_input(py::handle const& given, std::string cons
                      .found = "unknown keyword " + in_quotes(name),
                      .allowed = "file, loads and the keywords of read_motion"});
     }
-    lay_over(rows, given_of(rows, reading), made.read);
-    if (made.file.empty())
+    lay_over(rows, given_of(rows, reading), test.read);
+    if (test.file.empty())
       throw Error({.where = where, .found = "a compression test without a file", .allowed = "file=...", .advice = {}});
-    return made;
+    return test;
   }
   if (py::isinstance<py::float_>(given) || (py::isinstance<py::int_>(given) && !py::isinstance<py::bool_>(given))) {
-    made.stated_kN_per_mm = given.cast<double>();
-    if (!(*made.stated_kN_per_mm > 0.0) || !std::isfinite(*made.stated_kN_per_mm))
+    test.stated_kN_per_mm = given.cast<double>();
+    if (!(*test.stated_kN_per_mm > 0.0) || !std::isfinite(*test.stated_kN_per_mm))
       throw Error({.where = where,
-                   .found = fmt::format("{}", *made.stated_kN_per_mm),
+                   .found = fmt::format("{}", *test.stated_kN_per_mm),
                    .allowed = "vertical stiffness in kN/mm, above 0"});
-    return made;
+    return test;
   }
   take_file(given);
-  return made;
+  return test;
 }
 
 std::string inspected(Record const& record, py::object const& vertical) {
@@ -202,8 +197,6 @@ std::string inspected(Record const& record, py::object const& vertical) {
   contents.devices.front().vertical = campaign::prepare_vertical(compression, {});
   return render::inspection_json(study::build_summary(contents));
 }
-
-// --- laws -----------------------------------------------------------------------------------------------------------
 
 int steps(int refinement) {
   if (refinement < 1 || refinement > 1000)
@@ -237,7 +230,7 @@ Rows rows_of(py::object const& given) {
   try {
     return given.cast<Rows>();
   } catch (py::cast_error const&) {
-  } catch (py::error_already_set& error) {  // NumPy's own
+  } catch (py::error_already_set& error) {  // raised by NumPy
     if (!error.matches(PyExc_ValueError) && !error.matches(PyExc_TypeError)) throw;
   }
   throw Error({.where = "parameters",
@@ -245,7 +238,7 @@ Rows rows_of(py::object const& given) {
                .allowed = "a dict by name, or numbers in the law's order"});
 }
 
-// A table by name, or values in the law's order.
+// A law's parameters in its order, given as a dict by name or as values in that order.
 std::vector<double> parameters_of(laws::LawEntry const& law, py::object const& given,
                                   Together together = Together::checked) {
   if (py::isinstance<py::dict>(given))
@@ -263,7 +256,7 @@ std::vector<double> parameters_of(laws::LawEntry const& law, py::object const& g
   return parameters_in_order(law, named, "parameters", together);
 }
 
-// The array that a result goes to: the caller's, or a new one.
+// The array that receives a result: the caller's, or a new one.
 Array result_array(std::optional<Array> const& out, std::size_t size) {
   if (!out) return Array(static_cast<py::ssize_t>(size));
   bool const fits = out->ndim() == 1 && static_cast<std::size_t>(out->size()) == size && out->writeable() &&
@@ -290,7 +283,7 @@ Array force_of(std::string const& law_id, py::object const& parameters, Record c
   return result;
 }
 
-// A law on a record as calibrate() sees it.
+// A law on a record, which is cleaned as calibrate() cleans it.
 class Model {
  public:
   Model(std::string const& law, RecordPtr record, campaign::Settings const& how, int refinement)
@@ -339,13 +332,11 @@ class Model {
   fit::LawOnRecord model_;
 };
 
-// --- campaigns ------------------------------------------------------------------------------------------------------
-
 struct Campaign {
   Contents contents;
   study::Summary summary;
 
-  explicit Campaign(Contents made) : contents(std::move(made)), summary(study::build_summary(contents)) {}
+  explicit Campaign(Contents given) : contents(std::move(given)), summary(study::build_summary(contents)) {}
 
   study::DeviceFit const& fit(std::string const& law, std::string const& device) const {
     auto const of_law = std::ranges::find(summary.laws, law, &study::LawResult::id);
@@ -398,18 +389,18 @@ py::dict runs_of(Campaign const& campaign, std::string const& law, std::string c
     outcome.append(std::string(campaign::name(runs[i]->outcome)));
     history.append(Array(static_cast<py::ssize_t>(runs[i]->history.size()), runs[i]->history.data()));
   }
-  py::dict made;
-  made["number"] = number;
-  made["objective"] = objective;
-  made["parameters"] = parameters;
-  made["outcome"] = outcome;
-  made["history"] = history;
-  return made;
+  py::dict result;
+  result["number"] = number;
+  result["objective"] = objective;
+  result["parameters"] = parameters;
+  result["outcome"] = outcome;
+  result["history"] = history;
+  return result;
 }
 
-// Work in a thread of its own, without the interpreter's lock; the caller's thread waits, hands progress to Python by
-// `tell` and listens for signals, which Python delivers to its main thread alone. An exception of either stops the
-// work.
+// Runs `work` in another thread without the interpreter's lock. The caller's thread waits, passes progress to Python by
+// `tell`, and checks for signals, which Python delivers only to its main thread. An exception from either stops the
+// work and is thrown here.
 template <class Told, class Work>
 auto in_a_thread(std::function<void(Told const&)> const& tell, Work const& work) {
   std::mutex mutex;
@@ -424,12 +415,12 @@ auto in_a_thread(std::function<void(Told const&)> const& tell, Work const& work)
     changed.notify_one();
   };
   std::function<bool()> const interrupted = [&] { return stop.load(); };
-  std::optional<decltype(work(progress, interrupted))> made;
-  std::exception_ptr asked;  // by Python: a signal, or an exception of `tell`
+  std::optional<decltype(work(progress, interrupted))> result;
+  std::exception_ptr asked;  // why Python stops the work: a signal, or an exception of `tell`
   {
     std::jthread const worker([&] {
       try {
-        made = work(progress, interrupted);
+        result = work(progress, interrupted);
       } catch (...) {
         failure = std::current_exception();
       }
@@ -460,7 +451,7 @@ auto in_a_thread(std::function<void(Told const&)> const& tell, Work const& work)
   }
   if (asked) std::rethrow_exception(asked);
   if (failure) std::rethrow_exception(failure);
-  return std::move(*made);
+  return std::move(*result);
 }
 
 CampaignPtr worked(campaign::RunOptions run, py::object const& progress,
@@ -525,29 +516,27 @@ CampaignPtr loaded(std::filesystem::path const& directory) {
   return std::make_shared<Campaign>(campaign::Store::read(directory / store_name));
 }
 
-// --- buildings ------------------------------------------------------------------------------------------------------
-
 using BuildingPtr = std::shared_ptr<StudiedBuilding>;
 
-// (step in s, accelerations along x in m/s2[, and along y]), or what building::read_motion takes.
+// A motion, given as (step in s, accelerations along x in m/s2[, along y]) or as a text for building::read_motion.
 building::Motion motion_of(py::handle const& given, std::size_t place) {
   if (py::isinstance<py::str>(given)) return building::read_motion(given.cast<std::string>());
   auto const values = given.cast<py::tuple>();
   constexpr double mm_in_m = 1e3;
   auto const component = [&](std::size_t i) {
-    auto made = values_of(rows_of(values[i]), "motion");
-    for (double& a : made) a *= mm_in_m;
-    return made;
+    auto accelerations = values_of(rows_of(values[i]), "motion");
+    for (double& a : accelerations) a *= mm_in_m;
+    return accelerations;
   };
-  building::Motion made{
+  building::Motion motion{
       .name = fmt::format("motion {}", place + 1), .step_s = values[0].cast<double>(), .x_mm_s2 = component(1)};
-  if (values.size() > 2) made.y_mm_s2 = component(2);
-  return made;
+  if (values.size() > 2) motion.y_mm_s2 = component(2);
+  return motion;
 }
 
 BuildingPtr studied(py::object const& file, py::object const& from, py::list const& motions, py::dict const& given,
                     BuildingWork options, py::object const& progress) {
-  building::InPlace in_place{.motions = {}, .settings = given_of(building::settings_table(), given)};
+  building::ReplacedKeys in_place{.motions = {}, .settings = given_of(building::settings_table(), given)};
   for (auto const& motion : motions) in_place.motions.push_back(motion_of(motion, in_place.motions.size()));
   auto read = py::isinstance<py::dict>(file) ? building::building_of(json_of(file), in_place)
                                              : building::read_building(file.cast<std::filesystem::path>(), in_place);
@@ -568,26 +557,26 @@ BuildingPtr studied(py::object const& file, py::object const& from, py::list con
       });
 }
 
-// Some neighbouring measures of every draw: shape (laws, draws, motions, count), a view of the study's own.
+// A view of `count` measures of every draw from `first` on, shape (laws, draws, motions, count).
 Array measures(py::object const& self, std::size_t first, std::size_t count) {
-  auto const& of = *self.cast<BuildingPtr>();
-  auto const width = static_cast<py::ssize_t>(of.layout.count()),
-             motions = static_cast<py::ssize_t>(of.study.file.motions.size()),
-             draws = static_cast<py::ssize_t>(of.study.file.settings.draws);
+  auto const& studied = *self.cast<BuildingPtr>();
+  auto const width = static_cast<py::ssize_t>(studied.layout.count()),
+             motions = static_cast<py::ssize_t>(studied.study.file.motions.size()),
+             draws = static_cast<py::ssize_t>(studied.study.file.settings.draws);
   constexpr py::ssize_t one = sizeof(double);
-  Array made({static_cast<py::ssize_t>(of.study.laws.size()), draws, motions, static_cast<py::ssize_t>(count)},
-             {one * width * motions * draws, one * width * motions, one * width, one}, of.measured.data() + first,
-             self);
-  made.attr("flags").attr("writeable") = false;
-  return made;
+  Array array({static_cast<py::ssize_t>(studied.study.laws.size()), draws, motions, static_cast<py::ssize_t>(count)},
+              {one * width * motions * draws, one * width * motions, one * width, one}, studied.measured.data() + first,
+              self);
+  array.attr("flags").attr("writeable") = false;
+  return array;
 }
 
-Array quantity_of(StudiedBuilding const& of, std::string const& key) {
-  auto const values = peaks_of(of, key);
-  Array made(
-      {of.study.laws.size(), static_cast<std::size_t>(of.study.file.settings.draws), of.study.file.motions.size()});
-  std::ranges::copy(values, made.mutable_data());
-  return made;
+Array quantity_of(StudiedBuilding const& studied, std::string const& key) {
+  auto const values = peaks_of(studied, key);
+  Array array({studied.study.laws.size(), static_cast<std::size_t>(studied.study.file.settings.draws),
+               studied.study.file.motions.size()});
+  std::ranges::copy(values, array.mutable_data());
+  return array;
 }
 
 template <std::size_t size>
@@ -595,31 +584,29 @@ Array rows_of_history(std::vector<std::array<double, size>> const& rows) {
   return Array({rows.size(), size}, rows.empty() ? nullptr : rows.front().data());
 }
 
-py::dict history_of(StudiedBuilding const& of, std::size_t law, std::size_t motion) {
+py::dict history_of(StudiedBuilding const& studied, std::size_t law, std::size_t motion) {
   auto const run = [&] {
     py::gil_scoped_release const released;
-    return building::nominal_run(of.study, of.study.laws.at(law), of.study.file.motions.at(motion));
+    return building::nominal_run(studied.study, studied.study.laws.at(law), studied.study.file.motions.at(motion));
   }();
   auto const& h = run.history;
-  py::dict made;
-  made["outcome"] = std::string(building::name(run.outcome));
-  made["time_s"] = Array(static_cast<py::ssize_t>(h.time_s.size()), h.time_s.data());
-  made["base"] = rows_of_history(h.base);
-  made["velocity"] = rows_of_history(h.velocity);
-  made["shear_kN"] = rows_of_history(h.shear_kN);
-  Array acceleration({h.acceleration.size(), of.layout.floors + 1, std::size_t{2}});
+  py::dict result;
+  result["outcome"] = std::string(building::name(run.outcome));
+  result["time_s"] = Array(static_cast<py::ssize_t>(h.time_s.size()), h.time_s.data());
+  result["base"] = rows_of_history(h.base);
+  result["velocity"] = rows_of_history(h.velocity);
+  result["shear_kN"] = rows_of_history(h.shear_kN);
+  Array acceleration({h.acceleration.size(), studied.layout.floors + 1, std::size_t{2}});
   auto* to = acceleration.mutable_data();
   for (auto const& row : h.acceleration) to = std::ranges::copy(row, to).out;
-  made["acceleration_mm_s2"] = acceleration;
-  return made;
+  result["acceleration_mm_s2"] = acceleration;
+  return result;
 }
 
-// --- the module -----------------------------------------------------------------------------------------------------
-
-// Of the package, never released: exceptions outlive its modules.
+// isolaw.Error. It is never released, because exceptions may outlive the modules.
 py::handle error_type;
 
-// The command line's options as the keywords that they are here.
+// Complaints that name options of the command line, with the Python keywords in their place.
 std::vector<Complaint> in_keywords(std::vector<Complaint> complaints) {
   auto const rename = [](auto const& rows, std::string& where) {
     auto const end = std::min(where.find(' '), where.size());
@@ -650,9 +637,9 @@ void raise_error(Error const& thrown) {
     one["advice"] = c.advice;
     complaints.append(one);
   }
-  py::object made = py::reinterpret_borrow<py::object>(error_type)(py::str(error.what()));
-  made.attr("complaints") = complaints;
-  PyErr_SetObject(error_type.ptr(), made.ptr());
+  py::object exception = py::reinterpret_borrow<py::object>(error_type)(py::str(error.what()));
+  exception.attr("complaints") = complaints;
+  PyErr_SetObject(error_type.ptr(), exception.ptr());
 }
 
 }  // namespace
@@ -675,17 +662,17 @@ PYBIND11_MODULE(_core, m) {
 
   py::class_<Record, RecordPtr>(
       m, "Record",
-      "A test record, or the displacement history of one, in kN, mm and s; made by read_record, read_motion,\n"
-      "record and motion.")
+      "A test record or a displacement history, in kN, mm and s, as read_record, read_motion, record and motion\n"
+      "return it.")
       .def_readonly("name", &Record::name, "Name of the device.")
       .def_property_readonly(
-          "file", [](Record const& r) { return r.raw.file; }, "The file it was read from, or its name.")
+          "file", [](Record const& r) { return r.raw.file; }, "The file that it was read from, or its name.")
       .def_property_readonly(
           "disp_mm", [](py::object self) { return view(self.cast<Record&>().raw.disp_mm, self); },
           "Displacements in mm, shape (samples,): a read-only view.")
       .def_property_readonly(
           "force_kN", [](py::object self) { return view_or_none(self.cast<Record&>().raw.force_kN, self); },
-          "Forces in kN, shape (samples,): a read-only view; None of a motion.")
+          "Forces in kN, shape (samples,): a read-only view; None for a motion.")
       .def_property_readonly(
           "time_s", [](py::object self) { return view_or_none(self.cast<Record&>().raw.time_s, self); },
           "Times in s, shape (samples,): a read-only view; None without time.")
@@ -694,10 +681,10 @@ PYBIND11_MODULE(_core, m) {
           "Vertical loads in kN, shape (samples,): a read-only view; None without.")
       .def_property_readonly(
           "recognised", [](Record const& r) { return wording::remarks(r.raw.recognised); },
-          "What reading decided, and why: a sentence for each.")
+          "A sentence for each decision of the reader, with its reason.")
       .def_property_readonly(
           "warnings", [](Record const& r) { return wording::remarks(r.raw.warnings); },
-          "What a careful reader would want to know.")
+          "Sentences about doubtful things in the file.")
       .def(
           "__len__", [](Record const& r) { return r.raw.size(); }, "Number of samples.")
       .def(
@@ -732,7 +719,7 @@ PYBIND11_MODULE(_core, m) {
       "box",
       [](std::string const& law_id, Record const& record, py::dict const& how) {
         auto const box = campaign::search_box(laws::find_law(law_id), data::clean(record.raw, {}), settings_of(how));
-        py::dict made;
+        py::dict result;
         for (auto const& p : box.parameters) {
           py::dict one;
           one["unit"] = p.unit;
@@ -741,9 +728,9 @@ PYBIND11_MODULE(_core, m) {
           one["lower"] = p.lower;
           one["upper"] = p.upper;
           one["scale"] = p.scale == laws::Scale::linear ? "linear" : "logarithmic";
-          made[py::str(p.name)] = one;
+          result[py::str(p.name)] = one;
         }
-        return made;
+        return result;
       },
       py::arg("law"), py::arg("record"), py::arg("how"));
 
@@ -777,11 +764,11 @@ PYBIND11_MODULE(_core, m) {
       .def("parameters",
            [](Campaign const& c, std::string const& law, std::string const& device) {
              auto const fitted = fitted_law(c.contents, law, device);
-             py::dict made;
+             py::dict values;
              auto const& entry = laws::find_law(law);
              for (std::size_t i = 0; i < fitted.parameters.size(); ++i)
-               made[py::str(std::string(entry.parameters[i].name))] = fitted.parameters[i];
-             return made;
+               values[py::str(std::string(entry.parameters[i].name))] = fitted.parameters[i];
+             return values;
            })
       .def("refinement", [](Campaign const& c, std::string const& law,
                             std::string const& device) { return fitted_law(c.contents, law, device).refinement; })

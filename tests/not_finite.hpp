@@ -1,4 +1,4 @@
-// The values that are no finite number, as tests call them.
+// Short names for the two values that are not finite numbers.
 #pragma once
 
 #include <limits>

@@ -1,4 +1,4 @@
-// For assertions on what is said of wrong input.
+// For assertions on the messages about wrong input.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace isolaw {
 
-// What `call` throws as an Error; empty where it throws none.
+// The message of the Error that `call` throws; empty if it throws none.
 template <class Call>
 std::string refusal_of(Call&& call) {
   try {

@@ -10,7 +10,7 @@
 
 namespace isolaw::testing {
 
-// A value that it may have and that is not its default. A setting of free text stands in setting_samples.json.
+// A value that the setting may have and that is not its default. Those of free text stand in setting_samples.json.
 inline Json another(campaign::Setting const& setting) {
   auto const usual = setting.get({});
   for (auto const word : setting.words)
@@ -26,7 +26,7 @@ inline Json another(campaign::Setting const& setting) {
   return static_cast<int>(setting.limits->least) + setting.limits->step;
 }
 
-// Values that it may not have.
+// Values that the setting must refuse.
 inline std::vector<Json> not_allowed(campaign::Setting const& setting) {
   std::vector<Json> values{"?"};
   if (!setting.limits) return values;
@@ -43,7 +43,7 @@ inline std::vector<Json> not_allowed(campaign::Setting const& setting) {
   return values;
 }
 
-// With everything that the setting needs beside it.
+// Settings that hold this value, and everything else that must be set for it to be accepted.
 inline campaign::Settings with(campaign::Setting const& setting, Json const& value) {
   campaign::Settings settings;
   settings.laws = campaign::parse_laws("all");

@@ -1,4 +1,4 @@
-// Twins of devices: records that a law made itself, from known parameters, with noise where asked for.
+// Twins of devices: records that a law computed from known parameters, with noise where a test asks for it.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@
 
 namespace isolaw::twins {
 
-// `cycles` cycles at 0.5 Hz, each of an amplitude larger by as much, up to 150 mm; the force is a law's to make.
+// `cycles` cycles at 0.5 Hz whose amplitude grows by equal steps up to 150 mm. A law replaces the force later.
 inline data::FitRecord growing_cycles(int cycles, int samples_per_cycle) {
   data::FitRecord record;
   constexpr double omega = std::numbers::pi;
@@ -41,13 +41,12 @@ inline std::vector<double> force_of(laws::LawEntry const& law, data::FitRecord c
   return fit::LawOnRecord(law, motion, laws::Integration::converged).force_kN(parameters);
 }
 
-// Parameters given.
 inline Twin twin_of(laws::LawEntry const& law, data::FitRecord motion, fit::SearchBox box, std::vector<double> truth) {
   motion.force_kN = force_of(law, motion, truth);
   return {.law = &law, .box = std::move(box), .truth = std::move(truth), .record = std::move(motion)};
 }
 
-// Where boxes of both signs are searched, the truth is of the sign and size that devices have.
+// Narrower boxes where the usual one holds both signs: the truth then has the sign and size that devices have.
 inline std::vector<fit::Override> usual(std::string_view id) {
   std::vector<fit::Override> made;
   if (id == "bouc-wen") made.push_back(fit::parse_override("bouc-wen.gamma=0.0003:0.4"));
@@ -57,14 +56,14 @@ inline std::vector<fit::Override> usual(std::string_view id) {
   return made;
 }
 
-// What cycles of a bearing say nothing of, and what takes minutes to search: held.
+// Parameters held fixed: cycles of a bearing do not determine them, and searching them would take minutes.
 inline std::vector<std::string> held(std::string_view id) {
   if (id == "bwbn")
     return {"n=1", "gamma=0.01", "zs=0.3", "p=0.001", "psi=10", "dpsi=0", "dnu=0.000001", "deta=0.000001"};
   return {};
 }
 
-// Parameters somewhere in the middle of the automatic box, where the law has a force.
+// A twin from the middle of the automatic box, at a point where the law gives a finite force.
 inline Twin twin_in_box(std::string_view id, data::FitRecord motion, std::vector<fit::Override> const& overrides = {}) {
   auto const& law = laws::find_law(id);
   auto box = fit::make_box(law, fit::BoxKind::scaled, fit::scales_of(motion, law.info), overrides);
@@ -102,7 +101,7 @@ inline data::FitRecord with_noise(data::FitRecord record, Noise const& noise, nu
   return record;
 }
 
-// How far a value lies from the truth, as a share of it; of the box where it is zero.
+// The error as a share of the true value, or of the width of the box where the true value is zero.
 inline double relative_error(fit::SearchParameter const& parameter, double value, double truth) {
   double const size = truth != 0.0 ? std::abs(truth) : parameter.upper - parameter.lower;
   return std::abs(value - truth) / size;

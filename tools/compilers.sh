@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# How far compilers, optimisation levels and processors move forces and objectives: the sweep of tests/regression, kept
-# by g++ -O3 (the release preset), is repeated by other builds and compared. Prints a table for each of them; exit code
-# 1 where one is beyond the bound (fit::evaluation_tolerance).  ISOLAW_DRAWS=N: N candidates of each box, else 250.
-# Compiles the few modules that matter itself: a configured tree for each build would take ten times as long.
-#   tools/compilers.sh                       all of them
-#   tools/compilers.sh [--reference SWEEP] NAME...  these alone; SWEEP: the sweep as another build has it, for g++ -O3
+# Measures how far compilers, optimisation levels and processors move forces and objectives: repeats the sweep of
+# tests/regression, as g++ -O3 (the release preset) computes it, in other builds. Prints a table for each; exit code 1
+# where one exceeds fit::evaluation_tolerance.  ISOLAW_DRAWS=N: N candidates of each box, else 250.
+# It compiles only the few modules that it needs: configuring a tree for each build would take ten times as long.
+#   tools/compilers.sh                       all variants
+#   tools/compilers.sh [--reference SWEEP] NAME...  only these; SWEEP: a program of the sweep to compare with, not g++ -O3's
 set -euo pipefail
 reference=
 if [ "${1:-}" = --reference ]; then
@@ -17,7 +17,7 @@ folder=build/compilers
 mkdir -p "$folder"
 sources=(tests/regression/sweep.cpp src/isolaw/laws/*.cpp src/isolaw/base/{error,printable,number_text,units}.cpp
   src/isolaw/num/{instruction_set,random,statistics}.cpp src/isolaw/data/clean.cpp src/isolaw/opt/problem.cpp
-  src/isolaw/fit/{box,joint_limits,kernel_choice,kernels,objective,work_counter}.cpp)
+  src/isolaw/fit/{box,joint_limits,kernel_choice,kernels,objective}.cpp)
 
 # name: compiler and flags
 variants=(
@@ -34,7 +34,7 @@ make_sweep() { # name, compiler and flags...
   local name=$1 object=$folder/$1-objects source
   shift
   mkdir -p "$object"
-  # What the modules mention and the sweep does not use is left out by the linker.
+  # The linker drops what the sweep does not use.
   for source in "${sources[@]}"; do
     printf '%s\0-o\0%s\0' "$source" "$object/${source//\//_}.o"
   done | xargs -0 -n 3 -P "$(nproc)" "$@" -w -DNDEBUG -DFMT_HEADER_ONLY -DISOLAW_KERNELS=kernels_portable -std=c++20 \
@@ -74,7 +74,7 @@ for variant in "${variants[@]}"; do
   compare "$name (${command[*]})" "${emulator[@]}" "$folder/$name"
 done
 [ ${#wanted[@]} -eq 0 ] || { rm -f "$folder/reference.bin" "$folder/probe"; exit $broken; }
-# glibc chooses its elementary functions by the processor; this is what an old one gets.
+# glibc chooses its elementary functions by the processor; these are an old processor's.
 compare "reference without FMA in the mathematical library" \
   env GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-AVX512F,-FMA,-FMA4 "$reference"
 rm -f "$folder/reference.bin" "$folder/probe"

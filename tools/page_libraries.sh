@@ -1,18 +1,18 @@
 #!/usr/bin/env bash
-# The libraries that the page is compiled with, into FOLDER: C sources from Debian's source packages (for WebAssembly no
-# package has them compiled), headers of installed packages as links, so that /usr/include itself is not searched.
+# Puts the libraries that the page is compiled with into FOLDER: C sources from Debian's source packages (no package has
+# them compiled for WebAssembly), and links to the headers of installed packages, so that /usr/include is not searched.
 #   tools/page_libraries.sh FOLDER
 # FOLDER/licences/NAME: their copyright files; FOLDER/versions: a line `NAME VERSION` for each.
 set -euo pipefail
 folder=$(mkdir -p "$1" && cd "$1" && pwd)
 sources=(expat minizip nettle sqlite3 zlib)
 headers=(libboost1.74-dev libcli11-dev libeigen3-dev libfmt-dev librandom123-dev libtomlplusplus-dev nlohmann-json3-dev)
-# Compiled into every program by the compiler.
+# The compiler links its own runtime into every program.
 compiled_in=(emscripten)
 stamp="$folder/complete"
 [ -e "$stamp" ] && [ "$stamp" -nt "${BASH_SOURCE[0]}" ] && exit 0
 
-# A list of package sources of its own: the machine's stays as it is.
+# Uses a list of package sources of its own and leaves the machine's alone.
 apt=$folder/apt
 mkdir -p "$apt/lists/partial" "$apt/archives"
 . /etc/os-release
@@ -28,7 +28,7 @@ rm -f "$folder/versions"
 mkdir -p "$folder/licences"
 cd "$apt/archives"
 for name in "${sources[@]}"; do
-  # The newest that the mirror holds: its list may be ahead of it.
+  # Takes the newest version that the mirror really holds; its list may name a newer one.
   fetched=
   for version in $(apt-cache "${options[@]}" showsrc "$name" | sed -n 's/^Version: //p' | sort -rVu); do
     apt-get "${options[@]}" source --only-source --download-only "$name=$version" >/dev/null 2>&1 && fetched=$version && break
@@ -40,7 +40,7 @@ for name in "${sources[@]}"; do
   echo "$name $fetched" >> "$folder/versions"
   cp "$folder/$name/debian/copyright" "$folder/licences/$name"
 done
-# SQLite's sources as the one file that it is compiled as.
+# SQLite is compiled as one file that its own build joins.
 mkdir -p "$folder/sqlite3/made"
 (cd "$folder/sqlite3/made" && ../configure --disable-tcl && make sqlite3.c) > "$folder/sqlite3.log" 2>&1 ||
   { tail -20 "$folder/sqlite3.log" >&2; exit 1; }
@@ -56,5 +56,5 @@ for name in "${headers[@]}" "${compiled_in[@]}"; do
   echo "$name $version" >> "$folder/versions"
   cp "/usr/share/doc/$name/copyright" "$folder/licences/$name"
 done
-rm -f "$folder"/*.tar.*  # what dpkg-source copied
+rm -f "$folder"/*.tar.*  # copies left by dpkg-source
 touch "$stamp"

@@ -1,21 +1,14 @@
 #!/usr/bin/env bash
-# What the program writes of itself: tools/reference.sh ISOLAW DIR makes DIR/docs/laws.md, DIR/docs/cli.md and, with the
-# keywords of the tables, DIR/python/isolaw/__init__.pyi.
+# Has the program write the files that describe it: tools/reference.sh ISOLAW DIR writes DIR/docs/laws.md, DIR/docs/cli.md
+# and DIR/python/isolaw/__init__.pyi, the stub with the keywords of the option tables.
 set -euo pipefail
 shopt -s inherit_errexit
 isolaw=$1 docs=$2/docs stub=python/isolaw/__init__.pyi
 mkdir -p "$docs" "$2/${stub%/*}"
 "$isolaw" laws --markdown >"$docs/laws.md"
-{
-  printf '# The command line\n\nWhat `isolaw COMMAND --help` prints, by `./isolaw.sh docs`. Exit codes: 0 done; 1 done, with something refused, failed,\n'
-  printf 'interrupted or outside a limit; 2 wrong usage or nothing usable; 3 internal error. Results go to standard output, messages and progress\nto standard error.\n'
-  printf '\n```\n%s\n```\n' "$("$isolaw" --help)"
-  for command in calibrate init inspect report merge parts rules check sample export simulate building laws example bench; do
-    printf '\n## %s\n\n```\n%s\n```\n' "$command" "$("$isolaw" "$command" --help)"
-  done
-} | sed -E 's/[[:space:]]+$//' >"$docs/cli.md"
+"$isolaw" reference >"$docs/cli.md"
 
-# In the stub, what stands below a comment `isolaw keywords ...` is what this command prints.
+# In the stub, the output of a command replaces the lines below each comment `isolaw keywords ...`.
 written=$(
   keep=yes
   while IFS= read -r line; do

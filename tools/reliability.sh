@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the figures of docs/reliability.md again: everything that is too long for every change. About two hours on two
+# Produces the numbers of docs/reliability.md by the tests that take too long for every change: about two hours on two
 # cores; each part may be run alone by name. Ends with an error at the first promise that does not hold.
 #   tools/reliability.sh [faults] [draws] [compilers] [sanitize] [sanitize-thread] [fuzz]
 set -euo pipefail
@@ -10,7 +10,7 @@ parts=("$@")
 : "${ISOLAW_KILLS:=200}" "${ISOLAW_DRAWS:=100000}" "${ISOLAW_FUZZ_SECONDS:=240}"
 export ISOLAW_KILLS ISOLAW_DRAWS
 
-# The counts stand on lines of their own in what the tests print.
+# Shows only the lines of the tests' output that hold counts.
 run() {
   echo "== $*"
   local log status=0

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # A Slurm cluster of this one host, for tests: no systemd, no accounting, nothing outside DIR.
-#   tools/slurm_here.sh start DIR       munged, slurmctld and a node; when it may be used, DIR/env is there to be sourced
-#   tools/slurm_here.sh kill-node DIR   the node's daemon and what runs on it, as if its power went
-#   tools/slurm_here.sh start-node DIR  it comes back
-#   tools/slurm_here.sh stop DIR        all of it
+#   tools/slurm_here.sh start DIR       starts munged, slurmctld and a node; when they are ready DIR/env can be sourced
+#   tools/slurm_here.sh kill-node DIR   kills the node's daemon and its jobs, as if its power failed
+#   tools/slurm_here.sh start-node DIR  starts the node again
+#   tools/slurm_here.sh stop DIR        stops everything
 #   tools/slurm_here.sh possible        exit code 0 where `start` can work; else 1, and a line that says why
-# Debian: slurmctld, slurmd, slurm-client, munge (slurm-wlm brings all of them). As root, of a container too: no cgroups.
+# Debian: slurmctld, slurmd, slurm-client, munge (all in slurm-wlm). Needs root, a container's will do; uses no cgroups.
 set -euo pipefail
 
 possible() {
@@ -26,7 +26,7 @@ free_port() {
   return 1
 }
 
-# Until the command succeeds; SECONDS at most.
+# Repeats the command until it succeeds, for SECONDS at most.
 wait_for() {
   local seconds=$1 tenths log
   shift
@@ -44,7 +44,7 @@ node_is_up() { sinfo -h -o %T | grep -q -E '^(idle|mixed|allocated)$'; }
 start_node() {
   slurmd -N here -f "$directory/slurm.conf" -L "$directory/slurmd.log" >>"$directory/slurmd.out" 2>&1 </dev/null ||
     { tail -n 5 "$directory/slurmd.log" >&2; return 1; }
-  scontrol update nodename=here state=resume >/dev/null 2>&1 || true  # where it was down
+  scontrol update nodename=here state=resume >/dev/null 2>&1 || true  # it may have been marked down
   wait_for 60 node_is_up
 }
 
@@ -56,7 +56,8 @@ below() {
   done
 }
 
-# The daemon, and of every job what Slurm minds it with, its script and all below it: a script lies in the node's spool.
+# Kills the daemon and, for each job, the process that minds it, its script (found by its place in the node's spool) and
+# all their children.
 kill_node() {
   local entry pid doomed=()
   pid=$(cat "$directory/slurmd.pid" 2>/dev/null || true)
@@ -71,7 +72,7 @@ kill_node() {
   rm -f "$directory/slurmd.pid"
 }
 
-# What Slurm finds out by itself when the node does not answer for SlurmdTimeout; so that nobody waits for it.
+# Also marks the node as down, which Slurm would only do after SlurmdTimeout.
 lose_node() {
   kill_node
   scontrol update nodename=here state=down reason=killed
@@ -119,7 +120,7 @@ MinJobAge=300
 NodeName=here NodeHostname=$(hostname) NodeAddr=127.0.0.1 CPUs=$(nproc) RealMemory=1000000 State=UNKNOWN
 PartitionName=all Nodes=here Default=YES MaxTime=INFINITE State=UP
 CONF
-    # Loaded in any case, and used by nothing here; that of version 2 would want systemd.
+    # Slurm always loads a plugin for cgroups, though nothing here uses it; the one for version 2 would need systemd.
     echo 'CgroupPlugin=cgroup/v1' >"$directory/cgroup.conf"
   fi
   munged --force --key-file "$directory/munge.key" --socket "$directory/munge.socket" \
@@ -131,7 +132,7 @@ CONF
   mv "$directory/env.new" "$directory/env"
 }
 
-# Politely, and until it has: a controller writes down what it knows first.
+# Asks a process to end and waits until it has: a controller first saves its state.
 end() {
   local asked
   for ((asked = 0; asked < 100; ++asked)); do

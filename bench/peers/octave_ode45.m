@@ -1,4 +1,4 @@
-% Bouc-Wen with ode45, as a MATLAB user would write it: one evaluation at the default tolerances, the shortest of three;
+% Bouc-Wen with ode45, as a MATLAB user would write it: times one evaluation at the default tolerances (shortest of three);
 % prints one JSON object with the objective at these and at tight tolerances.
 % Usage: octave_ode45.m RECORD.csv alpha Ke A beta n gamma
 1;
@@ -13,7 +13,7 @@ function of = objective(t, x, measured, p, options)
   dt = (t(end) - t0) / (numel(t) - 1);
   rate = diff(x) ./ diff(t);
   weight = ([diff(t); 0] + [0; diff(t)]) / 2 / (t(end) - t0) / std(measured, 1);
-  % From 1e-12 on: at z = 0 the power of the law would be 0^(n-1).
+  % |z| is at least 1e-12: at z = 0 the power of the law would be 0^(n-1).
   [~, z] = ode45(@(t, z) slope(t, z, t0, dt, rate, p(3), p(4), p(5), p(6)), t, 1e-12, options);
   force = p(1) * p(2) * x + (1 - p(1)) * p(2) * z;
   of = weight' * abs(measured - force);

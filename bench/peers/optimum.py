@@ -1,7 +1,7 @@
-"""Searches of SciPy and of a CMA-ES, at the other end of the socket that bench/optimum.cpp holds (bench/peers.cpp).
+"""Searches of SciPy and of a CMA-ES, at the other end of a socket that bench/optimum opens (bench/peers.cpp).
 
-A task is a line 'method;dimension;residuals;seed;budget'. Points of the unit box are sent for evaluation, many at once, and
-whoever evaluates them remembers the best. Every search begins anew from other random numbers until its budget is spent.
+A task is a line 'method;dimension;residuals;seed;budget'. The script sends points of the unit box, many at once;
+bench/optimum evaluates them and remembers the best. A search starts again from other random numbers until its budget is spent.
 """
 import os
 import struct
@@ -22,7 +22,7 @@ except ImportError:
 
 DONE, VALUES, RESIDUALS = 0, 1, 2
 DIFFERENCE = 1e-6
-WORST = 1e10  # instead of infinity, where a method cannot do with it
+WORST = 1e10  # instead of infinity, for methods that cannot handle it
 
 
 class BudgetSpent(Exception):
@@ -57,7 +57,7 @@ class Problem:
 
 
 def descents(problem, generator):
-    """Random starts; the absolute value rounded off by soft_l1, first widely, then closely."""
+    """From random starts; soft_l1 rounds off the absolute value, first widely, then closely."""
     while True:
         x = generator.random(problem.dimension)
         for rounding in (0.3, 0.01):
@@ -75,7 +75,7 @@ def evolution(problem, generator):
 
 
 def mirrored(points):
-    """Into the unit box, as if its faces were mirrors."""
+    """Reflects points at the faces of the unit box."""
     return 1.0 - np.abs(np.mod(points, 2.0) - 1.0)
 
 

@@ -1,5 +1,5 @@
-# What cmake/dependencies.cmake finds, made for WebAssembly of what tools/page_libraries.sh lays out: the same targets.
-set(ISOLAW_PAGE_LIBRARIES ${PROJECT_BINARY_DIR}/libraries CACHE PATH "what tools/page_libraries.sh made")
+# The targets of cmake/dependencies.cmake, built for WebAssembly from the sources that tools/page_libraries.sh fetches.
+set(ISOLAW_PAGE_LIBRARIES ${PROJECT_BINARY_DIR}/libraries CACHE PATH "folder of tools/page_libraries.sh")
 execute_process(COMMAND ${PROJECT_SOURCE_DIR}/tools/page_libraries.sh ${ISOLAW_PAGE_LIBRARIES} COMMAND_ERROR_IS_FATAL ANY)
 set(from ${ISOLAW_PAGE_LIBRARIES})
 
@@ -16,11 +16,11 @@ add_library(page_fmt INTERFACE)
 target_link_libraries(page_fmt INTERFACE page_headers)
 target_compile_definitions(page_fmt INTERFACE FMT_HEADER_ONLY)
 add_library(fmt::fmt ALIAS page_fmt)
-# One thread in an instance.
+# An instance has one thread.
 add_library(page_threads INTERFACE)
 add_library(Threads::Threads ALIAS page_threads)
 
-# Libraries of C are others' work: their warnings are not ours.
+# Third-party C libraries, compiled without warnings.
 function(page_library name)
   add_library(${name} STATIC ${ARGN})
   target_compile_options(${name} PRIVATE -O2 -w)
@@ -40,32 +40,32 @@ set(ISOLAW_MINIZIP page_minizip)
 set(ISOLAW_MINIZIP_INCLUDE ${from})
 
 page_library(page_expat ${from}/expat/expat/lib/xmlparse.c ${from}/expat/expat/lib/xmlrole.c ${from}/expat/expat/lib/xmltok.c)
-file(WRITE ${PROJECT_BINARY_DIR}/made/expat_config.h "")  # what configure would say is said here
+file(WRITE ${PROJECT_BINARY_DIR}/made/expat_config.h "")  # configure's results are the definitions below
 target_include_directories(page_expat PRIVATE ${PROJECT_BINARY_DIR}/made)
 target_compile_definitions(page_expat PRIVATE XML_NS XML_DTD XML_GE=1 XML_CONTEXT_BYTES=1024 XML_DEV_URANDOM HAVE_MEMMOVE)
 target_include_directories(page_expat SYSTEM PUBLIC ${from}/expat/expat/lib)
 add_library(EXPAT::EXPAT ALIAS page_expat)
 
 page_library(page_sqlite ${from}/sqlite3/made/sqlite3.c)
-# A file is one program's: no libraries at run time, no file mapped but what connections share.
+# No other program has a database open: nothing is loaded at run time, no file is mapped except what connections share.
 target_compile_definitions(page_sqlite PRIVATE SQLITE_THREADSAFE=0 SQLITE_OMIT_LOAD_EXTENSION SQLITE_MAX_MMAP_SIZE=0)
 target_include_directories(page_sqlite SYSTEM PUBLIC ${from}/sqlite3/made)
 add_library(SQLite::SQLite3 ALIAS page_sqlite)
 
-# SHA-256 alone.
+# Only SHA-256.
 page_library(page_nettle ${from}/nettle/sha256.c ${from}/nettle/sha256-compress.c ${from}/nettle/write-be32.c)
 target_include_directories(page_nettle SYSTEM PUBLIC ${from})
 add_library(OpenSSL::Crypto ALIAS page_nettle)
 
-# Files of MATLAB 7.3 are not read there (data/mat73_page.cpp).
+# The page does not read files of MATLAB 7.3 (data/mat73_page.cpp).
 set(ISOLAW_HDF5 "")
 set(ISOLAW_HDF5_HL "")
 set(ISOLAW_HDF5_INCLUDE "")
 set(ISOLAW_RANDOM123 ${from}/include)
 include(plotly)
 
-# For every source of the program, and to link it. 128-bit lanes are the portable kernels' (num/batch.hpp); exceptions are
-# WebAssembly's own, which cost nothing where none is thrown.
+# Options for every source and for linking: 128-bit lanes as the portable kernels have them (num/batch.hpp), and
+# WebAssembly's own exceptions, which cost nothing unless one is thrown.
 set(ISOLAW_PAGE_OPTIONS -fwasm-exceptions -msimd128)
 add_compile_options(${ISOLAW_PAGE_OPTIONS} "$<$<COMPILE_LANGUAGE:CXX>:SHELL:-include ${PROJECT_SOURCE_DIR}/cmake/page/gaps.hpp>"
                     "$<$<COMPILE_LANGUAGE:CXX>:SHELL:-isystem ${from}/include>")

@@ -1,5 +1,5 @@
-// What libc++ 13, emscripten's, lacks of the C++20 that the program uses; before every source of the page (-include).
-// Algorithms over ranges are written by those over iterators; views are not lazy, which no caller sees.
+// Parts of C++20 that the program uses and emscripten's libc++ 13 lacks; included before every source of the page
+// (-include). Range algorithms call those over iterators. Views are not lazy, which no caller notices.
 #pragma once
 
 #ifdef __cplusplus
@@ -30,8 +30,8 @@ constexpr To bit_cast(From const& from) noexcept {
   return __builtin_bit_cast(To, from);
 }
 
-// <charconv> of floating point numbers. A short decimal number is one exact product or quotient (Clinger's fast path);
-// any other goes through strtod, which musl rounds correctly.
+// from_chars for floating point. A short decimal number is one exact product or quotient (Clinger's fast path); any
+// other goes through strtod, which musl rounds correctly.
 inline from_chars_result from_chars(char const* first, char const* last, double& value,
                                     chars_format format = chars_format::general) {
   auto at = first;
@@ -105,7 +105,7 @@ inline from_chars_result from_chars(char const* first, char const* last, double&
   return {at, errc()};
 }
 
-// The shortest text that is read as the same number, of fixed and scientific the shorter: of the digits that fmt finds.
+// The shortest text that reads back as the same number, fixed or scientific, made from the digits that fmt finds.
 inline to_chars_result to_chars(char* first, char* last, double value) {
   auto text = fmt::format("{}", value);
   if (value == 0.0) text = signbit(value) ? "-0" : "0";
@@ -164,7 +164,7 @@ struct min_max_result {
 
 namespace page {
 
-// A function object for each, which argument-dependent lookup does not find: as the standard has them.
+// Function objects, as in the standard, so that argument-dependent lookup does not find them.
 #define ISOLAW_RANGES_TEST(name)                                           \
   struct name##_of {                                                       \
     template <input_range R, class F, class P = identity>                  \
@@ -184,7 +184,7 @@ ISOLAW_RANGES_TEST(find_if)
 ISOLAW_RANGES_TEST(find_if_not)
 #undef ISOLAW_RANGES_TEST
 
-// Ordered by a comparison of projections.
+// Compares by projections.
 #define ISOLAW_RANGES_ORDER(name)                                          \
   struct name##_of {                                                       \
     template <forward_range R, class C = less, class P = identity>         \

@@ -1,5 +1,5 @@
-// Fits a law to some devices of a lot, puts devices drawn of it under a building, shakes that and prints whether the
-// bound analyses cover what the scatter makes of it; docs/python.md shows the same in Python.
+// Fits a law to some devices of a lot, puts devices drawn from that lot under a building, shakes the building, and
+// prints whether bound analyses cover the scatter of its response. docs/python.md shows the same in Python.
 //   isolated_building RECORD RECORD...
 #include <cmath>
 #include <cstdio>
@@ -31,15 +31,15 @@ spacing_x_m = 6.0
 spacing_y_m = 6.0
 )toml";
 
-// Made, not recorded: the ground swings with a period of its own for each motion.
+// An artificial motion: a swinging ground, with another period for each number.
 isolaw::GroundMotion swinging(int number) {
-  isolaw::GroundMotion made{.name = "made " + std::to_string(number), .step_s = 0.01, .x_m_s2 = {}};
+  isolaw::GroundMotion motion{.name = "made " + std::to_string(number), .step_s = 0.01, .x_m_s2 = {}};
   for (int i = 0; i <= 1000; ++i) {
-    double const t = made.step_s * i, grown = std::sin(0.314159 * t);
-    made.x_m_s2.push_back(2.0 * grown * std::sin((2.0 + 0.4 * number) * t));
-    made.y_m_s2.push_back(1.0 * grown * std::cos((2.5 + 0.3 * number) * t));
+    double const t = motion.step_s * i, envelope = std::sin(0.314159 * t);
+    motion.x_m_s2.push_back(2.0 * envelope * std::sin((2.0 + 0.4 * number) * t));
+    motion.y_m_s2.push_back(1.0 * envelope * std::cos((2.5 + 0.3 * number) * t));
   }
-  return made;
+  return motion;
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ int main(int count, char** words) try {
   auto const building = isolaw::study_building(input, campaign);
   std::printf("%s\n", building.verdict().c_str());
 
-  // [law][draw][motion]
+  // Peaks of all draws, [law][draw][motion].
   auto const peaks = building.peaks("drift_mm");
   double mean = 0.0;
   for (double const drift : peaks) mean += drift / static_cast<double>(peaks.size());

@@ -19,7 +19,7 @@ LOT = HERE.parent / "published-lot"
 
 
 def fitted(laws, runs, generations, show):
-    """The campaign of examples/published-lot/lot.toml; the lot is rebuilt from printed parameters, no measurement."""
+    """The campaign of examples/published-lot/lot.toml. The lot is rebuilt from printed parameters; it is no measurement."""
     files = sorted(LOT.glob("device-*"))
     records = [isolaw.read_record(file, name=f"D{file.stem[-2:]}") for file in files]
     return isolaw.calibrate(
@@ -29,7 +29,7 @@ def fitted(laws, runs, generations, show):
 
 
 def draw(rows, file):
-    """One point for each law, the front filled."""
+    """Draws one point for each law, filled where no other law dominates it."""
     try:
         import matplotlib
     except ImportError:

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""A building on bearings drawn from the example lot: do the bound analyses cover what its scatter makes of the building?
+"""A building on bearings drawn from the example lot: do the bound analyses cover the effect of the lot's scatter?
 
-Fits a law to three devices of the lot, puts devices drawn of their population under a building of three floors, shakes it
-with motions made here (none was recorded), prints the answer and, of each motion, where the draws lie. Run it after
+Fits a law to three devices of the lot, draws bearings from their population for a building of three floors, shakes it
+with motions made here (none was recorded), prints the answer and, for each motion, where the draws lie. Run it after
 ./isolaw.sh run:
 
     PYTHONPATH=build/release/python /usr/bin/python3 examples/python/isolated_building.py
@@ -26,7 +26,7 @@ PLAN = {
 
 
 def swinging(number):
-    """(step in s, accelerations along x and y in m/s2): sines that grow and fade, of a period of their own."""
+    """(step in s, accelerations along x and y in m/s2): sines that grow and fade, each motion with its own period."""
     t = np.arange(0.0, 10.0, 0.01)
     grown = np.sin(np.pi * t / t[-1])
     return 0.01, 2.0 * grown * np.sin((2.0 + 0.4 * number) * t), grown * np.cos((2.5 + 0.3 * number) * t)

@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
-"""A campaign computed in parts by Dask: every part a future, whose result is the store of its runs; merged at the end.
+"""A campaign computed in parts by Dask: each part is a future whose result is the store of its runs; merged at the end.
 
-Workers need no common disk but for the records, which they read by their names: a part lies on the worker's own disk
-while it is computed, and travels as bytes. The part of a worker that is lost is computed again by another one, and what
-has arrived stays, of which a worker sees that it is of these settings and records: the same command goes on after any
-loss, and of others it is refused. Needs python3-distributed; after ./isolaw.sh run:
+Workers share no disk except for the records, which they read by their names: a part lies on the worker's own disk while
+it is computed, and travels as bytes. If a worker is lost another one computes its part again. Parts that have arrived
+stay, so the same command goes on after any loss; parts of other settings or records are refused. Needs
+python3-distributed; after ./isolaw.sh run:
 
     PYTHONPATH=build/release/python /usr/bin/python3 examples/python/parts_with_dask.py examples/published-lot/*.csv
 
---scheduler ADDRESS takes a cluster that is there (dask-jobqueue, Kubernetes); all of its workers need this isolaw and,
-where their processors differ, the same ISOLAW_SIMD.
+--scheduler ADDRESS uses an existing cluster (dask-jobqueue, Kubernetes); all of its workers need this isolaw and, where
+their processors differ, the same ISOLAW_SIMD.
 """
 
 import argparse
@@ -25,7 +25,7 @@ STORE = "campaign.sqlite"
 
 
 def share(files, settings, number, of, there=None):
-    """Part `number` of `of`, as a worker computes it, or goes on with it: the bytes of its store."""
+    """Runs on a worker: computes part `number` of `of`, going on from the store `there`; returns the bytes of its store."""
     with tempfile.TemporaryDirectory(dir=distributed.get_worker().local_directory) as folder:
         if there:
             (pathlib.Path(folder) / STORE).write_bytes(there)
@@ -34,11 +34,11 @@ def share(files, settings, number, of, there=None):
 
 
 def campaign(client, files, settings, of, out, compute=share):
-    """The whole campaign in `out`, byte by byte what isolaw.calibrate(files, **settings, out=out) leaves there."""
+    """Leaves in `out` the same bytes as isolaw.calibrate(files, **settings, out=out)."""
     files = [str(pathlib.Path(file).resolve()) for file in files]
     parts = {number: pathlib.Path(f"{out}.parts") / str(number) for number in range(1, of + 1)}
     there = {number: (part / STORE).read_bytes() for number, part in parts.items() if (part / STORE).exists()}
-    # Of equal arguments Dask makes one future; a part that was lost to its directory is asked for anew.
+    # pure=False: with equal arguments Dask would hand out an old future for a part whose directory was lost.
     futures = {
         client.submit(compute, files, settings, number, of, there.get(number), pure=False): number for number in parts
     }
@@ -50,7 +50,7 @@ def campaign(client, files, settings, of, out, compute=share):
         part = parts[number]
         part.mkdir(parents=True, exist_ok=True)
         (part / "arriving").write_bytes(store)
-        os.replace(part / "arriving", part / STORE)  # whole or not there
+        os.replace(part / "arriving", part / STORE)  # a store is there as a whole or not at all
         print(f"part {number} of {of} is here", flush=True)
     return isolaw.merge(out, parts.values())
 
@@ -69,10 +69,10 @@ def main():
     here = {"n_workers": asked.workers, "threads_per_worker": 1, "processes": True, "dashboard_address": None}
     cluster = asked.scheduler or distributed.LocalCluster(**here)
     with distributed.Client(cluster) as client:
-        made = campaign(client, asked.records, settings, asked.parts, asked.out)
+        result = campaign(client, asked.records, settings, asked.parts, asked.out)
     if not asked.scheduler:
         cluster.close()
-    for row in made.front("converged"):
+    for row in result.front("converged"):
         print(f"{row['law']:<20} {row['accuracy']:.4f}")
 
 

@@ -1,4 +1,4 @@
-// What the page carries of the program, as elements of its body: scripts of data alone, which no browser runs.
+// Writes the program as elements for the page's body: scripts that hold data, which no browser runs.
 //   node embed.mjs --script isolaw.js --program isolaw.wasm --libraries DIR --out FILE
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
@@ -9,7 +9,7 @@ const here = dirname(fileURLToPath(import.meta.url));
 const options = {};
 for (let i = 2; i < process.argv.length; i += 2) options[process.argv[i].slice(2)] = process.argv[i + 1];
 
-// Inside <script> only these two end or change it; in a string of JavaScript the backslash changes nothing.
+// Only these two sequences end or change a <script>; in a string of JavaScript the backslash changes nothing.
 const inline = (script) => script.replace(/<(?=!--|\/?script)/gi, '<\\');
 const versions = new Map(
   readFileSync(join(options.libraries, 'versions'), 'utf8')
@@ -25,7 +25,7 @@ const licences = packages.map((name) => {
   const licence = /^License: *(\S[^\n]*)/m.exec(text)?.[1].trim() ?? '';
   return { name: called[name] ?? name, version: versions.get(name) ?? '', licence, text };
 });
-// Of npm: what the reports draw with.
+// From npm: the library that the reports draw with.
 const plotly = join(here, '../../node_modules/plotly.js-basic-dist-min');
 const { version, license } = JSON.parse(readFileSync(join(plotly, 'package.json'), 'utf8'));
 licences.push({ name: 'Plotly', version, licence: license, text: readFileSync(join(plotly, 'LICENSE'), 'utf8') });

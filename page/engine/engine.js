@@ -1,4 +1,4 @@
-// The command line program in the browser: what the page calls. Nothing of the program is written again here.
+// The command line program in the browser, as the page calls it. Nothing of the program is written again here.
 //
 //   const engine = await createEngine({ workers: 4 });      // workers: default navigator.hardwareConcurrency
 //
@@ -9,10 +9,12 @@
 //     onText: (stream, line) => {},                         // 'stdout' | 'stderr', without its line end
 //     signal: abortController.signal,
 //   });
-//   r = { code, stdout, stderr, files: [{ path, bytes }] }  // files made or changed by the command, that `keep` names
+//   r = { code, stdout, stderr, error, files }            // files: [{ path, bytes }], made or changed by the command, that
+//                                                         // `keep` names; error: null, or what errors.js says
 //
 // A command runs in one worker, in an instance of its own (nothing is left of the one before); more commands than workers
-// wait in turn. A wrong input is no rejection: code 2, the message in stderr, as on the command line.
+// wait in turn. A wrong input is no rejection: code 2, the message in stderr as on the command line, and its complaints
+// as objects in `error`.
 // Rejects with an Error whose `name` is
 //   'AbortError'   the signal; the worker is ended at once, and another takes its place
 //   'MemoryError'  the command asked for more memory than the page gives it
@@ -28,7 +30,7 @@
 //     onProgress: ({ done, total, share, secondsLeft, phase }) => {},   // phase 'runs' | 'analyses'; share 0 to 1
 //     onText, signal,
 //   });
-//   r = { code, stdout, stderr, files }                     // files of the whole campaign, below 'out/': out/report.html,
+//   r = { code, stdout, stderr, error, files }              // files of the whole campaign, below 'out/': out/report.html,
 //                                                           // out/summary.json, out/campaign.sqlite, out/tables/...
 // Worker k of n computes `calibrate --part k/n`, then one makes the whole by `merge`. On 'AbortError' `error.parts` holds
 // what was finished, to be given back as `parts`. A saved campaign that is dropped again is `run({ argv: ['report', 'out'],
@@ -45,7 +47,7 @@ import { identifyWith } from './identify.js';
 import { makePool } from './pool.js';
 import { runSelfTest } from './self_test.js';
 
-// What the build put into the document (embed.mjs), and how a worker is started there.
+// The parts that the build put into the document (embed.mjs), and how a worker is started there.
 function ofDocument() {
   const text = (id) => document.getElementById(id).textContent;
   const script = URL.createObjectURL(new Blob([text('isolaw-worker')], { type: 'text/javascript' }));
@@ -63,7 +65,7 @@ export const createEngine = async ({ workers, from = ofDocument() } = {}) => {
   const inflated = new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip')));
   const module = await WebAssembly.compile(await inflated.arrayBuffer());
   const pool = makePool(start, Promise.resolve(module), Math.max(1, workers ?? cores ?? 2));
-  // The caller's bytes stay the caller's: what is posted is copied.
+  // Posting copies the files, so that the caller keeps its bytes.
   const run = (what) => pool.run(what);
   return {
     run,

@@ -1,37 +1,37 @@
-// A campaign on all workers, by what the program has for many machines: parts of the runs, parts of what is examined of
-// devices, parts of the laws of the lot, and their merge.
+// A campaign on all workers, by the commands that the program has for several machines: parts of the runs, parts of the
+// examined devices, parts of the laws of the lot, and their merge.
 
 import { isProgress, makeProgress } from './progress.js';
 
 const stores = (folder) => [folder + '/campaign.sqlite*'];
 
-// Of `--runs N` or `--runs=N`.
+// The value of an option given as `--runs N` or `--runs=N`; null without it.
 const valueOf = (options, name) => {
   const at = options.findIndex((word) => word === name || word.startsWith(name + '='));
   return at < 0 ? null : options[at].includes('=') ? options[at].slice(name.length + 1) : options[at + 1];
 };
 
-// Into how many the folders of an earlier campaign were dealt: 'parts/3-of-8/...'.
+// The number of parts of an earlier campaign, from its folders: 8 for 'parts/3-of-8/...'; null without any.
 const dealtInto = (parts, kind) => {
   const found = parts.map(({ path }) => /^(\w+)\/\d+-of-(\d+)\//.exec(path)).find((one) => one && one[1] === kind);
   return found ? Number(found[2]) : null;
 };
 
-// So many at a time; the first that rejects ends it.
+// Runs `workers` of them at a time; rejects with the first that does.
 const inTurn = async (works, workers) => {
-  const made = Array(works.length);
+  const results = Array(works.length);
   let next = 0;
   const take = async () => {
     while (next < works.length) {
       const i = next++;
-      made[i] = await works[i]();
+      results[i] = await works[i]();
     }
   };
   await Promise.all(Array.from({ length: workers }, take));
-  return made;
+  return results;
 };
 
-// What an instance said that is wrong.
+// A part of the campaign that ended with an error; `said` is its result.
 class Refused extends Error {
   constructor(said) {
     super('refused');
@@ -44,21 +44,21 @@ export function identifyWith(pool) {
     const workers = Math.max(1, Math.min(wanted, pool.count));
     const begun = (folder) => parts.filter(({ path }) => path.startsWith(folder + '/'));
     const analysed = valueOf(options, '--analysis') !== 'none';
-    const runs = Number(valueOf(options, '--runs') ?? 3); // for the bar alone
+    const runs = Number(valueOf(options, '--runs') ?? 3); // only the progress bar needs it
     const kept = new Map();
-    // One fails: the others are ended.
+    // Where one part fails, this ends the others.
     const ended = new AbortController();
     const abort = () => ended.abort();
     signal?.addEventListener('abort', abort);
     if (signal?.aborted) abort();
 
-    // Some more parts than workers, so that none waits long for the last; each reads all records.
+    // More parts than workers, so that no worker waits long for the last one; not many, since each reads all records.
     const count = dealtInto(parts, 'parts') ?? workers * (files.length > 20 ? 2 : 4);
     const isWhole = (workers === 1 && dealtInto(parts, 'parts') === null) || (begun('out').length > 0 && dealtInto(parts, 'parts') === null);
     const shares = analysed ? (dealtInto(parts, 'shares') ?? workers) : 0;
     // One record is no lot.
     const lots = analysed && files.filter(({ path }) => path !== lotPath).length > 1 ? (dealtInto(parts, 'lots') ?? workers) : 0;
-    // What follows the runs takes as long as three runs of each law do.
+    // The analyses take about as long as three runs of each law.
     const phases = isWhole
       ? [{ name: 'runs', weight: 1, tasks: 1 }]
       : [
@@ -69,7 +69,7 @@ export function identifyWith(pool) {
         ];
     const progress = makeProgress(phases, workers, onProgress);
 
-    // One command; what it finished is kept, should the others be cancelled.
+    // One command. Its finished work is kept for the case that the campaign is cancelled.
     const work = async (phase, task, folder, argv, given) => {
       progress.begin(phase, task);
       const own = begun(folder);
@@ -85,10 +85,10 @@ export function identifyWith(pool) {
         },
         signal: ended.signal,
       });
-      said.stderr = said.stderr.replace(/^progress .*\n/gm, '');
+      said.stderr = said.stderr.split('\n').filter((line) => !isProgress(line)).join('\n');
       if (folder === 'out') return said;
       if (said.code !== 0) throw new Refused(said);
-      // Nothing was left to do where it was there already.
+      // Without new files everything was done before.
       const found = said.files.length > 0 ? said.files : own;
       kept.set(folder, found);
       progress.end(phase, task);
@@ -102,11 +102,11 @@ export function identifyWith(pool) {
       const partFolders = folders('parts', count),
         shareFolders = folders('shares', shares),
         lotFolders = folders('lots', lots);
-      const made = await inTurn(
+      const computed = await inTurn(
         partFolders.map((folder, k) => () => work(0, k, folder, ['calibrate', ...inputs, ...options, ...common, '--part', `${k + 1}/${count}`, '--out', folder], files)),
         workers,
       );
-      const ofParts = made.flat();
+      const ofParts = computed.flat();
       const examined = await inTurn(
         shareFolders.map((folder, k) => () => work(1, k, folder, ['merge', folder, ...partFolders, ...common, '--figures', 'none', '--part', `${k + 1}/${shares}`], ofParts)),
         workers,

@@ -1,20 +1,20 @@
-// The engine under Node, from what the page carries: for the build and the tests.
+// The engine under Node, from the program in the page: for the build and the tests.
 import { readFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { Worker } from 'node:worker_threads';
 import { createEngine } from './engine.js';
 
-// A worker of the browser's, made of Node's.
+// Gives a worker of Node the interface of a browser's.
 const ofBrowser = `
 const { parentPort } = require('node:worker_threads');
 globalThis.self = globalThis;
 globalThis.postMessage = (message, transfer) => parentPort.postMessage(message, transfer);
 parentPort.on('message', (data) => self.onmessage({ data }));
 `;
-// A sheet that the page's script stands in is read as the browser reads it: the escapes are JavaScript's own.
+// The text of a script element needs no decoding: its escapes are JavaScript's own.
 const elementIn = (html, id) => new RegExp(`<script type="[^"]*" id="${id}">([\\s\\S]*?)</script>`).exec(html)[1];
 
-// `file`: isolaw.html, or what embed.mjs made. `before`: of a worker's script, for tests.
+// `file`: isolaw.html, or the output of embed.mjs. `before`: put in front of a worker's script by tests.
 export const engineOf = (file, { before = '', ...options } = {}) => {
   const html = readFileSync(file, 'utf8');
   const script = before + ofBrowser + elementIn(html, 'isolaw-worker');

@@ -1,5 +1,7 @@
 // Workers that run one command each, in turn.
 
+import { asksForErrors, errorIn } from './errors.js';
+
 const NO_MEMORY = 'the page has no more memory for this; try fewer or shorter records at once';
 
 const named = (name, message, more) => Object.assign(new Error(message), { name, ...more });
@@ -30,7 +32,7 @@ export function makePool(start, module, count) {
     busy.delete(worker);
     if (whole && !closed) idle.push(worker);
     else worker.terminate();
-    // Another is ready before it is asked for.
+    // Its successor starts now, so that the next command need not wait for it.
     if (!whole && !closed && idle.length + busy.size < count) idle.push(open());
     next();
   };
@@ -72,13 +74,13 @@ export function makePool(start, module, count) {
             } else if (data.kind === 'kept') onKept?.(data.files);
             else if (data.kind === 'failed') fail(data.name, data.name === 'MemoryError' ? NO_MEMORY : data.message);
             else if (data.kind === 'done') {
-              const memory = data.code !== 0 && said.stderr.find((line) => line.startsWith('isolaw: out of memory'));
-              if (memory) fail('MemoryError', NO_MEMORY);
-              else if (end(true)) resolve({ code: data.code, stdout: text('stdout'), stderr: text('stderr'), files: data.files });
+              const error = errorIn(said.stderr, data.code);
+              if (error?.kind === 'memory') fail('MemoryError', NO_MEMORY);
+              else if (end(true)) resolve({ code: data.code, stdout: text('stdout'), stderr: text('stderr'), error, files: data.files });
             }
           };
           worker.sent.then(
-            () => worker.postMessage({ kind: 'run', argv, files, keep, watch }),
+            () => worker.postMessage({ kind: 'run', argv: asksForErrors(argv), files, keep, watch }),
             (error) => fail('CrashError', 'the program cannot be started: ' + error.message),
           );
         },

@@ -1,4 +1,4 @@
-// A campaign's report and an inspection's page of the built-in lot, made by the program in the page itself.
+// Writes a campaign's report and an inspection's page of the built-in lot with the program in the page.
 //   node sample_reports.mjs --engine-html FILE --out DIR
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -8,14 +8,14 @@ const options = {};
 for (let i = 2; i < process.argv.length; i += 2) options[process.argv[i].slice(2)] = process.argv[i + 1];
 const engine = await engineOf(options['engine-html'], { workers: 1 });
 const keep = ['out/*.html'];
-const made = async (argv, files, name) => {
+const write = async (argv, files, name) => {
   const said = await engine.run({ argv, files, keep });
   if (said.code !== 0) throw new Error(said.stderr);
   writeFileSync(join(options.out, name), said.files[0].bytes);
 };
 mkdirSync(options.out, { recursive: true });
 const { files } = await engine.run({ argv: ['example', 'lot'] });
-await made(['calibrate', 'lot/lot.toml', '--laws', 'bilinear', '--runs', '1', '--analysis', 'none', '--figures', 'none', '--out', 'out'], files, 'report.html');
-await made(['inspect', 'lot/lot.toml', '--out', 'out'], files, 'inspection.html');
+await write(['calibrate', 'lot/lot.toml', '--laws', 'bilinear', '--runs', '1', '--analysis', 'none', '--figures', 'none', '--out', 'out'], files, 'report.html');
+await write(['inspect', 'lot/lot.toml', '--out', 'out'], files, 'inspection.html');
 engine.close();
 process.exit(0);

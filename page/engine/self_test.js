@@ -1,7 +1,7 @@
-// Two laws on a record of the built-in lot, by the program as it is here, against what the native program finds.
+// Compares two laws on a record of the built-in lot, identified here, with the results of the native program.
 
 const expected = { bilinear: 0.05060711114368681, vaiana: 0.021805097912677526 };
-// Objectives at the end of a search, of two instruction sets (docs/page.md).
+// The difference between instruction sets at the end of a search (docs/page.md).
 const tolerance = 1e-6;
 
 export const runSelfTest = async (run) => {

@@ -5,9 +5,9 @@
 >>> campaign = isolaw.calibrate([record], laws=["bilinear", "bouc-wen"])
 >>> campaign.summary["laws"][0]["objective"]["best"]
 
-Units are kN, mm and s; the parameters of a law have the law's own (``isolaw.laws()``). Wrong input raises ``isolaw.Error``.
-Arrays of records and results are read-only views of what the library holds, without a copy. Nothing is printed. Long
-calls release the interpreter's lock; ``calibrate`` can be interrupted by Ctrl-C.
+Units are kN, mm and s; a law's parameters have the law's own units (``isolaw.laws()``). Wrong input raises
+``isolaw.Error``. Arrays of records and results are read-only views of the library's memory, without a copy. Nothing is
+printed. Long calls release the interpreter's lock; Ctrl-C interrupts ``calibrate``.
 """
 
 import functools as _functools
@@ -52,10 +52,10 @@ Record.__module__ = "isolaw"
 _OPTIONS = _json.loads(_core.options_json())
 
 
-def _takes(options, in_place=False):
-    """Keywords of a table in place of a function's own ``**`` parameter: its signature has them, with their defaults.
+def _with_keywords(options, in_place=False):
+    """Decorator: replaces a function's ``**`` parameter in its signature by a table's keywords with their defaults.
 
-    in_place: of a value that is elsewhere; None leaves that.
+    in_place: the keywords replace values that another argument already has, so every default is None.
     """
 
     def default(option):
@@ -90,15 +90,15 @@ def _settings(*names):
     return {name: _OPTIONS["settings"][name] for name in names}
 
 
-def _of_motion():
+def _motion_reading():
     return {name: option for name, option in _OPTIONS["reading"].items() if not option["of_test"]}
 
 
 def settings():
-    """What calibrate can be told: a dict by keyword.
+    """The settings of calibrate: a dict by keyword.
 
-    Each value holds the option of the command line, help, default, the words it may be one of, the limits of a number
-    (least, most; None without), and the method that alone has it (None: both).
+    Each value is a dict of option (of the command line), help, default, words (the texts that are allowed), limits
+    (least and most of a number, or None), and method (the only method that has the setting, or None).
     """
     return {
         name: {key: value for key, value in one.items() if key != "stored_only"}
@@ -107,44 +107,40 @@ def settings():
     }
 
 
-# --- records ----------------------------------------------------------------------------------------------------------
-
-
-@_takes(_OPTIONS["reading"])
+@_with_keywords(_OPTIONS["reading"])
 def read_record(path, *, name=None, **reading):
-    """Reads a test record: delimited text, Excel, MATLAB or JSON; dialect, columns and units are recognised.
+    """Reads a test record from delimited text, Excel, MATLAB or JSON, and recognises dialect, columns and units.
 
-    path: the file. name: of the device, by default the file's without its ending.
-    columns, units: what the file does not say, as a dict or as the text of the option of the same name:
+    path: the file. name: the device's name; by default the file's name without its ending.
+    columns, units: information that the file lacks, as a dict or as the text of the option of the same name:
     ``columns={"disp": 2, "force": "F"}``, ``units="disp=cm,force=tonf"``. Channels are time, disp, force and load;
-    ``columns={"force": "loadcell.csv:F"}`` takes one from another file.
-    dt: sampling interval in s of a file without time. sheet, test: which part of a file that holds several.
-    rows: ``"101:700"``, rows of numbers counted from 1. from_s, to_s: seconds of the file's own time. footer: ``"skip"``,
-    without the text below the rows. thousands: the mark that groups digits. date_order: ``"dmy"`` or ``"mdy"``.
-    flip_force, repair, skew_ms, rig_friction_kN, rig_friction_coefficient, moving_mass_kg, force_factor: corrections, as the
-    options of ``isolaw inspect``.
+    ``columns={"force": "loadcell.csv:F"}`` takes the force from another file.
+    dt: sampling interval in s of a file without time. sheet, test: the part to read of a file with several.
+    rows: ``"101:700"``, rows of numbers counted from 1. from_s, to_s: the part to read, in seconds of the file's own
+    time. footer: ``"skip"`` ignores text below the rows. thousands: the mark that groups digits. date_order: ``"dmy"``
+    or ``"mdy"``.
+    flip_force, repair, skew_ms, rig_friction_kN, rig_friction_coefficient, moving_mass_kg, force_factor: corrections,
+    as the options of ``isolaw inspect``.
 
     Returns a Record; ``record.recognised`` says what was recognised and why. Raises Error with every problem found.
     """
     return _core.read(path, False, name, reading)
 
 
-@_takes(_of_motion())
+@_with_keywords(_motion_reading())
 def read_motion(path, *, name=None, **reading):
-    """Reads a displacement history, cyclic or seismic, from a file as read_record does; it needs no force.
+    """Reads a displacement history, cyclic or seismic, from a file with the keywords of read_record; it needs no force.
 
-    from_s, to_s: the part of its time that is read.
-
-    Returns a Record whose ``force_kN`` is None. Raises Error, also for a record of acceleration.
+    Returns a Record whose ``force_kN`` is None. Raises Error as read_record does, and for a record of acceleration.
     """
     return _core.read(path, True, name, reading)
 
 
 def record(disp_mm, force_kN, time_s=None, load_kN=None, *, name="record"):
-    """A Record of arrays of equal length, checked as a file's values are.
+    """Makes a Record from arrays, with the same checks as for the values of a file.
 
-    disp_mm, force_kN, time_s, load_kN: shape (samples,), in mm, kN, s and kN; time and load may be missing.
-    Raises Error: values that are not finite, time that does not increase, displacement and force exchanged, and so on.
+    disp_mm, force_kN, time_s, load_kN: shape (samples,), in mm, kN, s and kN; time and load may be None. Raises Error
+    for values that are not finite, time that does not increase, exchanged displacement and force, and so on.
     """
     return _core.record(name, disp_mm, force_kN, time_s, load_kN)
 
@@ -156,7 +152,7 @@ def _vertical(test):
 
 
 def motion(disp_mm, time_s=None, *, name="motion"):
-    """A displacement history of arrays, shape (samples,), in mm and s: a Record whose ``force_kN`` is None.
+    """Makes a displacement history from arrays of shape (samples,), in mm and s: a Record whose ``force_kN`` is None.
 
     Raises Error as record does.
     """
@@ -166,47 +162,46 @@ def motion(disp_mm, time_s=None, *, name="motion"):
 def properties(record, *, vertical=None):
     """Properties of a test cycle by cycle, from raw values: the dict that ``isolaw inspect --json`` prints.
 
-    ``blocks`` lists the blocks of cycles of one amplitude and frequency with ``cycles``, each with K_eff in kN/mm,
-    damping in percent of critical, energy per cycle in kN mm and more (docs/inspection-json.md, with formulas and their
-    sources in docs/properties.md). vertical: the device's compression test, as in calibrate; ``vertical`` of the result
-    has what it gives, or why it gives nothing. Raises Error for a motion without force.
+    ``blocks`` lists the blocks, which are runs of cycles of one amplitude and frequency. Each of a block's ``cycles``
+    has K_eff in kN/mm, damping in percent of critical, energy in kN mm and more (docs/inspection-json.md; formulas and
+    their sources are in docs/properties.md). vertical: the device's compression test, as in calibrate; the result's
+    ``vertical`` has its stiffness or the reason why there is none. Raises Error for a motion without force.
     """
     return _json.loads(record._inspection_json(_vertical(vertical)))
-
-
-# --- laws -------------------------------------------------------------------------------------------------------------
 
 
 def laws():
     """The catalogue of laws: a dict by id.
 
-    Each value holds title, source, units (force, length, time), whether it is rate_independent, a note on how the source
-    was read, and parameters: name, unit, meaning, physical limits, the paper's search box (published), and the value of
-    one that is not fitted unless freed (fixed). Bounds that are None do not exist.
+    Each value is a dict with, among others, name, title, source, units (force, length, time), rate_independent,
+    formula, note (how the source was read), together (conditions between several parameters) and parameters. Each
+    parameter has name, unit, meaning, physical (its limits), published (the paper's search box) and fixed (its value
+    unless it is freed). A bound of None is no bound.
     """
     return {law["id"]: law for law in _json.loads(_core.catalogue_json())}
 
 
 def box(law, record, *, kind="auto", method="best"):
-    """Where a law's parameters are searched on a record: a dict by parameter, in the law's order.
+    """The search box of a law's parameters on a record: a dict by parameter, in the law's order.
 
-    kind: "auto", scaled from the record, or "published", Table 4 of Cucuzza et al. 2025. method as in calibrate.
-    Each value holds unit, free, value (of one that is not free, else None), lower, upper and scale. Raises Error.
+    kind: "auto" scales the box from the record, "published" is Table 4 of Cucuzza et al. 2025 for the laws that
+    stand there. method: as in calibrate. Each value is a dict of unit, free, value (None where free), lower, upper
+    and scale; numbers have the law's units. Raises Error for wrong input.
     """
     return _core.box(law, record, {"box": kind, "method": method})
 
 
-@_takes(_settings("integration", "turning_points"))
+@_with_keywords(_settings("integration", "turning_points"))
 def force(law, parameters, motion, *, refinement=1, out=None, **how):
     """Force of a law under a displacement history, in kN: a float64 array of shape (samples,).
 
-    law: an id. parameters: a dict by name or the values in the law's order, in its units.
-    motion: a Record (its force is not looked at), or an array of displacements in mm for laws that need no time.
+    law: an id. parameters: a dict by name, or the values in the law's order; in the law's units.
+    motion: a Record, whose force is ignored, or an array of displacements in mm for a law that needs no time.
     integration: "converged", or "paper" (one Runge-Kutta step per sample). turning_points: "sampled" or "interpolated".
-    refinement: integration steps per sample. out: a contiguous float64 array that the forces are written into.
+    refinement: integration steps per sample. out: a contiguous float64 array that receives the forces.
 
-    Values are not finite where the law gives no force. Raises Error: an unknown law, parameters that are missing,
-    unknown or outside their physical limits (all said at once), a rate-dependent law without time.
+    Values are not finite where the law gives no force. Raises Error for an unknown law, for parameters that are
+    missing, unknown or outside their physical limits (all in one message), and for a rate-dependent law without time.
     """
     if not isinstance(motion, Record):
         motion = _core.record("motion", motion, None, None, None)
@@ -214,15 +209,15 @@ def force(law, parameters, motion, *, refinement=1, out=None, **how):
 
 
 class Model:
-    """A law on a record as calibrate sees it, for optimisers and studies of one's own.
+    """A law on a record as calibrate sees it, for your own optimisers and studies.
 
-    law: an id. record: a Record with force. The record is cleaned as calibrate cleans it: thinned to
-    ``samples_per_cycle`` (None: not at all), averaged over ``smooth`` samples, centred where ``center`` says so; the
-    objective is that of ``fit_blocks`` and ``fit_cycles``. integration, turning_points, refinement as in force. Raises
-    Error.
+    law: an id. record: a Record with force. The record is cleaned as in calibrate: thinned to ``samples_per_cycle``
+    (None: not at all), averaged over ``smooth`` samples, and centred if ``center``. The objective is over
+    ``fit_blocks`` and ``fit_cycles``. integration, turning_points, refinement: as in force. Raises Error for wrong
+    input, as calibrate does.
     """
 
-    @_takes(
+    @_with_keywords(
         _settings("integration", "turning_points", "samples_per_cycle", "smooth", "center", "dead_band", "fit_blocks", "fit_cycles")
     )
     def __init__(self, law, record, *, refinement=1, **how):
@@ -237,38 +232,40 @@ class Model:
 
     @property
     def parameter_names(self):
-        """Names of the parameters in the law's order, which is that of a population's columns."""
+        """Names of the parameters in the law's order, which is also the order of a population's columns."""
         return list(self._names)
 
     @property
     def time_s(self):
-        """Times of the cleaned record in s (sample numbers where it has no time): a read-only view."""
+        """Times of the cleaned record in s (sample numbers without time), shape (samples,): a read-only view."""
         return self._core.time_s
 
     @property
     def disp_mm(self):
-        """Displacements of the cleaned record in mm: a read-only view."""
+        """Displacements of the cleaned record in mm, shape (samples,): a read-only view."""
         return self._core.disp_mm
 
     @property
     def force_kN(self):
-        """Measured forces of the cleaned record in kN: a read-only view."""
+        """Measured forces of the cleaned record in kN, shape (samples,): a read-only view."""
         return self._core.force_kN
 
     def objective(self, parameters):
-        """Eq. (27) of Cucuzza et al. 2025 for one set of parameters (dict or values in order), without a unit.
+        """The objective of one set of parameters (dict or values in order), Eq. (27) of Cucuzza et al. 2025; no unit.
 
-        Mean over time of |measured - computed force| over the standard deviation of the measured force; infinity where
-        a force is not finite. From the scalar path, as every number of a report. Raises Error as force does.
+        Mean over time of |measured - computed force|, divided by the standard deviation of the measured force; infinity
+        where a force is not finite. Computed by the scalar path, as every number of a report. Raises Error as force
+        does.
         """
         return self._core.objective(parameters)
 
     def objectives(self, population, out=None):
-        """Objectives of many candidates at once, by the vector kernels: a float64 array of shape (candidates,).
+        """Objectives of many candidates at once, from the vector kernels: a float64 array of shape (candidates,).
 
-        population: float64 of shape (candidates, parameters) in the law's order and units; read without a copy where it
-        is contiguous. Agrees with objective() to about 1e-11; infinity for candidates without a finite force. No limits
-        are checked. out: a contiguous float64 array that the values are written into. Raises Error for other shapes.
+        population: float64 of shape (candidates, parameters) in the law's order and units; a contiguous array is read
+        without a copy. No limits are checked. out: a contiguous float64 array that receives the values. They agree with
+        objective() to about 1e-11 and are infinite for candidates without a finite force. Raises Error for other
+        shapes.
         """
         return self._core.objectives(population, out)
 
@@ -287,14 +284,10 @@ def objectives(law, population, record, **how):
     return Model(law, record, **how).objectives(population)
 
 
-# --- campaigns --------------------------------------------------------------------------------------------------------
-
-
 class Campaign:
-    """Laws fitted to the devices of a lot; made by calibrate and load.
+    """Laws fitted to the devices of a lot, as calibrate, merge and load return them.
 
-    ``summary`` is the content of summary.json (docs/summary-json.md). Arrays are read-only views, or new where they are
-    gathered from the runs.
+    ``summary`` is the content of summary.json (docs/summary-json.md). Arrays are read-only views, except those of runs.
     """
 
     def __init__(self, core):
@@ -303,57 +296,61 @@ class Campaign:
 
     @property
     def summary(self):
-        """All numbers of the campaign: the same dict that summary.json holds."""
+        """All numbers of the campaign, as the dict that summary.json holds."""
         if self._summary is None:
             self._summary = _json.loads(self._core._summary_json())
         return self._summary
 
     @property
     def complete(self):
-        """Whether every run and analysis that was asked for is there."""
+        """Whether every requested run and analysis has finished."""
         return self._core.complete
 
     @property
     def devices(self):
-        """Names of the devices, refused ones included."""
+        """Names of the devices, including refused ones."""
         return [device["name"] for device in self.summary["devices"]]
 
     @property
     def laws(self):
-        """Ids of the laws, in the order of the campaign."""
+        """Ids of the laws in the campaign's order."""
         return [law["id"] for law in self.summary["laws"]]
 
     def record(self, device):
-        """The raw Record of a device. Raises Error for one that was refused, with the reason."""
+        """The raw Record of a device. Raises Error for an unknown device, and with the reason for a refused one."""
         return self._core.record(device)
 
     def fit_record(self, device):
-        """What the laws were fitted to: a dict of views time_s, disp_mm and force_kN (cleaned and thinned)."""
+        """The cleaned, thinned record of the fit: a dict of views time_s, disp_mm and force_kN of shape (samples,)."""
         return {name: self._core.fit_channel(device, name) for name in ("time_s", "disp_mm", "force_kN")}
 
     def force(self, law, device):
-        """Force in kN that the best run computes at the samples of fit_record(device): a read-only view."""
+        """Force in kN of the best run at the samples of fit_record(device), shape (samples,): a read-only view."""
         return self._core.force(law, device)
 
     def parameters(self, law, device):
-        """Parameters of the best run on a device, or of the one law of all with device="lot": a dict in the law's units.
+        """Parameters of the best run on a device, or with device="lot" of the lot's law: a dict in the law's units.
 
-        Raises Error where there is none.
+        Raises Error where the campaign has none.
         """
         return self._core.parameters(law, device)
 
     def runs(self, law, device):
-        """Every run: a dict of arrays number, objective (both of shape (runs,)), parameters (runs, parameters; in the
-        law's order; NaN for a run that failed), and lists outcome (text) and history (an array for each run: the best
-        objective after each generation or start)."""
+        """Every run of a law on a device, as a dict of arrays and lists.
+
+        number and objective have the shape (runs,), parameters (runs, parameters) in the law's order and units, NaN for
+        a failed run. outcome is a list of texts. history is a list with an array for each run: the best objective after
+        each generation or start. Raises Error for an unknown law or device.
+        """
         return self._core.runs(law, device)
 
     def front(self, kind="runs"):
         """Accuracy against robustness: a list of dicts law, accuracy, robustness, on_front, in the order of the laws.
 
-        kind: "runs", mean objective over the runs against beta, Eq. (31) of Cucuzza et al. 2025 (its Fig. 14);
-        "converged", the same of the least objectives; "loo", least objectives against those on devices left out. The
-        latter two need analysis. Smaller is better in both; None is undefined.
+        kind: "runs" sets the mean objective over the runs against beta, Eq. (31) of Cucuzza et al. 2025 (its Fig. 14);
+        "converged" uses the best fits for both; "loo" sets the objectives of the best fits against those on devices
+        that were left out. The latter two need analysis. Smaller is better for both numbers; None is undefined. Raises
+        Error for another kind.
         """
         columns = {
             "runs": lambda law: (law["objective"]["mean"], law["beta"], law["on_front"]),
@@ -373,56 +370,57 @@ class Campaign:
         self._core.write(_os.fspath(directory))
 
 
-def _as_it_takes(progress):
-    """A function that is told everything, and tells `progress` what it takes."""
+def _adapted(progress):
+    """Wraps `progress`: the wrapper takes every argument and passes on those that `progress` accepts."""
     try:
         takes = list(_inspect.signature(progress).parameters.values())
-    except (TypeError, ValueError):  # of a built-in function
+    except (TypeError, ValueError):  # a built-in function may have no signature
         takes = []
     everything = any(one.kind is one.VAR_KEYWORD for one in takes)
     by_position = [one for one in takes if one.kind in (one.POSITIONAL_ONLY, one.POSITIONAL_OR_KEYWORD)]
     by_name = {one.name for one in takes if one not in by_position[:4] and one.kind is not one.POSITIONAL_ONLY}
     wanted = [name for name in ("share", "left_s") if everything or name in by_name]
 
-    def told(done, total, analysis, best, share, left_s):
+    def report(done, total, analysis, best, share, left_s):
         progress(done, total, analysis, best, **{name: {"share": share, "left_s": left_s}[name] for name in wanted})
 
-    return told
+    return report
 
 
 def _all_samples(how):
-    """None samples per cycle, which would otherwise mean the default, as the option has it."""
+    """Gives samples_per_cycle=None as "all", as the option has it: None would otherwise mean the default."""
     return how | {"samples_per_cycle": "all"} if how.get("samples_per_cycle", 0) is None else how
 
 
-@_takes(settings() | _OPTIONS["acceptance"])
+@_with_keywords(settings() | _OPTIONS["acceptance"])
 def calibrate(
     records, laws="usual", *, vertical=None, jobs=0, out=None, fresh=False, title="", part=None, progress=None, **given
 ):
     """Fits laws to records, as ``isolaw calibrate`` does: with the same settings and seed the numbers are the same.
 
     records: a Record or a path, or a list of them; each is a device of the lot, under its name.
-    laws: "paper", "usual", "all", an id, or a list of them. method: "best", to the least objective there is, or "ga", the paper's.
-    runs: independent runs per law and device (3; ga: 20). seed: 0 to 2**64 - 1. set: texts "law.parameter=value",
-    "=lower:upper", "=free" or "=other parameter". population, generations, stagnation_tolerance: of "ga", which they
-    choose where no method is given. samples_per_cycle (None: all), smooth, center: how records are cleaned. fit_blocks,
-    fit_cycles, score_blocks: which part of the tests laws are judged by and tried on, as texts: "2", "1-3", "2-".
-    analysis: what the tests determine, intervals, one law for the lot; takes longer than the fits. replicates: of its
-    bootstrap. bidirectional: "springs" fits laws without a coupled form in the plane as springs around the circle too. settings() lists all of these with their limits.
-    rules: a rule set the tests are held to, by name or a file. design: design values, as a dict or as text:
-    ``{"K_eff": 1.2, "damping": 15}``. lot_size: devices of the production lot, tested or not.
+    laws: "paper", "usual", "all", an id, or a list of them. method: "best" searches the least objective, "ga" is the
+    paper's genetic algorithm. runs: independent runs per law and device (3; ga: 20). seed: 0 to 2**64 - 1. set: texts
+    "law.parameter=value", "=lower:upper", "=free" or "=other parameter". population, generations, stagnation_tolerance:
+    of "ga"; giving one chooses that method where none is given.
+    samples_per_cycle (None: all), smooth, center: how records are cleaned. fit_blocks, fit_cycles, score_blocks: the
+    blocks and cycles that laws are fitted to, and the blocks that they are tried on, as texts: "2", "1-3", "2-".
+    analysis: finds what the tests determine, intervals, and one law for the lot; it takes longer than the fits.
+    replicates: of its bootstrap. bidirectional: "springs" also fits spring models for laws that have no coupled
+    two-dimensional form. settings() lists all of these with their limits.
+    rules: the rule set to compare the tests with, by name or as a file. design: design values, as a dict or as text:
+    ``{"K_eff": 1.2, "damping": 15}``. lot_size: number of devices of the production lot, tested or not.
     vertical: compression tests, a dict by device name: a file, K_v in kN/mm, or a dict with ``file``, ``loads``
-    (``"300:1000"``, in kN) and keywords of read_motion. One that gives no stiffness says why in the summary.
-    jobs: threads, 0 for one per core; the numbers do not depend on it. out: a directory for store and reports, where an
-    interrupted campaign is continued by the same call; fresh starts over there. title: of the lot.
-    part: ``(3, 40)``, only the third of 40 even shares of the runs, into ``out``; merge makes one campaign of all of them.
-    progress: called as progress(done, total, analysis, best) from the calling thread, of runs, then of analyses; best is
-    a dict of the least objective so far by law. Where it takes keywords ``share`` or ``left_s``: the share of all work
-    that is done, and the seconds left. An exception it raises ends the search and is raised here.
+    (``"300:1000"``, in kN) and keywords of read_motion. Where a test gives no stiffness, the summary says why.
+    jobs: threads, 0 for one per core; the numbers do not depend on it. out: a directory for store and reports, where
+    the same call continues an interrupted campaign; fresh starts over there. title: the lot's title.
+    part: ``(3, 40)`` computes only the third of 40 even shares of the runs, into ``out``; merge joins all shares.
+    progress: called as progress(done, total, analysis, best) from the calling thread, for runs and then for analyses;
+    best is a dict of the least objective so far by law. If it takes keywords ``share`` or ``left_s``, it gets the share
+    of all work that is done and the seconds left. An exception that it raises ends the search and is raised here.
 
-    Returns a Campaign. Ctrl-C ends the search with KeyboardInterrupt, and what has finished is kept in ``out``. A device
-    that cannot be used is refused in the summary, the others go on. Raises Error for wrong input and where no device is
-    usable.
+    Returns a Campaign. Ctrl-C ends the search with KeyboardInterrupt and keeps finished runs in ``out``. An unusable
+    device is refused in the summary, and the others go on. Raises Error for wrong input and where no device is usable.
     """
     records = [records] if isinstance(records, (Record, str, _os.PathLike)) else list(records)
     for one in records:
@@ -433,8 +431,8 @@ def calibrate(
     if not isinstance(given.get("set", ""), str):
         given["set"] = list(given["set"])
     tests = {name: _vertical(test) for name, test in (vertical or {}).items()}
-    told = None if progress is None else _as_it_takes(progress)
-    return Campaign(_core.calibrate(devices, given, tests, jobs, out, fresh, title, part and _part(part), told))
+    report = None if progress is None else _adapted(progress)
+    return Campaign(_core.calibrate(devices, given, tests, jobs, out, fresh, title, part and _part(part), report))
 
 
 def _part(part):
@@ -446,35 +444,32 @@ def _part(part):
 
 
 def merge(out, parts, *, jobs=0, fresh=False, progress=None):
-    """One campaign of parts, as ``isolaw merge`` makes it: what ends in ``out`` is, byte by byte, one machine's.
+    """Merges parts into one campaign, as ``isolaw merge`` does: ``out`` gets the same bytes as from one machine.
 
-    out: the directory of the whole campaign. parts: directories that ``calibrate(..., part=(K, N), out=DIR)`` filled, or the
-    campaign.sqlite of each, in any order; further ones may follow by another call, and none finishes what is there.
-    jobs, fresh, progress: as of calibrate; analyses are made here.
+    out: the directory of the whole campaign. parts: the directories that ``calibrate(..., part=(K, N), out=DIR)``
+    filled, or the campaign.sqlite of each, in any order. Another call may add further parts; without parts it finishes
+    the campaign in ``out``. jobs, fresh, progress: as in calibrate; the analyses run here.
 
-    Returns a Campaign. Raises Error for parts that are damaged, or of another campaign, build or instruction set, and
-    where runs are missing, which it counts by parts; what is there has then been copied.
+    Returns a Campaign. Raises Error for parts that are damaged or belong to another campaign, build or instruction set.
+    Also raises it where runs are missing, with their number by part, after it has copied the runs that are there.
     """
     parts = [parts] if isinstance(parts, (str, _os.PathLike)) else list(parts)
-    told = None if progress is None else _as_it_takes(progress)
-    return Campaign(_core.merge(_os.fspath(out), [_os.fspath(one) for one in parts], jobs, fresh, told))
+    report = None if progress is None else _adapted(progress)
+    return Campaign(_core.merge(_os.fspath(out), [_os.fspath(one) for one in parts], jobs, fresh, report))
 
 
 def load(directory):
-    """A Campaign from the directory of a finished or interrupted one, made here or by ``isolaw calibrate --out``.
+    """Reads the Campaign in a directory that calibrate or ``isolaw calibrate --out`` wrote, finished or interrupted.
 
-    Raises Error where there is none, or where it is not as isolaw writes it.
+    Raises Error where the directory has no campaign, or a store that isolaw did not write.
     """
     return Campaign(_core.load(_os.fspath(directory)))
 
 
-# --- the isolated building --------------------------------------------------------------------------------------------
-
-
 class Building:
-    """A building whose bearings are devices drawn of a lot, shaken; made by building.
+    """A building on bearings drawn from a lot, after its analyses; building() returns it.
 
-    ``results`` is the content of building.json (docs/building-json.md). Of the draws there are arrays: NaN where a run gave
+    ``results`` is the content of building.json (docs/building-json.md). Arrays over the draws are NaN where a run gave
     no finite numbers.
     """
 
@@ -484,7 +479,7 @@ class Building:
 
     @property
     def results(self):
-        """All that is answered: the same dict that building.json holds; ``results["verdict"]`` says whether bounds are enough."""
+        """The dict that building.json holds; ``results["verdict"]`` says whether bound analyses are enough."""
         if self._results is None:
             self._results = _json.loads(self._core.json())
         return self._results
@@ -501,33 +496,36 @@ class Building:
 
     @property
     def quantities(self):
-        """What is measured of a building: a dict of title, unit and meaning by key."""
+        """The quantities that peaks takes: a dict of title, unit and meaning by key."""
         return {row["key"]: {k: v for k, v in row.items() if k != "key"} for row in self.results["quantities"]}
 
     def peaks(self, quantity="isolator_mm"):
-        """A quantity of every draw under every motion: shape (laws, draws, motions), in its unit. Raises Error."""
+        """A quantity of every draw under every motion, in its unit: shape (laws, draws, motions).
+
+        Raises Error for an unknown quantity.
+        """
         return self._core.quantity(quantity)
 
     @property
     def displacements_mm(self):
-        """The largest displacement of every bearing: shape (laws, draws, motions, bearings), a read-only view."""
+        """The largest displacement of every bearing, shape (laws, draws, motions, bearings): a read-only view."""
         return self._core.displacements()
 
     @property
     def drifts_mm(self):
-        """The largest drift of every storey: shape (laws, draws, motions, storeys), a read-only view."""
+        """The largest drift of every storey, shape (laws, draws, motions, storeys): a read-only view."""
         return self._core.drifts()
 
     @property
     def accelerations_mm_s2(self):
-        """The largest acceleration in space of the base and every floor: shape (laws, draws, motions, 1 + floors), a
+        """The largest absolute acceleration of the base and every floor, shape (laws, draws, motions, 1 + floors): a
         read-only view."""
         return self._core.accelerations()
 
     @property
     def coverage(self):
-        """Share of the draws between the bounds: a dict by quantity of arrays inside, lower and upper (of its 95 %
-        interval), each of shape (laws,)."""
+        """Share of the draws between the bounds, by quantity: dicts of inside (the share) and lower and upper (the ends
+        of its 95 % interval), arrays of shape (laws,)."""
         laws = [law["coverage"]["of"] for law in self.results["laws"]]
         return {
             quantity: {key: _np.array([law[quantity][key] for law in laws]) for key in ("inside", "lower", "upper")}
@@ -537,29 +535,30 @@ class Building:
     def history(self, law=0, motion=0):
         """The nominal building over time, by the implicit path: a dict of outcome (text) and arrays.
 
-        law, motion: ids and names, or numbers from 0. time_s (steps,); base and velocity (steps, 3), of the base relative to
-        the ground along x and y in mm and mm/s and its rotation in rad and rad/s; shear_kN (steps, 2), of all bearings;
-        acceleration_mm_s2 (steps, 1 + floors, 2), in space.
+        law: an id, or a number from 0. motion: a name, or a number from 0. Arrays: time_s (steps,); base and velocity
+        (steps, 3), of the base relative to the ground, x and y in mm and mm/s and rotation in rad and rad/s; shear_kN
+        (steps, 2), the sum over all bearings; acceleration_mm_s2 (steps, 1 + floors, 2), absolute. Raises Error for an
+        unknown law or motion.
         """
-        return self._core.history(_place(law, self.laws, "law"), _place(motion, self.motions, "motion"))
+        return self._core.history(_index_of(law, self.laws, "law"), _index_of(motion, self.motions, "motion"))
 
     def write(self, directory):
         """Writes building.json, the tables and building.html into a directory. Raises Error where that cannot be done."""
         self._core.write(_os.fspath(directory))
 
 
-def _place(wanted, names, what):
+def _index_of(wanted, names, what):
     if isinstance(wanted, str):
         if wanted in names:
             return names.index(wanted)
     else:
-        place = _operator.index(wanted)
-        if 0 <= place < len(names):
-            return place
+        index = _operator.index(wanted)
+        if 0 <= index < len(names):
+            return index
     raise Error(f"{what}: {wanted!r}; allowed: {', '.join(names)}, or 0 to {len(names) - 1}")
 
 
-def _shaken(motion):
+def _motion_input(motion):
     if isinstance(motion, (str, _os.PathLike)):
         return _os.fspath(motion)
     try:
@@ -573,24 +572,24 @@ def _shaken(motion):
     raise Error("motions: neither a file, two files, nor (step in s, x in m/s2[, y])")
 
 
-@_takes(_OPTIONS["building"], in_place=True)
+@_with_keywords(_OPTIONS["building"], in_place=True)
 def building(building, campaign, motions=None, *, jobs=0, out=None, fresh=False, progress=None, **given):
-    """What a lot's scatter makes of an isolated building, and whether bound analyses cover it, as ``isolaw building``.
+    """Studies an isolated building on bearings drawn from a lot, and whether bound analyses cover the lot's scatter.
 
-    building: a building file (``isolaw building --template``), or its tables as a dict. campaign: a Campaign, or the directory
-    of one with analysis. motions: in place of the building's; a list of files ("x.AT2"), of pairs of files, or of
-    tuples (step in s, accelerations along x in m/s2) with those along y where there are two.
-    laws, draws, seed, lower, upper and the other keys of ``[building]``: in place of the building's own.
-    jobs: threads, 0 for one per core; the numbers do not depend on it. out: a directory for runs and reports, where an
-    interrupted study is continued by the same call; fresh starts over there. progress: called as progress(done, total)
-    of analyses from the calling thread; an exception it raises ends them and is raised here.
+    The same as ``isolaw building``. building: a building file (``isolaw building --template``), or its tables as a
+    dict. campaign: a Campaign with analysis, or the directory of one. motions: replace the building's motions; a list
+    of files ("x.AT2"), of pairs of files, or of tuples (step in s, accelerations along x in m/s2[, along y]). laws,
+    draws, seed, lower, upper and the other keys of ``[building]`` replace the building's own.
+    jobs: threads, 0 for one per core; the numbers do not depend on it. out: a directory for runs and reports, where the
+    same call continues an interrupted study; fresh starts over there. progress: called as progress(done, total) with
+    numbers of analyses, from the calling thread; an exception that it raises ends the study and is raised here.
 
-    Returns a Building. Ctrl-C ends it with KeyboardInterrupt; what has finished is kept in ``out``. Raises Error with everything
-    wrong in the building.
+    Returns a Building. Ctrl-C ends the study with KeyboardInterrupt and keeps finished runs in ``out``. Raises Error
+    with everything wrong in the building.
     """
     file = dict(building) if isinstance(building, _Mapping) else _os.fspath(building)
     source = campaign._core if isinstance(campaign, Campaign) else _os.fspath(campaign)
     if isinstance(motions, (str, _os.PathLike)):
         motions = [motions]
-    shaken = [_shaken(motion) for motion in motions or ()]
-    return Building(_core.building(file, source, shaken, given, jobs, out, fresh, progress))
+    motions_given = [_motion_input(motion) for motion in motions or ()]
+    return Building(_core.building(file, source, motions_given, given, jobs, out, fresh, progress))

@@ -1,11 +1,11 @@
-"""The one exception of the package, in a module of its own for the compiled part."""
+"""The only exception of the package. It has its own module because the compiled part imports it."""
 
 
 class Error(ValueError):
-    """Wrong input, said once and completely.
+    """Wrong input. One exception holds all problems.
 
-    ``str(error)`` holds every problem found, a line for each. ``complaints`` is the same as a list of dicts with the
-    texts ``where``, ``found``, ``allowed`` and ``advice``; empty texts say nothing.
+    ``str(error)`` has a line for each problem. ``complaints`` has a dict for each, with the texts ``where``, ``found``,
+    ``allowed`` and ``advice``, which may be empty.
     """
 
     complaints: list[dict[str, str]] = []

@@ -36,7 +36,7 @@ function reportAsShown() {
   return report;
 }
 
-// What the page makes of a sentence of the program: symbols set. Runs in the page.
+// A sentence of the program as the page shows it, with symbols typeset. Runs in the page.
 function asSet(text) {
   const { words } = JSON.parse(document.getElementById('isolaw-data').textContent).notation;
   return text.replace(/(?<![\w./-])[A-Za-z]\w*(?![\w/-]|[.]\w)/g, (word) => (Object.hasOwn(words, word) ? words[word].join('') : word));

@@ -1,4 +1,4 @@
-// What the page must show, from a store by plain SQL and nothing of isolaw: expected_numbers STORE prints JSON. The
+// Numbers that the page must show, by plain SQL from a store, without isolaw: expected_numbers STORE prints JSON. The
 // statistics are those of docs/method.md: means and sample standard deviations over the runs that have an objective,
 // and the robustness index, the mean over the free parameters of the largest relative difference of a device's mean.
 #include <sqlite3.h>

@@ -17,16 +17,16 @@ using namespace isolaw;
 
 // Smooth where the bilinear one has a corner, a tenth weaker; its places are those of the other's population.
 building::LawSource smooth(building::LawSource const& of) {
-  auto made = of;
+  auto law = of;
   auto const& [K1, K2, Dy] = std::tie(of.median[0], of.median[1], of.median[2]);
-  made.law = "bouc-wen";
-  made.median = {K2 / K1, 0.9 * K1, 1.0, 0.5 / Dy, 1.0, 0.5 / Dy};
-  made.lot = made.median;
-  made.population.names = {"alpha", "Ke"};
-  made.population.medians = {made.median[0], made.median[1]};
-  made.population.mean = {std::log(made.median[0]), std::log(made.median[1])};
-  made.place = {0, 1, std::nullopt, std::nullopt, std::nullopt, std::nullopt};
-  return made;
+  law.law = "bouc-wen";
+  law.median = {K2 / K1, 0.9 * K1, 1.0, 0.5 / Dy, 1.0, 0.5 / Dy};
+  law.lot = law.median;
+  law.population.names = {"alpha", "Ke"};
+  law.population.medians = {law.median[0], law.median[1]};
+  law.population.mean = {std::log(law.median[0]), std::log(law.median[1])};
+  law.place = {0, 1, std::nullopt, std::nullopt, std::nullopt, std::nullopt};
+  return law;
 }
 
 void write(std::filesystem::path const& dir, int laws) {
@@ -43,7 +43,7 @@ void write(std::filesystem::path const& dir, int laws) {
     study.laws[1].devices["constructor"] = study.laws[1].median;
   }
   std::filesystem::create_directories(dir);
-  building::RunStore store(dir / "building.sqlite", building::traits_of(study), true);
+  building::RunStore store(dir / "building.sqlite", building::properties_of(study), true);
   building::run_all(study, store, 1);
   render::write_building_outputs(study, building::answer(study, store), dir);
 }

@@ -132,7 +132,7 @@ int main(int argc, char** argv) {
                               std::filesystem::path(argv[1]) / "report.html");
       return 0;
     }
-    // What a careful reader must be told of: a failed run, a coarse integration, a law that does not apply.
+    // Facts that a careful reader must be told: a failed run, a coarse integration, a law that does not apply.
     summary.laws.back().devices.back().integration_shift = 0.0021;
     summary.laws.back().devices.front().failed_runs = 1;
     summary.laws.back().devices.front().failure = "the computed force became infinite";

@@ -170,7 +170,7 @@ async function look_at_sorting() {
   return seen;
 }
 
-// What is shown before anything is chosen. Runs in the page.
+// The figures before anything is chosen. Runs in the page.
 async function look_at_first() {
   const report = reportAsShown();
   const loop = document.getElementById('figure-loop');

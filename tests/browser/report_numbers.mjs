@@ -51,7 +51,7 @@ async function drawn() {
     front: (await plot('front')).filter((trace) => trace.name !== 'published'),
     ghosts: (await plot('front')).find((trace) => trace.name === 'published'),
     published: Object.fromEntries(reportAsShown().laws.map(({ name, on_front }) => [name, on_front])),
-    // What the page calls laws and their parameters.
+    // The page's names of laws and their parameters.
     names: Object.fromEntries(JSON.parse(document.getElementById('isolaw-data').textContent).laws.map(({ id, name }) => [id, name])),
     notation: JSON.parse(document.getElementById('isolaw-data').textContent).notation.parameters,
     objective: await plot('objective-devices'),
@@ -101,7 +101,7 @@ async function drawn() {
       [...row.children].map((cell) => cell.querySelector('.cell-mean')?.textContent ?? ownName(cell)),
     );
   }
-  // What a reader sees who points at a mark.
+  // The text that appears when a reader points at a mark.
   seen.hover = [];
   for (const [id, pick] of [
     ['front', (node) => node.data.findIndex((trace) => trace.mode?.includes('markers') && trace.x.length > 0)],

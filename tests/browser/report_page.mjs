@@ -78,8 +78,8 @@ function shape(report) {
   };
 }
 
-// What a page of made-up records must show of its second device: its blocks, cycles and verdicts are read from the data,
-// what the page drew from its document. Runs in the page.
+// The second device of a page of made-up records: expected blocks, cycles and verdicts come from the data, those shown
+// from the document. Runs in the page.
 async function look_at_records() {
   const report = reportAsShown();
   const place = Math.min(1, report.devices.filter((device) => device.raw).length - 1);
@@ -393,7 +393,7 @@ function check_inadequate(name, seen) {
   expect(seen.caption.includes('does not describe the devices: ' + seen.wanted[0]), name, 'caption ' + seen.caption);
 }
 
-// What a page of an analysed campaign must show, and how its choices work. Runs in the page.
+// The contents and the choices of the page of an analysed campaign. Runs in the page.
 async function look_at_analysis() {
   const report = reportAsShown();
   const wait = (ms) => new Promise((done) => setTimeout(done, ms));
@@ -481,7 +481,7 @@ async function look_at_analysis() {
         .map((one) => one.id)
         .sort(),
     ),
-    sentences: report.findings.converged.every((text) => said.includes(text.replace(/\s/g, ''))),
+    sentences: report.findings.converged.every(({ sentence }) => said.includes(sentence.replace(/\s/g, ''))),
     cells: cells.length,
     examined: law.devices.flatMap((one) => one.determination?.identifiability ?? []).filter(Boolean).length,
     reached: cells.filter((cell) => cell.tabIndex === 0).length,
@@ -592,7 +592,7 @@ async function look() {
     select.dispatchEvent(new Event('change'));
   }
   for (const box of document.querySelectorAll('input[type=checkbox]')) box.click();
-  document.querySelector('#figure-loop, #figure-cycles').scrollIntoView(); // what is out of sight is not drawn again
+  document.querySelector('#figure-loop, #figure-cycles').scrollIntoView(); // a figure out of sight is not drawn again
   await wait(300);
   for (const button of document.querySelectorAll('button.csv')) button.click();
   await wait(100);
@@ -620,7 +620,7 @@ async function look() {
     published: look_at_published(),
   };
 
-  // What stands beside the published study, and whether every row of the data does.
+  // Whether every row of the data stands beside the published study.
   function look_at_published() {
     const { published, laws } = reportAsShown();
     const section = document.getElementById('published');
@@ -648,7 +648,7 @@ async function look_at_order() {
   const wait = (ms) => new Promise((done) => setTimeout(done, ms));
   const seen = [];
   for (const head of document.querySelectorAll('#figure-fits button.sort')) {
-    document.getElementById('figure-fits').scrollIntoView(); // what is out of sight is not built anew
+    document.getElementById('figure-fits').scrollIntoView(); // a figure out of sight is not built anew
     await wait(150);
     head.click();
     document.querySelector('#figure-loop-overview').scrollIntoView();
@@ -859,7 +859,7 @@ async function check(browser, directory, one) {
   expect(page.errors.length === 0 && seen.errors === '', name, 'errors: ' + [...page.errors, seen.errors].join('; '));
   expect(page.requests.length === 0, name, 'requested ' + page.requests.join(', '));
   const { laws: identified = laws > 0 } = records || {}; // as written: with the rules of make_page.cpp
-  // Of an inspection of one device no strips and no lot; of records of one block no history of it.
+  // An inspection of one device has no strips and no lot, records of one block have no history.
   const ofTests = identified ? 5 : 5 - (devices > 1 ? 0 : 2) - (one.state ? 1 : 0);
   const expected = (identified ? (devices > 1 ? 11 : 10) : 0) + ofTests + (one.analysed ? (devices > 1 ? 2 : 1) : 0);
   expect(

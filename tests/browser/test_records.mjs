@@ -186,11 +186,15 @@ const TOLERANCE_K = 2.752;
 const NO_LOWER = 'too few devices for a lower bound: 114 % of the mean below it is no positive value';
 
 function assessments_of(cycle, block, nominal, verified) {
-  const judged = (quantity, value, key, unit) => {
+  const judged = (property, side, value, key, unit) => {
+    const quantity = side === 'both' ? property : `${property}, ${side} side`;
     const percent = 100 * (value / nominal[key] - 1);
     const verdict = !verified ? 'information' : Math.abs(percent) <= 20 ? 'pass' : 'fail';
     return {
       quantity,
+      property,
+      subject: 'device',
+      side,
       block,
       clause: 'Table <b>1</b>, ' + quantity,
       formula: 'cycle 3',
@@ -207,6 +211,9 @@ function assessments_of(cycle, block, nominal, verified) {
   };
   const plain = (quantity, unit, value, reason, verdict = 'not assessed') => ({
     quantity,
+    property: quantity,
+    subject: 'device',
+    side: 'both',
     block,
     clause: '',
     formula: '',
@@ -221,9 +228,9 @@ function assessments_of(cycle, block, nominal, verified) {
     reason,
   });
   return [
-    judged('K_eff, positive side', cycle.K_plus_kN_per_mm, 'K_eff_kN_per_mm', 'kN/mm'),
-    judged('K_eff, negative side', cycle.K_minus_kN_per_mm, 'K_eff_kN_per_mm', 'kN/mm'),
-    judged('damping', cycle.damping_percent, 'damping_percent', '%'),
+    judged('K_eff', 'positive', cycle.K_plus_kN_per_mm, 'K_eff_kN_per_mm', 'kN/mm'),
+    judged('K_eff', 'negative', cycle.K_minus_kN_per_mm, 'K_eff_kN_per_mm', 'kN/mm'),
+    judged('damping', 'both', cycle.damping_percent, 'damping_percent', '%'),
     plain('Q_d', 'kN', cycle.Q_d_kN, 'no design value was given: --design Q_d=...', 'information'),
     plain('K_v', 'kN/mm', null, 'vertical stiffness needs a vertical displacement channel'),
   ];
@@ -297,6 +304,9 @@ function lot_of(devices, nominal, verified, assessed, hostile) {
         : [
             {
               quantity: `${quantity}, mean of ${values.length} devices`,
+              property: quantity,
+              subject: 'lot',
+              side: 'both',
               block: null,
               clause: 'Table <b>1</b>, mean',
               formula: 'mean over the devices',
@@ -326,20 +336,21 @@ function lot_of(devices, nominal, verified, assessed, hostile) {
     .filter(({ quantity }) => quantity !== 'damping')
     .flatMap(({ quantity, unit, mean: middle, sd }) =>
       [
-        ...(assessed ? [['contract band', 0.85, 1.15, 'as agreed in the rule set']] : []),
+        ...(assessed ? [['contract band', 'contract', 0.85, 1.15, 'as agreed in the rule set']] : []),
         ...(sd === null
           ? []
           : [
-              ['observed', 0.94, 1.06, 'lowest and highest device tested'],
-              ['statistical, each device', -0.14, 1 + (TOLERANCE_K * sd) / middle, 'holds 95 % of the devices'],
-              ['statistical, system', 0.974, 1.026, `mean of the devices ${hostile}`],
-              ['statistical, system predicted', 0.95, 1.05, 'mean of the devices predicted'],
+              ['observed', 'device', 0.94, 1.06, 'lowest and highest device tested'],
+              ['statistical, each device', 'device', -0.14, 1 + (TOLERANCE_K * sd) / middle, 'holds 95 % of the devices'],
+              ['statistical, system', 'system', 0.974, 1.026, `mean of the devices ${hostile}`],
+              ['statistical, system predicted', 'system', 0.95, 1.05, 'mean of the devices predicted'],
             ]),
-      ].map(([source, spec_min, spec_max, note]) => {
+      ].map(([source, spread, spec_min, spec_max, note]) => {
         const lower = spec_min > 0 ? spec_min : null; // below zero there is no bound
         return {
           property: quantity,
           source,
+          spread,
           spec_min: lower,
           spec_max,
           lambda_min: lower === null ? null : 0.91 * lower,
@@ -359,6 +370,9 @@ function lot_of(devices, nominal, verified, assessed, hostile) {
     required: assessed ? required : null,
     sample: {
       quantity: 'sample size',
+      property: null,
+      subject: 'sample',
+      side: 'both',
       block: null,
       clause: 'sample',
       formula: 'devices tested',

@@ -1,4 +1,4 @@
-// Tests held to a rule set by inspect, calibrate and report: verdicts, exit codes, and what a store keeps of them.
+// Tests checked against a rule set by inspect, calibrate and report: verdicts, exit codes, and what a store keeps.
 #include <regex>
 
 #include "cli/loops.hpp"
@@ -25,7 +25,7 @@ class Acceptance : public InFreshDirectory {
   }
   Outcome inspect(Words const& more) { return isolaw(Words{"inspect", "lot"} + more); }
   Outcome calibrate(Words const& more) { return isolaw(Words{"calibrate", "lot", "--out", "O"} + search + more); }
-  // The rule set of the contract; K_eff within 5 % of the design.
+  // A contract's rule set: K_eff within 5 % of the design.
   std::string contract(std::string const& verified_by = "the test") const {
     return fmt::format(
         "id = \"contract\"\ntitle = \"Contract 7\"\nedition = \"1\"\nsource = \"the contract\"\nverified_by = \"{}\"\n"
@@ -48,7 +48,7 @@ TEST_F(Acceptance, ntc_passes_what_is_within_its_limits) {
     auto const& device = found["devices"][static_cast<std::size_t>(d - 1)];
     auto const samples = record({.stiffness_kN_per_mm = 0.48 + 0.01 * d});
     auto const loop = loop_of(samples, 400, 600);
-    // K_e = F/d and xi_e = E/(2 pi F d) of either side, of the third cycle.
+    // K_e = F/d and xi_e = E/(2 pi F d) for each side of the third cycle.
     double const K = loop.F_plus / loop.d_plus;
     double const xi = 100.0 * loop.energy / (2.0 * std::numbers::pi * loop.F_minus * loop.d_minus);
     auto const& stiffness = device["assessments"][0];
@@ -78,7 +78,7 @@ TEST_F(Acceptance, a_verified_limit_that_is_not_kept_ends_with_1) {
   EXPECT_EQ(found["devices"][0]["assessments"][2]["verdict"], "pass");
   auto const text = inspect(not_held);
   EXPECT_EQ(text.code, 1);
-  EXPECT_EQ(count_of("  fail: K_eff -", text.out), 4u) << text;  // and by how much
+  EXPECT_EQ(count_of("  fail: K_eff -", text.out), 4u) << text;  // with the deviation
 }
 
 TEST_F(Acceptance, a_sample_too_small_fails_and_is_shown_also_for_one_device) {
@@ -101,7 +101,7 @@ TEST_F(Acceptance, without_design_values_or_lot_size_nothing_is_judged) {
 }
 
 TEST_F(Acceptance, other_conditions_than_the_sets_leave_it_open) {
-  // NTC tests at 0.5 Hz; this one runs at 0.25 Hz.
+  // NTC requires tests at 0.5 Hz; this one runs at 0.25 Hz.
   write("slow.csv", csv(record({.interval_s = 0.02})));
   auto const o = isolaw(Words{"inspect", "slow.csv", "--json", "--rules", "ntc-2018", "--design"} +
                         Words{"K_eff=1.0,damping=16.4,disp=100", "--lot-size", "1"});
@@ -136,7 +136,7 @@ TEST_F(Acceptance, calibrate_and_report_judge_alike) {
   EXPECT_EQ(read("P/summary.json"), read("O/summary.json"));
 }
 
-// Nowhere: text, JSON, tables, page. Design values far from what was measured.
+// Neither in text, JSON, tables nor on the page, even with design values far from the measured ones.
 TEST_F(Acceptance, a_set_that_nobody_verified_never_says_pass_or_fail) {
   auto const no_verdict = [](std::string const& set, Json const& json) {
     auto const verdicts = verdicts_of(json);
@@ -170,7 +170,7 @@ TEST_F(Acceptance, a_set_that_nobody_verified_never_says_pass_or_fail) {
       EXPECT_TRUE(found["assessment"]["lot"]["mean_analysis"]["permitted"].is_null()) << set;
     }
   }
-  write("signed.toml", contract());  // the words are found where they are said
+  write("signed.toml", contract());  // where verdicts are given, the search for them finds them
   auto const verified = inspect({"--rules", "signed.toml", "--design", "K_eff=9"});
   EXPECT_EQ(verified.code, 1);
   EXPECT_TRUE(std::regex_search(verified.out, words)) << verified;
@@ -209,7 +209,7 @@ TEST_F(Acceptance, a_lot_file_names_no_rules_outside_its_folder) {
   fs::create_symlink("../contract.toml", path("lot/link.toml"));
   write("lot/lot.toml", lot_text("[acceptance]\nrules = \"link.toml\"\n"));
   expect_refused(isolaw({"inspect", "lot/lot.toml"}), {"'link.toml' leads outside"});
-  // Given by hand it may lie anywhere.
+  // A rule set named on the command line may lie in any folder.
   write("lot/lot.toml", lot_text(""));
   EXPECT_EQ(isolaw({"inspect", "lot/lot.toml", "--rules", "contract.toml", "--design", "K_eff=0.7"}).code, 0);
 }
@@ -227,7 +227,7 @@ TEST_F(Acceptance, what_is_asked_for_is_checked_before_anything_is_read_or_writt
   EXPECT_FALSE(exists("O"));
   write("lot/lot.toml", lot_text("[acceptance]\nlot-size = 0\ndesign = { K_eff = \"x\" }\nrule = \"ntc-2018\"\n"));
   expect_refused(isolaw({"inspect", "lot/lot.toml"}),
-                 {"lot.toml:2", "lot.toml:3", "design.K_eff is no number", "'rule'"});
+                 {"lot.toml:2", "lot.toml:3", "design.K_eff is not a number", "'rule'"});
 }
 
 // --- what the store keeps --------------------------------------------------------------------------------------------
@@ -262,8 +262,9 @@ TEST_F(Stored, a_campaign_continues_under_other_rules_without_another_search) {
   EXPECT_EQ(meta("design"), "");
   EXPECT_EQ(cell(cells_of(read("O/tables/lot.csv")), 1, "lot size"), "30");
 
-  auto const none = calibrate({});  // the same as a campaign that never had any, and said
-  expect_message(none, 0, {"no longer held to rule set en-15129: --rules en-15129 holds the tests to it again"});
+  auto const none = calibrate({});  // the same as a campaign that never had rules; a message says so
+  expect_message(none, 0,
+                 {"the tests are no longer checked against rule set en-15129; --rules en-15129 checks them again"});
   EXPECT_EQ(runs(), before);
   for (auto const* key : {"rules", "rules-file", "design", "lot-size"}) EXPECT_EQ(meta(key), "") << key;
   EXPECT_TRUE(page_data(read("O/report.html"))["assessment"]["rule_set"].is_null());
@@ -282,12 +283,12 @@ TEST_F(Stored, a_report_by_other_rules_leaves_the_store_alone) {
   EXPECT_EQ(cell(cells_of(read("elsewhere/tables/tests.csv")), 1, "verdict"), "fail");
   EXPECT_EQ(isolaw({"check", "O"}).code, 0);
 
-  // Part of what is stored: another design value, the rules and the size stay.
+  // This design value differs from the stored one; the rules and the lot size are still taken from the store.
   EXPECT_EQ(isolaw({"report", "O", "--design", "K_eff=1.0,disp=100"}).code, 1);
   EXPECT_EQ(cell(cells_of(read("O/tables/lot.csv")), 1, "lot size"), "20");
-  auto const check = isolaw({"check", "O"});  // the reports beside it say by which rules they were made
+  auto const check = isolaw({"check", "O"});  // reports in this folder state the rules they were made with
   EXPECT_EQ(check.code, 0) << check;
-  EXPECT_TRUE(contains(check.out, "made with other rules, design values or lot size than the store holds"));
+  EXPECT_TRUE(contains(check.out, "written with other rules, design values or lot size than the store holds"));
   EXPECT_EQ(isolaw({"report", "O"}).code, 0);
   EXPECT_EQ(read("O/tables/tests.csv"), tests);
   EXPECT_EQ(isolaw({"check", "O"}).code, 0);
@@ -301,7 +302,7 @@ TEST_F(Stored, a_rule_file_is_kept_with_its_text) {
   fs::remove(path("contract.toml"));
   EXPECT_EQ(isolaw({"report", "O"}).code, 0);
   EXPECT_EQ(read("O/tables/tests.csv"), tests);
-  // A file of the same name with other limits is another rule set: the campaign continues under it.
+  // A file of the same name with other limits is another rule set; the campaign continues with it.
   auto narrow = contract();
   narrow.replace(narrow.find("within_percent = 5"), 18, "within_percent = 1");
   write("contract.toml", narrow);

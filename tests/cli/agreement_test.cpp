@@ -1,5 +1,4 @@
-// The same law by every way out: `simulate`, the exported C++ header and the exported table, step by step along one
-// path.
+// simulate, the exported C++ header and the exported table give the same forces, step by step along one path.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -12,7 +11,7 @@
 namespace isolaw::cli_test {
 namespace {
 
-// Displacement, velocity and force of a table of ours.
+// Displacement, velocity and force from a table that isolaw wrote.
 struct Walk {
   std::vector<double> disp_mm, vel_mm_s, force_kN;
 };
@@ -55,7 +54,7 @@ void expect_alike(std::vector<double> const& a, std::vector<double> const& b, do
 
 class Agreement : public InFreshDirectory {
  protected:
-  // Two devices' worth of cycles with a rounded corner, 60 samples a cycle.
+  // Records of two devices with a rounded corner, 60 samples a cycle.
   void SetUp() override {
     InFreshDirectory::SetUp();
     std::string text = "time [s],disp [mm],force [kN]\n";
@@ -67,7 +66,7 @@ class Agreement : public InFreshDirectory {
       text += fmt::format("{:.4f},{:.5f},{:.5f}\n", i / 30.0, x, 0.4 * x + std::clamp(z, -20.0, 20.0));
     }
     write("a.csv", text);
-    // A path that the tests did not take: an irregular one with turns of every size, from rest.
+    // An irregular path from rest with turns of every size, which the tests did not contain.
     text = "time [s],disp [mm]\n";
     for (int i = 0; i <= 400; ++i) {
       double const t = 0.02 * i;
@@ -106,7 +105,7 @@ TEST_F(Agreement, simulate_header_and_table_of_every_law_agree_at_every_step) {
       return walk_of(made.out);
     };
     cases.push_back({law, walk_of(read(law + ".csv")), simulated("motion.csv")});
-    // Along the table's own path; laws that depend on velocity are given there what the file has, and not its slope.
+    // Along the table's own path; not for laws that depend on velocity, which simulate takes from the path's slope.
     if (entry.info.traits.rate_independent)
       expect_alike(simulated(law + ".csv").force_kN, cases.back().table.force_kN, 1e-8, "simulate against the table");
     std::string space = "isolaw_" + law + "_a";
@@ -144,7 +143,7 @@ int main(int, char** argv) {
       for (double f = 0.0; values >> f;) force.push_back(f);
       return force;
     };
-    // The table has ten digits of path and force.
+    // The table has ten digits of displacement and force.
     expect_alike(header(c.simulated), c.simulated.force_kN, tolerance, "header against simulate");
     expect_alike(header(c.table), c.table.force_kN, 1e-7 + tolerance, "header against the table");
   }

@@ -1,4 +1,4 @@
-// Campaigns with analysis: what a user sees, finds in the files and can go on from.
+// Campaigns with analyses: what the user sees, finds in the files and can do next.
 #include <sqlite3.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace isolaw::cli_test {
 namespace {
 
-// Two blocks of three cycles at 50 and at 100 mm, 60 samples a cycle: a bilinear device, with a little third harmonic.
+// A bilinear device with a little third harmonic: blocks of three cycles at 50 and at 100 mm, 60 samples a cycle.
 std::string two_blocks(double stiffness) {
   std::string text = "time [s],disp [mm],force [kN]\n";
   double hysteretic = 0.0, before = 0.0;
@@ -56,7 +56,7 @@ TEST_F(Analysis, tells_what_tests_determine_and_what_an_engineer_meets) {
     EXPECT_EQ(law["success_share"], 1.0);
     EXPECT_EQ(law["success_reference"], "best of this campaign");
     EXPECT_GT(law["beta_converged"], 0.0);
-    // Devices that differ by 5 % are predicted worse than fitted, and a fit of all of them lies in between.
+    // The devices differ by 5 %: predicting one from the others is worse than its own fit; a fit of all is between.
     EXPECT_GT(law["loo_objective"], law["objective_converged"]);
     EXPECT_GT(law["lot"]["mean_objective"], law["objective_converged"]);
     EXPECT_GE(law["loo_objective"], law["lot"]["mean_objective"]);
@@ -92,7 +92,7 @@ TEST_F(Analysis, number_of_threads_changes_nothing) {
   EXPECT_EQ(all_rows(path("O/campaign.sqlite")), all_rows(path("P/campaign.sqlite")));
 }
 
-// Stopped in the middle of the analyses.
+// The campaign is stopped in the middle of the analyses.
 TEST_F(Analysis, interrupted_ones_continue_and_end_as_if_never_stopped) {
   auto const analyses = [&] { return stored_rows(path("O/campaign.sqlite"), "device_analysis"); };
   auto process = start(campaign("O", {"--jobs", "1"}));
@@ -158,11 +158,11 @@ TEST_F(Analysis, what_one_block_was_fitted_to_predicts_the_other) {
     EXPECT_EQ(blocks[0]["fitted"], true);
     EXPECT_EQ(blocks[1]["fitted"], false);
   }
-  // The elastic-plastic law of the generator holds at the other amplitude too.
+  // The device that made the record is elastic-plastic, so the law also holds at the other amplitude.
   EXPECT_LT(summary["laws"][0]["predicted_objective"], 0.1);
   EXPECT_EQ(summary["laws"][0]["prediction_collapses"], false);
   EXPECT_TRUE(contains(read("O/tables/prediction.csv"), "bilinear,a,\"block 2, predicted\",the device itself,"));
-  // Who takes the law from there is told.
+  // An export tells its user the same.
   for (auto const* target : {"opensees", "cpp", "opensees-cpp", "abaqus", "sheet", "csv"}) {
     auto const text = isolaw({"export", "O", "--law", "bilinear", "--device", "a", "--to", target}).out;
     for (auto const* part : {"block 1 of the tests alone", "Displacement fitted", "up to 50 mm", "Displacement tested",
@@ -173,7 +173,7 @@ TEST_F(Analysis, what_one_block_was_fitted_to_predicts_the_other) {
   EXPECT_EQ(form["fitted"]["part"], "block 1");
   EXPECT_EQ(form["fitted"]["disp_mm"], 50.0);
   EXPECT_EQ(form["tested"]["disp_mm"], 100.0);
-  // Of the samples that the law was fitted to, and of all: what simulate holds a motion to.
+  // `fitted`: the samples that the law was fitted to; `tested`: all samples. simulate compares a motion with both.
   auto const speed = [](double amplitude_mm) { return amplitude_mm * std::numbers::pi; };
   EXPECT_NEAR(form["fitted"]["velocity_mm_s"].get<double>(), speed(50.0), 0.05 * speed(50.0));
   EXPECT_NEAR(form["tested"]["velocity_mm_s"].get<double>(), speed(100.0), 0.05 * speed(100.0));
@@ -193,7 +193,7 @@ TEST_F(Analysis, what_one_block_was_fitted_to_predicts_the_other) {
                  {"no block of the record is among them", "block 2: cycles 1 to 3"});
 }
 
-// hwang-wu follows the smaller block and runs away beyond: it is not taken from the campaign without a word.
+// hwang-wu follows the smaller block and runs away beyond it: exports refuse it unless asked for anyway.
 TEST_F(Analysis, a_law_that_cannot_predict_is_refused_unless_asked_for_anyway) {
   auto const o = isolaw({"calibrate", "a.csv", "--laws", "bilinear,hwang-wu", "--runs", "1", "--analysis", "none",
                          "--fit-blocks", "1", "--out", "O"});
@@ -215,7 +215,7 @@ TEST_F(Analysis, a_law_that_cannot_predict_is_refused_unless_asked_for_anyway) {
     EXPECT_TRUE(contains(anyway.err, "let through: its prediction is unusable: objective ")) << anyway.err;
     EXPECT_TRUE(contains(anyway.out, "its prediction is unusable: ")) << anyway.out;
   }
-  // And the nearest material is far off, at the amplitude that it was not fitted to.
+  // The nearest material is also far off at the amplitude that was not fitted.
   auto const script = isolaw(commands[0] + Words{"--anyway"});
   EXPECT_TRUE(contains(script.err, "let through: uniaxialMaterial BoucWen"));
   EXPECT_TRUE(contains(script.err, ", the nearest there is, is far off: largest "));
@@ -226,7 +226,7 @@ TEST_F(Analysis, a_law_that_cannot_predict_is_refused_unless_asked_for_anyway) {
   EXPECT_TRUE(form["objection"].get<std::string>().starts_with("its prediction is unusable"));
 }
 
-// What a campaign lacks, and what its search left doubtful, goes with the law.
+// Exports state what the campaign lacks and what its search left doubtful.
 TEST_F(Analysis, exports_say_what_is_known_against_the_law) {
   auto const o = isolaw({"calibrate", "a.csv", "--laws", "bilinear", "--runs", "2", "--analysis", "full",
                          "--replicates", "0", "--set", "bilinear.K1=0.1:1", "--out", "O"});
@@ -242,7 +242,7 @@ TEST_F(Analysis, exports_say_what_is_known_against_the_law) {
   EXPECT_TRUE(contains(simulated.out, "# warning: Bilinear: K1 at its upper bound on a"));
 }
 
-// Runs of the paper's method end above the least objective, which the analysis finds.
+// The paper's method ends above the least objective, which the analysis finds.
 TEST_F(Analysis, of_the_genetic_algorithm_compares_with_the_least_objective) {
   auto const o = isolaw(campaign("O", {"--method", "ga", "--population", "10", "--generations", "5"}));
   ASSERT_EQ(o.code, 0) << o;
@@ -263,7 +263,7 @@ TEST_F(Analysis, devices_are_drawn_from_the_lots_population) {
   EXPECT_EQ(count_of("\n", few.out), 6u);
   EXPECT_TRUE(many.out.starts_with(few.out)) << "a draw depends on its number alone";
   EXPECT_TRUE(contains(few.err, "5 devices of a population estimated from 3"));
-  // The devices differ by one factor on both stiffnesses: so do the drawn ones.
+  // The devices differ by the same factor on both stiffnesses, so the drawn devices do too.
   std::istringstream rows(many.out);
   std::string row;
   std::getline(rows, row);
@@ -282,8 +282,8 @@ TEST_F(Analysis, devices_are_drawn_from_the_lots_population) {
   expect_refused(isolaw({"sample", "O", "--law", "bilinear", "--count", "0"}), {"--count", "1 to 10000000"});
 }
 
-// Where beta1 of vaiana is zero beta2 does not act, and ends anywhere in its box: a lot's population has no scatter of
-// it.
+// With vaiana's beta1 at zero, beta2 has no effect and ends anywhere in its box: a lot's population must not take that
+// for scatter.
 TEST_F(Analysis, of_a_parameter_that_does_not_act_gives_it_no_scatter) {
   ASSERT_EQ(isolaw({"example", "ex"}).code, 0);
   auto const o = isolaw({"calibrate", "ex/lot.toml", "--laws", "vaiana", "--runs", "1", "--analysis", "full",
@@ -310,7 +310,7 @@ TEST_F(Analysis, of_a_parameter_that_does_not_act_gives_it_no_scatter) {
   EXPECT_GE(with_scatter, 4);
 }
 
-// A record that a law made itself: objectives are rounding, and neither the check nor a prediction makes much of that.
+// A law made this record itself, so objectives are only rounding: neither check nor prediction may make much of them.
 TEST_F(Analysis, of_a_record_that_a_law_made_itself) {
   std::string text = "time [s],disp [mm],force [kN]\n";
   double hysteretic = 0.0, before = 0.0;
@@ -334,7 +334,7 @@ TEST_F(Analysis, of_a_record_that_a_law_made_itself) {
                  {"--replicates", "40 to 100000"});
 }
 
-// Laws are not compared over different devices.
+// Laws are only compared if their fits cover the same devices.
 TEST_F(Analysis, what_is_not_complete_gives_no_front) {
   ASSERT_EQ(isolaw(campaign("O")).code, 0);
   sqlite3* db = nullptr;

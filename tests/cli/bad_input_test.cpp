@@ -1,4 +1,4 @@
-// Bad input, each kind by itself: the message says where, what was found, what is allowed and what to try.
+// Each kind of bad input: the message says where, what was found, what is allowed and what to try.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 #include "cli/store.hpp"
@@ -11,8 +11,7 @@ Words const small_into_O{"--laws", "bilinear", "--runs", "1", "--population", "4
 
 class BadInput : public InFreshDirectory {
  protected:
-  // The file alone: inspect and calibrate refuse it with the same message, and nothing that looks like a result is
-  // left.
+  // inspect and calibrate refuse the file with the same message, and leave nothing that looks like a result.
   void expect_refusal(std::string const& file, std::vector<std::string> const& parts, Words const& options = {}) {
     SCOPED_TRACE(file);
     expect_refused(isolaw(Words{"inspect", file} + options), parts);
@@ -337,7 +336,7 @@ TEST_F(BadInput, with_a_sampling_interval_all_laws_run_as_with_a_time_column) {
 
 // --- numerics that do not succeed ----------------------------------------------------------------------------------
 
-// Candidates that fail on the way to a good run are counted and said, in every output.
+// Candidates that fail on the way to a good run are counted, and every output says how many.
 TEST_F(BadInput, parameter_sets_without_a_finite_force_are_counted_and_said) {
   write("a.csv", csv(record()));
   auto const o = isolaw({"calibrate", "a.csv", "--laws", "bouc-wen", "--set", "bouc-wen.beta=-0.05:0.05", "--runs", "2",
@@ -355,7 +354,7 @@ TEST_F(BadInput, parameter_sets_without_a_finite_force_are_counted_and_said) {
 }
 
 TEST_F(BadInput, a_law_without_any_finite_force_is_a_failed_law_not_a_failed_campaign) {
-  // An exponential that overflows.
+  // This exponential overflows.
   write("a.csv", csv(record()));
   auto const o = isolaw({"calibrate", "a.csv", "--laws", "vaiana,bilinear", "--set", "vaiana.beta1+=1", "--set",
                          "vaiana.beta2+=1e9", "--runs", "2", "--population", "8", "--generations", "2", "--out", "O"});

@@ -1,4 +1,4 @@
-// `isolaw building` as a user meets it: template, example, a run from a campaign, what is refused.
+// `isolaw building` as a user meets it: template, example, a study with a campaign's laws, refusals.
 #include <sys/file.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 class Building : public InFreshDirectory {
  protected:
-  // Two blocks of a bilinear device with a little third harmonic.
+  // Two blocks of bilinear devices with a little third harmonic.
   void campaign() {
     double stiffness = 5.0;
     for (auto const* name : {"a.csv", "b.csv", "c.csv"}) {
@@ -73,11 +73,11 @@ TEST_F(Building, from_template_to_verdict) {
   EXPECT_EQ(made.out.find(json["verdict"].get<std::string>()), 0u);
   EXPECT_EQ(json["plan"]["bearings"].size(), 28u);
   EXPECT_EQ(json["laws"][0]["histories"].size(), 7u);
-  // Every quantity that has bounds is held to them; of the others it is said why not.
+  // Quantities with bounds are compared with them; for each of the others the output says why it has none.
   for (auto const& row : json["quantities"])
     EXPECT_NE(row["uncovered"].is_null(), !json["laws"][0]["coverage"]["of"].contains(row["key"])) << row;
   EXPECT_TRUE(json["laws"][0]["coverage"]["of"].contains("roof_acceleration_g"));
-  // No two columns of the table touch.
+  // Columns of the table are separated by blanks.
   for (std::size_t at = made.out.find("\nisolator_mm") + 1, rows = 0; rows < 13; ++rows) {
     auto const line = made.out.substr(at, made.out.find('\n', at) - at);
     std::istringstream cells(line);
@@ -89,7 +89,7 @@ TEST_F(Building, from_template_to_verdict) {
   for (auto const* file : {"tables/building.csv", "tables/coverage.csv", "tables/checks.csv", "tables/building.tex",
                            "figures/building_histograms.gp", "figures/building_variance.dat"})
     EXPECT_GT(read_file(directory() / "B" / file).size(), 100u) << file;
-  // Again: what is stored is not run, and says the same.
+  // The same command again computes nothing and prints the same.
   auto const before = read_file(directory() / "B/building.json");
   EXPECT_EQ(isolaw(command + Words{"--jobs", "3"}).code, 0);
   EXPECT_EQ(isolaw(Words{"building", "case/building.toml", "--from", "lot", "--out", "F", "--figures", "none"}).code,
@@ -110,12 +110,12 @@ TEST_F(Building, from_template_to_verdict) {
   EXPECT_TRUE(contains(nominal.out, "bilinear,motion-7-x,completed,")) << nominal;
   EXPECT_TRUE(contains(read_file(directory() / "N/histories/bilinear-7.csv"), "acceleration_5_y [mm/s2]"));
   EXPECT_FALSE(std::filesystem::exists(directory() / "N/building.sqlite"));
-  // Nothing is made of what is no building.
+  // An input that is no building produces no output.
   write("case/none.toml", text + "\n[[bearing]]\nx_m = 0.0\ny_m = 0.0\nis = \"nobody\"\n");
   expect_refused(isolaw({"building", "case/none.toml", "--from", "lot", "--out", "Z", "--nominal"}),
                  {"no device 'nobody'"});
   EXPECT_FALSE(std::filesystem::exists(directory() / "Z"));
-  // Three places for the three devices that were tested.
+  // Three places, for the three devices that were tested.
   change("along = 7", "along = 3");
   change("across = 4", "across = 1");
   write("case/building.toml", text);
@@ -124,7 +124,7 @@ TEST_F(Building, from_template_to_verdict) {
   EXPECT_TRUE(contains(arranged.out, "eccentricity of stiffness"));
 }
 
-// A study computed in parts and merged is, byte by byte, that of one machine.
+// A study computed in parts and merged equals, byte by byte, one computed on one machine.
 class BuildingParts : public Building {
  protected:
   static constexpr int parts = 5;
@@ -177,7 +177,7 @@ TEST_F(BuildingParts, in_any_order_one_twice_and_one_continued_are_what_one_mach
   // 84 analyses under each of seven motions, in blocks of 16.
   EXPECT_EQ(sizes[0] + sizes[1] + sizes[2] + sizes[3] + sizes[4], 7 * 84);
   EXPECT_LE(std::ranges::max(sizes) - std::ranges::min(sizes), 16 + 16);
-  // Stopped in the middle of its share, and continued by the same command; computed twice, by other threads.
+  // A part that is stopped midway is continued by the same command, here with another number of threads.
   auto const whole = read("P3/building.sqlite");
   change("P3/building.sqlite", "DELETE FROM runs WHERE place BETWEEN 3 AND 40");
   ASSERT_EQ(isolaw(part(3, {"--jobs", "2"})).code, 0);
@@ -265,7 +265,7 @@ TEST_F(BuildingParts, are_named_as_they_may_be_and_know_what_they_are) {
   expect_refused(isolaw(study("P1")), {"P1/building.sqlite", "part 1/5 there, all of it now"});
   expect_refused(isolaw(study("P1", {"--part", "2/5"})), {"part 1/5 there, part 2/5 now"});
   expect_refused(isolaw(study("X", {"--part", "6/5"})), {"--part", "K/N, part K of N"});
-  expect_refused(isolaw(part(1, {"--json"})), {"--json: a part has no answers"});
+  expect_refused_as_object(isolaw(part(1, {"--json"})), {"--json: a part has no answers"});
   ASSERT_EQ(isolaw(study("Y", {"--part", "2/3"})).code, 0);
   expect_refused(isolaw({"merge", "O", "P1", "Y"}), {"Y/building.sqlite: is part 2/3", "parts of one deal"});
   expect_refused(isolaw({"merge", "P1", "Y"}), {"P1/building.sqlite: is part 1/5 itself"});
@@ -276,7 +276,7 @@ TEST_F(BuildingParts, are_named_as_they_may_be_and_know_what_they_are) {
   close(directory);
 }
 
-// --fresh replaces, when all that is to stand there instead was judged and copied.
+// --fresh replaces a store only once everything that takes its place is checked and copied.
 TEST_F(BuildingParts, that_start_over_replace_no_part_and_nothing_whole_by_less) {
   compute({1, 2, 3, 4, 5});
   ASSERT_EQ(isolaw({"merge", "O", "P1", "P2", "P3", "P4", "P5"}).code, 0);
@@ -293,12 +293,12 @@ TEST_F(BuildingParts, that_start_over_replace_no_part_and_nothing_whole_by_less)
   fs::copy(path("P2"), path("X"));
   change("X/building.sqlite", "UPDATE runs SET measured = zeroblob(length(measured))");
   refused({"merge", "O", "P1", "P2", "P3", "P4", "P5", "X"}, {"X/building.sqlite: run ", "--part K/N --fresh"});
-  // Whole, and answered: what was said then is said again.
+  // A complete study that was answered before gives the same answer again.
   auto const answered = isolaw({"merge", "O"});
   expect_message(answered, 0, {"0 runs copied", "were answered: O/building.html"});
   EXPECT_EQ(answered.out, json_text(json, "verdict") + "\n");
   EXPECT_TRUE(isolaw({"merge", "O", "--json"}).out == json + "\n");
-  // What is no store, as a program that was killed may leave it, is; and what was answered before goes with it.
+  // An invalid store, as a killed program may leave it, is replaced, and the former answers are removed with it.
   write("O/building.sqlite", "");
   write("O/building.sqlite.part", "left");
   expect_refused(isolaw({"merge", "O", "P1"}), {"O/building.sqlite", "damaged", "--fresh"});
@@ -341,10 +341,10 @@ TEST_F(BuildingParts, of_a_script_end_as_one_machine_also_after_a_loss) {
     EXPECT_TRUE(contains(slurm.out, part));
 }
 
-// What is said against a law where it was calibrated is said of the building that it carries.
+// Doubts about a law from its calibration are repeated for the building that rests on it.
 TEST_F(Building, carries_the_doubts_of_the_calibration) {
   campaign();
-  // No end of the elastic range within its box: the search stops at a bound, and which is said.
+  // The box excludes the real elastic range: the search ends at a bound, and the output names it.
   ASSERT_EQ(isolaw({"calibrate", "a.csv", "b.csv", "c.csv", "--laws", "bilinear", "--analysis", "full", "--runs", "1",
                     "--replicates", "40", "--set", "bilinear.xy=14:30", "--figures", "none", "--out", "doubtful"})
                 .code,
@@ -366,8 +366,8 @@ TEST_F(Building, carries_the_doubts_of_the_calibration) {
   EXPECT_TRUE(contains(read_file(directory() / "B/building.html"), "xy at its lower bound"));
 }
 
-// As calibrate ends: what is finished is kept, exit code 1, the command that goes on, and the bytes of one that was
-// not.
+// Like calibrate, it keeps what is finished, exits with 1 and prints the command that continues. The result equals that
+// of an uninterrupted study byte by byte.
 TEST_F(BuildingParts, that_are_interrupted_end_as_a_campaign_does) {
   set("draws = 40", "draws = 20000");
   auto const command = study("I", {"--figures", "none"});
@@ -382,8 +382,8 @@ TEST_F(BuildingParts, that_are_interrupted_end_as_a_campaign_does) {
   EXPECT_GT(stored_rows(path("I/building.sqlite"), "runs"), 0);
 }
 
-// A law without a form in the plane stands under a building as springs that were fitted as such, where the campaign has
-// them; as the law's own parameters otherwise, which is said.
+// A law without a form in the plane carries a building as springs around the circle: fitted as springs if the campaign
+// has such fits, otherwise with the law's own parameters, and then the output says so.
 TEST_F(Building, takes_the_springs_that_the_campaign_fitted) {
   campaign();
   Words const fit{"calibrate",  "a.csv", "b.csv",  "c.csv", "--laws",       "bilinear,power-masing",
@@ -416,7 +416,7 @@ TEST_F(Building, takes_the_springs_that_the_campaign_fitted) {
   EXPECT_TRUE(contains(of_fitted["assumed"].dump(), "with parameters fitted as such"));
   EXPECT_NE(of_given["laws"][0]["quantities"]["isolator_mm"]["nominal"],
             of_fitted["laws"][0]["quantities"]["isolator_mm"]["nominal"]);
-  // What is stored: springs no worse than those of the law's parameters, of the law that has no coupled form alone.
+  // The store has springs only for the law without a coupled form, and they fit no worse than the law's own parameters.
   auto const summary = json("W/summary.json");
   EXPECT_EQ(summary["settings"]["bidirectional"], "springs");
   for (auto const& law : summary["laws"])
@@ -427,7 +427,7 @@ TEST_F(Building, takes_the_springs_that_the_campaign_fitted) {
     }
   EXPECT_TRUE(json("G/summary.json")["laws"][1]["devices"][0]["springs_objective"].is_null());
   EXPECT_EQ(isolaw({"check", "W"}).code, 0);
-  // They are used by simulate, of a device and of the lot.
+  // simulate uses them, for a device and for the lot.
   write("m.csv", "time [s],east [mm],north [mm]\n0,0,0\n0.5,20,5\n1,-20,10\n1.5,0,0\n");
   for (auto const* device : {"a", "lot"}) {
     Words const words{"simulate",      "power-masing", "--from",          "W",         "--device",
@@ -438,7 +438,7 @@ TEST_F(Building, takes_the_springs_that_the_campaign_fitted) {
     EXPECT_TRUE(contains(o.err, "as the campaign stored them")) << o;
     EXPECT_NE(o.out, isolaw(words + Words{"--springs", "given"}).out);
   }
-  // Asked for later they come with the analyses, and the store is as if they had been from the start.
+  // Springs requested later come with the analyses; the store equals one that had them from the start.
   expect_message(isolaw(fit + Words{"G", "--bidirectional", "springs"}), 0, {"grows by laws fitted as springs"});
   EXPECT_TRUE(read_file(directory() / "G/campaign.sqlite") == read_file(directory() / "W/campaign.sqlite"));
 }

@@ -1,4 +1,4 @@
-// The main job on the example lot: the files it leaves, the schema of summary.json, and what may not change the
+// calibrate on the example lot: the files it writes, the schema of summary.json, and options that must not change the
 // numbers.
 #include <cmath>
 #include <map>
@@ -38,7 +38,7 @@ void expect_statistic(Json const& statistic) {
   EXPECT_GT(statistic["best"].get<double>(), 0.0);
 }
 
-// What the page says makes the campaign again does, verdicts and bounds included.
+// The command on the page repeats the campaign, including verdicts and bounds.
 TEST_F(Calibrate, the_command_of_the_page_makes_it_again) {
   for (auto const* name : {"device-01.csv", "device-02.csv"})
     fs::copy_file(path("ex") / name, path(name), fs::copy_options::overwrite_existing);
@@ -95,7 +95,7 @@ TEST_F(Calibrate, leaves_every_file_of_a_campaign) {
   for (auto const* key : {"isolaw", "command", "directory", "started", "total_seconds", "threads", "host"})
     EXPECT_TRUE(run.contains(key)) << key;
   EXPECT_TRUE(contains(run["command"].get<std::string>(), "calibrate ex/lot.toml --runs 2"));
-  // No terminal, no progress.
+  // Without a terminal there is no progress line.
   EXPECT_EQ(o.err.find('\r'), std::string::npos);
 }
 
@@ -120,7 +120,7 @@ TEST_F(Calibrate, ranks_every_law_on_the_terminal_best_first) {
   EXPECT_TRUE(contains(o.out, "lower is more accurate"));
 }
 
-// Exactly the keys, their order and types: a script breaks when one goes away, and a new one must be meant.
+// Exactly these keys, order and types: scripts break when a key disappears, and a new key must be intended.
 TEST_F(Calibrate, summary_has_the_documented_schema) {
   ASSERT_EQ(calibrate("O").code, 0);
   auto const s = json("O/summary.json");
@@ -251,14 +251,14 @@ TEST_F(Calibrate, summary_records_the_settings_of_lot_file_and_command_line) {
   EXPECT_EQ(settings["runs"], 2);
   EXPECT_EQ(settings["population"], 20);
   EXPECT_EQ(settings["generations"], 5);
-  EXPECT_EQ(settings["box"], "published");  // of the lot file
-  EXPECT_EQ(settings["smooth"], 5);         // of the lot file
+  EXPECT_EQ(settings["box"], "published");  // from the lot file
+  EXPECT_EQ(settings["smooth"], 5);         // from the lot file
   EXPECT_EQ(settings["set"], Json::array({"bilinear.K2=0.4"}));
   EXPECT_EQ(settings["samples-per-cycle"], "all");
   EXPECT_EQ(settings["center"], true);
 }
 
-// summary.json holds no times: the profile follows it on standard output alone.
+// summary.json contains no times; standard output appends the profile to it.
 TEST_F(Calibrate, json_prints_summary_json_and_the_profile_of_run_json) {
   auto const o = calibrate("O", {"--json"});
   EXPECT_EQ(o.code, 0) << o;
@@ -282,7 +282,7 @@ TEST_F(Calibrate, the_profile_adds_up_to_the_total) {
       sum[key] += phase[key].get<double>();
   }
   EXPECT_EQ(phases, (Words{"read", "search", "determination", "intervals", "lot", "left_out", "report"}));
-  // Threads that start and end are in no phase.
+  // Time for starting and ending threads belongs to no phase.
   double const wall = run["total_seconds"], cpu = run["cpu_seconds"];
   EXPECT_NEAR(sum["wall_seconds"], wall, 0.02 * wall + 2e-3);
   EXPECT_NEAR(sum["cpu_seconds"], cpu, 0.02 * cpu + 5e-3);
@@ -294,8 +294,8 @@ TEST_F(Calibrate, the_profile_adds_up_to_the_total) {
   EXPECT_EQ(run["profile"][1]["evaluations"], evaluations);
 }
 
-// The same blocks at the same cost, but for records, candidates, what else the machine does and blocks that are not
-// full: a factor of its own for each.
+// calibrate and bench run the same blocks at the same cost. Records, candidates, other load of the machine and blocks
+// that are not full change the cost by up to a factor each.
 TEST_F(Calibrate, kernel_seconds_are_what_bench_measures_times_evaluations_times_samples) {
   Words const command{"calibrate",
                       "ex/lot.toml",
@@ -393,7 +393,7 @@ TEST_F(Calibrate, order_of_the_devices_changes_no_devices_result) {
     std::map<std::string, Json> fits;
     for (auto fit : law["devices"]) {
       for (auto& [name, parameter] : fit["parameters"].items())
-        parameter.erase("percent_of_lot");  // sums in another order
+        parameter.erase("percent_of_lot");  // summed in another order
       fits[fit["name"]] = fit;
     }
     return fits;
@@ -420,7 +420,7 @@ TEST_F(Calibrate, a_law_alone_gives_the_same_rows_as_among_all) {
   }
   EXPECT_EQ(json("one/summary.json")["laws"][0], [&] {
     auto law = json("all/summary.json")["laws"][0];
-    law["on_front"] = true;  // nothing else is there to be better
+    law["on_front"] = true;  // it is the only law, so no other is better
     return law;
   }());
 }
@@ -500,8 +500,8 @@ TEST_F(Calibrate, one_device_has_no_robustness_and_says_so) {
 }
 
 TEST_F(Calibrate, bilinear_device_is_identified_by_the_bilinear_law) {
-  // K2 0.5 kN/mm, Qd 20 kN, xy 10 mm: K1 = 0.5 + 20 / 10 = 2.5 kN/mm, a bilinear loop but for the first branch's
-  // corner.
+  // K2 0.5 kN/mm, Qd 20 kN, xy 10 mm: K1 = 0.5 + 20 / 10 = 2.5 kN/mm. The loop is bilinear except for the corner of the
+  // first branch.
   write("one.csv", csv(record()));
   auto const o = isolaw({"calibrate", "one.csv", "--laws", "bilinear", "--runs", "2", "--population", "100",
                          "--generations", "50", "--out", "O"});

@@ -1,4 +1,4 @@
-// `isolaw check`: a store that was changed after the program wrote it is found out.
+// `isolaw check` detects a store that was changed after the program wrote it.
 #include <sys/stat.h>
 
 #include "cli/records.hpp"
@@ -139,7 +139,7 @@ TEST_F(CheckOfDefaultSearch, what_was_changed_is_found) {
   }
 }
 
-// What is read over, or read as something else, is found out by writing again what was read.
+// check writes again what it read: rows that the reader ignores or misreads then show as a difference.
 TEST_F(Check, rows_that_belong_to_nothing) {
   auto const sound = read("O/campaign.sqlite");
   struct Addition {
@@ -168,7 +168,7 @@ TEST_F(Check, what_isolaw_does_not_make_is_refused) {
        {"CREATE TABLE extra (x)", "CREATE VIEW extra AS SELECT 1", "CREATE INDEX extra ON run (objective)",
         "CREATE TRIGGER extra AFTER INSERT ON run BEGIN DELETE FROM run_parameter; END"}) {
     write("O/campaign.sqlite", sound);
-    // So that there is a change to count.
+    // The update gives the change counter something to count.
     change(std::string(sql) + "; UPDATE meta SET value = value WHERE key = 'title'");
     SCOPED_TRACE(sql);
     expect_damaged("it holds 'extra', which isolaw does not make");
@@ -183,7 +183,7 @@ TEST_F(Check, removed_runs_are_missing_and_the_reports_tell_of_them) {
   for (auto const* part : {"7 of 8 runs", "not complete: 1 runs are missing", "20 files beside it compared",
                            "fault: summary.json is not what the store gives", "fault: report.html is not"})
     EXPECT_TRUE(contains(o.out, part));
-  // The report of what is there tells of it, and is then what the store gives.
+  // report describes the incomplete store, and its output then agrees with the store.
   auto const report = isolaw({"report", "O"});
   EXPECT_EQ(report.code, 1) << report;
   EXPECT_TRUE(contains(report.out, "not complete: 7 of 8 runs are there"));
@@ -205,7 +205,7 @@ TEST_F(Check, reports_made_before_the_last_runs_are_out_of_date_and_no_fault) {
   auto const o = isolaw({"check", "O"});
   EXPECT_EQ(o.code, 1) << o;
   EXPECT_TRUE(contains(o.out, "O/campaign.sqlite: sound"));
-  EXPECT_TRUE(contains(o.out, "made before the last 4 runs; isolaw report O makes them again"));
+  EXPECT_TRUE(contains(o.out, "written before the last 4 runs; isolaw report O writes them again"));
   EXPECT_EQ(isolaw({"report", "O"}).code, 0);
   EXPECT_EQ(isolaw({"check", "O"}).code, 0);
 }
@@ -223,7 +223,7 @@ TEST_F(Check, a_report_can_go_elsewhere_and_is_printed_where_it_cannot_be_writte
   }
 }
 
-// A pipe would be waited for, for ever.
+// Opening a pipe would wait for ever.
 TEST_F(Check, a_pipe_in_place_of_the_store_is_refused_at_once) {
   write("taken.csv", csv(record()));
   for (auto const* suffix : {"", "-wal", "-journal"}) {
@@ -244,7 +244,7 @@ TEST_F(Check, a_pipe_in_place_of_the_store_is_refused_at_once) {
 
 TEST_F(Check, an_edited_output) {
   write("O/summary.json", read("O/summary.json") + "\n");
-  expect_fault("summary.json is not what the store gives; isolaw report O makes it again");
+  expect_fault("summary.json is not what the store gives; isolaw report O writes it again");
 }
 
 TEST_F(Check, what_readers_rely_on_is_refused_by_all_commands) {
@@ -282,17 +282,17 @@ TEST_F(Check, a_directory_without_a_campaign) {
   expect_refused(isolaw({"check", "nowhere"}), {"nowhere/campaign.sqlite", "no such file", "isolaw calibrate"});
 }
 
-// Finite in one step a sample, not in finer ones: a result of the steps, which must not cost the campaign.
+// The force is finite in one step per sample but overflows in finer ones. The campaign must survive that.
 class Overflow : public InFreshDirectory {
  protected:
-  // The default search of what is left free.
+  // The default search for the parameters that are not fixed.
   Words campaign(Words const& more = {}) const {
     Words words{"calibrate", "a.csv", "--laws", "bilinear,hwang-wu", "--samples-per-cycle", "20", "--runs",
                 "1",         "--out", "O"};
     for (auto const* value : {"a6=-20000", "a7=4"}) words = words + Words{"--set", fmt::format("hwang-wu.{}", value)};
     return words + more;
   }
-  // The two that overflow with the others free.
+  // These two values, with the other parameters free, overflow.
   Words overflowing(Words const& more = {}) const {
     return campaign(Words{"--set", "hwang-wu.a8=50", "--set", "hwang-wu.a10=-2.3928e-7"} + more);
   }
@@ -323,7 +323,7 @@ TEST_F(Overflow, of_parameters_that_are_all_fixed) {
                            "hwang-wu.a9=-1e-7", "--set", "hwang-wu.a10=-7.1e-7"}));
 }
 
-// Steps are the samples in the paper's integration, and are not refined: the result stands, and is warned of.
+// The paper's integration never refines its steps, one per sample: the result is kept, with a warning.
 TEST_F(Overflow, is_warned_of_where_the_steps_are_given) {
   auto const o = isolaw(overflowing({"--method", "ga", "--population", "40", "--generations", "20"}));
   ASSERT_EQ(o.code, 0) << o;

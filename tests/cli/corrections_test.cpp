@@ -1,5 +1,5 @@
-// Corrections of what a rig does to the force: a record disturbed by a known amount gives back the properties of the
-// undisturbed one, through every command, and says that it was corrected.
+// Corrections for what a rig does to the force: from a record with a known disturbance every command recovers the
+// properties of the undisturbed one, and says that it corrected.
 #include "cli/loops.hpp"
 #include "cli/records.hpp"
 #include "cli/run.hpp"
@@ -11,12 +11,12 @@ namespace {
 constexpr double amplitude_mm = 100.0, frequency_Hz = 0.5, interval_s = 0.005, load_kN = 2000.0;
 constexpr double omega = 2.0 * std::numbers::pi * frequency_Hz;
 
-// How the rig disturbs the force.
+// The rig's disturbances of the force.
 struct Rig {
   double late_s = 0.0, friction_kN = 0.0, mass_kg = 0.0, factor = 1.0;
 };
 
-// A viscous device, F = 0.8 x + 0.02 v, whose force is known at any time: four and a half cycles, a load of 2000 kN.
+// A viscous device, F = 0.8 x + 0.02 v, with known force at any time: four and a half cycles, vertical load 2000 kN.
 std::string rig_record(Rig const& rig) {
   std::string text = "time [s],displacement [mm],force [kN],vertical load [kN]\n";
   for (int i = 0; i <= 1800; ++i) {
@@ -59,14 +59,14 @@ class Corrections : public InFreshDirectory {
     EXPECT_EQ(o.code, 0) << o;
     return Json::parse(o.out);
   }
-  // K_eff = 0.8 kN/mm, energy = pi c omega D^2: within a fortieth of the least disturbance.
+  // K_eff = 0.8 kN/mm and energy = pi c omega D^2, to within a fortieth of the least disturbance.
   static void expect_device(Json const& device) {
     auto const& cycle = cycle_of(device, 1, 2);
     double const energy = std::numbers::pi * 0.02 * omega * amplitude_mm * amplitude_mm;
     EXPECT_NEAR(cycle["K_eff_kN_per_mm"].get<double>(), 0.8, 0.001);
     EXPECT_NEAR(cycle["energy_kN_mm"].get<double>(), energy, 0.001 * energy);
   }
-  // By 4 % or more, one of the two.
+  // At least one of the two properties is off by 4 % or more.
   static void expect_disturbed(Json const& device) {
     auto const& cycle = cycle_of(device, 1, 2);
     double const energy = std::numbers::pi * 0.02 * omega * amplitude_mm * amplitude_mm;
@@ -146,7 +146,7 @@ TEST_F(Corrections, the_lot_file_has_the_same_keys_for_all_devices_and_for_one) 
     expect_disturbed(found["devices"][1]);
     EXPECT_TRUE(found["devices"][1]["corrections"].empty());
   }
-  // A device's own key wins over [read], the command line over both.
+  // A device's own key overrides [read]; the command line overrides both.
   write("double.csv", rig_record({.factor = 2.0}));
   write("fourfold.csv", rig_record({.factor = 4.0}));
   write("lot.toml",
@@ -164,7 +164,7 @@ TEST_F(Corrections, several_are_made_together) {
   auto const device =
       inspected({"rig.csv", "--skew-ms", "10", "--moving-mass", "6000", "--force-factor", "0.5"});  // as the cell feels
   EXPECT_EQ(device["corrections"].size(), 3u);
-  // The inertia is not late, and is moved forward with the rest: 10 ms of 0.03 kN/mm, omega dt of it in phase.
+  // Inertia is not late, but is moved forward with the rest: 10 ms of 0.03 kN/mm put omega dt of it in phase.
   auto const& cycle = cycle_of(device, 1, 2);
   EXPECT_NEAR(cycle["K_eff_kN_per_mm"].get<double>(), 0.8, 0.002);
 }
@@ -174,7 +174,7 @@ TEST_F(Corrections, wrong_values_are_refused_with_what_is_allowed) {
   expect_refused(isolaw({"inspect", "rig.csv", "--skew-ms", "1500"}), {"--skew-ms: 1500 ms", "-1000 to 1000 ms"});
   expect_refused(isolaw({"inspect", "rig.csv", "--rig-friction", "-1"}), {"--rig-friction: -1 kN", "0 to 100000 kN"});
   expect_refused(isolaw({"inspect", "rig.csv", "--rig-friction-coefficient", "0.5"}), {"0.5", "0 to 0.2"});
-  expect_refused(isolaw({"inspect", "rig.csv", "--moving-mass", "x"}), {"--moving-mass: 'x' is no number"});
+  expect_refused(isolaw({"inspect", "rig.csv", "--moving-mass", "x"}), {"--moving-mass: 'x' is not a number"});
   expect_refused(isolaw({"inspect", "rig.csv", "--force-factor", "-1"}), {"--force-factor: -1", "--flip-force"});
   expect_refused(isolaw({"init", "rig.csv", "--rig-friction", "1", "--rig-friction-coefficient", "0.01"}),
                  {"--rig-friction: given with --rig-friction-coefficient", "one of the two"});

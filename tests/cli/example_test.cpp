@@ -1,4 +1,4 @@
-// `isolaw example`, and `inspect` and `init` on its ten dialects of delimited text.
+// `isolaw example`, and what `inspect` and `init` make of its ten dialects of delimited text.
 #include <array>
 #include <cmath>
 
@@ -48,7 +48,7 @@ TEST_F(Example, second_call_leaves_everything_as_it_is) {
 
 TEST_F(Example, does_not_overwrite_a_changed_file) {
   write("ex/device-03.txt", "mine");
-  expect_refused(isolaw({"example", "ex"}), {"ex/device-03.txt", "another content", "empty directory"});
+  expect_refused(isolaw({"example", "ex"}), {"ex/device-03.txt", "with other content", "empty directory"});
   EXPECT_EQ(read("ex/device-03.txt"), "mine");
 }
 
@@ -65,9 +65,9 @@ TEST_F(Example, is_the_folder_that_the_repository_carries) {
     EXPECT_EQ(read_file(entry.path()), read_file(committed / entry.path().filename())) << entry.path().filename();
 }
 
-// What a device's file says in its own dialect: column of each channel (1-based) and units.
+// The expected reading of a device's file: the columns (from 1) and units of its channels.
 struct Dialect {
-  char const* sentence;              // part of what inspect recognises
+  char const* sentence;              // part of a sentence under "recognised"
   std::array<char const*, 3> units;  // time, displacement, force
   int first_column = 1;
   int first_line = 2;
@@ -128,7 +128,7 @@ TEST_F(Example, inspect_as_json_agrees_between_dialects) {
     for (auto const& cycle : found["blocks"][0]["cycles"]) {
       EXPECT_EQ(cycle["number"], ++number);
       EXPECT_EQ(cycle["counts"], true);
-      // +-208 mm with a tremor of 0.1 mm and noise of 0.02 mm; stiffness and damping of the paper's lot.
+      // +-208 mm with a tremor of 0.1 mm and noise of 0.02 mm; stiffness and damping as in the paper's lot.
       EXPECT_NEAR(cycle["amplitude_mm"].get<double>(), 208.0, 0.3);
       EXPECT_GT(cycle["K_eff_kN_per_mm"].get<double>(), 0.5);
       EXPECT_LT(cycle["K_eff_kN_per_mm"].get<double>(), 0.8);
@@ -156,7 +156,7 @@ TEST_F(Example, init_writes_a_lot_file_that_calibrate_takes) {
   ASSERT_EQ(summary["devices"].size(), 10u);
   for (auto const& device : summary["devices"]) EXPECT_EQ(device["status"], "ok") << device;
 
-  // Read through the lot file the records are the same as when named directly.
+  // Records read through the lot file equal those named on the command line.
   auto const direct =
       isolaw(Words{"calibrate"} + all_records() +
              Words{"--laws", "bilinear", "--runs", "1", "--population", "4", "--generations", "2", "--out", "P"});

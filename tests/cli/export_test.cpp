@@ -1,4 +1,4 @@
-// isolaw export: every law to every target, what is asked for wrongly, and that the store alone decides.
+// isolaw export: every law to every target, wrong requests, and that exports depend on the store alone.
 #include <fmt/format.h>
 
 #include <cctype>
@@ -27,7 +27,7 @@ std::string loops(double stiffness) {
   return text;
 }
 
-// The numbers behind the last comma of each line.
+// The number after the last comma of each line.
 std::vector<double> last_column(std::string const& csv) {
   std::vector<double> made;
   std::istringstream lines(csv);
@@ -52,7 +52,7 @@ class Export : public InFreshDirectory {
   }
 };
 
-// Of a law by its own numbers: limit curves fitted without ties are two sets, which no program has.
+// Fidelity by the law's fitted values: untied limit curves form two sets, which no other program supports.
 std::string expected_fidelity(laws::LawEntry const& law, Json const& exported) {
   std::vector<double> values;
   for (auto const& parameter : exported["parameters"]) values.push_back(parameter["value"]);
@@ -62,7 +62,7 @@ std::string expected_fidelity(laws::LawEntry const& law, Json const& exported) {
   return std::holds_alternative<laws::BoucWenForm>(form) ? "exact as the step goes to zero" : "exact";
 }
 
-// Whoever takes a law away hears what its devices did not keep, in the file and on the terminal.
+// Exports and simulate warn, in the file and on the terminal, that a law's devices failed the rules.
 TEST_F(Export, and_simulate_say_that_the_rule_set_is_not_kept_and_who_was_refused) {
   write("c.csv", "time [s],disp [mm],force [kN]\n0,1,2\n1,1,2\n2,1,2\n");
   auto const made = isolaw(Words{"calibrate", "a.csv", "b.csv", "c.csv", "--laws", "bilinear", "--runs", "1",
@@ -108,12 +108,13 @@ TEST_F(Export, gives_every_law_to_every_target) {
       SCOPED_TRACE(law + " " + to);
       auto const o = exported(law, "a", to, Words{"--anyway"} + needed_by(target, path(".")));
       ASSERT_EQ(o.code, 0) << o;
-      // Searched once on a coarse record, some lie at bounds, and some stand-ins are far off away from the tests.
+      // After one short search on a coarse record some parameters lie at bounds and some stand-ins are far off.
       std::istringstream said(o.err);
       for (std::string line; std::getline(said, line);)
         EXPECT_TRUE(line.starts_with("warning: ") || line.starts_with("let through: ")) << line;
       EXPECT_TRUE(contains(o.out, law));
       EXPECT_TRUE(contains(o.out, to == "json" ? "\"tested\"" : "Displacement tested"));
+      EXPECT_EQ(contains(o.out, "MIT-0"), to != "json");
       if (to == "json") {
         EXPECT_EQ(exported(law, "a", to).out, o.out);
         auto const j = Json::parse(o.out);
@@ -131,7 +132,7 @@ TEST_F(Export, gives_every_law_to_every_target) {
         EXPECT_TRUE(contains(o.out, "Fidelity: "));
       }
       if (to == "csv" && entry.info.traits.rate_independent) {
-        // Read as a motion by another way in, the file gives its own force; other laws would need its velocities.
+        // Read back as a motion, the file gives its own forces; rate-dependent laws would also need its velocities.
         write("protocol.csv", exported(law, "a", to, {"--units", "kip-in"}).out);
         auto const again = isolaw({"simulate", law, "--from", "C", "--device", "a", "--motion", "protocol.csv",
                                    "--turning-points", "sampled"});
@@ -164,7 +165,7 @@ TEST_F(Export, reads_the_store_alone_and_writes_files) {
   EXPECT_EQ(read("b.tcl"), before.out);
 }
 
-// Without time there are no seconds to speak of.
+// A record without time must not lead to any statement in seconds.
 TEST_F(Export, of_a_record_without_time_counts_samples) {
   std::string without;
   std::istringstream lines(loops(1.0));
@@ -186,7 +187,7 @@ TEST_F(Export, of_the_lot_needs_its_one_law) {
   ASSERT_EQ(o.code, 0) << o;
   auto const j = Json::parse(o.out);
   EXPECT_EQ(j["of_the_lot"], true);
-  // The lot's law is between its devices', and its bounds are about it.
+  // The lot's law lies between those of its devices, and the bounds lie on both sides of it.
   auto const K2_of = [&](std::string const& device) {
     return Json::parse(exported("bilinear", device, "json").out)["parameters"][1]["value"].get<double>();
   };
@@ -197,7 +198,7 @@ TEST_F(Export, of_the_lot_needs_its_one_law) {
   EXPECT_GT(j["bounds"]["upper"]["force"], 1.0);
 }
 
-// "K_d", "contract band": column `name` of tables/lambda.csv.
+// Reads lambda of a property ("K_d") and source ("contract band") from the column `name` of tables/lambda.csv.
 double lambda_of(std::string const& table, std::string const& property, std::string const& source,
                  std::string const& name) {
   std::istringstream lines(table);
@@ -231,21 +232,21 @@ TEST_F(Export, takes_bounds_from_the_rule_set) {
   auto const table = read("C/tables/lambda.csv");
   for (auto const& [key, property] : {std::pair{"stiffness", "K_d"}, {"strength", "Q_d"}})
     for (auto const& [side, column] : {std::pair{"lower", "lambda min"}, {"upper", "lambda max"}}) {
-      // The bound is of the lot, so that its factors on the two devices, of values v and 1.1 v about the mean 1.05 v,
-      // are lambda times 1.05 and 1.05 / 1.1.
+      // The bound belongs to the lot: for two devices with values v and 1.1 v, mean 1.05 v, the factors are lambda
+      // times 1.05 and 1.05 / 1.1.
       double const lambda = lambda_of(table, property, "contract band", column);
       EXPECT_NEAR(a[side][key].get<double>(), 1.05 * lambda, 0.002 * lambda) << property << " " << side;
       EXPECT_NEAR(b[side][key].get<double>(), 1.05 / 1.1 * lambda, 0.002 * lambda) << property << " " << side;
     }
-  // Between its parts' factors, by their shares.
+  // The factor on the force is a mean of the two parts' factors, weighted by their shares.
   EXPECT_GE(a["upper"]["force"], std::min(a["upper"]["stiffness"], a["upper"]["strength"]));
   EXPECT_LE(a["upper"]["force"], std::max(a["upper"]["stiffness"], a["upper"]["strength"]));
-  // Asked for at the export, a set leaves the store as it is.
+  // A rule set named in the export command does not change the store.
   EXPECT_TRUE(contains(of("a", {"--rules", "aashto"})["source"].get<std::string>(), "aashto"));
   EXPECT_EQ(of("a"), a);
 }
 
-// The export of a general vaiana says what would make it exact; this is that.
+// The export of a general vaiana says which ties would make it exact; here they are set.
 TEST_F(Export, of_vaiana_with_equal_branches_is_exact) {
   Words ties;
   for (std::string const name : {"Kb", "f0", "alpha", "beta1", "beta2"})
@@ -254,7 +255,7 @@ TEST_F(Export, of_vaiana_with_equal_branches_is_exact) {
   auto const hardening = Json::parse(exported("vaiana", "a", "json").out);
   EXPECT_EQ(hardening["fidelity"], "exact") << hardening["explanation"] << hardening["refused"];
   EXPECT_LT(hardening["forms"][0]["from_law"]["largest_percent_of_peak"], 1e-7);
-  // In a Multiplier; where it softens, two in Parallel.
+  // Hardening needs one Multiplier, softening two materials in Parallel.
   double beta1 = 0.0;
   for (auto const& parameter : hardening["parameters"])
     if (parameter["name"] == "beta1+") beta1 = parameter["value"];
@@ -276,7 +277,7 @@ TEST_F(Export, says_what_there_is_when_asked_wrongly) {
 }
 
 TEST_F(Export, of_a_law_without_result_says_why) {
-  // Without time a law that depends on velocity has none.
+  // A law that depends on velocity has no result for a record without time.
   auto text = loops(1.0);
   std::string without_time = "disp [mm],force [kN]\n";
   std::istringstream lines(text.substr(text.find('\n') + 1));
@@ -303,7 +304,7 @@ TEST_F(Export, of_devices_with_hostile_names_stays_a_comment) {
     std::istringstream lines(o.out);
     bool const is_cpp = to == "cpp" || to == "opensees-cpp" || to == "abaqus";
     for (std::string line; std::getline(lines, line);) {
-      // Macros of C++ go on, nothing that is said does.
+      // C++ macros may continue on the next line, comments may not.
       if (!is_cpp || line.starts_with("//")) {
         EXPECT_FALSE(line.ends_with("\\")) << line;
       }
@@ -312,7 +313,7 @@ TEST_F(Export, of_devices_with_hostile_names_stays_a_comment) {
       EXPECT_EQ(line.find_first_of("[]{}$`\"\\"), std::string::npos) << line;
     }
   }
-  // JSON keeps the name.
+  // JSON keeps the name unchanged.
   EXPECT_EQ(Json::parse(exported("bilinear", "x\"\"\"; } {$a`b` [exec touch HACKED] \\", "json").out)["device"],
             "x\"\"\"; } {$a`b` [exec touch HACKED] \\");
 }

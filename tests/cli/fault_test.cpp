@@ -1,5 +1,5 @@
-// Whatever goes wrong while files are written: afterwards the same command ends as if nothing had happened.
-// ISOLAW_FAULTS=all tries every operation of every kind of fault, ISOLAW_KILLS=n that many kills at random moments.
+// After any failure to write files, the same command ends as if nothing had happened. ISOLAW_FAULTS=all tries every
+// operation of every kind of fault, ISOLAW_KILLS=n that many kills at random moments.
 #include <cstdlib>
 #include <random>
 
@@ -22,7 +22,7 @@ class Fault : public InFreshDirectory {
     write("a.csv", csv(record()));
     write("b.csv", csv(record({.amplitude_mm = 90.0})));
   }
-  // One thread: the same operations in the same order each time.
+  // One thread performs the same operations in the same order each time.
   Words campaign(Words const& more = {}) const {
     return Words{"calibrate", "a.csv", "b.csv", "--laws", "bilinear", "--runs", "3", "--out", "O"} + more;
   }
@@ -44,7 +44,7 @@ class Fault : public InFreshDirectory {
     bool operator==(Results const&) const = default;
   };
   Results results() const { return {read("O/summary.json"), all_rows(path("O/campaign.sqlite"))}; }
-  // The same command without the fault finishes, and nothing tells the results from those of an undisturbed campaign.
+  // The same command without the fault finishes, with the results of an undisturbed campaign.
   void expect_mended(Words const& command, Results const& expected, std::string const& after) {
     auto const o = isolaw(command);
     ASSERT_EQ(o.code, 0) << after << '\n' << o;
@@ -55,7 +55,7 @@ class Fault : public InFreshDirectory {
           << name << " is left, " << after;
     }
   }
-  // A campaign killed while runs were in its log and not yet in the store.
+  // Kills a campaign while runs are in its log and not yet in the store.
   bool killed_with_log() {
     for (long at = operations(campaign({"--jobs", "1"})) - 20; at > 0; at -= 5) {
       fs::remove_all(path("O"));
@@ -66,8 +66,8 @@ class Fault : public InFreshDirectory {
     }
     return false;
   }
-  // Starting over from the campaign in `former`, seed 1, killed before operation `at`: what is there then, and that it
-  // goes on. Nothing when there are fewer operations.
+  // Starts over (--fresh) from the campaign in `former`, whose seed is 1, and kills it before operation `at`. Returns
+  // which store is there, after checking that it continues; `nothing` if there are fewer operations.
   enum class Left { former, replaced, nothing };
   Left left_of(std::string const& former, long at) {
     SCOPED_TRACE(fmt::format("killed before operation {}", at));
@@ -89,7 +89,7 @@ class Fault : public InFreshDirectory {
     EXPECT_EQ(check.code, 0) << check;
     return replaced ? Left::replaced : Left::former;
   }
-  // At moments over all of it, and at every one around the exchange.
+  // Tries moments over the whole run, and every operation around the exchange of the stores.
   void expect_one_of_both(std::string const& former) {
     constexpr long stride = 10, around = 20;
     long at = 1;
@@ -100,7 +100,7 @@ class Fault : public InFreshDirectory {
     while (!HasFailure() && left_of(former, at) == Left::replaced) at += stride;
     EXPECT_EQ(left_of(former, at), Left::nothing);
   }
-  // Faults of one kind at operations over the whole campaign; how many were tried.
+  // Tries faults of one kind at operations spread over the campaign, and returns how many.
   int try_all(std::string const& mode, Words const& command) {
     long const count = operations(command);
     EXPECT_GT(count, 50) << "the library that makes faults does not see what the program writes";
@@ -116,7 +116,7 @@ class Fault : public InFreshDirectory {
       bool const killed = mode == "kill" || mode == "torn";
       if (killed) {
         EXPECT_EQ(o.code, 128 + SIGKILL) << after << '\n' << o;
-      } else if (o.code == 0) {  // where the fault did no harm, the results are whole
+      } else if (o.code == 0) {  // the fault did no harm, so the results are complete
         EXPECT_TRUE(results() == expected) << after;
       } else {
         EXPECT_EQ(o.code, 2) << after << '\n' << o;
@@ -146,7 +146,7 @@ TEST_F(Fault, a_kill_in_the_middle_of_a_write) {
   EXPECT_GE(try_all("torn", campaign({"--jobs", "1"})), 12);
 }
 
-// What was there before --fresh is lost only once the new store is whole.
+// --fresh removes the former campaign only when the new store is complete.
 TEST_F(Fault, a_full_disk_does_not_cost_the_campaign_that_was_to_be_replaced) {
   ASSERT_EQ(isolaw(campaign()).code, 0);
   auto const before = all_rows(path("O/campaign.sqlite"));
@@ -155,15 +155,15 @@ TEST_F(Fault, a_full_disk_does_not_cost_the_campaign_that_was_to_be_replaced) {
   EXPECT_TRUE(all_rows(path("O/campaign.sqlite")) == before);
 }
 
-// Killed at any operation of starting over: the former store or the new one, never neither, and never reports of the
-// former one beside the new one.
+// A kill at any operation of starting over leaves the former store or the new one, never neither, and never reports of
+// the former one beside the new one.
 TEST_F(Fault, a_kill_while_starting_over_leaves_one_of_both) {
   ASSERT_EQ(isolaw(campaign()).code, 0);
   fs::copy(path("O"), path("former"), fs::copy_options::recursive);
   expect_one_of_both("former");
 }
 
-// A log of a killed store must neither be applied to the one that replaces it nor be left beside it.
+// The log of a killed store must not be applied to the store that replaces it, nor be left beside it.
 TEST_F(Fault, starting_over_does_not_take_the_former_log_for_its_own) {
   ASSERT_TRUE(killed_with_log()) << "no kill left a log";
   fs::copy(path("O"), path("former"), fs::copy_options::recursive);
@@ -174,7 +174,7 @@ TEST_F(Fault, starting_over_does_not_take_the_former_log_for_its_own) {
   expect_one_of_both("former");
 }
 
-// By someone who cannot write there, where SQLite cannot make what it needs to read a log.
+// A user without write permission: SQLite cannot create the files that it needs to read a log.
 TEST_F(Fault, a_killed_store_read_by_another_says_what_to_do) {
   ASSERT_TRUE(killed_with_log()) << "no kill left a log";
   fs::remove(path("O/campaign.sqlite-shm"));
@@ -192,7 +192,7 @@ TEST_F(Fault, the_message_says_what_is_kept_and_how_to_go_on) {
                   "continue with: ", "calibrate a.csv b.csv --laws bilinear", "database or disk is full"});
 }
 
-// Killed again and again, at whatever it was doing, until it gets through.
+// The campaign is killed again and again at random moments, until it gets through.
 TEST_F(Fault, a_campaign_killed_again_and_again_ends_like_one_that_was_not) {
   Words const command{"calibrate", "a.csv", "b.csv", "--laws", "bilinear,hwang-wu", "--runs", "6",
                       "--jobs",    "2",     "--out", "O"};
@@ -201,7 +201,7 @@ TEST_F(Fault, a_campaign_killed_again_and_again_ends_like_one_that_was_not) {
   auto const whole_time = std::chrono::steady_clock::now() - begin;
   auto const expected = results();
   int const wanted = from_environment("ISOLAW_KILLS", 8);
-  std::mt19937 random(20230511);  // the moments differ from run to run anyway, with the machine's load
+  std::mt19937 random(20230511);  // the moments vary with the machine's load anyway
   int kills = 0, campaigns = 0;
   while (kills < wanted && !HasFatalFailure()) {
     fs::remove_all(path("O"));
@@ -233,7 +233,7 @@ TEST_F(Fault, a_second_process_in_one_directory_is_refused) {
   EXPECT_EQ(first.wait().code, 1) << "the second process disturbed the first";
 }
 
-// The report reads the store; on read-only media it still prints, and it changes no byte of the store.
+// report reads the store: on read-only media it still prints, and it never changes a byte of the store.
 TEST_F(Fault, reading_leaves_the_store_as_it_is) {
   ASSERT_EQ(isolaw(campaign()).code, 0);
   auto const bytes = read("O/campaign.sqlite");
@@ -243,7 +243,7 @@ TEST_F(Fault, reading_leaves_the_store_as_it_is) {
   EXPECT_TRUE(contains(o.out, "O/campaign.sqlite: sound"));
   EXPECT_EQ(isolaw(campaign()).code, 0);
   EXPECT_EQ(read("O/campaign.sqlite"), bytes);
-  // Nothing may be made beside it either.
+  // No file may be created beside the store either.
   auto const readonly = with_fault("readonly", 1, {"check", "O"});
   EXPECT_EQ(readonly.code, 0) << readonly;
   EXPECT_EQ(read("count"), "0\n");

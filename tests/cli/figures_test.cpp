@@ -1,4 +1,4 @@
-// Figures as a user meets them: drawn by default, made again from the store, never in the way.
+// Figures for the user: drawn by default, drawn again from the store, and never an obstacle to the rest.
 #include "records.hpp"
 #include "run.hpp"
 
@@ -62,7 +62,7 @@ TEST_F(Figures, ReportMakesThemFromTheStore) {
   EXPECT_TRUE(exists("R/figures/loops_D1_bilinear.dat"));
   EXPECT_TRUE(exists("R/figures/record_D2.dat"));
   ASSERT_EQ(start({"report", "R", "--figures", "lot"}, {gnuplot_hidden()}).wait().code, 0);
-  EXPECT_FALSE(exists("R/figures/record_D2.dat"));  // only those that were asked for
+  EXPECT_FALSE(exists("R/figures/record_D2.dat"));  // only the requested figures
 }
 
 TEST_F(Figures, OfAnotherCampaignGoWithIt) {

@@ -1,4 +1,4 @@
-// Small things that a person met who saw the program for the first time: input that is let through or quoted oddly.
+// Small findings of a first-time user: input that was accepted without a word, or quoted oddly.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 
@@ -37,7 +37,7 @@ TEST_F(SmallThings, init_leaves_out_a_date_or_a_temperature_that_is_none_and_say
   EXPECT_TRUE(contains(text, "-100 to 200")) << text;
 }
 
-// Devices are named after files; what init writes is read, and what cannot be written says why.
+// Devices are named after files. isolaw reads what init writes, and explains which names cannot be written.
 TEST_F(SmallThings, init_writes_names_that_lot_files_allow) {
   for (auto const* file : {" lead.csv", "trail .csv"}) {
     write(file, csv(record()));
@@ -56,7 +56,7 @@ TEST_F(SmallThings, init_writes_names_that_lot_files_allow) {
   write(turned, csv(record()));
   expect_refused(isolaw({"init", turned, "--force"}),
                  {"r\\u202el.csv: a file name that no lot file can hold: it has control characters, marks that turn",
-                  "try: rename the file; without a lot file it is read as it is named"});
+                  "try: rename the file, or calibrate it without a lot file"});
   EXPECT_EQ(isolaw({"inspect", turned}).code, 0);
 }
 
@@ -105,7 +105,7 @@ TEST_F(SmallThings, one_thing_is_not_several) {
 }
 
 TEST_F(SmallThings, messages_say_the_programs_name_once_and_break_no_line) {
-  expect_refused(isolaw({}), {"isolaw: a subcommand is required"});
+  expect_refused(isolaw({}), {"isolaw: no command given"});
   expect_refused(isolaw({"frobnicate"}), {"isolaw: frobnicate: no such command"});
   write("bad.csv", "time [s],displacement [mm],force [kN]\n0,1,x\n1,y,3\n2,3,4\n3,4,5\n4,5,6\n5,6,7\n6,7,8\n7,8,9\n");
   auto const o = isolaw({"inspect", "a.csv", "bad.csv"});
@@ -148,7 +148,7 @@ TEST_F(SmallThings, days_under_a_name_with_seconds_are_remarked) {
               Json::parse(isolaw({"inspect", "--json", "a.csv"}).out)["blocks"][0]["frequency_Hz"].get<double>(), 1e-3);
 }
 
-// Force without any stiffness: what damping relates the energy to is rounding.
+// For a force without stiffness, the denominator of damping is only rounding.
 TEST_F(SmallThings, damping_without_stiffness_is_not_defined) {
   write("v.csv", csv(record(), "Time [s],Displacement [mm],Force [kN]", [](std::size_t i, Sample const& s) {
           double const phase = std::asin(std::clamp(s.disp_mm / 100.0, -1.0, 1.0));

@@ -1,4 +1,4 @@
-// Workbooks, MATLAB files, JSON and files of several tests, from the command line to a lot file and back.
+// Workbooks, MATLAB files, JSON and files with several tests, from the command line to a lot file and back.
 #include <xlsxwriter.h>
 
 #include "cli/loops.hpp"
@@ -15,7 +15,7 @@ class Formats : public InFreshDirectory {
     InFreshDirectory::SetUp();
     write("several.csv", csv(record()) + csv(record({.amplitude_mm = 90.0})));
   }
-  // Two sheets with a test each, and one of remarks.
+  // Two sheets with one test each, and one with remarks.
   void write_book(std::string const& name, std::vector<std::pair<char const*, char const*>> const& remarks = {}) {
     auto* book = workbook_new(path(name).c_str());
     auto* first = workbook_add_worksheet(book, "Remarks");
@@ -139,7 +139,7 @@ TEST_F(Formats, sheets_are_chosen_in_the_file_that_has_them) {
   auto const o = isolaw(Words{"inspect", "--json"} + columns + Words{"--sheet", "Test 90"});
   ASSERT_EQ(o.code, 0) << o;
   EXPECT_EQ(Json::parse(o.out)["samples"], 601);
-  // What was chosen stands in the lot file, which reads the same.
+  // The lot file records the choice, and reading it gives the same.
   ASSERT_EQ(isolaw(Words{"init"} + columns + Words{"--sheet", "Test 90"}).code, 0);
   auto const again = isolaw({"inspect", "--json", "lot.toml"});
   ASSERT_EQ(again.code, 0) << again;
@@ -176,7 +176,7 @@ TEST_F(Formats, json_is_read) {
   EXPECT_TRUE(contains(o.out, "JSON: arrays that are columns")) << o;
 }
 
-// What init writes reads the very series that the file itself gives, device by device.
+// The lot file that init writes gives the same series as the files themselves, device by device.
 TEST_F(Formats, init_of_a_directory_calibrates_as_the_directory_does) {
   for (int d = 1; d <= 3; ++d) {
     auto const samples = record({.stiffness_kN_per_mm = 0.4 + 0.05 * d});
@@ -208,7 +208,7 @@ TEST_F(Formats, init_of_a_directory_calibrates_as_the_directory_does) {
   EXPECT_NEAR(cycle_of(second, 1, 3)["energy_kN_mm"].get<double>(), expected.energy, 1e-3 * expected.energy);
 }
 
-// Files whose names say nothing: what was said once for the first is reused for a folder of others.
+// The files' headers name nothing: what the user stated for the first file is reused for a folder of others.
 TEST_F(Formats, init_like_reads_a_folder_as_another_lot_file_does) {
   auto const bare = [](double stiffness) {
     return csv(record({.stiffness_kN_per_mm = stiffness}), "A,B,C", [](std::size_t, Sample const& s) {

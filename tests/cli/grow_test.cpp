@@ -1,5 +1,5 @@
-// A finished campaign is given more devices, laws or runs: only what is new is computed, and it ends like one that was
-// begun with all.
+// Devices, laws or runs are added to a finished campaign: only the new part is computed, and the result equals a
+// campaign that had them from the start.
 #include <sqlite3.h>
 
 #include "cli/records.hpp"
@@ -63,8 +63,8 @@ TEST_F(Grow, by_laws_with_what_is_set_for_them) {
   expect_same("G", "W");
 }
 
-// The genetic algorithm ends elsewhere with each run: what rests on the best of them is made again where another is
-// best.
+// Each run of the genetic algorithm ends elsewhere: where a new run is the best, everything that rests on the best is
+// recomputed.
 TEST_F(Grow, by_runs_of_which_some_are_the_best) {
   lot("lot.toml", "abc");
   Words const genetic{"--method", "ga", "--population", "8", "--generations", "4"};
@@ -75,7 +75,7 @@ TEST_F(Grow, by_runs_of_which_some_are_the_best) {
   expect_same("G", "W");
 }
 
-// Marks on what is there: it is not computed again.
+// Marked rows stay, which shows that they are not computed again.
 TEST_F(Grow, computes_nothing_twice) {
   lot("two.toml", "ab");
   lot("three.toml", "abc");
@@ -93,13 +93,13 @@ TEST_F(Grow, computes_nothing_twice) {
   };
   EXPECT_EQ(kept("device_analysis", "171717"), "2");
   EXPECT_EQ(kept("lot_analysis", "272727"), "1");
-  // Another device makes another lot.
+  // A further device changes the lot, so the lot's analyses are new.
   ASSERT_EQ(isolaw(campaign("three.toml", "bilinear,vaiana", "2", "G")).code, 0);
   EXPECT_EQ(kept("device_analysis", "171717"), "2");
   EXPECT_EQ(kept("lot_analysis", "272727"), "0");
 }
 
-// A record that was refused has no results to lose.
+// A device that was refused has no results to lose.
 TEST_F(Grow, takes_a_device_that_was_refused_once_it_is_mended) {
   lot("lot.toml", "abc");
   auto const good = read("c.csv");

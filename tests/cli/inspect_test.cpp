@@ -1,4 +1,4 @@
-// `isolaw inspect` of a lot: the numbers of every cycle, device and property against those of the test's own samples.
+// `isolaw inspect` of a lot: the numbers of every cycle, device and property against values from the samples.
 #include "cli/loops.hpp"
 #include "cli/records.hpp"
 #include "cli/run.hpp"
@@ -31,7 +31,7 @@ class Inspect : public InFreshDirectory {
       write("lot/" + names_[d] + ".csv", csv(samples_[d]));
     }
   }
-  // As the file says them.
+  // The samples with the digits that the file has.
   static std::vector<Sample> rounded(std::vector<Sample> samples) {
     for (auto& s : samples) {
       s.disp_mm = std::round(1e5 * s.disp_mm) / 1e5;
@@ -81,8 +81,8 @@ TEST_F(Inspect, files_a_directory_and_a_lot_file_give_the_same_devices) {
   EXPECT_EQ(directory["assessment"], files["assessment"]);
   EXPECT_EQ(directory["title"], "lot");
   write("lot/device.xyz", "1 2 3\n");
-  EXPECT_TRUE(
-      contains(isolaw({"inspect", "lot"}).err, "note: lot: not read, no test records by their names: device.xyz"));
+  EXPECT_TRUE(contains(isolaw({"inspect", "lot"}).err,
+                       "note: lot: not read, because their names are not those of test records: device.xyz"));
   std::string lot = "title = \"Four\"\n";
   for (auto const& name : names_) lot += fmt::format("[[device]]\nname = \"{0}\"\nfile = \"{0}.csv\"\n", name);
   write("lot/lot.toml", lot);
@@ -119,7 +119,7 @@ TEST_F(Inspect, the_lot_is_described_by_its_third_cycles) {
               names_[static_cast<std::size_t>(std::ranges::min_element(values) - values.begin())]);
     near("fractile_5", expected.mean - 1.644854 * expected.sd);
     near("fractile_95", expected.mean + 1.644854 * expected.sd);
-    near("tolerance_k", 6.3411, 1e-5);  // exact factor of four values, 95 % with confidence 95 %
+    near("tolerance_k", 6.3411, 1e-5);  // exact factor for four values, 95 % with confidence 95 %
     near("tolerance_lower", expected.mean - 6.3411 * expected.sd, 1e-4);
     EXPECT_EQ(quantity["outlier_note"], "too few devices to name outliers: 4, at least 5 needed");
     if (name == "K_eff") {
@@ -163,7 +163,7 @@ TEST_F(Inspect, out_holds_page_json_and_tables_of_the_same_numbers) {
   auto const found = Json::parse(o.out);
   expect_devices(found);
 
-  constexpr double six_digits = 5e-6;  // the tables round to them
+  constexpr double six_digits = 5e-6;  // rounding of the tables
   auto const cycles = cells_of(read("O/tables/cycles.csv"));
   ASSERT_EQ(cycles.size(), 1u + 4 * 3);
   for (std::size_t row = 1; row < cycles.size(); ++row) {
@@ -191,7 +191,7 @@ TEST_F(Inspect, out_holds_page_json_and_tables_of_the_same_numbers) {
   EXPECT_NEAR(number(lot, 1, "std"), K.sd, six_digits);
   EXPECT_EQ(cell(lot, 1, "max device"), "D2");
   auto const lambda = cells_of(read("O/tables/lambda.csv"));
-  ASSERT_EQ(lambda.size(), 1u + 5 * 4);  // observed and three statistical ones of each property
+  ASSERT_EQ(lambda.size(), 1u + 5 * 4);  // observed and three statistical rows of each property
   EXPECT_EQ(cell(lambda, 1, "source"), "observed");
   EXPECT_NEAR(number(lambda, 1, "lambda_spec min"), K.min / K.mean, six_digits);
   EXPECT_NEAR(number(lambda, 1, "lambda_spec max"), K.max / K.mean, six_digits);
@@ -251,7 +251,7 @@ TEST_F(Inspect, which_part_of_a_file_was_read_is_told) {
   expect_loop(cycle_of(sheet, 1, 3), loop(1, 3));
 }
 
-// The effects of the error budget by name.
+// An effect of the error budget, by name.
 Json effect(Json const& device, std::string const& name) {
   for (auto const& one : device["effects"])
     if (one["effect"] == name) return one;
@@ -294,7 +294,7 @@ TEST_F(Inspect, a_record_without_a_complete_cycle_says_so_once) {
   EXPECT_TRUE(contains(found["properties_refusal"].get<std::string>(), "less than one complete cycle"));
 }
 
-// The committed example lot: what the lot says is what its devices say one by one.
+// The committed example lot: what inspect says of the lot agrees with what it says of each device.
 TEST_F(Inspect, the_example_lot) {
   fs::path const example = fs::path(ISOLAW_SOURCE_DIR) / "examples/published-lot";
   auto const found = inspected({example / "lot.toml"});
@@ -309,7 +309,7 @@ TEST_F(Inspect, the_example_lot) {
   EXPECT_EQ(stiffness["quantity"], "K_eff");
   EXPECT_NEAR(stiffness["mean"].get<double>(), expected.mean, 1e-7);
   EXPECT_NEAR(stiffness["sd"].get<double>(), expected.sd, 1e-7);
-  // The first device's samples, read here: three cycles, cut where displacement rises through zero.
+  // The samples of the first device, read here: three cycles, cut where the displacement rises through zero.
   std::istringstream lines(read_file(example / "device-01.csv"));
   std::vector<Sample> samples;
   std::string line;

@@ -1,4 +1,4 @@
-// ISOLAW_SIMD, `isolaw bench`, and that the choice of instructions changes no result.
+// ISOLAW_SIMD and `isolaw bench`: the choice of instructions changes no result.
 #include <map>
 
 #include "cli/published_laws.hpp"
@@ -8,8 +8,8 @@
 namespace isolaw::cli_test {
 namespace {
 
-// Seven digits of 128 objectives of every law with both integrations. A change of a law's numbers, of its published box
-// or of the draws gives another one, which then belongs here: to restate it is to say that the change is meant.
+// A hash of seven digits of 128 objectives of every law with both integrations. It changes with a law's numbers, its
+// published box or the draws; replacing it here states that the change is intended.
 constexpr char const* signature = "24a88ca8388e7756";
 
 Words with(std::string const& set) {
@@ -18,7 +18,7 @@ Words with(std::string const& set) {
 
 class InstructionSets : public InFreshDirectory {
  protected:
-  // As a refusal lists them, slowest first; on a processor that is emulated where `emulator` starts it.
+  // Parses the sets that a refusal lists, slowest first. `emulator` starts the program on an emulated processor.
   Words available(Words emulator = {}) {
     emulator.insert(emulator.end(), {ISOLAW_BINARY, "bench"});
     auto const o = Process(emulator, directory(), path("out"), path("err"), with("nonsense")).wait();
@@ -107,10 +107,10 @@ TEST_F(InstructionSets, what_the_processor_lacks_is_refused_as_that) {
 }
 
 #if defined(ISOLAW_QEMU)
-// The code of a level may use every feature of it, not the vectors alone.
+// Code for a level may use all of its features, not only the vectors.
 TEST_F(InstructionSets, a_processor_that_lacks_a_part_of_a_level_is_not_given_its_code) {
   auto const on = [&](std::string const& processor) { return available({ISOLAW_QEMU, "-cpu", processor}); };
-  // An emulator of before 7.2 has no AVX: whatever part is taken away there, nothing is shown. Debian 12 has 7.2.
+  // Emulators before 7.2 (as in Debian 12) have no AVX, so taking features away would show nothing there.
   if (on("max") != Words{"scalar", "sse2", "avx2"}) GTEST_SKIP() << "no x86-64-v3 is emulated here";
   for (auto const* part : {"avx2", "fma", "bmi2", "f16c", "abm", "movbe"})
     EXPECT_EQ(on(std::string("max,-") + part), (Words{"scalar", "sse2"})) << "without " << part;

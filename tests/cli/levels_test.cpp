@@ -1,5 +1,5 @@
-// K_eff and damping over amplitudes, frequencies and vertical loads of one test: three by two blocks of a device of
-// constant stiffness and friction, whose K_eff is K + Q/D.
+// K_eff and damping over the amplitudes, frequencies and vertical loads of one test: three by two blocks of a device
+// with constant stiffness and friction, whose K_eff is K + Q/D.
 #include <numbers>
 
 #include "cli/records.hpp"
@@ -14,8 +14,8 @@ class Levels : public InFreshDirectory {
   static constexpr std::array amplitudes{50.0, 100.0, 150.0};
   static constexpr std::array frequencies{0.1, 0.5};
 
-  // Three cycles at each, under a vertical load of 1000 kN at the lower frequency and 1500 kN at the other; slow is
-  // stiffer by a tenth of its friction.
+  // Three cycles each, under a vertical load of 1000 kN at the lower frequency, where friction is a tenth larger, and
+  // 1500 kN at the other.
   static std::string test_in_steps() {
     std::string text = "time [s],displacement [mm],force [kN],vertical load [kN]\n";
     double t = 0.0, z = 0.0, before = 0.0;
@@ -55,7 +55,7 @@ TEST_F(Levels, of_a_test_in_steps_stand_beside_one_another) {
       EXPECT_NEAR(number(level, "amplitude_mm"), amplitude, 0.05);
       EXPECT_NEAR(number(level, "strain_percent"), amplitude / 2.0, 0.05);
       EXPECT_NEAR(number(level, "frequency_Hz"), frequency, 0.01 * frequency);
-      EXPECT_NEAR(number(level, "N_mean_kN"), frequency < 0.3 ? 1000.0 : 1500.0, 5.0);  // a cut lies between samples
+      EXPECT_NEAR(number(level, "N_mean_kN"), frequency < 0.3 ? 1000.0 : 1500.0, 5.0);  // cuts lie between samples
       EXPECT_NEAR(number(level, "K_eff_kN_per_mm"), K_eff(amplitude, frequency), 1e-3);
       EXPECT_NEAR(number(level, "K_eff_ratio"), K_eff(amplitude, frequency) / reference, 2e-3);
       EXPECT_EQ(level["cycle"], 3);

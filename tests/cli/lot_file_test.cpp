@@ -1,4 +1,4 @@
-// lot.toml: what it carries, and every mistake in it with its line.
+// lot.toml: what it may contain, and that every mistake is reported with its line.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 #include "cli/store.hpp"
@@ -18,11 +18,11 @@ class LotFile : public InFreshDirectory {
     write("lot.toml", lot);
     return isolaw(Words{"calibrate", "lot.toml", "--out", "O", "--fresh"} + more);
   }
-  // Small whatever the lot file says: for mistakes that may be overlooked.
+  // Runs a small search whatever the lot file says, for mistakes that might go unnoticed.
   Outcome run_limited(std::string const& lot) {
     return run(lot, {"--laws", "bilinear", "--runs", "1", "--population", "4", "--generations", "1"});
   }
-  // With settings small enough to run, given in the lot file itself.
+  // Puts the settings of a small search into the lot file itself.
   Outcome run_small(std::string const& rest) {
     return run("[calibrate]\nlaws = \"bilinear\"\nruns = 1\npopulation = 4\ngenerations = 1\n" + rest);
   }
@@ -84,7 +84,7 @@ TEST_F(LotFile, several_files_of_a_device_are_one_history) {
   auto const store = path("O/campaign.sqlite");
   EXPECT_EQ(query(store, "SELECT count FROM series WHERE kind = 'raw' AND channel = 'disp_mm'"), Words{"1202"});
   EXPECT_EQ(json("O/summary.json")["devices"][0]["file"], "a.csv, b.csv");
-  EXPECT_EQ(count_of("long,", read("O/tables/cycles.csv")), 6u);  // three cycles of each
+  EXPECT_EQ(count_of("long,", read("O/tables/cycles.csv")), 6u);  // three cycles of each device
   EXPECT_TRUE(
       contains(query(store, "SELECT recognised FROM device").at(0), "b.csv continues the history with 601 samples"));
 }
@@ -151,24 +151,24 @@ TEST_F(LotFile, unknown_key_names_line_and_allowed_keys) {
 
 TEST_F(LotFile, wrong_type_names_the_line) {
   expect_refused(run("[calibrate]\npopulation = \"many\"\n" + std::string(device)),
-                 {"lot.toml:2: population: 'many' is no whole number", "an even number from 4 to 100000"});
+                 {"lot.toml:2: population: 'many' is not a whole number", "an even number from 4 to 100000"});
   expect_refused(run("[calibrate]\npopulation = 20.5\n" + std::string(device)),
-                 {"lot.toml:2: population: 20.5 is no whole number", "an even number from 4 to 100000"});
+                 {"lot.toml:2: population: 20.5 is not a whole number", "an even number from 4 to 100000"});
   expect_refused(run("[calibrate]\nbox = 3\n" + std::string(device)), {"lot.toml:2: box: 3; allowed: published, auto"});
   expect_refused(run("[calibrate]\ncenter = \"yes\"\n" + std::string(device)),
                  {"lot.toml:2: center: 'yes'; allowed: true or false"});
-  expect_refused(run("[calibrate]\nset = 3\n" + std::string(device)), {"lot.toml:2: set: 3 is no text"});
+  expect_refused(run("[calibrate]\nset = 3\n" + std::string(device)), {"lot.toml:2: set: 3 is not text"});
   expect_refused(run("calibrate = 3\n" + std::string(device)),
                  {"lot.toml:1: 'calibrate' is not a table", "[calibrate]"});
   expect_refused(run(std::string(device) + "temperature-C = \"warm\"\n"),
-                 {"lot.toml:4: temperature-C: 'warm' is no number"});
-  expect_refused(run(std::string(device) + "test-date = 3\n"), {"lot.toml:4: test-date: 3 is no text"});
+                 {"lot.toml:4: temperature-C: 'warm' is not a number"});
+  expect_refused(run(std::string(device) + "test-date = 3\n"), {"lot.toml:4: test-date: 3 is not text"});
   expect_refused(run(std::string(device) + "columns = 3\n"), {"lot.toml:4: columns: 3; allowed: a table, or text"});
 }
 
 TEST_F(LotFile, true_is_no_number_and_1_is_not_true) {
   expect_refused(run_limited("[calibrate]\nruns = true\n" + std::string(device)),
-                 {"lot.toml:2: runs: true is no whole number of ordinary size; allowed: 1 to 100000"});
+                 {"lot.toml:2: runs: true is not a whole number; allowed: 1 to 100000"});
   expect_refused(run_limited("[calibrate]\ncenter = 1\n" + std::string(device)),
                  {"lot.toml:2: center: 1; allowed: true or false"});
   expect_refused(run_limited(std::string(device) + "columns = { disp = true }\n"),

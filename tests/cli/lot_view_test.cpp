@@ -1,4 +1,4 @@
-// What tests are held to: where its rules may come from, what is taken over, what reports and `check` make of it.
+// The rules that tests are checked against: where they may come from, what is copied, what reports and `check` say.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 
@@ -82,8 +82,8 @@ TEST_F(HeldTo, a_report_with_other_rules_is_no_fault) {
   ASSERT_EQ(isolaw({"report", "O", "--rules", "iso-22762-sa", "--design", "K_eff=0.7,disp=100"}).code, 0);
   auto const other = isolaw({"check", "O"});
   EXPECT_EQ(other.code, 0) << other;
-  EXPECT_TRUE(contains(other.out, "made with other rules, design values or lot size than the store holds"));
-  // Compared all the same.
+  EXPECT_TRUE(contains(other.out, "written with other rules, design values or lot size than the store holds"));
+  // Reports made with other rules are still compared.
   write("O/tables/tests.csv", read("O/tables/tests.csv") + "x");
   auto const edited = isolaw({"check", "O"});
   EXPECT_EQ(edited.code, 1) << edited;
@@ -149,7 +149,7 @@ TEST_F(HeldTo, too_small_a_sample_permits_no_analysis_with_mean_properties) {
   EXPECT_EQ(said("3")["permitted"], true);
 }
 
-// The strength of this bearing rises from the first cycle to the second.
+// This bearing's strength rises from the first cycle to the second.
 TEST_F(HeldTo, bounds_enclose_the_measured_strength) {
   auto const file = data / "hdrb-gallardo-device/cyclic-24-49-98pct.csv";
   if (!fs::exists(file)) GTEST_SKIP() << "measured data are not here: " << file;

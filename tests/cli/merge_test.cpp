@@ -1,5 +1,5 @@
-// A campaign computed in parts and merged is, byte by byte, the campaign of one machine; and what is no part of it is
-// refused.
+// A campaign computed in parts and merged equals, byte by byte, that of one machine; merge refuses anything that is no
+// part of it.
 #include <sys/file.h>
 
 #include <numeric>
@@ -11,7 +11,7 @@
 namespace isolaw::cli_test {
 namespace {
 
-// The files of a campaign's directory but for run.json, which tells when and how it was computed; by name.
+// The files of a campaign's directory by name, without run.json, which records time and manner of the computation.
 std::map<std::string, std::string> results_in(fs::path const& directory) {
   std::map<std::string, std::string> found;
   for (auto const& entry : fs::recursive_directory_iterator(directory))
@@ -100,8 +100,8 @@ class Merge : public InFreshDirectory {
 };
 
 TEST_F(Merge, of_seven_parts_in_any_order_one_killed_one_twice_is_what_one_machine_computes) {
-  // Killed in the middle of its search, and continued by the same command. On a busy machine the middle may be over
-  // before this process is back: then once more.
+  // Killed in the middle of its search, then continued by the same command. On a busy machine the search may be over
+  // before this process looks: then it is tried again.
   for (int attempt = 1;; ++attempt) {
     auto killed = start(part(4, {"--jobs", "1"}));
     Outcome result;
@@ -147,7 +147,7 @@ TEST_F(Merge, takes_what_others_have_examined_of_devices) {
     words[1] = "E" + share.substr(0, 1);
     return isolaw(words);
   };
-  expect_message(examine("1/2"), 0, {"part 1 of 2 of the devices is examined", "isolaw merge OUT PARTS..."});
+  expect_message(examine("1/2"), 0, {"part 1 of 2 of the devices is analysed", "isolaw merge OUT PARTS..."});
   EXPECT_FALSE(exists("E1/summary.json"));
   ASSERT_EQ(examine("2/2").code, 0);
   ASSERT_EQ(examine("2/2").code, 0);  // again: nothing is left to do
@@ -155,13 +155,13 @@ TEST_F(Merge, takes_what_others_have_examined_of_devices) {
   EXPECT_EQ(examined("E1/campaign.sqlite") + examined("E2/campaign.sqlite"), 6);
   EXPECT_GE(std::min(examined("E1/campaign.sqlite"), examined("E2/campaign.sqlite")), 1);
   EXPECT_EQ(stored_rows(path("E1/campaign.sqlite"), "lot_analysis"), 0);
-  // Then the laws of the lot, in as many shares as one likes.
+  // Then the laws of the lot, in any number of shares.
   auto const fit = [&](std::string const& share) {
     auto words = merge(all(), {"E1", "E2", "--part", share});
     words[1] = "L" + share.substr(0, 1);
     return isolaw(words);
   };
-  expect_message(fit("1/2"), 0, {"part 1 of 2 of the devices and of the lot's laws is examined"});
+  expect_message(fit("1/2"), 0, {"part 1 of 2 of the devices and of the lot's laws is analysed"});
   EXPECT_FALSE(exists("L1/summary.json"));
   ASSERT_EQ(fit("2/2").code, 0);
   auto const rows = [&](char const* table) {
@@ -178,7 +178,8 @@ TEST_F(Merge, takes_what_others_have_examined_of_devices) {
   expect_message(isolaw(merge(all(), {"E1", "E2"})), 1, {"24 runs and 6 analyses copied"});
   expect_as_one_machine();
   expect_refused(examine("3/2"), {"--part", "K/N"});
-  expect_refused(isolaw(merge(all(), {"--part", "1/2", "--json"})), {"--json: a part makes a share of the analyses"});
+  expect_refused_as_object(isolaw(merge(all(), {"--part", "1/2", "--json"})),
+                           {"--json: a part computes only a share of the analyses"});
 }
 
 TEST_F(Merge, names_what_is_missing_and_who_should_hold_it_and_goes_on_from_there) {
@@ -186,9 +187,9 @@ TEST_F(Merge, names_what_is_missing_and_who_should_hold_it_and_goes_on_from_ther
   auto const o = isolaw(merge(all()));
   expect_message(o, 1,
                  {"P5/campaign.sqlite: not there", "runs copied to O/campaign.sqlite",
-                  "not complete: ", "of part 5/7 (", "then again: isolaw merge O PARTS..."});
+                  "not complete: ", "of part 5/7 (", "then repeat: isolaw merge O PARTS..."});
   EXPECT_FALSE(exists("O/summary.json"));
-  // Exactly the runs of that part.
+  // The part has exactly its own runs.
   compute({5});
   Words expected;
   for (auto const& row : query(path("P5/campaign.sqlite"),
@@ -200,7 +201,7 @@ TEST_F(Merge, names_what_is_missing_and_who_should_hold_it_and_goes_on_from_ther
   std::string text = "part,device,law,run\n";
   for (auto const& line : expected) text += line + "\n";
   EXPECT_EQ(o.out, text);
-  // Only that part, to what was merged before.
+  // Only that part is added to what was merged before.
   expect_message(isolaw(merge({5})), 1, {"runs copied"});
   expect_as_one_machine();
 }
@@ -232,7 +233,7 @@ TEST_F(Merge, refuses_a_part_of_another_build_or_instruction_set_and_changes_not
                  {"I/campaign.sqlite: computed with instruction set abacus; the merge runs with ",
                   "one instruction set in all parts", "ISOLAW_SIMD=abacus isolaw merge", "--part 2/7 --fresh"});
   EXPECT_FALSE(exists("O/campaign.sqlite"));
-  // Computed so, not only said to be.
+  // Parts must really be computed with this set, not merely claim it.
   auto const scalar = campaign("S", {"--part", "2/7"});
   ASSERT_EQ(start(scalar, {"ISOLAW_SIMD=scalar"}).wait().code, 0);
   auto const o = start({"merge", "O", "P1", "S"}, {"ISOLAW_SIMD=scalar"}).wait();
@@ -266,7 +267,7 @@ TEST_F(Merge, refuses_parts_of_another_campaign_saying_what_differs) {
   expect_refused(isolaw({"merge", "O", "nowhere"}), {"nowhere/campaign.sqlite: no part is there"});
 }
 
-// --fresh replaces, when all that is to stand there instead was judged and copied.
+// --fresh replaces a store only once everything that takes its place is checked and copied.
 TEST_F(Merge, that_starts_over_replaces_no_part_and_nothing_whole_by_less) {
   compute(all());
   ASSERT_EQ(isolaw(merge(all())).code, 1);  // a device was refused
@@ -287,7 +288,7 @@ TEST_F(Merge, that_starts_over_replaces_no_part_and_nothing_whole_by_less) {
   change(path("X/campaign.sqlite"), "UPDATE run SET evaluations = evaluations + 1");
   refused(isolaw(merge(all(), {"X", "--fresh"})), {"X/campaign.sqlite: run ", "is another one than"});
   EXPECT_EQ(isolaw({"merge", "P1"}).code, 2);
-  // What is not whole, or of another campaign, or no store at all, is replaced.
+  // An incomplete store, one of another campaign, or no store at all is replaced.
   expect_message(isolaw(merge(all(), {"--fresh"})), 1, {"24 runs copied to O/campaign.sqlite"});
   EXPECT_TRUE(results_in(path("O")) == whole);
   for (auto const size : {std::size_t{0}, std::size_t{5000}}) {
@@ -298,7 +299,7 @@ TEST_F(Merge, that_starts_over_replaces_no_part_and_nothing_whole_by_less) {
     expect_message(isolaw(merge(all(), {"--fresh"})), 1, {"24 runs copied"});
     EXPECT_TRUE(results_in(path("O")) == whole);
   }
-  // Left there by one that was killed.
+  // Files that a killed merge leaves.
   for (auto const* name :
        {"campaign.sqlite.part", "campaign.sqlite.part-wal", "campaign.sqlite.part-shm", "campaign.sqlite.part.part",
         "campaign.sqlite.part.part-journal", "report.html.1999999999.part"})
@@ -358,11 +359,11 @@ TEST_F(Merge, is_refused_where_another_one_is_at_work) {
   compute({1});
   fs::create_directory(path("O"));
   int const held = ::open(path("O").c_str(), O_RDONLY | O_DIRECTORY);
-  ASSERT_EQ(flock(held, LOCK_EX | LOCK_NB), 0);  // as a merge holds it
+  ASSERT_EQ(flock(held, LOCK_EX | LOCK_NB), 0);  // as a merge locks it
   expect_refused(isolaw(merge({1})), {"O: another isolaw works in this directory"});
   EXPECT_FALSE(exists("O/campaign.sqlite"));
   close(held);
-  // And it is a merge that holds it so.
+  // A running merge holds that lock.
   compute({2, 3, 4, 5, 6, 7});
   auto first = start(merge(all(), {"--jobs", "1"}));
   Outcome ended;
@@ -386,7 +387,7 @@ TEST_F(Merge, that_was_killed_is_done_again_by_the_same_command) {
     std::this_thread::sleep_for(1ms);
   process.send(SIGKILL);
   process.wait();
-  // And by none of the parts, which may be gone.
+  // No part is needed any more; they may be gone.
   for (int const number : all()) fs::remove_all(path(dir(number)));
   expect_message(isolaw({"merge", "O", "--figures", "none"}), 1, {"0 runs copied"});
   expect_as_one_machine();
@@ -419,18 +420,18 @@ TEST_F(Merge, part_is_an_ordinary_store_that_knows_it_is_one) {
   *(std::ranges::find(more, "--runs") + 1) = "5";
   expect_refused(isolaw(more), {"P3/campaign.sqlite: part 3/7 of a campaign that is now larger, by 5 runs instead of 4",
                                 "dealt anew"});
-  expect_refused(isolaw(part(3, {"--json"})), {"--json: a part has no summary"});
+  expect_refused_as_object(isolaw(part(3, {"--json"})), {"--json: a part has no summary"});
 }
 
 TEST_F(Merge, parts_are_named_as_they_may_be) {
   for (auto const* text : {"0/7", "8/7", "1", "/7", "1/", "a/b", "1/2/3", "-1/7", "1/1000001", ""})
     expect_refused(isolaw(campaign("X", {"--part", text})), {"--part", "K/N, part K of N"});
   EXPECT_FALSE(exists("X"));
-  // More parts than runs: the last have none, and are done.
+  // With more parts than runs the last parts have no runs, and succeed.
   expect_message(isolaw(campaign("X", {"--part", "100/100"})), 0, {"part 100 of 100: 0 runs"});
 }
 
-// A record as a law sees it is far larger than as it is read: those of the runs at work alone are in memory.
+// A record prepared for a law is far larger than the record itself; only those of runs in progress are in memory.
 TEST_F(Merge, of_a_part_holds_in_memory_what_is_at_work) {
   auto const peak_kB = [&](int devices) {
     auto const folder = fmt::format("lot of {}", devices);
@@ -444,10 +445,10 @@ TEST_F(Merge, of_a_part_holds_in_memory_what_is_at_work) {
   };
   auto const few = peak_kB(50), many = peak_kB(150);
   RecordProperty("kB_per_device", std::to_string((many - few) / 100));
-  EXPECT_LT(many - few, 100 * 150);  // a law on a record: 70 kB
+  EXPECT_LT(many - few, 100 * 150);  // one record prepared for a law: 70 kB
 }
 
-// The scripts of isolaw parts, with names that a shell and make would take apart.
+// Scripts of `isolaw parts`, with names that the shell and make would split.
 class PartScripts : public Merge {
  protected:
   static Words in_parts(std::string const& to, std::string const& out) {
@@ -495,7 +496,7 @@ TEST_F(PartScripts, of_make_and_parallel_end_as_one_machine_also_after_a_loss) {
   }
 }
 
-// What is there of a part is computed again by nobody, and believed by nobody either.
+// A part that is already there is neither computed again nor trusted unchecked.
 TEST_F(PartScripts, merge_nothing_that_is_of_other_settings_or_records) {
   for (std::string const to : {"make", "parallel", "slurm"}) {
     if (to != "slurm" && !is_there(to)) {
@@ -545,11 +546,11 @@ TEST_F(PartScripts, merge_nothing_that_is_of_other_settings_or_records) {
     write("b.csv", csv(record({.amplitude_mm = 91.0})));
     refused({"b: its file has changed"});
     write("b.csv", csv(record({.amplitude_mm = 90.0})));
-    // The same as before, and nothing was lost.
+    // With the former settings the result is the same, and nothing was lost.
     everything();
     EXPECT_TRUE(read(to + ".parts/2/campaign.sqlite") == bytes) << to;
     EXPECT_TRUE(results_in(path(to)) == whole) << to;
-    // Cut off, in a page and between two: not whole for having its name.
+    // Cut off within a page and between pages: merge must not trust it for its name.
     for (auto const size : {bytes.size() / 2, bytes.size() - 100}) {
       write(to + ".parts/2/campaign.sqlite", std::string_view(bytes).substr(0, size));
       refused({"damaged"});
@@ -558,7 +559,7 @@ TEST_F(PartScripts, merge_nothing_that_is_of_other_settings_or_records) {
       EXPECT_TRUE(read(to + ".parts/2/campaign.sqlite") == bytes) << to;
     }
     if (to == "make") continue;
-    // Empty, as a full disk leaves it, or damaged on the machine's own disk: nothing that anybody would miss.
+    // An empty store, as a full disk leaves it, or a damaged one on the node's own disk is replaced without asking.
     write(to + ".parts/2/campaign.sqlite", "");
     everything();
     EXPECT_TRUE(read(to + ".parts/2/campaign.sqlite") == bytes) << to;
@@ -572,9 +573,9 @@ TEST_F(PartScripts, merge_nothing_that_is_of_other_settings_or_records) {
     auto const o = everything();
     EXPECT_TRUE(contains(o.err, "0 runs copied, 24 there already")) << o;
     EXPECT_TRUE(exists(to + ".parts/3/campaign.sqlite")) << o;
-    // And nothing stays on that disk.
+    // Nothing stays on the node's disk.
     EXPECT_TRUE(!exists("disk") || fs::is_empty(path("disk"))) << to;
-    // Another deal over the same directory.
+    // Another number of parts in the same directory.
     auto words = in_parts(to, to);
     words[2] = "2";
     write(script, isolaw(words).out);
@@ -602,8 +603,8 @@ TEST_F(PartScripts, are_refused_as_commands_are) {
   none[2] = "0";
   expect_refused(isolaw(none), {"count: 0", "1 to 100000 parts"});
   expect_message(isolaw(Words{"parts", "lot.toml", "50", "--to", "make"} + Words(none.begin() + 5, none.end())), 0,
-                 {"24 runs for 50 parts: some will have none"});
-  // Nothing is left out without a word.
+                 {"24 runs for 50 parts: some parts will have none"});
+  // Options that would be ignored are refused.
   expect_refused(isolaw(in_parts("make", "O") + Words{"--motion", "m.csv"}),
                  {"--motion: is given for a lot", "--campaign"});
   expect_refused(isolaw({"parts", "b.toml", "5", "--to", "make", "--campaign", "O", "--runs", "3", "--seed", "2"}),

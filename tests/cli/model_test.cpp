@@ -1,5 +1,5 @@
-// isolaw export of a whole building: the example lot's laws to both targets, run in the real program where it lies
-// beside the checkout; and what is asked for wrongly.
+// isolaw export of a whole building: the example lot's laws to both targets, run in OpenSees if it is installed beside
+// the checkout; and wrong requests.
 #include "cli/models.hpp"
 #include "cli/records.hpp"
 
@@ -27,7 +27,7 @@ class ExportedModel : public InFreshDirectory {
   Words const whole_{"--layout", "layout.csv", "--axial", "900kN/mm", "--ground-motion", "x.csv"};
 };
 
-// The program where it is, else a skipped test.
+// Skipped if OpenSees is not installed.
 class ExportedModelInOpenSees : public ExportedModel {
  protected:
   void SetUp() override {
@@ -100,7 +100,7 @@ TEST_F(ExportedModel, draws_are_repeatable_by_their_seed) {
   EXPECT_EQ(first, drawn({"--seed", "7"}));
   EXPECT_NE(first, drawn({"--seed", "8"}));
   EXPECT_TRUE(contains(first, "# Analyses: nominal, and 2 draws, seed 7, each isolator with a law of its own"));
-  // They are the devices that `sample` draws: isolator 1 of draw 2 is the fifth.
+  // The devices are those that `sample` draws: isolator 1 of draw 2 is the fifth.
   auto const sampled = isolaw({"sample", "C", "--law", "bouc-wen", "--count", "8", "--seed", "7"});
   ASSERT_EQ(sampled.code, 0) << sampled;
   EXPECT_TRUE(contains(first, "draw_2_4 {"));
@@ -112,7 +112,7 @@ TEST_F(ExportedModel, draws_are_repeatable_by_their_seed) {
   std::istringstream cells(row);
   for (std::string cell; std::getline(cells, cell, ',');) values.push_back(std::stod(cell));
   ASSERT_EQ(values.size(), 7u) << row;
-  // alpha, Ke, A: the stiffness at first is alpha Ke + (1 - alpha) Ke A, kInit of the bearing's first argument.
+  // alpha, Ke, A: the initial stiffness is alpha Ke + (1 - alpha) Ke A, kInit in the bearing's first argument.
   double const initial = values[2] * (values[1] + (1.0 - values[1]) * values[3]);
   auto const at = first.find("draw_2_1 {");
   ASSERT_NE(at, std::string::npos);
@@ -152,8 +152,8 @@ TEST_F(ExportedModel, what_is_asked_for_wrongly_is_refused) {
   write("empty.csv", "x [m],y [m]\n");
   refused(Words{"--layout", "empty.csv"} + axial + motion, {"empty.csv: no bearings"});
   refused(Words{"--layout", "nowhere.csv"} + axial + motion, {"nowhere.csv"});
-  refused(whole_ + Words{"--out", "layout.csv"}, {"layout.csv: read for this, and would be replaced"});
-  // Of the other targets nothing is asked that they have no use for.
+  refused(whole_ + Words{"--out", "layout.csv"}, {"layout.csv: is an input of this command and would be replaced"});
+  // Options that other targets have no use for are refused.
   auto const o = exported("bilinear", "opensees", {"--mass", "3t"});
   EXPECT_EQ(o.code, 2) << o;
   EXPECT_TRUE(contains(
@@ -184,7 +184,7 @@ TEST_F(ExportedModel, vertical_stiffness_comes_from_the_compression_tests) {
   EXPECT_TRUE(contains(said("a"), "# Vertical springs: 700 to 800 kN/mm, the layout;"));
 }
 
-// Names of isolators and files are others' text.
+// Names of isolators and files come from other people.
 TEST_F(ExportedModel, hostile_names_stay_names) {
   calibrate("bilinear");
   write("evil [exec touch HACKED].csv", "name,x [m],y [m]\n\"A\"\"; } [exec touch HACKED] $evil\",0,0\nB,6,0\n");

@@ -1,5 +1,5 @@
-// Every script that `export` writes for the example lot and for the measured bearing, run in the real program, which
-// lies beside the checkout where it does.
+// Every script that `export` writes for the example lot and the measured bearing, run in OpenSees if it is installed
+// beside the checkout.
 #include "cli/run.hpp"
 
 namespace isolaw::cli_test {
@@ -19,8 +19,8 @@ class InOpenSees : public InFreshDirectory {
 
   Outcome finished(Words const& command) { return Process(command, path("."), path("out"), path("err")).wait(); }
 
-  // Every law of the campaign in C on the device, in Tcl and Python: what cannot be exported says so, all else agrees.
-  // How many were run.
+  // Exports every law of the campaign in C for the device, in Tcl and Python: refusals give a reason, all others agree.
+  // Returns how many were run.
   int check_all(std::string const& device, Words const& laws) {
     int run = 0;
     for (auto const& law : laws)
@@ -32,7 +32,7 @@ class InOpenSees : public InFreshDirectory {
         if (o.code != 0) continue;
         auto const checked = to == "opensees" ? finished({program_, file, "check"}) : finished({"python3", file});
         auto const said = checked.out + checked.err;
-        // What was not compiled there: Steel02.
+        // This OpenSees was built without Steel02.
         if (checked.code == 99 && said.find("STUB CALLED") != std::string::npos && law == "menegotto-pinto") {
           ++absent_;
           continue;
@@ -60,7 +60,7 @@ TEST_F(InOpenSees, exports_of_the_example_lot) {
   EXPECT_EQ(run, 10 * 7 * 2);
 }
 
-// With one set of limit curves too: on this bearing they soften, which takes two materials in parallel.
+// Also with one set of limit curves: for this bearing they soften, which takes two materials in parallel.
 TEST_F(InOpenSees, exports_of_the_measured_bearing) {
   auto const file = data / "hdrb-gallardo-device/cyclic-24-49-98pct.csv";
   if (!fs::exists(file)) GTEST_SKIP() << "measured data are not here: " << file;

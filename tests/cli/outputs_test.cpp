@@ -1,5 +1,5 @@
-// Every writer of outputs on a campaign of all laws, as a user gets it without an option of the search: run under
-// sanitizers too, where a cell that no output shows still counts.
+// Every writer of outputs on a campaign of all laws with the default search, also under sanitizers, which check even
+// values that no output shows.
 #include <map>
 #include <sstream>
 
@@ -23,9 +23,9 @@ class Outputs : public InFreshDirectory {
           csv(record({.samples = 121, .per_cycle = 40, .stiffness_kN_per_mm = 0.53}), "displacement [mm],force [kN]",
               [](std::size_t, Sample const& s) { return fmt::format("{:.5f},{:.5f}", s.disp_mm, s.force_kN); }));
   }
-  // Whatever the command says, no fault of memory or arithmetic.
+  // The command may succeed or refuse, but without any memory or arithmetic error.
   Outcome sound(Words const& words) {
-    auto const o = start(words).wait(900s);  // all laws, with sanitizers, on a machine that does more
+    auto const o = start(words).wait(900s);  // all laws, with sanitizers, on a busy machine
     EXPECT_LT(o.code, 3) << o;
     EXPECT_EQ(o.err.find("Sanitizer"), std::string::npos) << o;
     EXPECT_EQ(o.err.find("runtime error"), std::string::npos) << o;
@@ -70,8 +70,7 @@ TEST_F(Outputs, EveryWriterOnAllLawsWithDefaultOptions) {
   sound(Words{"inspect", "a.csv", "--json"} + tests);
 }
 
-// The example lot as it is written, but for the number of its devices: every option of the search is the user's
-// default.
+// The example lot as written, with fewer devices; every search option has its default.
 TEST_F(Outputs, EveryWriterOnTheExampleLot) {
   sound({"example", "lot"});
   auto lot = read("lot/lot.toml");
@@ -84,7 +83,7 @@ TEST_F(Outputs, EveryWriterOnTheExampleLot) {
   EXPECT_EQ(sound({"check", "O"}).code, 0);
 }
 
-// bouc-wen knows but the product of Ke and A: its population is of the form with A = 1, and has nothing to say of A.
+// bouc-wen depends only on the product of Ke and A: its population has A = 1 and no statement on A.
 TEST_F(Outputs, LotLawOfTheReducedFormLeavesTheRedundantParameterOut) {
   ASSERT_EQ(sound({"calibrate", "a.csv", "b.csv", "--laws", "bouc-wen", "--runs", "1", "--replicates", "0",
                    "--analysis", "full", "--out", "O"})

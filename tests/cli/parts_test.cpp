@@ -1,5 +1,5 @@
-// Parts of files, channels in two files, what headers say of a device, and files that are none: on the command line and
-// in lot files.
+// Parts of files, channels in two files, what headers say of a device, and files that are no records: on the command
+// line and in lot files.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 
@@ -41,7 +41,7 @@ TEST_F(Parts, options_of_the_command_line_are_keys_of_the_lot_file) {
   EXPECT_TRUE(contains(said(lot), "(--footer skip)"));
 }
 
-// By its brackets the certificate tells what the program was told of a record from what it recognised.
+// The certificate marks what the user stated by its option in brackets; the rest the program recognised.
 TEST_F(Parts, what_the_program_was_told_stands_with_its_option) {
   auto const told = [&](Words const& words) {
     Words found;
@@ -106,7 +106,7 @@ TEST_F(Parts, displacement_and_force_in_two_files_also_from_a_lot_file) {
   auto const lot = inspected({"recs/lot.toml"});
   EXPECT_EQ(lot["blocks"], both["blocks"]);
   EXPECT_TRUE(contains(said(lot), "force.csv is joined to disp.csv, row by row")) << "named as in the lot file";
-  // init writes it down, relative to the lot file.
+  // init writes the channel's file relative to the lot file.
   auto const made =
       isolaw({"init", "recs/disp.csv", "--columns", "force=recs/force.csv:force", "--out", "recs/made.toml"});
   EXPECT_EQ(made.code, 0) << made;
@@ -124,7 +124,7 @@ TEST_F(Parts, a_lot_file_names_no_file_outside_for_a_channel_either) {
   EXPECT_EQ(isolaw({"inspect", "lot/lot.toml", "--allow-outside"}).code, 0);
 }
 
-// A channel's own file is no way of reading: another lot has another one.
+// The file of a channel belongs to one lot: --like does not copy it to another.
 TEST_F(Parts, like_another_lot_takes_no_file_of_it) {
   write("recs/disp.csv", channel(false));
   write("recs/force.csv", channel(true));
@@ -133,18 +133,19 @@ TEST_F(Parts, like_another_lot_takes_no_file_of_it) {
   write("next/b.csv", csv(record({.strength_kN = 30.0})));
   auto const o = isolaw({"init", "next", "--like", "recs/lot.toml", "--out", "next/lot.toml"});
   EXPECT_EQ(o.code, 0) << o;
-  EXPECT_TRUE(contains(o.err, "columns force = 'force.csv:force' of recs/lot.toml left out")) << o;
+  EXPECT_TRUE(contains(o.err, "columns force = 'force.csv:force' of recs/lot.toml not taken over")) << o;
   EXPECT_FALSE(contains(read("next/lot.toml"), "force.csv"));
   EXPECT_EQ(inspected({"next/lot.toml"})["blocks"], inspected({"next/b.csv"})["blocks"]);
 }
 
-// Beside the record: not replaced, not outside without a word, and part of what tells a refused device from another.
+// init must not replace it, and warns if it lies outside the lot's folder; its content is part of the device's hash.
 TEST_F(Parts, the_file_of_a_channel_is_a_file_of_the_device) {
   write("recs/disp.csv", channel(false));
   write("force.csv", channel(true));
   auto const force = read("force.csv");
   Words const init{"init", "recs/disp.csv", "--columns", "force=force.csv:force", "--force", "--out"};
-  expect_message(isolaw(init + Words{"force.csv"}), 2, {"force.csv: read for this, and would be replaced"});
+  expect_message(isolaw(init + Words{"force.csv"}), 2,
+                 {"force.csv: is an input of this command and would be replaced"});
   EXPECT_EQ(read("force.csv"), force);
   auto const o = isolaw(init + Words{"recs/lot.toml"});
   EXPECT_EQ(o.code, 0) << o;
@@ -258,7 +259,7 @@ TEST_F(Parts, nothing_usable_is_an_error_of_several_files_too) {
   EXPECT_EQ(isolaw({"inspect", "a.csv", "c.csv"}).code, 1);
 }
 
-// A hundred samples a cycle are a hundred, though division says 99.99.
+// A hundred samples a cycle count as a hundred, although the division gives 99.99.
 TEST_F(Parts, a_hundred_samples_a_cycle_are_enough) {
   write("a.csv", csv(record({.samples = 301, .per_cycle = 100})));
   auto const o = isolaw({"inspect", "a.csv"});

@@ -1,6 +1,5 @@
-// The laws as the program lists them, and the seven of the paper with their parameters and units as docs/laws.md has
-// them:
-// what a user's script may rely on.
+// The laws as the program lists them, and the seven of the paper with parameters and units as in docs/laws.md: users'
+// scripts may rely on them.
 #pragma once
 
 #include <array>

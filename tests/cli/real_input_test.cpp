@@ -1,4 +1,4 @@
-// Measured records. They lie beside the repository in the workshop and are never copied into it: without them, skipped.
+// Measured records, which lie beside the repository and are never copied into it. Without them the tests are skipped.
 #include <cmath>
 
 #include "cli/run.hpp"
@@ -46,14 +46,14 @@ TEST_F(Bearing, inspect_recognises_columns_units_and_cycles_and_says_that_time_i
   ASSERT_EQ(timed.code, 0) << timed;
   auto const found = Json::parse(timed.out);
   EXPECT_EQ(found["samples"], 19767);
-  // 0.5 Hz: that is what makes the sampling interval.
+  // The sampling interval was deduced from the test's 0.5 Hz.
   EXPECT_NEAR(found["samples_per_cycle"].get<double>() * 0.00214823, 2.0, 0.01);
   ASSERT_EQ(found["blocks"].size(), 3u);
   for (auto const& block : found["blocks"]) EXPECT_EQ(block["cycles"].size(), 7u);
 }
 
-// Every ninth sample after the average of as many, from the virgin start: what the literature's laws and power-masing
-// are known to reach there, by other programs (docs/league.md has the rest).
+// Every ninth sample after averaging over nine, from the virgin start. The expected objectives of the literature's laws
+// and power-masing come from other programs (docs/league.md has the rest).
 TEST_F(Bearing, laws_reach_what_is_known_of_them) {
   if (!fs::exists(file)) GTEST_SKIP() << "measured data are not here: " << file;
   struct Known {
@@ -94,7 +94,7 @@ TEST_F(Bearing, without_a_sampling_interval_the_two_laws_that_need_velocity_are_
 class FrictionDamper : public RealInput {
  protected:
   fs::path const packed = data / "friction-damper-arts/ds2_0.5Hz_30lb_1in.json.xz";
-  // Rows [time s, displacement in, friction force kip, ...] as CSV.
+  // Converts rows [time s, displacement in, friction force kip, ...] to CSV.
   void convert() {
     Process unpack({"xz", "--decompress", "--stdout", packed}, directory(), path("damper.json"), path("xz.err"));
     auto const unpacked = unpack.wait();
@@ -137,7 +137,7 @@ TEST_F(FrictionDamper, inspects_and_calibrates_after_a_plain_conversion) {
   expect_finite_objectives("damper", 2.0);
 }
 
-// Seven cycles each, of which those of the nominal amplitude count: two of 1/4 and 3/4 of it at either end lead to it.
+// Seven cycles each, of which the three at the nominal amplitude count; two of 1/4 and 3/4 of it come before and after.
 TEST_F(FrictionDamper, every_record_is_read_as_it_is_and_has_its_three_cycles) {
   if (!fs::exists(packed)) GTEST_SKIP() << "measured data are not here: " << packed;
   if (!have_xz()) GTEST_SKIP() << "xz is not installed";
@@ -165,7 +165,7 @@ TEST_F(FrictionDamper, every_record_is_read_as_it_is_and_has_its_three_cycles) {
     for (auto const& cycle : block["cycles"]) {
       if (cycle["counts"] == false) continue;
       ++counted;
-      // Extremes and energy of the rows between the cuts, whose ends are a sample's width apart at most.
+      // Extremes and energy of the rows between the cuts, which lie at most one sample from the rows' ends.
       double largest = -1e9, least = 1e9, energy = 0.0;
       auto const first = static_cast<std::size_t>(std::lround(cycle["first"].get<double>()));
       auto const last = static_cast<std::size_t>(std::lround(cycle["last"].get<double>()));

@@ -1,4 +1,4 @@
-// Test records as text, good and broken, for the tests that need no real device.
+// Test records as text, good and bad, for tests that need no real device.
 #pragma once
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ struct RecordShape {
   double amplitude_mm = 100.0, stiffness_kN_per_mm = 0.5, strength_kN = 20.0, yield_mm = 10.0, interval_s = 0.01;
 };
 
-// A device of constant stiffness and friction under a sine: positive stiffness, energy about 4 Qd (D - Dy) per cycle.
+// A device with constant stiffness and friction under a sine. The energy of a cycle is about 4 Qd (D - Dy).
 inline std::vector<Sample> record(RecordShape const& shape = {}) {
   std::vector<Sample> samples;
   double z = 0.0, before = 0.0;
@@ -39,7 +39,7 @@ inline std::string row(Sample const& s) {
 
 inline constexpr char const* header = "time [s],displacement [mm],force [kN]";
 
-// Comma separated, header in line 1, so that sample i stands in line i + 2. `change` may rewrite a row (by sample).
+// Comma separated with the header in line 1, so sample i is in line i + 2. `change` may rewrite a row by its sample.
 inline std::string csv(std::vector<Sample> const& samples, std::string const& head = header,
                        std::function<std::string(std::size_t, Sample const&)> const& change = {}) {
   std::string text = head + "\n";
@@ -47,7 +47,7 @@ inline std::string csv(std::vector<Sample> const& samples, std::string const& he
   return text;
 }
 
-// The record with one row replaced: line `line` of the file.
+// The record with line `line` of the file replaced.
 inline std::string csv_with_line(int line, std::string const& text) {
   return csv(record(), header,
              [&](std::size_t i, Sample const& s) { return static_cast<int>(i) + 2 == line ? text : row(s); });

@@ -19,7 +19,7 @@ class Resume : public InFreshDirectory {
                  "40",        "--generations", "20",     "--analysis", "none",   "--out", out} +
            more;
   }
-  // Starts the campaign and sends the signal once some runs, but not all 40, are stored.
+  // Starts the campaign and sends the signal when some, but not all 40, runs are stored.
   Outcome stopped(Words const& words, std::string const& out, int signal, std::string const& law = "abe") {
     auto process = start(words);
     Outcome result;
@@ -55,7 +55,7 @@ TEST_F(Resume, interrupted_campaign_keeps_its_runs_continues_and_ends_as_if_neve
   EXPECT_EQ(continued.out, whole.out);
 }
 
-// What people type: the default search, and the analyses after it.
+// The command that people type: the default search, followed by the analyses.
 TEST_F(Resume, of_the_default_search_and_its_analyses_ends_as_if_never_stopped) {
   auto const campaign = [](std::string const& out) {
     return Words{"calibrate",
@@ -95,7 +95,7 @@ TEST_F(Resume, polite_kill_stops_like_ctrl_c) {
   expect_message(o, 1, {"interrupted", "to continue: "});
 }
 
-// An ssh session that ends: nobody is there to read the message, the store is left as after Ctrl-C.
+// An ssh session ends: nobody reads the message, and the store is left as after Ctrl-C.
 TEST_F(Resume, a_closed_terminal_stops_like_ctrl_c) {
   auto const o = stopped(campaign("O"), "O", SIGHUP);
   expect_message(o, 1, {"interrupted", "to continue: "});
@@ -109,7 +109,7 @@ TEST_F(Resume, a_closed_terminal_stops_like_ctrl_c) {
   EXPECT_FALSE(exists("P/campaign.sqlite-wal"));
 }
 
-// nohup.
+// As under nohup.
 TEST_F(Resume, a_closed_terminal_is_ignored_where_it_is_to_be) {
   Process process(Words{"sh", "-c", "trap '' HUP; exec \"$0\" \"$@\"", ISOLAW_BINARY} +
                       Words{"calibrate", "ex/lot.toml", "--laws", "abe", "--runs", "2", "--samples-per-cycle", "40",
@@ -121,7 +121,7 @@ TEST_F(Resume, a_closed_terminal_is_ignored_where_it_is_to_be) {
   EXPECT_EQ(process.wait().code, 0);
 }
 
-// Threads that the system does not give, here for want of memory: those it gives do the work.
+// If the system cannot start all threads, here for lack of memory, those that start do the work.
 TEST_F(Resume, threads_that_cannot_be_made_are_done_without) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "sanitizers need more memory than a limit leaves";
@@ -134,7 +134,7 @@ TEST_F(Resume, threads_that_cannot_be_made_are_done_without) {
   if (o.code == 0) {
     EXPECT_EQ(read("O/summary.json"), read("P/summary.json"));
     EXPECT_TRUE(contains(o.err, "the system gave no more threads or memory: "));
-    EXPECT_TRUE(contains(o.err, " worked; try: --jobs "));
+    EXPECT_TRUE(contains(o.err, " did the work; try: --jobs "));
   } else {
     expect_message(o, 3, {"out of memory", "fewer --jobs", "finished runs are kept in O/campaign.sqlite"});
   }
@@ -160,7 +160,7 @@ TEST_F(Resume, starting_over_leaves_no_results_of_the_former_campaign_beside_the
 }
 
 TEST_F(Resume, a_reader_of_the_store_does_not_cost_the_campaign_its_results) {
-  // docs/store.md invites to look with plain SQL; a viewer holds the file open.
+  // docs/store.md recommends reading the store with plain SQL; a viewer then holds the file open.
   auto process = start(campaign("O"));
   Outcome result;
   while (stored_runs(path("O/campaign.sqlite"), "abe") < 3 && !process.ended(result)) std::this_thread::sleep_for(5ms);
@@ -226,7 +226,7 @@ TEST_F(Changed, settings_are_refused_naming_each) {
   EXPECT_EQ(read("O/summary.json"), summary);
 }
 
-// On the default search, whose settings are others than the genetic algorithm's.
+// The default search and the genetic algorithm have different settings.
 TEST_F(Changed, the_method_is_refused_by_its_name_in_both_directions) {
   Words const command{"calibrate", "a.csv", "--laws", "bilinear", "--runs", "2", "--out", "P"};
   Words const genetic{"--method", "ga", "--population", "4", "--generations", "2"};
@@ -284,7 +284,7 @@ TEST_F(Changed, devices_are_refused) {
 TEST_F(Changed, what_the_lot_file_says_of_a_device_is_not_silently_left_as_it_was) {
   write("lot.toml", lot("S2", "b.csv"));
   auto const o = run();
-  if (o.code == 2) return;  // refused is fine as well
+  if (o.code == 2) return;  // a refusal is fine too
   EXPECT_EQ(query(path("O/campaign.sqlite"), "SELECT serial FROM device WHERE name = 'a'"), Words{"S2"}) << o;
 }
 
@@ -294,7 +294,7 @@ TEST_F(Changed, a_refusal_is_not_silently_left_as_it_was) {
   expect_message(first, 1, {"b.csv: is empty"});
   write("b.csv", csv_with_line(101, "0.9900,nan,12.0"));
   auto const o = run();
-  if (o.code == 2) return;  // refused as changed is fine as well
+  if (o.code == 2) return;  // a refusal as changed is fine too
   EXPECT_TRUE(contains(json("O/summary.json")["devices"][1]["message"].get<std::string>(), "b.csv:101")) << o;
 }
 
@@ -344,7 +344,7 @@ TEST_F(Changed, a_store_of_a_newer_schema_is_refused) {
             SQLITE_OK);
   sqlite3_close(db);
   for (auto const& o : {run(), isolaw({"report", "O"})})
-    expect_refused(o, {"O/campaign.sqlite", "written by a newer isolaw, '" ISOLAW_VERSION "'", "schema 99",
+    expect_refused(o, {"O/campaign.sqlite", "a store of schema 99, written by isolaw '" ISOLAW_VERSION "'",
                        "the isolaw that wrote it"});
 }
 
@@ -357,7 +357,7 @@ TEST_F(Changed, a_damaged_store_is_refused_without_a_crash) {
   expect_refused(isolaw({"report", "O"}), {"O/campaign.sqlite"});
 }
 
-// On a terminal: a line with share, rate, time left and the best objectives, erased at the end.
+// On a terminal one line shows share, rate, time left and the best objectives, and is erased at the end.
 TEST_F(Changed, progress_is_shown_on_a_terminal) {
   int terminal = -1, other = -1;
   char name[256] = {};

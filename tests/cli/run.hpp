@@ -1,4 +1,4 @@
-// Runs the real binary in a fresh directory and keeps what it printed. Every test of tests/cli goes through here.
+// Runs the real binary in a fresh directory and keeps its output. Every test of tests/cli goes through this.
 #pragma once
 
 #include <fcntl.h>
@@ -31,7 +31,7 @@ using Json = nlohmann::ordered_json;
 using Words = std::vector<std::string>;
 using namespace std::chrono_literals;
 
-inline fs::path const data = ISOLAW_DATA_DIR;  // measured; tests skip without it
+inline fs::path const data = ISOLAW_DATA_DIR;  // measured data; tests skip without them
 inline Words const smallest_search{"--laws", "bilinear", "--runs", "1", "--population", "4", "--generations", "1"};
 
 inline std::string read_file(fs::path const& path) {
@@ -53,7 +53,7 @@ struct Outcome {
   int code = -1;  // exit code; 128 + signal when a signal ended it
   bool timed_out = false;
   std::string out, err;
-  long peak_kB = 0;  // the most memory that it had
+  long peak_kB = 0;  // peak memory
 };
 
 inline std::ostream& operator<<(std::ostream& stream, Outcome const& o) {
@@ -62,7 +62,7 @@ inline std::ostream& operator<<(std::ostream& stream, Outcome const& o) {
                 << "\nstdout: " << o.out.substr(0, shown) << "\nstderr: " << o.err.substr(0, shown);
 }
 
-// A started program; killed when it outlives its owner.
+// A started program, which is killed if its owner ends first.
 class Process {
  public:
   Process(Words const& command, fs::path const& directory, fs::path output, fs::path errors,
@@ -95,7 +95,7 @@ class Process {
 
   void send(int signal) const { kill(pid_, signal); }
 
-  // True once it has ended; the outcome is then in `result`.
+  // Returns true once it has ended, with the outcome in `result`.
   bool ended(Outcome& result) {
     int status = 0;
     rusage used{};
@@ -127,13 +127,12 @@ class Process {
   fs::path output_, errors_;
 };
 
-// Held to the Italian code with these design values.
+// Options to check against the Italian code with these design values.
 inline Words held_to(std::string const& design) {
   return {"--rules", "ntc-2018", "--design", design};
 }
 
-// Analyses and figures cost far more than the short searches of most tests, which ask about other things: none unless
-// asked for.
+// Analyses and figures take far longer than the short searches of most tests, so they are off unless asked for.
 inline Words without_extras(Words words) {
   if (words.size() < 2 || (words.front() != "calibrate" && words.front() != "report")) return words;
   static Words const flags{"--fresh", "--json", "--center", "--allow-outside", "--flip-force"};
@@ -147,7 +146,7 @@ inline Words without_extras(Words words) {
   return words;
 }
 
-// A test in a directory of its own, where commands run and their relative names live.
+// A test in a directory of its own, where commands run and relative names refer to.
 class InFreshDirectory : public testing::Test {
  protected:
   void SetUp() override {
@@ -168,7 +167,7 @@ class InFreshDirectory : public testing::Test {
   Json json(fs::path const& name) const { return Json::parse(read(name)); }
   bool exists(fs::path const& name) const { return fs::exists(path(name)); }
 
-  // isolaw with `words`; captured output lies beside the working directory, not in it.
+  // Starts isolaw with `words`. The captured output lies beside the working directory, not in it.
   Process start(Words words, Words const& environment = {}) {
     words = without_extras(std::move(words));
     words.insert(words.begin(), ISOLAW_BINARY);
@@ -203,7 +202,7 @@ inline testing::AssertionResult contains(std::string_view text, std::string_view
   return testing::AssertionFailure() << "no '" << part << "' in:\n" << text.substr(0, 4000);
 }
 
-// A message that has all these parts, and came from isolaw, not from a crash.
+// The message contains all these parts, and comes from isolaw, not from a crash.
 inline void expect_message(Outcome const& o, int code, std::vector<std::string> const& parts) {
   EXPECT_EQ(o.code, code) << o;
   for (auto const& part : parts) EXPECT_TRUE(contains(o.err, part)) << "exit code " << o.code;
@@ -214,6 +213,14 @@ inline void expect_message(Outcome const& o, int code, std::vector<std::string> 
 inline void expect_refused(Outcome const& o, std::vector<std::string> const& parts) {
   expect_message(o, 2, parts);
   EXPECT_TRUE(o.out.empty()) << o;
+}
+
+// The same for words with --json: standard output holds the complaints as one object, which is returned.
+inline Json expect_refused_as_object(Outcome const& o, std::vector<std::string> const& parts) {
+  expect_message(o, 2, parts);
+  auto const object = Json::parse(o.out, nullptr, false);
+  EXPECT_TRUE(object.is_object() && object["exit"] == 2 && !object["error"]["complaints"].empty()) << o;
+  return object;
 }
 
 }  // namespace isolaw::cli_test

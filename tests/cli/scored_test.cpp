@@ -1,4 +1,4 @@
-// --fit-blocks and --fit-cycles: laws are judged by the chosen part of a test, and run through all of it.
+// --fit-blocks and --fit-cycles: laws are scored on the chosen part of a test, but run through all of it.
 #include "cli/loops.hpp"
 #include "cli/records.hpp"
 #include "cli/run.hpp"
@@ -10,8 +10,8 @@ namespace {
 constexpr int samples_of_cycle = 200, cycles = 3;
 constexpr std::size_t block_samples = samples_of_cycle * cycles;
 
-// Bilinear, K1 = 2.5, K2 = 0.5 kN/mm, xy = 10 mm, through three cycles of 60 mm and three of 100 mm. In the block
-// `disturbed` the force is a third larger than the law's; 0 for none, 3 for the second half of the second block.
+// Bilinear, K1 = 2.5, K2 = 0.5 kN/mm, xy = 10 mm, three cycles of 60 mm and three of 100 mm. In the block `disturbed`
+// the force is a third larger than the law's; 0 means no block, 3 the second half of the second block.
 std::vector<Sample> two_blocks(int disturbed) {
   std::vector<Sample> samples;
   double z = 0.0, before = 0.0;
@@ -28,8 +28,8 @@ std::vector<Sample> two_blocks(int disturbed) {
   return samples;
 }
 
-// Eq. (27) for a law whose force is `law`, over the samples from `first` to `last`: mean absolute difference over time
-// by the standard deviation of the measured force.
+// Eq. (27) for a law with the force `law` over the samples from `first` to `last`: mean absolute difference over time,
+// divided by the standard deviation of the measured force.
 double objective_of(std::vector<Sample> const& measured, std::vector<Sample> const& law, std::size_t first,
                     std::size_t last) {
   double sum = 0.0, mean = 0.0, square = 0.0;
@@ -45,7 +45,7 @@ double objective_of(std::vector<Sample> const& measured, std::vector<Sample> con
 
 class Scored : public InFreshDirectory {
  protected:
-  // Every parameter is given: what comes out is the objective of the law itself.
+  // Every parameter is fixed, so the result is the objective of the law itself.
   Json calibrated(Words const& more, std::string const& file = "one.csv") {
     auto const o =
         isolaw(Words{"calibrate", file, "--out", "O", "--fresh", "--laws", "bilinear", "--runs", "1"} +
@@ -62,7 +62,7 @@ TEST_F(Scored, only_the_chosen_block_is_judged_and_the_state_comes_from_the_one_
   auto const measured = two_blocks(1), law = two_blocks(0);
   write("one.csv", csv(measured));
   EXPECT_LT(objective(calibrated({"--fit-blocks", "2"})), exact);
-  // At the start of the second block the law has yielded; from rest its first rise alone would differ.
+  // At the start of the second block the law has already yielded; started from rest, its first rise would differ.
   EXPECT_LT(objective(calibrated({"--fit-blocks", "2", "--fit-cycles", "1"})), exact);
   double const other = objective_of(measured, law, 0, block_samples);
   EXPECT_GT(other, 0.2);
@@ -118,7 +118,7 @@ TEST_F(Scored, errors_in_properties_are_of_a_cycle_that_was_judged) {
   for (auto const& [block, error] : {std::pair{"2", 0.0}, {"1", -25.0}}) {
     auto const fit = calibrated({"--fit-blocks", block})["laws"][0]["devices"][0];
     EXPECT_NEAR(fit["K_eff_error_percent"].get<double>(), error, 1e-3) << block;
-    // The sample at the cut belongs to the second block, undisturbed.
+    // The sample at the cut belongs to the second block, which is undisturbed.
     EXPECT_NEAR(fit["energy_error_percent"].get<double>(), error, 0.2) << block;
   }
 }

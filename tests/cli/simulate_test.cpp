@@ -1,4 +1,4 @@
-// `isolaw simulate`: forces as the report has them, parameters from anywhere, and what is refused.
+// `isolaw simulate`: forces as in the report, parameters from every source, and refusals.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -42,7 +42,7 @@ Simulated parsed(std::string const& text) {
 
 class Simulate : public InFreshDirectory {
  protected:
-  // One device, a sine with enough samples, fitted by three laws of which one needs velocities.
+  // One device under a sine with enough samples, fitted by three laws; one needs velocities.
   void calibrated(std::string const& laws = "bilinear,bouc-wen,hwang-wu", Words const& more = {}) {
     write("d.csv", csv(record()));
     auto const o = isolaw(Words{"calibrate", "d.csv", "--laws", laws, "--runs", "1", "--out", "O"} + more);
@@ -88,7 +88,7 @@ TEST_F(Simulate, parameters_come_from_toml_json_tables_or_options_alike) {
   auto const written = isolaw(start + Words{"--parameters", "p.toml", "--out", "f.csv"});
   EXPECT_EQ(written.out, "");
   EXPECT_EQ(read("f.csv"), by_toml.out);
-  // The peak of a bilinear law: K2 x + (K1 - K2) xy.
+  // The peak force of a bilinear law: K2 x + (K1 - K2) xy.
   auto const force = parsed(by_toml.out).columns.back();
   EXPECT_NEAR(std::ranges::max(force), 0.5 * 100.0 + 2.0 * 10.0, 1e-9);
 }
@@ -155,7 +155,7 @@ TEST_F(Simulate, says_where_the_history_goes_beyond_the_test) {
   EXPECT_TRUE(contains(o.err, "the history reaches 150 mm, the test 100 mm"));
 }
 
-// What is said of the motion on the terminal stands with the numbers too.
+// Warnings about the motion appear on the terminal and with the numbers.
 TEST_F(Simulate, beyond_the_test_is_said_in_the_table) {
   calibrated("bilinear");
   write("m.csv", "time [s],displacement [mm]\n0,10\n1,150\n2,300\n3,0\n");
@@ -167,7 +167,7 @@ TEST_F(Simulate, beyond_the_test_is_said_in_the_table) {
   }
 }
 
-// Another value makes another law: what is known of the fitted one is neither claimed nor held against it.
+// A changed parameter makes another law: neither the fitted law's merits nor its warnings apply to it.
 TEST_F(Simulate, a_changed_law_takes_no_word_of_the_fitted_one) {
   calibrated("bilinear");
   Words const words{"simulate", "bilinear", "--from", "O", "--device", "d", "--motion", "d.csv"};
@@ -208,19 +208,19 @@ TEST_F(Simulate, what_was_read_and_stores_are_not_replaced) {
   auto const motion = read("d.csv"), store = read("O/campaign.sqlite");
   Words const words{"simulate", "bilinear", "--from", "O", "--device", "d", "--motion", "d.csv", "--out"};
   expect_refused(isolaw(words + Words{"d.csv"}),
-                 {"d.csv: read for this, and would be replaced", "another name after --out"});
-  expect_refused(isolaw(words + Words{"O/campaign.sqlite"}), {"a campaign's store, which would be replaced"});
+                 {"d.csv: is an input of this command and would be replaced", "another name after --out"});
+  expect_refused(isolaw(words + Words{"O/campaign.sqlite"}), {"a campaign's store and would be replaced"});
   expect_refused(
       isolaw({"export", "O", "--law", "bilinear", "--device", "d", "--to", "json", "--out", "O/campaign.sqlite"}),
-      {"a campaign's store, which would be replaced"});
-  expect_message(isolaw({"init", "d.csv", "--out", "d.csv", "--force"}), 2, {"d.csv: read for this"});
+      {"a campaign's store and would be replaced"});
+  expect_message(isolaw({"init", "d.csv", "--out", "d.csv", "--force"}), 2, {"d.csv: is an input of this command"});
   EXPECT_EQ(read("d.csv"), motion);
   EXPECT_EQ(read("O/campaign.sqlite"), store);
   EXPECT_EQ(isolaw(words + Words{"f.csv"}).code, 0);
   EXPECT_EQ(isolaw(words + Words{"f.csv"}).code, 0) << "one written before may be written again";
 }
 
-// One rule for `simulate`, Python and exports: the device comes before the law of the lot.
+// The same rule in simulate, Python and exports: a device named "lot" takes precedence over the law of the lot.
 TEST_F(Simulate, a_device_called_lot_is_that_device) {
   write("r/lot.csv", csv(record()));
   write("r/b.csv", csv(record({.strength_kN = 24.0})));
@@ -240,7 +240,7 @@ TEST_F(Simulate, a_device_called_lot_is_that_device) {
   EXPECT_EQ(isolaw(words).out, without_comments(o.out));
 }
 
-// Of a motion that starts elsewhere the law knows nothing before its first sample, as no analysis program has it.
+// If a motion starts away from zero the law has no history before its first sample, unlike in an analysis program.
 TEST_F(Simulate, a_motion_that_does_not_start_at_zero_is_warned_of) {
   Words const words{"simulate", "bilinear", "--set", "K1=2.5", "--set", "K2=0.5", "--set", "xy=2", "--motion", "m.csv"};
   write("m.csv", "displacement [mm],x\n5,0\n10,0\n0,0\n");
@@ -248,14 +248,14 @@ TEST_F(Simulate, a_motion_that_does_not_start_at_zero_is_warned_of) {
   ASSERT_EQ(off.code, 0) << off;
   EXPECT_TRUE(contains(off.err, "the motion starts at 5 mm: the device is taken as virgin there")) << off;
   EXPECT_TRUE(contains(off.err, "put a path from 0 in front")) << off;
-  EXPECT_EQ(parsed(off.out).columns.back().front(), 0.5 * 5.0);  // as the warning says: no hysteretic force yet
+  EXPECT_EQ(parsed(off.out).columns.back().front(), 0.5 * 5.0);  // no hysteretic force yet, as the warning says
   write("m.csv", "displacement [mm],x\n0.000001,0\n10,0\n0,0\n");
   auto const at_zero = isolaw(words);
   ASSERT_EQ(at_zero.code, 0) << at_zero;
   EXPECT_FALSE(contains(at_zero.err, "virgin")) << at_zero;
 }
 
-// Each within its own limits, and together no device.
+// Each parameter is within its own limits, but together they describe no device.
 TEST_F(Simulate, parameters_that_together_are_no_device_are_refused) {
   write("d.csv", csv(record()));
   Words const bilinear{"simulate", "bilinear", "--motion", "d.csv", "--set", "xy=10", "--set", "K2=0.42"};
@@ -271,8 +271,8 @@ TEST_F(Simulate, parameters_that_together_are_no_device_are_refused) {
   expect_refused(isolaw(bouc_wen + Words{"--set", "A=-1"}), {"A = -1 leaves its physical limits; allowed: above 0"});
 }
 
-// What calibrate took, simulate takes: it refuses outright what no device can be, and a search that found its best
-// beyond a limit that its box crosses says so.
+// simulate accepts what calibrate accepted. calibrate refuses a box that contains no possible device, and warns if a
+// search found its best beyond a limit that crosses the box.
 TEST_F(Simulate, takes_every_campaign_that_calibrate_made) {
   write("d.csv", csv(record({.strength_kN = 0.5})));
   Words const start{"calibrate", "d.csv", "--laws", "bilinear", "--runs", "1", "--out", "O"};
@@ -291,7 +291,7 @@ TEST_F(Simulate, takes_every_campaign_that_calibrate_made) {
   expect_refused(isolaw(again + Words{"--set", "K1=0.1"}), {"K1 = 0.1, K2 = ", "allowed: K1 >= K2"});
 }
 
-// Accelerations are no displacements; a header that says so is believed.
+// A record of accelerations cannot be used as displacements; the header's unit decides.
 TEST_F(Simulate, a_record_of_acceleration_is_refused_with_what_is_needed) {
   write(
       "g.txt",
@@ -321,7 +321,7 @@ TEST_F(Simulate, measured_motions) {
   expect_refused(isolaw(start + Words{ground}), {"a record of acceleration", "UNITS OF G"});
 }
 
-// Two displacements of one file.
+// A motion with two displacements in one file.
 std::string orbit(double angle, double across = 0.6) {
   std::string text = "time [s],east [mm],north [mm]\n";
   for (int i = 0; i <= 300; ++i) {
@@ -358,7 +358,7 @@ TEST_F(Simulate, two_displacements_give_two_forces_that_turn_with_them) {
 TEST_F(Simulate, two_directions_along_one_are_the_law_coupled_exactly_and_springs_nearly) {
   write("m.csv", orbit(0.0, 0.0));
   auto const one = parsed(isolaw(bouc_wen + Words{"--motion", "m.csv", "--columns", "disp=east"}).out);
-  // A displacement that does not change is no motion to a reader: two parts in a million of it is.
+  // A constant displacement would not be read as a motion; one of two parts in a million is.
   write("m.csv", orbit(0.0, 1e-6));
   auto const coupled = parsed(isolaw(bouc_wen + in_plane("coupled")).out);
   auto const o = isolaw(bouc_wen + in_plane("springs"));

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# A campaign as the script of `isolaw parts --to slurm` runs it on a real Slurm: the array is submitted, the node is lost in
-# the middle, what it ran is queued again, and what is merged is, byte by byte, what one machine computes. And a part that
-# is lost afterwards is submitted again by the merge. Parts of other settings are not merged.
-# slurm_test.sh ISOLAW TOOLS; exit code 77: skipped, and why.
+# Runs a campaign with the script of `isolaw parts --to slurm` on a real Slurm: the array is submitted, the node is lost
+# midway, Slurm queues its work again, and the merged campaign equals one machine's byte by byte. The merge also submits
+# a part again that is lost later, and refuses parts of other settings.
+# slurm_test.sh ISOLAW TOOLS; exit code 77: skipped, with the reason printed.
 set -euo pipefail
 isolaw=$1 cluster=$2/slurm_here.sh
 if ! why=$("$cluster" possible); then
@@ -18,7 +18,7 @@ fail() {
   tail -n 20 slurm/slurmctld.log out*.parts/*.log "out 'put.parts"/*.log >&2 || true
   exit 1
 }
-# Until the command succeeds; it asks twice a second.
+# Repeats the command every half second until it succeeds.
 wait_for() {
   local seconds=$1 asked
   shift
@@ -49,7 +49,7 @@ wait_for 120 some_are_done_and_some_are_not
 before=$(find "$out.parts" -name campaign.sqlite | wc -l)
 [ "$before" -lt 8 ] || fail "nothing was left to lose"
 "$cluster" start-node "$work/slurm"
-# A job that was queued again is not eligible for two minutes, which nobody waits for here.
+# A job that is queued again may not start for two minutes; the test does not wait for that.
 sooner() {
   local job
   for job in $(squeue -h -r -t pending -n isolaw -o %A); do
@@ -67,7 +67,7 @@ for file in campaign.sqlite summary.json report.html; do
   cmp "$out/$file" "one/$file" || fail "$file is not that of one machine"
 done
 
-# Lost afterwards: by the same command. The merge itself submits what is missing.
+# Parts lost later: the same command computes them. The merge itself submits what is missing.
 rm -r "$out" "$out.parts/3" "$out.parts/7"
 again=$(sh "the script")
 case $again in *"parts 1-8: job "*) ;; *) fail "not every part: $again" ;; esac
@@ -79,7 +79,7 @@ wait_for 120 merged
 cmp "$out/campaign.sqlite" one/campaign.sqlite || fail "a merge did not submit what was missing"
 grep -q 'missing: parts 5, submitted again' "$out.parts/merge.log" || fail "more than what was missing"
 
-# Of another seed: what is there is no part of it, by whatever name.
+# With another seed, the parts that exist belong to another campaign, whatever their names.
 "$isolaw" parts lot/lot.toml 8 --to slurm "${campaign[@]}" --seed 9 --out "$out" >"another script"
 sh "another script" >/dev/null
 wait_for 120 merged

@@ -11,7 +11,7 @@
 
 namespace isolaw::cli_test {
 
-// The rows of a query, each as text "value|value"; bytes as hexadecimal.
+// The rows of a query as text "value|value"; blobs as hexadecimal.
 inline std::vector<std::string> query(std::filesystem::path const& file, std::string const& sql) {
   sqlite3* db = nullptr;
   sqlite3_stmt* statement = nullptr;
@@ -27,7 +27,7 @@ inline std::vector<std::string> query(std::filesystem::path const& file, std::st
         auto const type = sqlite3_column_type(statement, i);
         if (type == SQLITE_NULL) {
           row += "NULL";
-        } else if (type == SQLITE_BLOB || type == SQLITE_FLOAT) {  // doubles bit by bit
+        } else if (type == SQLITE_BLOB || type == SQLITE_FLOAT) {  // doubles are compared bit by bit
           double const value = sqlite3_column_double(statement, i);
           auto const* bytes = static_cast<unsigned char const*>(type == SQLITE_BLOB ? sqlite3_column_blob(statement, i)
                                                                                     : static_cast<void const*>(&value));
@@ -63,7 +63,7 @@ inline std::vector<std::string> all_rows(std::filesystem::path const& file) {
   return rows;
 }
 
-// How many rows a table has; 0 while there is no store to read yet.
+// The number of rows of a table; 0 while there is no store yet.
 inline int stored_rows(std::filesystem::path const& file, std::string const& table_and_condition) {
   try {
     return std::filesystem::exists(file) ? std::stoi(query(file, "SELECT count(*) FROM " + table_and_condition).at(0))

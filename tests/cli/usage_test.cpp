@@ -1,7 +1,10 @@
 // Help, version, wrong usage, and the catalogue of laws.
+#include <regex>
+
 #include "cli/published_laws.hpp"
 #include "cli/records.hpp"
 #include "cli/run.hpp"
+#include "isolaw/base/error.hpp"
 
 namespace isolaw::cli_test {
 namespace {
@@ -26,17 +29,55 @@ TEST_F(Usage, help_of_calibrate_lists_the_options_that_scripts_rely_on) {
                              "--jobs", "--box", "--set", "--columns", "--units", "--dt", "--smooth",
                              "--samples-per-cycle", "--center", "--out", "--json", "--fresh"})
     EXPECT_TRUE(contains(o.out, option));
+  std::size_t last = 0;
+  for (auto const* heading : {"\nEveryday options:", "\nReading records:", "\nCorrecting for the test rig:",
+                              "\nLaws and search:", "\nAnalysis:", "\nAcceptance:", "\nRunning and output:"}) {
+    auto const at = o.out.find(heading);
+    EXPECT_TRUE(at != std::string::npos && at > last) << heading;
+    last = at;
+  }
 }
 
-TEST_F(Usage, version_is_the_projects) {
+TEST_F(Usage, version_says_commit_compiler_instructions_and_build) {
   auto const o = isolaw({"--version"});
   EXPECT_EQ(o.code, 0) << o;
-  EXPECT_EQ(o.out.find(ISOLAW_VERSION ", build "), 0u) << o;
-  EXPECT_EQ(o.out.size(), std::string(ISOLAW_VERSION ", build 0123456789ab\n").size()) << o;
+  std::regex const expected("isolaw " ISOLAW_VERSION
+                            " \\(([0-9a-f]+(, modified)?|unknown commit)\\)\n"
+                            "(g|clang)\\+\\+ [0-9.]+, [a-z0-9]+\nbuild [0-9a-f]{12}\n");
+  EXPECT_TRUE(std::regex_match(o.out, expected)) << o;
+  EXPECT_TRUE(contains(read_file(ISOLAW_SOURCE_DIR "/CITATION.cff"), "\nversion: " ISOLAW_VERSION "\n"));
+}
+
+// The output of cmake/commit.cmake for a copy of the sources in `folder`.
+std::string commit_of(fs::path const& folder) {
+  auto const source = folder / "commit.cpp";
+  auto const command = fmt::format("cmake '-DROOT={}' '-DOUTPUT={}' -P '{}/cmake/commit.cmake'", folder.string(),
+                                   source.string(), ISOLAW_SOURCE_DIR);
+  EXPECT_EQ(std::system(command.c_str()), 0) << command;
+  auto const text = read_file(source);
+  auto const first = text.find('"') + 1;
+  return text.substr(first, text.rfind('"') - first);
+}
+
+TEST_F(Usage, commit_comes_from_an_archive_or_from_git) {
+  write("archive/cmake/COMMIT", "0123abc\n");
+  EXPECT_EQ(commit_of(path("archive")), "0123abc");
+  write("copy/cmake/COMMIT", "$Format:%h$\n");
+  EXPECT_EQ(commit_of(path("copy")), "unknown commit");
+  if (std::system("git --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no git";
+  auto const git = [&](std::string const& words) {
+    auto const command = fmt::format("git -C '{}' -c user.name=a -c user.email=a {}", path("copy").string(), words);
+    return std::system(command.c_str());
+  };
+  ASSERT_EQ(git("init -q") + git("add cmake") + git("commit -q -m a"), 0);
+  auto const clean = commit_of(path("copy"));
+  EXPECT_EQ(clean.find_first_not_of("0123456789abcdef"), std::string::npos) << clean;
+  write("copy/cmake/COMMIT", "$Format:%h$\n\n");
+  EXPECT_EQ(commit_of(path("copy")), clean + ", modified");
 }
 
 TEST_F(Usage, no_command_is_refused) {
-  expect_refused(isolaw({}), {"subcommand", "--help"});
+  expect_refused(isolaw({}), {"no command given", "--help"});
 }
 
 TEST_F(Usage, unknown_command_is_refused_by_name) {
@@ -76,13 +117,56 @@ TEST_F(Usage, every_refusal_says_who_speaks_what_is_allowed_and_what_to_try) {
   EXPECT_TRUE(contains(said({"calibrate", "x", "--rums", "3"}), "isolaw: --rums: no such option; allowed: "));
   EXPECT_TRUE(contains(said({"calibrate", "x", "--rums=3"}), "try: --runs, or isolaw calibrate --help"));
   EXPECT_TRUE(contains(said({"--bogus"}), "isolaw: --bogus: no such option"));
-  EXPECT_TRUE(contains(said({"laws", "abe", "vaiana"}), "isolaw: vaiana: nothing more is expected here"));
+  EXPECT_TRUE(contains(said({"laws", "abe", "vaiana"}), "isolaw: vaiana: one argument too many"));
   EXPECT_TRUE(contains(said({"calibrate"}), "isolaw calibrate: inputs is required; try: isolaw calibrate --help"));
   EXPECT_TRUE(contains(said({"calibrate", "x", "--runs", "many"}),
-                       "isolaw: --runs: 'many' is no whole number of ordinary size; allowed: independent runs"));
+                       "isolaw: --runs: 'many' is not a whole number; allowed: independent runs"));
   EXPECT_TRUE(contains(said({"calibrate", "x", "--jobs", "5000"}), "isolaw: --jobs: '5000' is not allowed; allowed: "));
-  EXPECT_TRUE(contains(said({"inspect", "x", "--dt", "fast"}), "isolaw: --dt: 'fast' is no number"));
+  EXPECT_TRUE(contains(said({"inspect", "x", "--dt", "fast"}), "isolaw: --dt: 'fast' is not a number"));
+  EXPECT_TRUE(contains(said({"sample", "x", "--law", "abe", "--count", "99999999999"}),
+                       "isolaw: --count: '99999999999' is out of range"));
   EXPECT_TRUE(contains(said({"calibrate", "x", "--out"}), "isolaw: --out: needs a value"));
+}
+
+TEST_F(Usage, a_command_with_json_that_fails_gives_its_complaints_as_an_object) {
+  auto const missing =
+      expect_refused_as_object(isolaw({"inspect", "no\nsuch.csv", "--json"}), {"no\\nsuch.csv: no such"});
+  EXPECT_EQ(missing["error"]["kind"], "input");
+  auto const& complaint = missing["error"]["complaints"][0];
+  EXPECT_EQ(complaint["where"], "no\\nsuch.csv");
+  for (auto const* part : {"where", "found", "allowed", "advice"}) EXPECT_TRUE(complaint[part].is_string()) << part;
+  // The complaints appear one by one, in the order of the messages, each in its four parts.
+  write("bad.csv", "time [s],displacement [mm],force [kN]\n0,0,0\n1,x,0\n2,0,y\n");
+  auto const o = isolaw({"inspect", "bad.csv", "--json"});
+  std::string messages;
+  auto const several = expect_refused_as_object(o, {"bad.csv"});
+  for (auto const& each : several["error"]["complaints"])
+    messages += "isolaw: " + to_string(Complaint{each["where"], each["found"], each["allowed"], each["advice"]}) + "\n";
+  EXPECT_EQ(messages, o.err);
+  EXPECT_EQ(isolaw({"inspect", "bad.csv"}).err, o.err);
+  // The same for wrong usage; without --json there is no object.
+  auto const usage = expect_refused_as_object(isolaw({"laws", "--json", "--bogus"}), {"--bogus: no such option"});
+  EXPECT_EQ(usage["error"]["complaints"][0]["where"], "--bogus");
+  expect_refused(isolaw({"laws", "--bogus", "--", "--json"}), {"--bogus"});
+  // If standard output already has content, the object goes to standard error.
+  write("a.csv", csv(record()));
+  write("file", "");
+  auto const partial = isolaw({"inspect", "a.csv", "--json", "--out", "file/below"});
+  EXPECT_EQ(partial.code, 2) << partial;
+  EXPECT_TRUE(Json::parse(partial.out).contains("blocks")) << partial;
+  auto const last = partial.err.rfind('\n', partial.err.size() - 2) + 1;
+  EXPECT_FALSE(Json::parse(partial.err.substr(last))["error"]["complaints"].empty()) << partial;
+}
+
+// --errors-as-json, which the page's engine uses, always writes the object to standard error, below the message.
+TEST_F(Usage, the_pages_engine_gets_the_object_of_every_command) {
+  auto const o = isolaw({"--errors-as-json", "init", "nowhere.csv"});
+  expect_refused(o, {"isolaw: nowhere.csv: no such"});
+  auto const plain = isolaw({"init", "nowhere.csv"}).err;
+  EXPECT_TRUE(o.err.starts_with(plain)) << o;
+  EXPECT_EQ(Json::parse(o.err.substr(plain.size()))["error"]["complaints"][0]["where"], "nowhere.csv");
+  EXPECT_EQ(isolaw({"--errors-as-json", "laws"}).out, isolaw({"laws"}).out);
+  EXPECT_FALSE(contains(isolaw({"--help"}).out, "--errors-as-json"));
 }
 
 TEST_F(Usage, output_that_cannot_be_written_is_no_success) {
@@ -103,7 +187,7 @@ TEST_F(Usage, output_that_cannot_be_written_is_no_success) {
   }
 }
 
-// Cut by the limit of a file's size: the system would end the program without a word.
+// Output cut by the limit on file sizes: by default the system would end the program without a message.
 TEST_F(Usage, output_that_is_cut_is_no_success) {
   write("a.csv", csv(record()));
   ASSERT_EQ(isolaw({"calibrate", "a.csv", "--laws", "bilinear", "--runs", "1", "--population", "4", "--generations",
@@ -188,13 +272,26 @@ TEST_F(Catalogue, says_what_the_paper_calls_a_parameter) {
   EXPECT_EQ(bilinear[2]["paper_name"], "F_y");
 }
 
+TEST_F(Catalogue, lists_rule_sets_as_json_in_the_order_of_the_list) {
+  auto const listed = isolaw({"rules"}).out;
+  std::size_t at = 0;
+  auto const sets = Json::parse(isolaw({"rules", "--json"}).out);
+  EXPECT_EQ(sets.size() + 1, count_of("\n", listed)) << "and the template";
+  for (auto const& set : sets) {
+    at = listed.find(set["id"].get<std::string>(), at);
+    ASSERT_NE(at, std::string::npos) << set;
+    EXPECT_TRUE(contains(listed, set["title"].get<std::string>()));
+  }
+  expect_refused_as_object(isolaw({"rules", "ntc-2018", "--json"}), {"--json: is given with 'ntc-2018'"});
+}
+
 TEST_F(Catalogue, knows_the_published_boxes) {
   // Table 4 of the paper for law 1.
   auto const bilinear = Json::parse(isolaw({"laws", "bilinear", "--json"}).out)["parameters"];
   EXPECT_EQ(bilinear[0]["published"], Json({1.0, 1.9}));
   EXPECT_EQ(bilinear[1]["published"], Json({0.35, 0.95}));
   EXPECT_EQ(bilinear[2]["published"], Json({30.0, 80.0}));
-  // Vaiana's sigmoid is not calibrated there: fixed at zero.
+  // The paper does not calibrate vaiana's sigmoid: it is fixed at zero.
   auto const vaiana = Json::parse(isolaw({"laws", "vaiana", "--json"}).out);
   for (auto const& parameter : vaiana["parameters"]) {
     bool const sigmoid = parameter["name"].get<std::string>().starts_with("gamma");

@@ -1,4 +1,4 @@
-// What the terminal says of verdicts, of design values and of inputs that are not what they seem.
+// Terminal output on verdicts, on design values and on inputs that are not what they seem.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 
@@ -56,7 +56,7 @@ TEST_F(Terminal, calibrate_and_report_end_with_the_verdict) {
   EXPECT_EQ(Json::parse(isolaw({"report", "O", "--json"}).out)["devices"].size(), 2u);
 }
 
-// With one requirement not assessed nothing anywhere passes as a whole.
+// If one requirement is not assessed, nothing passes as a whole.
 TEST_F(Terminal, an_inspection_says_pass_fail_or_incomplete_first_everywhere) {
   write("mine.toml",
         "id = \"mine\"\ntitle = \"Contract\"\nedition = \"1\"\nsource = \"none\"\nverified_by = \"me\"\n"
@@ -90,7 +90,7 @@ TEST_F(Terminal, an_inspection_says_pass_fail_or_incomplete_first_everywhere) {
   EXPECT_TRUE(one.out.starts_with("INCOMPLETE: Contract: ")) << one;
 }
 
-// One test is not that of two devices: neither the copy's own line nor the sample passes by it, in any output.
+// A copied record is not the test of a second device: neither its own row nor the sample passes because of it.
 TEST_F(Terminal, a_copy_of_a_record_has_no_verdict_of_its_own_and_is_no_further_device_tested) {
   fs::copy_file(path("lot/D1.csv"), path("lot/twin.csv"));
   auto const o =
@@ -98,7 +98,7 @@ TEST_F(Terminal, a_copy_of_a_record_has_no_verdict_of_its_own_and_is_no_further_
   EXPECT_EQ(o.code, 1) << o;
   EXPECT_TRUE(contains(o.out, "  not assessed: the same record as D1\n")) << o;
   EXPECT_TRUE(contains(o.out, "fail          sample size                2 devices, limit 3 or more of 3")) << o;
-  EXPECT_EQ(count_of("the same record", o.out), 2u) << o;  // its row, and the warning of the lot
+  EXPECT_EQ(count_of("the same record", o.out), 2u) << o;  // in its row, and in the lot's warning
   auto const file = json("I/inspection.json"), page = page_data(read("I/inspection.html"));
   for (auto const* found : {&file, &page}) {
     auto const& devices = (*found)["devices"];
@@ -129,7 +129,8 @@ TEST_F(Terminal, design_values_without_a_rule_set_are_asked_about) {
   auto const o = isolaw({"inspect", "lot/D1.csv", "--design", "K_eff=0.8"});
   EXPECT_EQ(o.code, 0) << o;
   EXPECT_TRUE(contains(
-      o.err, "design values K_eff=0.8: no device is held to them without a rule set; try: --rules NAME, one of "))
+      o.err,
+      "design values K_eff=0.8: without a rule set no device is checked against them; try: --rules NAME, one of "))
       << o;
   EXPECT_TRUE(contains(o.err, "ntc-2018")) << o;
   EXPECT_EQ(isolaw(Words{"inspect", "lot/D1.csv"} + held_to("K_eff=0.8,disp=100")).err, "");
@@ -158,7 +159,7 @@ TEST_F(Terminal, a_lot_file_in_a_directory_of_records_is_named_not_used) {
   EXPECT_EQ(isolaw({"inspect", "lot/lot.toml"}).err, "");
 }
 
-// No number of a cycle that cannot have it, none of rounding alone.
+// A cycle shows no number that it cannot have, and none that is only rounding.
 TEST_F(Terminal, partial_and_one_sided_cycles_print_bounded_numbers) {
   auto samples = record({.samples = 701});
   for (auto& s : samples) s.disp_mm = 0.5 * (1e-13 - s.disp_mm + 100.0), s.force_kN = 0.5 * (-s.force_kN + 70.0);
@@ -174,12 +175,12 @@ TEST_F(Terminal, partial_and_one_sided_cycles_print_bounded_numbers) {
     digits = blocks[i] >= '0' && blocks[i] <= '9' ? digits + 1 : 0;
     ASSERT_LT(digits, 9u) << blocks;
   }
-  EXPECT_TRUE(contains(blocks, "         - ")) << blocks;  // K-
+  EXPECT_TRUE(contains(blocks, "         - ")) << blocks;  // K- is empty
   for (auto const& cycle : Json::parse(isolaw({"inspect", "side.csv", "--json"}).out)["blocks"][0]["cycles"])
     EXPECT_TRUE(cycle["K_minus_kN_per_mm"].is_null()) << cycle;
 }
 
-// A spreadsheet opens the limits as they read, without a guard before them.
+// Limits begin with a word, so a spreadsheet reads them as text without a guard character.
 TEST_F(Terminal, limits_of_the_tables_begin_with_a_word) {
   isolaw(Words{"inspect", "lot", "--out", "I"} + held_to("K_eff=0.7,damping=10,disp=100"));
   auto const table = read("I/tables/tests.csv");

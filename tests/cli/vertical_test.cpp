@@ -1,4 +1,4 @@
-// Compression tests beside the shear tests: read, held to a rule set, stored, reported.
+// Compression tests beside the shear tests: read, checked against rules, stored, reported.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 #include "cli/store.hpp"
@@ -41,7 +41,7 @@ TEST_F(Vertical, is_read_and_stands_in_every_output) {
   EXPECT_EQ(found["sha256"].get<std::string>().size(), 64u);
   EXPECT_EQ(found["loading"], 3);
   EXPECT_EQ(found["loadings_kN_per_mm"].size(), 3u);
-  EXPECT_LT(found["loadings_kN_per_mm"][0].get<double>(), 1190.0);  // it settles
+  EXPECT_LT(found["loadings_kN_per_mm"][0].get<double>(), 1190.0);  // the device settles
   EXPECT_NEAR(found["low_kN"].get<double>(), 300.0, 1e-6);
   EXPECT_EQ(found["refusal"], "");
   EXPECT_TRUE(contains(read("O/tables/vertical.csv"), "D1,1200.")) << read("O/tables/vertical.csv");
@@ -90,7 +90,7 @@ TEST_F(Vertical, of_a_lot_is_given_in_the_lot_file) {
 TEST_F(Vertical, that_gives_no_stiffness_is_said_and_the_device_stays) {
   auto const alone = isolaw({"inspect", "D1.csv", "--vertical", "D1=compression-preload.csv"});
   EXPECT_EQ(alone.code, 1) << alone;
-  EXPECT_TRUE(contains(alone.out, "K_eff")) << alone;  // of its own record
+  EXPECT_TRUE(contains(alone.out, "K_eff")) << alone;  // from its shear record
   EXPECT_TRUE(contains(alone.out, "no vertical stiffness K_v, see the warnings")) << alone;
   EXPECT_TRUE(contains(
       alone.out,
@@ -143,7 +143,7 @@ TEST_F(Vertical, of_a_campaign_is_stored_and_reported_and_may_come_later) {
   ASSERT_EQ(first.code, 0) << first;
   EXPECT_TRUE(contains(read("O/tables/tests.csv"), "no vertical test is given")) << read("O/tables/tests.csv");
   EXPECT_EQ(query(path("O/campaign.sqlite"), "SELECT vertical FROM device"), Words{""});
-  // No law depends on it: the runs stay.
+  // No law depends on the vertical stiffness, so the runs are kept.
   auto const later = isolaw(Words{"calibrate", "D1.csv", "--out", "O"} + quick + held_to("K_v=1500") + with);
   ASSERT_EQ(later.code, 0) << later;
   EXPECT_FALSE(contains(later.err, "another campaign")) << later;
@@ -196,7 +196,7 @@ TEST_F(Vertical, that_was_changed_in_the_store_is_found_by_check) {
   EXPECT_EQ(isolaw({"check", "O"}).code, 0);
   auto const store = path("O/campaign.sqlite");
   auto const kept = query(store, "SELECT hex(\"values\") FROM series WHERE channel = 'vertical_load_kN'").front();
-  // One sample that K_v is not made from, 100 kN for 50, then all of them.
+  // Changes one sample that K_v does not use, from 100 kN to 50, then all of them.
   execute(store, "UPDATE series SET \"values\" = x'" + std::string(12, '0') + "5940" + kept.substr(16) +
                      "' WHERE channel = 'vertical_load_kN'");
   auto const one = isolaw({"check", "O"});
@@ -214,14 +214,13 @@ TEST_F(Vertical, of_a_campaign_stays_unless_its_lot_file_drops_it) {
   ASSERT_EQ(isolaw(campaign + Words{"--vertical", "D1=compression.csv"}).code, 0);
   auto const without = isolaw(campaign);
   EXPECT_EQ(without.code, 0) << without;
-  EXPECT_TRUE(contains(without.err, "the compression tests that this campaign holds stay: D1 (compression.csv)"))
-      << without;
+  EXPECT_TRUE(contains(without.err, "the campaign keeps its compression tests: D1 (compression.csv)")) << without;
   EXPECT_TRUE(contains(read("O/tables/vertical.csv"), "D1,1200.")) << read("O/tables/vertical.csv");
   write("lot.toml", "[[device]]\nname = \"D1\"\nfile = \"D1.csv\"\n");
   auto const dropped = isolaw(Words{"calibrate", "lot.toml", "--out", "O"} + quick);
-  EXPECT_TRUE(contains(dropped.err,
-                       "no longer in the lot file, and their K_v no longer in this campaign: the compression "
-                       "tests of D1 (compression.csv)"))
+  EXPECT_TRUE(
+      contains(dropped.err,
+               "the lot file no longer names compression tests of D1 (compression.csv); the campaign drops their K_v"))
       << dropped;
   EXPECT_EQ(query(path("O/campaign.sqlite"), "SELECT vertical FROM device"), Words{""});
 }

@@ -1,4 +1,4 @@
-// The files of tests/warts and what is expected of each: the rows of warts.json.
+// The files of tests/warts with the expected outcome of each: the rows of warts.json.
 #pragma once
 
 #include "cli/run.hpp"

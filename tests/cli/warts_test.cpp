@@ -1,7 +1,6 @@
-// Every wart of tests/warts: what warts.json says of a file is what `isolaw inspect` says, and what docs/records.md
-// lists.
-// Another wart is a file, a line in warts.json and the row that the last test prints. A record that is true states its
-// stiffness and all its warnings.
+// `isolaw inspect` of every file of tests/warts says what warts.json expects and docs/records.md lists. To add a wart,
+// add a file, a line in warts.json and the row that the last test prints. For a sound record, warts.json states the
+// stiffness and all warnings.
 #include <cctype>
 #include <set>
 
@@ -14,7 +13,7 @@ Words options_of(Json const& wart) {
   return wart.value("options", Words{});
 }
 
-// Its own and those that its options name.
+// The wart's file and the files that its options name.
 std::set<std::string> files_of(Json const& wart) {
   std::set<std::string> files{wart["file"].get<std::string>()};
   for (auto const& word : options_of(wart))
@@ -39,7 +38,7 @@ class Warts : public InFreshDirectory, public ::testing::WithParamInterface<Json
     }
     if (wart.contains("K_v")) {
       EXPECT_NEAR(found["vertical"]["K_v_kN_per_mm"].get<double>(), wart["K_v"].get<double>(),
-                  0.5);  // of 0.1 % of load
+                  0.5);  // from 0.1 % of the load
     }
     if (!wart.contains("K_eff") && !wart.contains("frequency_Hz")) return;
     ASSERT_TRUE(found["reported"].is_object()) << found["warnings"].dump();
@@ -51,7 +50,7 @@ class Warts : public InFreshDirectory, public ::testing::WithParamInterface<Json
       }
       for (auto const& cycle : block["cycles"])
         if (wart.contains("K_eff") && cycle["number"] == found["reported"]["number"]) {
-          EXPECT_NEAR(number(cycle, "K_eff_kN_per_mm"), number(wart, "K_eff"), 1e-3);  // files have three decimals
+          EXPECT_NEAR(number(cycle, "K_eff_kN_per_mm"), number(wart, "K_eff"), 1e-3);  // the files have three decimals
           return;
         }
     }
@@ -128,7 +127,7 @@ TEST(WartTable, names_every_file_once_and_only_outcomes_there_are) {
     EXPECT_TRUE(named.contains(entry.path().filename())) << entry.path() << " stands in no row of warts.json";
 }
 
-// docs/records.md holds the table as it is made from warts.json.
+// docs/records.md contains the table made from warts.json.
 TEST(WartTable, stands_in_the_documentation) {
   std::string table = "| wart | file | options | outcome |\n|---|---|---|---|\n";
   for (auto const& wart : warts()) {

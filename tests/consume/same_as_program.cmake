@@ -1,11 +1,11 @@
-# Runs the example and the program on one record: the same objectives, and the better law is the one of the smaller.
+# Runs the example and the program on one record: their objectives must agree, and the better law has the smaller one.
 # Usage: cmake -DEXAMPLE=... -DISOLAW=... -DRECORD=... -P same_as_program.cmake
 execute_process(COMMAND ${EXAMPLE} ${RECORD} OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${EXAMPLE} no-such-file.csv RESULT_VARIABLE code ERROR_VARIABLE error OUTPUT_QUIET)
 if(NOT code EQUAL 2 OR NOT error MATCHES "no-such-file.csv: no such file")
   message(FATAL_ERROR "a missing record: ${code}: ${error}")
 endif()
-# A copy under the name that the example gives its device: the seed of a run depends on it.
+# The seed of a run depends on the device's name, so copy the record to the name that the example gives its device.
 configure_file(${RECORD} bearing.csv COPYONLY)
 execute_process(COMMAND ${ISOLAW} calibrate bearing.csv --laws bilinear,bouc-wen --analysis none --out campaign --fresh --json
                 OUTPUT_VARIABLE summary ERROR_QUIET COMMAND_ERROR_IS_FATAL ANY)
@@ -14,7 +14,7 @@ foreach(i 0 1)
   string(JSON law GET "${summary}" laws ${i} id)
   string(JSON objective GET "${summary}" laws ${i} objective best)
   string(REGEX MATCH "${law} +objective ([0-9.]+)" line "${printed}")
-  # Six decimals, as the example prints them: cut both to five.
+  # The example prints six decimals; cut both numbers to five.
   string(SUBSTRING "${CMAKE_MATCH_1}" 0 7 shown)
   string(SUBSTRING "${objective}" 0 7 expected)
   if(NOT shown STREQUAL expected)

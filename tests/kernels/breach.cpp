@@ -1,4 +1,4 @@
-// What instructions.sh must find: compiled for a wide set and for the baseline, both hold the same function.
+// instructions.sh must find this error: compiled for a wide set and for the baseline, both objects hold the function.
 #include "kernels/breach.hpp"
 
 double ISOLAW_BREACH(double const* values) {

@@ -1,12 +1,12 @@
 #!/bin/sh
-# Code compiled for one instruction set must run nowhere else: a processor that lacks it would stop there.
+# Code compiled for one instruction set must run only where that set is available: other processors would stop there.
 #
 #   instructions.sh symbols NM SET=OBJECT... -- OBJECT...   every symbol that SET=OBJECT offers to the linker carries the
 #                                                           set in its name, and no other object defines the same one
 #   instructions.sh binary OBJDUMP PROGRAM                  instructions beyond the baseline only in functions named after
 #                                                           avx2 or avx512, 512-bit registers only in those of avx512
 #
-# What is linked dynamically is not looked at: it chooses by itself.
+# Dynamically linked libraries are not checked: they choose their instructions themselves.
 set -eu
 export LC_ALL=C
 command=$1 tool=$2
@@ -44,7 +44,7 @@ binary() {
     $1 !~ /^[0-9a-f]+:$/ { next }
     {
       zmm = /%zmm/; ymm = /%ymm/; mnemonic = $2
-      # Encodings of AVX on the short registers too, and those of BMI: what leaks need not be wide.
+      # AVX encodings on short registers and BMI count too: leaked code need not be wide.
       beyond = zmm || ymm || (mnemonic ~ /^v/ && /%xmm/) || /%k[0-7]/ ||
                mnemonic ~ /^(andn|bextr|bls[ir]|blsmsk|bzhi|mulx|pdep|pext|rorx|sarx|shlx|shrx)[lq]?$/
       if (zmm) wide512++

@@ -1,4 +1,4 @@
-// A law that was added by its file and its name in the list, in everything that the program makes of a law.
+// A law added by its file and its name in the list must work in every part of the program.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ TEST(AnotherLaw, IsComputedInLanes) {
   }
 }
 
-// Two devices that are trilinear themselves, the second a tenth stronger.
+// Two devices whose records the trilinear law made, the second a tenth stronger.
 class AnotherLawInTheProgram : public cli_test::InFreshDirectory {
  protected:
   void SetUp() override {
@@ -92,7 +92,7 @@ TEST_F(AnotherLawInTheProgram, IsHeldToItsJointLimit) {
   EXPECT_NE(o.err.find("x1 = 50, x2 = 40; allowed: x1 <= x2"), std::string::npos) << o;
 }
 
-// To programs that have no such material by the nearest law that they have; as C++ once its header is written.
+// Programs without such a material get the nearest law that they have; the C++ target works once its header is written.
 TEST_F(AnotherLawInTheProgram, IsExported) {
   ASSERT_EQ(calibrated().code, 0);
   auto const to = [&](std::string_view target) {

@@ -1,4 +1,4 @@
-// Parameter sets for the tests of the laws, and the plain way to evaluate one: scalar, through laws::run.
+// Parameter sets for the tests of the laws, and their plain evaluation: in double, through laws::run.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ inline std::string_view name_of(laws::Integration integration) {
   return integration == laws::Integration::paper ? "paper" : "converged";
 }
 
-// AllLaws, and what else lists laws, as googletest wants it, and the names of its instances.
+// Converts a list of laws, such as AllLaws, to googletest's types; and names the test instances.
 template <class Tuple>
 struct AsTypes;
 template <class... Law>
@@ -50,7 +50,7 @@ struct LawName {
   }
 };
 
-// About the size of the published devices: 208 mm, 140 kN, 0.5 Hz.
+// Scales of a device of about the published size: 208 mm, 140 kN, 0.5 Hz.
 template <class Law>
 laws::RecordScales published_device() {
   double const force = 1.0 / Law::info.force.in_record_units, length = 1.0 / Law::info.length.in_record_units;
@@ -62,7 +62,7 @@ laws::RecordScales published_device() {
           .work = 1e5 * force * length};
 }
 
-// The published search box; for a parameter without one (the sigmoid of vaiana), that of a device of the same size.
+// The published search box. A parameter without one (vaiana's sigmoid) gets that of an unknown device of the same size.
 template <class Law>
 std::array<laws::Interval, laws::parameter_count<Law>> box() {
   std::array<laws::Interval, laws::parameter_count<Law>> made{};
@@ -84,8 +84,8 @@ Values<Law> candidate(std::uint32_t index) {
   return values;
 }
 
-// Likewise in the box that a device of the published size gets when nothing is known of it, searched as declared:
-// linearly or in the logarithm. Parameters that are fixed by default stay so.
+// The same in the box of an otherwise unknown device of the published size, uniform on the declared scale: linear or
+// logarithmic. Parameters that are fixed by default stay fixed.
 template <class Law>
 Values<Law> scaled_candidate(std::uint32_t index) {
   num::Draws draws(num::Stream(20250109), 0, index);
@@ -112,7 +112,7 @@ std::size_t index_of(std::string_view name) {
   return static_cast<std::size_t>(found - rows.begin());
 }
 
-// A set of parameters by name; those left out are 0.
+// A parameter set by names; parameters that are not named are 0.
 template <class Law>
 Values<Law> named(std::initializer_list<std::pair<std::string_view, double>> parameters) {
   Values<Law> values{};
@@ -135,7 +135,7 @@ std::vector<double> forces(Values<Law> const& values, Motion const& motion, int 
   return forces<Law>(values, path_of<Law>(motion, refinement), integration);
 }
 
-// "K1 = 1.5, K2 = 0.4" for messages, in full precision.
+// "K1 = 1.5, K2 = 0.4", in full precision, for failure messages.
 template <class Law>
 std::string describe(Values<Law> const& values) {
   std::ostringstream text;

@@ -1,4 +1,4 @@
-// Halving the step: the declared order of each integration, and how much of the sampling is left in the force.
+// Halving the step shows the declared order of each integration, and how much error the sampling leaves in the force.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 
 using laws::Integration;
 
-// Largest error, relative to the peak force, against the same path refined much further with the same integration.
+// Largest error relative to the peak force, against the path refined 128 times with the same integration.
 template <class Law>
 double error_at(Values<Law> const& values, Motion const& motion, int refinement, Integration integration) {
   auto const reference = forces<Law>(values, motion, 128, integration);
@@ -24,15 +24,15 @@ double error_at(Values<Law> const& values, Motion const& motion, int refinement,
          largest_magnitude(reference);
 }
 
-// log2 of the error's decrease from one refinement to twice that.
+// log2 of the ratio of the errors when the refinement is doubled.
 template <class Law>
 double order_at(Values<Law> const& values, Motion const& motion, int refinement, Integration integration) {
   return std::log2(error_at<Law>(values, motion, refinement, integration) /
                    error_at<Law>(values, motion, 2 * refinement, integration));
 }
 
-// One branch of z = 10 (1 - e^(-x/10)), smooth throughout: classical Runge-Kutta must show fourth order. Its errors
-// stay above 1e-11 of the peak, well clear of rounding.
+// One branch of z = 10 (1 - e^(-x/10)), which is smooth, so classical Runge-Kutta must show fourth order. The errors
+// stay above 1e-11 of the peak, far from rounding.
 TEST(Order, PaperStepOfBoucWenIsFourth) {
   auto const values =
       named<laws::BoucWen>({{"alpha", 0.2}, {"Ke", 3.0}, {"A", 1.0}, {"beta", 0.06}, {"n", 1.0}, {"gamma", 0.04}});
@@ -41,7 +41,7 @@ TEST(Order, PaperStepOfBoucWenIsFourth) {
     EXPECT_NEAR(order_at<laws::BoucWen>(values, polyline(corners, 20), refinement, Integration::paper), 4.0, 0.2);
 }
 
-// n = 1 and p = 2: smooth along a branch on which neither x nor F2 changes its sign.
+// n = 1 and p = 2 make abe smooth along a branch where neither x nor F2 changes sign.
 template <class Law>
 Values<Law> smooth_abe() {
   auto values = named<Law>({{"K1", 6.0},
@@ -74,9 +74,9 @@ TEST(Order, PaperStepOfAbeIsFourth) {
     EXPECT_NEAR(order_at<laws::Abe>(values, polyline(corners, 40), refinement, Integration::paper), 4.0, 0.3);
 }
 
-// The correction for a yield force that changes within a step is declared to make abe's own step fourth order where all
-// is smooth: here on 45 to 95 mm, inside the earlier peak at 100 mm. Two thousand steps before lead to 45 mm with F2
-// well past zero (25 mm of travel from the reversal; Ut = 24 mm). The last force is compared.
+// The law's file declares that the correction for the changing yield force makes abe's step fourth order where all is
+// smooth: here from 45 to 95 mm, inside the earlier peak of 100 mm. Two thousand steps lead to 45 mm, where F2 has
+// passed zero (25 mm of travel since the reversal; Ut = 24 mm). The last force is compared.
 TEST(Order, ConvergedStepOfAbeIsFourth) {
   auto const last_force = [](int steps) {
     auto motion = polyline(std::vector{0.0, 100.0, 20.0, 45.0}, 2000);
@@ -87,7 +87,7 @@ TEST(Order, ConvergedStepOfAbeIsFourth) {
     return forces<laws::Abe>(smooth_abe<laws::Abe>(), motion).back();
   };
   double const reference = last_force(512);
-  // Fewer steps would be cut into pieces, more come down to the error of the tabulated flow.
+  // Longer steps would be cut into pieces; shorter ones fall below the error of the tabulated flow.
   for (int const steps : {16, 17, 18}) {
     double const order =
         std::log2(std::abs(last_force(steps) - reference) / std::abs(last_force(2 * steps) - reference));
@@ -95,11 +95,11 @@ TEST(Order, ConvergedStepOfAbeIsFourth) {
   }
 }
 
-// Smooth in displacement; the velocity varies linearly along the path. 100 samples a cycle are fine enough for the
-// exponentials of the work to show their order.
+// The law is smooth in displacement, and the velocity varies linearly along the path. 100 samples a cycle are enough
+// for the exponentials of the work to show their order.
 TEST(Order, HwangWuIsFourth) {
   auto values = published_means<laws::HwangWu>(3);
-  values[index_of<laws::HwangWu>("a9")] = -5e-6;  // N cm: of order one over the work of the record
+  values[index_of<laws::HwangWu>("a9")] = -5e-6;  // N cm; times the work of the record it is of order one
   values[index_of<laws::HwangWu>("a10")] = -1e-5;
   auto const motion = sine(208.0, 0.5, 2, 100);
   for (int const refinement : {1, 2, 4})
@@ -120,7 +120,7 @@ TYPED_TEST(Convergence, RefiningThePathHardlyChangesTheForce) {
     }
 }
 
-// At the sampling of a laboratory, far better than in the corners of the box.
+// At a laboratory's sampling rate the published devices do far better than the corners of the box.
 TYPED_TEST(Convergence, TheSamplingOfALaboratoryIsEnough) {
   for (std::size_t number = 0; number < table_a5::devices; ++number) {
     auto const values = device<TypeParam>(number);
@@ -131,9 +131,9 @@ TYPED_TEST(Convergence, TheSamplingOfALaboratoryIsEnough) {
   }
 }
 
-// The two ways to integrate share no more than parts of the right-hand side. Runge-Kutta at 200 steps per sample is the
-// check: its own error where the slope jumps (F2 = 0, small n) is first order in the step, up to 1e-4 of the peak;
-// abe's error at one step per sample is 4e-4 on this path, with reversals at almost every sample.
+// The two integrations share only parts of the right-hand side. The reference is Runge-Kutta at 200 steps per sample;
+// where the slope jumps (F2 = 0, small n) its own error is first order in the step, up to 1e-4 of the peak. abe's error
+// at one step per sample is 4e-4 on this path, which reverses at almost every sample.
 TYPED_TEST(Convergence, FineRungeKuttaAgreesWithTheConvergedIntegration) {
   for (std::size_t number = 0; number < table_a5::devices; ++number) {
     auto const values = device<TypeParam>(number);

@@ -1,5 +1,5 @@
-// Random draws of the whole box of every law: a force everywhere, or a candidate that is known to have none, and then
-// an objective that says so. ISOLAW_DRAWS is the number of candidates per law and box; what was found is printed.
+// Random draws from the whole box of every law. Every force is finite, or the candidate is known to have none and its
+// objective says so. ISOLAW_DRAWS sets the number of candidates per law and box; the counts are printed.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -29,9 +29,9 @@ struct Box {
   std::vector<fit::Override> overrides = {};
 };
 
-// The published box, and what the automatic one makes of devices from a small specimen to a large bearing. Twenty
-// samples a cycle are the fewest that a record may have. The last has bouc-wen's inadmissible candidates, which no box
-// has by itself.
+// The published box, and automatic boxes for devices from a small specimen to a large bearing, with twenty samples a
+// cycle, the fewest that a record may have. The last box contains bouc-wen's inadmissible candidates, which the other
+// boxes exclude.
 std::vector<Box> boxes_of(std::string const& law) {
   using fit::BoxKind;
   auto const published = record_of(sine(208.0, 0.5, 3, 20), 0.1, 0.67, 45.0);
@@ -72,7 +72,7 @@ Count draw(laws::LawEntry const& law, Box const& in, Integration integration) {
     if (!std::isfinite(objective) && objective != infinity) complain("neither a number nor +infinity");
     if (!finite && objective != infinity) complain("a force is not finite, and the objective does not say so");
     if (refused && objective != infinity) complain("an inadmissible candidate is not flagged");
-    // One explicit Runge-Kutta step per sample may overflow anywhere.
+    // In the paper's integration, one explicit Runge-Kutta step per sample may overflow for any candidate.
     if (integration == Integration::converged && !finite && !refused && !may_run_away(law, candidate, peak_mm))
       complain("a force is not finite for no known reason");
     if (::testing::Test::HasFailure()) break;
@@ -94,7 +94,7 @@ TEST_P(Draws, GiveAForceOrAreFlagged) {
                  integration == Integration::paper ? "paper" : "converged", count.drawn, count.inadmissible,
                  count.not_finite, time_s);
       std::fflush(stdout);
-      // Run-away candidates are a corner of the automatic box of hwang-wu: 0.4 to 0.8 % were seen.
+      // A corner of hwang-wu's automatic box holds run-away candidates: 0.4 to 0.8 % were seen.
       if (integration == Integration::converged) {
         EXPECT_LE(count.not_finite - count.inadmissible, 0.03 * count.drawn) << box.name;
       }

@@ -1,5 +1,5 @@
-// Records and parameters that a device never has and a program may still be given: every law has a defined answer, a
-// force, an objective of +infinity or an Error. ISOLAW_DRAWS=100000 takes a million samples and more candidates.
+// Records and parameters that no device has, but that a user may pass: every law answers with a force, an objective of
+// +infinity or an Error. ISOLAW_DRAWS=100000 tests a million samples and more candidates.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -56,7 +56,7 @@ class Faults : public ::testing::TestWithParam<std::string> {
 };
 INSTANTIATE_TEST_SUITE_P(Every, Faults, ::testing::ValuesIn(law_ids()), ByLaw());
 
-// A force at every sample, or an objective that says that there is none.
+// The force is finite at every sample, or the objective is +infinity.
 void expect_defined(laws::LawEntry const& law, data::FitRecord const& record, Numbers const& parameters,
                     Integration integration) {
   fit::LawOnRecord const model(law, record, integration);
@@ -72,8 +72,8 @@ void expect_defined(laws::LawEntry const& law, data::FitRecord const& record, Nu
 
 // Parameters ------------------------------------------------------------------------------------------------------
 
-// Also where the law has a limit (no yielding for an infinite yield displacement), or does not meet the parameter on
-// the record: at rest, in one direction only.
+// This also holds where the law has a limit (an infinite yield displacement: no yielding), or where the record does not
+// exercise the parameter: at rest, or moving one way only.
 TEST_P(Faults, AParameterThatIsNotFiniteLeavesNoForce) {
   auto const moving = motion_of(published_record());
   Motion const rest{Numbers(5, 0.0), Numbers(5, 0.0)}, push{{0.0, 10.0, 20.0}, {10.0, 10.0, 10.0}};
@@ -91,7 +91,7 @@ TEST_P(Faults, AParameterThatIsNotFiniteLeavesNoForce) {
     }
 }
 
-// Any mixture of ordinary values, zeros, the physical limits and sizes that overflow when multiplied.
+// Random mixtures of ordinary values, zeros, the physical limits and sizes that overflow when multiplied.
 TEST_P(Faults, ParametersAtTheEndsOfThePhysicalLimits) {
   auto const record = record_of(irregular(7, 208.0, 2, 20), 0.02, 0.67, 45.0);
   for (std::uint32_t index = 0; index < draws(2000); ++index) {
@@ -122,8 +122,8 @@ TEST_P(Faults, ParametersAtTheEndsOfThePhysicalLimits) {
   }
 }
 
-// Each parameter that may be zero, in turn: a11 = 0 and a8 = 0 (the damping saturates at once), alpha = 0 (the branch
-// never approaches its limit curve; the stiffness softens at once), exponents, rates and stiffnesses of 0.
+// Every parameter that may be zero is set to zero in turn: a11 and a8 (the damping saturates at once), alpha (the
+// branch never approaches its limit curve; the stiffness softens at once), exponents, rates and stiffnesses.
 TEST_P(Faults, AnyParameterThatMayBeZeroMayBeZero) {
   Motion const slow = scaled(irregular(3, 208.0, 2, 20), 1.0, 1e-200), still = scaled(slow, 1.0, 0.0);
   for (std::size_t i = 0; i < law.parameters.size(); ++i) {
@@ -155,7 +155,7 @@ TEST_P(Faults, AllParametersZero) {
 
 // Displacements ---------------------------------------------------------------------------------------------------
 
-// The device stays where it was found, and so does its force.
+// A device that does not move keeps its initial force.
 TEST_P(Faults, AConstantDisplacementKeepsTheVirginForce) {
   for (double const x_mm : {0.0, 35.0, -208.0})
     for (auto const integration : both)
@@ -188,8 +188,8 @@ TEST_P(Faults, TwoSamplesAreTheFirstTwoOfMore) {
   }
 }
 
-// Pushed to 300 mm and never back. 0.1 mm a step is within what an explicit Runge-Kutta step can follow in the
-// published boxes.
+// The device is pushed to 300 mm and stays there. An explicit Runge-Kutta step can follow 0.1 mm in the published
+// boxes.
 TEST_P(Faults, AMonotonicRecord) {
   auto const push = polyline(Numbers{0.0, 300.0}, 3000), pull = scaled(push, -1.0, -1.0);
   for (std::uint32_t index = 0; index < 50; ++index)
@@ -200,8 +200,8 @@ TEST_P(Faults, AMonotonicRecord) {
       }
 }
 
-// Where differences of displacements are denormal numbers and squares of velocities vanish. The automatic box of such a
-// record is itself infinite; then nothing is found, and that is what the objective says.
+// Displacement differences are denormal and squares of velocities vanish. The automatic box of such a record is
+// infinite; then every candidate must have an infinite objective.
 TEST_P(Faults, DenormalDisplacements) {
   for (double const size : {1e-150, 1e-300, 1e-310, 5e-324}) {
     Motion const motion = scaled(irregular(5, 1.0, 3, 20), size, size);
@@ -221,8 +221,8 @@ TEST_P(Faults, DenormalDisplacements) {
   }
 }
 
-// A kilometre. The automatic box follows; in the published one exponentials of vaiana (50 per metre) overflow, and the
-// powers of the others need not.
+// Displacements of a kilometre. The automatic box scales with them; in the published box vaiana's exponentials (50 per
+// metre) overflow, and the powers of other laws may.
 TEST_P(Faults, HugeDisplacements) {
   auto const record = record_of(irregular(6, 1e6, 3, 20), 0.02, 0.67, 45e3);
   auto const scaled_box = fit::make_box(law, fit::BoxKind::scaled, fit::scales_of(record, law.info), {});
@@ -239,7 +239,7 @@ TEST_P(Faults, HugeDisplacements) {
   }
 }
 
-// No sensor reports these; they must pass through without undefined behaviour.
+// No sensor reports these values; they must not lead to undefined behaviour.
 TEST_P(Faults, DisplacementsThatAreNotFinite) {
   for (double const value : {nan, infinity, -infinity, 1.5e308}) {
     auto record = published_record();
@@ -251,7 +251,7 @@ TEST_P(Faults, DisplacementsThatAreNotFinite) {
   }
 }
 
-// A sample repeated, as by a slow acquisition: no path in between, no change of any force.
+// Samples that a slow acquisition repeats add no path, so no force changes.
 TEST_P(Faults, RepeatedSamplesChangeNothing) {
   auto const once = irregular(9, 208.0, 2, 40);
   Motion thrice;
@@ -271,9 +271,9 @@ TEST_P(Faults, RepeatedSamplesChangeNothing) {
 
 // Sampling --------------------------------------------------------------------------------------------------------
 
-// At 10 Hz the samples of this motion contain its extremes (0.5 Hz, at odd multiples of 0.5 s), so that all samplings
-// are one path. Laws that depend on the path alone then agree to rounding, abe to what its integration leaves; the
-// rate-dependent ones are algebraic (jankowski) or interpolate the velocity between the samples (hwang-wu).
+// At 10 Hz the samples still contain this motion's extremes (0.5 Hz, odd multiples of 0.5 s), so all sampling rates
+// give one path. Laws that depend on the path alone agree to rounding, abe to its integration error; the rate-dependent
+// laws are algebraic (jankowski) or interpolate the velocity between samples (hwang-wu).
 TEST_P(Faults, TheSamplingRateDoesNotMatterFrom10To10000Hz) {
   constexpr double slowest_Hz = 10.0;
   std::vector<double> largest(3, 0.0);
@@ -299,7 +299,7 @@ TEST_P(Faults, TheSamplingRateDoesNotMatterFrom10To10000Hz) {
              largest[0], largest[1], largest[2]);
 }
 
-// A path made of steps of 1 to 1000 yield displacements, against the same path in a thousand pieces each.
+// A path with steps of 1 to 1000 yield displacements, against the same path with each step cut in a thousand.
 TEST_P(Faults, StepsOfAThousandYieldDisplacements) {
   if (!rate_independent()) GTEST_SKIP() << "not a function of the path alone";
   for (double const yields : {1.0, 10.0, 100.0, 1000.0}) {
@@ -310,7 +310,7 @@ TEST_P(Faults, StepsOfAThousandYieldDisplacements) {
       auto const motion = polyline(Numbers{0.0, s, 0.3 * s, s, -s, 0.0, -0.2 * s, s}, 1);
       auto const one = forces(law, p, motion, Integration::converged),
                  many = forces(law, p, motion, Integration::converged, 1000);
-      if (!all_finite(many)) continue;  // exponentials of vaiana over metres
+      if (!all_finite(many)) continue;  // vaiana's exponentials overflow over metres
       ASSERT_TRUE(all_finite(one)) << describe(law, p);
       largest = std::max(largest, largest_difference(one, many) / largest_magnitude(many));
     }
@@ -321,8 +321,8 @@ TEST_P(Faults, StepsOfAThousandYieldDisplacements) {
 
 // Length ----------------------------------------------------------------------------------------------------------
 
-// Thousands of equal cycles: the loop of the last one is that of the tenth to rounding. The second still bears the mark
-// of the virgin branch, most in abe: 6e-7 of the peak force were seen.
+// After thousands of equal cycles the last loop equals the tenth to rounding. The second loop still shows the virgin
+// branch, most in abe: 6e-7 of the peak force were seen.
 TEST_P(Faults, AMillionSamplesDoNotDrift) {
   constexpr std::size_t per_cycle = 200;
   std::size_t const cycles = draws(2000) >= 100000 ? 5000 : 500;
@@ -377,13 +377,13 @@ TEST_P(Faults, ARecordThatNothingCanBeJudgedByIsRefused) {
   };
   auto const good = published_record();
   EXPECT_FALSE(refused(good));
-  // One tenth is not a double: its mean over the record is not exactly one tenth.
+  // 0.1 has no exact binary form, so its mean over the record is not exactly 0.1.
   for (double const constant : {0.0, 0.1, -140.0, 1e-300, 1e300, infinity, nan}) {
     auto record = good;
     record.force_kN.assign(record.size(), constant);
     EXPECT_TRUE(refused(record)) << "constant force " << constant;
   }
-  for (double const size : {1e-200, 1e200}) {  // the square of which is 0 or infinite
+  for (double const size : {1e-200, 1e200}) {  // its square is 0 or infinite
     auto record = good;
     for (double& force : record.force_kN) force *= size;
     EXPECT_TRUE(refused(record)) << "force times " << size;

@@ -1,8 +1,8 @@
-// What the laws say about their parameters: complete, consistent, and the published box of Table 4.
-// Asked of every law: a source that names its equation ("Eq"), every parameter in the formula as a word of its own,
-// units of boxes that are those of the parameters; and by the tests beside this one: force 0 where all parameters are 0
-// (or its name in needs_parameters of single_laws.hpp), no finite force from what is not a number or overflows (mind
-// the order of the arguments of min and max), the same bits mirrored, cut and driven at any rate as its traits say.
+// The laws' descriptions of their parameters are complete and consistent, and the published box is that of Table 4.
+// Required of every law: a source that names its equation ("Eq"), a formula that contains every parameter as a word,
+// boxes in the units of their parameters. Other tests of this folder require: force 0 where all parameters are 0 (or
+// the law's name in needs_parameters of single_laws.hpp), no finite force from NaN or overflow (mind the order of
+// arguments of min and max), and the same bits mirrored, cut and driven at any rate as the traits declare.
 
 #include <gtest/gtest.h>
 
@@ -55,7 +55,7 @@ TYPED_TEST(Metadata, TheLawSaysWhatItIs) {
   EXPECT_EQ(TypeParam::info.length.dimension, Dimension::length);
 }
 
-// A law that changes its mind changes its line there.
+// A deliberate change of a law's facts must be repeated in paper_facts.
 TYPED_TEST(OfThePaperOnly, UnitsParametersAndTraitsAreThoseOfTheSpecification) {
   auto const& facts = paper_facts.at(TypeParam::info.id);
   EXPECT_EQ(std::string(TypeParam::info.force.symbol) + ' ' + std::string(TypeParam::info.length.symbol), facts.units);
@@ -68,7 +68,7 @@ TYPED_TEST(OfThePaperOnly, UnitsParametersAndTraitsAreThoseOfTheSpecification) {
   EXPECT_EQ(TypeParam::info.traits.path_integrated, facts.traits.path_integrated);
 }
 
-// A statement that names no parameter of the law would never be asked of a box.
+// A joint limit that names no parameter of the law would never be checked for a box.
 TYPED_TEST(Metadata, JointLimitsNameTheirParametersAndHoldForDevices) {
   auto const& law = laws::find_law(TypeParam::info.id);
   for (auto const& limit : law.joint_limits) EXPECT_FALSE(limit.parameters.empty()) << limit.statement;
@@ -88,7 +88,7 @@ TYPED_TEST(Metadata, EveryParameterIsNamedOnceAndExplained) {
   }
 }
 
-// A name in the formula that is not part of a longer word.
+// True if the formula contains the name as a whole word.
 bool names(std::string_view formula, std::string_view name) {
   auto const letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
   for (auto at = formula.find(name); at != std::string_view::npos; at = formula.find(name, at + 1)) {
@@ -103,7 +103,7 @@ TYPED_TEST(Metadata, TheFormulaHasEveryParameter) {
     EXPECT_TRUE(names(TypeParam::info.formula, row.info.name)) << row.info.name << " in\n" << TypeParam::info.formula;
 }
 
-// unpack() puts value i into the member of row i, and no member is fed twice.
+// unpack() puts value i into the member of row i, and no two values into one member.
 TYPED_TEST(Metadata, EveryRowIsAMemberOfItsOwn) {
   Values<TypeParam> values{};
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = 1.0 + static_cast<double>(i);
@@ -118,7 +118,7 @@ TYPED_TEST(Metadata, RowsAreTheSameForEveryScalar) {
   for (std::size_t i = 0; i < others.size(); ++i) EXPECT_EQ(others[i].info.name, this->rows[i].info.name);
 }
 
-// Table 4, in its order and units. Two bounds are illegible there; docs/source.md supplies them.
+// Table 4, in its order and units. Two of its bounds are illegible; docs/source.md supplies them.
 TYPED_TEST(OfThePaperOnly, PublishedBoxIsTable4) {
   std::map<std::string, double> const lost{{"bouc-wen alpha", 0.3}, {"hwang-wu a1", 6e3}};
   auto const& table = published<TypeParam>().parameters;
@@ -144,7 +144,7 @@ TYPED_TEST(OfThePaperOnly, PublishedBoxIsTable4) {
   EXPECT_EQ(next, table.size());
 }
 
-// As Tables 4 and A.5 print them, where that is another name than the law's.
+// Names in Tables 4 and A.5 that differ from the law's.
 TYPED_TEST(Metadata, PaperNamesAreThoseThatDiffer) {
   std::map<std::string, std::string> const printed{
       {"bilinear xy", "F_y"}, {"vaiana f0+", "F_0+"}, {"vaiana f0-", "F_0-"}, {"abe Uh", "X_h"},    {"abe U0", "X_0"},
@@ -180,7 +180,7 @@ TYPED_TEST(Metadata, DefaultsArePhysical) {
     }
 }
 
-// Devices from a shaking-table model to a bridge bearing.
+// The devices range from a shaking-table model to a bridge bearing.
 TYPED_TEST(Metadata, ScaledIntervalsAreOrderedPhysicalAndSearchable) {
   std::array const devices{
       published_device<TypeParam>(),
@@ -199,10 +199,10 @@ TYPED_TEST(Metadata, ScaledIntervalsAreOrderedPhysicalAndSearchable) {
     }
 }
 
-// Lengths ten times as long, forces a hundred times as large: every interval follows with its parameter's unit, so a
-// law fitted to the larger device has the parameters of the smaller one in other units. Read off the printed unit:
-// powers of the law's force, length and time. beta and gamma of bouc-wen have a unit that depends on n, and are exempt;
-// what is said at a displacement that stays the same follows a power of the length besides.
+// With lengths ten times as long and forces a hundred times as large, every interval scales with its parameter's unit,
+// so a law fitted to the larger device has the smaller one's parameters in other units. The powers of force, length and
+// time are read off the printed unit. bouc-wen's beta and gamma are exempt: their unit depends on n. A size defined at
+// a fixed displacement scales with a further power of the length.
 TYPED_TEST(Metadata, ScaledIntervalsHaveTheUnitOfTheirParameter) {
   constexpr double force = 100.0, length = 10.0, time = 4.0;
   auto const small = published_device<TypeParam>();

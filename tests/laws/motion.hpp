@@ -1,4 +1,4 @@
-// Displacement histories for the tests of the laws, in mm and mm/s, and the path a law sees of them.
+// Displacement histories for the tests of the laws, in mm and mm/s, and the path that a law makes of them.
 #pragma once
 
 #include <algorithm>
@@ -33,8 +33,8 @@ inline Motion sine(double amplitude_mm, double frequency_Hz, int cycles, int sam
   return motion;
 }
 
-// Straight lines through the given displacements at a constant speed, each in `steps` equal steps; the first
-// displacement is the first sample. The velocity is that of the line that ends at the sample.
+// Straight lines through the given displacements at constant speed, each in `steps` equal steps, starting with a sample
+// at the first displacement. The velocity at a sample is that of the line that ends there.
 inline Motion polyline(std::span<double const> corners_mm, int steps, double speed_mm_s = 100.0) {
   Motion motion;
   motion.disp_mm.push_back(corners_mm[0]);
@@ -49,7 +49,7 @@ inline Motion polyline(std::span<double const> corners_mm, int steps, double spe
   return motion;
 }
 
-// The same, of laws that velocity does not matter to.
+// The displacements of such a polyline, for laws that do not depend on velocity.
 inline std::vector<double> through(std::span<double const> corners, int steps) {
   return polyline(corners, steps).disp_mm;
 }
@@ -57,15 +57,15 @@ inline std::vector<double> through(std::initializer_list<double> corners, int st
   return through(std::span(corners.begin(), corners.size()), steps);
 }
 
-// A path with inner loops, of which the force of several laws is known.
+// A path with inner loops for which the forces of several laws are known.
 inline std::vector<double> const corners{0, 20, 50, 10, -40, -60, 30, 20, 45, 80};
 
 inline double sign(double x) {
   return x < 0.0 ? -1.0 : x > 0.0 ? 1.0 : 0.0;
 }
 
-// Cycles of growing, then shrinking amplitude with noise on top: reversals at almost every sample around the peaks,
-// small loops inside large ones, new peaks throughout the first half. 50 samples a second; velocity by differences.
+// Cycles of growing, then shrinking amplitude with noise: reversals at almost every sample around the peaks, small
+// loops inside large ones, new peaks throughout the first half. 50 samples a second; velocity by differences.
 inline Motion irregular(std::uint64_t seed, double amplitude_mm, int cycles, int samples_per_cycle,
                         double noise_share = 0.02) {
   num::Draws draws(num::Stream(seed), 0, 0);
@@ -85,14 +85,13 @@ inline Motion irregular(std::uint64_t seed, double amplitude_mm, int cycles, int
   return motion;
 }
 
-// The same motion, displacement and velocity multiplied by constants.
 inline Motion scaled(Motion motion, double disp_factor, double velocity_factor) {
   for (double& x : motion.disp_mm) x *= disp_factor;
   for (double& v : motion.velocity_mm_s) v *= velocity_factor;
   return motion;
 }
 
-// In the units of the law.
+// The path in the law's units.
 template <class Law>
 laws::Path path_of(Motion const& motion, int refinement = 1) {
   auto const x = scaled(motion, 1.0 / Law::info.length.in_record_units, 1.0 / Law::info.length.in_record_units);
@@ -105,7 +104,7 @@ inline double largest_magnitude(std::span<double const> values) {
   return largest;
 }
 
-// Largest |a - b|; not finite if any of them is not.
+// Largest |a - b|; not finite if any difference is not finite.
 inline double largest_difference(std::span<double const> a, std::span<double const> b) {
   double largest = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) {

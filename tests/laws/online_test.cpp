@@ -1,4 +1,4 @@
-// Laws online: the forces of the laws themselves, tangents, copies.
+// Laws in online form: the same forces as in batch form, tangents, and copies of the state.
 #include "isolaw/laws/online.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ struct Motion {
   std::vector<double> x, v;
 };
 
-// Of the law's own units, with cycles of several sizes.
+// A motion in the law's units, with cycles of several sizes.
 Motion motion_of(laws::LawEntry const& law) {
   Motion made;
   double const size = 100.0 / law.info.length.in_record_units;
@@ -81,7 +81,7 @@ TEST_P(EveryLaw, gives_the_force_of_the_law) {
     for (double const f : expected) peak = std::max(peak, std::abs(f));
     laws::Online online(law.info.id, parameters);
     for (std::size_t i = 0; i < motion.x.size(); ++i) {
-      // A trial that is not kept leaves nothing behind, nor does one of a copy.
+      // A discarded trial has no effect, and neither has a trial of a copy.
       online.trial(-2.0 * motion.x[i], motion.v[i]);
       laws::Online copy = online;
       copy.trial(3.0 * motion.x[i], 0.0);

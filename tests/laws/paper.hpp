@@ -1,5 +1,5 @@
-// What only the laws of the paper have: its tables, and what docs/source.md says of each. Others are left out where the
-// tests say PaperLaws.
+// Facts that exist only for the laws of the paper: its tables, and the statements of docs/source.md. Tests of PaperLaws
+// leave the other laws out.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ template <class Law, class... Listed>
 inline constexpr bool of_the_paper<Law, std::tuple<Listed...>> = (std::is_same_v<Law, Listed> || ...);
 
 struct PaperFacts {
-  std::string_view units;  // of Table 4
+  std::string_view units;  // in Table 4
   std::size_t parameters, free_by_default;
   laws::Traits traits;
 };
@@ -51,8 +51,8 @@ table_a5::Law const& published() {
   return *std::ranges::find_if(table_a5::laws, [&](auto const& law) { return law.id == id; });
 }
 
-// The published means of a device (0 .. 9). What the table does not have is zero (the sigmoid of vaiana), what the law
-// does not have is left out (p of abe-y0).
+// The published means of a device (0 .. 9). Parameters that the table lacks are zero (vaiana's sigmoid); table columns
+// that the law lacks are skipped (abe-y0's p).
 template <class Law>
 Values<Law> published_means(std::size_t device) {
   Values<Law> values{};
@@ -62,7 +62,7 @@ Values<Law> published_means(std::size_t device) {
   return values;
 }
 
-// One of ten devices (0 .. 9): the published one, of another law one within its box.
+// One of ten devices (0 .. 9): the published one, or a candidate from the box for other laws.
 template <class Law>
 Values<Law> device(std::size_t number) {
   if constexpr (of_the_paper<Law>)
@@ -71,8 +71,8 @@ Values<Law> device(std::size_t number) {
     return candidate<Law>(static_cast<std::uint32_t>(number));
 }
 
-// The force at the first sample, from the formulas with an empty history: z = 0, F2 = 0, W = 0, a branch that starts
-// from zero force. x in the law's unit of length.
+// The force at the first sample, from the formulas without history: z = 0, F2 = 0, W = 0, a branch that starts at zero
+// force. x is in the law's unit of length.
 template <class Law>
 double virgin_force(Values<Law> const& values, double x, double v) {
   std::string_view const id = Law::info.id;

@@ -1,4 +1,4 @@
-// The record as the laws see it.
+// The path that make_path() makes of a record.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,7 +30,7 @@ TEST(Path, FirstStepStandsStillAtTheFirstSample) {
   EXPECT_EQ(first.peak1, 3.0);
 }
 
-// The first motion counts as a reversal; a hold keeps the direction, so that motion resumed is no reversal.
+// The first motion counts as a reversal. A hold keeps the direction, so going on after it is no reversal.
 TEST(Path, DirectionsAndReversals) {
   std::vector<double> const x{1.0, 1.0, 2.0, 2.0, 3.0, 2.5, 2.5, 2.0, 4.0};
   std::vector<double> const direction{0, 0, 1, 1, 1, -1, -1, -1, 1};
@@ -50,7 +50,7 @@ TEST(Path, ThePeakIsTheLargestMagnitudeSoFar) {
   for (std::size_t i = 0; i < x.size(); ++i) EXPECT_EQ(path.steps[i].peak1, peak[i]) << i;
 }
 
-// Every refinement is one connected path through the samples, with displacement and velocity on straight lines.
+// Every refinement connects the samples, with displacement and velocity on straight lines between them.
 TEST(Path, RefinementGoesThroughTheSamples) {
   auto const motion = irregular(1, 100.0, 2, 25);
   for (int const refinement : {1, 2, 3, 7}) {
@@ -84,7 +84,7 @@ TEST(Path, RefinementGoesThroughTheSamples) {
   }
 }
 
-// x = 4 - (t - 1.3)^2 on uneven time stamps: the vertex is exact, at rest, and no sample.
+// x = 4 - (t - 1.3)^2 at uneven times: the vertex is found exactly, at rest, and is not marked as a sample.
 TEST(Path, ATurningPointIsTheVertexOfTheParabola) {
   std::vector<double> const t{0.0, 0.5, 1.0, 1.8, 2.5};
   std::vector<double> x, v;
@@ -95,7 +95,7 @@ TEST(Path, ATurningPointIsTheVertexOfTheParabola) {
   auto const path = laws::make_path_with_turning_points(x, v, t);
   ASSERT_EQ(path.samples(), 5u);
   ASSERT_EQ(path.steps.size(), 6u);
-  auto const& turn = path.steps[3];  // after the largest sample, at t = 1
+  auto const& turn = path.steps[3];  // follows the largest sample, at t = 1
   EXPECT_NEAR(turn.x1, 4.0, 1e-15);
   EXPECT_EQ(turn.v1, 0.0);
   EXPECT_FALSE(turn.sample);
@@ -108,7 +108,7 @@ TEST(Path, ATurningPointIsTheVertexOfTheParabola) {
   }
 }
 
-// 20 samples a cycle miss the peak by up to 1.2 % of it, the vertices by less than a fiftieth of that.
+// At 20 samples a cycle the samples miss up to 1.2 % of the peak, the vertices less than a fiftieth of that.
 TEST(Path, TurningPointsOfASineAreItsPeaks) {
   std::vector<double> t, x, v;
   for (int i = 0; i < 100; ++i) {
@@ -127,7 +127,7 @@ TEST(Path, TurningPointsOfASineAreItsPeaks) {
   EXPECT_EQ(turns, 10);
 }
 
-// Plateaus, monotone records and a turn at a sample itself insert nothing.
+// Plateaus, monotone records and turns exactly at a sample add no point.
 TEST(Path, NoTurningPointWhereThereIsNone) {
   std::vector<double> const t{0.0, 1.0, 2.0, 3.0, 4.0};
   for (auto const& x : {std::vector{0.0, 1.0, 2.0, 3.0, 4.0}, std::vector{0.0, 1.0, 1.0, 1.0, 0.0},

@@ -1,4 +1,4 @@
-// Laws of the plane: the law of one direction on a line, turned motions, tangents, lanes.
+// Laws of the plane: agreement with the one-directional law on a line, rotated motions, tangents, lanes.
 #include "isolaw/laws/plane.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 using laws::plane::Vector;
 using Walk = std::vector<Vector<double>>;
 
-// A wandering motion from the origin that turns often and comes back, in fractions of `size`.
+// A random motion in fractions of `size` that starts at the origin, turns often and comes back.
 Walk wander(double size, unsigned seed, std::size_t count = 400) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -147,7 +147,7 @@ TYPED_TEST(PlaneLaw, turns_with_the_motion) {
   }
 }
 
-// Tangents are those of the steps as computed: central differences where they agree with themselves.
+// Tangents equal central differences of the computed steps, except at kinks.
 TYPED_TEST(PlaneLaw, tangents_are_slopes) {
   for (auto const& p : Case<TypeParam>::parameters) {
     auto const walk = wander(Case<TypeParam>::size, 5);
@@ -181,7 +181,7 @@ TYPED_TEST(PlaneLaw, tangents_are_slopes) {
   }
 }
 
-// Lanes with parameters and motions of their own are the scalar path.
+// Lanes that each have their own parameters and motion equal the scalar path.
 TYPED_TEST(PlaneLaw, lanes_are_scalars) {
   constexpr std::size_t lanes = 8;
   using T = num::Batch<lanes>;
@@ -221,7 +221,7 @@ TYPED_TEST(PlaneLaw, lanes_are_scalars) {
   }
 }
 
-// A lane has the bits that it has beside copies of itself; one that is not a number stays alone.
+// A lane has the same bits beside any other lanes; a NaN stays in its lane.
 TYPED_TEST(PlaneLaw, lanes_do_not_know_one_another) {
   constexpr std::size_t lanes = 8;
   using T = num::Batch<lanes>;
@@ -262,7 +262,7 @@ TYPED_TEST(PlaneLaw, lanes_do_not_know_one_another) {
   EXPECT_EQ(run(true), run(false));
 }
 
-// Nothing moves: the force is what it was; a step of a thousand yield lengths ends, and is saturated.
+// Without motion the force stays the same; a step of a thousand yield lengths terminates and is saturated.
 TYPED_TEST(PlaneLaw, at_rest_and_far_away) {
   auto const& p = Case<TypeParam>::parameters[0];
   auto state = TypeParam::template start<double>(p);

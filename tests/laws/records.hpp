@@ -1,4 +1,4 @@
-// Records around the motions of motion.hpp, for tests that need an objective or a search box.
+// Records made from the motions of motion.hpp, for tests that need an objective or a search box.
 #pragma once
 
 #include <algorithm>
@@ -17,13 +17,13 @@
 
 namespace isolaw::law_tests {
 
-// How many candidates a test draws: ISOLAW_DRAWS, or few enough for everyday use.
+// The number of candidates that a test draws: ISOLAW_DRAWS, or the test's small default.
 inline std::uint32_t draws(std::uint32_t by_default) {
   char const* const text = std::getenv("ISOLAW_DRAWS");
   return text == nullptr ? by_default : static_cast<std::uint32_t>(std::strtoul(text, nullptr, 10));
 }
 
-// The force is an ellipse about a straight line.
+// A record whose force is an ellipse about a straight line.
 inline data::FitRecord record_of(Motion const& motion, double interval_s, double stiffness_kN_mm, double strength_kN) {
   data::FitRecord record;
   double const fastest = largest_magnitude(motion.velocity_mm_s);
@@ -46,7 +46,7 @@ inline std::vector<double> candidate_in(fit::SearchBox const& box, std::uint32_t
   return values;
 }
 
-// A law's force [its unit] on a motion.
+// A law's force on a motion, in the law's unit.
 inline std::vector<double> forces(laws::LawEntry const& law, std::span<double const> parameters, Motion const& motion,
                                   laws::Integration integration, int refinement = 1) {
   double const unit = 1.0 / law.info.length.in_record_units;

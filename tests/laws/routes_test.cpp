@@ -1,6 +1,6 @@
-// Every route to a force gives the same force: a double, the value of a derivative number, the catalogue to the last
-// bit, a lane of a batch within rounding. And the derivative is that of the value. The batches here are those of the
-// compiler's baseline; tests/unit/fit_kernels_test.cpp does the same for every instruction set.
+// All ways to evaluate a law give the same force: double, the value of a dual number and the catalogue bit by bit, a
+// lane of a batch within rounding. The derivative must be that of the value. Batches here use the compiler's baseline
+// instructions; tests/unit/fit_kernels_test.cpp covers every instruction set.
 #include "isolaw/num/batch.hpp"
 #include "isolaw/num/dual.hpp"
 
@@ -27,11 +27,11 @@ namespace {
 using laws::Integration;
 using laws::parameter_count;
 
-// Two vectors, so that lanes of the same and of different ones are neighbours.
+// Two vectors wide, so that neighbouring lanes lie both within one vector and across two.
 constexpr std::size_t width = 2 * num::vector_lanes;
 using Lanes = num::Batch<width>;
-// Of the peak force. Batches have their own exp, exp2 and log2, one or two units in the last place from those of the
-// library, and write a power as one operation; the largest difference seen is 5e-14 (vaiana).
+// Share of the peak force. Batches have their own exp, exp2 and log2, which differ from the library's by one or two
+// units in the last place, and compute a power as one operation. The largest difference seen is 5e-14 (vaiana).
 constexpr double lane_tolerance = 1e-11;
 
 template <class Law>
@@ -67,7 +67,7 @@ std::array<std::vector<double>, width> batch_forces(Group<Law> const& group, law
   return out;
 }
 
-// The same bits; a NaN equals a NaN, for its sign and payload mean nothing.
+// The same bits; any NaN equals any other, as its sign and payload mean nothing.
 ::testing::AssertionResult same(std::vector<double> const& a, std::vector<double> const& b) {
   if (a.size() != b.size()) return ::testing::AssertionFailure() << a.size() << " samples against " << b.size();
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -76,7 +76,7 @@ std::array<std::vector<double>, width> batch_forces(Group<Law> const& group, law
   return ::testing::AssertionSuccess();
 }
 
-// Not finite where the scalar is not; elsewhere within lane_tolerance of the peak force so far.
+// Non-finite where the scalar is; elsewhere within lane_tolerance of the peak force so far.
 ::testing::AssertionResult agrees(std::vector<double> const& lane, std::vector<double> const& scalar) {
   double peak = 0.0;
   for (std::size_t i = 0; i < scalar.size(); ++i) {
@@ -93,8 +93,8 @@ Motion some_motion() {
   return irregular(7, 150.0, 4, 40);
 }
 
-// Where a Runge-Kutta step is too long to be stable, as those of bouc-wen are between the samples of some_motion,
-// rounding grows with every step: `paper` gets steps that are shorter by this factor.
+// Where a Runge-Kutta step is too long to be stable, as bouc-wen's are between the samples of some_motion, rounding
+// errors grow with every step. Paper-integration steps are therefore shortened by this factor.
 constexpr int stable = 4;
 
 TYPED_TEST(Routes, ALaneIsAScalar) {
@@ -112,7 +112,7 @@ TYPED_TEST(Routes, ALaneIsAScalar) {
     }
 }
 
-// Whatever fills the other lanes, in front of it or behind, a candidate has the same force to the last bit.
+// A candidate's force is the same to the last bit, whatever fills the lanes before and after it.
 TYPED_TEST(Routes, ALaneDoesNotNoticeItsNeighbours) {
   auto const path = path_of<TypeParam>(some_motion());
   for (auto const integration : both_integrations) {
@@ -153,7 +153,7 @@ TYPED_TEST(Routes, ANaNStaysInItsLane) {
   }
 }
 
-// A parameter that is not a number must not vanish in a comparison and leave a plausible force.
+// A NaN parameter must not get lost in a comparison and leave a plausible force.
 TYPED_TEST(Routes, ANaNParameterShowsInTheForce) {
   auto const path = path_of<TypeParam>(some_motion());
   for (auto const integration : both_integrations)
@@ -173,7 +173,7 @@ Values<Law> overflowing() {
   return values;
 }
 
-// Sampled finely, so that one Runge-Kutta step per sample is stable for the neighbours.
+// Fine sampling keeps one Runge-Kutta step per sample stable for the neighbours.
 TYPED_TEST(Routes, AnOverflowStaysInItsLane) {
   auto const path = path_of<TypeParam>(irregular(7, 150.0, 2, 1000, 0.0));
   for (auto const integration : both_integrations) {
@@ -210,7 +210,7 @@ TYPED_TEST(Routes, TheCatalogueIsAScalar) {
   for (std::size_t i = 0; i < entry.parameters.size(); ++i) EXPECT_EQ(entry.index_of(entry.parameters[i].name), i);
 }
 
-// One derivative number with all parameters as independent variables.
+// Dual numbers with all parameters as independent variables.
 template <class Law>
 std::vector<num::Dual<parameter_count<Law>>> dual_forces(Values<Law> const& values, laws::Path const& path,
                                                          Integration integration) {
@@ -223,7 +223,7 @@ std::vector<num::Dual<parameter_count<Law>>> dual_forces(Values<Law> const& valu
   return out;
 }
 
-// The value of a derivative number goes through the same operations in the same order.
+// The value of a dual number results from the same operations in the same order as a double.
 TYPED_TEST(Routes, TheValueOfADerivativeNumberIsAScalar) {
   auto const path = path_of<TypeParam>(some_motion());
   for (auto const integration : both_integrations)
@@ -236,10 +236,10 @@ TYPED_TEST(Routes, TheValueOfADerivativeNumberIsAScalar) {
     }
 }
 
-// Central differences at a step h = 1e-6 of the box err by 1e-12 (truncation) and by a few roundings of the force over
-// h. The tolerance is 1e-5 of the parameter's largest derivative plus a hundred roundings over h. A difference that
-// straddles a kink (yielding of bilinear, z = 0 for small exponents) is wrong, not the derivative, and a differential
-// law carries it on to later samples: such a difference changes with h, and is left out. Few may be.
+// Central differences with h = 1e-6 of the box err by 1e-12 (truncation) plus a few roundings of the force over h. The
+// tolerance is 1e-5 of the parameter's largest derivative plus a hundred roundings over h. A difference across a kink
+// (yielding of bilinear, z = 0 for small exponents) is wrong, while the derivative is right, and a differential law
+// carries the error on to later samples. Such a difference changes with h and is left out; few may be.
 TYPED_TEST(Routes, TheDerivativeIsTheCentralDifference) {
   constexpr double relative = 1e-5, largest_share_left_out = 0.02;
   auto const path = path_of<TypeParam>(irregular(11, 150.0, 3, 120, 0.01));

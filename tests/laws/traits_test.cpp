@@ -1,4 +1,4 @@
-// What a law says of itself, and what every hysteretic law owes to mechanics.
+// The traits that a law declares, and the mechanics that every hysteretic law must obey.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -24,8 +24,8 @@ Motion slower_motion() {
   return irregular(3, 150.0, 4, 60);
 }
 
-// The same displacements run through faster: the same bits, or of most candidates a force that differs visibly (1 % of
-// the peak).
+// The same displacements at a higher speed give the same bits, or, for most candidates of a rate-dependent law, a
+// visibly different force (by 1 % of the peak).
 TYPED_TEST(Traits, RateIndependence) {
   auto const motion = slower_motion();
   constexpr std::uint32_t candidates = 10;
@@ -48,7 +48,7 @@ TYPED_TEST(Traits, RateIndependence) {
     }
 }
 
-// A rate-independent law needs no velocity at all; another is not itself without.
+// A rate-independent law needs no velocity; a rate-dependent law gives different forces without it.
 TYPED_TEST(Traits, ARecordWithoutTimeServesARateIndependentLaw) {
   auto const motion = scaled(slower_motion(), 1.0 / TypeParam::info.length.in_record_units, 1.0);
   auto const values = candidate<TypeParam>(0);
@@ -76,8 +76,8 @@ TYPED_TEST(Traits, OddSymmetry) {
     }
 }
 
-// Vaiana is odd as a pair: mirroring the history and exchanging the roles of loading and unloading changes the sign of
-// the force. In Eqs. (8)-(9), f_e(-x; beta1, beta2, gamma1, gamma2, gamma3) = -f_e(x; -beta1, -beta2, gamma1, gamma2,
+// Vaiana's law is odd when loading and unloading exchange roles: mirroring the history then changes the sign of the
+// force. In Eqs. (8)-(9), f_e(-x; beta1, beta2, gamma1, gamma2, gamma3) = -f_e(x; -beta1, -beta2, gamma1, gamma2,
 // -gamma3).
 TEST(TraitsOfVaiana, MirroredWithItsBranchesExchanged) {
   using laws::Vaiana;
@@ -95,14 +95,13 @@ TEST(TraitsOfVaiana, MirroredWithItsBranchesExchanged) {
     auto const force = forces<Vaiana>(values, motion);
     auto opposite = forces<Vaiana>(exchanged, mirrored);
     for (double& f : opposite) f = -f;
-    // The sigmoid is mirrored by an identity of the exponential, not bit by bit.
+    // The mirrored sigmoid follows from an identity of the exponential, so it is not equal bit by bit.
     EXPECT_LT(largest_difference(opposite, force), 1e-12 * largest_magnitude(force)) << describe<Vaiana>(values);
   }
 }
 
-// A law without a differential equation knows one integration only, at any refinement of the path. One with it moves
-// with the refinement, be it by Runge-Kutta steps of the paper or, where it has none of its own, by those that it
-// always takes.
+// A law without a differential equation gives the same force with both integrations and any refinement. One with a
+// differential equation changes with the refinement, by the paper's Runge-Kutta steps or, if it has none, by its own.
 TYPED_TEST(Traits, IntegrationMattersToPathIntegratedLawsOnly) {
   auto const motion = slower_motion();
   auto const values = candidate<TypeParam>(1);
@@ -117,8 +116,8 @@ TYPED_TEST(Traits, IntegrationMattersToPathIntegratedLawsOnly) {
     EXPECT_LT(largest_difference(finer, converged), rounding);
 }
 
-// The third cycle of a closed loop never returns energy, for every device and both signs of the motion; at
-// the amplitude of the tests it dissipates. (At 20 mm bilinear is elastic: zero within rounding.)
+// The third cycle of a closed loop never returns energy, for every device and both signs of the motion; at the
+// amplitude of the tests it dissipates. (At 20 mm bilinear is elastic: zero within rounding.)
 TYPED_TEST(Traits, AClosedLoopDissipates) {
   constexpr int samples_per_cycle = 400;
   for (double const amplitude_mm : {20.0, 208.0})
@@ -142,7 +141,7 @@ TYPED_TEST(Traits, RestAtTheOriginIsForceFree) {
         EXPECT_EQ(force, 0.0);
 }
 
-// Held anywhere, in the virgin state or after any history, the force stays: no clock runs in any law.
+// At rest anywhere, virgin or after any history, the force stays constant: no law depends on time itself.
 TYPED_TEST(Traits, RestElsewhereKeepsTheForce) {
   for (auto const integration : both_integrations)
     for (std::uint32_t index = 0; index < 10; ++index) {
@@ -163,7 +162,7 @@ TYPED_TEST(Traits, RestElsewhereKeepsTheForce) {
     }
 }
 
-// A hold in the middle of a motion leaves no trace afterwards.
+// A hold in the middle of a motion has no effect afterwards.
 TYPED_TEST(Traits, AHoldLeavesNoTrace) {
   auto const motion = slower_motion();
   for (auto const integration : both_integrations)

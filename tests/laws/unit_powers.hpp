@@ -1,4 +1,4 @@
-// How a parameter follows the size of a device: the powers of force, length and time of its unit.
+// How a parameter scales with the size of a device: the powers of force, length and time in its unit.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ struct Powers {
   double force = 0.0, length = 0.0, time = 0.0;
 };
 
-// Of a printed unit, "kN s/mm" or "1/(N cm)"; n of "1/mm^n" taken as 1.
+// The powers of a printed unit such as "kN s/mm" or "1/(N cm)"; n in "1/mm^n" counts as 1.
 inline std::optional<Powers> powers_of(std::string_view unit) {
   std::map<std::string_view, double Powers::*> const known{{"N", &Powers::force},   {"kN", &Powers::force},
                                                            {"mm", &Powers::length}, {"cm", &Powers::length},
@@ -40,7 +40,7 @@ inline std::optional<Powers> powers_of(std::string_view unit) {
   return made;
 }
 
-// The power of the length besides, of a size that is said at a displacement which stays the same.
+// The additional power of length of a size that is defined at a fixed displacement.
 inline double at_reference(double (*size)(laws::RecordScales const&)) {
   std::map<double (*)(laws::RecordScales const&), double> const known{{laws::force_at_reference, -0.4},
                                                                       {laws::coefficient_at_reference<1>, -1.0},

@@ -1,4 +1,4 @@
-// What the page is made of, without a browser: the lot file as a form edits it, zip files, no way from text to markup.
+// Modules of the page without a browser: the lot file as a form edits it, zip files, no way from text to markup.
 //   node modules_test.mjs
 import assert from 'node:assert/strict';
 import { copyFileSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
@@ -7,6 +7,7 @@ import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { test } from 'node:test';
 import { deflateRawSync } from 'node:zlib';
+import { errorIn } from '../../page/engine/errors.js';
 
 const source = fileURLToPath(new URL('../../page/', import.meta.url));
 const folder = mkdtempSync(join(tmpdir(), 'isolaw-modules-'));
@@ -17,7 +18,7 @@ const load = (name) => {
   return import(pathToFileURL(join(folder, name + '.mjs')).href);
 };
 const { readToml, writeValue, settingsOf, valuesOf, withKey, withSetting, withoutDevice, deviceTables } = await load('toml');
-const { readZip, writeZip, looksLikeZip } = await load('zip');
+const { TooLarge, readZip, writeZip, looksLikeZip } = await load('zip');
 
 const LOT = `# above
 title = "Lot \\"7\\"" # said
@@ -123,6 +124,18 @@ test('what is no TOML is refused with its line', () => {
   for (const [text, line] of [['a = 1\nb', 2], ['[a\n', 1], ['a = "x\n', 1], ['a = 1\na = 2', 2], ['\n\na = [1', 3]]) assert.throws(() => readToml(text), (error) => error.line === line, text);
 });
 
+test('a failure of the program is an object, and no text is taken for one', () => {
+  const error = { kind: 'input', complaints: [{ where: 'a.csv', found: 'x; allowed: y; try: z', allowed: '', advice: '', names: [] }] };
+  const lines = ['isolaw: a.csv: x; allowed: y; try: z', JSON.stringify({ error, exit: 2 })];
+  assert.deepEqual(errorIn(lines, 2), error);
+  assert.equal(lines.length, 1);
+  for (const [said, code] of [[[], 3], [['none of 2 records can be used'], 2], [['null'], 2], [['[1]'], 2], [['{"error": 1'], 1], [[JSON.stringify({ error, exit: 2 })], 0]]) {
+    const before = [...said];
+    assert.equal(errorIn(said, code), null);
+    assert.deepEqual(said, before);
+  }
+});
+
 const bytes = (text) => new TextEncoder().encode(text);
 
 test('a zip file holds what was put into it', async () => {
@@ -157,11 +170,11 @@ test('a damaged zip file is refused, or gives what was put into it', async () =>
 test('a zip file that unpacks to too much is refused', async () => {
   const zip = await writeZip([{ path: 'bomb', bytes: new Uint8Array(70 * 1024 * 1024) }]);
   assert.ok(zip.length < 200000);
-  await assert.rejects(readZip(zip), RangeError);
+  await assert.rejects(readZip(zip), TooLarge);
   // The same where the sizes it states are small.
   const lying = zip.slice();
   new DataView(lying.buffer).setUint32(22, 10, true);
-  await assert.rejects(readZip(lying), RangeError);
+  await assert.rejects(readZip(lying), TooLarge);
   assert.ok(deflateRawSync(new Uint8Array(10)).length > 0);
 });
 

@@ -240,7 +240,7 @@ const tests = {
     equal(await band(page), '4\u202fdevices read, 1 not', 'the band');
     expect((await page.text('.notes')).includes('photo.jpg'), 'what was left alone: ' + (await page.text('.notes')));
     expect((await lotText(page)).includes("title = 'damaged'") && (await lotText(page)).includes("file = 'deeper/device-04.txt'"), 'the lot file');
-    // What could not be read is in every result until somebody leaves it out.
+    // A file that could not be read is in every result until somebody leaves it out.
     await page.press('show-save');
     await page.press('save-inspection-json');
     const inspection = JSON.parse((await page.saved()).bytes);
@@ -267,8 +267,14 @@ const tests = {
   },
 
   'a workbook, a MATLAB file, and files that need to be told': async () => {
-    const page = await open();
     const warts = join(root, 'tests/warts');
+    // A complaint about a file stands in parts.
+    const alone = await open();
+    await alone.drop([join(warts, 'no-units.csv')]);
+    const problems = await alone.evaluate("[...document.querySelectorAll('#devices .problem')].map((one) => [one.textContent, [...one.querySelectorAll('b')].map((b) => b.textContent.trim())])");
+    expect(problems.length > 0 && problems.every(([said, [allowed, advice]]) => allowed === 'Allowed' && advice === 'Try' && !/; (allowed|try): |isolaw: /.test(said)), 'complaints in parts: ' + JSON.stringify(problems));
+    await end(alone);
+    const page = await open();
     const matlab = join(root, '../shared/data/mr-damper/ensaio.A.1.mat');
     const paths = [join(warts, 'date-cells.xlsx'), join(warts, 'no-units.csv'), join(warts, 'iso.json')];
     if (existsSync(matlab)) paths.push(matlab);
@@ -347,7 +353,7 @@ const tests = {
     const found = best(JSON.parse((await page.saved()).bytes)),
       wanted = best(JSON.parse(readFileSync(join(work, 'bearing-native/summary.json'))));
     equal(Object.keys(found).length, 7, 'laws');
-    // What counts as found (docs/performance.md): on a ragged floor searches end within it, of two instruction sets not alike.
+    // Searches count as alike within this (docs/performance.md): on a ragged floor instruction sets differ by as much.
     for (const [law, objective] of Object.entries(wanted)) expect(Math.abs(found[law] / objective - 1) < (law === 'abe' ? 1e-3 : 1e-5), `objective of ${law}: ${found[law]}, natively ${objective}`);
     await end(page);
   },
@@ -622,7 +628,7 @@ const tests = {
     // And the next drop works.
     await page.drop([join(example, records[0])]);
     equal((await rows(page)).map(({ tone }) => tone).sort(), ['good', 'poor'], 'a device beside it');
-    // What holds nothing to read is said.
+    // A drop without anything to read gets an answer.
     mkdirSync(join(work, 'photos'));
     writeFileSync(join(work, 'photos/one.jpg'), 'none');
     const empty = await open();
@@ -662,7 +668,7 @@ const tests = {
     for (const line of ["title = 'Bridge 7'", 'rubber-thickness-mm = 150', 'rubber-area-mm2 = 250000', 'lot-size = 28', 'K_eff = 0.62', 'damping = 19.5']) expect(lot.includes(line), line + ' in ' + lot);
     equal(await page.text('#title'), 'Bridge 7', 'the title');
     equal(await page.evaluate("document.querySelectorAll('.form-row').length"), 1, 'the click after an edit opens the form');
-    // What is folded open stays open, and the form ends with one click.
+    // Unfolded details stay open, and the form ends with one click.
     await page.evaluate("[...document.querySelectorAll('.form-row details')].at(-1).open = true");
     const factor = await fieldOf(page, 0, 'force-factor');
     await page.click('#' + factor);
@@ -739,7 +745,7 @@ const tests = {
     equal(await again.text('#laws-doubt'), '', 'identified again');
     await end(again);
 
-    // Of the command line's there is no lot file, and records are told apart all the same.
+    // A campaign of the command line comes without its lot file; other records are noticed all the same.
     execFileSync(isolaw, ['calibrate', join(folder, 'one.csv'), '--laws', 'bilinear', '--runs', '1', '--analysis', 'none', '--out', join(folder, 'out'), '--figures', 'none'], { stdio: 'ignore' });
     writeFileSync(join(folder, 'lot.toml'), "title = 'T'\n[[device]]\nname = 'one'\nfile = 'one.csv'\n");
     for (const [changed, file] of [[false, stronger], [true, stronger.replace(/\n[^\n]*\n$/, '\n')]]) {
@@ -814,7 +820,7 @@ const tests = {
     await page.evaluate('window.asked = 0');
     await page.press('start-over');
     equal(await page.evaluate('window.asked'), 1, 'an edit that is not saved is asked about');
-    // What was begun for a lot that is gone does not come back.
+    // Work that was begun for a lot that is gone does not come back.
     await page.drop([path]);
     await page.press('show-save');
     equal(await page.text('#export-said'), '', 'nothing of the earlier export');
@@ -934,7 +940,7 @@ const tests = {
     await third.drop([folder]);
     equal((await rows(third)).map(({ name: one, tone }) => one + ' ' + tone), ['A good', 'B good'], 'found by their names');
     expect((await lotText(third)).includes("serial = '7'") && (await third.text('#title')) === 'W', await lotText(third));
-    // What was recognised in one file says nothing of one that comes later.
+    // Columns that were recognised in one file are not taken for a later one.
     writeFileSync(join(work, 'in-cm.csv'), readFileSync(join(example, records[0]), 'utf8').replace('Displacement [mm]', 'Displacement [cm]'));
     await third.drop([join(work, 'in-cm.csv')]);
     const millimetres = async (one) => Number((await rows(one)).at(-1).amplitude);

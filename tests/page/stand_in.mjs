@@ -3,6 +3,7 @@ import { spawn } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join, relative } from 'node:path';
+import { asksForErrors, errorIn } from '../../page/engine/errors.js';
 
 const all = (folder) => readdirSync(folder, { recursive: true, withFileTypes: true }).filter((one) => one.isFile()).map((one) => join(one.parentPath ?? one.path, one.name));
 
@@ -23,7 +24,7 @@ export async function answerWith(page, program) {
     }
     const before = new Set(all(folder));
     const words = what === 'run' ? argv : ['calibrate', lotPath, ...options, '--out', 'out', '--figures', 'none'];
-    const child = spawn(program, words, { cwd: folder, stdio: ['ignore', 'pipe', 'pipe'] });
+    const child = spawn(program, asksForErrors(words), { cwd: folder, stdio: ['ignore', 'pipe', 'pipe'] });
     children.set(id, child);
     let stdout = '',
       stderr = '';
@@ -34,13 +35,17 @@ export async function answerWith(page, program) {
     child.on('close', (code) => {
       clearInterval(tick);
       children.delete(id);
-      const made = all(folder)
+      const changed = all(folder)
         .filter((file) => !before.has(file) || what === 'identify')
         .map((file) => ({ path: relative(folder, file), bytes: readFileSync(file).toString('base64') }))
         .filter(({ path }) => (what === 'run' ? (keep ?? ['*']).some((one) => new RegExp('^' + one.replace(/[.+]/g, '\\$&').replace(/\*/g, '.*') + '$', 's').test(path)) : path.startsWith('out/')));
       rmSync(folder, { recursive: true });
-      if (child.aborted) answer(id, { error: { name: 'AbortError', message: 'cancelled', parts: made.filter(({ path }) => path.endsWith('.sqlite')) } });
-      else answer(id, { code, stdout, stderr, files: made });
+      if (child.aborted) answer(id, { error: { name: 'AbortError', message: 'cancelled', parts: changed.filter(({ path }) => path.endsWith('.sqlite')) } });
+      else {
+        const lines = stderr.split('\n').slice(0, -1);
+        const error = errorIn(lines, code);
+        answer(id, { code, stdout, stderr: lines.map((line) => line + '\n').join(''), error, files: changed });
+      }
     });
   };
   await page.send('Runtime.addBinding', { name: 'isolawCall' });

@@ -1,4 +1,4 @@
-"""Devices of constant stiffness and friction under a sine, as arrays and files, and the program beside the package."""
+"""Devices with constant stiffness and friction under a sine, as arrays and files; and a way to run the program."""
 
 import os
 import pathlib
@@ -13,7 +13,7 @@ BINARY = os.environ["ISOLAW_BINARY"]
 
 
 def arrays(strength_kN=20.0, cycles=3, per_cycle=200):
-    """time in s, displacement in mm and force in kN of a bilinear device."""
+    """Returns time in s, displacement in mm and force in kN of a bilinear device."""
     i = np.arange(cycles * per_cycle + 1)
     x = 100.0 * np.sin(2.0 * np.pi * i / per_cycle)
     z = np.zeros(len(x))
@@ -28,7 +28,7 @@ def write_csv(path, *columns, header="time [s],displacement [mm],force [kN]"):
 
 
 def files_in(folder, strengths_kN=(20.0, 24.0)):
-    """The records a.csv, b.csv, ... of devices in a folder, which is made."""
+    """Creates the folder and writes the devices' records a.csv, b.csv, ... to it."""
     pathlib.Path(folder).mkdir(exist_ok=True)
     files = [pathlib.Path(folder) / f"{name}.csv" for name, _ in zip("abcdefgh", strengths_kN)]
     for file, strength_kN in zip(files, strengths_kN):
@@ -37,7 +37,7 @@ def files_in(folder, strengths_kN=(20.0, 24.0)):
 
 
 class InFolder(unittest.TestCase):
-    """Tests of a class in a folder of their own, `path`."""
+    """A test class with a folder of its own, `path`."""
 
     @classmethod
     def setUpClass(cls):

@@ -84,7 +84,7 @@ class Campaigns(InFolder):
             model = isolaw.Model(law, self.made.record("a"))
             np.testing.assert_array_equal(model.force(self.made.parameters(law, "a")), force)
             self.assertEqual(model.objective(self.made.parameters(law, "a")), runs["objective"].min())
-            # the one law of the lot
+            # the set fitted to the whole lot
             of_lot = next(one["lot"] for one in self.printed["laws"] if one["id"] == law)
             self.assertEqual(list(self.made.parameters(law, "lot").values()), list(of_lot["parameters"].values())
                              if isinstance(of_lot["parameters"], dict) else of_lot["parameters"])  # fmt: skip
@@ -110,11 +110,11 @@ class Campaigns(InFolder):
             ({"laws": "abx"}, "no such law"),
             ({"runs": 0}, "runs"),
             ({"method": "newton"}, "newton"),
-            ({"population": 20, "method": "best"}, "population: belongs to method ga, and the method is best"),
+            ({"population": 20, "method": "best"}, "population: belongs to method ga, but the method is best"),
             ({"fit_blocks": "two"}, "^fit_blocks: 'two'"),
             ({"score_blocks": "2"}, "^score_blocks: '2'; allowed: together with"),
             ({"rules": "nowhere.toml"}, "nowhere.toml"),
-            ({"design": {"K_eff": "soft"}}, "^design: design.K_eff is no number"),
+            ({"design": {"K_eff": "soft"}}, "^design: design.K_eff is not a number"),
             ({"lot_size": 0}, "^lot_size: 0"),
             ({"set": "bilinear.K9=1"}, "K9"),
             ({"jobs": -1}, "jobs"),
@@ -129,11 +129,11 @@ class Campaigns(InFolder):
         with self.assertRaisesRegex(isolaw.Error, "there are none"):
             isolaw.calibrate([], "bilinear")
 
-    # Of a setting that is neither a number, a flag nor one of several words.
+    # Samples for settings that are neither a number, a flag nor one of several words.
     TEXTS = json.loads((pathlib.Path(os.environ["ISOLAW_SOURCE_DIR"]) / "tests/setting_samples.json").read_text())
 
     def another(self, name, setting):
-        """A value that it may have and that is not its default."""
+        """Returns a valid value of the setting that is not its default."""
         if setting["words"]:
             return next(word for word in setting["words"] if word != setting["default"])
         if isinstance(setting["default"], bool):

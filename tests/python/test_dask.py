@@ -1,4 +1,4 @@
-"""The example with Dask, on processes of this machine: parts as futures, a worker that is lost, one machine's bytes."""
+"""The Dask example with local processes: parts as futures, loss of a worker, the same bytes as on one machine."""
 
 import functools
 import importlib.util
@@ -18,14 +18,14 @@ if importlib.util.find_spec("distributed") is None:
 
 import distributed
 
-sys.path.insert(0, str(SOURCE / "examples/python"))  # workers are given it, too
+sys.path.insert(0, str(SOURCE / "examples/python"))  # the workers get it too
 import parts_with_dask
 
 LAWS = "bilinear,vaiana"
 
 
 def share_of_a_worker_that_is_lost(mark, files, settings, number, of, there=None):
-    """The second part takes its worker with it, once: where `mark` is not there yet."""
+    """Kills the worker of the second part once: if `mark` does not exist yet."""
 
     def lose(*told):
         try:
@@ -70,7 +70,7 @@ class Dask(InFolder):
         said = self.run_example(out)
         self.assertEqual([line for line in said.splitlines() if line.startswith("part ")], ["part 2 of 3 is here"])
         self.expect_one_machines(out)
-        # Parts that are there are of other settings, by whatever name.
+        # The parts that exist were made with other settings, whatever their names.
         self.run_example(out, runs=3, refused="of a campaign that is now larger, by 3 runs instead of 2")
         self.expect_one_machines(out)
 
@@ -81,7 +81,7 @@ class Dask(InFolder):
             with distributed.Client(cluster) as client:
                 lossy = functools.partial(share_of_a_worker_that_is_lost, str(lost))
                 made = parts_with_dask.campaign(client, self.files, {"laws": LAWS, "runs": 2}, 3, out, lossy)
-        self.assertTrue(lost.exists())  # a worker was
+        self.assertTrue(lost.exists())  # a worker was lost
         self.assertTrue(made.complete)
         self.expect_one_machines(out)
 

@@ -13,7 +13,7 @@ BILINEAR = {"K1": 2.5, "K2": 0.5, "xy": 10.0}
 
 
 def spread_about(law, record, count):
-    """Rows of parameters drawn evenly in the law's box on a record."""
+    """Draws rows of parameters uniformly in the law's box for a record."""
     edges = list(isolaw.box(law, record).values())
     draws = np.random.default_rng(1).random((count, len(edges)))
     lower = np.array([e["lower"] if e["free"] else e["value"] for e in edges])
@@ -108,7 +108,7 @@ class Laws(unittest.TestCase):
         unbounded = {"alpha": 0.1, "Ke": 2.0, "A": 1.0, "beta": 0.05, "n": 1.0, "gamma": -0.1}
         with self.assertRaisesRegex(isolaw.Error, r"beta = 0.05, gamma = -0.1; allowed: beta \+ gamma > 0"):
             isolaw.Model("bouc-wen", self.record).force(unbounded)
-        # A search may come by them.
+        # A search may come across such parameters: they give no error.
         self.assertFalse(np.isfinite(isolaw.objective("bouc-wen", unbounded, self.record)))
 
     def test_other_threads_go_on_meanwhile(self):
@@ -127,7 +127,7 @@ class Laws(unittest.TestCase):
         during = len(beats) - before
         ended.set()
         other.join()
-        # With the interpreter's lock held it could beat once before the call and once after it.
+        # If the call held the interpreter's lock, the thread could beat only once before and once after it.
         self.assertGreater(during, 4)
 
 

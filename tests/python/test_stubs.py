@@ -1,4 +1,4 @@
-"""The stub and the package say the same."""
+"""The stub agrees with the package."""
 
 import ast
 import inspect
@@ -15,7 +15,7 @@ def public(nodes):
 
 
 def parameters(node):
-    """Name, kind and default of every parameter of a function of the stub."""
+    """Returns name, kind and default of every parameter of a function of the stub."""
     a = node.args
     positional = a.posonlyargs + a.args
     defaults = [None] * (len(positional) - len(a.defaults)) + a.defaults
@@ -53,7 +53,7 @@ class Stubs(unittest.TestCase):
             members = public(node.body)
             names = {member.name for member in members}
             own = {name for name in vars(thing) if not name.startswith("_")}
-            if node.name != "Error":  # whose one name is an attribute
+            if node.name != "Error":  # its only name is an attribute
                 self.assertEqual(names, own, node.name)
             for member in members:
                 found = inspect.getattr_static(thing, member.name)

@@ -1,5 +1,5 @@
 // The objective of every law at three points of the published box, with both integrations, on the first record of the
-// example lot: a change that moves any of them must be meant.
+// example lot. A change that moves any of them must be intended.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -72,7 +72,7 @@ TEST(Regression, Objectives) {
   }
   auto const before = expected();
   ASSERT_EQ(before.size(), now.size());
-  // Other compilers and mathematical libraries move the last digits; the model moves the first ones.
+  // Other compilers and mathematical libraries change the last digits; a change of the model changes the first ones.
   for (auto const& [key, value] : now)
     EXPECT_NEAR(value, before.at(key), fit::evaluation_tolerance * before.at(key)) << key;
 }

@@ -1,5 +1,5 @@
-// Many evaluations of every law, kept by one build and repeated by another: how far compilers, optimisation levels and
-// processors move a result (tools/compilers.sh).
+// Many evaluations of every law, written by one build and compared by another: they show how much compilers,
+// optimisation levels and processors change a result (tools/compilers.sh).
 //   sweep write FILE     evaluates and writes record, candidates, forces and objectives
 //   sweep compare FILE   evaluates the same candidates on the same record; a line per law; exit code 1 beyond the bound
 // ISOLAW_DRAWS is the number of candidates of each box, the same for both.
@@ -30,18 +30,18 @@ namespace {
 using namespace isolaw;
 using Values = std::vector<double>;
 
-constexpr double absurd = 1e6;  // of an objective: a candidate that runs away multiplies what rounding left
+constexpr double absurd = 1e6;  // on the objective: a candidate that runs away multiplies rounding
 
 constexpr std::array boxes{fit::BoxKind::published, fit::BoxKind::scaled};
 constexpr std::array integrations{laws::Integration::converged, laws::Integration::paper};
 
-// Doubles in the order they were written, so that both sides see the same bits.
+// A file of doubles in a fixed order, so that both builds see the same bits.
 class File {
  public:
   File(char const* path, bool writing) : writing_(writing), file_(std::fopen(path, writing ? "wb" : "rb")) {
     if (!file_) throw std::runtime_error(fmt::format("cannot open {}", path));
   }
-  // Writes the values, or replaces them by what was written.
+  // When writing, stores the values; when comparing, replaces them by the stored ones.
   void pass(Values& values) {
     auto const done = writing_ ? std::fwrite(values.data(), sizeof(double), values.size(), file_.get())
                                : std::fread(values.data(), sizeof(double), values.size(), file_.get());
@@ -57,11 +57,11 @@ class File {
 };
 
 struct Difference {
-  double objective = 0.0;  // relative
-  double force = 0.0;      // of the peak force
+  double objective = 0.0;  // relative difference
+  double force = 0.0;      // share of the peak force
   int compared = 0, flagged = 0;
-  int flagged_once = 0;  // by one of the two builds only
-  double lanes = 0.0;    // of the objective, between this build's batches and its scalar law
+  int flagged_once = 0;  // flagged by only one of the two builds
+  double lanes = 0.0;    // relative, between this build's batches and its scalar law
 
   void add(double here, double there, Values const& force_here, Values const& force_there) {
     ++compared;
@@ -79,7 +79,7 @@ struct Difference {
   }
 };
 
-// Cycles with reversals at many samples, small loops in large ones, uneven peaks: 100 samples a cycle.
+// Cycles with reversals at many samples, small loops in large ones and uneven peaks; 100 samples a cycle.
 data::FitRecord record(File& file) {
   auto made = law_tests::record_of(law_tests::irregular(1, 208.0, 3, 100), 0.02, 0.67, 45.0);
   for (auto* channel : {&made.time_s, &made.disp_mm, &made.vel_mm_s, &made.force_kN}) file.pass(*channel);
@@ -107,7 +107,7 @@ Difference sweep(laws::LawEntry const& law, laws::Integration integration, data:
       objectives.push_back(here[0]);
     }
   }
-  // With the paper's integration a step may multiply what rounding left: unit_fit knows for which candidates.
+  // With the paper's integration a step may multiply rounding errors: unit_fit tests for which candidates.
   if (integration == laws::Integration::paper) return difference;
   for (auto const set : num::available_instruction_sets()) {
     Values lanes(candidates.size());

@@ -1,5 +1,5 @@
-// The made-up lot of study_fixture.hpp as if it had been analysed: every verdict, a law whose prediction collapses, a
-// population whose correlation has a hole, a device that stands apart.
+// The made-up lot of study_fixture.hpp as if it had been analysed: it has every verdict, a law whose prediction
+// collapses, a population with a correlation missing, and a device that stands apart.
 #pragma once
 
 #include <array>
@@ -11,15 +11,17 @@
 
 namespace isolaw::study::fixture {
 
-inline ParameterAnalysis analysis(ParameterFit const& parameter, double objective, double rise, std::size_t place) {
-  static std::array<std::string, 4> const verdicts{"determined", "weakly determined", "undetermined", "at its bound"};
+inline ParameterAnalysis analysed(ParameterFit const& parameter, double objective, double rise, std::size_t place) {
+  using analysis::Verdict;
+  constexpr std::array verdicts{Verdict::determined, Verdict::weakly_determined, Verdict::undetermined,
+                                Verdict::at_bound};
   ParameterAnalysis made;
   made.identifiability = verdicts[place % 4];
   made.optimum = *parameter.value.best;
-  double const width = std::abs(made.optimum) * (made.identifiability == "determined" ? 0.02 : 0.3);
+  double const width = std::abs(made.optimum) * (made.identifiability == Verdict::determined ? 0.02 : 0.3);
   made.open_lower = made.optimum - width;
   made.open_upper = made.optimum + width;
-  made.open_above = made.identifiability == "at its bound";
+  made.open_above = made.identifiability == Verdict::at_bound;
   made.linear_lower = made.optimum - 0.7 * width;
   made.linear_upper = made.optimum + 0.7 * width;
   if (place % 2 == 0) {
@@ -48,7 +50,7 @@ inline void analyse(DeviceFit& fit, std::size_t device) {
   fit.left_out_objective = 1.9 * *fit.optimum;
   fit.blocks = {{1, true, *fit.optimum}, {2, false, 3.0 * *fit.optimum}};
   for (std::size_t n = 0; n < fit.parameters.size(); ++n)
-    fit.parameters[n].analysis = analysis(fit.parameters[n], *fit.optimum, *fit.rise, n + device);
+    fit.parameters[n].analysis = analysed(fit.parameters[n], *fit.optimum, *fit.rise, n + device);
 }
 
 inline lot::Population population(LawResult const& law) {
@@ -101,8 +103,8 @@ inline void analyse(LawResult& law) {
   law.population = population(law);
 }
 
-// The first law is on the front of every view; the second, where there is one, is off those without noise, and its
-// prediction collapses.
+// The first law is on the front of every view. The second, if there is one, is on no front of the views without noise,
+// and its prediction collapses.
 inline Summary analysed(Summary summary) {
   for (std::size_t j = 0; j < summary.laws.size(); ++j) {
     auto& law = summary.laws[j];

@@ -70,7 +70,7 @@ TEST_F(Determine, OneIsFree) {
   EXPECT_TRUE(found->trade_offs.empty());
 }
 
-// The rise of the objective is that of the law alone: the profile of one free parameter is the objective itself.
+// With one free parameter nothing else can adjust, so its profile is the objective itself.
 TEST_F(Determine, AnOpenRangeEndsWhereTheObjectiveHasRisen) {
   auto const given = twin({"bilinear.K1=4", "bilinear.K2=0.6"});
   auto const on_record = model(given);
@@ -97,7 +97,7 @@ TEST_F(Determine, ATiedParameterGoesWithTheOther) {
   EXPECT_LT(found->objective, 1e-9);
 }
 
-// A profile that comes upon a lower objective starts everything anew from there.
+// When a profile finds a lower objective, the whole examination starts anew from there.
 TEST_F(Determine, AStartBesideTheOptimumEndsAtIt) {
   auto const given = twin();
   auto start = given.truth;
@@ -121,7 +121,7 @@ TEST_F(Determine, AnOptimumOutsideTheBoxIsTakenIntoIt) {
   EXPECT_TRUE(std::isfinite(found->objective));
 }
 
-// No force, no verdict: the whole box is open.
+// Without a finite force there is no verdict: the whole box stays open.
 TEST_F(Determine, WithoutAForceNothingIsDetermined) {
   auto const given = twin();
   auto start = given.truth;

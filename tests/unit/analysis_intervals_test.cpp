@@ -14,7 +14,7 @@
 namespace isolaw::analysis {
 namespace {
 
-// Autoregressive of the first order, of unit standard deviation.
+// A first-order autoregressive series with unit standard deviation.
 std::vector<double> series(std::size_t length, double correlation, std::uint32_t number) {
   num::Draws draws(num::Stream(7), number, 0);
   double value = draws.normal();
@@ -43,8 +43,8 @@ TEST(BlockLength, OfIndependentValuesIsShort) {
   EXPECT_LT(mean_block_length(3000, 0.0), 3.0);
 }
 
-// (3/2 (2 rho / (1 - rho^2))^2 n)^(1/3), by Eq. (14) of Politis and White 2004 with the autocovariances of such a
-// series.
+// Theory: (3/2 (2 rho / (1 - rho^2))^2 n)^(1/3), which is Eq. (14) of Politis and White 2004 with the autocovariances
+// of a first-order autoregressive series.
 TEST(BlockLength, OfCorrelatedValuesIsThatOfTheirTheory) {
   for (double const rho : {0.5, 0.9}) {
     double const g = 2.0 * rho / (1.0 - rho * rho), theory = std::cbrt(1.5 * g * g * 3000.0);
@@ -113,7 +113,7 @@ TEST_F(IntervalsOf, HoldTheOptimumAndAreInOrder) {
     EXPECT_GT(p.linear_upper, optimum_[i]);
     EXPECT_LT(*p.bootstrap_lower, *p.bootstrap_upper);
     for (std::size_t j = 0; j < 3; ++j) EXPECT_NEAR(made.covariance[3 * i + j], made.covariance[3 * j + i], 1e-15);
-    // Linear scales: 1.96 standard deviations on either side.
+    // On linear scales the interval is 1.96 standard deviations on either side.
     double const deviation = std::sqrt(made.covariance[4 * i]);
     EXPECT_NEAR(p.linear_upper - optimum_[i], 1.959964 * deviation, 1e-5 * deviation);
   }
@@ -146,7 +146,7 @@ TEST_F(IntervalsOf, NoBootstrapWhereNoneIsAsked) {
   for (auto const& p : made.parameters) EXPECT_FALSE(p.bootstrap_lower || p.bootstrap_upper);
 }
 
-// A record without errors, to the last digit and but for rounding.
+// The record has no errors at all, or only rounding errors.
 TEST_F(IntervalsOf, WithoutErrorsCollapse) {
   for (double const rounding : {0.0, 1e-13}) {
     for (std::size_t i = 0; i < twin_.record.force_kN.size(); ++i)
@@ -200,7 +200,7 @@ TEST_F(IntervalsOf, EveryParameterAtItsBound) {
   EXPECT_EQ(made.replicates, 0);
 }
 
-// What does not act may be anywhere in its box, and disturbs no other.
+// A parameter without effect on the force may lie anywhere in its box, and must not disturb the others.
 TEST_F(IntervalsOf, OfWhatDoesNotActSpanTheBox) {
   take({"jankowski.a5=4e3:1e4"}, "jankowski");
   disturb();
@@ -226,7 +226,7 @@ TEST_F(IntervalsOf, ATiedParameterHasNoneOfItsOwn) {
   for (auto const& p : made.parameters) EXPECT_NE(p.parameter, twin_.law->index_of("Kb-"));
 }
 
-// No force there, nothing known: the box.
+// Without a finite force nothing is known, so the intervals are the whole box.
 TEST_F(IntervalsOf, WithoutAForceAreTheBox) {
   optimum_[1] = std::nan("");
   auto const made = found(3);

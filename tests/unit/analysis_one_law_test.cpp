@@ -15,7 +15,7 @@
 namespace isolaw::analysis {
 namespace {
 
-// Bilinear devices of different strength, tested with a little noise, and each one's own optimum.
+// Bilinear devices of different strength, tested with a little noise, and the optimum of each device.
 class Lot : public testing::Test {
  protected:
   void take(std::vector<double> const& strengths, std::vector<std::string> const& set = {}) {
@@ -88,13 +88,13 @@ TEST_F(Lot, TheLeastWorstLiesBetweenItsBoundAndTheWorstOfTheLeastMean) {
   auto const mean = *least_mean(pointers_, box_, optima_);
   auto const found = least_worst(pointers_, box_, mean);
   ASSERT_TRUE(found);
-  EXPECT_LT(found->law.worst, 0.95 * mean.worst);  // three of five are alike: the mean is theirs, the worst is not
+  EXPECT_LT(found->law.worst, 0.95 * mean.worst);  // three of five are alike and decide the mean, not the worst
   EXPECT_GE(found->law.worst, found->bound);
   EXPECT_GE(found->bound, mean.mean);
   EXPECT_GT(found->bound, 0.9 * found->law.worst);
   EXPECT_GE(found->law.mean, mean.mean * (1.0 - 1e-9));
   EXPECT_EQ(found->law.worst, std::ranges::max(found->law.objectives));
-  // No law is below the bound for all devices: not those of the devices, nor of the lot.
+  // No law stays below the bound on all devices; the optimum of each device does not either.
   for (auto parameters : optima_) {
     double worst = 0.0;
     for (std::size_t d = 0; d < models_.size(); ++d) worst = std::max(worst, objective(d, parameters));

@@ -1,4 +1,4 @@
-// Problems made of others: other weights, a coordinate held, several records at once.
+// Problems built from other problems: with other weights, with one coordinate held, over several records at once.
 #include "isolaw/analysis/problems.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace isolaw::analysis {
 namespace {
 
-// residual j = x_j - j / 10 for j < dimension, then one that is their sum; not finite where x_0 > 0.9.
+// residual j = x_j - j / 10 for j < dimension; the last residual is the sum of these. Not finite where x_0 > 0.9.
 class Plain final : public opt::DeviationProblem {
  public:
   explicit Plain(std::size_t dimension) : dimension_(dimension) {
@@ -98,7 +98,7 @@ TEST(Held, TheCoordinateStaysWhereverItStands) {
   }
 }
 
-// Side by side what `residuals` gives one after another.
+// `residual_rows` must give side by side what `residuals` gives one after another.
 void expect_the_same_side_by_side(opt::DeviationProblem const& problem, opt::Points const& at) {
   std::size_t const samples = problem.weights().size(), stride = num::padded(at.size());
   auto const expected = residuals_of(problem, at);
@@ -114,7 +114,7 @@ TEST(Held, ResidualsSideBySide) {
   expect_the_same_side_by_side(Held(base, 1, 0.25), points(2, {0.1, 0.2, 0.6, 0.7}));
 }
 
-// A descent by the outline of a problem made of others is one of the same problem.
+// The outline of a composed problem must be a coarser form of the same problem.
 void expect_an_outline_of_it(opt::DeviationProblem const& problem, opt::Points const& at) {
   auto const* outline = problem.outline();
   ASSERT_NE(outline, nullptr);

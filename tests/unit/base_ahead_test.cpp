@@ -1,4 +1,4 @@
-// Work done ahead: each item once, in time, whoever does it; what fails is told to who needs it.
+// Work done ahead: any thread does an item, once and in time; a failure reaches the thread that needs the item.
 #include "isolaw/base/ahead.hpp"
 
 #include <gtest/gtest.h>
@@ -14,10 +14,10 @@
 namespace isolaw {
 namespace {
 
-TEST(Ahead, WithoutACrewNothingIsDoneThatIsNotNeeded) {
+TEST(WorkAhead, WithoutACrewNothingIsDoneThatIsNotNeeded) {
   std::vector<int> done(5, 0);
   {
-    Ahead work(5, [&](std::size_t i) { ++done[i]; });
+    WorkAhead work(5, [&](std::size_t i) { ++done[i]; });
     work.need(1);
     work.need(0);
     work.need(1);
@@ -25,8 +25,8 @@ TEST(Ahead, WithoutACrewNothingIsDoneThatIsNotNeeded) {
   EXPECT_EQ(done, (std::vector{1, 1, 0, 0, 0}));
 }
 
-TEST(Ahead, WhatFailedIsToldToWhoNeedsIt) {
-  Ahead work(2, [](std::size_t i) {
+TEST(WorkAhead, WhatFailedIsToldToWhoNeedsIt) {
+  WorkAhead work(2, [](std::size_t i) {
     if (i == 1) throw std::runtime_error("item 1");
   });
   work.need(0);
@@ -34,15 +34,15 @@ TEST(Ahead, WhatFailedIsToldToWhoNeedsIt) {
   EXPECT_THROW(work.need(1), std::runtime_error);
 }
 
-// One task for four threads: the others can only help with what it offers.
-TEST(Ahead, ThreadsWithoutATaskHelp) {
+// There is one task for four threads, so the other three can only help with the items that it offers.
+TEST(WorkAhead, ThreadsWithoutATaskHelp) {
   std::atomic<int> at_once = 0, most = 0;
   std::vector<std::atomic<int>> done(64);
   campaign::for_each_in_parallel(1, 4, [&](std::size_t) {
-    Ahead work(done.size(), [&](std::size_t i) {
+    WorkAhead work(done.size(), [&](std::size_t i) {
       int const now = ++at_once;
       for (int seen = most; seen < now && !most.compare_exchange_weak(seen, now);) continue;
-      // Until another one is there as well; given up after a while on a machine that is too busy to start it.
+      // Wait until another thread is here too. Give up after a while if the machine is too busy to start one.
       for (int waited = 0; most < 2 && waited < 5000; ++waited)
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
       ++done[i];
@@ -57,13 +57,13 @@ TEST(Ahead, ThreadsWithoutATaskHelp) {
   for (auto const& times : done) EXPECT_EQ(times, 1);
 }
 
-TEST(Ahead, WhatIsGivenUpIsNotBegunAndNothingIsLeftRunning) {
+TEST(WorkAhead, WhatIsGivenUpIsNotBegunAndNothingIsLeftRunning) {
   for (int repeat = 0; repeat < 50; ++repeat) {
     std::atomic<int> running = 0;
     campaign::for_each_in_parallel(3, 4, [&](std::size_t) {
       std::vector<int> room(100, 0);
       {
-        Ahead work(room.size(), [&](std::size_t i) {
+        WorkAhead work(room.size(), [&](std::size_t i) {
           ++running;
           ++room[i];
           --running;
@@ -76,11 +76,11 @@ TEST(Ahead, WhatIsGivenUpIsNotBegunAndNothingIsLeftRunning) {
   }
 }
 
-TEST(Ahead, WorkInsideWorkEnds) {
+TEST(WorkAhead, WorkInsideWorkEnds) {
   std::atomic<int> sum = 0;
   campaign::for_each_in_parallel(2, 3, [&](std::size_t) {
-    Ahead outer(6, [&](std::size_t) {
-      Ahead inner(7, [&](std::size_t) { ++sum; });
+    WorkAhead outer(6, [&](std::size_t) {
+      WorkAhead inner(7, [&](std::size_t) { ++sum; });
       for (std::size_t i = 0; i < 7; ++i) inner.need(i);
     });
     for (std::size_t i = 0; i < 6; ++i) outer.need(i);

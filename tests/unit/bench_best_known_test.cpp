@@ -1,4 +1,4 @@
-// The best objectives known: what makes a problem another one, the file, and that it is never raised.
+// The best objectives known: what makes two problems different, the file, and that a stored objective never rises.
 #include "bench/best_known.hpp"
 
 #include <fmt/format.h>
@@ -111,7 +111,7 @@ TEST(ProblemKey, IsTheSameOnEveryScaleAndDespiteRounding) {
   Problem linear;
   for (auto& p : linear.box.parameters) p.scale = laws::Scale::linear;
   EXPECT_EQ(plain.key(), linear.key());
-  // The last digits of every number, upwards and downwards; also of those that are all rounding (sine of pi).
+  // Change the last digits of every number, up and down, also where the number is rounding alone (the sine of pi).
   Problem rounded;
   for (std::size_t i = 0; i < rounded.record.size(); ++i) {
     double const factor = i % 2 == 0 ? 1.0 - 2e-15 : 1.0 + 2e-15;
@@ -197,7 +197,7 @@ TEST(BestKnown, IsLoweredAndNeverRaised) {
   EXPECT_EQ(entries[0].objective, 0.6);
 }
 
-// The keys that this compiler's program makes are those of the file, and its parameters give their objectives.
+// This build must compute the same keys as the file holds, and the file's parameters must give its objectives.
 TEST(BestKnown, HoldsEverySearchOfTheExampleLot) {
   auto const lot = campaign::read_lot_file(ISOLAW_SOURCE_DIR "/examples/published-lot/lot.toml");
   auto const contents = campaign::prepare(lot);

@@ -19,7 +19,7 @@ namespace isolaw::building {
 using Bearings = std::vector<std::unique_ptr<Bearing>>;
 using Values = std::vector<double>;
 
-// Three equal floors on a slab, 400 Mg each, periods of 0.45 and 0.4 s on a fixed base, 2 % of damping.
+// Three equal floors on a base slab, 400 Mg each; on a fixed base the periods are 0.45 and 0.4 s, the damping 2 %.
 inline Frame three_floors() {
   Diaphragm const slab{.mass_Mg = 400.0, .gyration_mm = 7000.0};
   return {.base = slab, .floors = equal_floors(3, slab, 0.45, 0.4), .damping = {0.02}};
@@ -34,7 +34,7 @@ inline Plan grid(std::size_t along, std::size_t across, double spacing_mm) {
   return plan;
 }
 
-// A shake of several frequencies within a bell, different along x and y.
+// A motion of several frequencies under a bell-shaped envelope, different along x and y.
 inline Motion shaking(double step_s = 0.01, double duration_s = 12.0, double peak_g = 0.15) {
   using std::numbers::pi;
   Motion made{.name = "shaking", .step_s = step_s, .x_mm_s2 = {}};
@@ -52,7 +52,7 @@ inline Motion shaking(double step_s = 0.01, double duration_s = 12.0, double pea
   return made;
 }
 
-// For `bearings` under 1600 Mg: 2.5 s after yielding, 6 % of the weight, 10 mm.
+// Bearings that carry 1600 Mg together: period 2.5 s after yielding, strength 6 % of the weight, yield at 10 mm.
 inline Values usual_bilinear(std::size_t bearings) {
   double const share = 1.6 / static_cast<double>(bearings), K2 = share * std::pow(2.0 * std::numbers::pi / 2.5, 2);
   return {K2 + 0.06 * share * 9806.65 / 10.0, K2, 10.0};

@@ -1,4 +1,4 @@
-// The implicit path: what must not depend on how a building is described, its energy, its convergence, its failures.
+// The implicit path: its results do not depend on how a building is described; energy, convergence, failures.
 #include "isolaw/building/integrate.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ TEST(BuildingIntegrate, many_bearings_are_one_of_their_sum) {
   }
 }
 
-// Turned as a whole: places, stiffness, motion.
+// Turn the whole building: its plan, its stiffness and the motion.
 TEST(BuildingIntegrate, rotation_in_plan) {
   double const angle = 0.6, c = std::cos(angle), s = std::sin(angle);
   auto const turned = [&](Point p) { return Point{c * p.x_mm - s * p.y_mm, s * p.x_mm + c * p.y_mm}; };
@@ -95,7 +95,7 @@ TEST(BuildingIntegrate, bearings_at_one_place_may_be_exchanged) {
     EXPECT_NEAR(a.measured[i], b.measured[i], 1e-9 * std::abs(a.measured[i])) << i;
 }
 
-// Forces ten times as large on ten times the mass move alike; lengths and accelerations ten times as large too.
+// Forces and masses ten times as large move alike; ten times the yield displacement and acceleration, ten times as far.
 TEST(BuildingIntegrate, scales) {
   auto frame = three_floors();
   auto const plan = grid(2, 2, 8000.0);
@@ -135,7 +135,7 @@ TEST(BuildingIntegrate, energy_and_order) {
   }
 }
 
-// The equations before they were taken apart into modes, by Newmark's method on whole matrices.
+// Newmark's method on the whole matrices, before they are split into modes, must give the same motion.
 TEST(BuildingIntegrate, modes_are_the_whole_equations) {
   auto frame = three_floors();
   frame.floors[0].below.centre = {900.0, -400.0};
@@ -143,7 +143,7 @@ TEST(BuildingIntegrate, modes_are_the_whole_equations) {
   Structure const structure(frame);
   auto const motion = shaking();
   double const k = 1.6 * std::pow(2.0 * std::numbers::pi / 2.0, 2);
-  // Never yields.
+  // A yield displacement of 1e9 mm: the bearing never yields.
   auto const made =
       integrate(Model(structure, {.bearings = {{0.0, 0.0}}}), equal_bearings(1, "bilinear", {k, 0.0, 1e9}), motion,
                 {.longest_step_s = 0.01, .histories = true});

@@ -1,4 +1,4 @@
-// Many draws at once: the explicit path held to the implicit one, its lanes to its scalar form.
+// Many draws at once: the explicit path is compared with the implicit one, and its lanes with its scalar form.
 #include "isolaw/building/lanes.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ Values scattered(std::string_view law, Values const& nominal, double scatter) {
     for (std::size_t j = 0; j < bearings; ++j) {
       num::Draws numbers(num::Stream(3), static_cast<std::uint32_t>(draw), static_cast<std::uint32_t>(j));
       double const factor = std::exp(scatter * numbers.normal());
-      // A force scale alone: whatever the law's form, a device of the same shape.
+      // Scale the force alone: whatever the law's form, this gives a device of the same shape.
       for (std::size_t i = 0; i < nominal.size(); ++i)
         made.push_back(nominal[i] * (law == "bilinear" ? (i < 2 ? factor : 1.0) : (i == 1 ? factor : 1.0)));
     }
@@ -61,7 +61,7 @@ TEST(BuildingLanes, no_draw_notices_another) {
   auto const together = respond(model, "bilinear", values, motion, {});
   for (std::size_t const draw : {std::size_t{0}, lane_width + 2, draws - 1})
     EXPECT_EQ(respond(model, "bilinear", row(values, draw, each), motion, {}), row(together, draw, count)) << draw;
-  // Nor one that is nothing at all.
+  // A draw whose parameters are not finite must not disturb its neighbours either.
   values[each] = std::nan("");
   auto const beside = respond(model, "bilinear", values, motion, {});
   EXPECT_EQ(row(beside, 0, count), row(together, 0, count));
@@ -83,7 +83,7 @@ TEST(BuildingLanes, held_to_the_implicit_path) {
     auto const implicit = integrate(model, made, motion);
     for (std::size_t i = 0; i < count; ++i) {
       if (i == static_cast<std::size_t>(Measure::balance)) continue;
-      // What remains at the end is small beside what was.
+      // Compare the displacement left at the end with the largest one, since it is small itself.
       double const size =
           i == static_cast<std::size_t>(Measure::end) ? implicit.of(Measure::isolator) : implicit.measured[i];
       EXPECT_NEAR(lanes[draw * count + i], implicit.measured[i], 3e-3 * std::abs(size)) << i;
@@ -92,7 +92,7 @@ TEST(BuildingLanes, held_to_the_implicit_path) {
   }
 }
 
-// Most of the mass high up, and floors that are stiffer than steps can follow.
+// Most of the mass sits high up, on floors too stiff for the explicit steps to follow.
 TEST(BuildingLanes, stable_below_stiff_floors) {
   for (double const period_s : {0.012, 0.02, 0.03}) {
     Diaphragm const light{.mass_Mg = 80.0, .gyration_mm = 7000.0}, heavy{.mass_Mg = 1520.0, .gyration_mm = 7000.0};
@@ -111,8 +111,8 @@ TEST(BuildingLanes, stable_below_stiff_floors) {
   }
 }
 
-// Every law of the catalogue, rate-dependent ones among them, each from the middle of its boxes for such a device:
-// coupled where it can be, else as springs; both paths, and the energy of both.
+// Take every law of the catalogue, rate-dependent ones too, from the middle of its boxes for such a device. It is
+// coupled where it can be, else a set of springs. Both paths must agree and keep the balance of energy.
 TEST(BuildingLanes, every_law_carries_a_building) {
   Model const model(Structure(three_floors()), {.bearings = {{-3000.0, 0.0}, {3000.0, 0.0}}});
   auto const motion = shaking(0.01, 6.0, 0.12);
@@ -127,7 +127,7 @@ TEST(BuildingLanes, every_law_carries_a_building) {
       bool const logarithmic = p.scaled_search == laws::Scale::logarithmic && box.lower * box.upper > 0.0;
       double const middle =
           logarithmic ? std::copysign(std::sqrt(box.lower * box.upper), box.lower) : 0.7 * box.lower + 0.3 * box.upper;
-      // Exponentials of the middle of their boxes are no bearing's.
+      // No bearing has the exponential terms that the middle of these boxes would give.
       bool const exponential = law.info.id == "vaiana" && (p.name.starts_with("beta") || p.name.starts_with("gamma"));
       values.push_back(exponential ? 0.0 : p.fixed_by_default.value_or(middle));
     }

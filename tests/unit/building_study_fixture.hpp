@@ -12,7 +12,7 @@
 
 namespace isolaw::building {
 
-// A population of two parameters, K1 and K2, of bilinear.
+// A population over two parameters of bilinear, K1 and K2.
 inline LawSource bilinear_source(double scatter, std::size_t count) {
   auto const nominal = usual_bilinear(count);
   LawSource made{.law = "bilinear",

@@ -1,4 +1,4 @@
-// The building file, the draws, the runs and what they say.
+// The building file, the draws, the runs, and the answers made from them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ class BuildingFileTest : public testing::Test {
     for (int i = 0; i < samples; ++i) out << 0.01 * i << ',' << (i + 1 < samples ? "0.5" : last) << '\n';
   }
   BuildingFile read(std::string const& text) const { return read_building_text(text, "b.toml", folder_); }
-  // The template with one line in place of another.
+  // The message when one line of the template is replaced by another.
   std::string refused(std::string const& line, std::string const& instead) const {
     auto text = building_template();
     auto const at = text.find(line);
@@ -88,7 +88,7 @@ TEST_F(BuildingFileTest, what_is_wrong_is_said_once_with_its_line) {
   EXPECT_TRUE(contains(nan, "motion-1-y.csv:21") && contains(nan, "no number")) << nan;
 }
 
-// What is given in place of a key is judged as what stands there, and a mapping is a file without lines.
+// A value given in place of a key is checked like one in the file; a mapping is read like a file without lines.
 TEST_F(BuildingFileTest, what_is_given_is_laid_over_and_a_mapping_is_a_file) {
   Motion const motion{.name = "m", .step_s = 0.01, .x_mm_s2 = {0.0, 1.0}, .y_mm_s2 = {}};
   auto const read_with = [&](isolaw::Values settings, Motion const& shaken) {
@@ -160,11 +160,11 @@ TEST(BuildingStudy, a_draw_depends_on_its_number_alone) {
   EXPECT_EQ(a.of(second), b.of(second));
   EXPECT_NE(a.of(second), a.of({.kind = CaseKind::draw, .draw = 2}));
   auto const values = a.of(second);
-  EXPECT_NE(values[0], values[3]);  // every bearing its own
-  EXPECT_EQ(values[2], values[5]);  // what no population holds
+  EXPECT_NE(values[0], values[3]);  // every bearing has its own draw
+  EXPECT_EQ(values[2], values[5]);  // the population does not contain this parameter
 }
 
-// power-masing has no form in the plane, and no tangent at nought of the direction in which nothing moves.
+// power-masing has no two-dimensional form, and its tangent is undefined at zero along a direction without motion.
 TEST(BuildingStudy, under_motions_along_x_a_law_is_itself) {
   auto study = usual_study(0.0, 3);
   Values const law{60.0, 0.6, 10.0, 0.0, 20.0, 0.05};
@@ -192,7 +192,7 @@ TEST(BuildingStudy, under_motions_along_x_a_law_is_itself) {
     ASSERT_LT(std::abs(run.history.base[i][1]), 1e-6);
   }
   EXPECT_GT(run.of(Measure::isolator), 10.0);
-  // The law starts at nought, the bearing where it has left its rest.
+  // `online` starts at zero; the law of the bearing starts where the bearing has just left its rest.
   EXPECT_LT(off, 1e-3 * most);
   auto const csv = history_csv(run, study.file.motions[0]);
   EXPECT_EQ(
@@ -221,13 +221,13 @@ class BuildingRuns : public testing::Test {
   std::string json(Study const& study, std::size_t threads, bool interrupted = false) const {
     fs::remove(file_);
     if (interrupted) {
-      RunStore store(file_, traits_of(study), false);
+      RunStore store(file_, properties_of(study), false);
       EXPECT_THROW(
           run_all(study, store, threads, {.progress = [](RunProgress const&) { throw std::runtime_error("stop"); }}),
           std::runtime_error);
       EXPECT_GT(store.runs_there(), 0u);
     }
-    RunStore store(file_, traits_of(study), false);
+    RunStore store(file_, properties_of(study), false);
     run_all(study, store, threads);
     return render::building_json(study, answer(study, store));
   }
@@ -242,17 +242,17 @@ TEST_F(BuildingRuns, same_bytes_for_any_threads_and_after_an_interruption) {
   EXPECT_EQ(json(study, 2, true), one);
   auto other = study;
   other.file.settings.seed = 2;
-  auto const refused = refusal_of([&] { RunStore(file_, traits_of(other), false); });
+  auto const refused = refusal_of([&] { RunStore(file_, properties_of(other), false); });
   EXPECT_TRUE(contains(refused, "the runs of another building") && contains(refused, "seed: 1 there, 2 now") &&
               contains(refused, "--fresh"))
       << refused;
-  RunStore const fresh(file_, traits_of(other), true);
+  RunStore const fresh(file_, properties_of(other), true);
   EXPECT_EQ(fresh.runs_there(), 0u);
 }
 
 TEST_F(BuildingRuns, answers) {
   auto const study = usual_study(0.07, 120, 4);
-  RunStore store(file_, traits_of(study), false);
+  RunStore store(file_, properties_of(study), false);
   run_all(study, store, 1);
   auto const made = answer(study, store);
   auto const& law = made.laws.at(0);
@@ -261,12 +261,12 @@ TEST_F(BuildingRuns, answers) {
   auto const& isolator = law.distributions[0];
   EXPECT_LT(isolator.fractiles[0], isolator.fractiles[1]);
   EXPECT_NEAR(isolator.fractiles[1] / isolator.nominal, 1.0, 0.1);
-  // The sum of six scatters by 7 % / sqrt(6), and torsion adds.
+  // The sum of six draws scatters by 7 % / sqrt(6), and torsion adds to it.
   EXPECT_GT(isolator.lot_std_ln, 0.001);
   EXPECT_LT(isolator.lot_std_ln, 0.07);
   EXPECT_GT(isolator.motion_std_ln, 0.0);
   EXPECT_TRUE(isolator.uncertain_std_ln.has_value());
-  // Weaker bearings take less shear.
+  // Weaker bearings pass on less shear.
   EXPECT_LT(law.distributions[6].lower, law.distributions[6].upper);
   for (auto const& coverage : law.coverage) {
     EXPECT_NEAR(coverage.inside + coverage.below + coverage.above, 1.0, 1e-12);
@@ -276,20 +276,20 @@ TEST_F(BuildingRuns, answers) {
   for (auto const& checked : law.checked) {
     EXPECT_EQ(checked.outcome, "completed");
     EXPECT_LT(std::abs(checked.balance), 1e-3);
-    EXPECT_LT(std::abs(checked.lanes_off_percent), 0.5);
+    EXPECT_LT(std::abs(checked.draws_error_percent), 0.5);
     EXPECT_GT(checked.equivalent_mm, 0.0);
   }
   EXPECT_TRUE(contains(made.verdict, ": with Bilinear the bounds cover ") && contains(made.verdict, "of 120 buildings"))
       << made.verdict;
   EXPECT_TRUE(std::ranges::any_of(made.warnings, [](auto const& w) { return w.starts_with("2 motions: codes take"); }));
-  if (law.coverage[0].inside < enough)
+  if (law.coverage[0].inside < wanted_share)
     EXPECT_EQ(made.bounds_are_enough, false);
   else
-    EXPECT_EQ(made.bounds_are_enough.has_value(), law.coverage[0].interval_low >= enough);
+    EXPECT_EQ(made.bounds_are_enough.has_value(), law.coverage[0].interval_low >= wanted_share);
   std::uint64_t drawn = 0;
   for (auto const count : isolator.histogram.counts) drawn += count;
   EXPECT_EQ(drawn, 120u);
-  // The history of the nominal building reaches what was measured of it, but for what lies between its points.
+  // The stored history reaches the measured maximum, except for peaks between its points.
   ASSERT_EQ(law.histories.size(), 2u);
   for (std::size_t m = 0; m < 2; ++m) {
     auto const& history = law.histories[m];
@@ -300,7 +300,7 @@ TEST_F(BuildingRuns, answers) {
       most = std::max(most, std::hypot(history.x_mm[i], history.y_mm[i]));
     EXPECT_NEAR(most, law.distributions[1].nominal_by_motion[m], 0.02 * most);
   }
-  // The loops of the first draw under the stronger motion: forces add up to its shear, each bearing's is its own.
+  // The stored loops are those of the first draw under the stronger motion; every bearing has its own force.
   auto const& loops = law.loops;
   EXPECT_TRUE(loops.drawn);
   auto const strongest = static_cast<std::size_t>(law.checked[1].isolator_mm > law.checked[0].isolator_mm);
@@ -311,12 +311,12 @@ TEST_F(BuildingRuns, answers) {
   EXPECT_NE(loops.force_x_kN[0], loops.force_x_kN[1]);
   for (auto const* forces : {&loops.force_x_kN, &loops.force_y_kN})
     for (auto const& force : *forces) EXPECT_EQ(force.size(), loops.x_mm.size());
-  // Stiff equipment feels the floor's own acceleration, and the roof more than the base.
+  // The spectrum at the shortest period is close to the floor's peak acceleration; the roof amplifies more.
   ASSERT_EQ(law.floor_spectra_g.size(), 4u);
   EXPECT_EQ(law.floor_spectra_g[0].size(), spectrum_periods_s().size());
   EXPECT_NEAR(law.floor_spectra_g[0].front() / law.distributions[7].nominal, 1.0, 0.25);
   EXPECT_GT(std::ranges::max(law.floor_spectra_g[3]), law.floor_spectra_g[3].front());
-  // On average no bearing moves more than that which moves most, and all the work is theirs.
+  // On average no bearing moves more than the one that moves most, and the bearings do all the work.
   double share = 0.0;
   for (std::size_t b = 0; b < 6; ++b) {
     EXPECT_GT(law.bearing_mm[b], 0.0);
@@ -329,17 +329,17 @@ TEST_F(BuildingRuns, answers) {
 TEST_F(BuildingRuns, without_draws_bounds_have_nothing_to_cover) {
   auto study = usual_study(0.07, 3);
   for (auto& bearing : study.file.bearings) bearing.stands = Stands::lot;
-  RunStore store(file_, traits_of(study), false);
+  RunStore store(file_, properties_of(study), false);
   run_all(study, store, 1);
   auto const made = answer(study, store);
   EXPECT_TRUE(contains(made.verdict, "No bearing is a draw")) << made.verdict;
   EXPECT_FALSE(made.bounds_are_enough.has_value());
 }
 
-// One building between the bounds shows nothing of a share of 95 %.
+// Three buildings within the bounds prove nothing about a share of 95 %.
 TEST_F(BuildingRuns, a_few_draws_do_not_show_that_bounds_are_enough) {
   auto study = usual_study(0.001, 3);
-  RunStore store(file_, traits_of(study), false);
+  RunStore store(file_, properties_of(study), false);
   run_all(study, store, 1);
   auto const made = answer(study, store);
   EXPECT_EQ(made.laws.front().coverage.front().inside, 1.0);
@@ -347,7 +347,7 @@ TEST_F(BuildingRuns, a_few_draws_do_not_show_that_bounds_are_enough) {
   EXPECT_TRUE(std::ranges::any_of(made.warnings, [](auto const& w) { return contains(w, "too few to show"); }));
 }
 
-// A second law far from the first: the bounds of the first do not cover it.
+// The second law lies far from the first, so the bounds of the first do not cover it.
 TEST_F(BuildingRuns, bounds_of_one_law_are_held_to_the_others) {
   auto study = usual_study(0.001, 80);
   auto other = study.laws.front();
@@ -355,26 +355,26 @@ TEST_F(BuildingRuns, bounds_of_one_law_are_held_to_the_others) {
   for (double& logarithm : other.population.mean) logarithm += std::log(2.0);
   study.laws.push_back(other);
   study.file.settings.laws.push_back(other.law);
-  RunStore store(file_, traits_of(study), false);
+  RunStore store(file_, properties_of(study), false);
   run_all(study, store, 1);
   auto const made = answer(study, store);
   ASSERT_TRUE(made.laws[1].by_first_bounds.has_value());
-  EXPECT_LT(*made.laws[1].by_first_bounds, enough) << made.verdict;
+  EXPECT_LT(*made.laws[1].by_first_bounds, wanted_share) << made.verdict;
   EXPECT_EQ(made.bounds_are_enough, false);
   EXPECT_TRUE(made.verdict.starts_with("No: with Bilinear the bounds cover ")) << made.verdict;
   EXPECT_TRUE(contains(made.verdict, "they cover 0 %")) << made.verdict;
-  // Draws that hardly scatter need factors within the accuracy of the grid, which are no numbers to design by.
+  // If draws hardly scatter, the factors they need lie within the accuracy of the grid and are no basis for design.
   EXPECT_TRUE(contains(made.verdict, "; factors within 2 % of 1, the accuracy, would cover 95 %")) << made.verdict;
 }
 
-// The same law a second time: between the bounds of the first lie as many of its draws.
+// The same law listed twice: the bounds of the first must cover as many draws of the second.
 TEST_F(BuildingRuns, bounds_of_one_law_cover_as_much_of_the_same_law) {
   auto study = usual_study(0.07, 40);
   study.file.settings.lower = 0.98;
   study.file.settings.upper = 1.02;
   study.laws.push_back(study.laws.front());
   study.file.settings.laws.push_back(study.laws.front().law);
-  RunStore store(file_, traits_of(study), false);
+  RunStore store(file_, properties_of(study), false);
   run_all(study, store, 1);
   auto const made = answer(study, store);
   auto const inside = made.laws[0].coverage.front().inside;
@@ -391,14 +391,14 @@ TEST(BuildingAnswers, factors_are_said_where_they_mean_something) {
   EXPECT_EQ(factors_text(c), "no factors up to 0.60 and 1.40 would cover 95 %");
 }
 
-// Bounds of which both move less than the nominal building cover nothing, whatever their factors: that is said.
+// If both bound analyses move less than the nominal building, no factors can help, and the answer says so.
 TEST_F(BuildingRuns, bounds_on_one_side_of_the_nominal_building_are_told) {
   auto const study = usual_study(0.001, 40);
-  RunStore store(file_, traits_of(study), false);
+  RunStore store(file_, properties_of(study), false);
   run_all(study, store, 1);
-  // The two bound analyses with a tenth of what they gave.
+  // Write the two bound analyses again with a tenth of their results.
   auto const other = file_.string() + "-2";
-  RunStore changed(other, traits_of(study), true);
+  RunStore changed(other, properties_of(study), true);
   for (std::size_t motion = 0; motion < 2; ++motion) {
     std::vector<RunStore::Row> rows;
     store.each(0, motion, [&](std::size_t place, std::vector<double> const& measured) {
@@ -420,7 +420,7 @@ TEST_F(BuildingRuns, bounds_on_one_side_of_the_nominal_building_are_told) {
 TEST_F(BuildingRuns, says_what_is_known_against_a_law) {
   auto study = usual_study(0.07, 4);
   study.laws[0].doubts = {"Bilinear: the tests do not determine Dy", "a was refused", "a was refused"};
-  RunStore store(file_, traits_of(study), false);
+  RunStore store(file_, properties_of(study), false);
   run_all(study, store, 1);
   auto const made = answer(study, store);
   EXPECT_EQ(made.laws[0].doubts, study.laws[0].doubts);
@@ -429,10 +429,10 @@ TEST_F(BuildingRuns, says_what_is_known_against_a_law) {
   EXPECT_EQ(std::ranges::count(made.warnings, "of the calibration: a was refused"), 1);
   auto other = study;
   other.laws[0].doubts.clear();
-  EXPECT_EQ(traits_of(other), traits_of(study));
+  EXPECT_EQ(properties_of(other), properties_of(study));
 }
 
-// Springs are told of one by one, and a run asked to end keeps those that it finished.
+// Spring runs report progress one by one, and an interrupted run keeps those that are finished.
 TEST_F(BuildingRuns, of_springs_are_told_one_by_one_and_can_be_interrupted) {
   auto study = usual_study(0.07, 2);
   study.laws[0].as_springs = true;
@@ -442,7 +442,7 @@ TEST_F(BuildingRuns, of_springs_are_told_one_by_one_and_can_be_interrupted) {
   study.file.settings.rest_s = 0.0;
   std::size_t told = 0;
   {
-    RunStore store(file_, traits_of(study), false);
+    RunStore store(file_, properties_of(study), false);
     EXPECT_FALSE(run_all(study, store, 1,
                          {.progress = [&](RunProgress const& p) { told = p.done; },
                           .part = {},
@@ -451,12 +451,12 @@ TEST_F(BuildingRuns, of_springs_are_told_one_by_one_and_can_be_interrupted) {
     EXPECT_EQ(store.runs_there(), 3u);
     EXPECT_TRUE(run_all(study, store, 2));
   }
-  RunStore const store(file_, traits_of(study), false);
+  RunStore const store(file_, properties_of(study), false);
   auto const made = answer(study, store);
   EXPECT_EQ(form(made.laws[0]), "springs");
 }
 
-// Values of Clopper and Pearson's interval: Brown, Cai and DasGupta 2001 give the form, R's binom.test the digits.
+// Reference values of the Clopper-Pearson interval: form from Brown, Cai and DasGupta 2001, digits from R's binom.test.
 TEST(BuildingAnswers, binomial_interval) {
   auto const made = binomial_interval(95, 100);
   EXPECT_NEAR(made[0], 0.8871651, 1e-6);
@@ -465,7 +465,7 @@ TEST(BuildingAnswers, binomial_interval) {
   EXPECT_NEAR(binomial_interval(20, 20)[0], std::pow(0.025, 1.0 / 20.0), 1e-9);
 }
 
-// A closed loop of a bilinear device: K2 + Qd / D, and 4 Qd (D - Dy) over 2 pi K D^2.
+// On a closed loop of a bilinear device K = K2 + Qd / D, and the damping is 4 Qd (D - Dy) / (2 pi K D^2).
 TEST(BuildingAnswers, effective_stiffness_and_damping) {
   double const K1 = 6.0, K2 = 0.9, Qd = 30.0, Dy = Qd / (K1 - K2), D = 150.0;
   auto const made = effective("bilinear", Values{K1, K2, Dy}, D, Coupling::coupled);

@@ -1,4 +1,4 @@
-// The equations of a building as whole matrices, put together apart from the program's own.
+// The equations of a building as whole matrices, assembled independently of the program's own.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,9 +10,9 @@
 namespace isolaw::building {
 
 struct Whole {
-  num::Vector mass;       // of every degree of freedom, the base first
-  num::Matrix stiffness;  // of the storeys
-  num::Matrix damping;    // modal on a fixed base, of all modes alike
+  num::Vector mass;       // one value per degree of freedom, the base first
+  num::Matrix stiffness;  // of the storeys alone
+  num::Matrix damping;    // modal damping on a fixed base, the same ratio for all modes
 };
 
 inline Whole whole_equations(Frame const& frame, double ratio) {
@@ -33,7 +33,7 @@ inline Whole whole_equations(Frame const& frame, double ratio) {
     made.stiffness += B.transpose() * floor(i).below.stiffness * B;
   }
   if (n == 0) return made;
-  // C = 2 zeta M sqrt(M^-1 K) of the motion relative to the base.
+  // C = 2 zeta M sqrt(M^-1 K), for the motion relative to the base.
   num::Vector const root = made.mass.tail(n).cwiseSqrt(), inverse = root.cwiseInverse();
   auto const eigen =
       num::symmetric_eigen(inverse.asDiagonal() * made.stiffness.bottomRightCorner(n, n) * inverse.asDiagonal());

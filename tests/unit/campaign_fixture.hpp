@@ -1,4 +1,4 @@
-// Small campaigns for the tests: records written to a folder of the test's own, and exact comparison of contents.
+// Small campaigns for the tests: records in a temporary folder of each test, and exact comparison of contents.
 #pragma once
 
 #include <fmt/format.h>
@@ -49,7 +49,7 @@ class Folder : public ::testing::Test {
     text << std::ifstream(file, std::ios::binary).rdbuf();
     return text.str();
   }
-  std::vector<std::string> names() const {  // of everything in the folder
+  std::vector<std::string> names() const {  // every entry of the folder
     std::vector<std::string> found;
     for (auto const& entry : std::filesystem::directory_iterator(folder))
       found.push_back(entry.path().filename().string());
@@ -60,7 +60,7 @@ class Folder : public ::testing::Test {
   std::filesystem::path folder;
 };
 
-// Three cycles of a fat loop at 0.5 Hz; `stiffness` tells devices apart.
+// Three cycles of a wide loop at 0.5 Hz; devices differ in `stiffness`.
 inline std::string record_text(double stiffness, bool with_time = true, int samples_per_cycle = 40) {
   std::string text = with_time ? "time [s],disp [mm],force [kN]\n" : "disp [mm],force [kN]\n";
   for (int i = 0; i <= 3 * samples_per_cycle; ++i) {
@@ -81,7 +81,7 @@ inline DeviceInput device_input(std::string name, std::vector<std::filesystem::p
   return input;
 }
 
-// A run in which no parameter set gave a finite force.
+// A run in which no candidate gave a finite force.
 inline Run failed_run(std::size_t device, std::string law, int number, std::string failure) {
   return {.device = device,
           .law = std::move(law),
@@ -100,7 +100,7 @@ inline bool same(double a, double b) {
   return a == b || (std::isnan(a) && std::isnan(b));
 }
 
-// Exactly equal, NaN being equal to NaN.
+// Exactly equal; NaN counts as equal to NaN.
 inline void expect_same(std::vector<double> const& a, std::vector<double> const& b, std::string const& what) {
   ASSERT_EQ(a.size(), b.size()) << what;
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -142,7 +142,7 @@ inline void expect_same(fit::SearchBox const& a, fit::SearchBox const& b, std::s
   }
 }
 
-// Everything but the layout of the raw record, which is what `isolaw init` writes down and no report needs.
+// Compares everything but the layout of the raw record: `isolaw init` writes that down, and no report needs it.
 inline void expect_same(Device const& a, Device const& b) {
   EXPECT_EQ(a.name, b.name);
   EXPECT_EQ(a.file, b.file);

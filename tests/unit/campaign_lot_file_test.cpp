@@ -1,4 +1,4 @@
-// The lot file: everything it can say, what it says about mistakes (each with its line), and writing it.
+// The lot file: every key it may hold, the complaint about every mistake with its line, and writing one.
 #include "isolaw/campaign/lot_file.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ class LotFileTest : public testing::Folder {
     return read_lot_file(write("lot.toml", text), options);
   }
 
-  // The complaints, one a line, without the folder's name; "" when the file was read.
+  // The complaints, one per line, without the folder's name; "" if the file could be read.
   std::string complaints(std::string_view text) const {
     try {
       read(text);
@@ -36,7 +36,7 @@ class LotFileTest : public testing::Folder {
     }
     return "";
   }
-  // A file with these lines after [calibrate] (so that the first of them is line 3), and one device.
+  // A file with these lines after [calibrate], so that the first of them is line 3, and with one device.
   std::string calibrate(std::string_view lines) const {
     return complaints(
         fmt::format("title = \"lot\"\n[calibrate]\n{}\n[[device]]\nname = \"A\"\nfile = \"a.csv\"\n", lines));
@@ -127,7 +127,7 @@ columns = "disp=2,force=3"
   using enum data::Channel;
   EXPECT_EQ(a.read.columns,
             (std::map<data::Channel, std::string>{{time, "1"}, {disp, "Weg, horizontal"}, {force, "Kraft"}}));
-  EXPECT_EQ(a.read.units, (std::map<data::Channel, std::string>{{disp, "cm"}, {force, "tonf"}}));  // [read] and its own
+  EXPECT_EQ(a.read.units, (std::map<data::Channel, std::string>{{disp, "cm"}, {force, "tonf"}}));  // cm from [read]
   EXPECT_EQ(a.read.dt_s, 0.01);
   EXPECT_TRUE(a.read.flip_force);
   EXPECT_EQ(a.read.sheet, "Prüfung 2");
@@ -188,17 +188,17 @@ TEST_F(LotFileTest, UnknownKeysHaveTheirLineAndTheKnownOnes) {
 }
 
 TEST_F(LotFileTest, WrongTypesHaveTheirLine) {
-  expect_parts(calibrate("runs = \"many\""), {"lot.toml:3: runs: 'many' is no whole number", "1 to 100000"});
-  expect_parts(calibrate("runs = 2.5"), {"lot.toml:3: runs: 2.5 is no whole number"});
-  expect_parts(calibrate("runs = true"), {"lot.toml:3: runs: true is no whole number"});
+  expect_parts(calibrate("runs = \"many\""), {"lot.toml:3: runs: 'many' is not a whole number", "1 to 100000"});
+  expect_parts(calibrate("runs = 2.5"), {"lot.toml:3: runs: 2.5 is not a whole number"});
+  expect_parts(calibrate("runs = true"), {"lot.toml:3: runs: true is not a whole number"});
   expect_parts(calibrate("center = \"yes\""), {"lot.toml:3: center: 'yes'", "true or false"});
   expect_parts(calibrate("center = 1"), {"lot.toml:3: center: 1;", "true or false"});
   expect_parts(calibrate("box = 1"), {"lot.toml:3: box: 1;", "published, auto"});
-  expect_parts(calibrate("laws = 3"), {"lot.toml:3: laws: 3 is no text"});
-  expect_parts(calibrate("laws = [\"abe\",\n3]"), {"lot.toml:4: laws: 3 is no text"});
+  expect_parts(calibrate("laws = 3"), {"lot.toml:3: laws: 3 is not text"});
+  expect_parts(calibrate("laws = [\"abe\",\n3]"), {"lot.toml:4: laws: 3 is not text"});
   expect_parts(calibrate("samples-per-cycle = [200]"), {"lot.toml:3: samples-per-cycle: [200]", "all"});
-  expect_parts(device("temperature-C = \"cold\""), {"lot.toml:4: temperature-C: 'cold' is no number"});
-  expect_parts(device("serial = 17"), {"lot.toml:4: serial: 17 is no text"});
+  expect_parts(device("temperature-C = \"cold\""), {"lot.toml:4: temperature-C: 'cold' is not a number"});
+  expect_parts(device("serial = 17"), {"lot.toml:4: serial: 17 is not text"});
   expect_parts(device("columns = 3"), {"lot.toml:4: columns: 3;", "a table, or text"});
   expect_parts(device("columns = { time = true }"), {"lot.toml:4: columns: time: true is neither"});
   expect_parts(complaints("calibrate = 3\n[[device]]\nfile = \"a.csv\"\n"), {"lot.toml:1", "'calibrate'", "table"});
@@ -225,7 +225,7 @@ TEST_F(LotFileTest, OptionsOfTheGeneticAlgorithmChooseIt) {
   EXPECT_EQ(method("stagnation-tolerance = 1e-4"), Method::genetic);
   EXPECT_EQ(method("method = \"ga\""), Method::genetic);
   expect_parts(calibrate("method = \"best\"\ngenerations = 30"),
-               {"lot.toml:4: generations: belongs to method ga, and the method is best"});
+               {"lot.toml:4: generations: belongs to method ga, but the method is best"});
 }
 
 // "Throws one Error that holds every problem of the file with its line: ..., values that are not allowed".
@@ -265,7 +265,7 @@ TEST_F(LotFileTest, FilesOutsideTheFolderHaveTheirLine) {
   EXPECT_EQ(read("[[device]]\nfile = \"../b.csv\"\n", {.allow_outside = true}).devices.size(), 1u);
 }
 
-// Whether it is there or not, and whatever lies in the current directory.
+// Refused whether the file exists or not, and whatever the current directory holds.
 TEST_F(LotFileTest, RulesOutsideTheFolderHaveTheirLine) {
   auto const built_in = [](std::string_view name) { return name == "known"; };
   auto const lot = [](std::string const& name) {
@@ -305,9 +305,8 @@ TEST_F(LotFileTest, AParameterSetTwiceIsRefused) {
 
 TEST_F(LotFileTest, WholeNumbersBeyondAnyRangeSayTheRange) {
   expect_parts(calibrate("smooth = 1000000000001"),
-               {"lot.toml:3: smooth: 1000000000001 is no whole number of ordinary size; allowed: an odd number"});
-  expect_parts(calibrate("generations = 9000000000"),
-               {"generations: 9000000000 is no whole number of ordinary size", "1 to 20000"});
+               {"lot.toml:3: smooth: 1000000000001 is out of range; allowed: an odd number"});
+  expect_parts(calibrate("generations = 9000000000"), {"generations: 9000000000 is out of range", "1 to 20000"});
   expect_parts(calibrate("jobs = -9000000000"), {"'jobs' is -9000000000, out of range", "0 to 4096"});
 }
 
@@ -347,7 +346,7 @@ TEST_F(LotFileTest, NamesHaveALongestLength) {
                {"lot.toml:4: serial: ", "is 513 bytes long", "512 or fewer"});
 }
 
-// toml++ takes tables apart by recursion: a hundred thousand of them end its stack.
+// toml++ reads nested tables by recursion: a hundred thousand levels overflow its stack.
 TEST_F(LotFileTest, DeepNestingIsRefused) {
   std::string const found = "nested deeper than any lot file needs";
   auto const repeated = [](std::string_view part, std::size_t times) {
@@ -361,7 +360,7 @@ TEST_F(LotFileTest, DeepNestingIsRefused) {
   expect_parts(complaints("a = " + repeated("{a.a.a=[\n", 200'000)), {"lot.toml:", found});
   expect_parts(complaints("a = \"\"\"\"\\\"\"\"\"\nb = 'x' # '\n" + repeated("a.", 1'000'000) + "a = 1\n"),
                {"lot.toml:3: ", found});
-  // Text, comments and many short tables are no nesting.
+  // Brackets in text and comments, and many short tables, do not count as nesting.
   EXPECT_EQ(complaints("title = \"" + repeated("[{.", 150) + "\" # " + repeated("[{.", 200) +
                        "\n[[device]]\nfile = \"a.csv\"\n"),
             "");
@@ -383,7 +382,7 @@ TEST_F(LotFileTest, ADeviceHasALargestNumberOfFiles) {
 
 TEST_F(LotFileTest, ALargeOrSpecialFileIsNotRead) {
   auto const file = write("large.toml", "x");
-  std::filesystem::resize_file(file, std::uintmax_t{1} << 40);  // a hole: takes no space
+  std::filesystem::resize_file(file, std::uintmax_t{1} << 40);  // a sparse file takes no space on disk
   auto const said = [](std::filesystem::path const& path) -> std::string {
     try {
       read_lot_file(path);
@@ -582,7 +581,7 @@ TEST(LotOfFiles, NamesDevicesAfterTheirFiles) {
   EXPECT_EQ(lot.devices[1].shown_file, "b.csv");
 }
 
-// A comma before three digits may group them: nobody's thousand millimetres become one.
+// A comma before three digits may group thousands, so 1,200 mm is not read as a number at all.
 TEST_F(LotFileTest, NumbersOfAFileThatMayBeGroupedAreLeftToAPerson) {
   DeviceInfo info;
   auto left = take_particulars({{"rubber-area-mm2", "282,743 mm2"}, {"rubber-thickness-mm", "1,200 mm"}}, info);

@@ -1,4 +1,4 @@
-// Parts: how runs are dealt, and that a merge is linear in rows and flat in memory up to a thousand parts.
+// Parts: how runs are assigned; merging a thousand parts takes time linear in rows, and constant memory.
 #include "isolaw/campaign/merge.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ class MergeTest : public testing::Folder {
 TEST_F(MergeTest, RunsAreDealtEvenlyByTheirCost) {
   auto const contents = prepared({"bilinear", "abe", "hwang-wu", "vaiana"}, 6);
   for (int const parts : {1, 2, 5, 7, 48, 60}) {
-    Deal const deal(contents, parts);
+    RunAssignment const deal(contents, parts);
     std::vector<std::size_t> runs(static_cast<std::size_t>(parts));
     std::vector<std::uint64_t> cost(runs.size());
     std::uint64_t dearest = 0;
@@ -60,7 +60,7 @@ TEST_F(MergeTest, RunsAreDealtEvenlyByTheirCost) {
 TEST_F(MergeTest, DevicesAreDealtByWhatExaminingThemCosts) {
   auto const contents = prepared({"bilinear", "abe", "hwang-wu", "vaiana"}, 1);
   for (int const parts : {1, 2, 3, 20}) {
-    auto const dealt = campaign::deal_of_analyses(contents, parts);
+    auto const dealt = campaign::assign_analyses(contents, parts);
     std::vector<std::uint64_t> cost(static_cast<std::size_t>(parts));
     std::uint64_t dearest = 0;
     for (std::size_t s = 0; s < contents.searches.size(); ++s) {
@@ -72,14 +72,14 @@ TEST_F(MergeTest, DevicesAreDealtByWhatExaminingThemCosts) {
   }
 }
 
-// Wherever and whenever: parts of one campaign are computed by machines that never met.
+// The assignment must agree between machines that never communicate.
 TEST_F(MergeTest, TheDealIsTheSameOnEveryMachine) {
   auto const contents = prepared({"bilinear", "abe"}, 3);
-  Deal const deal(contents, 4);
+  RunAssignment const deal(contents, 4);
   std::vector<int> dealt;
   for (std::size_t s = 0; s < contents.searches.size(); ++s)
     for (int number = 1; number <= 3; ++number) dealt.push_back(deal.part_of(s, number));
-  EXPECT_EQ(dealt, (std::vector{3, 4, 1, 1, 2, 3, 2, 3, 4, 4, 1, 2}));  // of a: bilinear, abe; of b: bilinear, abe
+  EXPECT_EQ(dealt, (std::vector{3, 4, 1, 1, 2, 3, 2, 3, 4, 4, 1, 2}));  // a bilinear, a abe, b bilinear, b abe
 }
 
 TEST_F(MergeTest, AStoreInOrderIsTheSameFileHoweverItCameAbout) {
@@ -91,7 +91,7 @@ TEST_F(MergeTest, AStoreInOrderIsTheSameFileHoweverItCameAbout) {
   auto in_order = runs;
   std::ranges::sort(in_order, {}, [](auto const& run) { return std::tie(run.device, run.law, run.number); });
   std::string first;
-  for (int const stride : {1, 7, 159}) {  // without a factor that 160 has
+  for (int const stride : {1, 7, 159}) {  // every stride shares no factor with 160, so all runs are visited
     auto const file = folder / "campaign.sqlite";
     auto store = Store::create(file, contents);
     for (std::size_t i = 0; i < runs.size(); ++i) store.add(runs[i * static_cast<std::size_t>(stride) % runs.size()]);
@@ -104,14 +104,14 @@ TEST_F(MergeTest, AStoreInOrderIsTheSameFileHoweverItCameAbout) {
     EXPECT_FALSE(after == before);
     testing::expect_same(Store::read(file).runs, in_order);
     EXPECT_EQ(Store::integrity(file), std::vector<std::string>{});
-    Store::put_in_order(file);  // again: nothing to do
+    Store::put_in_order(file);  // a second time there is nothing to do
     EXPECT_TRUE(bytes_of(file) == first);
   }
 }
 
 #ifdef __linux__
 
-// Counts of the process: "rchar" and "wchar" of io, "VmHWM" of status.
+// Counters that the system keeps for the process: "rchar" and "wchar" in io, "VmHWM" in status.
 std::uint64_t counted_by_system(std::string const& file, std::string const& key) {
   std::ifstream in("/proc/self/" + file);
   for (std::string word; in >> word;)
@@ -124,14 +124,14 @@ std::uint64_t counted_by_system(std::string const& file, std::string const& key)
 }
 
 TEST_F(MergeTest, OfAThousandPartsIsLinearInRowsAndFlatInMemory) {
-  constexpr int most = 1000, each = 5;  // parts; runs that each has of a search
+  constexpr int most = 1000, each = 5;  // number of parts; runs of each search that a part has
   struct Cost {
     std::uint64_t bytes = 0;
     std::int64_t sqlite_bytes = 0, process_kB = 0;
   };
   std::map<int, Cost> costs;
   for (int const parts : {100, most}) {
-    // Part k has the runs k, k + parts, ...: so many of every search are dealt evenly.
+    // Part k has runs k, k + parts, ... of every search, so runs are shared out evenly.
     auto contents = prepared({"bilinear", "vaiana"}, each * parts);
     contents.part = {1, parts};
     contents.makers = {this_maker()};
@@ -162,11 +162,11 @@ TEST_F(MergeTest, OfAThousandPartsIsLinearInRowsAndFlatInMemory) {
       ASSERT_EQ(sqlite3_exec(db, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sqlite3_errmsg(db);
       sqlite3_close(db);
     }
-    // In an order that is none.
+    // Shuffle the files.
     for (std::size_t i = 0; i < files.size(); ++i) std::swap(files[i], files[i * 7919 % files.size()]);
     auto const out = folder / "campaign.sqlite";
     std::filesystem::remove(out);
-    std::ofstream("/proc/self/clear_refs") << 5;  // the most memory, from here on
+    std::ofstream("/proc/self/clear_refs") << 5;  // starts the peak of memory anew
     auto const memory_before = counted_by_system("status", "VmRSS");
     sqlite3_memory_highwater(1);
     auto const bytes_before = counted_by_system("io", "rchar") + counted_by_system("io", "wchar");
@@ -179,12 +179,12 @@ TEST_F(MergeTest, OfAThousandPartsIsLinearInRowsAndFlatInMemory) {
     EXPECT_EQ(merged.added, contents.expected_runs());
     EXPECT_EQ(merged.parts, parts);
   }
-  // Rows of a part lie all over the tree: once that outgrows the page cache each moves pages of its own, and no more from
-  // there on. A merge that went through all that is there for every part would move ten times as much.
+  // The rows of a part lie all over the tree. Once the tree outgrows the page cache, every part moves its own pages,
+  // but no more than that. A merge that read everything again for every part would move ten times as much.
   auto const& few = costs.at(100);
   auto const& many = costs.at(most);
   EXPECT_LT(static_cast<double>(many.bytes), 2.5 * most / 100 * static_cast<double>(few.bytes));
-  // Ten times the rows, and a page cache that was full before.
+  // Memory must not grow with ten times the rows: with few parts the page cache was full already.
   EXPECT_LT(many.sqlite_bytes, few.sqlite_bytes + (4 << 20));
   EXPECT_LT(many.process_kB, few.process_kB + (8 << 10));
 }

@@ -1,5 +1,5 @@
 // Preparing and running a campaign: what is refused, and that the result of a run depends on (seed, device, law,
-// number) alone: not on threads, order, company or interruption.
+// number) alone, not on threads, order, other runs or interruptions.
 #include "isolaw/campaign/campaign.hpp"
 
 #include <gtest/gtest.h>
@@ -33,10 +33,10 @@ using testing::record_text;
 
 class CampaignTest : public testing::Folder {
  protected:
-  // Two devices of different stiffness, with time.
+  // Two devices of different stiffness; the records have time.
   Lot lot(std::string_view laws = "bilinear,bouc-wen,jankowski") const {
     Lot made;
-    made.settings.analysis = false;  // its tests are of their own
+    made.settings.analysis = false;  // analyses have tests of their own
     made.title = "test lot";
     made.settings.laws = parse_laws(laws);
     made.settings.method = Method::genetic;
@@ -125,7 +125,7 @@ TEST_F(CampaignTest, PrepareKeepsRefusedDevicesWithTheirReason) {
   EXPECT_TRUE(contents.devices[2].usable());
   EXPECT_NE(contents.devices[3].refusal.find("absent.csv"), std::string::npos) << contents.devices[3].refusal;
   ASSERT_EQ(contents.searches.size(), 6u);
-  EXPECT_EQ(contents.searches.back().device, 2u);  // the index is that among all devices
+  EXPECT_EQ(contents.searches.back().device, 2u);  // the index counts refused devices too
 }
 
 TEST_F(CampaignTest, PrepareThrowsEveryReasonWhenNoDeviceIsUsable) {
@@ -181,7 +181,7 @@ TEST_F(CampaignTest, SeveralFilesOfADeviceAreOneHistory) {
   ASSERT_EQ(raw.size(), 242u);
   ASSERT_EQ(raw.time_s.size(), 242u);
   EXPECT_TRUE(std::ranges::is_sorted(raw.time_s, std::less_equal{}));
-  EXPECT_NEAR(raw.time_s[121], raw.time_s[120] + 0.05, 1e-9);  // a pause of one sampling interval
+  EXPECT_NEAR(raw.time_s[121], raw.time_s[120] + 0.05, 1e-9);  // the second file follows after one sampling interval
   EXPECT_NEAR(raw.time_s.back() - raw.time_s[121], 6.0, 1e-9);
   EXPECT_NE(raw.sha256, prepare(lot()).devices[0].raw.sha256);
 
@@ -196,7 +196,7 @@ TEST_F(CampaignTest, SeveralFilesOfADeviceAreOneHistory) {
 
 // Running ------------------------------------------------------------------------------------------------------
 
-// The method `best`: the same runs for any number of threads, interrupted or not, each within 0.1 % of the others.
+// With `best`, any number of threads and any interruption give the same runs, each within 0.1 % of the others.
 TEST_F(CampaignTest, DescentsEndAtOneObjective) {
   auto best = lot("bilinear,bouc-wen");
   best.settings.method = Method::best;
@@ -208,7 +208,7 @@ TEST_F(CampaignTest, DescentsEndAtOneObjective) {
     auto const [entry, is_new] = least.try_emplace(std::pair(r.device, r.law), r.objective);
     entry->second = std::min(entry->second, r.objective);
     EXPECT_EQ(r.outcome, Outcome::confirmed);
-    EXPECT_GE(r.history.size(), 17u);  // 16 starts and the last refinement
+    EXPECT_GE(r.history.size(), 17u);  // 16 starts, and the refinement at the end
     EXPECT_NEAR(r.history.back(), r.objective, fit::block_tolerance * std::max(r.objective, 1e-3));
     EXPECT_GT(r.evaluations, 500);
   }
@@ -247,7 +247,7 @@ TEST_F(CampaignTest, EveryRunIsThereOnceAndIsWhatItSays) {
     EXPECT_EQ(r.outcome, Outcome::all_generations);
     ASSERT_EQ(r.history.size(), 5u);
     EXPECT_TRUE(std::ranges::is_sorted(r.history, std::greater{}));  // never rises
-    // The population was evaluated in blocks, the result on the scalar path.
+    // History values come from blocks of candidates, the final objective from the scalar path.
     EXPECT_NEAR(r.history.back(), r.objective, fit::block_tolerance * r.objective);
     for (std::size_t i = 0; i < r.parameters.size(); ++i) {
       auto const& p = search.box.parameters[i];
@@ -260,7 +260,7 @@ TEST_F(CampaignTest, EveryRunIsThereOnceAndIsWhatItSays) {
     }
     objectives.insert(r.objective);
   }
-  EXPECT_EQ(objectives.size(), expected);  // runs of a device and law differ
+  EXPECT_EQ(objectives.size(), expected);  // no two runs of a device and law are alike
 }
 
 TEST_F(CampaignTest, ThreadsChangeNothing) {
@@ -280,7 +280,7 @@ TEST_F(CampaignTest, OrderOfDevicesChangesNothing) {
 
 TEST_F(CampaignTest, OtherLawsDevicesAndRunsChangeNothing) {
   auto const expected = by_name(done(lot()));
-  auto fewer = lot("jankowski,bilinear");  // another order, too
+  auto fewer = lot("jankowski,bilinear");  // in another order too
   fewer.devices.erase(fewer.devices.begin());
   fewer.settings.runs = 2;
   auto const found = by_name(done(fewer, 1, "fewer.sqlite"));
@@ -311,8 +311,8 @@ TEST_F(CampaignTest, SeedAndNameOfTheDeviceDecide) {
   }
 }
 
-// Two laws brought down to one spring each, the same function of the same unit interval: equal random numbers would
-// give equal objectives.
+// Both laws are reduced to one spring, so they are the same function of the same unit interval. If they shared random
+// numbers, their objectives would be equal.
 TEST_F(CampaignTest, LawsHaveRandomNumbersOfTheirOwn) {
   auto springs = lot("bilinear,jankowski");
   for (auto const* text : {"bilinear.K1=2", "bilinear.xy=0", "bilinear.K2=0.4:1.2", "jankowski.a1=4e5:12e5",
@@ -356,7 +356,7 @@ TEST_F(CampaignTest, InterruptedAfterAnyRunAndResumedIsAsIfNeverInterrupted) {
   auto const expected = done(lot(), 1, "whole.sqlite");
   for (int const jobs : {1, 2})
     for (std::size_t const stop_after : {0u, 1u, 7u, 17u}) {
-      if (jobs == 2 && stop_after == 17) continue;  // the last run may be done before its thread asks again
+      if (jobs == 2 && stop_after == 17) continue;  // the last run may finish before its thread asks whether to stop
       auto const store = file(fmt::format("stopped-{}-{}.sqlite", jobs, stop_after));
       auto contents = prepare(lot());
       Store::create(store, contents);
@@ -383,7 +383,7 @@ TEST_F(CampaignTest, InterruptedAfterAnyRunAndResumedIsAsIfNeverInterrupted) {
                              EXPECT_EQ(p.total, 18u);
                            },
                        .interrupted = {}}));
-      EXPECT_EQ(first_done, contents.runs.size() + 1);  // nothing was done twice
+      EXPECT_EQ(first_done, contents.runs.size() + 1);  // no run is computed twice
       expect_same(resumed, expected);
       expect_same(Store::read(store), expected);
     }
@@ -391,7 +391,7 @@ TEST_F(CampaignTest, InterruptedAfterAnyRunAndResumedIsAsIfNeverInterrupted) {
 
 TEST_F(CampaignTest, InterruptedWithinARunKeepsNoPartOfIt) {
   auto const expected = done(lot("bilinear"), 1, "whole.sqlite");
-  for (int const asked : {2, 4, 9}) {  // questions before the answer is yes; a run asks about six times
+  for (int const asked : {2, 4, 9}) {  // the answer becomes yes at this question; a run asks about six times
     auto const store = file(fmt::format("stopped-{}.sqlite", asked));
     auto contents = prepare(lot("bilinear"));
     Store::create(store, contents);
@@ -418,8 +418,8 @@ TEST_F(CampaignTest, ACompleteCampaignRunsNothingAgain) {
 
 // Finer steps ----------------------------------------------------------------------------------------------------
 
-// A dozen samples to a cycle, and a corner of the box where one step of hwang-wu's integration is far too long: a
-// search that sees such steps alone finds an objective that is owed to them.
+// With a dozen samples per cycle one step of hwang-wu is far too long in a corner of the box. A search without finer
+// steps finds an objective there that is an artefact of the step.
 TEST_F(CampaignTest, AnOptimumThatLivesFromTheStepIsFittedAgainInFinerOnes) {
   Lot coarse;
   coarse.settings.laws = {"hwang-wu", "bilinear"};
@@ -448,7 +448,7 @@ TEST_F(CampaignTest, AnOptimumThatLivesFromTheStepIsFittedAgainInFinerOnes) {
   for (int const finer : {2, 4})
     EXPECT_NEAR(objective(finer * refined.refinement, refined.parameters), refined.objective, 1e-3 * refined.objective);
   EXPECT_LT(refined.integration_shift, 1e-3 * refined.objective);
-  // What the coarse search ended with is worth less once it is integrated well.
+  // The coarse search ended with a lower objective than accurate integration gives.
   EXPECT_LT(refined.history.back(), refined.objective);
 
   coarse.settings.integration = laws::Integration::paper;
@@ -478,7 +478,7 @@ TEST_F(CampaignTest, AllParametersFixedIsEvaluatedAsTheyAre) {
   }
 }
 
-// An exponential that overflows: the run fails, the others do not notice.
+// An exponential overflows: that run fails, and the others do not change.
 TEST_F(CampaignTest, ARunWithoutAnyFiniteForceIsRecordedAsSuch) {
   auto const expected = by_name(done(lot("bilinear"), 1, "plain.sqlite"));
   std::vector<fit::Override> searched{fit::parse_override("vaiana.beta1+=1:2"),
@@ -510,7 +510,7 @@ TEST_F(CampaignTest, AStoreThatIsNotThereIsRefused) {
   EXPECT_THROW(run(contents, folder / "absent.sqlite", {.jobs = 1, .progress = {}, .interrupted = {}}), Error);
 }
 
-// Who calls from a program is told what the terminal is.
+// A program that calls `calibrate` gets the same notes on what is continued as the terminal prints.
 TEST_F(CampaignTest, OfADirectoryIsSaidWhatItContinues) {
   auto const record = [&](std::string name, double stiffness) {
     auto const file = write(name + ".csv", record_text(stiffness));
@@ -528,7 +528,7 @@ TEST_F(CampaignTest, OfADirectoryIsSaidWhatItContinues) {
   EXPECT_EQ(grown.devices.size(), 2u);
 }
 
-// A program's own parts, one call each.
+// A program computes the parts itself, one call for each.
 TEST_F(CampaignTest, InPartsEndsAsOneMachine) {
   auto const record = [&](std::string name, double stiffness) {
     auto const file = write(name + ".csv", record_text(stiffness));

@@ -1,4 +1,4 @@
-// What decides a campaign's numbers: written as pairs, read back, and the words of the command line.
+// Settings that decide a campaign's numbers: written as pairs, read back, and as words of the command line.
 #include "isolaw/campaign/settings.hpp"
 
 #include <fmt/format.h>
@@ -71,8 +71,7 @@ bool holds(std::string const& text, std::string const& part) {
   return text.find(part) != std::string::npos;
 }
 
-// --- every setting
-// ----------------------------------------------------------------------------------------------------
+// --- every setting -------------------------------------------------------------------------------------------
 
 TEST(EverySetting, HasADefaultThatItMayHaveAndHelpWhereItIsAnOption) {
   for (auto const& setting : setting_table()) {
@@ -86,7 +85,7 @@ TEST(EverySetting, HasADefaultThatItMayHaveAndHelpWhereItIsAnOption) {
   }
 }
 
-// Two campaigns that could differ in their numbers differ in their pairs: this is what decides whether one is resumed.
+// A campaign is resumed only if its pairs are equal, so every setting that can change a number must be among them.
 TEST(EverySetting, IsStoredReadBackAndComparedByItsKey) {
   for (auto const& setting : setting_table()) {
     SCOPED_TRACE(setting.key);
@@ -156,7 +155,7 @@ TEST(Settings, WhatOneMethodAloneHasChoosesItUnlessAnotherOneIsNamed) {
       refusal_of([&] {
         apply({{"population", 40}, {"method", "best"}}, made);
       }),
-      "--population: belongs to method ga, and the method is best; allowed: with method ga, which it also chooses where no method is named");
+      "--population: belongs to method ga, but the method is best; allowed: with method ga, or without a method: it then chooses ga");
 }
 
 TEST(Settings, EverythingWrongIsSaidAtOnce) {
@@ -186,11 +185,11 @@ TEST(Settings, RunsAreThoseTheMethodNeeds) {
   given.runs = 7;
   for (auto* s : {&best, &genetic, &given}) s->complete();
   EXPECT_EQ(best.runs, 3);
-  EXPECT_EQ(genetic.runs, 20);  // of the paper
+  EXPECT_EQ(genetic.runs, 20);  // the paper's number
   EXPECT_EQ(given.runs, 7);
 }
 
-TEST(Settings, Defaults) {  // of the genetic algorithm: the paper's
+TEST(Settings, Defaults) {  // those of the genetic algorithm are the paper's
   Settings const s;
   EXPECT_EQ(s.method, Method::best);
   EXPECT_EQ(s.integration, laws::Integration::converged);

@@ -1,5 +1,5 @@
 // One table of elementary_arrays.hpp; ISOLAW_ELEMENTARY_TABLE is its name. Everything is inlined here or private to
-// this file: no function compiled for one instruction set may stand in for another's.
+// this file, so that the linker cannot take a function compiled for one instruction set in place of another's.
 #include "unit/elementary_arrays.hpp"
 
 #include "isolaw/num/elementary.hpp"

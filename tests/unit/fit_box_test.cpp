@@ -1,4 +1,4 @@
-// Search boxes: scales, bounds of Table 4, boxes scaled from the record, overrides, and what counts as at a bound.
+// Search boxes: scales, the bounds of Table 4, boxes scaled from the record, overrides, and when a value is at a bound.
 #include "isolaw/fit/box.hpp"
 #include "isolaw/laws/scragging.hpp"
 
@@ -49,7 +49,7 @@ TEST(SearchParameter, LogarithmicScaleOfNegativeValues) {
   EXPECT_NEAR(p.coordinate(-1e-7), 0.75, 1e-14);
 }
 
-// Six decades on each side of zero: equal steps of the coordinate are equal factors of the value.
+// The scale spans six decades on each side of zero, where equal steps of the coordinate are equal factors of the value.
 TEST(SearchParameter, LogarithmicScaleAcrossZero) {
   auto const p = parameter(-1.0, 1.0, laws::Scale::logarithmic);
   EXPECT_EQ(p.at(0.0), -1.0);
@@ -58,7 +58,7 @@ TEST(SearchParameter, LogarithmicScaleAcrossZero) {
   double const decade = p.coordinate(1.0) - p.coordinate(0.1);
   EXPECT_NEAR(p.coordinate(1e-3) - p.coordinate(1e-4), decade, 1e-4 * decade);
   EXPECT_NEAR(p.coordinate(-1e-4) - p.coordinate(-1e-3), decade, 1e-4 * decade);
-  // Linear near zero, with the slope that a logarithm has at a millionth.
+  // Near zero the scale is linear, with the slope that the logarithm has at a millionth of the bound.
   EXPECT_NEAR(p.coordinate(1e-9) - 0.5, 1e-3 * decade / std::log(10.0), 1e-6 * decade);
 
   auto const uneven = parameter(-1e-2, 10.0, laws::Scale::logarithmic);
@@ -100,14 +100,14 @@ TEST(AtBound, IsAThousandthOfTheWidthOnTheSearchScale) {
   EXPECT_EQ(at_bound(linear, 29.9801), AtBound::upper);
   EXPECT_EQ(at_bound(linear, 30.0), AtBound::upper);
 
-  double const width = std::log(1e4);  // 1e-3 to 10
+  double const width = std::log(1e4);  // from 1e-3 to 10
   auto const logarithmic = parameter(1e-3, 10.0, laws::Scale::logarithmic);
   EXPECT_EQ(at_bound(logarithmic, 1e-3 * std::exp(0.99e-3 * width)), AtBound::lower);
   EXPECT_EQ(at_bound(logarithmic, 1e-3 * std::exp(1.01e-3 * width)), AtBound::no);
   EXPECT_EQ(at_bound(logarithmic, 10.0 * std::exp(-1.01e-3 * width)), AtBound::no);
   EXPECT_EQ(at_bound(logarithmic, 10.0 * std::exp(-0.99e-3 * width)), AtBound::upper);
 
-  auto const negative = parameter(-10.0, -1e-3, laws::Scale::logarithmic);  // the lower edge is the larger magnitude
+  auto const negative = parameter(-10.0, -1e-3, laws::Scale::logarithmic);  // the lower bound is the larger magnitude
   EXPECT_EQ(at_bound(negative, -10.0 * std::exp(-0.99e-3 * width)), AtBound::lower);
   EXPECT_EQ(at_bound(negative, -10.0 * std::exp(-1.01e-3 * width)), AtBound::no);
   EXPECT_EQ(at_bound(negative, -1e-3 * std::exp(1.01e-3 * width)), AtBound::no);
@@ -138,7 +138,7 @@ TEST(ParseOverride, EveryForm) {
   EXPECT_EQ(interval.interval->lower, -5e-6);
   EXPECT_EQ(interval.interval->upper, -1e-9);
 
-  auto const with_sign = parse_override("vaiana.Kb+=+1e5:2.5e5");  // the name of the parameter ends in +
+  auto const with_sign = parse_override("vaiana.Kb+=+1e5:2.5e5");  // the parameter's name ends in +
   EXPECT_EQ(with_sign.parameter, "Kb+");
   ASSERT_TRUE(with_sign.interval);
   EXPECT_EQ(with_sign.interval->lower, 1e5);
@@ -148,7 +148,7 @@ TEST(ParseOverride, EveryForm) {
   EXPECT_EQ(freed.parameter, "gamma1-");
   EXPECT_FALSE(freed.interval);
 
-  EXPECT_EQ(parse_override("bilinear.xy=0").interval->upper, 0.0);  // the physical limit itself
+  EXPECT_EQ(parse_override("bilinear.xy=0").interval->upper, 0.0);  // exactly at the physical limit
   EXPECT_EQ(parse_override("jankowski.a1=-3e5:0").interval->lower, -3e5);
 }
 
@@ -182,7 +182,7 @@ TEST(ParseOverride, ATieNamesTheOtherAndReadsBack) {
   EXPECT_TRUE(parse_override("vaiana.Kb-=free").tied_to.empty());
 }
 
-// What is said about a wrong --set; "" when it was accepted.
+// The message about a wrong --set; "" if it was accepted.
 std::string refusal(std::string_view text) {
   return refusal_of([&] { parse_override(text); });
 }
@@ -234,7 +234,7 @@ TEST(LimitsText, SaysBothEnds) {
   EXPECT_EQ(limits_text({2.0, infinite}, "mm"), "2 mm or more");
 }
 
-// What parameters must meet together ----------------------------------------------------------------------------
+// Limits on several parameters together ------------------------------------------------------------------------
 
 std::string joint_refusal(std::string_view law, std::vector<char const*> const& texts,
                           std::optional<laws::RecordScales> const& record = {}) {
@@ -271,7 +271,7 @@ TEST(JointLimits, WhatCrossesThemIsLeft) {
     EXPECT_EQ(joint_refusal("bouc-wen", texts), "") << texts.front();
 }
 
-// A parameter that is left to its automatic box is held to it on a record.
+// A parameter that keeps its automatic box is checked too, with the box scaled from the record.
 TEST(JointLimits, HoldForTheBoxOfARecordToo) {
   laws::RecordScales const record{
       .disp = 100.0, .force = 70.0, .stiffness = 0.7, .strength = 20.0, .velocity = 300.0, .work = 1e4};
@@ -303,7 +303,7 @@ struct Published {
   double lower, upper;
 };
 
-// Table 4 of the paper, typed from it; the two bounds it lost (alpha of bouc-wen, a1 of hwang-wu) from docs/source.md.
+// Typed from Table 4 of the paper; the bounds lost there (alpha of bouc-wen, a1 of hwang-wu) are from docs/source.md.
 std::map<std::string, std::vector<Published>> const table_4{
     {"bilinear", {{"K1", 1, 1.9}, {"K2", 0.35, 0.95}, {"xy", 30, 80}}},
     {"jankowski",
@@ -431,8 +431,8 @@ TEST(Box, EveryIntervalCanBeSearched) {
         }
 }
 
-// A box that follows the record's size must follow it in the dimension of its parameter's unit. (1/mm^n of bouc-wen is
-// taken at n = 1; a force at a displacement that stays the same follows a power of the size.)
+// A box that grows with the record must do so in the dimension of its parameter's unit. The unit 1/mm^n of bouc-wen is
+// taken at n = 1; the force at a fixed displacement follows a power of the size.
 TEST(Box, ScaledFollowsTheSizeOfTheRecordInTheUnitOfEachParameter) {
   double const size = 3.0, strength = 5.0, speed = 7.0;
   for (auto const& law : laws::catalogue()) {
@@ -459,7 +459,7 @@ TEST(Box, OverridesFixBoundAndFree) {
   for (auto const kind : {BoxKind::published, BoxKind::scaled}) {
     auto const box = make_box(law, kind, scales(law.info), overrides);
     auto const plain = make_box(law, kind, scales(law.info), {});
-    EXPECT_EQ(box.free_count(), 10u);  // ten, one fewer, one more
+    EXPECT_EQ(box.free_count(), 10u);  // ten free at first, one fixed, one freed
     auto const& fixed = box.parameters[law.index_of("Kb+")];
     EXPECT_FALSE(fixed.free);
     EXPECT_EQ(fixed.value, 3e5);
@@ -489,7 +489,7 @@ TEST(Box, AnIntervalAcrossZeroIsSearchedLinearly) {
   }
   std::vector const positive{parse_override("vaiana.beta1+=0.01:100")};
   auto const box = make_box(law, BoxKind::scaled, scales(law.info), positive);
-  EXPECT_NEAR(box.parameters[law.index_of("beta1+")].at(0.5), 1.0, 1e-12);  // still logarithmic
+  EXPECT_NEAR(box.parameters[law.index_of("beta1+")].at(0.5), 1.0, 1e-12);  // the scale stays logarithmic
 }
 
 TEST(Box, TheLastOverrideOfAParameterCounts) {
@@ -504,7 +504,7 @@ TEST(Box, TheLastOverrideOfAParameterCounts) {
   EXPECT_TRUE(bounded.free);
   EXPECT_EQ(bounded.upper, 3.0);
   EXPECT_FALSE(of({"bilinear.K1=1:3", "bilinear.K1=1.5"}).free);
-  // Freed again: free in its box, which is that of Table 4, not the single point it was fixed to before.
+  // A parameter freed again has the box of Table 4, not the single point where it was fixed.
   auto const freed = of({"bilinear.K1=1.5", "bilinear.K1=free"});
   EXPECT_TRUE(freed.free);
   EXPECT_EQ(freed.lower, 1.0);
@@ -534,7 +534,7 @@ SearchBox vaiana_box(std::vector<char const*> const& texts) {
 TEST(Box, ATiedParameterTakesTheValueOfTheOther) {
   auto const& law = laws::find_law("vaiana");
   auto const plus = law.index_of("Kb+"), minus = law.index_of("Kb-");
-  // Of a later and of an earlier parameter.
+  // Tie a parameter to one listed earlier, and to one listed later.
   for (auto const& [tied, other, text] : {std::tuple(minus, plus, "vaiana.Kb-=Kb+"), {plus, minus, "vaiana.Kb+=Kb-"}}) {
     auto const box = vaiana_box({text});
     EXPECT_EQ(box.free_count(), vaiana_box({}).free_count() - 1);
@@ -584,7 +584,7 @@ TEST(Box, RefusesAChainOfTies) {
     }
 }
 
-// The logarithmic scales of a search leave a tie as it is.
+// Logarithmic search scales keep the tie.
 TEST(Box, ATieOutlivesLogarithmicScales) {
   auto const& law = laws::find_law("vaiana");
   auto const box = on_logarithmic_scales(vaiana_box({"vaiana.f0-=f0+"}), law);
@@ -595,8 +595,8 @@ TEST(Box, ATieOutlivesLogarithmicScales) {
 
 // Scales -------------------------------------------------------------------------------------------------------
 
-// Three cycles of ±100 mm of a bilinear device, K1 = 2.5, K2 = 0.5 kN/mm, xy = 20 mm, from the virgin state:
-// Qd = (K1 - K2) xy = 40 kN, peak force K2 100 + Qd = 90 kN, effective stiffness 0.9 kN/mm.
+// Three cycles of ±100 mm of a bilinear device, K1 = 2.5, K2 = 0.5 kN/mm, xy = 20 mm, from the virgin state: Qd = (K1 -
+// K2) xy = 40 kN, peak force K2 100 + Qd = 90 kN, effective stiffness 0.9 kN/mm.
 data::FitRecord bilinear_loop() {
   data::FitRecord record;
   constexpr int samples_per_cycle = 4000;
@@ -615,8 +615,8 @@ data::FitRecord bilinear_loop() {
 
 TEST(Scales, OfABilinearLoopInTheUnitsOfEveryLaw) {
   auto const record = bilinear_loop();
-  // Work of the whole record: dissipated on 80 + 5 * 160 + 60 mm of plastic travel at 40 kN, and 40^2 / (2 * 2) kN mm
-  // stored at the end.
+  // Work of the whole record: 80 + 5 * 160 + 60 mm of plastic travel at 40 kN dissipate energy, and 40^2 / (2 * 2) kN
+  // mm are stored at the end.
   double const work_kN_mm = 40.0 * 940.0 + 400.0;
   for (auto const& law : laws::catalogue()) {
     double const L = law.info.length.in_record_units, F = law.info.force.in_record_units;
@@ -628,7 +628,7 @@ TEST(Scales, OfABilinearLoopInTheUnitsOfEveryLaw) {
     EXPECT_NEAR(s.velocity * L, 100.0 * std::numbers::pi, 1e-9) << law.info.id;
     EXPECT_NEAR(s.work * F * L, work_kN_mm, 2e-4 * work_kN_mm) << law.info.id;
   }
-  auto const newton_metre = scales_of(record, laws::find_law("jankowski").info);  // and once as numbers
+  auto const newton_metre = scales_of(record, laws::find_law("jankowski").info);  // also as plain numbers
   EXPECT_NEAR(newton_metre.stiffness, 0.9e6, 1.0);
   EXPECT_NEAR(newton_metre.strength, 40e3, 1.0);
   EXPECT_NEAR(newton_metre.disp, 0.1, 1e-9);
@@ -658,7 +658,7 @@ TEST(Scales, OfARecordWithoutTimeHaveNoVelocity) {
   EXPECT_NEAR(scales_of(record, laws::find_law("bilinear").info).strength, 40.0, 1e-6);
 }
 
-// Whatever the record, a box must come out of it that can be searched.
+// Any record must give a box that can be searched.
 void expect_usable(data::FitRecord const& record, std::string const& what) {
   for (auto const& law : laws::catalogue()) {
     if (!law.info.traits.rate_independent) continue;  // these records have no time

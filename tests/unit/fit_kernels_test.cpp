@@ -1,5 +1,5 @@
 // The laws compiled for blocks of candidates, by law, integration and instruction set: they agree with the scalar path,
-// no candidate notices another, and avx2 and avx512 give the same bits.
+// no candidate changes another's result, and avx2 and avx512 give the same bits.
 #include "isolaw/fit/kernels.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ using laws::Integration;
 using Values = std::vector<double>;
 
 constexpr std::array integrations{Integration::converged, Integration::paper};
-// Up to here every way to fill the last block occurs: narrow ones alone, a wide one, several, and both kinds.
+// Up to this number the last block is filled in every way: narrow blocks alone, one wide, several wide, both kinds.
 constexpr std::size_t most = 2 * wide_block + 9;
 
 struct Case {
@@ -89,8 +89,8 @@ class Kernels : public ::testing::TestWithParam<Case> {
   // `paper` takes one Runge-Kutta step per sample: with fewer samples many candidates are unstable.
   int per_cycle() const { return how() == Integration::paper ? 400 : 100; }
 
-  // Cycles of the example lot's size, and cycles of uneven size with reversals at many samples and small loops inside
-  // large ones.
+  // Cycles of the example lot's size; and uneven cycles, with reversals at many samples and small loops inside large
+  // ones.
   data::FitRecord regular() const {
     return law_tests::record_of(law_tests::sine(208.0, 0.5, 3, per_cycle()), 2.0 / per_cycle(), 0.67, 45.0);
   }
@@ -102,7 +102,7 @@ class Kernels : public ::testing::TestWithParam<Case> {
     return law_tests::record_of(law_tests::irregular(2, 208.0, 2, 60), 0.02, 0.67, 45.0);
   }
 
-  // Uniform in the published box and in that of a device of this size, in turn.
+  // Drawn uniformly from the published box and from the box scaled to a device of this size, in turn.
   std::vector<Values> candidates(data::FitRecord const& record, std::size_t count) const {
     std::vector<Values> all;
     std::array const boxes{make_box(law(), BoxKind::published, scales_of(record, law().info), {}),
@@ -122,9 +122,9 @@ class Kernels : public ::testing::TestWithParam<Case> {
     return objectives(model, candidates, set());
   }
 
-  // Whether rounding may grow from step to step: Runge-Kutta's fourth order is stable for a decay of less than 2.78 per
-  // step. The hysteretic force of bouc-wen approaches saturation at the rate n A / z_max, that of the abe laws at n /
-  // U0 or slower.
+  // Whether rounding may grow from step to step: the fourth-order Runge-Kutta rule is stable for a decay of less than
+  // 2.78 per step. The hysteretic force of bouc-wen approaches saturation at the rate n A / z_max, that of the abe laws
+  // at n / U0 or slower.
   bool may_be_unstable(Values const& p, double longest_step) const {
     if (how() != Integration::paper) return false;
     auto const value = [&](char const* name) { return p[law().index_of(name)]; };
@@ -142,7 +142,7 @@ double longest_step(std::span<double const> x) {
   return longest;
 }
 
-// To the last bit.
+// Equal to the last bit.
 ::testing::AssertionResult same(std::span<double const> a, std::span<double const> b) {
   if (a.size() != b.size()) return ::testing::AssertionFailure() << a.size() << " values against " << b.size();
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -151,7 +151,7 @@ double longest_step(std::span<double const> x) {
   return ::testing::AssertionSuccess();
 }
 
-// Beyond, a candidate runs away, and every step multiplies what rounding left: hwang-wu, where it gives out energy.
+// Above this a candidate runs away, and every step multiplies its rounding; hwang-wu does so where it gives out energy.
 constexpr double absurd = 1e6;
 
 // Largest relative differences seen in 40000 candidates: bilinear 1e-15, jankowski 1e-15, vaiana 4e-15, bouc-wen 2e-14,
@@ -178,9 +178,9 @@ TEST_P(Kernels, AgreeWithTheScalarObjective) {
   EXPECT_LT(unstable, compared / 6);
 }
 
-// Summed over all samples, so that none can be off by more: a force that is wrong at one sample would hardly show in an
-// objective. The measured force is that of the candidate on the scalar path, so that the kernel gives the difference.
-// Largest seen, of the peak force: 5e-13 (vaiana, 1200 samples).
+// Differences are summed over all samples, so none can be off by more; in an objective one wrong sample would hardly
+// show. The measured force is the candidate's own on the scalar path, so the kernel returns the difference itself.
+// Largest seen, as a share of the peak force: 5e-13 (vaiana, 1200 samples).
 TEST_P(Kernels, GiveTheScalarForceAtEverySample) {
   auto const record = regular();
   LawOnRecord const model(law(), record, how());
@@ -207,7 +207,7 @@ TEST_P(Kernels, GiveTheScalarForceAtEverySample) {
       };
       EXPECT_LE(sum(scalar, Values(scalar.size(), 1.0)), block_tolerance * peak)
           << "lane " << lane << ", " << law_tests::describe(law(), all[lane]);
-      // That it is this sample's force and this sample's weight: one of them alone, against a measured force of zero.
+      // Weigh one sample alone, against a measured force of zero: the kernel must use this sample's force and weight.
       Values const zeros(scalar.size(), 0.0);
       auto weight = zeros;
       std::size_t const sample = 37 * (lane + 1) % scalar.size();
@@ -218,7 +218,7 @@ TEST_P(Kernels, GiveTheScalarForceAtEverySample) {
   }
 }
 
-// Alone, among others, at every place of a block, in a wide one or a narrow one: the same bits.
+// A candidate has the same bits alone, among others, and at every place of a wide or a narrow block.
 TEST_P(Kernels, GiveACandidateTheSameBitsWhateverItsPlaceAndNeighbours) {
   auto const record = small();
   LawOnRecord const model(law(), record, how());
@@ -232,7 +232,7 @@ TEST_P(Kernels, GiveACandidateTheSameBitsWhateverItsPlaceAndNeighbours) {
   }
 }
 
-// Candidates without an objective: each parameter in turn no number or infinite, an overflow, no bounded force.
+// Candidates without an objective: each parameter in turn NaN or infinite, an overflow, a force without bound.
 std::vector<Values> sick_ones(laws::LawEntry const& law, Values const& sound) {
   std::vector<Values> sick{sound};
   for (auto const& [name, value] : law_tests::overflowing_values(law)) sick.front()[law.index_of(name)] = value;
@@ -255,7 +255,7 @@ TEST_P(Kernels, KeepWhatIsNotFiniteInItsLane) {
   LawOnRecord const model(law(), record, how());
   auto const sound = candidates(record, most);
   auto const expected = objectives(model, sound);
-  // First and last of narrow and wide blocks; the first of the last block also fills its empty lanes.
+  // The first and last places of narrow and wide blocks; the first of the last block also fills its empty lanes.
   constexpr std::array<std::size_t, 9> places{0, 7, 8, 31, 32, 63, 64, 71, 72};
   for (std::size_t const place : places)
     for (auto const& sick : sick_ones(law(), sound[place])) {
@@ -272,7 +272,7 @@ INSTANTIATE_TEST_SUITE_P(
     EveryLaw, Kernels,
     ::testing::ValuesIn(cases({InstructionSet::portable, InstructionSet::avx2, InstructionSet::avx512})), ByCase());
 
-// Both fuse the same products with the same sums.
+// Both instruction sets fuse the same products with the same sums.
 class WideKernels : public Kernels {};
 TEST_P(WideKernels, GiveTheSameBitsOnAvx2AndAvx512) {
   ASSERT_TRUE(runs_here(InstructionSet::avx2));

@@ -1,4 +1,4 @@
-// The objective of Eq. (27) against values worked out by hand, and what a law on a record refuses.
+// The objective of Eq. (27) against values worked out by hand, and what is refused when a law meets a record.
 #include "isolaw/fit/objective.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ double objective_of(LawOnRecord const& model, Values const& parameters) {
   return model.objective(parameters, work);
 }
 
-// Uneven time stamps, no noise, a start away from zero force.
+// Uneven time stamps and no noise.
 data::FitRecord uneven() {
   return {.time_s = {0.0, 1.0, 3.0, 3.5},
           .disp_mm = {0.0, 1.0, -1.0, 2.0},
@@ -33,7 +33,7 @@ data::FitRecord uneven() {
           .cleaning = {}};
 }
 
-// Three cycles of ±100 mm at 0.5 Hz; the force is for the caller to fill in.
+// Three cycles of ±100 mm at 0.5 Hz; the caller fills in the force.
 data::FitRecord sine(int samples_per_cycle = 60) {
   data::FitRecord record;
   for (int i = 0; i <= 3 * samples_per_cycle; ++i) {
@@ -46,8 +46,8 @@ data::FitRecord sine(int samples_per_cycle = 60) {
   return record;
 }
 
-// A parameter set of every law that gives a finite, hysteretic or elastic force of the size of `sine`; of a law that is
-// not the paper's, the middle of its box.
+// For the paper's laws, parameters that give a finite, hysteretic or elastic force of the size of `sine`; for the other
+// laws the middle of the box.
 Values plausible(laws::LawEntry const& law) {
   if (law.info.id == "bilinear") return {1.5, 0.5, 30.0};
   if (law.info.id == "jankowski") return {3e5, 4e6, 5e6, 4e4, 5e3, 1.2e6, 4.0, 15.0, 5e4, 7e4, 0.4};
@@ -63,16 +63,16 @@ Values plausible(laws::LawEntry const& law) {
 }
 
 TEST(Objective, IsEquation27WorkedOutByHand) {
-  // K1 = K2 = 1 kN/mm leaves F = x: the differences are 0, 1, 0, 1 kN.
-  // Trapezoid: 0.5 * 1 s + 0.5 * 2 s + 0.5 * 0.5 s = 1.75 kN s, over 3.5 s: 0.5 kN.
-  // Forces 0, 2, -1, 3: mean 1, squares about it 1 + 1 + 4 + 4 = 10, population variance 2.5.
+  // K1 = K2 = 1 kN/mm makes F = x, so the differences are 0, 1, 0, 1 kN. The trapezoids add up to 0.5 * 1 s + 0.5 * 2 s
+  // + 0.5 * 0.5 s = 1.75 kN s, which over 3.5 s is 0.5 kN. The forces 0, 2, -1, 3 have the mean 1, squared deviations 1
+  // + 1 + 4 + 4 = 10, population variance 2.5.
   LawOnRecord const model(laws::find_law("bilinear"), uneven(), laws::Integration::converged);
   EXPECT_NEAR(objective_of(model, {1.0, 1.0, 5.0}), 0.5 / std::sqrt(2.5), 1e-15);
   EXPECT_NEAR(objective_of(model, {1.0, 1.0, 5.0}), 0.31622776601683794, 1e-15);
 }
 
 TEST(Objective, WeighsByTheTrueTimeStamps) {
-  // The same differences with the middle of the record stretched: the sample that is off has other neighbours.
+  // The same differences with the middle of the record stretched, so the trapezoids have other widths.
   auto record = uneven();
   record.time_s = {0.0, 0.1, 3.4, 3.5};
   LawOnRecord const model(laws::find_law("bilinear"), record, laws::Integration::converged);
@@ -80,17 +80,16 @@ TEST(Objective, WeighsByTheTrueTimeStamps) {
   EXPECT_NEAR(objective_of(model, {1.0, 1.0, 5.0}), integral / 3.5 / std::sqrt(2.5), 1e-15);
 }
 
-// --- a part of the record alone
-// ---------------------------------------------------------------------------------------
+// --- a part of the record alone -------------------------------------------------------------------------------
 
 TEST(Objective, OfThePartThatIsScoredWorkedOutByHand) {
-  // One interval of 2 s, at whose ends F = x is off by 1 and 0 kN: 1 kN s over 2 s. Forces 2, -1: standard deviation
-  // 1.5.
+  // One interval of 2 s is scored, at whose ends F = x is off by 1 and 0 kN: 1 kN s over 2 s. The forces 2 and -1 have
+  // the standard deviation 1.5.
   auto record = uneven();
   record.scored = {0.0, 1.0, 1.0, 0.0};
   LawOnRecord const model(laws::find_law("bilinear"), record, laws::Integration::converged);
   EXPECT_NEAR(objective_of(model, {1.0, 1.0, 5.0}), 0.5 / 1.5, 1e-15);
-  // Two parts: the interval between them counts for nothing. 0.5 kN s + 0.25 kN s over 1.5 s.
+  // Two parts are scored; the interval between them does not count. 0.5 kN s + 0.25 kN s over 1.5 s.
   record.scored = {1.0, 1.0, 0.0, 0.0};
   record.time_s.insert(record.time_s.end(), {4.0, 4.5});
   record.disp_mm.insert(record.disp_mm.end(), {1.0, 0.0});
@@ -112,7 +111,7 @@ TEST(Objective, AllScoredIsAsGoodAsNoneSaid) {
   }
 }
 
-// The last cycle is scored. Force measured before it says nothing; displacement before it made the law's state.
+// The last cycle is scored. Forces before it do not count, but displacements before it have shaped the law's state.
 TEST(Objective, TheHistoryBeforeActsButIsNotScored) {
   for (auto const& law : laws::catalogue()) {
     auto record = sine();
@@ -127,7 +126,7 @@ TEST(Objective, TheHistoryBeforeActsButIsNotScored) {
     record.force_kN[150] += 10.0;
     EXPECT_NE(of(), before) << law.info.id;
   }
-  // abe remembers the largest displacement there was.
+  // abe remembers the largest displacement so far.
   auto record = sine();
   record.scored.assign(record.size(), 0.0);
   for (std::size_t i = 120; i < record.size(); ++i) record.scored[i] = 1.0;
@@ -157,7 +156,7 @@ TEST(Objective, BlocksOfCandidatesScoreTheSamePart) {
 TEST(Objective, APartThatSaysNothingIsRefused) {
   auto record = sine();
   record.scored.assign(record.size(), 0.0);
-  for (std::size_t i = 0; i < record.size(); i += 2) record.scored[i] = 1.0;  // no interval has both ends
+  for (std::size_t i = 0; i < record.size(); i += 2) record.scored[i] = 1.0;  // no interval has both ends scored
   EXPECT_THROW(LawOnRecord(laws::find_law("bilinear"), record, laws::Integration::converged), Error);
 }
 
@@ -173,7 +172,7 @@ TEST(Objective, AnOffsetOfTheForceIsSeenInTheDifferenceAndNotInTheSpread) {
   auto record = uneven();
   for (double& f : record.force_kN) f += 10.0;
   LawOnRecord const model(laws::find_law("bilinear"), record, laws::Integration::converged);
-  // Differences 10, 11, 10, 11 kN: mean over time 10.5.
+  // The differences are 10, 11, 10, 11 kN; their mean over time is 10.5.
   EXPECT_NEAR(objective_of(model, {1.0, 1.0, 5.0}), 10.5 / std::sqrt(2.5), 1e-14);
 }
 
@@ -334,7 +333,7 @@ TEST(Outline, HasTheForcesOfTheWholeWhereTheRateDoesNotAct) {
     ASSERT_EQ(some.size(), samples.size());
     double const peak = std::ranges::max(whole, {}, [](double f) { return std::abs(f); });
     for (std::size_t k = 0; k < samples.size(); ++k)
-      // bwbn steps by Runge-Kutta, more coarsely where samples lie farther apart; the others are exact or nearly so.
+      // bwbn takes Runge-Kutta steps, longer where samples lie farther apart; the others are exact or nearly so.
       EXPECT_NEAR(some[k], whole[samples[k]], (law.info.id == "bwbn" ? 1e-4 : 1e-5) * std::abs(peak))
           << law.info.id << ", sample " << samples[k];
   }

@@ -1,4 +1,4 @@
-// A law fitted as springs: it comes back to its own springs' force, and their work on the record is then the law's.
+// A law fitted as springs: springs round the knee of the law, and new parameters bring them back near the record.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,9 +37,9 @@ TEST(FitSprings, find_the_knee_that_they_lose) {
     auto const made = fitted_as_springs(law, record, box, parameters);
     EXPECT_LT(made.law, 1e-12) << id;
     EXPECT_GT(made.given, 0.004) << id;
-    // Three parameters have nothing to round a knee with.
+    // The three parameters of bilinear hold nothing that could undo the rounding of the knee.
     EXPECT_LE(made.fitted, (law.info.id == "bilinear" ? 1.0 : 0.6) * made.given) << id;
-    // The objective is that of the springs as they run online along the first one.
+    // The stated objective must be that of the springs when they run online along the first of them.
     auto online = LawInPlane{&law, made.parameters}.made(laws::Bidirectional::springs, {});
     PlaneMotion motion{.time_s = record.time_s, .disp_mm = {}, .vel_mm_s = {}};
     for (std::size_t i = 0; i < record.size(); ++i) {
@@ -58,7 +58,7 @@ TEST(FitSprings, find_the_knee_that_they_lose) {
   }
 }
 
-// Of several devices one set of parameters: what one record says twice, and a compromise of two that differ.
+// A lot gets one set of parameters: a record given twice changes nothing, and two that differ give a compromise.
 TEST(FitSprings, of_a_lot_are_fitted_to_all_its_records) {
   auto const& law = laws::find_law("bouc-wen");
   std::vector<double> const parameters{0.15, 6.0, 1.0, 0.08, 1.2, 0.08}, stiffer{0.15, 6.6, 1.0, 0.08, 1.2, 0.08};

@@ -1,4 +1,4 @@
-// Outlying devices, scores worked out by hand.
+// Outlying devices, with scores worked out by hand.
 #include "isolaw/lot/outliers.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ std::vector<Outlier> among(Values const& values) {
   return find_outliers(Names{"K_eff"}, std::vector<Values>{values});
 }
 
-// Median 11, deviations 2 1 0 1 9: median absolute deviation 1.
+// The median is 11 and the deviations are 2 1 0 1 9, so the median absolute deviation (MAD) is 1.
 TEST(Outliers, HaveTheModifiedScoreOfIglewiczAndHoaglin) {
   auto const found = among({9, 10, 11, 12, 20});
   ASSERT_EQ(found.size(), 1u);
@@ -49,12 +49,12 @@ TEST(Outliers, OfANegativeQuantityAreBelowItsMedianWhereLargerInMagnitude) {
   EXPECT_NEAR(found[0].percent, -100.0 * 9.0 / 11.0, 1e-12);
 }
 
-// The least scatter is 0.5 % of the median: 3.5 of it is 1.75 %.
+// Scatter counts as at least 0.5 % of the median, so the threshold is at least 3.5 times that, 1.75 %.
 TEST(Outliers, AreNotNamedByRounding) {
   EXPECT_TRUE(among({2, 2, 2, 2, 2, 2, 2, 2, 2, 2 + 1e-15}).empty());
   EXPECT_TRUE(among({2, 2, 2, 2, 2, 2, 2, 2, 2, 2 * 1.0174}).empty());
   EXPECT_EQ(among({2, 2, 2, 2, 2, 2, 2, 2, 2, 2 * 1.0176}).size(), 1u);
-  EXPECT_TRUE(among({0, 0, 0, 0, 1e-9}).empty());  // no scale at all
+  EXPECT_TRUE(among({0, 0, 0, 0, 1e-9}).empty());  // a median of zero gives no scale
 }
 
 TEST(Outliers, NeedFourValues) {

@@ -39,8 +39,8 @@ std::vector<DeviceEstimate> with(std::vector<Values> const& values, SquareMatrix
   return devices;
 }
 
-// Ten devices about (0, 0), so that both parameters keep their values: four at (a, a) and its mirror image, four at
-// (b, -b), two in the middle. The variance of the estimates is 8 a^2 / 9 along (1, 1), 8 b^2 / 9 across.
+// Ten devices around (0, 0), so that neither parameter is taken as a logarithm: four at (a, a) and its mirror image,
+// four at (b, -b), two in the middle. The variance of the estimates is 8 a^2 / 9 along (1, 1), 8 b^2 / 9 across.
 std::vector<Values> ellipse(double a, double b) {
   return {{a, a}, {-a, -a}, {a, a}, {-a, -a}, {b, -b}, {-b, b}, {b, -b}, {-b, b}, {0, 0}, {0, 0}};
 }
@@ -93,7 +93,7 @@ TEST(Population, WithoutErrorsHasTheCovarianceOfTheEstimates) {
   EXPECT_EQ(found.note, "");
 }
 
-// Along (1, 1): 8 against 2 leaves 6. Across: 2/9 against 1 leaves nothing.
+// Along (1, 1) a variance of 8 less an error of 2 leaves 6; across it 2/9 less 1 leaves nothing.
 TEST(Population, KeepsWhatExceedsTheErrorInEachDirection) {
   auto const found = estimate_population(two, with(ellipse(3, 0.5), about_the_diagonal(2.0, 1.0)));
   expect_near(found.covariance, about_the_diagonal(6.0, 0.0), 1e-12);
@@ -106,8 +106,8 @@ TEST(Population, KeepsWhatExceedsTheErrorInEachDirection) {
   EXPECT_EQ(found.note, "the devices differ by more than the uncertainty of their fits in 1 of 2 directions");
 }
 
-// C need not share its axes with S. Both 2 x 2: lambda from the quadratic of det(S - lambda C), one above 1 only, and
-// Sigma = (lambda - 1) p p^T with p = C x, x^T C x = 1.
+// C need not share its axes with S. For 2 x 2 matrices lambda solves the quadratic det(S - lambda C) = 0. One lambda
+// alone is above 1, and Sigma = (lambda - 1) p p^T with p = C x, x^T C x = 1.
 TEST(Population, SolvesTheGeneralisedProblem) {
   SquareMatrix const C{{1.0, 0.0}, {0.0, 4.0}};
   auto const found = estimate_population(two, with(ellipse(1.5, 0.75), C));
@@ -145,14 +145,14 @@ TEST(Population, OfDevicesThatDifferByLessThanTheirErrorHasNoVariance) {
   }
 }
 
-// Errors along (1, 1) without bound: what lies across is still known.
+// The error along (1, 1) is unlimited, but the scatter across it is still known.
 TEST(Population, KeepsADirectionBesideOneThatIsNotDetermined) {
   auto const found = estimate_population(two, with(ellipse(3, 0.5), about_the_diagonal(1e9, 0.0)));
   expect_near(found.covariance, about_the_diagonal(0.0, 2.0 / 9.0), 1e-6);
   EXPECT_EQ(found.directions, 1u);
 }
 
-// Ten devices whose second estimate is noise that happens to go with the first: known for noise, it keeps nothing.
+// The second estimate of ten devices is noise that happens to follow the first. Declared as noise, it keeps no scatter.
 TEST(Population, HoldsWhatDoesNotActAtItsMedian) {
   SquareMatrix const error{{0.01, 0.0}, {0.0, 9.0}};
   auto const devices = with(ellipse(1.5, 0.75), error);
@@ -165,7 +165,7 @@ TEST(Population, HoldsWhatDoesNotActAtItsMedian) {
   EXPECT_EQ(held.directions, 1u);
 }
 
-// Neither of two parameters is determined, their sum is: both act.
+// Neither parameter is determined alone, but their sum is, because both act.
 TEST(Population, KeepsWhatTwoUndeterminedParametersShare) {
   std::vector<std::size_t> const both{0, 1};
   auto const found = estimate_population(two, with(ellipse(3, 0.5), about_the_diagonal(0.01, 1e9)), both);
@@ -173,7 +173,7 @@ TEST(Population, KeepsWhatTwoUndeterminedParametersShare) {
 }
 
 TEST(Population, TakesErrorsToLogarithms) {
-  SquareMatrix const error{{0.04, -0.06}, {-0.06, 0.36}};  // of (2, -6): 0.1 and 0.1, fully correlated
+  SquareMatrix const error{{0.04, -0.06}, {-0.06, 0.36}};  // relative to (2, -6) this is 0.1 and 0.1, fully correlated
   auto const found = estimate_population(two, with({{2, -6}, {2, -6}}, error));
   expect_near(found.uncertainty, {{0.01, 0.005}, {0.005, 0.01}}, 1e-15);
   expect_near(found.covariance, {{0, 0}, {0, 0}}, 0.0);
@@ -192,7 +192,7 @@ TEST(Population, InOtherUnitsIsTheSame) {
   auto const a = estimate_population(two, with(values, error)), b = estimate_population(two, changed);
   EXPECT_EQ(a.directions, b.directions);
   EXPECT_NEAR(b.medians[0], a.medians[0] * u0, 1e-9 * u0);
-  EXPECT_NEAR(b.std[0], a.std[0], 1e-9);  // a logarithm
+  EXPECT_NEAR(b.std[0], a.std[0], 1e-9);  // a logarithm has no unit
   EXPECT_NEAR(b.std[1], a.std[1] * u1, 1e-9 * u1);
   EXPECT_NEAR(b.relative_std[1], a.relative_std[1], 1e-9);
   expect_near(b.correlation, a.correlation, 1e-9);
@@ -291,8 +291,8 @@ TEST(PopulationSample, DoesNotDependOnTheCount) {
   EXPECT_NE(few.values, sample(population, 5, num::Stream(4), limits).values);
 }
 
-// Two equal variances: a breath of correlation of either sign turns the axes by 90 degrees, and must not turn the
-// draws.
+// Between two equal variances a trace of correlation turns the axes by 90 degrees, one way or the other by its sign. It
+// must not turn the draws.
 TEST(PopulationSample, DoesNotJumpWhereVariancesCoincide) {
   auto population = estimate_population(two, with(ellipse(3, 3)));
   expect_near(population.covariance, about_the_diagonal(8.0, 8.0), 1e-12);
@@ -303,7 +303,7 @@ TEST(PopulationSample, DoesNotJumpWhereVariancesCoincide) {
   expect_near({drawn(1e-9)[0], drawn(1e-9)[1]}, {drawn(-1e-9)[0], drawn(-1e-9)[1]}, 1e-7);
 }
 
-// xy = 3 K1^2 in every device, and so in every draw; independent marginals would leave that line.
+// xy = 3 K1^2 in every device, and so in every draw; draws from independent marginals would leave that curve.
 TEST(PopulationSample, KeepsParametersThatDependOnOneAnotherOnTheirLine) {
   std::vector<Values> values;
   for (double const K1 : {1.0, 1.2, 0.9, 1.5, 1.1}) values.push_back({K1, 3.0 * K1 * K1, -2.0 / K1});
@@ -323,11 +323,11 @@ TEST(PopulationSample, StaysWithinLimitsAndSaysWhatItCost) {
   double const median = population.medians[0];
   auto const drawn = sample(population, 400, num::Stream(9), std::vector<Limits>{{.lower = median}, {}});
   for (auto const& v : drawn.values) EXPECT_GE(v[0], median);
-  EXPECT_NEAR(static_cast<double>(drawn.rejected), 400.0, 4.0 * std::sqrt(800.0));  // one of two: geometric
+  EXPECT_NEAR(static_cast<double>(drawn.rejected), 400.0, 4.0 * std::sqrt(800.0));  // one draw of two fits: geometric
   EXPECT_EQ(drawn.pulled_back, 0u);
 }
 
-// So narrow that no draw lies inside: pulled back along the line to the medians, on which the rest stays.
+// The limits are so narrow that no draw fits: it is pulled back to the medians, on a line that keeps the dependence.
 TEST(PopulationSample, IsPulledBackWhereNoDrawFits) {
   std::vector<Values> values;
   for (double const K1 : {1.0, 1.2, 0.9, 1.5, 1.1}) values.push_back({K1, 3.0 * K1 * K1});

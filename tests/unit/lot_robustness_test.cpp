@@ -41,7 +41,7 @@ TEST(LargestRelativeDifference, DoesNotDependOnTheUnit) {
 TEST(LargestRelativeDifference, IsUndefinedForOneDeviceAMeanNearZeroAndWhatIsNotFinite) {
   for (auto const& values : {Values{}, Values{3}, Values{-2, 2}, Values{0, 0, 0}, Values{1, nan}})
     EXPECT_FALSE(largest_relative_difference(values));
-  EXPECT_TRUE(largest_relative_difference(Values{-1, 1 + 1e-6}));  // small is not near zero
+  EXPECT_TRUE(largest_relative_difference(Values{-1, 1 + 1e-6}));  // small is not yet near zero
 }
 
 TEST(RobustnessIndex, IsTheMeanOverTheParameters) {

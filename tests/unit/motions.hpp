@@ -1,4 +1,4 @@
-// Displacement histories of tests, and loops on them, made to order.
+// Displacement histories for tests, put together from pieces, and hysteresis loops along them.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace isolaw::data::testing {
 
 inline constexpr double pi = std::numbers::pi;
 
-// Time, displacement and force at a fixed interval; the motion ends where the next piece begins.
+// Time, displacement and force at a fixed interval. A piece leaves out its last point: the next piece begins there.
 struct Motion {
   double dt_s = 0.01;
   std::vector<double> time_s;
@@ -55,7 +55,7 @@ struct Motion {
     return *this;
   }
 
-  // Exponential loops as of Vaiana: K x + Q z, z' = alpha (sign - z).
+  // Exponential loops after Vaiana: K x + Q z, z' = alpha (sign - z).
   Motion& loop(double K = 0.5, double Q = 30.0, double alpha = 0.08) {
     force_kN.clear();
     double z = 0.0, before = disp_mm.front();

@@ -1,4 +1,4 @@
-// num/elementary.hpp against long double, at the errors its header states; all instruction sets this machine runs.
+// num/elementary.hpp against long double: errors are within what the header states, on every instruction set here.
 #include "isolaw/num/elementary.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ using Arrays = ElementaryArrays;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t samples = 1 << 18, samples_of_bits = 1 << 20;
 
-// The functions one by one, as any file of the project sees them.
+// The functions called one by one, as other files of the project call them.
 template <double (*function)(double, double)>
 void one_by_one(double const* x, double const* p, double* y) {
   for (std::size_t i = 0; i < Arrays::lanes; ++i) y[i] = function(x[i], p[i]);
@@ -84,7 +84,7 @@ std::vector<double> uniform(double lower, double upper, std::uint64_t seed = 1, 
   for (double& v : values) v = distribution(engine);
   return values;
 }
-// Every binade alike.
+// Every binade holds as many values.
 std::vector<double> binades(double lower, double upper) {
   auto values = uniform(std::log2(lower), std::log2(upper));
   for (double& v : values) v = std::exp2(v);
@@ -98,7 +98,7 @@ long double ulp_of(long double exact) {
   return std::ldexp(1.0L, std::max(exponent, -1021) - 53);
 }
 
-// Arguments with the true values, which take most of the time.
+// Arguments with their true values, which take most of the time to compute.
 template <class Exact>
 struct Checked {
   std::vector<double> x;
@@ -112,7 +112,7 @@ struct Checked {
     double largest = 0.0;
     for (std::size_t i = 0; i < x.size(); ++i) {
       auto const error = static_cast<double>(std::abs(static_cast<long double>(y[i]) - truth[i]) / ulp_of(truth[i]));
-      if (!(error <= largest)) largest = error;  // NaN counts
+      if (!(error <= largest)) largest = error;  // true for NaN too
     }
     return largest;
   }
@@ -122,14 +122,14 @@ constexpr auto exact_exp2 = [](long double x) { return std::exp2(x); };
 constexpr auto exact_exp = [](long double x) { return std::exp(x); };
 constexpr auto exact_log2 = [](long double x) { return std::log2(x); };
 
-// Relative errors; the lanes of a batch are held to these functions by the tests of the laws.
+// Largest relative error. The tests of the laws compare the lanes of a batch with these functions.
 template <class F, class Exact>
 double largest_relative(std::vector<double> const& arguments, F f, Exact exact) {
   double largest = 0.0;
   for (double const x : arguments) {
     long double const truth = exact(static_cast<long double>(x));
     auto const error = static_cast<double>(std::abs((static_cast<long double>(f(x)) - truth) / truth));
-    if (!(error <= largest)) largest = error;  // NaN counts
+    if (!(error <= largest)) largest = error;  // true for NaN too
   }
   return largest;
 }
@@ -184,7 +184,7 @@ TEST(Elementary, ExponentialsBeyondTheirRange) {
         << route.name;
     EXPECT_EQ(apply(route.exp, {709.44, 710.0, 3000.0, 1e9, huge, infinity}), std::vector(6, infinity)) << route.name;
     EXPECT_EQ(apply(route.exp, {-708.75, -745.2, -3000.0, -1e9, -huge, -infinity}), std::vector(6, 0.0)) << route.name;
-    // Where results lose bits to the format they are still right to it.
+    // Subnormal results have fewer bits, but those are right.
     EXPECT_LE(Checked({-1022.4, -1022.2}, exact_exp2).largest_ulp(route.exp2), 1.2) << route.name;
     for (auto const f : {route.exp2, route.exp})
       for (double y : apply(f, {not_a_number, -not_a_number})) EXPECT_TRUE(std::isnan(y)) << route.name;
@@ -220,7 +220,7 @@ TEST(Elementary, Power) {
     }
     for (auto const& route : routes()) {
       auto const y = apply(route.power, x, p);
-      double largest = 0.0;  // of the error, in units of the stated one
+      double largest = 0.0;  // largest error, in units of the stated one
       for (std::size_t i = 0; i < x.size(); ++i) {
         if (std::abs(exponent[i]) > 1021.0L) continue;
         double const lost = route.fused ? 0.0 : static_cast<double>(std::abs(exponent[i]));
@@ -252,7 +252,7 @@ TEST(Elementary, EveryInstructionSetWithFusedMultiplyAddGivesTheSameBits) {
   if (!runs_v4()) GTEST_SKIP() << "this processor does not run x86-64-v4 (AVX-512): nothing to compare v3 with";
   std::vector<double> any(samples_of_bits);
   std::mt19937_64 engine(3);
-  for (double& x : any) x = std::bit_cast<double>(engine());  // every pattern: subnormal, infinite, NaN
+  for (double& x : any) x = std::bit_cast<double>(engine());  // any bit pattern: subnormal, infinite, NaN
   auto const p = uniform(-3.0, 3.0, 2, samples_of_bits);
   auto const same = [&](Arrays::Function a, Arrays::Function b, std::vector<double> const& x) {
     auto const first = apply(a, x, p), second = apply(b, x, p);

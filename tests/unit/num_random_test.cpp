@@ -1,5 +1,5 @@
-// The random numbers: the published vectors of the generator, then what is promised of streams and draws. Statistical
-// bounds are wide (five standard deviations) and the keys are fixed, so a failure is a change of the numbers.
+// The random numbers: the published vectors of the generator, then the promises on streams and draws. Statistical
+// bounds are wide (five standard deviations) and the keys are fixed, so a failure means that the numbers have changed.
 #include "isolaw/num/random.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ double excess_chi_square(std::span<int const> counts, double draws) {
   return (chi_square - freedom) / std::sqrt(2.0 * freedom);
 }
 
-// Random123 1.09, kat_vectors: philox4x32 10.
+// From Random123 1.09, kat_vectors: philox4x32 10.
 TEST(Philox, KnownAnswers) {
   EXPECT_EQ(philox_4x32_10({0, 0, 0, 0}, 0), (Words{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}));
   EXPECT_EQ(philox_4x32_10({0xffffffff, 0xffffffff, 0xffffffff, 0xffffffff}, 0xffffffffffffffff),
@@ -37,7 +37,7 @@ TEST(Philox, KnownAnswers) {
             (Words{0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1}));
 }
 
-// The layout is part of the promise: stored campaigns repeat only while it stays.
+// The layout must stay, or stored campaigns could no longer be repeated.
 TEST(Draws, TakeTheWordsOfSuccessiveBlocksOfTheirPlace) {
   Draws draws(Stream(0x0123456789abcdef), 7, 9);
   for (std::uint32_t block = 0; block < 3; ++block)
@@ -49,7 +49,7 @@ TEST(Draws, DependOnTheirPlaceAlone) {
   std::vector<double> forwards, backwards(20);
   for (std::uint32_t b = 0; b < 20; ++b) forwards.push_back(Draws(stream, 1, b).uniform());
   for (std::uint32_t b = 20; b-- > 0;) {
-    Draws other(stream, 2, b);  // drawn from in between: changes nothing
+    Draws other(stream, 2, b);  // draws in between change nothing
     other.normal();
     backwards[b] = Draws(stream, 1, b).uniform();
   }
@@ -86,7 +86,7 @@ TEST(Draws, UniformIsUniformAlone) {
   EXPECT_LT(excess_chi_square(counts, n), 5.0);
 }
 
-// Successive draws of one place, and the first draws of neighbouring places and of neighbouring streams.
+// Pairs of successive draws of one place, and of first draws of neighbouring places and of neighbouring streams.
 TEST(Draws, UniformIsUniformInPairs) {
   constexpr std::uint32_t n = 100'000;
   std::array<int, 64> successive{}, places{}, streams{};
@@ -121,7 +121,7 @@ TEST(Draws, BelowIsInRangeAndUniform) {
   }
 }
 
-// Of 3 x 2^62 numbers a third are below 2^62; taking a remainder would give a half.
+// A third of the numbers below 3 x 2^62 lie below 2^62; taking a remainder would make it a half.
 TEST(Draws, BelowIsUnbiasedForHugeRanges) {
   constexpr int tries = 20'000;
   constexpr std::size_t third = std::size_t{1} << 62;

@@ -20,7 +20,7 @@ TEST(Moments, SampleAndPopulationForm) {
   EXPECT_DOUBLE_EQ(population_std(values), 2.0);
 }
 
-// The sum of squares minus the square of the sum loses all of these digits: 1e18 against 30.
+// The sum of squares less the square of the sum would lose all of these digits: 1e18 against 30.
 TEST(Moments, SmallSpreadAboutALargeMean) {
   std::vector<double> const values{1e9 + 4, 1e9 + 7, 1e9 + 13, 1e9 + 16};
   EXPECT_DOUBLE_EQ(moments(values).mean, 1e9 + 10);
@@ -28,7 +28,7 @@ TEST(Moments, SmallSpreadAboutALargeMean) {
   EXPECT_DOUBLE_EQ(population_std(values), std::sqrt(22.5));
 }
 
-// 0.1 summed a thousand times is not 100: the first mean is wrong in its last digits, the corrected one is not.
+// Adding 0.1 a thousand times does not give 100, so a plain mean is wrong in its last digits; the corrected one is not.
 TEST(Moments, EqualValuesHaveNoSpread) {
   std::vector<double> const values(1000, 0.1);
   EXPECT_DOUBLE_EQ(moments(values).mean, 0.1);
@@ -66,13 +66,13 @@ TEST(Median, IsTheMiddle) {
   EXPECT_TRUE(std::isnan(median(std::vector<double>{1, nan, 2})));
 }
 
-// Median 3, deviations 2 1 0 1 7: median absolute deviation 1.
+// The median is 3 and the deviations are 2 1 0 1 7, so the median absolute deviation is 1.
 TEST(ModifiedScores, CountDeviationsFromTheMedian) {
   std::vector<double> const values{1, 2, 3, 4, 10};
   auto const found = modified_scores(values, 0.0);
   EXPECT_EQ(found.median, 3.0);
   for (std::size_t i = 0; i < values.size(); ++i) EXPECT_DOUBLE_EQ(found.scores[i], (values[i] - 3.0) / 1.4826);
-  EXPECT_NEAR(found.scores[4], 0.6745 * 7.0, 1e-3);  // as printed
+  EXPECT_NEAR(found.scores[4], 0.6745 * 7.0, 1e-3);  // with the constant as it is printed
   EXPECT_EQ(modified_scores(values, 10.0).scores[4], 7.0 / 30.0);
   EXPECT_EQ(modified_scores(std::vector<double>{0, 0, 0, 1}, 0.5).scores, std::vector<double>(4, 0.0));
   EXPECT_TRUE(modified_scores({}, 0.1).scores.empty());

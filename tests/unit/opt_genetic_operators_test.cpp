@@ -116,7 +116,7 @@ TEST(Crossover, ExchangesOneRunOfGenesAndKeepsEachAtItsPosition) {
     }
     EXPECT_GE(exchanged, 1);
     EXPECT_LT(exchanged, static_cast<int>(n));
-    EXPECT_GE(changes, 1);  // at an end of the point one cut shows, inside it two
+    EXPECT_GE(changes, 1);  // a cut at an end of the point shows as one change, cuts inside as two
     EXPECT_LE(changes, 2);
   }
 }

@@ -1,5 +1,5 @@
-// The genetic algorithm as a whole: its promises on counts, repetition, failure and stopping, and how close it comes
-// to known optima.
+// The genetic algorithm as a whole: what it promises about counts, repetition, failure and stopping, and how close it
+// comes to known optima.
 #include "isolaw/opt/genetic.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ namespace {
 
 using Point = std::span<double const>;
 
-// A function of one point as a problem; keeps every batch it was asked for.
+// A problem made from a function of one point; it keeps every batch that it had to evaluate.
 class FunctionProblem : public Problem {
  public:
   FunctionProblem(std::size_t dimension, std::function<double(Point)> function)
@@ -65,8 +65,7 @@ double rastrigin(Point x) {
   return sum;
 }
 
-// What the identification minimises in small: mean absolute deviation of a curve, line plus decay, from one of its
-// kind.
+// The identification in small: mean absolute deviation between two curves of one kind, a line plus a decay.
 double curve_fit(Point x) {
   constexpr int samples = 100;
   double sum = 0.0;
@@ -165,7 +164,7 @@ TEST(Genetic, TheSameStreamGivesTheSameResultAndAnotherAnother) {
 
 TEST(Genetic, FailedRegionsAreAvoidedUpToTheirEdge) {
   for (double const failure : {nan, infinity, -infinity}) {
-    // Least where the failed region begins: x0 = 0.5.
+    // The least value is where the failed region begins: x0 = 0.5.
     FunctionProblem const problem(2, [failure](Point x) { return x[0] < 0.5 ? failure : x[0] + sphere(x); });
     auto const result = minimise_genetic(problem, num::Stream(1), {.mutation_rate = 0.05});
     ASSERT_TRUE(result.usable());
@@ -210,7 +209,7 @@ TEST(Genetic, StagnationInTheLastGenerationIsNoEarlyStop) {
   EXPECT_EQ(minimise_genetic(flat(1.0), num::Stream(1), {.generations = 22}).outcome, Outcome::stagnated);
 }
 
-// A value that falls by 1 % of its start in each generation, whatever the points are.
+// A value that falls by 1 % of its start in every generation, whatever the points are.
 FunctionProblem steadily_falling(int& calls) {
   return {2, [&calls](Point) { return 1.0 - 0.01 * (calls++ / 10); }};
 }
@@ -223,7 +222,7 @@ TEST(Genetic, AnImprovementBelowTheToleranceIsNoneUntilItHasAddedUp) {
     return minimise_genetic(steadily_falling(calls), num::Stream(1), options).history.size();
   };
   EXPECT_EQ(generations(0.0), 40u);
-  EXPECT_EQ(generations(0.025), 40u);  // 1 % a generation adds up to 2.5 % within three
+  EXPECT_EQ(generations(0.025), 40u);  // 1 % a generation adds up to 2.5 % within three generations
   EXPECT_EQ(generations(0.035), 4u);   // but not to 3.5 %
 }
 
@@ -249,9 +248,9 @@ TEST(Genetic, AnInterruptionBeforeTheFirstGenerationFindsNothing) {
 
 // --- known optima ---------------------------------------------------------------------------------------------------
 
-// The tolerances are what the algorithm can do, two to three times what nine of ten of 60 streams reach. With the
-// paper's rate of mutation a gene is hardly ever better than the nearest of the 100 initial ones, so a quadratic in six
-// parameters ends near 1e-3, and a curved valley or a field of local minima is left for the wide search.
+// The tolerances are what the algorithm can do: two to three times what nine of ten among 60 streams reach. At the
+// paper's mutation rate a gene is hardly ever better than the nearest of the 100 initial ones, so a quadratic in six
+// parameters ends near 1e-3; curved valleys and fields of local minima need the wide search.
 struct KnownOptimum {
   char const* name;
   std::size_t dimension;
@@ -298,8 +297,8 @@ INSTANTIATE_TEST_SUITE_P(Genetic, KnownOptima,
                                          KnownOptimum{"rastrigin_4_wide", 4, rastrigin, true, 0.1}),
                          [](auto const& instance) { return std::string(instance.param.name); });
 
-// A search that selects and recombines must beat sampling the box as often. (In two dimensions it need not: 5,000
-// uniform samples of the Rosenbrock function end nearer than the paper's settings do.)
+// A search that selects and recombines must beat as many uniform samples of the box. (In two dimensions it need not:
+// 5,000 uniform samples of the Rosenbrock function end nearer than the paper's settings do.)
 TEST(Genetic, BeatsUniformSamplingInSixDimensions) {
   constexpr std::size_t dimension = 6;
   for (auto const function : {sphere, rastrigin}) {
@@ -319,7 +318,7 @@ TEST(Genetic, BeatsUniformSamplingInSixDimensions) {
   }
 }
 
-// The history alone tells how a search ended, also of one that was cut short or goes on too long.
+// The history alone tells how a search ended, also when it was cut short or runs on too long.
 TEST(Outcome, FollowsFromTheHistory) {
   for (int const stagnation : {1, 3, 20}) {
     for (int const generations : {1, 4, 60}) {

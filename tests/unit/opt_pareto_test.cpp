@@ -38,7 +38,7 @@ TEST(NonDominated, ValuesThatAreNotFiniteNeitherWinNorDominate) {
   EXPECT_EQ(non_dominated(Values{infinity, nan}, Values{1, nan}), (Flags{false, false}));
 }
 
-// An independent way: sorted by a, then b, a point is on the front when its b is below every smaller a's b.
+// An independent way: sort by a, then b. A point is on the front if its b is below that of every smaller a.
 TEST(NonDominated, AgreesWithASweepOnRandomPoints) {
   num::Draws draws(num::Stream(1), 0, 0);
   for (int repetition = 0; repetition < 50; ++repetition) {

@@ -6,7 +6,7 @@
 
 namespace isolaw::programs_test {
 
-// Parameters inside the box that a record of this size would be searched in.
+// Parameters from the box in which a fit to a record of this size would search.
 inline std::vector<double> inside_box(laws::LawEntry const& law, double share) {
   data::FitRecord record;
   auto const history = cycles({50.0, 150.0}, 200);

@@ -1,4 +1,4 @@
-// What scripts say, read back from their text and replayed.
+// Exported scripts, read back from their text and replayed.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace isolaw::programs_test {
 namespace {
 
-// Force [kN] of a procedure of a script, driven over a history.
+// The force [kN] that a procedure of a script gives along a history.
 std::vector<double> of_script(std::string const& script, std::string const& procedure, std::string const& variant,
                               UnitSystem const& units, History const& history) {
   auto const commands = commands_in(script, procedure, variant);
@@ -25,7 +25,7 @@ struct Case {
   std::string law;
   std::vector<double> parameters;
   std::vector<std::string> procedures;
-  double tolerance;  // of the peak force
+  double tolerance;  // share of the peak force
 };
 
 std::vector<Case> exact_cases() {
@@ -33,12 +33,12 @@ std::vector<Case> exact_cases() {
           {"menegotto-pinto", menegotto_pinto_parameters, {"material"}, 1e-12},
           {"vaiana", vaiana_parameters(), {"material"}, 1e-9},
           {"vaiana", vaiana_parameters(800.0, 12.0), {"material"}, 1e-9},
-          // One backward Euler step to a sample, 200 to a cycle.
+          // One backward Euler step per sample, 200 samples per cycle.
           {"bouc-wen", bouc_wen_parameters, {"material", "material_original", "bearing"}, 0.03},
           {"vaiana", vaiana_parameters(), {"material_bouc_wen", "material_original", "bearing"}, 0.03}};
 }
 
-// No sample is the worst where there is no difference.
+// An exact replay has no worst sample, so the text names none.
 TEST(Deviations, of_an_exact_replay_have_no_place) {
   EXPECT_EQ(deviation_text({}).find("(at "), std::string::npos) << deviation_text({});
   Deviation some;
@@ -61,7 +61,7 @@ TEST(Scripts, give_the_laws_force_when_read_back_in_every_unit_system) {
         ASSERT_EQ(force.size(), history.law_kN.size());
         EXPECT_LE(largest_difference(force, history.law_kN), c.tolerance * peak_of(history.law_kN));
         if (in_kN_mm.empty()) in_kN_mm = force;
-        // The units change nothing but rounding.
+        // Units change nothing beyond rounding.
         EXPECT_LE(largest_difference(force, in_kN_mm), 1e-9 * peak_of(in_kN_mm));
       }
     }
@@ -78,7 +78,7 @@ TEST(Scripts, bouc_wen_in_smaller_steps_is_the_law) {
         << procedure;
 }
 
-// The bounds scale the part that grows with displacement and the hysteretic part by themselves.
+// The bounds scale the part that grows with displacement and the hysteretic part separately.
 TEST(Scripts, bounds_scale_stiffness_and_strength) {
   for (auto const& c : exact_cases()) {
     if (c.tolerance > 0.01 || c.parameters == vaiana_parameters(800.0, 12.0)) continue;
@@ -148,8 +148,8 @@ TEST(Replays, find_a_wrong_normalisation) {
   EXPECT_NE(failure_of(form, subject, realised), "");
 }
 
-// 35 / alpha is the travel that the algebraic material stands; Bouc-Wen of exponent 1 takes its place, and with
-// hardening, where there is no such way out, the law is fitted again.
+// The algebraic material stands a travel of 35 / alpha. Beyond it Bouc-Wen with exponent 1 takes its place; a law with
+// hardening has no such substitute and is fitted again.
 TEST(Replays, refuse_the_material_that_turns_into_no_number) {
   auto const fast = subject_of("vaiana", vaiana_parameters(0.0, 0.0, 150.0));  // alpha times travel: 45
   auto const made = realise(fast);
@@ -159,7 +159,7 @@ TEST(Replays, refuse_the_material_that_turns_into_no_number) {
   EXPECT_EQ(made.fidelity, Fidelity::exact_in_limit);
   EXPECT_EQ(made.forms[0].nominal.id, "material_bouc_wen");
 
-  // Within reach of the test, not of half as much again.
+  // The material stands the travel of the test, but not half as much again.
   auto const beyond = realise(subject_of("vaiana", vaiana_parameters(0.0, 0.0, 90.0)));
   ASSERT_FALSE(beyond.refused.empty());
   EXPECT_NE(beyond.refused[0].find("1.5 times as far"), std::string::npos) << beyond.refused[0];
@@ -171,7 +171,7 @@ TEST(Replays, refuse_the_material_that_turns_into_no_number) {
 
 TEST(Refits, say_their_error_and_are_the_same_again) {
   auto parameters = vaiana_parameters();
-  parameters[1] *= 1.05;  // unloading differs
+  parameters[1] *= 1.05;  // unloading now differs from loading
   auto const subject = subject_of("vaiana", parameters);
   auto const made = realise(subject), again = realise(subject);
   ASSERT_EQ(made.fidelity, Fidelity::refitted);
@@ -180,14 +180,14 @@ TEST(Refits, say_their_error_and_are_the_same_again) {
   auto const& error = made.forms[0].from_law;
   EXPECT_GT(error.rms, 0.1);
   EXPECT_LT(error.rms, 5.0);
-  // The stated error is that of the text.
+  // The stated error must be that of the written text.
   auto const script = opensees_script(subject, made, unit_systems[2]);
   auto const force = of_script(script, "material", "nominal", unit_systems[2], subject.histories[0]);
   EXPECT_NEAR(100.0 * largest_difference(force, subject.histories[0].law_kN) / peak_of(subject.histories[0].law_kN),
               error.largest, 1e-6);
 }
 
-// A row of numbers for each line below the head; the head and what is commented are taken off.
+// One row of numbers for each line below the head; comment lines are left out.
 std::vector<std::vector<double>> rows_of(std::string const& csv, std::string& head) {
   std::vector<std::vector<double>> rows;
   std::istringstream lines(csv);
@@ -232,6 +232,7 @@ TEST(Tables, say_in_their_head_what_they_hold) {
   subject.objective = 0.0123;
   auto const text = protocol_csv(subject, unit_systems[2]);
   auto const head = text.substr(0, text.find("\ntime "));
+  EXPECT_TRUE(head.starts_with("# SPDX-License-Identifier: MIT-0\n# Licence: ")) << head;
   for (auto const* part : {"# Law: jankowski: ", "# Parameters: ", "# Fitted to the tests with: objective 0.0123",
                            "# Units of this file: kip, in, s", "# Protocol: two sine cycles at 0.5 Hz",
                            "with its velocity, on which the law depends", "# Upper bound: force x 1.15"})
@@ -240,7 +241,7 @@ TEST(Tables, say_in_their_head_what_they_hold) {
             std::string::npos);
 }
 
-// The way from zero to the first sample and the turning points are driven through, and are no samples.
+// The way from zero to the first sample and the turning points are driven through, but they are no samples.
 TEST(Refits, root_mean_square_counts_each_sample_once) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   History const history{.device = "D",
@@ -253,7 +254,7 @@ TEST(Refits, root_mean_square_counts_each_sample_once) {
   double const rms_kN = std::sqrt((4.0 + 1.0 + 0.0) / 3.0);
   EXPECT_NEAR(deviation(history, force, history.law_kN).rms, 100.0 * rms_kN / 12.0, 1e-12);
   EXPECT_NEAR(deviation(history, force, history.measured_kN).rms, 100.0 * rms_kN / 10.0, 1e-12);
-  // The largest is of all that the program computes.
+  // The largest deviation covers every point that the program computes.
   EXPECT_NEAR(deviation(history, force, history.law_kN).largest, 100.0 * 3.0 / 12.0, 1e-12);
 }
 

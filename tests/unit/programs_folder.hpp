@@ -37,7 +37,7 @@ class Folder : public testing::Test {
     text << std::ifstream(folder_ / name, std::ios::binary).rdbuf();
     return text.str();
   }
-  // Exit code; what was printed lies in "printed".
+  // Returns the exit code; the output is in the file "printed".
   int run(std::string const& command) const {
     auto const whole = fmt::format("cd '{}' && {} > printed 2>&1", folder_.string(), command);
     int const status = std::system(whole.c_str());

@@ -1,5 +1,5 @@
-// A folder in which scripts run in the real program, OpenSees, which lies beside the checkout where it does (Tcl, and
-// as a module of Python).
+// A folder in which scripts run in the real OpenSees (Tcl, and as a module of Python), where that lies beside the
+// checkout.
 #pragma once
 
 #include "unit/programs_folder.hpp"

@@ -66,14 +66,14 @@ Subject with_model(std::string_view law, std::vector<double> const& parameters, 
   return subject;
 }
 
-// Numbers of one building in three unit systems: forces of N are those of kN times a thousand, and so on.
+// The numbers of one building in three unit systems: forces in N are those in kN times a thousand, and so on.
 TEST(ModelNumbers, follow_the_units_of_the_file) {
   auto const subject = with_model("bilinear", bilinear_parameters, four(900.0));
   auto const realisation = realise(subject);
   auto const first = model_numbers(subject, realisation, unit_systems[0]);
   auto const N_m = model_numbers(subject, realisation, unit_systems[1]);
   EXPECT_NEAR(first.mass, 4.0 * carried_kN / 9806.65, 1e-12);
-  EXPECT_NEAR(N_m.mass, 1e6 * first.mass, 1e-6);                  // kg, of kN s2/mm
+  EXPECT_NEAR(N_m.mass, 1e6 * first.mass, 1e-6);                  // kg, from kN s2/mm
   EXPECT_NEAR(N_m.inertia, first.inertia, 1e-9 * first.inertia);  // kN mm is N m
   EXPECT_NEAR(N_m.inertia, N_m.mass * 2.1 * 2.1, 1e-6);
   EXPECT_NEAR(N_m.bearings[3].x, 6.0, 1e-12);
@@ -91,7 +91,7 @@ TEST(ModelNumbers, follow_the_units_of_the_file) {
   EXPECT_NEAR(mass, first.mass, 1e-12);
 }
 
-// A form that is exact as the step goes to zero is stepped as finely as its own facts ask for.
+// A form that is exact only as the step goes to zero takes steps as fine as its own facts ask for.
 TEST(ModelNumbers, take_the_step_that_the_law_needs) {
   auto model = four(450.0);
   model.motions = {shaking(450.0, 0.1)};
@@ -132,7 +132,7 @@ TEST(ModelText, one_isolator_is_held_against_turning) {
   EXPECT_TRUE(contains(text, "# Turning in plan: held"));
 }
 
-// Every isolator of every draw has a material of its own, which the file checks as it does the others.
+// Every isolator of every draw has a material of its own, which the file checks like the others.
 TEST(ModelDraws, become_variants_that_the_file_checks) {
   auto model = four(900.0);
   auto stiffer = bilinear_parameters;
@@ -177,7 +177,7 @@ TEST(ModelDraws, one_that_the_program_cannot_give_is_named) {
   }
 }
 
-// What stands in for a law stands in for its draws too, fitted to each.
+// A form that stands in for a law does so for its draws too, and is fitted to each of them.
 TEST(ModelDraws, of_a_law_that_has_a_stand_in_are_fitted_one_by_one) {
   auto uneven = vaiana_parameters();
   uneven[1] *= 1.1;

@@ -7,7 +7,7 @@
 
 namespace isolaw::programs_test {
 
-// Of four cycles near the period of the building; along x, and along y where asked for.
+// A ground motion of four cycles near the period of the building; tests use it along x, and some along y too.
 inline data::GroundMotion shaking(double amplitude_mm_s2, double step_s = 0.01, double duration_s = 4.5) {
   data::GroundMotion made{.file = "made here", .step_s = step_s, .acceleration_mm_s2 = {}, .recognised = "made here"};
   for (int i = 0; i * step_s <= duration_s; ++i)
@@ -15,9 +15,9 @@ inline data::GroundMotion shaking(double amplitude_mm_s2, double step_s = 0.01, 
   return made;
 }
 
-inline constexpr double carried_kN = 588.4;  // by an isolator: a period near two seconds
+inline constexpr double carried_kN = 588.4;  // carried by one isolator: a period near two seconds
 
-// Isolators in the corners of a rectangle; `heavier` more on the two of the larger y.
+// Isolators in the corners of a rectangle; the two at the larger y carry `heavier` more.
 inline Model four(double amplitude_mm_s2, double heavier = 0.0) {
   Model made;
   made.layout = "made here";

@@ -1,5 +1,5 @@
-// Exported buildings in the real program: against an integration of our own of one mass on one isolator, against what
-// symmetry says, and Tcl against Python.
+// Exported buildings in the real program, compared with our own integration of one mass on one isolator, with what
+// symmetry demands, and between Tcl and Python.
 #include <fmt/format.h>
 
 #include <functional>
@@ -12,7 +12,7 @@
 namespace isolaw::programs_test {
 namespace {
 
-// Columns of a file of results by the names of its header, units left out.
+// The columns of a file of results, by the names in its header without the units.
 using Table = std::map<std::string, std::vector<double>>;
 
 Table table_of(std::string const& csv) {
@@ -35,9 +35,9 @@ std::vector<double> sum(std::vector<double> a, std::vector<double> const& b) {
   return a;
 }
 
-// Newmark's rule (average acceleration) on one mass, from rest: the displacement of each step is where
-// mass (4 (x1 - x0)/dt2 - 4 v0/dt - a0) + force is -mass ground, found by bisection, so that nothing of the program's
-// iteration is in it. `force` is that of a whole path.
+// Newmark's rule (average acceleration) on one mass, from rest. The displacement of each step is where mass (4 (x1 -
+// x0)/dt2 - 4 v0/dt - a0) + force equals -mass ground. Bisection finds it, so that nothing of the program's iteration
+// is in it. `force` takes the whole path.
 std::vector<double> response(double mass, std::vector<double> const& ground, double dt,
                              std::function<double(std::vector<double> const&)> const& force) {
   std::vector<double> path{0.0};
@@ -50,7 +50,7 @@ std::vector<double> response(double mass, std::vector<double> const& ground, dou
       path.back() = x;
       return mass * (acceleration(x) + ground[i]) + force(path);
     };
-    // No isolator here goes so far in a step.
+    // No isolator here moves further in one step.
     double low = x0 - 20.0, high = x0 + 20.0, at_low = residual(low), at_high = residual(high);
     for (int k = 0; k < 60 && high - low > 1e-11; ++k) {
       double const weight = std::clamp(at_low / (at_low - at_high), 0.01, 0.99);
@@ -66,7 +66,7 @@ std::vector<double> response(double mass, std::vector<double> const& ground, dou
   return path;
 }
 
-// The ground at the steps of the analysis.
+// The ground motion at the steps of the analysis, `pieces` to a sample.
 std::vector<double> in_pieces(std::vector<double> const& values, int pieces) {
   std::vector<double> made{values.front()};
   for (std::size_t i = 1; i < values.size(); ++i)
@@ -79,12 +79,12 @@ struct Building {
   std::vector<double> parameters;
   double acceleration_mm_s2;
   bool coupled;
-  double from_law;  // how near the program is to the law itself at these steps, of the largest displacement
+  double from_law;  // allowed difference from the law itself at these steps, as a share of the largest displacement
 };
 std::vector<Building> const buildings{
     {"corner", "bilinear", bilinear_parameters, 800.0, true, 1e-6},
     {"smooth", "bouc-wen", bouc_wen_parameters, 450.0, true, 0.02},
-    {"curves", "vaiana", vaiana_parameters(), 450.0, true, 0.02},  // its bearing is that of Bouc-Wen
+    {"curves", "vaiana", vaiana_parameters(), 450.0, true, 0.02},  // its bearing follows Bouc-Wen
     {"hardening curves", "vaiana", vaiana_parameters(800.0, 12.0), 450.0, false, 1e-6},
     {"softening curves", "vaiana", vaiana_parameters(-800.0, 12.0), 450.0, false, 1e-6}};
 
@@ -110,7 +110,7 @@ class ModelInOpenSees : public OpenSees {
   }
 };
 
-// Four equal isolators in the corners are one mass on one of them: they neither turn nor move along y.
+// Four equal isolators in the corners act as one mass on one of them: the slab neither turns nor moves along y.
 TEST_F(ModelInOpenSees, a_symmetric_building_moves_as_one_mass_on_one_isolator) {
   for (auto const& b : buildings) {
     auto const model = four(b.acceleration_mm_s2);
@@ -135,14 +135,14 @@ TEST_F(ModelInOpenSees, a_symmetric_building_moves_as_one_mass_on_one_isolator) 
     double const peak = peak_of(of_form);
     EXPECT_GT(peak, 30.0) << b.name;
     EXPECT_LT(peak, 225.0) << b.name;
-    // Newton's rule ends at 1e-8 mm a step, and what iterates for z at 1e-9 of it, through 900 steps.
+    // Newton's rule stops at 1e-8 mm in a step, and forms that iterate for z at 1e-9 of it, through 900 steps.
     EXPECT_LT(largest_difference(found.at("ux"), of_form), 1e-6 * peak) << b.name;
     auto const of_law = at_samples(response(mass, ground, dt, [&](auto const& path) {
       History history;
       history.disp_mm = path;
       for (std::size_t i = 0; i < path.size(); ++i) {
         history.time_s.push_back(static_cast<double>(i) * dt);
-        history.vel_mm_s.push_back(0.0);  // on which these laws do not depend
+        history.vel_mm_s.push_back(0.0);  // these laws do not depend on velocity
       }
       return law_force(*subject.law, subject.parameters, history).back();
     }));
@@ -160,7 +160,7 @@ TEST_F(ModelInOpenSees, a_symmetric_building_moves_as_one_mass_on_one_isolator) 
       EXPECT_LT(largest_difference(four_times, found.at("Vx")), 1e-8 * peak_of(shear)) << b.name;
     }
     EXPECT_LT(largest_difference(shear, found.at("Vx")), 1e-8 * peak_of(shear)) << b.name;
-    // One of them alone, under a quarter of the mass.
+    // The same with one isolator alone, under a quarter of the mass.
     auto alone = model;
     alone.bearings.resize(1);
     alone.weight_kN = carried_kN;
@@ -175,7 +175,7 @@ TEST_F(ModelInOpenSees, an_eccentric_building_turns) {
   shaken(b, four(b.acceleration_mm_s2, 0.3), "out", unit_systems[0], "nominal");
   auto const found = slab("out");
   EXPECT_GT(peak_of(found.at("turning")), 1e-4);
-  // The heavier side, at y = 4 m, lags: it moves further than the other by the turning times their distance.
+  // The heavier side, at y = 4 m, lags: it moves further than the other side by the turning times their distance.
   auto const each = isolators("out");
   for (std::size_t i = 0; i < found.at("turning").size(); ++i)
     EXPECT_NEAR(each.at("A ux")[i] - each.at("C ux")[i], 4000.0 * found.at("turning")[i], 1e-6);
@@ -183,8 +183,8 @@ TEST_F(ModelInOpenSees, an_eccentric_building_turns) {
   EXPECT_TRUE(contains(peaks, fmt::format("nominal,C,"))) << peaks;
 }
 
-// Springs at right angles know nothing of each other: what one direction does is as if it were alone. A coupled bearing
-// is weaker along x where it moves along y too.
+// Springs at right angles do not interact: each direction moves as if it were alone. A coupled bearing is weaker along
+// x when it moves along y too.
 TEST_F(ModelInOpenSees, two_components_meet_in_coupled_bearings_alone) {
   for (auto const& b : {buildings[3], buildings[0]}) {
     auto model = four(b.acceleration_mm_s2);
@@ -195,13 +195,13 @@ TEST_F(ModelInOpenSees, two_components_meet_in_coupled_bearings_alone) {
     EXPECT_GT(peak_of(slab("xy").at("uy")), 10.0) << b.name;
     EXPECT_EQ(largest_difference(x, xy) > 0.05 * peak_of(x), b.coupled) << b.name;
     EXPECT_EQ(largest_difference(x, xy) > 1e-7 * peak_of(x), b.coupled) << b.name;
-    // Turned by 90 degrees the second spring is against x: hardening to one side, it sees the ground's other sign.
+    // Turned by 90 degrees, the second spring points against x. It hardens to one side: reverse the ground's sign.
     for (auto& bearing : model.bearings) bearing.angle_deg = 90.0;
     for (double& a : model.motions[0].acceleration_mm_s2) a = -a;
     auto const realisation = shaken(b, model, "turned", unit_systems[0], "nominal");
     auto turned = slab("turned").at("ux");
     for (double& value : turned) value = -value;
-    // The coupled one has no sides.
+    // The coupled bearing has no sides, so it agrees as well.
     EXPECT_EQ(largest_difference(turned, xy) > 1e-6 * peak_of(x), false) << b.name;
     auto subject = subject_of(b.law, b.parameters);
     subject.model = model;
@@ -225,7 +225,7 @@ TEST_F(ModelInOpenSees, bounds_are_three_analyses_from_soft_to_stiff) {
   }
 }
 
-// The same program behind two languages, and two unit systems.
+// Both languages run the same program, in any units.
 TEST_F(ModelInOpenSees, python_does_what_tcl_does_in_any_units) {
   for (auto const& b : {buildings[1], buildings[3]}) {
     auto model = four(b.acceleration_mm_s2, 0.2);
@@ -258,7 +258,7 @@ TEST_F(ModelInOpenSees, python_does_what_tcl_does_in_any_units) {
   }
 }
 
-// Draws whose isolators are all the nominal one give the nominal answer; one that is stiffer does not.
+// A draw whose isolators are all nominal gives the nominal answer; a stiffer one does not.
 TEST_F(ModelInOpenSees, draws_are_analyses_of_their_own) {
   auto const& b = buildings[0];
   auto model = four(b.acceleration_mm_s2);
@@ -274,7 +274,7 @@ TEST_F(ModelInOpenSees, draws_are_analyses_of_their_own) {
   EXPECT_TRUE(contains(read("printed"), "\nlargest ")) << read("printed");
 }
 
-// The program itself ends with 0 after an error in a script.
+// OpenSees itself exits with 0 after an error in a script.
 TEST_F(ModelInOpenSees, what_fails_ends_with_another_exit_code) {
   auto subject = subject_of("bilinear", bilinear_parameters);
   subject.model = four(900.0);
@@ -286,13 +286,13 @@ TEST_F(ModelInOpenSees, what_fails_ends_with_another_exit_code) {
   write("model.py", openseespy_model(subject, realisation, unit_systems[0]));
   EXPECT_EQ(run("python3 model.py run out nonsense"), 1) << read("printed");
   EXPECT_TRUE(contains(read("printed"), "no case nonsense")) << read("printed");
-  // A bearing that the program refuses.
+  // The program does not know this bearing.
   auto broken = script;
   constexpr std::string_view name = "element elastomericBearingPlasticity $tag";
   broken.replace(broken.find(name), name.size(), "element elastomericBearingNone $tag");
   write("model.tcl", broken);
   EXPECT_EQ(run_tcl("model.tcl run out nominal"), 1) << read("printed");
-  // An analysis that cannot end, and a displacement that is no number.
+  // This analysis cannot converge; the next displacement is no number.
   broken = script;
   constexpr std::string_view tolerance = "variable tolerance ";
   broken.insert(broken.find(tolerance) + tolerance.size(), "-");
@@ -301,7 +301,7 @@ TEST_F(ModelInOpenSees, what_fails_ends_with_another_exit_code) {
   EXPECT_TRUE(contains(read("printed"), "no equilibrium")) << read("printed");
 }
 
-// Beyond what was tested the table says so.
+// The table says when a displacement exceeds the tested one.
 TEST_F(ModelInOpenSees, displacements_beyond_the_tests_are_said) {
   auto subject = subject_of("bilinear", bilinear_parameters);
   subject.model = four(900.0);

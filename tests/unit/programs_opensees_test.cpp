@@ -1,5 +1,5 @@
-// Exported scripts in the real program: OpenSees, which lies beside the checkout where it does (Tcl, and as a module of
-// Python). Their own checks, and analyses in time whose forces are held to the replay along the displacements reached.
+// Exported scripts in the real OpenSees (Tcl, and as a module of Python), where it lies beside the checkout: their own
+// checks, and analyses in time whose forces are compared with the replay along the displacements reached.
 #include <fmt/format.h>
 
 #include "isolaw/base/words.hpp"
@@ -11,9 +11,9 @@ namespace {
 struct Exported {
   std::string name, law;
   std::vector<double> parameters;
-  double acceleration_mm_s2 = 450.0;  // of the ground, that moves it as far as the tests did
+  double acceleration_mm_s2 = 450.0;  // of the ground; it moves the mass as far as the tests did
 };
-// Steel02, to which menegotto-pinto goes, is not among the materials that were compiled there.
+// menegotto-pinto becomes Steel02, which that OpenSees was compiled without.
 std::vector<Exported> const exported{{"corner", "bilinear", bilinear_parameters, 900.0},
                                      {"smooth", "bouc-wen", bouc_wen_parameters},
                                      {"curves", "vaiana", vaiana_parameters()},
@@ -41,7 +41,7 @@ TEST_F(OpenSees, scripts_check_themselves) {
     }
 }
 
-// A check that cannot fail shows nothing: a force that is wrong, a command that the program refuses.
+// A check that cannot fail shows nothing: here a force is wrong, and here OpenSees refuses a command.
 TEST_F(OpenSees, a_wrong_script_ends_with_another_exit_code) {
   auto const subject = subject_of("vaiana", vaiana_parameters());
   auto const script = opensees_script(subject, realise(subject), unit_systems[0]);
@@ -58,7 +58,7 @@ TEST_F(OpenSees, a_wrong_script_ends_with_another_exit_code) {
   EXPECT_EQ(run_tcl("bearing.tcl check"), 1) << read("printed");
 }
 
-// What the program is known to refuse is refused here, and what is not is taken there.
+// Arguments that OpenSees is known to refuse are refused here, and those accepted here are accepted there.
 TEST_F(OpenSees, arguments_are_refused_where_the_program_refuses_them) {
   for (auto const& [a, taken] : {std::pair(std::vector<double>{2, 1, 3, 0, 0, 0}, true),
                                  {{-2, -3, 3, 0, 0, 0}, false},
@@ -87,8 +87,8 @@ struct Response {
 
 class InTime : public OpenSees {
  protected:
-  // kN and mm. The mass has a period of two seconds on the stiffness after yielding, which four cycles of near that
-  // period excite; `element` makes element 1 between nodes 1 and 2, in `dimensions`.
+  // Units are kN and mm. The mass has a period of two seconds on the stiffness after yielding, and four cycles near
+  // that period excite it. `element` makes element 1 between nodes 1 and 2, in `dimensions`.
   Response shaken(Subject const& subject, Realisation const& realisation, std::string const& element, int dimensions,
                   double step_s, double acceleration) const {
     write("bearing.tcl", opensees_script(subject, realisation, unit_systems[0]));
@@ -142,11 +142,11 @@ TEST_F(InTime, elements_give_the_force_of_the_replay) {
           auto const found = shaken(subject, realisation, element, dimensions, step_s, c.acceleration_mm_s2);
           auto const said = fmt::format("{}, {} in {} dimensions, {} s", c.name, id, dimensions, step_s);
           ASSERT_EQ(found.disp.size(), static_cast<std::size_t>(std::ceil(8.0 / step_s - 1e-9)) - 1) << said;
-          // An analysis that does not move shows nothing, one far beyond the tests something else.
+          // An analysis that hardly moves shows nothing, and one far beyond the tests shows something else.
           EXPECT_GT(peak_of(found.disp), 30.0) << said;
           EXPECT_LT(peak_of(found.disp), 225.0) << said;
           auto const expected = replay(in_units(form.nominal, unit_systems[0]), found.disp);
-          // Newton's rule ends at 1e-10 mm; what iterates for z within its own tolerance, step after step.
+          // Newton's rule stops at 1e-10 mm, and forms that iterate for z at their own tolerance, step after step.
           double const tolerance = form.nominal.exactness == Exactness::every_step ? 1e-8 : 1e-5;
           EXPECT_LT(largest_difference(found.force, expected), tolerance * peak_of(expected)) << said;
         }
@@ -154,7 +154,7 @@ TEST_F(InTime, elements_give_the_force_of_the_replay) {
   }
 }
 
-// Where the replay says that the force stays a number, the program's does: moved in one direction from rest.
+// Where the replay says that the force stays a number, it must stay one in OpenSees too.
 TEST_F(OpenSees, travel_that_is_claimed_is_stood) {
   for (double const beta1 : {0.0, 50.0, 800.0, 6000.0, -50.0, -800.0})
     for (double const alpha : {40.0, 60.0, 140.0}) {
@@ -171,7 +171,7 @@ TEST_F(OpenSees, travel_that_is_claimed_is_stood) {
         for (auto const inner : tags[i].inner) script += fmt::format(" {}", inner + 1);
         script += argument_values(commands[i], " ") + "\n";
       }
-      // In three ways of cutting the same travel, from rest and from one side to the other.
+      // Cut the same travel into steps in three ways, from rest and from one side to the other.
       script += fmt::format(
           "uniaxialTest 1\nproc go {{from to steps}} {{\n  for {{set i 1}} {{$i <= $steps}} {{incr i}} {{\n"
           "    strainUniaxialTest [expr {{$from + ($to - $from) * double($i) / $steps}}]\n    set f [stressUniaxialTest]\n"
@@ -181,7 +181,7 @@ TEST_F(OpenSees, travel_that_is_claimed_is_stood) {
           *form.longest_travel_mm, 0.5 * *form.longest_swing_mm);
       write("travel.tcl", script);
       EXPECT_EQ(run_tcl("travel.tcl"), 0) << beta1 << " " << alpha << " " << *form.longest_travel_mm << read("printed");
-      // It is no small part of what the program stands.
+      // The claimed travel is no small part of what the program stands.
       EXPECT_GT(*form.longest_travel_mm * 1e-3 * alpha, 20.0) << beta1;
       EXPECT_GE(*form.longest_swing_mm, *form.longest_travel_mm) << beta1;
     }

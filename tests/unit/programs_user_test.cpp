@@ -1,5 +1,5 @@
-// The law itself in two programs' own interfaces: the material of OpenSees against a stand-in for its headers (and in
-// the program, where it is at hand), the element of Abaqus called by Fortran.
+// The law itself in the interfaces of two programs: the OpenSees material with a stand-in for the program's headers
+// (and in OpenSees, where it is at hand), and the Abaqus element, called from Fortran.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -15,8 +15,8 @@ namespace {
 
 fs::path const stand_ins = ISOLAW_PROGRAMS_STAND_INS;
 
-// A slow motion that grows and falls off, quicker ones on it that turn within a side too, and tremor within the dead
-// band: what is remembered of it all counts.
+// A slow motion that grows and dies away, quicker ones on top that also turn within a side, and tremor within the dead
+// band, so that everything a law remembers matters.
 History path_of(Subject const& subject) {
   constexpr int points = 420;
   constexpr double step_s = 0.02;
@@ -51,13 +51,13 @@ struct OfLaw {
   std::string name() const { return identifier(subject); }
 };
 
-// Every law of the catalogue, with numbers that fill its memory.
+// Every law of the catalogue, with parameters that fill its memory.
 std::vector<OfLaw> every_law() {
   std::vector<OfLaw> made;
   for (auto const& law : laws::catalogue())
     for (double const share : {0.5, 0.35, 0.1}) {
       auto parameters = inside_box(law, share);
-      // Loops so wide that its exponential alone does not reach them, so that the term of c counts.
+      // Loops so wide that the law's exponential alone cannot reach them, so that the term with c acts.
       if (law.info.id == "kikuchi-aiken") parameters[law.index_of("h0")] = 0.4;
       OfLaw of{subject_of(law.info.id, parameters), {}, {}};
       of.subject.refinement = law.info.id == "abe" ? 2 : 1;
@@ -129,15 +129,15 @@ TEST_F(OpenSeesMaterial, is_every_law_through_trials_copies_and_messages) {
   EXPECT_FALSE(std::getline(printed, rest)) << rest;
 }
 
-// Against the program's own headers; and in the program, where it lies beside the checkout: a mass on the bearing is
-// shaken, and the law's force along the motion that was reached is that of the element.
+// The material is compiled with OpenSees' own headers and, where the program lies beside the checkout, run in it: a
+// mass on the bearing is shaken, and the law's force along the motion reached must be that of the element.
 TEST_F(OpenSeesMaterial, is_every_law_in_the_program_itself) {
   char const* const source = std::getenv("OPENSEES_SOURCE");
   if (source == nullptr)
     GTEST_SKIP() << "OPENSEES_SOURCE names no checkout of OpenSees: compiled against a stand-in for its headers alone";
   auto const all = every_law();
   write("all.cpp", includes(all));
-  // As the file itself says.
+  // Compile as the file itself says.
   auto const file = read(all.front().name() + ".cpp");
   auto const begin = file.find("-I$s "), end = file.find("this-file", begin);
   ASSERT_NE(begin, std::string::npos);
@@ -148,7 +148,7 @@ TEST_F(OpenSeesMaterial, is_every_law_in_the_program_itself) {
     return run(fmt::format("s='{}/SRC'; " ISOLAW_COMPILER " -std=c++17 -fPIC -shared {} '{}' -o {}", source, folders,
                            from, made));
   };
-  // One library for all of them, which each is found in by its own name.
+  // One library holds all materials; each is found by a link with its own name.
   ASSERT_EQ(compiled("all.cpp", "all.so"), 0) << read("printed").substr(0, 3000);
 
   auto const program = fs::path(ISOLAW_DATA_DIR).parent_path() / "opensees/OpenSees";
@@ -158,8 +158,8 @@ TEST_F(OpenSeesMaterial, is_every_law_in_the_program_itself) {
   for (auto const& of : all) {
     SCOPED_TRACE(of.name());
     fs::create_symlink("all.so", folder_ / (of.name() + ".so"));
-    // A first motion may have no bounded slope, by which Newton's rule goes to and fro.
-    // N, m. A period of two seconds on the secant to the tested amplitude; the ground is as strong as moves it so far.
+    // The slope of a first motion may be unbounded, so that Newton's rule goes to and fro. Units are N and m, the
+    // period is two seconds on the secant to the tested amplitude, and the ground moves the mass about that far.
     double const secant = 1e6 * peak_of(of.force_kN) / 150.0, mass = secant / (std::numbers::pi * std::numbers::pi);
     write(
         "shaken.tcl",
@@ -193,7 +193,7 @@ TEST_F(OpenSeesMaterial, is_every_law_in_the_program_itself) {
     EXPECT_GT(peak_of(reached.disp_mm), 10.0);
     auto const expected = law_force(*of.subject.law, of.subject.parameters, reached);
     double const upper = of.subject.bounds.upper->overall, peak = upper * peak_of(expected);
-    // The program prints displacements of which rounding may choose the side of a corner.
+    // OpenSees prints rounded displacements, and their rounding may choose the side of a corner.
     for (std::size_t i = 0; i < force.size(); ++i) ASSERT_NEAR(force[i], upper * expected[i + 1], 1e-7 * peak) << i;
   }
 }
@@ -216,7 +216,7 @@ TEST_F(AbaqusElement, is_every_law_through_iterations_and_cutbacks) {
     auto const at = file.find("VARIABLES=");
     ASSERT_NE(at, std::string::npos);
     motion += fmt::format("{} {} {}\n", k + 1, std::stoi(file.substr(at + 10)), step_s);
-    // At rest at zero every element begins.
+    // Every element begins at rest at zero.
     for (std::size_t i = 1; i < of.path.disp_mm.size(); ++i)
       motion += fmt::format("{} {}\n", metres.from_mm(of.path.disp_mm[i]), metres.from_mm(of.path.vel_mm_s[i]));
   }
@@ -233,7 +233,7 @@ TEST_F(AbaqusElement, is_every_law_through_iterations_and_cutbacks) {
   std::istringstream printed(read("printed"));
   for (auto const& of : all) {
     SCOPED_TRACE(of.subject.law->info.id);
-    // At the start the velocity is none.
+    // The element starts with zero velocity.
     auto path = of.path;
     path.vel_mm_s[0] = 0.0;
     auto const expected = law_force(*of.subject.law, of.subject.parameters, path);
@@ -256,7 +256,7 @@ TEST_F(AbaqusElement, is_every_law_through_iterations_and_cutbacks) {
   EXPECT_FALSE(std::getline(printed, rest)) << rest;
 }
 
-// What one call gives, from C.
+// A C++ program that makes single calls and prints their results.
 constexpr char const* calls_of_one = R"text(
 #include "one.cpp"
 #include <cstring>
@@ -365,7 +365,7 @@ int main() {
       "stopped: isolaw bilinear, element 1: its variables hold no state of this law: is VARIABLES= of *USER ELEMENT as this file says?\n");
 }
 
-// Compiled by Abaqus, it goes by the names that its header gives.
+// Compiled by Abaqus, the element takes the names that the header of Abaqus gives.
 TEST_F(AbaqusElement, has_the_names_that_the_programs_header_gives) {
   if (!has("nm")) GTEST_SKIP() << "no nm: the names cannot be read";
   write("one.cpp", abaqus_element(subject_of("bilinear", bilinear_parameters), unit_systems[0]));
@@ -374,11 +374,11 @@ TEST_F(AbaqusElement, has_the_names_that_the_programs_header_gives) {
   ASSERT_EQ(run(ISOLAW_COMPILER " -std=c++17 -I with -c one.cpp -o named.o"), 0) << read("printed").substr(0, 3000);
   EXPECT_EQ(run("nm plain.o | grep -q ' T uel_$' && nm plain.o | grep -q ' U xit_$'"), 0);
   EXPECT_EQ(run("nm named.o | grep -q ' T UEL$' && nm named.o | grep -q ' U XIT$'"), 0);
-  // The head by which the program knows a function in C++.
+  // By this head Abaqus knows a function in C++.
   EXPECT_EQ(run("grep -qE '^extern \"C\" void FOR_NAME\\(uel' one.cpp"), 0);
 }
 
-// In a static step the velocity is that of the increment: what backward differences give in time.
+// In a static step the velocity is that of the increment, as backward differences give it in time.
 TEST_F(AbaqusElement, takes_the_velocity_of_a_static_increment) {
   write("one.cpp",
         abaqus_element(subject_of("hwang-wu", inside_box(laws::find_law("hwang-wu"), 0.35)), unit_systems[0]));
@@ -406,7 +406,7 @@ int main() {
   EXPECT_EQ(read("printed"), "1 1 1 1 1 1 ");
 }
 
-// A free vibration leaves turning point in turning point.
+// A free vibration leaves turning points within turning points.
 TEST_F(AbaqusElement, remembers_a_long_free_vibration_and_stops_where_there_is_no_room) {
   for (std::string_view const id : {"ramberg-osgood", "kikuchi-aiken"}) {
     auto const& law = laws::find_law(id);
@@ -440,7 +440,7 @@ int main() {{
   }
 }
 
-// And the checks that the files carry; that of the element goes through the element.
+// The checks in the files themselves must pass; that of the element goes through the element.
 TEST_F(AbaqusElement, checks_itself_as_the_material_does) {
   for (std::string_view const id : {"bilinear", "hwang-wu", "kikuchi-aiken"}) {
     auto const subject = subject_of(id, inside_box(laws::find_law(id), 0.35));

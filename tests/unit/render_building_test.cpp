@@ -1,4 +1,4 @@
-// What is written of a building: building.json and its documentation, the page, tables and figures for print.
+// Everything written about a building: building.json and its documentation, the page, tables and figures for print.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -31,7 +31,7 @@ std::vector<std::string> keys_of(Json const& object) {
   return names;
 }
 
-// First cells of the rows under a heading of docs/building-json.md.
+// The first cells of the rows under a heading of docs/building-json.md.
 std::vector<std::string> documented_keys(std::string const& heading) {
   std::ifstream page(ISOLAW_SOURCE_DIR "/docs/building-json.md");
   std::vector<std::string> keys;
@@ -55,7 +55,7 @@ Case const& usual_case() {
     of.study.file.bearings[0] = {.at = of.study.file.bearings[0].at, .stands = building::Stands::lot, .device = {}};
     auto const file = fs::temp_directory_path() / fmt::format("isolaw-render-building-{}.sqlite", ::getpid());
     fs::remove(file);
-    building::RunStore store(file, building::traits_of(of.study), true);
+    building::RunStore store(file, building::properties_of(of.study), true);
     building::run_all(of.study, store, 1);
     of.answers = building::answer(of.study, store);
     fs::remove(file);
@@ -106,7 +106,7 @@ TEST(BuildingTables, have_a_row_for_every_quantity) {
   EXPECT_EQ(lines(csv), 1 + rows);
   EXPECT_EQ(csv.find("law,quantity,unit,lower bound,nominal,upper bound,16 %"), 0u) << csv;
   EXPECT_TRUE(contains(csv, "\nbilinear,isolator_mm,mm,"));
-  EXPECT_EQ(lines(coverage_csv(answers)), 1 + rows - 3);  // no bound says anything of torsion
+  EXPECT_EQ(lines(coverage_csv(answers)), 1 + rows - 3);  // bounds say nothing about torsion
   EXPECT_EQ(lines(building_checks_csv(study, answers)), 1 + 2);
   auto const tex = building_tex(study, answers);
   EXPECT_TRUE(contains(tex, "\\begin{tabular}") && contains(tex, "bearing displacement (mm) & $")) << tex;

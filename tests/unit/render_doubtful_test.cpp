@@ -1,4 +1,4 @@
-// What a reader must be told before trusting a report: missing runs, copies of a record, numbers out of all proportion.
+// Warnings that a reader needs before trusting a report: missing runs, copies of a record, implausible numbers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -74,11 +74,11 @@ TEST(Doubtful, CopiesOfARecordAreNamed) {
   ASSERT_NE(copies, found.end());
   EXPECT_EQ(copies->sentence,
             "A and B hold the same record, which counts 2 times in every mean and spread over the devices");
-  // Of one device alone its own warnings say it.
+  // A single device has this among its own warnings.
   summary.devices[1].raw.warnings.push_back(stated("a column is constant"));
   EXPECT_EQ(device_warnings(summary), (std::vector<std::vector<std::string>>{
                                           {"the same record as B"}, {"a column is constant", "the same record as A"}}));
-  summary.devices[1].raw.force_kN.back() = 7.0;  // another device in the same file
+  summary.devices[1].raw.force_kN.back() = 7.0;  // now another device in the same file
   EXPECT_EQ(std::ranges::count(topics(summary), "copies"), 0);
 }
 

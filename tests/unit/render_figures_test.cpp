@@ -1,4 +1,4 @@
-// The figures: what their data say, that names of users are never commands, and what gnuplot makes of them.
+// The figures: their data, that a user's names never become commands, and the drawings that gnuplot makes of them.
 #include <expat.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ std::map<std::string, Figure> figures_of(Summary const& summary, FigureChoice ch
 using Row = std::vector<std::string>;
 using Blocks = std::vector<std::vector<Row>>;
 
-// Words and quoted words of a line, as gnuplot takes them apart.
+// The words and quoted words of a line, split as gnuplot splits them.
 Row cells(std::string const& line) {
   Row row;
   for (std::size_t i = 0; i < line.size();) {
@@ -93,7 +93,7 @@ TEST(Gnuplot, DataKeepOneRowToALine) {
 TEST(FileStems, AreSafeAndDifferent) {
   auto const stems = file_stems({"D1", "d1", "../x", "a/b", "a b", "", ".hidden", std::string(300, 'x'), "é\n"});
   EXPECT_EQ(stems[0], "D1");
-  EXPECT_EQ(stems[1], "d1_2");  // where case does not count
+  EXPECT_EQ(stems[1], "d1_2");  // for file systems where case does not count
   EXPECT_EQ(stems[2], "_._x");
   std::set<std::string> different;
   for (auto const& stem : stems) {
@@ -115,7 +115,7 @@ TEST(FileStems, AnEndingMakesNoOtherName) {
   EXPECT_EQ(stems, (std::vector<std::string>{"a_abe", "a_2", "b", "B_Abe-y0_2", "b_x"}));
 }
 
-// The published study's laws as it draws them: standard deviation by mean, its printed values in blocks of their own.
+// The published study's laws as the study draws them, std over mean; its printed values are in blocks of their own.
 TEST(Figures, OfThePublishedStudyHaveItsPrintedValues) {
   auto const made = figures_of(fixture::lot(3, 7));
   auto const objective = blocks(made.at("published_objective").data);
@@ -150,7 +150,7 @@ TEST(Figures, OfThePublishedStudyNeedTwoOfItsLaws) {
   for (auto const& [name, figure] : figures_of(summary)) EXPECT_FALSE(name.starts_with("published")) << name;
 }
 
-// Figs. 5 and 7 stand among those of the default: one of all laws on a device, one of all devices.
+// Figs. 5 and 7 are drawn by default: the loops of all laws on one device, and those of all devices.
 TEST(Figures, LoopsOfAllLawsAndEachDeviceAgainstTheMeanAreDrawnByDefault) {
   auto const summary = fixture::lot(3, 7);
   auto const made = figures_of(summary);
@@ -196,7 +196,7 @@ TEST(Figures, FrontHoldsEveryLawAndTheFrontInOrder) {
 
 TEST(Figures, ALawThatDoesNotDescribeTheDevicesIsCrossedAndLeavesItsPlace) {
   auto summary = fixture::lot(3, 2);
-  // The second is beaten in both respects by the first alone, which misses the stiffness.
+  // Only the first law beats the second in both respects, and that one misses the stiffness below.
   summary.laws[0].objective.mean = 0.05;
   summary.laws[1].on_front = false;
   EXPECT_EQ(blocks(figures_of(summary).at("front").data)[0][1][4], "open");
@@ -220,7 +220,7 @@ TEST(Figures, LawsHaveTheColoursAndMarkersOfThePageAndItsOrder) {
                                              law_looks[i].point)),
               std::string::npos);
   }
-  // Laws from the smallest objective, each in its own style.
+  // Laws in the order of rising objective, each in its own style.
   std::size_t at = figure.script.find("set xrange");
   std::size_t drawn = figure.script.find("set multiplot");
   for (std::size_t const law : data["by_objective"]) {
@@ -325,7 +325,7 @@ TEST(Figures, ManyDevicesConvergeInOnePanel) {
   summary.laws[0].devices[3].histories = {{0.9, 0.1}};
   auto const figure = figures_of(summary).at("convergence_bilinear");
   auto const data = blocks(figure.data);
-  ASSERT_EQ(data.size(), 21u);  // and all together
+  ASSERT_EQ(data.size(), 21u);  // the last block is of all devices together
   EXPECT_EQ(Row(data.back()[0].begin() + 2, data.back()[0].end()), (Row{"0.4", "0.9"}));
   EXPECT_EQ(Row(data.back()[1].begin() + 2, data.back()[1].end()), (Row{"0.1", "0.3"}));
   EXPECT_EQ(figure.script.find("multiplot"), std::string::npos);
@@ -390,7 +390,7 @@ TEST(Figures, LoopsOfAllLawsOfTheDeviceThatStandsForTheLotAlone) {
     EXPECT_EQ(value(data[0][i][5]), summary.laws[0].devices[1].force_kN[i]);
   }
   EXPECT_NE(figure.script.find("refused: it''s not for this"), std::string::npos);
-  // Of the next nearest where it has no record.
+  // Without its record, the next nearest device is drawn.
   summary.devices[1].record = {};
   EXPECT_TRUE(figures_of(summary).contains("loops_D1"));
   EXPECT_FALSE(figures_of(summary).contains("loops_D2"));
@@ -410,7 +410,7 @@ TEST(Figures, ALawThatRunsAwayLeavesTheOthersTheirScale) {
 
 // --- drawn -----------------------------------------------------------------------------------------------------------
 
-// Names that a script, a shell, gnuplot's markup or a file system could take for something else.
+// Names that a script, a shell, gnuplot's markup or a file system could misread.
 std::vector<std::string> const hostile{"it's `touch drawn_by_a_name`; set output", "a/b\\c\n\"d\"  #e",
                                        "</text><script>alert(1)</script> _^@&~{}"};
 
@@ -438,7 +438,7 @@ std::string without_spaces(std::string text) {
   return text;
 }
 
-// Text of an SVG; throws where it is no well-formed XML.
+// The text of an SVG; throws if it is not well-formed XML.
 std::string text_of_svg(std::string const& svg) {
   std::string text;
   auto* parser = XML_ParserCreate(nullptr);
@@ -462,7 +462,7 @@ class Drawn : public testing::Test {
     ::unsetenv("ISOLAW_GNUPLOT");
   }
 
-  // A report is whole without gnuplot, so its drawings are tested where it is; `./isolaw.sh test` brings it.
+  // A report is complete without gnuplot, so drawings are tested only where gnuplot is; `./isolaw.sh test` installs it.
   static bool has_gnuplot() { return run_gnuplot({}, fs::temp_directory_path(), std::chrono::seconds(20)).started; }
   static void hide_gnuplot() { ::setenv("ISOLAW_GNUPLOT", "/nonexistent/gnuplot", 1); }
 
@@ -522,7 +522,7 @@ TEST_F(Drawn, AScriptByHandGivesTheFigureAgain) {
   fs::remove(figure("objective.pdf"));
   EXPECT_EQ(run_gnuplot({"objective.gp"}, dir_ / "figures", std::chrono::seconds(60)).reason, "");
   EXPECT_EQ(without_spaces(text_of_svg(content(figure("objective.svg")))),
-            before);  // bytes also depend on what was drawn before it
+            before);  // bytes also depend on earlier drawings
   EXPECT_TRUE(content(figure("objective.pdf")).starts_with("%PDF"));
 }
 
@@ -566,7 +566,7 @@ TEST_F(Drawn, NoDrawingOutlivesItsData) {
   auto const outcome = write_figures(summary, FigureChoice::lot, dir_);
   EXPECT_FALSE(fs::exists(figure("front.svg")));
   EXPECT_FALSE(fs::exists(figure("front.pdf")));
-  EXPECT_TRUE(fs::exists(figure("properties.svg")));  // of the same data
+  EXPECT_TRUE(fs::exists(figure("properties.svg")));  // drawn from the same data
   EXPECT_EQ(outcome.drawn, 1u);
 }
 

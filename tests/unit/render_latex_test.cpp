@@ -44,7 +44,7 @@ bool is_row(std::string const& line) {
   return line.ends_with("\\\\") || line.ends_with("\\\\*");
 }
 
-// Every { closed, no $ left open, escaped ones apart.
+// Every { is closed and no $ is left open; escaped ones do not count.
 void expect_balanced(std::string const& text) {
   int depth = 0, dollars = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -113,7 +113,7 @@ TEST(Latex, TableA5StatesLargeValuesInAPowerOfTen) {
 TEST(Latex, RowsHaveAsManyCellsAsTheTableHasColumns) {
   for (int const devices : {1, 2, 4, 7}) {
     auto summary = fixture::lot(devices);
-    summary.laws[1].devices[0] = DeviceFit{};  // refused: a row all the same
+    summary.laws[1].devices[0] = DeviceFit{};  // refused, but still a row
     summary.laws[1].devices[0].device = "D1";
     auto const tex = table_a5_tex(summary);
     auto const of_columns = tex.find("ll*{");
@@ -122,7 +122,7 @@ TEST(Latex, RowsHaveAsManyCellsAsTheTableHasColumns) {
     for (auto const& line : lines(tex)) {
       if (!is_row(line) || line.find("caption") != std::string::npos || line.find("continued") != std::string::npos)
         continue;
-      // A head of three columns is one cell.
+      // A head over three columns is one cell.
       EXPECT_EQ(separators(line) + 2 * count("\\multicolumn{3}", line) + 1, columns) << line;
     }
   }

@@ -1,4 +1,4 @@
-// The page as text: self-contained, nothing of the input outside its data block, and the block's numbers.
+// The page as text: it is self-contained, holds input in its data block alone, and the block's numbers are right.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -116,7 +116,7 @@ TEST(PageData, CurvesComeBackWithinTheirStep) {
   auto const& expected = summary.laws[1].devices[2].force_kN;
   ASSERT_EQ(values.size(), expected.size());
   double const step = data["laws"][1]["devices"][2]["force_kN"]["s"].get<double>();
-  EXPECT_LT(step, 0.02);  // kN, of a range of 250
+  EXPECT_LT(step, 0.02);  // kN, in a range of 250
   for (std::size_t i = 0; i < values.size(); ++i) EXPECT_NEAR(values[i], expected[i], 0.51 * step);
 }
 
@@ -138,7 +138,7 @@ TEST(PageData, LongRecordsAreThinnedEvenlyWithBothEnds) {
   EXPECT_EQ(drawn.back(), 999u);
 }
 
-// To the digits the page has: six in profiles and intervals, nine elsewhere.
+// Compares to the digits that the page holds: six in profiles and intervals, nine elsewhere.
 void expect_close(Json const& written, std::optional<double> expected, double relative) {
   ASSERT_EQ(written.is_null(), !expected || !std::isfinite(*expected)) << written;
   if (written.is_null()) return;

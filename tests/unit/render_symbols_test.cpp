@@ -1,4 +1,4 @@
-// How names and numbers are set: base/symbol.hpp, base/number_text.hpp.
+// How names and numbers are typeset: base/symbol.hpp, base/number_text.hpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ TEST(Symbols, AreALetterAndAnIndex) {
   EXPECT_EQ(gnuplot_symbol("g"), "{/:Italic g}");
 }
 
-// Two parameters of one law that were set alike could not be told apart.
+// Two parameters of one law with the same symbol could not be told apart.
 TEST(Symbols, TellTheParametersOfALawApart) {
   for (auto const& law : laws::catalogue()) {
     std::vector<std::string> set;

@@ -58,7 +58,7 @@ TEST(CsvCell, FormulasAreDisarmedAndNumbersAreNot) {
   EXPECT_EQ(csv_cell("-1.5e3"), "-1.5e3");
   EXPECT_EQ(csv_cell("+2"), "+2");
   EXPECT_EQ(csv_cell("D 1"), "D 1");
-  EXPECT_EQ(csv_cell("-"), "-");  // a unit
+  EXPECT_EQ(csv_cell("-"), "-");  // the unit of a plain number
 }
 
 TEST(CsvCell, QuotesWhatNeedsThem) {
@@ -156,8 +156,8 @@ TEST(Tables, PropertiesWithARefusedDevice) {
   EXPECT_EQ(rows[3][column("cycle")], "3");
   EXPECT_EQ(rows[3][column("counts")], "yes");
   EXPECT_EQ(rows[3][column("reported")], "yes");
-  EXPECT_EQ(rows[3][column("strain [%]")], "100");  // 208 mm of 208 mm of rubber
-  EXPECT_EQ(rows[3][column("G [MPa]")], "");        // its area is not given
+  EXPECT_EQ(rows[3][column("strain [%]")], "100");  // 208 mm on 208 mm of rubber
+  EXPECT_EQ(rows[3][column("G [MPa]")], "");        // no area is given
   EXPECT_EQ(rows[10][0], fixture::nasty_name);
   EXPECT_EQ(rows[10][2], "");
   EXPECT_EQ(rows[10].back(), "line 7: not a number: \"<script>alert(2)</script>\"");

@@ -46,7 +46,7 @@ TEST(Findings, PublishedLotHasThePublishedFront) {
       "4 of 6 laws are worth considering: the choice lies between accuracy (Jankowski) and robustness (Bilinear); the best compromise is Vaiana.");
 }
 
-// A law that is on the front by the optimiser's noise alone is no compromise.
+// A law that is on the front only through the optimiser's noise is no compromise.
 TEST(Findings, CompromiseStaysOnTheFrontWithoutNoise) {
   auto summary = fixture::lot(10, 6);
   auto const mark = [&](std::string const& id) {

@@ -1,4 +1,4 @@
-// The files: all of them, whole or not at all.
+// All files of a report are written, each wholly or not at all.
 #include <gtest/gtest.h>
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-// One device against a rule set: formulas, limits at their edge, conditions, and what never becomes a verdict.
+// One device against a rule set: formulas, limits at their edge, conditions, and lines that never get a verdict.
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -98,7 +98,7 @@ TEST(Limits, AreNeverContradictedByTheDeviationAsText) {
   EXPECT_EQ(text(1.2), "+20.0 %");  // passes
   EXPECT_EQ(text(1.2004), "+20.04 %");
   EXPECT_EQ(text(1.200000004), "+20.0000004 %");
-  EXPECT_EQ(text(1.1999999), "+20.0 %");  // within, as it reads
+  EXPECT_EQ(text(1.1999999), "+20.0 %");  // within the limit, and reads as if at it
   EXPECT_EQ(text(0.79996), "-20.004 %");
   EXPECT_EQ(text(0.8), "-20.0 %");
   EXPECT_EQ(deviation_text(0.04, {}, 0.0), "+0.04 %");
@@ -128,6 +128,9 @@ TEST(Formulas, PerSideAreForceOverDisplacement) {
   auto const &plus = find(lines, "K_eff, positive side"), &minus = find(lines, "K_eff, negative side");
   EXPECT_NEAR(*plus.value, 1.3, 1e-12);
   EXPECT_EQ(plus.formula, "F+/d+, cycle 3");
+  EXPECT_TRUE(is_of(plus, Quantity::K_eff) && !is_of(plus, Quantity::damping));
+  EXPECT_EQ(name(plus.side), "positive");
+  EXPECT_EQ(name(minus.side), "negative");
   EXPECT_EQ(plus.verdict, Verdict::fail);
   EXPECT_NEAR(*minus.value, 1.1, 1e-12);
   EXPECT_EQ(minus.formula, "F-/d-, cycle 3");
@@ -225,7 +228,7 @@ TEST(Verdicts, NeedStrainAndLoadWhereTheSetAsksForThem) {
   expect_parts(reason(tested, d), {"give the rubber thickness"});
 }
 
-// Whatever was measured and however good the conditions: nobody compared these limits with their text.
+// A set is verified when its limits were compared with their text; otherwise no measurement gets a verdict from it.
 TEST(Verdicts, AreNeverGivenByASetThatIsNotVerified) {
   std::vector<RuleSet> sets{read_rule_text(rule_set_text("template"), "template.toml")};
   for (auto const& set : built_in_rule_sets())
@@ -293,7 +296,7 @@ TEST(VerticalStiffness, IsHeldToTheSetThatNamesIt) {
   expect_parts(open.reason, {"no design value: give K_v=..."});
 }
 
-// Those of the shear test are not its own: the set asks for 0.1 or 0.5 Hz.
+// The conditions of the shear test do not apply to the compression test: the set asks for 0.1 or 0.5 Hz.
 TEST(VerticalStiffness, DoesNotDependOnTheConditionsOfTheShearTest) {
   auto tested = with_vertical(900.0);
   tested.frequency_Hz = 7.0;
@@ -319,7 +322,7 @@ TEST(VerticalStiffness, HasItsSpreadOverALot) {
   EXPECT_NEAR(*found->mean, 1000.0, 1e-9);
   EXPECT_EQ(found->nominal, 1000.0);
   EXPECT_EQ(found->limit_individual, "at least -30 %");
-  // An analysis with mean properties is one of the response to shear.
+  // An analysis with mean properties concerns the response to shear alone.
   EXPECT_FALSE(found->mean_analysis_permitted);
   EXPECT_EQ(found->mean_analysis_open, "");
   devices = {{"C", block()}};
@@ -340,18 +343,20 @@ TEST(Stability, ComparesCyclesWithOneAnother) {
       "[[stability]]\nquantity = \"K_eff\"\nmeasure = \"change_from_first\"\ncycles = [2, 10]\nat_most_percent = 25\n"
       "[[stability]]\nquantity = \"energy\"\nmeasure = \"loss_from_first\"\ncycles = [1, 3]\nat_most_percent = 20\n",
       within_20));
-  // K_eff 1.5, 1.2 ..., 1.2, 0.9: 0.9/1.5 = 0.6; from the second, 0.9/1.2 - 1 = -25 %. Energy 15/12 of the others'
-  // first: 1 - 12/15 = 20 %.
+  // K_eff is 1.5, 1.2 ..., 1.2, 0.9: 0.9/1.5 = 0.6; from the second cycle on, 0.9/1.2 - 1 = -25 %. The first energy is
+  // 15/12 of the others: 1 - 12/15 = 20 %.
   auto tested = block(1.0, 10);
   tested.cycles[0] = cycle(1, 1.25);
   tested.cycles[9] = cycle(10, 0.75);
   auto const lines = [&] {
     std::vector<Assessment> found;
     for (auto const& line : assess(rules, tested, {}))
-      if (line.quantity.ends_with("over cycles")) found.push_back(line);
+      if (line.subject == Subject::cycles) found.push_back(line);
     return found;
   };
   ASSERT_EQ(lines().size(), 3u);
+  EXPECT_EQ(lines()[0].quantity, "K_eff over cycles");
+  EXPECT_FALSE(is_of(lines()[0], Quantity::K_eff));
   EXPECT_NEAR(*lines()[0].value, 0.6, 1e-12);
   EXPECT_NEAR(*lines()[1].value, 25.0, 1e-9);
   EXPECT_NEAR(*lines()[2].value, 20.0, 1e-9);
@@ -359,7 +364,7 @@ TEST(Stability, ComparesCyclesWithOneAnother) {
   tested.cycles[9] = cycle(10, 0.749);
   tested.cycles[0] = cycle(1, 1.26);
   for (auto const& line : lines()) EXPECT_EQ(line.verdict, Verdict::fail) << line.formula;
-  // A gain is a change, but no loss.
+  // A gain is a change, but not a loss.
   tested.cycles[9] = cycle(10, 1.3);
   tested.cycles[0] = cycle(1, 0.5);
   EXPECT_NEAR(*lines()[1].value, 30.0, 1e-9);
@@ -377,7 +382,7 @@ TEST(LoadVariation, IsTheDifferenceBetweenTheLoads) {
   };
   EXPECT_EQ(line({}, design()).verdict, Verdict::not_assessed);
   expect_parts(line({}, design()).reason, {"largest and at the smallest vertical load"});
-  // (1.29 - 1.11)/1.2 = 15 %, the limit itself.
+  // (1.29 - 1.11)/1.2 = 15 % is the limit itself.
   EXPECT_NEAR(*line(LoadPair{block(1.075), block(0.925)}, design()).value, 15.0, 1e-9);
   EXPECT_EQ(line(LoadPair{block(1.075), block(0.925)}, design()).verdict, Verdict::pass);
   EXPECT_EQ(line(LoadPair{block(0.925), block(1.0751)}, design()).verdict, Verdict::fail);
@@ -385,7 +390,7 @@ TEST(LoadVariation, IsTheDifferenceBetweenTheLoads) {
   EXPECT_EQ(line(LoadPair{block(), block()}, {}).verdict, Verdict::not_assessed);
 }
 
-// Deviations, ratios and verdicts are relative: units do not matter.
+// Deviations, ratios and verdicts are relative, so units do not matter.
 TEST(Assess, DoesNotDependOnTheUnits) {
   auto const ntc = find_rule_set("ntc-2018");
   std::mt19937_64 random(7);

@@ -123,7 +123,7 @@ TEST(LotView, OneDeviceIsNoLot) {
   EXPECT_EQ(line.verdict, Verdict::not_assessed);
   expect_parts(line.reason, {"one device is no lot"});
   EXPECT_EQ(lot_view(rules_of(limits), lot_of({1.0, 1.0}), design, 10).note, "");
-  // The whole production lot is that one device.
+  // That one device is the whole production lot.
   auto const whole = lot_view(rules_of(limits), lot_of({1.0}), design, 1);
   EXPECT_EQ(whole.note, "");
   EXPECT_EQ(of(whole, Quantity::K_eff).mean_limits.at(0).verdict, Verdict::pass);
@@ -182,8 +182,8 @@ TEST(LotView, JudgesTheSample) {
             rules_of(limits).id + " has no rule for the sample");
 }
 
-// Three devices of which one has the record of another: the means count it, the sample and what follows from its size
-// do not.
+// One of three devices has the record of another. The means count it, but the sample does not, nor does anything that
+// follows from the sample's size.
 TEST(LotView, ACopyIsNoFurtherDeviceTested) {
   auto const rules = rules_of(fmt::format("[sample]\nshare_percent = 20\nleast = 3\n{}", limits));
   auto devices = lot_of({0.99, 1.01, 1.01});
@@ -203,7 +203,10 @@ TEST(LotView, ACopyIsNoFurtherDeviceTested) {
   EXPECT_EQ(stiffness.mean_limits.at(0).verdict, Verdict::not_assessed);
   expect_parts(stiffness.mean_limits.at(0).reason,
                {"2 devices with this property, 3 required", "D3: the same record as D2, counted in the mean"});
+  EXPECT_EQ(name(stiffness.mean_limits.at(0).subject), "lot");
   expect_parts(bound(stiffness, "statistical, system").note, {"mean of 3 devices, 2 of them tested"});
+  EXPECT_EQ(name(bound(stiffness, "statistical, system").spread), "system");
+  EXPECT_EQ(name(bound(stiffness, "observed").spread), "device");
   devices.erase(devices.begin());
   auto const one = lot_view(rules, devices, parse_design("K_eff=1.2"), 3);
   expect_parts(one.note, {"one device is no lot"});
@@ -244,7 +247,7 @@ TEST(Outliers, AreNotNamedAmongNearlyIdenticalDevices) {
   EXPECT_TRUE(find_outliers("K", "", std::span(names).first(4), std::vector<double>{1, 1, 1, 9}).empty());
 }
 
-// The measured Q_d of a bearing, in kN: it rises from the first cycle to the second.
+// The measured Q_d of a bearing, in kN, which rises from the first cycle to the second.
 TEST(TestFactors, EncloseEveryCountedCycle) {
   auto tested = block(1.0, 7);
   std::vector<double> const Q_d{56.93, 58.96, 57.98, 57.1, 56.5, 56.07, 55.21};
@@ -304,8 +307,7 @@ TEST(Combine, IsTheFormulaOfTheRules) {
 }
 
 TEST(Spread, KeepsTheDeviceAndTheSystemApart) {
-  // 1.95996 x 7 / sqrt(28) = 2.5928; x sqrt(22/27) = 2.3404; t(0.975, 5) = 2.570582: x 7 sqrt(1/6 - 1/28) =
-  // 6.5116.
+  // 1.95996 x 7/sqrt(28) = 2.5928; x sqrt(22/27) = 2.3404; t(0.975, 5) = 2.570582, x 7 sqrt(1/6 - 1/28) = 6.5116.
   EXPECT_NEAR(system_half_width_percent(7, 28, 0), 2.5928, 1e-4);
   EXPECT_NEAR(system_half_width_percent(7, 28, 1), 2.5928, 1e-4);
   EXPECT_NEAR(system_half_width_percent(7, 28, 6), 2.3404, 1e-4);
@@ -317,7 +319,7 @@ TEST(Spread, KeepsTheDeviceAndTheSystemApart) {
   EXPECT_TRUE(std::isnan(prediction_half_width_percent(7, 28, 1)));
 }
 
-// The prediction holds what it promises: 95 % of lots drawn from a normal production.
+// The prediction must keep its promise and hold 95 % of the lots drawn from a normal production.
 TEST(Spread, ThePredictionOfTheSystemHolds95PercentOfLots) {
   std::mt19937_64 random(3);
   std::normal_distribution<double> device(1.0, 0.07);
@@ -356,8 +358,8 @@ TEST(Bounds, AreLabelledBySource) {
   // k CoV = 6.3411 x 8.16497 = 51.7749 %
   EXPECT_NEAR(bound(view, "statistical, each device").spec.max, 1.517749, 1e-5);
   EXPECT_NEAR(bound(view, "statistical, each device").spec.min, 1 - 0.517749, 1e-5);
-  // 1.95996 x 8.16497/sqrt(28) x sqrt(24/27) = 2.85130 %; t(0.975, 3) = 3.182446 x 8.16497 x sqrt(1/4 - 1/28) = 12.0286
-  // %
+  // 1.95996 x 8.16497/sqrt(28) x sqrt(24/27) = 2.85130; t(0.975, 3) = 3.182446, x 8.16497 sqrt(1/4 - 1/28) = 12.0286,
+  // all in %.
   EXPECT_NEAR(bound(view, "statistical, system").spec.max, 1.0285130, 1e-6);
   EXPECT_NEAR(bound(view, "statistical, system predicted").spec.min, 1 - 0.120286, 1e-6);
   EXPECT_EQ(view.bounds.size(), 5u);

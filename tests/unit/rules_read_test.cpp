@@ -144,7 +144,7 @@ TEST(Template, MeansWhatItsCommentsSay) {
   EXPECT_EQ(set.factors_of(Quantity::energy), nullptr);
 }
 
-// The ways of counting that the template only mentions.
+// The template only mentions these ways of counting.
 TEST(Template, OffersThreeWaysOfCountingCycles) {
   auto const with = [](std::string_view cycles) {
     std::string text(rule_set_text("template"));
@@ -248,7 +248,7 @@ TEST(FindRules, NamesWhatThereIs) {
   expect_parts(refusal_of([] { find_rule_set("/dev"); }), {"is a directory"});
 }
 
-// An empty text is that of a campaign that is held to nothing.
+// A campaign without rules stores an empty text, so an empty file must not pass for a rule set.
 TEST(FindRules, AnEmptyFileIsNoRuleSet) {
   auto const path = std::filesystem::temp_directory_path() / "isolaw-empty-rules.toml";
   std::ofstream(path).close();
@@ -263,7 +263,7 @@ TEST(RequiredSample, IsTheShareWithinItsBounds) {
                                                  {21, 5}, {28, 6}, {35, 7}, {100, 20}};
   for (auto const& [lot, sample] : by_size) EXPECT_EQ(required_sample(ntc, lot), sample) << lot;
   for (int lot = 5; lot < 1000; lot += 5) EXPECT_EQ(required_sample(ntc, lot), std::max(lot / 5, 4)) << lot;
-  // 2.2 % of 1500 are 33, of which binary makes 33.000000000000004.
+  // 2.2 % of 1500 are 33, but binary numbers make 33.000000000000004 of it.
   EXPECT_EQ(required_sample({.share_percent = 2.2, .least = 1, .clause = {}}, 1500), 33);
   EXPECT_EQ(required_sample({.share_percent = 100, .least = 1, .clause = {}}, 28), 28);
 }

@@ -1,6 +1,6 @@
 // Records of cyclic tests with known truth, drawn from a seed: devices, waveforms, sampling, noise and digitisers as
-// laboratories have them; and what goes wrong with their channels. tests/unit/data_signals_test.cpp counts by them how
-// often a fault is found and how often one is found where there is none.
+// laboratories have them, and faults of their channels. tests/unit/data_signals_test.cpp counts with them how often a
+// fault is found, and how often one is reported where there is none.
 #pragma once
 
 #include <algorithm>
@@ -34,7 +34,7 @@ class Drawn {
   double on_logs(double low, double high) { return low * std::pow(high / low, uniform()); }
   int whole(int low, int high) { return low + static_cast<int>(between(0.0, high - low + 1.0 - 1e-9)); }
   bool chance(double p) { return uniform() < p; }
-  // Polar method of Marsaglia, two at a time. The distributions of the standard library differ from one to another.
+  // Marsaglia's polar method, two numbers at a time; the standard library's distributions differ between libraries.
   double normal() {
     if (next_normal_) return *std::exchange(next_normal_, std::nullopt);
     double x = 0.0, y = 0.0, square = 0.0;
@@ -49,7 +49,7 @@ class Drawn {
   }
 
  private:
-  // Of 64 bits, below 1.
+  // A number below 1 from 64 random bits.
   double uniform() {
     auto const low = static_cast<double>(random_()), high = static_cast<double>(random_());
     return std::min((low + 0x1p32 * high) * 0x1p-64, std::nextafter(1.0, 0.0));
@@ -59,7 +59,7 @@ class Drawn {
 };
 
 struct Bounds {
-  double most_disp_noise = 0.002, most_force_noise = 0.005;  // of the amplitudes
+  double most_disp_noise = 0.002, most_force_noise = 0.005;  // shares of the amplitudes
   int fewest_samples = 60, most_samples = 1000;              // per cycle
   int fewest_bits = 12;
 };
@@ -69,10 +69,10 @@ struct Plan {
   Device device = Device::rubber;
   int samples = 200, cycles = 3, bits = 0;
   double amplitude_mm = 100.0, frequency_Hz = 0.5, disp_noise = 0.0, force_noise = 0.0;
-  // Of a Bouc-Wen loop: what it yields at, of the amplitude; K1/K2; the exponent.
+  // For a Bouc-Wen loop: its yield displacement as a share of the amplitude, K1/K2, and the exponent.
   double yields_at = 0.02, stiffness_ratio = 20.0;
   int exponent = 1;
-  double overdriven = 1.4;  // of a trapezoid: the triangle that it is cut from, of the amplitude
+  double overdriven = 1.4;  // for a trapezoid: height of the triangle that it is cut from, over the amplitude
 };
 
 inline Plan draw(Drawn& random, Bounds const& bounds, bool holds) {
@@ -89,7 +89,7 @@ inline Plan draw(Drawn& random, Bounds const& bounds, bool holds) {
   return plan;
 }
 
-// Displacement in parts of the amplitude, `phase` in cycles from the start.
+// Displacement as a share of the amplitude; `phase` counts cycles from the start.
 inline double shape_of(Plan const& plan, double phase) {
   double const part = phase - std::floor(phase);
   auto const triangle = [](double p) { return p < 0.25 ? 4.0 * p : p < 0.75 ? 2.0 - 4.0 * p : 4.0 * p - 4.0; };
@@ -113,10 +113,10 @@ inline double shape_of(Plan const& plan, double phase) {
   }
 }
 
-// Force in kN on a history that is sampled finely; the amplitude scales stiffness and way.
+// The force in kN along a finely sampled history; stiffness and distances scale with the amplitude.
 inline std::vector<double> force_of(Device device, std::vector<double> const& x, double dt, Plan const& plan) {
   double const D = plan.amplitude_mm, K = 100.0 / D, period = 1.0 / plan.frequency_Hz;
-  double elastic = 0.6, Q = 0.4, way = 0.1, maxwell = 0.0, damper = 0.0;  // of the amplitudes
+  double elastic = 0.6, Q = 0.4, way = 0.1, maxwell = 0.0, damper = 0.0;  // as shares of the amplitudes
   if (device == Device::lead) elastic = 0.35, Q = 0.65, way = 0.02;
   if (device == Device::friction) elastic = 0.2, Q = 0.8, way = 0.001;
   if (device == Device::relaxing) elastic = 0.5, Q = 0.25, way = 0.1, maxwell = 0.5;
@@ -149,7 +149,7 @@ inline void add_noise(Drawn& random, std::vector<double>& x, double deviation) {
     for (double& value : x) value += deviation * random.normal();
 }
 inline void digitise(std::vector<double>& x, int bits, double full_scale) {
-  double const step = bits > 0 ? 2.0 * full_scale / std::pow(2.0, bits) : 1e-4;  // else the digits of the file
+  double const step = bits > 0 ? 2.0 * full_scale / std::pow(2.0, bits) : 1e-4;  // without bits, the digits of the file
   for (double& value : x) value = step * std::round(value / step);
 }
 
@@ -157,7 +157,7 @@ struct Clean {
   std::vector<double> time_s, disp_mm, force_kN;
 };
 
-// Without noise: rest, cycles, rest.
+// The motion without noise: rest, cycles, rest.
 inline Clean true_motion(Plan const& plan) {
   constexpr int finer = 8;
   int const n = plan.samples * plan.cycles * finer;

@@ -1,4 +1,4 @@
-// A small lot made by hand for the tests of the report: devices that differ a little, laws that miss their loops in
+// A small made-up lot for the tests of the report: devices that differ a little, laws that miss their loops in
 // different ways, and one refused device whose name attacks every output format.
 #pragma once
 
@@ -34,8 +34,8 @@ inline ParameterFit parameter(std::string name, std::string unit, double mean, d
   return fit;
 }
 
-// Three laws for exact tests; the others fill the page for browser tests. Objectives and betas are those that the
-// published table gives.
+// The first three laws serve exact tests; the others fill the page for browser tests. Objectives and betas are those of
+// the published table.
 inline std::vector<LawSketch> sketches() {
   return {
       {"bilinear",
@@ -105,7 +105,7 @@ inline std::vector<LawSketch> sketches() {
   };
 }
 
-// Three cycles of ±208 mm at 0.5 Hz; factors 1 give the record itself.
+// The force on three cycles of ±208 mm at 0.5 Hz; factors of 1 give that of the record itself.
 inline std::vector<double> loop_force(data::FitRecord const& record, double stiffness, double strength,
                                       double scragging) {
   std::vector<double> force;
@@ -224,7 +224,7 @@ inline Summary lot(int device_count = 3, int law_count = 3) {
         double const difference = scatter * (1.0 + 0.4 * static_cast<double>(n));
         parameter.value.mean = *parameter.value.mean * (1.0 + difference);
         if (device_count > 1) parameter.percent_of_lot = 100.0 * difference;
-        if (parameter.name == "alpha+" && d != 1) parameter.at_bound = "upper";
+        if (parameter.name == "alpha+" && d != 1) parameter.at_bound = fit::AtBound::upper;
         fit.parameters.push_back(parameter);
       }
       law.devices.push_back(fit);

@@ -1,5 +1,5 @@
-// The campaign beside the published study: with the study's own numbers every value is the printed one and every
-// statement is judged as its table judges it; other numbers, fewer laws, another reading change what is said.
+// The campaign beside the published study: with the study's own numbers every value is the printed one, and every
+// statement is judged as its table judges it. Other numbers, fewer laws or another reading change the result.
 #include "isolaw/study/published.hpp"
 
 #include <gtest/gtest.h>
@@ -60,7 +60,7 @@ PublishedLaw const& row(Published const& made, std::string const& id) {
   return *std::ranges::find(made.laws, id, &PublishedLaw::law);
 }
 
-// Which laws are the study's stands with each law; the printed table has numbers for those, under the same ids.
+// Each law states whether it belongs to the study; the printed table has numbers for exactly those, by the same ids.
 TEST(PublishedTable, has_a_row_for_each_law_of_the_study) {
   std::set<std::string_view> printed, known;
   for (auto const& law : table_a5::laws) {
@@ -76,7 +76,7 @@ TEST(Published, ItsOwnNumbersAreFoundAgain) {
   auto const made = published(campaign_of_table());
   ASSERT_TRUE(made);
   ASSERT_EQ(made->laws.size(), 6u);
-  // Of the printed table, computed apart from this program.
+  // From the printed table, computed without this program.
   std::map<int, std::pair<double, double>> const expected{{1, {0.137, 0.1421}}, {2, {0.079, 0.3030}},
                                                           {3, {0.088, 0.2164}}, {4, {0.089, 0.2171}},
                                                           {5, {0.085, 0.2590}}, {6, {0.117, 0.3341}}};
@@ -99,7 +99,7 @@ TEST(Published, ItsOwnNumbersAreFoundAgain) {
   }
 }
 
-// Three of its statements do not follow from its own table.
+// Three statements of the study do not follow from its own table.
 TEST(Published, StatementsOfTheStudyInItsOwnTable) {
   auto const made = published(campaign_of_table());
   ASSERT_TRUE(made);
@@ -135,7 +135,7 @@ TEST(Published, OtherNumbersAreJudgedAnew) {
 TEST(Published, WhatCannotBeJudgedIsOpenWithItsReason) {
   auto summary = campaign_of_table();
   std::erase_if(summary.laws, [](auto const& law) { return law.id == "bouc-wen"; });
-  for (auto& law : summary.laws) law.beta.reset();  // as of one device
+  for (auto& law : summary.laws) law.beta.reset();  // as with one device
   auto const made = published(summary);
   EXPECT_EQ(statement(*made, "Laws 2 to 6").here, std::nullopt);
   EXPECT_EQ(statement(*made, "Laws 2 to 6").found, "no objective of law 4");
@@ -172,7 +172,7 @@ TEST(Published, RunsThatEndAtOnePlaceHaveNoScatterToCompare) {
   EXPECT_EQ(statement(*published(summary), "Law 3 scatters").here, true);
 }
 
-// Law 5 has two readings: the closer one is judged by where both are there, and they do not make two laws.
+// Law 5 has two readings. Where both are there, the closer one is judged, and the two count as one law.
 TEST(Published, TwoReadingsOfLaw5) {
   auto summary = campaign_of_table();
   auto other = the(summary, "abe-y0");

@@ -1,4 +1,4 @@
-// The descriptions of results against the page that documents them.
+// The descriptions of results are compared with the page that documents them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -59,7 +59,7 @@ void expect_all_documented(Result<Of> const (&results)[count], std::vector<std::
   EXPECT_EQ(rows.size(), count);
 }
 
-// Where the members of an object stand in the row of it.
+// The row of an object must name each of its members.
 template <class Of, std::size_t count, class Whole>
 void expect_members(Result<Of> const (&results)[count], Result<Whole> const& whole) {
   for (auto const& row : results)
@@ -122,7 +122,7 @@ TEST(Results, HaveAHeadingForEachCell) {
   EXPECT_EQ(texts(columns(cycle_results, {"D_y_mm"})[0]), std::vector<std::string>{"D_y [mm]"});
 }
 
-// The page finds the value of a device for a property of the lot under the heading of the cycle's.
+// The page looks up a property of the lot in the devices by the heading of the cycles, so the names must be equal.
 TEST(Results, OfALotsPropertiesAreNamedAsThoseOfCycles) {
   for (auto const quantity : rules::measured_quantities())
     EXPECT_EQ(std::ranges::count(cycle_results, rules::name(quantity), &Result<CycleOf>::heading), 1)
@@ -135,7 +135,7 @@ TEST(Results, UndefinedIsNoValue) {
   EXPECT_TRUE(std::holds_alternative<std::monostate>(columns(law_results, {"beta"})[0].of(LawResult{})));
   EXPECT_TRUE(std::holds_alternative<std::monostate>(columns(parameter_results, {"tied_to"})[0].of(ParameterFit{})));
   ParameterFit fit;
-  fit.at_bound = "upper";
+  fit.at_bound = fit::AtBound::upper;
   EXPECT_EQ(std::get<std::string_view>(columns(parameter_results, {"at_bound"})[0].of(fit)), "upper");
 }
 

@@ -1,4 +1,4 @@
-// What the lines of a device come to: never a bare pass where something was not compared.
+// The verdict on a device and on the lot: never a bare pass where something was not compared.
 #include "finding_text.hpp"
 #include "isolaw/study/verdict.hpp"
 
@@ -16,6 +16,7 @@ using rules::Verdict;
 Assessment line(std::string quantity, Verdict verdict, std::optional<double> deviation = std::nullopt,
                 std::string limit = "from -20 % to +20 %") {
   Assessment made;
+  if (quantity == "K_v") made.property = rules::Quantity::K_v;
   made.quantity = std::move(quantity);
   made.verdict = verdict;
   made.limit = std::move(limit);
@@ -43,7 +44,7 @@ TEST(DeviceVerdict, OfWhatWasNotComparedIsNamed) {
                      line("damping, positive side", Verdict::not_assessed),
                      line("damping, negative side", Verdict::not_assessed), line("K_v", Verdict::not_assessed)}),
             "pass on 1 of 3 (K_eff; not assessed: damping, K_v)");
-  // A side that could not be compared leaves the quantity without a pass.
+  // A quantity with a side that could not be compared does not pass.
   EXPECT_EQ(text_of({line("K_eff, positive side", Verdict::pass), line("K_eff, negative side", Verdict::not_assessed),
                      line("damping", Verdict::pass)}),
             "pass on 1 of 2 (damping; not assessed: K_eff)");
@@ -51,7 +52,7 @@ TEST(DeviceVerdict, OfWhatWasNotComparedIsNamed) {
             "not assessed");
 }
 
-// A device whose test in shear was compared with nothing does not pass for its compression test.
+// A device whose shear test was compared with nothing does not pass by its compression test.
 TEST(DeviceVerdict, ACompressionTestAloneIsNoPass) {
   EXPECT_EQ(text_of({line("K_eff", Verdict::not_assessed), line("damping", Verdict::not_assessed),
                      line("K_v", Verdict::pass, 8.3)}),
@@ -65,9 +66,9 @@ TEST(DeviceVerdict, InformationOnWhatHasNoLimitIsNoVerdict) {
   EXPECT_EQ(text_of({line("K_eff", Verdict::not_assessed), line("Q_d", Verdict::information, 3.0, "")}),
             "not assessed");
   EXPECT_EQ(text_of({line("K_eff", Verdict::information, 3.0), line("damping", Verdict::not_assessed)}),
-            "information");  // of a set that is not verified
+            "information");  // from a set that is not verified
   EXPECT_EQ(text_of({line("Q_d", Verdict::information, 3.0, ""), line("K_v", Verdict::not_assessed, {}, "")}),
-            "information");  // of a set without limits on a device
+            "information");  // from a set without limits on a device
   EXPECT_EQ(text_of({}), "not assessed");
 }
 
@@ -214,7 +215,7 @@ TEST(OverallVerdict, NamesTenDevicesThatFailAndCountsTheOthers) {
   EXPECT_EQ(verdict_against(summary, "Y"), "");
 }
 
-// What the measurement may have done to a value stands beside it.
+// Two devices hold the same record: the second gets no verdict, and the reason stands beside it.
 TEST(OverallVerdict, OneRecordIsNoTestOfTwoDevices) {
   auto summary = verified_lot();
   add(summary, "D01", {line("K_eff", Verdict::pass)});
@@ -233,7 +234,7 @@ TEST(OverallVerdict, OneRecordIsNoTestOfTwoDevices) {
   EXPECT_EQ(device_verdict(copy).brief(), "not assessed");
 }
 
-// What the record shows of the first device is said of whatever law is taken from the other one.
+// The record of the copy shows the first device, so a law taken from the copy carries that device's failure.
 TEST(OverallVerdict, OfACopyTheFirstDeviceFails) {
   auto summary = verified_lot();
   add(summary, "D01", {line("K_eff", Verdict::fail, 23.0)});
@@ -241,7 +242,7 @@ TEST(OverallVerdict, OfACopyTheFirstDeviceFails) {
   auto& copy = summary.devices[1].acceptance;
   copy.copy_of = "D01";
   rules::withhold_verdicts(copy.assessments, copy.copy_of);
-  EXPECT_EQ(copy.assessments[1].verdict, Verdict::pass);  // of a test of its own
+  EXPECT_EQ(copy.assessments[1].verdict, Verdict::pass);  // from a test of its own
   EXPECT_EQ(overall_verdict(summary).failing.size(), 1u);
   EXPECT_EQ(verdict_against(summary, "D02"), "D01 fails NTC 2018: K_eff +23.0 %");
 }

@@ -30,7 +30,7 @@ namespace {
 
 using std::numbers::pi;
 
-// Masses in Mg. Periods on a rigid base and of the whole as a rigid body.
+// Masses are in Mg. The expected periods are those of the structure on a rigid base and of the whole as a rigid body.
 struct TwoMasses {
   double share, base_period_s, floor_period_s;
   std::array<double, 2> periods_s;
@@ -64,7 +64,7 @@ TEST(Building, frequencies_of_an_eccentric_deck) {
        {Case{0.1, 1.2, {0.9891102469, 1.2089916954}}, Case{0.2, 1.0, {0.8944271910, 1.0954451150}},
         Case{0.05, 1.4, {0.9987005855, 1.4009272431}}}) {
     Structure const deck({.base = {.mass_Mg = mass, .gyration_mm = r}, .floors = {}});
-    // Stiffness along x is off the centre along y. Omega is of the rotation about the centre of mass.
+    // Stiffness along x acts off the centre of mass in y. `ratio` is that of the rotation about the mass.
     Matrix3 bearings = Vector3(k, 100.0 * k, k * r * r * ratio * ratio).asDiagonal();
     bearings(0, 2) = bearings(2, 0) = -k * e * r;
     auto const frequencies = deck.frequencies_on(bearings);
@@ -74,7 +74,7 @@ TEST(Building, frequencies_of_an_eccentric_deck) {
   }
 }
 
-// A spring, a dashpot and what a law adds, along x.
+// A spring and a dashpot along x, in parallel with a law's bearing.
 class Dashpot final : public Bearing {
  public:
   Dashpot(double stiffness, double damping, std::unique_ptr<Bearing> beside)
@@ -105,7 +105,7 @@ Model rigid_mass(double mass_Mg) {
   return {Structure({.base = {.mass_Mg = mass_Mg, .gyration_mm = 1000.0}, .floors = {}}), {.bearings = {{0.0, 0.0}}}};
 }
 
-// Chopra, Dynamics of Structures, 4th edition, examples 5.3, 5.5 and 5.6, printed to four decimals: kip, in, s there.
+// Chopra, Dynamics of Structures, 4th edition, examples 5.3, 5.5 and 5.6: units kip, in, s, printed to four decimals.
 TEST(Building, chopra_average_acceleration) {
   double const mass = 0.2533, k = 10.0, c = 2.0 * 0.05 * std::sqrt(k * mass);
   Motion motion{.name = "half sine", .step_s = 0.1, .x_mm_s2 = {}};
@@ -117,10 +117,10 @@ TEST(Building, chopra_average_acceleration) {
     bearings.push_back(std::make_unique<Dashpot>(k, c, nullptr));
     auto const run = integrate(model, bearings, motion, options);
     constexpr std::array u{.0437, .2326, .6121, 1.0825, 1.4309, 1.4231, .9622, .1908, -.6044, -1.1442};
-    // The fourth velocity is that of the displacements printed; 4.4260 stands in some copies of the table.
+    // The fourth velocity follows from the printed displacements; some copies of the table have 4.4260 instead.
     constexpr std::array v{.8733, 2.9057, 4.6833, 4.7260, 2.2421, -2.3996, -6.8192, -8.6092, -7.2932, -3.5026};
     for (std::size_t i = 0; i < u.size(); ++i) {
-      // He rounds at every step, to four decimals.
+      // Chopra rounds to four decimals at every step.
       EXPECT_NEAR(run.history.base[i + 1][0], u[i], 2e-4) << i;
       EXPECT_NEAR(run.history.velocity[i + 1][0], v[i], 1e-3) << i;
     }
@@ -140,7 +140,7 @@ struct Released {
   double half_cycle_s = 0.0, elastic_s = 0.0, speed_mm_s = 0.0;
 };
 
-// Turning points by the cubic through both ends of the step.
+// Turning points are found on the cubic through the displacements and velocities at both ends of a step.
 Released release(double step_s) {
   std::vector<double> const law{6.0, 0.9, 30.0 / 5.1};
   Bearings bearings;
@@ -151,7 +151,7 @@ Released release(double step_s) {
                              {.longest_step_s = step_s, .histories = true, .pulled_to = {150.0, 0.0}});
   Released made;
   auto const& h = run.history;
-  // Back by twice the yield displacement the bearing slides.
+  // Moving back by twice the yield displacement makes the bearing slide.
   double const slides = 150.0 - 2.0 * 30.0 / 5.1;
   for (std::size_t i = 1; i < h.time_s.size(); ++i) {
     double const x0 = h.base[i - 1][0], x1 = h.base[i][0], v0 = h.velocity[i - 1][0], v1 = h.velocity[i][0];
@@ -177,7 +177,7 @@ TEST(Building, free_vibration_on_a_bilinear_bearing) {
   EXPECT_NEAR(made.elastic_s, 0.124144550, 1e-7);
   EXPECT_NEAR(made.speed_mm_s, -174.696969, 2e-4);
   EXPECT_NEAR(made.half_cycle_s, 1.002422303, 2e-7);
-  // Errors fall as the square of the step, whatever the corner of the law does inside one.
+  // The error falls as the square of the step, even when the law has a corner inside a step.
   auto const error = [&](double step_s) { return std::abs(release(step_s).turns_mm[0] - turns[0]); };
   double const coarse = error(8e-3), fine = error(1e-3);
   EXPECT_GT(std::log2(coarse / fine) / 3.0, 1.7);
@@ -204,7 +204,7 @@ TEST(Building, rigid_mass_on_el_centro) {
     auto const run = integrate(rigid_mass(mass / Mg_in_mass), bearings, motion,
                                {.longest_step_s = 1.25e-4, .rest_s = 20.0, .histories = true});
     ASSERT_EQ(run.outcome, Outcome::completed) << run.why;
-    // The integrator's own error at this step; the sources give their digits rounded.
+    // Tolerances are the integrator's own error at this step plus the rounding of the digits in the sources.
     EXPECT_NEAR(run.of(Measure::isolator), peak, 1e-4);
     EXPECT_NEAR(run.of(Measure::shear) / weight, force, 1.5e-6);
     EXPECT_NEAR(run.history.base.back()[0], end, 3e-4);
@@ -212,8 +212,8 @@ TEST(Building, rigid_mass_on_el_centro) {
   }
 }
 
-// Independent stiffness of every bearing, coefficient of variation 7 %; a load through the centre along x. Values of
-// 200,000 draws elsewhere, to the sampling error of as many here.
+// Every bearing has its own random stiffness (coefficient of variation 7 %); the load acts along x through the centre.
+// The expected values come from 200,000 draws of another program; as many here agree within the sampling error.
 TEST(Building, torsion_of_scattered_bearings) {
   struct Grid {
     std::size_t along, across;
@@ -267,7 +267,7 @@ TEST(Building, torsion_of_scattered_bearings) {
   }
 }
 
-// Park, Wen and Ang's differential form beside whole matrices, by Boost's integrator to a tight tolerance.
+// An independent model: Park, Wen and Ang's differential form with whole matrices, solved by Boost.odeint.
 //     dz/dt = A v - z |z|^(n-2) (z.v) (beta sgn(z.v) + gamma)
 struct BoucWenValues {
   double alpha, Ke, A, beta, n, gamma;
@@ -276,7 +276,7 @@ struct BoucWenValues {
 
 struct Independent {
   std::vector<std::array<double, 3>> base;  // at every sample of the motion
-  double peak_mm = 0.0;                     // of any bearing, at samples
+  double peak_mm = 0.0;                     // largest displacement of any bearing at a sample
 };
 
 Independent by_odeint(Frame const& frame, double damping, Plan const& plan, std::vector<BoucWenValues> const& laws,
@@ -367,7 +367,7 @@ void compare(Frame const& frame, double damping, Plan const& plan, std::vector<B
   EXPECT_NEAR(lanes[static_cast<std::size_t>(Measure::isolator)], truth.peak_mm, 1e-3 * truth.peak_mm);
 }
 
-// Of a device that carries `mass_Mg`: 2.5 s after yielding, 6 % of the weight, yielding within some 15 mm.
+// A device that carries `mass_Mg`: period 2.5 s after yielding, strength 6 % of the weight, yields at about 15 mm.
 BoucWenValues bouc_wen_for(double mass_Mg, double n) {
   double const mass = mass_Mg * Mg_in_mass, after = mass * 6.3165, strength = 0.06 * mass * 9806.65,
                Ke = after + strength / 15.0;

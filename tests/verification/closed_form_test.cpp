@@ -1,5 +1,5 @@
-// The laws against closed forms: loops that can be integrated by hand, differential laws at exponents where they have a
-// solution, algebraic laws at arguments where cosh and the square root are rational.
+// The laws against closed forms: loops that can be integrated by hand, differential laws at exponents where the
+// equation has a solution, algebraic laws at arguments where cosh and the square root are rational.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,8 +36,8 @@ Motion three_triangles(double amplitude_mm, int steps) {
   return polyline(std::vector{0.0, D, -D, D, -D, D}, steps);
 }
 
-// K_eff = K2 + Qd / D, energy 4 Qd (D - xy). The trapezoid misses half a step around each of the two yield points, at
-// most (K1 - K2) h^2 / 4 each; the path has its corners on samples.
+// K_eff = K2 + Qd / D and energy 4 Qd (D - xy). The path has its corners on samples, so the trapezoidal rule errs only
+// around the two yield points, by at most (K1 - K2) h^2 / 4 each.
 TEST(ClosedForm, BilinearLoop) {
   double const K1 = 1.65, K2 = 0.43, xy = 40.6, D = 208.0, Qd = (K1 - K2) * xy;
   constexpr int steps = 5000;
@@ -48,8 +48,8 @@ TEST(ClosedForm, BilinearLoop) {
   EXPECT_NEAR(loop_energy(force, motion.disp_mm, 3 * steps), 4.0 * Qd * (D - xy), 2.0 * (K1 - K2) * h * h / 4.0);
 }
 
-// Virgin, unloading, reloading branches of Eq. (1) with kinematic hardening, at points on either side of each yield
-// point.
+// The virgin, unloading and reloading branches of Eq. (1) with kinematic hardening, at points on both sides of each
+// yield point.
 TEST(ClosedForm, BilinearBranches) {
   auto const values = named<Bilinear>({{"K1", 2.0}, {"K2", 0.5}, {"xy", 10.0}});  // Qd = 15
   Motion motion;
@@ -60,7 +60,7 @@ TEST(ClosedForm, BilinearBranches) {
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(force[i], expected[i], 1e-12) << motion.disp_mm[i];
 }
 
-// The steel model of the 1983 report as others compute it, from the (x0, F0) of each branch: to the digits printed.
+// The steel model of the 1983 report: values of other programs, from each branch's (x0, F0), to the printed digits.
 TEST(ClosedForm, MenegottoPintoBranches) {
   auto const values =
       named<MenegottoPinto>({{"E", 1.0}, {"Fy", 1.0}, {"b", 0.1}, {"R0", 20.0}, {"cR1", 0.925}, {"cR2", 0.15}});
@@ -73,10 +73,10 @@ TEST(ClosedForm, MenegottoPintoBranches) {
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(force[i], expected[i], 5.1e-10) << i;
 }
 
-// No exponential, no sigmoid, equal branches: K_eff = kb + f0 tanh(alpha D) / D and energy 4 f0 [D - tanh(alpha D) /
-// alpha]. kb 0.6 kN/mm, f0 25 kN, alpha 0.08 / mm, D 150 mm: 0.766667 kN/mm and 13750.00 kN mm, each to half a printed
-// digit. The first loop is not yet closed within 2 f0 exp(-2 alpha D) = 2e-9 kN. Trapezoid: 2 f0 alpha h^2 / 6 = 1e-3
-// kN mm in all.
+// Without the exponential and sigmoid terms, with equal branches: K_eff = kb + f0 tanh(alpha D) / D and energy 4 f0 [D
+// - tanh(alpha D) / alpha]. kb 0.6 kN/mm, f0 25 kN, alpha 0.08 / mm, D 150 mm give 0.766667 kN/mm and 13750.00 kN mm,
+// each to half a printed digit. The first loop is still open by 2 f0 exp(-2 alpha D) = 2e-9 kN. The trapezoidal rule
+// errs by 2 f0 alpha h^2 / 6 = 1e-3 kN mm in all.
 TEST(ClosedForm, VaianaLoop) {
   double const kb = 0.6, f0 = 25.0, alpha = 0.08, D = 150.0;
   constexpr int steps = 8000;
@@ -99,8 +99,8 @@ TEST(ClosedForm, VaianaLoop) {
   EXPECT_NEAR(energy, 13750.00, 0.005);
 }
 
-// The limit curves of Eqs. (6)-(9) with all sixteen parameters, far along a branch where the exponential has vanished
-// (alpha times the travel is 40: 4e-18), at points written out by hand from the equations.
+// The limit curves of Eqs. (6)-(9) with all sixteen parameters, so far along a branch that the exponential has vanished
+// (alpha times the travel is 40: 4e-18). The expected values were written out by hand from the equations.
 TEST(ClosedForm, VaianaLimitCurves) {
   double const ln2 = std::numbers::ln2;
   auto const values = named<Vaiana>({{"Kb+", 4e5},
@@ -126,9 +126,9 @@ TEST(ClosedForm, VaianaLimitCurves) {
   EXPECT_NEAR(force[200], -70.0 * 15.0 + 4.0 * 700.0 / 5.0 - 2.0 * 700.0 + 3e5 * -0.2 - 3e4, 1e-8);
 }
 
-// Bouc-Wen with n = 1 on a monotone piece. In y = s z, s the direction of motion, and the travel t = |x - x0|:
-//     y' = A + c y  for y < 0, c = gamma - beta;     y' = A - b y  for y >= 0, b = beta + gamma,
-// linear equations with exponential solutions; y passes zero once at most, upwards.
+// Bouc-Wen with n = 1 while x moves one way. With y = s z, s the direction of motion, and the travel t = |x - x0|:
+//     y' = A + c y  for y < 0, c = gamma - beta;     y' = A - b y  for y >= 0, b = beta + gamma.
+// Both equations are linear and have exponential solutions; y passes zero at most once, upwards.
 double bouc_wen_n1(double y, double travel, double A, double beta, double gamma) {
   double const b = beta + gamma, c = gamma - beta;
   if (y < 0.0) {
@@ -144,7 +144,7 @@ struct Shape {
   double A, beta, gamma;
 };
 
-// 1e-5 of saturation is what the tabulated flow claims for any n (flow_test.cpp).
+// The tabulated flow promises an error below 1e-5 of saturation for any n (flow_test.cpp).
 TEST(ClosedForm, BoucWenWithExponentOne) {
   constexpr double alpha = 0.15, Ke = 3.0;
   for (auto const& [A, beta, gamma] :
@@ -167,9 +167,9 @@ TEST(ClosedForm, BoucWenWithExponentOne) {
   }
 }
 
-// gamma far above beta: unloading from saturation starts at the slope A (1 + kappa), kappa = (beta - gamma) / (beta +
-// gamma) near -1, so z leaves its saturated value slowly. The box of an unknown device allows gamma = 1200 beta. The
-// closed form multiplies an error made at the start by 1 / (1 + kappa), and so does the tolerance.
+// With gamma far above beta, unloading from saturation starts at the slope A (1 + kappa), where kappa = (beta - gamma)
+// / (beta + gamma) is near -1: z leaves saturation slowly. The box of an unknown device allows gamma = 1200 beta. The
+// closed form multiplies an error made at the start by 1 / (1 + kappa); the tolerance grows by the same factor.
 TEST(ClosedForm, BoucWenThatHardlyUnloads) {
   for (double const ratio : {5.0, 20.0, 200.0, 1000.0}) {
     double const beta = 0.1 / (1.0 + ratio), gamma = ratio * beta, z_max = 10.0, one_plus_kappa = 2.0 * beta / 0.1;
@@ -187,8 +187,8 @@ TEST(ClosedForm, BoucWenThatHardlyUnloads) {
   }
 }
 
-// A is redundant: z -> c z with A -> c A, beta and gamma -> c^(1-n) times, and the stiffnesses chosen so that alpha Ke
-// and (1 - alpha) Ke z stay, is the same force. Only rounding differs, which a travel of a hundred samples multiplies.
+// A is redundant: the change z -> c z, A -> c A, beta and gamma times c^(1-n), with stiffnesses that keep alpha Ke and
+// (1 - alpha) Ke z, gives the same force. Only rounding differs, which a travel of a hundred samples multiplies.
 TEST(ClosedForm, BoucWenRescaled) {
   constexpr double alpha = 0.2, Ke = 3.0, A = 1.2, beta = 0.05, gamma = 0.03, n = 1.2;
   auto const motion = irregular(4, 200.0, 4, 80);
@@ -207,7 +207,7 @@ TEST(ClosedForm, BoucWenRescaled) {
   }
 }
 
-// F1 and F3 are algebraic in x and the peak. A yield force of 1e-12 kN leaves them alone.
+// A yield force of 1e-12 kN leaves F1 and F3 alone, which are algebraic in x and the peak.
 template <class Law>
 Values<Law> without_hysteresis(double Y0) {
   auto values = named<Law>({{"K1", 8.0},
@@ -237,7 +237,7 @@ void elastic_parts_alone() {
       } else {
         values[index_of<Law>("K1")] = values[index_of<Law>("a")] = 0.0;
       }
-      // One Runge-Kutta step per sample of 10 mm in U0 = 4 mm is stable enough for a yield force of nothing.
+      // Runge-Kutta steps are refined 20 times: 10 mm per sample is long beside U0 = 4 mm.
       auto const force = forces<Law>(values, motion, integration == Integration::paper ? 20 : 1, integration);
       double peak = 0.0;
       for (std::size_t i = 0; i < motion.size(); ++i) {
@@ -256,8 +256,8 @@ TEST(ClosedForm, AbeY0ElasticPartsAlone) {
   elastic_parts_alone<AbeY0>();
 }
 
-// Long one-way motion saturates F2 at +-Y0: abe-y0 always, abe where Uh is so large that the yield force does not grow
-// ((400 / 1e12)^1.7 is nothing). 1 - u falls by exp(-n) for each Ut = 4 mm of travel: n = 0.3 and 400 mm leave e^-30.
+// Long one-way motion saturates F2 at +-Y0: abe-y0 always, abe if Uh is so large that the yield force does not grow
+// ((400 / 1e12)^1.7 is negligible). 1 - u falls by exp(-n) per Ut = 4 mm: n = 0.3 and 400 mm leave e^-30.
 template <class Law>
 void saturates() {
   auto values = without_hysteresis<Law>(45.0);
@@ -275,9 +275,9 @@ TEST(ClosedForm, AbeY0Saturated) {
   saturates<AbeY0>();
 }
 
-// n = 1 with a constant yield displacement (Us huge) is Bouc-Wen's exponential with A = beta = 1 / U0, gamma = 0. With
-// a growing one, on the virgin branch, dt = dx / [U0 (1 + x / Us)], so u = 1 - (1 + x / Us)^(-Us / U0). The tolerance
-// is that of the tabulated flow.
+// With n = 1 and a constant yield displacement (Us huge) u is Bouc-Wen's exponential with A = beta = 1 / U0, gamma = 0.
+// When the yield displacement grows, the virgin branch has dt = dx / [U0 (1 + x / Us)], so u = 1 - (1 + x / Us)^(-Us /
+// U0). The tolerance is that of the tabulated flow.
 TEST(ClosedForm, AbeY0WithExponentOne) {
   auto values = named<AbeY0>({{"alpha", 1.0}, {"n", 1.0}, {"Y0", 45.0}, {"Uh", 80.0}, {"U0", 5.0}, {"Us", 1e9}});
   auto const motion = polyline(std::vector{0.0, 12.0, 3.0, 9.0, -30.0, -28.0, 60.0}, 9);
@@ -295,7 +295,7 @@ TEST(ClosedForm, AbeY0WithExponentOne) {
     EXPECT_NEAR(growing[i], 45.0 * (1.0 - std::pow(1.0 + virgin.disp_mm[i] / 20.0, -4.0)), 1e-5 * 45.0) << i;
 }
 
-// Points where cosh and the square root are rational: cosh(ln 2) = 5/4; v / sqrt(a11^2 + v^2) = 4/5 for 0.3 and 0.4.
+// Points where cosh and the root are rational: cosh(ln 2) = 5/4; v / sqrt(a11^2 + v^2) = 4/5 for v = 0.4, a11 = 0.3.
 TEST(ClosedForm, JankowskiByHand) {
   double const ln2 = std::numbers::ln2;
   auto const values = named<Jankowski>({{"a1", 100.0},
@@ -321,7 +321,7 @@ TEST(ClosedForm, JankowskiByHand) {
   EXPECT_NEAR(force[4], -32.0, 1e-11);
 }
 
-// Without a9 and a10 the work does not matter: F = (a1 + a2 x^2 + a3 x^4 + a4 / cosh^2(a5 v)) x + 2 (a6 + a7 x^2) v /
+// With a9 = a10 = 0 the work does not matter: F = (a1 + a2 x^2 + a3 x^4 + a4 / cosh^2(a5 v)) x + 2 (a6 + a7 x^2) v /
 // sqrt(a8^2 + v^2).
 TEST(ClosedForm, HwangWuWithoutWork) {
   auto const values = named<HwangWu>(
@@ -337,8 +337,8 @@ TEST(ClosedForm, HwangWuWithoutWork) {
   }
 }
 
-// Only a4 and the work: F = a4 x exp(a9 W) at v = 0, so exp(-a9 W) W' = a4 x and W = -ln(1 - a9 a4 (x^2 - x0^2) / 2) /
-// a9. Runge-Kutta at 200 steps over a9 W of order one: below 1e-9.
+// With a4 and a9 alone, F = a4 x exp(a9 W) at v = 0, so exp(-a9 W) W' = a4 x and W = -ln(1 - a9 a4 (x^2 - x0^2) / 2) /
+// a9. Runge-Kutta with 200 steps over a9 W of order one errs by less than 1e-9.
 TEST(ClosedForm, HwangWuDegradesWithTheWholeWork) {
   double const a4 = 50.0, a9 = -1e-4;
   auto const values = named<HwangWu>({{"a4", a4}, {"a8", 1.0}, {"a9", a9}});

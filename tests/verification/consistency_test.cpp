@@ -1,5 +1,5 @@
-// The laws against one another and against an independent program, on the published means of ten devices: the
-// check of docs/source.md.
+// The laws against one another and against an independent program, with the published means of ten devices: the check
+// that docs/source.md describes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -55,7 +55,7 @@ template <class Law>
 class Consistency : public ::testing::Test {};
 TYPED_TEST_SUITE(Consistency, PaperLaws, LawName);
 
-// The tolerances of the specification; the printed digits are worth 0.005 kN, 0.00005 kN/mm, 0.005 %.
+// Tolerances as specified; the rounding of the printed digits contributes 0.005 kN, 0.00005 kN/mm, 0.005 %.
 TYPED_TEST(Consistency, ThirdCycleOfTenDevices) {
   auto const& reference = expected(TypeParam::info.id);
   for (std::size_t device = 0; device < table_a5::devices; ++device) {

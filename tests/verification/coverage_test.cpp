@@ -1,8 +1,7 @@
-// Coverage: intervals of 95 % are told from records with known noise, a hundred times over, and hold the true
-// parameters as often as they say.
-//
-// Pooled over the parameters that the record determines, by the program's own verdict: 90 to 99 %. Where there are
-// fewer than a hundred records, these bounds lie one standard error of that many independent answers further out.
+// Coverage of the 95 % intervals: records with known noise are made a hundred times over, and the share of intervals
+// that hold the true parameter is counted, pooled over the parameters that the program says the record determines. The
+// share must lie between 90 and 99 %. With fewer than a hundred records, these bounds are one standard error of that
+// many independent answers wider.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +24,7 @@ constexpr int usual_records = 100;
 
 struct CoverageCase {
   std::string law;
-  std::vector<std::string> set = {};  // so that the record determines at least one parameter
+  std::vector<std::string> set = {};  // fixed so that the record determines at least one parameter
   twins::Noise noise = {};
   int records = usual_records;
   int replicates = 0;
@@ -41,7 +40,7 @@ std::vector<fit::Override> overrides_of(CoverageCase const& c) {
   return made;
 }
 
-// Of the intervals of all records and all determined parameters, how many hold the truth.
+// Counts the intervals of all determined parameters in all records, and those that hold the true value.
 struct Count {
   int intervals = 0, linear = 0, bootstrap = 0;
   double share(int holding) const { return holding / static_cast<double>(intervals); }
@@ -102,8 +101,8 @@ TEST_P(Coverage, OfIntervals) {
 
 constexpr twins::Noise correlated{.correlation = 0.8};
 
-// The exponents of vaiana's hardening lie where it shows. Of abe's parameters, those of its elastic part and of its
-// decay are fixed: three cycles with this noise determine none of them all.
+// vaiana's exponents are narrowed to where the hardening shows. Of abe's parameters, those of the elastic part and of
+// the decay are fixed: three cycles with this noise do not determine all of them.
 std::vector<CoverageCase> linearised() {
   std::vector<std::string> const abe{"alpha=20", "beta=0.5", "a=0", "b=1", "Uh=300", "K2=0.4", "r=0.5"};
   std::map<std::string_view, std::vector<std::string>> narrowed{

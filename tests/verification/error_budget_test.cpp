@@ -1,5 +1,5 @@
-// The error budget's formulas against loops whose properties are known exactly: what sampling, skew, friction and mass
-// do to an ellipse, a bilinear loop and an exponential one (Vaiana's without hardening) under a sine of 208 mm, 0.5 Hz.
+// The formulas of the error budget against loops whose properties are known exactly: effect of sampling, skew, friction
+// and mass on an ellipse, a bilinear and an exponential loop (Vaiana's without hardening) of 208 mm at 0.5 Hz.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,14 +17,14 @@ using std::numbers::pi;
 constexpr double D = 208.0;  // mm
 constexpr double f = 0.5;    // Hz
 
-// A steady loop as a function of the phase of x = D sin(phase).
+// The force of a steady loop as a function of the phase of x = D sin(phase).
 using Loop = std::function<double(double)>;
 
 Loop ellipse(double K, double damping) {  // F = K (x + tan(phi) D cos), damping = tan(phi) / 2
   return [=](double phase) { return K * D * (std::sin(phase) + 2.0 * damping * std::cos(phase)); };
 }
 
-// The path since the last reversal, and the branch: +1 rising.
+// The travel since the last reversal, and the direction of the branch: +1 rising.
 struct Branch {
   double sign, travelled;
 };
@@ -49,7 +49,7 @@ Loop exponential() {
   };
 }
 
-// Four cycles at `samples` a cycle from `start` on (in samples), the force `late_s` late.
+// Four cycles with `samples` per cycle, the first at sample `start` of the sine, the force delayed by `late_s`.
 Cycle measured(Loop const& loop, int samples, double late_s = 0.0, double start = 0.0) {
   std::vector<double> time, disp, force;
   for (int i = 0; i <= 4 * samples + 1; ++i) {
@@ -58,7 +58,7 @@ Cycle measured(Loop const& loop, int samples, double late_s = 0.0, double start 
     disp.push_back(D * std::sin(phase));
     force.push_back(loop(phase - 2.0 * pi * f * late_s));
   }
-  // The cycle that is reported, also where it is not: a late force may give back more than a slim loop holds.
+  // Also where the program reports no cycle: a delayed force may return more energy than a slim loop dissipates.
   return *cyclic_properties(CycleView{disp, force, time, {}}).find(1, 3);
 }
 
@@ -75,13 +75,13 @@ TEST_P(Sampling, OfAnEllipse) {
 
 TEST_P(Sampling, MissesThePeakBetweenSamples) {
   int const N = GetParam();
-  auto const cycle = measured(ellipse(0.6, 0.15), N, 0.0, 0.5);  // the peak halfway between two samples
+  auto const cycle = measured(ellipse(0.6, 0.15), N, 0.0, 0.5);  // the peak is halfway between two samples
   EXPECT_NEAR(100.0 * (1.0 - cycle.amplitude_mm / D), peak_loss_percent(N), 1e-9);
 }
 
-// The corners of a bilinear loop fall between samples, and cost energy of the same order as the curvature of an
-// ellipse; the exponential loop bends over two lengths 1 / alpha = 12.5 mm just after a reversal, where samples are
-// dense. Both stay within twice the ellipse's figure, but for the corner's own at 20 samples.
+// A bilinear loop has corners between samples, which cost about as much energy as the curvature of an ellipse. The
+// exponential loop bends within two lengths 1 / alpha = 12.5 mm after a reversal, where samples are dense. Both stay
+// within twice the ellipse's figure, except the bilinear corner at 20 samples, which has its own tolerance.
 TEST_P(Sampling, OfABilinearLoop) {
   int const N = GetParam();
   auto const cycle = measured(bilinear(), N);
@@ -101,11 +101,10 @@ TEST_P(Sampling, OfAnExponentialLoop) {
 INSTANTIATE_TEST_SUITE_P(PerCycle, Sampling, ::testing::Values(20, 48, 100, 200));
 
 // --- skew of 10 ms at 0.5 Hz, epsilon = 2 pi f dt = 0.0314 rad ------------------------------------------------------
-// F early by epsilon adds to the energy pi D a1 sin(epsilon), a1 the part of the force's first harmonic in phase with
-// x:
-// damping grows by (a1 / (K D)) epsilon / 2 = 1.571 points times a1 / (K D), K the effective stiffness. At the peak the
-// force has begun to fall, with the stiffness K_u of unloading, over D epsilon^2 / 2: K becomes smaller and damping
-// larger by the share (epsilon^2 / 2) (K_u / K - 1), the cosine that the energy loses taken into account.
+// A force early by epsilon adds pi D a1 sin(epsilon) to the energy; a1 is the part of the force's first harmonic in
+// phase with x. So damping grows by (a1 / (K D)) epsilon / 2, 1.571 points times a1 / (K D), K the effective stiffness.
+// At the peak the force has already fallen, with the unloading stiffness K_u, over D epsilon^2 / 2: K becomes smaller
+// and damping larger by the share (epsilon^2 / 2) (K_u / K - 1), which includes the cosine that the energy loses.
 
 constexpr double skew_s = 0.010;
 
@@ -118,7 +117,7 @@ TEST(Skew, InTheLimitOfLowDampingIsPiFDt) {
   EXPECT_NEAR(measured(ellipse(0.6, 0.005), 4000, skew_s).damping_percent - 0.5, -1.5708, 0.002);
 }
 
-// Damping is tan(phi) / 2 and phi moves by epsilon: (1 + 4 xi^2) epsilon / 2 to first order, here without it.
+// Damping is tan(phi) / 2 and phi moves by epsilon: (1 + 4 xi^2) epsilon / 2 to first order. The formula omits 4 xi^2.
 TEST(Skew, OfAnEllipse) {
   for (double const damping : {0.15, 0.165, 0.18}) {
     double const phi = std::atan(2.0 * damping);
@@ -130,7 +129,7 @@ TEST(Skew, OfAnEllipse) {
   }
 }
 
-// Points by which damping `xi` grows, from in-phase amplitude and unloading stiffness as above.
+// By how many percentage points damping `xi` grows, from the in-phase amplitude and the unloading stiffness as above.
 double predicted(double in_phase_kN, double K, double xi, double K_unloading) {
   double const epsilon = 2.0 * pi * f * skew_s;
   double const first_order = in_phase_kN / (K * D) * epsilon / 2.0;
@@ -182,7 +181,7 @@ TEST(Offset, OfEitherChannelLeavesPeakToPeakStiffnessAndEnergy) {
     EXPECT_NEAR(moved.K_eff_kN_per_mm, plain.K_eff_kN_per_mm, 1e-12);
     EXPECT_NEAR(moved.energy_kN_mm, plain.energy_kN_mm, 1e-9 * plain.energy_kN_mm);
     EXPECT_NEAR(moved.damping_percent, plain.damping_percent, 1e-9);
-    EXPECT_GT(std::abs(moved.K_plus_kN_per_mm - plain.K_plus_kN_per_mm), 0.05);  // one side does feel it
+    EXPECT_GT(std::abs(moved.K_plus_kN_per_mm - plain.K_plus_kN_per_mm), 0.05);  // that of one side changes
   }
 }
 
@@ -219,7 +218,7 @@ TEST(MovingAverage, TakesWhatTheSincSays) {
   EXPECT_NEAR(average_loss_percent(11, 200.0), 100.0 * (1.0 - sinc(0.5 * 0.11)), 0.01);
   EXPECT_NEAR(average_loss_percent(11, 200.0 / 3.0), 100.0 * (1.0 - sinc(1.5 * 0.11)), 0.05);
   EXPECT_NEAR(average_loss_percent(1, 200.0), 0.0, 1e-12);
-  double sum = 0.0;  // of the 11 samples about the peak of a sine
+  double sum = 0.0;  // sum of the 11 samples about the peak of a sine
   for (int i = -5; i <= 5; ++i) sum += std::cos(2.0 * pi * i / 200.0);
   EXPECT_NEAR(average_loss_percent(11, 200.0), 100.0 * (1.0 - sum / 11.0), 1e-9);
 }

@@ -1,6 +1,5 @@
-// The flow of the differential laws against quadrature. The travel from u0 to u1 is the integral of du /
-// rate(u), which Gauss-Kronrod and tanh-sinh give to twelve digits and more; the flow must arrive at u1 after that
-// travel.
+// The flow of the differential laws against quadrature. The travel from u0 to u1 is the integral of du / rate(u), which
+// Gauss-Kronrod and tanh-sinh give to twelve digits and more; the flow must reach u1 after that travel.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,23 +41,23 @@ constexpr double kappas[] = {-0.99, -0.9, -0.75, -0.5, 0.0, 1.0, 3.0};
 constexpr double abe_exponents[] = {0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1.0};
 constexpr double abe_kappa = 1.0;
 
-// In the words of saturating_flow.hpp; beyond |u| = 3 the table has the lane.
+// The errors that saturating_flow.hpp promises; above |u| = 3 only the table applies.
 constexpr double claimed_error = 1e-7, claimed_error_of_table = 1e-5;
 double claimed(double n, double kappa) {
   if (n <= 2.0 && kappa <= 1.0) return claimed_error * std::max(1.0, 0.5 / (1.0 + kappa));
   return kappa > 1.0 && n > 1.5 ? 2e-5 : 5e-7 * std::max(1.0, 0.5 / (1.0 + kappa));
 }
 
-// Travel on the unloading piece from u0 < u1 <= 0. The integrand is bounded; |u|^n has a singular derivative at 0,
-// where tanh-sinh puts its points.
+// Travel on the unloading piece from u0 < u1 <= 0. The integrand is bounded, but |u|^n has a singular derivative at 0,
+// where tanh-sinh concentrates its points.
 double travel_below_zero(double n, double kappa, double u0, double u1) {
   if (u0 == u1) return 0.0;
   boost::math::quadrature::tanh_sinh<double> rule;
   return rule.integrate([&](double w) { return 1.0 / (1.0 + kappa * std::pow(w, n)); }, -u1, -u0, 1e-13);
 }
 
-// Travel on the rising piece from 0 <= u0 < u1 < 1: up to a half in u, where u^n may be singular, from there in
-// s = -ln(1 - u), in which the integrand is smooth up to saturation.
+// Travel on the rising piece from 0 <= u0 < u1 < 1: in u up to 0.5, since u^n may be singular at 0; beyond that in s =
+// -ln(1 - u), where the integrand is smooth up to saturation.
 double travel_below_one(double n, double u0, double u1) {
   constexpr double half = 0.5;
   double travel = 0.0;
@@ -90,7 +89,7 @@ double travel(double n, double kappa, double u0, double u1) {
   return sum;
 }
 
-// n = 1 and n = 2 have elementary travels: a check of the check.
+// n = 1 and n = 2 have elementary travels, which check the quadrature itself.
 TEST(Quadrature, KnownTravels) {
   EXPECT_NEAR(travel(1.0, 1.0, -0.8, 0.6), std::log(1.8) - std::log(0.4), 1e-12);
   EXPECT_NEAR(travel(2.0, 1.0, -0.8, 0.6), std::atan(0.8) + std::atanh(0.6), 1e-12);
@@ -99,7 +98,7 @@ TEST(Quadrature, KnownTravels) {
   EXPECT_NEAR(travel(0.5, 0.0, 0.0, 0.81), -2.0 * (0.9 + std::log(0.1)), 1e-12);
 }
 
-// Pairs of a start and a place further on.
+// Starting values of u; each is paired with every later one.
 std::vector<double> const rising_places{-1.0, -0.9, -0.5, -0.1, -0.01, -1e-4, -1e-6, 0.0,   1e-7,   1e-5,
                                         1e-3, 0.02, 0.1,  0.3,  0.6,   0.85,  0.97,  0.999, 0.99999};
 
@@ -121,7 +120,7 @@ double largest_rising_error(double n, double kappa, std::vector<double> const& p
 }
 
 // Near kappa = -1 the curve leaves u = -1 at the rate 1 + kappa only, and the equation itself multiplies an error made
-// there by 1 / (1 + kappa) on the way to rate 1.
+// there by 1 / (1 + kappa) until the rate is 1.
 TEST(SaturatingFlow, FollowsTheEquationFromBelowSaturation) {
   for (double const kappa : kappas) {
     double worst = 0.0;
@@ -134,7 +133,7 @@ TEST(SaturatingFlow, FollowsTheEquationFromBelowSaturation) {
   }
 }
 
-// abe also starts below -1, where errors are judged by the rate of the start, 1 + |u|^n.
+// abe also starts below -1; errors there are measured relative to the rate at the start, 1 + |u|^n.
 TEST(SaturatingFlow, FollowsTheEquationFromFarBelowToo) {
   auto places = rising_places;
   places.insert(places.begin(), {-50.0, -20.0, -7.0, -2.0});
@@ -145,7 +144,7 @@ TEST(SaturatingFlow, FollowsTheEquationFromFarBelowToo) {
   }
 }
 
-// From above saturation down to it; errors relative to u.
+// Decrease from above saturation down to it; errors are relative to u.
 TEST(SaturatingFlow, FallsToSaturationFromAbove) {
   std::vector<double> const places{50.0, 30.0, 12.0, 5.0, 2.5, 1.6, 1.2, 1.05, 1.01, 1.0001};
   for (double const n : abe_exponents) {
@@ -159,8 +158,8 @@ TEST(SaturatingFlow, FallsToSaturationFromAbove) {
   }
 }
 
-// Every reversal converts forth and back. Ten thousand of them must not move a device by a hundredth of the error that
-// the flow may have: a conversion is two Newton steps from a good guess.
+// Every reversal converts u to travel and back. Ten thousand reversals must not move a device by a hundredth of the
+// flow's permitted error: a conversion is two Newton steps from a good guess.
 template <class Flow>
 double largest_drift(double n, double kappa, std::vector<double> const& places) {
   Flow flow(n, kappa);
@@ -190,9 +189,8 @@ TEST(SaturatingFlow, RoundTripsDoNotDriftBeyondSaturation) {
         << "n " << n;
 }
 
-// Monotone in the travel, never past saturation, and there in the end, within 1e-7: from u
-// = -1 the curve reaches zero within a travel of 1 / (1 + kappa), then 1 - u falls like exp(-n t). The allowances are
-// for rounding.
+// u is monotone in the travel, never passes saturation, and is within 1e-7 of it in the end: from u = -1 the curve
+// reaches zero within a travel of 1 / (1 + kappa), then 1 - u falls like exp(-n t). The allowances are for rounding.
 TEST(SaturatingFlow, RisesMonotonicallyToSaturation) {
   for (double const n : exponents)
     for (double const kappa : kappas) {
@@ -226,13 +224,13 @@ TEST(SaturatingFlow, FallsMonotonicallyToSaturation) {
       }
       EXPECT_NEAR(before, 1.0, 2e-7) << "n " << n << ", from " << u;
     }
-    // Whoever comes from below stays below, whatever the travel.
+    // A start below saturation stays below it for any travel.
     for (double const u : {-30.0, -1.0, 0.0, 0.9999999, 1.0})
       for (double const t : {0.0, 1.0, 1e3, 1e9}) EXPECT_LE(flow.advance(u, t).u, 1.0) << "n " << n << ", from " << u;
   }
 }
 
-// The rates that advance() reports are those of the equation; relative to the larger of the rate and the mean rate, 1.
+// advance() reports the rates of the equation; errors are relative to the larger of the rate and the mean rate, 1.
 TEST(SaturatingFlow, RatesAreThoseOfTheEquation) {
   auto const rate = [](double n, double u) { return u < 0.0 ? 1.0 + std::pow(-u, n) : 1.0 - std::pow(u, n); };
   for (double const n : abe_exponents) {
@@ -240,7 +238,7 @@ TEST(SaturatingFlow, RatesAreThoseOfTheEquation) {
     for (double const u : {-20.0, -1.0, -0.3, -0.01, 0.01, 0.2, 0.8, 0.999, 1.2, 5.0, 40.0})
       for (double const t : {0.0, 0.02, 0.3, 2.0}) {
         auto const moved = flow.advance(u, t);
-        // The polynomial of a cell of the table bends more than its value errs: 1e-3 of a rate that lies between 0 and
+        // The derivative of the table's polynomial is less exact than its value: 1e-3 of a rate that lies between 0 and
         // 2 (or 1 + 40^n).
         double const scale = 1e-3 * (1.0 + std::pow(std::abs(u), n));
         EXPECT_NEAR(moved.rate0, rate(n, u), scale) << "n " << n << ", from " << u;
@@ -251,7 +249,7 @@ TEST(SaturatingFlow, RatesAreThoseOfTheEquation) {
   }
 }
 
-// n <= 0 or kappa <= -1: z runs away on unloading instead of returning; the class promises values that are not finite.
+// For n <= 0 or kappa <= -1, z runs away on unloading instead of returning; the class promises non-finite values there.
 TEST(SaturatingFlow, PromisesNothingFiniteOutsideItsDomain) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (auto const& [n, kappa] :

@@ -1,5 +1,5 @@
-// ozdemir and bwbn: closed forms of the flow, the equations of the sources integrated here in many steps, and values of
-// another implementation.
+// ozdemir and bwbn against closed forms of the flow, against the sources' equations integrated here in many steps, and
+// against values of another implementation.
 #include "isolaw/num/error_function.hpp"
 
 #include <gtest/gtest.h>
@@ -19,8 +19,7 @@ namespace {
 using laws::Bwbn;
 using laws::Ozdemir;
 
-// y(x) along the corners by classical Runge-Kutta steps, so many a leg: y at every corner. slope(x, y, direction) =
-// dy/dx.
+// y at every corner of the path x, by `steps` classical Runge-Kutta steps per leg. slope(x, y, direction) = dy/dx.
 template <std::size_t N, class Slope>
 std::vector<std::array<double, N>> integrated(std::vector<double> const& corner, int steps, Slope const& slope) {
   using Y = std::array<double, N>;
@@ -49,7 +48,7 @@ double energy(std::vector<double> const& x, std::vector<double> const& force, st
   return sum;
 }
 
-// Against the C library: every binade, both signs, the seam of the two rational functions and the end.
+// Against the C library: every binade, both signs, the seam of the two rational functions and the end of the range.
 TEST(ErrorFunction, IsThatOfTheLibrary) {
   for (double u = 1e-300; u < 1e3; u *= 1.0007) {
     EXPECT_NEAR(num::erf(u), std::erf(u), 4e-16 * std::min(1.0, 2.0 * u)) << u;
@@ -60,8 +59,8 @@ TEST(ErrorFunction, IsThatOfTheLibrary) {
   EXPECT_TRUE(std::isnan(num::erf(std::nan(""))));
 }
 
-// n = 1: z goes to the saturation ahead as exp(-K |dx| / Y), whatever its sign. n = 2: tanh, after unloading by tan.
-// The table of the flow is 1e-9 off here, and 1e-5 for other n at its worst.
+// For n = 1, z approaches saturation as exp(-K |dx| / Y), whatever its sign. For n = 2 it is a tanh, after unloading by
+// a tan. The flow's table errs by 1e-9 here, and by 1e-5 at worst for other n.
 TEST(Ozdemir, ClosedForms) {
   double const K = 3.0, Y = 40.0, alpha = 0.2;
   double z1 = 0.0, z2 = 0.0;
@@ -80,7 +79,7 @@ TEST(Ozdemir, ClosedForms) {
   }
 }
 
-// F' = Ks (x' - |x'| |s/Ys|^n sgn(s)), s = F - Ks alpha (x - F/Ks), as the source has it.
+// The source's form: F' = Ks (x' - |x'| |s/Ys|^n sgn(s)), s = F - Ks alpha (x - F/Ks).
 TEST(Ozdemir, IsTheSourceWithItsBackstress) {
   double const Ks = 3.6, Ys = 30.0, alpha = 0.25;
   for (double const n : {1.0, 1.7, 3.0}) {
@@ -90,7 +89,7 @@ TEST(Ozdemir, IsTheSourceWithItsBackstress) {
     });
     double const K = Ks / (1.0 + alpha), Y = Ys * std::pow(1.0 + alpha, -1.0 - 1.0 / n);
     auto const found = forces<Ozdemir>({K, Y, n, alpha, 0, 0, 0}, laws::make_path(corners, {}));
-    // The table, 9e-8 here; 20,000 Runge-Kutta steps are exact beside it.
+    // The table errs by 9e-8 here; the 20,000 Runge-Kutta steps err far less.
     for (std::size_t i = 0; i < corners.size(); ++i) EXPECT_NEAR(found[i], oracle[i][0], 1e-6 * Ys) << n << ", " << i;
   }
 }
@@ -108,7 +107,7 @@ TEST(Ozdemir, TheTermOfAlloysIsElastic) {
   }
 }
 
-// The same numbers as bouc-wen has for what exports are told.
+// ozdemir as bouc-wen: the parameters that exports state give the same forces.
 TEST(Ozdemir, IsBoucWen) {
   auto const x = through(corners, 7);
   auto const path = laws::make_path(x, {});
@@ -116,7 +115,7 @@ TEST(Ozdemir, IsBoucWen) {
     auto const values = scaled_candidate<Ozdemir>(i);
     auto const form = std::get<laws::BoucWenForm>(Ozdemir::canonical(laws::unpack<Ozdemir, double>(values)));
     auto const force = forces<Ozdemir>(values, path);
-    // Rounding, and what powers of it leave of 1 / z_max.
+    // The difference is rounding, also in powers of 1 / z_max.
     EXPECT_LT(largest_difference(forces<laws::BoucWen>({form.alpha, form.Ke, 1.0, form.beta, form.n, form.gamma}, path),
                                  force),
               1e-11 * largest_magnitude(force));
@@ -124,7 +123,7 @@ TEST(Ozdemir, IsBoucWen) {
   EXPECT_TRUE(std::holds_alternative<laws::NoForm>(Ozdemir::canonical({3, 40, 1, 0.2, 10, 0.5, 0.01})));
 }
 
-// A step cut in a thousand is the same step.
+// One step and the same step cut in a thousand give the same force.
 TEST(Ozdemir, StepsAdd) {
   for (std::uint32_t i = 0; i < 50; ++i) {
     auto const values = candidate<Ozdemir>(i);
@@ -135,7 +134,7 @@ TEST(Ozdemir, StepsAdd) {
   }
 }
 
-// Halving a step takes the change of the force to 0, at a slope of the elastic one at the start and twice K at most.
+// As the step is halved the change of the force tends to 0. The slope is at most the elastic one at the start plus 2 K.
 template <class Law, class Bound>
 void expect_continuous(Values<Law> const& values, Bound const& bound) {
   std::vector<std::vector<double>> const histories{
@@ -146,36 +145,36 @@ void expect_continuous(Values<Law> const& values, Bound const& bound) {
         auto x = history;
         x.push_back(x.back() + side * d);
         auto const force = forces<Law>(values, laws::make_path(x, {}));
-        // The table is met at either side of a reversal within 1e-11 of the force.
+        // On both sides of a reversal the table agrees within 1e-11 of the force.
         EXPECT_LE(std::abs(force.back() - force[force.size() - 2]), bound(d) + 1e-9) << d << " from " << history.back();
       }
 }
 
 TEST(Ozdemir, IsContinuous) {
   double const K = 3.0, alpha = 0.2;
-  // erf rises at 2 / sqrt(pi) times its rate.
+  // The largest slope of erf is 2 / sqrt(pi) times its rate.
   for (double const n : {0.2, 1.0, 2.5})
     expect_continuous<Ozdemir>({K, 40.0, n, alpha, 25.0, 0.5, 0.03}, [&](double d) {
       return (2.0 * K + alpha * K * (1.0 + 25.0 * (2.0 * 0.03 + 0.01))) * d;
     });
 }
 
-// dx = dz / K + |dx| |z/Y|^n sgn(z): the work is what z stores, z^2 / 2K, and |z| |z/Y|^n |dx| that is lost. From rest
-// to rest, the first cycle and the second lose energy anywhere in the box, at 2, 50 and 208 mm.
+// From dx = dz / K + |dx| |z/Y|^n sgn(z), the work is the energy stored in z, z^2 / 2K, plus the loss |z| |z/Y|^n |dx|.
+// From rest to rest, the first and the second cycle lose energy anywhere in the box, at 2, 50 and 208 mm.
 TEST(Ozdemir, CyclesDissipate) {
   for (double const amplitude : {2.0, 50.0, 208.0})
     for (std::uint32_t i = 0; i < 200; ++i) {
       auto const x = through({0.0, amplitude, 0.0, -amplitude, 0.0, amplitude, 0.0, -amplitude, 0.0}, 100);
       auto const candidate = scaled_candidate<Ozdemir>(i);
       auto const force = forces<Ozdemir>(candidate, laws::make_path(x, {}));
-      // Of a cycle that is all but elastic no more is left than the flow errs.
+      // An almost elastic cycle loses less than the flow's error.
       double const error = 3e-7 * candidate[index_of<Ozdemir>("Y")] * amplitude;
       EXPECT_GT(energy(x, force, 0), -error) << amplitude << " mm, " << i;
       EXPECT_GT(energy(x, force, 400), -error) << amplitude << " mm, " << i;
     }
 }
 
-// The parameters and values of another implementation in many small steps.
+// Parameters and values of another implementation that takes many small steps.
 Values<Bwbn> const joint{0.03, 24.877, 1.0, 0.5, 0.1, 1.0, 0.4, 0.9, 1.0, 0.2, 0.001, 0.05, 0.0, 0.0};
 
 TEST(Bwbn, Values) {
@@ -191,7 +190,7 @@ TEST(Bwbn, Values) {
     double const force = Bwbn::step<double>(params, state, made.steps[i]);
     if (i == 0 || i % steps != 0) continue;
     std::size_t const corner = i / steps - 1;
-    // Half of the last digit printed and more; the fewest of e have five.
+    // A little more than half of the last printed digit; e has as few as five digits.
     EXPECT_NEAR(force, F[corner], 8e-8);
     EXPECT_NEAR(state.z, z[corner], 8e-8);
     EXPECT_NEAR(state.e, e[corner], corner == 0 ? 8e-8 : 6e-6);
@@ -219,13 +218,13 @@ TEST(Bwbn, IsItsEquations) {
     auto const found = forces<Bwbn>(values, laws::make_path(through(path, 100), {}));
     for (std::size_t i = 0; i < path.size(); ++i) {
       double const expected = alpha * ko * path[i] + (1.0 - alpha) * ko * oracle[i][0];
-      // Strength is held over each of its steps: 8e-6 of the peak force.
+      // The law holds the strength constant over each step, which costs 8e-6 of the peak force.
       EXPECT_NEAR(found[100 * i], expected, 3e-5 * 107.0) << A << ", " << path[i];
     }
   }
 }
 
-// Without pinching and degradation: bouc-wen, and the same for what A is redundant with.
+// Without pinching and degradation bwbn is bouc-wen, with the same redundancy of A.
 TEST(Bwbn, IsBoucWenWithoutPinching) {
   auto const path = laws::make_path(through(corners, 7), {});
   for (std::uint32_t i = 0; i < 50; ++i) {
@@ -256,7 +255,7 @@ TEST(Bwbn, AIsRedundant) {
   }
 }
 
-// Unloading is nowhere flatter than loading at the same z, with pinching too (q >= 0): e never falls below 0, and
+// Unloading is nowhere flatter than loading at the same z, even with pinching (q >= 0), so e never falls below 0, and
 // cycles from rest to rest lose energy anywhere in the box.
 TEST(Bwbn, CyclesDissipate) {
   for (double const amplitude : {2.0, 50.0, 208.0})

@@ -1,5 +1,5 @@
-// gallardo against the published algorithm, written here from its equations and carried in many small steps; against
-// closed forms where there are any; and what its definition says of paths without asking for numbers.
+// gallardo against the published algorithm, written here from its equations and run in many small steps; against closed
+// forms where they exist; and against properties that its definition implies for any path.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,9 +20,9 @@ namespace {
 
 using laws::Gallardo;
 
-// The published algorithm: one step at a time, g = x/100 mm. States of the elastic part are those of the side where a
-// step ends, and take the whole step; z by the implicit midpoint rule, solved by iteration; phi and the turn count from
-// the step after.
+// The published algorithm: one step at a time, g = x/100 mm. The states of the elastic part are those of the side where
+// a step ends, and take the whole step; z follows the implicit midpoint rule, solved by iteration; phi and the turn
+// count change one step later.
 class Stepwise {
  public:
   explicit Stepwise(Values<Gallardo> const& values) : p_(laws::unpack<Gallardo, double>(values)) {}
@@ -94,7 +94,7 @@ std::vector<double> stepwise(Values<Gallardo> const& values, std::vector<double>
   return made;
 }
 
-// Strains over a height of 156 mm become strains over 100 mm.
+// Converts parameters for strains over a height of 156 mm to strains over 100 mm.
 Values<Gallardo> of_height(Values<Gallardo> values, double height_mm) {
   double const ratio = height_mm / 100.0;
   auto const value = [&](std::string_view name) -> double& { return values[index_of<Gallardo>(name)]; };
@@ -132,7 +132,7 @@ Values<Gallardo> with(Values<Gallardo> values, std::initializer_list<std::pair<s
   return values;
 }
 
-// Known: of the published algorithm with 1,000 to 50,000 steps a leg, each within .002.
+// Known values: the published algorithm with 1,000 to 50,000 steps a leg, each within .002.
 TEST(Gallardo, PublishedAlgorithm) {
   std::vector<double> const corners{0, 78, -78, 78, -156, 156, 0};
   std::array<double, 6> const known{19.128, -20.033, 16.395, -30.740, 30.877, -4.894};
@@ -143,8 +143,8 @@ TEST(Gallardo, PublishedAlgorithm) {
   }
 }
 
-// What the algorithm tends to as its steps shrink, in proportion to them, is the law: turns before z has passed 0 and
-// after it, on both sides, inside the peaks and beyond them.
+// The published algorithm tends to the law in proportion to its step. The path turns before and after z has passed 0,
+// on both sides, inside the peaks and beyond them.
 TEST(Gallardo, StepsConvergeToIt) {
   std::vector<double> const corners{0,    78,  60,  77.5, 77, 90,  -20, -19.7, -60, 10,   9.8, 40,  -110, -100,
                                     -101, -95, 0.1, 3,    -4, 130, 128, 131,   60,  64.5, -70, 140, -40,  0};
@@ -158,14 +158,14 @@ TEST(Gallardo, StepsConvergeToIt) {
     for (std::size_t k = 0; k < errors.size(); ++k)
       errors[k] = largest_difference(stepwise(values, corners, std::array{200, 2000, 20000}[k]), limit) / peak;
     EXPECT_LT(errors[0], 3e-3) << describe<Gallardo>(values);
-    // In proportion, down to the table of the flow and to phi, which counts from a step later.
+    // In proportion to the step, down to the error of the flow's table and of phi, which changes one step later.
     EXPECT_LT(errors[1], 0.15 * errors[0] + 1e-6) << describe<Gallardo>(values);
     EXPECT_LT(errors[2], 0.15 * errors[1] + 1e-6) << describe<Gallardo>(values);
   }
 }
 
-// n = 1: exponentials. Loaded, z leaves its value for 1/(1 - 2 phi); opposed it goes to 0 as (1 + k z0) exp(-k t), k =
-// 2 B - 1.
+// For n = 1 the curves are exponentials. Under loading z tends to 1/(1 - 2 phi); when the motion opposes it, z goes to
+// 0 as (1 + k z0) exp(-k t), k = 2 B - 1.
 TEST(Gallardo, ClosedForm) {
   double const uy = 4.0, phimax = 0.2, pphi = 0.05;
   for (double const B : {0.75, 1.0}) {
@@ -196,13 +196,13 @@ TEST(Gallardo, ClosedForm) {
       }
       double const strength = 1.0 / (1.0 - 2.0 * phi);
       if (left > 0.0) z = direction * (strength - (strength - std::abs(z)) * std::exp(-left / strength));
-      // The flow's table is good to 1e-5 of the strongest branch.
+      // The flow's table errs by at most 1e-5 of the strongest branch.
       EXPECT_NEAR(found[i], z, 2e-5) << B << ", corner " << i;
     }
   }
 }
 
-// A step cut in a thousand is the same step.
+// One step and the same step cut in a thousand give the same force.
 TEST(Gallardo, StepsAdd) {
   for (std::uint32_t i = 0; i < 50; ++i) {
     auto const values = scaled_candidate<Gallardo>(i);
@@ -212,7 +212,7 @@ TEST(Gallardo, StepsAdd) {
   }
 }
 
-// A first sample away from 0 is a motion from 0.
+// A first sample away from 0 counts as a motion from 0.
 TEST(Gallardo, FirstSample) {
   for (double const first : {60.0, -60.0}) {
     auto const from_there = exact(published, {first, 20, -80, 90}),
@@ -221,9 +221,9 @@ TEST(Gallardo, FirstSample) {
   }
 }
 
-// Odd but for the distance of turns from uy: without hardening to the last bit. With it, mirrored turns are up to two
-// yield displacements nearer or farther, phi differs by 2 pphi phimax at most, and the strength (1 - 2 phi)^(-1/n) by
-// its slope times that.
+// The law is odd except that it measures the distance of turns from uy. Without hardening it is odd to the last bit.
+// With hardening, mirrored turns are up to two yield displacements nearer or farther, phi differs by at most 2 pphi
+// phimax, and the strength (1 - 2 phi)^(-1/n) by its slope times that.
 TEST(Gallardo, MirroredMotion) {
   for (std::uint32_t i = 0; i < 50; ++i) {
     auto values = scaled_candidate<Gallardo>(i);
@@ -242,7 +242,7 @@ TEST(Gallardo, MirroredMotion) {
   }
 }
 
-// Halving a step takes the change of the force to 0: as C^pm where a side is left for the first time.
+// As the step is halved the change of the force tends to 0: as C^pm where a side is left for the first time.
 TEST(Gallardo, Continuous) {
   std::vector<std::vector<double>> const histories{
       {0}, {0, 50}, {0, 50, 10}, {0, 50, -50, 0}, {0, 50, -30, 50}, {0, 20, 5, 20}, {0, 50, 40, 45}};
@@ -253,15 +253,15 @@ TEST(Gallardo, Continuous) {
         auto x = history;
         x.push_back(x.back() + direction * d);
         auto const force = exact(published, x);
-        // The slope of z is at most 2 fy/uy; 20 kN times fm C^pm, and what G changes.
+        // The bound: the slope of z, at most 2 fy/uy; 20 kN times fm C^pm; and the change of G.
         double const bound = 4.0 * d + 20.0 * 0.12 * std::pow(d / 100.0, pm);
         EXPECT_LE(std::abs(force.back() - force[force.size() - 2]), bound) << d << " from " << history.back();
       }
 }
 
-// The energy of a cycle from rest to rest is positive anywhere in the box. With a2 = 0 it must be: at any x the elastic
-// force is smaller on the way back than on the way out before it, for G and C never shrink, and z gives back less than
-// it took. With a2 of the box too.
+// A cycle from rest to rest takes energy anywhere in the box. With a2 = 0 this follows: at any x the elastic force is
+// smaller on the way back than on the way out, for G and C never shrink, and z returns less than it took. It also holds
+// for every a2 of the box.
 TEST(Gallardo, CyclesDissipate) {
   for (double const amplitude : {1.0, 2.0, 50.0, 208.0})
     for (std::uint32_t i = 0; i < 300; ++i)

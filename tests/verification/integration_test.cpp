@@ -1,7 +1,7 @@
-// How exactly the laws are integrated. The criterion: on each record of the example lot and on the measured bearing's
-// third stage, the objective at random parameter sets of the box and at the best one found differs by at most 1e-4 from
-// the one on a path with 20 times finer steps. And `paper` is one classical Runge-Kutta step per sample, compared with
-// one written here from the printed equations. Nothing here is our own past output.
+// How exactly the laws are integrated. On each record of the example lot and on the measured bearing's third stage, the
+// objective at random parameter sets of the box and at the best one found may differ by at most 1e-4 from the one with
+// 20 times finer steps. `paper` must be one classical Runge-Kutta step per sample: it is compared with one written here
+// from the printed equations. No expected value is our own past output.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>  // mkdtemp
@@ -25,14 +25,14 @@
 namespace isolaw::fit {
 namespace {
 
-constexpr double tolerance = 1e-4;  // of the objective; the best objectives of the laws differ by 1e-3 and more
+constexpr double tolerance = 1e-4;  // on the objective; the laws' best objectives differ by 1e-3 and more
 constexpr int finer = 20;
 constexpr int random_sets = 100;
 constexpr double rare = 0.05;  // share of random sets with a bounded force whose objective is not finite
 
 using Values = std::vector<double>;
 
-// Eq. (27) once more, written apart from the library: forces in kN, trapezoid, population form.
+// Eq. (27) again, written apart from the library: forces in kN, trapezoidal rule, population form of the deviation.
 double objective(data::FitRecord const& record, Values const& computed) {
   auto const& measured = record.force_kN;
   double mean = 0.0, square = 0.0, integral = 0.0;
@@ -49,7 +49,7 @@ Values divided(Values values, double unit) {
   return values;
 }
 
-// A law's force [kN] on a record along a path refined so many times.
+// A law's force [kN] on a record whose path is refined by a factor.
 class Refined {
  public:
   Refined(laws::LawEntry const& law, data::FitRecord const& record, int refinement)
@@ -73,16 +73,16 @@ class Refined {
 struct Shift {
   double random = 0.0, best = 0.0;           // largest over the records
   double best_objective = 0.0;               // on the record where `best` was found
-  int sets = 0, not_finite = 0, beyond = 0;  // random sets; of them beyond the tolerance
-  std::string worst;                         // the random set of the largest shift
+  int sets = 0, not_finite = 0, beyond = 0;  // number of random sets; those beyond the tolerance
+  std::string worst;                         // the random set with the largest shift
 };
 
-// Of Eq. (14): beta + gamma <= 0, z grows without end.
+// In Eq. (14), z grows without end where beta + gamma <= 0.
 bool without_bounded_force(laws::LawEntry const& law, Values const& p) {
   return law.info.id == "bouc-wen" && p[law.index_of("beta")] + p[law.index_of("gamma")] <= 0.0;
 }
 
-// Adds the shifts of one law on one record to `found`. Without the record's dead band, which is no matter of steps.
+// Adds the shifts of one law on one record to `found`, without the record's dead band, which does not concern steps.
 void measure(laws::LawEntry const& law, data::FitRecord record, BoxKind kind, std::uint64_t stream_number,
              Shift& found) {
   record.dead_band_mm = 0.0;
@@ -129,7 +129,7 @@ void report(char const* records, laws::LawEntry const& law, Shift const& shift) 
   fmt::print("{}, {}: largest shift {:.1e} at {} random sets ({} more not finite), {:.1e} at the best found\n", records,
              law.info.id, shift.random, shift.sets - shift.not_finite, shift.not_finite, shift.best);
   std::fflush(stdout);
-  // bwbn slips within less than a step where psi and lambda are small: one set of a thousand by 1.6e-4.
+  // bwbn slips within less than a step where psi and lambda are small: one set in a thousand shifts by 1.6e-4.
   EXPECT_LE(shift.random, law.info.id == "bwbn" ? 3e-4 : tolerance)
       << law.info.id << ": " << shift.beyond << " of " << shift.sets << " sets beyond; " << shift.worst;
   EXPECT_LE(shift.not_finite, rare * shift.sets) << law.info.id;
@@ -157,7 +157,7 @@ std::filesystem::path measured_file() {
   return std::filesystem::path(ISOLAW_DATA_DIR) / "hdrb-gallardo-device/cyclic-24-49-98pct.csv";
 }
 
-// The third stage of the measured bearing: its last seven cycles, from a crossing of zero.
+// The third stage of the measured bearing: its last seven cycles, starting where the displacement crosses zero.
 data::FitRecord third_stage(int samples_per_cycle) {
   data::ReadOptions reading;
   reading.dt_s = 0.00214823;
@@ -203,7 +203,7 @@ TEST(ConvergedIntegration, HoldsOnTheMeasuredThirdStage) {
 
 // Classical Runge-Kutta steps ------------------------------------------------------------------------------------
 
-// Three growing cycles that start away from zero, 50 samples per cycle; uneven time, which must not matter.
+// Three growing cycles that start away from zero, 50 samples per cycle. Time is uneven, which must not matter.
 data::FitRecord swept() {
   data::FitRecord record;
   for (int i = 0; i <= 150; ++i) {
@@ -309,7 +309,7 @@ TEST(PaperIntegration, OfAbeIsOneClassicalStepPerSample) {
   }
 }
 
-// The converged integration against many small steps of the equations as printed: not only near itself, but right.
+// The converged integration must agree with many small steps of the printed equations, not only with itself.
 TEST(ConvergedIntegration, IsTheLimitOfManyClassicalSteps) {
   auto const record = swept();
   constexpr int parts = 2000;
@@ -346,9 +346,8 @@ TEST(ConvergedIntegration, IsTheLimitOfManyClassicalSteps) {
                thinned(abe_by_hand(fine, p, true, 1.7)));
 }
 
-// By Eq. (18) F2 never exceeds the largest yield force it has met, Y0 (1 + |D/Uh|^p), whatever the step: here 400 kN,
-// with steps of up to 38 yield displacements (travel of a record of 100 samples per cycle in a small yield
-// displacement).
+// By Eq. (18) F2 never exceeds the largest yield force so far, Y0 (1 + |D/Uh|^p), whatever the step: 400 kN here, with
+// steps of up to 38 yield displacements, as a small yield displacement has at 100 samples per cycle.
 TEST(ConvergedIntegration, OfAbeStaysBelowTheYieldForceForSmallYieldDisplacements) {
   data::FitRecord record;
   for (int i = 0; i <= 300; ++i) {
@@ -395,8 +394,8 @@ TEST(IntegrationShift, IsTheDifferenceFromAPathOfFinerSteps) {
   }
 }
 
-// docs/source.md, "Integration": with n = 0.3 one step per sample at 100 samples per cycle moves the objective by
-// 0.007. Here the size of that number is what is tested: `paper` must show a shift that a reader is warned of.
+// docs/source.md, "Integration": with n = 0.3, one step per sample at 100 samples per cycle moves the objective by
+// 0.007. The order of magnitude is tested: `paper` must show a shift large enough for a warning.
 TEST(IntegrationShift, OfThePaperIsLargeWhereTheSpecificationSaysSo) {
   data::FitRecord record;
   for (int i = 0; i <= 300; ++i) {

@@ -1,5 +1,5 @@
-// kikuchi-aiken: its loops with the published functions of a compound, its own functions against a script that shares
-// nothing with it, and what its definition says of paths without asking for numbers.
+// kikuchi-aiken: its loops with the published functions of a compound, its own functions against an independent script,
+// and properties that its definition implies for any path.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -47,13 +47,13 @@ double work_along(std::vector<double> const& x, std::vector<double> const& force
   return sum;
 }
 
-// Published functions, values of another implementation to six digits: the peak, the zero crossing of unloading, the
-// energy of a cycle, which is 2 pi h G A^2, and the solution of the equation for a.
+// With the published functions, values of another implementation to six digits: the peak, the zero crossing of
+// unloading, the energy of a cycle, which is 2 pi h G A^2, and the solution of the equation for a.
 TEST(KikuchiAiken, Compound) {
   struct Case {
     double A, peak, zero, energy, a, b, energy_tolerance;
   };
-  // At strain 2 the published b takes exp(-2c) for 0, and the force is made to meet the peak: 5e-5 of the energy.
+  // At strain 2 the published b neglects exp(-2c), while here the force meets the peak: 5e-5 of the energy.
   for (auto const& k : {Case{0.5, 0.450882, -0.184539, 0.317729, 7.116283, 0.0, 1e-6},
                         Case{1.0, 0.683580, -0.256665, 0.903336, 8.294444, 0.0, 1e-6},
                         Case{2.0, 1.132924, -0.347124, 2.597845, 10.19171, 2.448609, 1.5e-4}}) {
@@ -78,16 +78,16 @@ TEST(KikuchiAiken, InnerBranchesOfTheCompound) {
   }
 }
 
-// With the overshoot of b: with it after a turn on the other side, without it after two on one.
+// Inner branches with the overshoot term of b: it acts after a turn on the other side, not after two turns on one side.
 TEST(KikuchiAiken, InnerBranchesWithOvershoot) {
   std::array const stress{1.132924000, -1.132924000, 0.683569418, -0.474645786,
                           0.575618041, -0.284326719, 0.683569418, 1.132924000};
   auto const found = of_compound({0, 2, -2, 1, -0.4, 0.7, 0.2, 1, 2});
-  // The turn at -0.4 comes after one at 1, that at 0.2 after one at 0.7. A script that shares nothing, to 1e-9.
+  // The turn at -0.4 follows one at 1, that at 0.2 follows one at 0.7. Values of an independent script, to 1e-9.
   for (std::size_t i = 0; i < stress.size(); ++i) EXPECT_NEAR(found.stress[i + 1], stress[i], 6e-10) << i;
 }
 
-// Values of a script with a bisection for a and a stack of its own; the second with overshoot and hardening.
+// Values of a script that finds a by bisection and has its own stack; the second case overshoots and hardens.
 TEST(KikuchiAiken, ItsOwnFunctions) {
   struct Case {
     Values<KikuchiAiken> values;
@@ -105,8 +105,8 @@ TEST(KikuchiAiken, ItsOwnFunctions) {
     }
 }
 
-// The second branch of the secant stiffness: above xn the force at the peak is (1 + s1 (m - xn)) times that of the
-// first, and a closed loop dissipates the share h of what that gives.
+// The second branch of the secant stiffness: above xn the peak force is (1 + s1 (m - xn)) times that of the first
+// branch, and a closed loop dissipates the share h of the resulting energy.
 TEST(KikuchiAiken, SecondBranchOfTheStiffness) {
   Values<KikuchiAiken> const stiffening{60, 0.4, 0.22, -2e-4, 0.42, -4e-4, 0.0, 30, 0.004, 10.19171, 5};
   constexpr int steps = 4000;
@@ -124,10 +124,10 @@ TEST(KikuchiAiken, SecondBranchOfTheStiffness) {
 
 Values<KikuchiAiken> const rubber{60, 0.4, 0.22, -2e-4, 0.42, -4e-4, 0.02, 30, 0, 10.19171, 5};
 Values<KikuchiAiken> const overshooting{60, 0.4, 0.22, 0, 0.38, -1e-3, 0.02, 30, 0, 10.19171, 5};
-// a is 1.36: the published branch ends 13 % of the hysteretic force off the peak.
+// Here a is 1.36, and the published branch would miss the peak by 13 % of the hysteretic force.
 Values<KikuchiAiken> const far_off{60, 0.4, 0.1, 0, 0.5, 0, 0, 30, 0, 10.19171, 5};
 
-// A loop of unloading and reloading that closes leaves nothing behind, to the rounding of the sums of branches.
+// A closed loop of unloading and reloading leaves no trace in later forces, but for rounding in sums of branches.
 TEST(KikuchiAiken, LoopsClose) {
   for (auto const& values : {rubber, overshooting, far_off}) {
     auto const plain = forces<KikuchiAiken>(values, laws::make_path(std::vector<double>{0, 50, -60, 40, 80}, {}));
@@ -143,8 +143,8 @@ TEST(KikuchiAiken, LoopsClose) {
   }
 }
 
-// Halving a step takes the change of the force to 0: as d^(1-p) from rest, elsewhere as d, also onto a peak, onto a
-// turning point and past both.
+// As the step is halved the change of the force tends to 0: as d^(1-p) from rest, elsewhere as d, also when a step ends
+// on or goes past a peak or a turning point.
 TEST(KikuchiAiken, IsContinuous) {
   std::vector<std::vector<double>> const histories{{0},
                                                    {0, 50},
@@ -162,7 +162,7 @@ TEST(KikuchiAiken, IsContinuous) {
         for (double d = 1.0; d > 1e-12; d *= 0.5) {
           auto on = history, onto = history;
           on.push_back(on.back() + sign * d);
-          // The last point is reached from its own side: before it and on it.
+          // The last point is approached from its own side; the step before it ends short of it.
           double const from = onto.size() < 2 ? 0.0 : onto[onto.size() - 2] < onto.back() ? -1.0 : 1.0;
           if (from != 0.0) onto.insert(onto.end() - 1, onto.back() + from * std::min(d, 0.5));
           double const bound = 60.0 * std::pow(d / 100.0, 0.6) + 25.0 * d + 1e-12;
@@ -174,7 +174,7 @@ TEST(KikuchiAiken, IsContinuous) {
         }
 }
 
-// A closed loop between the peaks dissipates 2 pi h Fm m: exactly but for exp(-2a) where b is not needed.
+// A closed loop between the peaks dissipates 2 pi h Fm m; where b is not needed only exp(-2a) is missing.
 TEST(KikuchiAiken, DampingIsThatOfTheLoop) {
   constexpr int steps = 4000;
   for (double const A : {20.0, 100.0, 200.0}) {
@@ -186,9 +186,9 @@ TEST(KikuchiAiken, DampingIsThatOfTheLoop) {
   }
 }
 
-// From rest to rest, and in the cycle after, energy is dissipated anywhere in the box and at twice its size; at five
-// times its size, where h may have come to 0, in the cycle after: all that one has then is what closes its branches,
-// and on the way to a peak whose force grows faster than the peak less is put in than comes back.
+// In the box and at twice its size, both the cycle from rest to rest and the next one dissipate. At five times its
+// size, where h may have fallen to 0, only the next cycle must: its dissipation then is only that which closes the
+// branches, and on the way to a peak whose force grows faster than the peak, less energy goes in than comes back.
 TEST(KikuchiAiken, CyclesDissipate) {
   for (double const amplitude : {2.0, 50.0, 208.0, 416.0, 1040.0})
     for (std::uint32_t i = 0; i < 500; ++i) {
@@ -202,7 +202,7 @@ TEST(KikuchiAiken, CyclesDissipate) {
     }
 }
 
-// Every inner loop that closes dissipates, wherever it hangs.
+// Every closed inner loop dissipates, wherever it starts.
 TEST(KikuchiAiken, InnerLoopsDissipate) {
   for (double const length : {1.0, 20.0, 100.0, 300.0})
     for (double const at : {-150.0, -20.0, 100.0, 200.0})

@@ -1,9 +1,8 @@
-// The differential laws against an adaptive integration of their equations, written here from docs/laws.md and sharing
-// nothing with the laws: Dormand-Prince 5(4) of Boost.odeint, in displacement along the piecewise linear path,
-// restarted at every sample and wherever the right-hand side has a corner in x (x = 0, a new peak). The remaining
-// corner, F2 = 0 or z = 0 with n < 1, is left to the step control: the slope is bounded and never 0 there, so a step
-// across it errs by no more than the jump of the slope times its length, and the control shortens it until that is
-// below the tolerance.
+// The differential laws against an adaptive integration of their equations, written from docs/laws.md and sharing no
+// code with the laws: Dormand-Prince 5(4) of Boost.odeint, in displacement along the piecewise linear path, restarted
+// at every sample and wherever the right-hand side has a corner in x (x = 0, a new peak). The step control handles the
+// remaining corner, F2 = 0 or z = 0 with n < 1: the slope there is bounded and never 0, so a step across it errs by at
+// most the jump of the slope times its length, and is shortened until that is below the tolerance.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +23,7 @@ namespace {
 
 constexpr double tolerance = 1e-11;
 
-// y at travel `length`, from y at travel 0; dy/ds = slope(s, y). `scale` is the size of y.
+// y after a travel `length` from the y given, with dy/ds = slope(s, y). `scale` is the size of y, for the tolerance.
 template <class Slope>
 double integrate(Slope const& slope, double y, double length, double scale) {
   using State = std::array<double, 1>;
@@ -38,7 +37,7 @@ double integrate(Slope const& slope, double y, double length, double scale) {
   return state[0] * scale;
 }
 
-// Oracles: force at every sample, x and v in the units of the law.
+// The oracles return the force at every sample; x and v are in the units of the law.
 using Oracle = std::vector<double>;
 
 Oracle bouc_wen(Values<laws::BoucWen> const& values, std::vector<double> const& x, std::vector<double> const&) {
@@ -70,7 +69,7 @@ Oracle abe_form(AbeParameters const& q, std::vector<double> const& x) {
   for (std::size_t i = 0; i < x.size(); ++i) {
     double const dx = i == 0 ? 0.0 : x[i] - x[i - 1], direction = dx < 0.0 ? -1.0 : 1.0,
                  start = i == 0 ? x[0] : x[i - 1];
-    // Corners within the step: x = 0, and where |x| reaches the earlier peak.
+    // Corners within the step: x = 0, and where |x| reaches its former peak.
     std::vector<double> stops{0.0, std::abs(dx)};
     for (double const corner : {0.0, peak, -peak}) {
       double const s = (corner - start) * direction;
@@ -105,7 +104,7 @@ Oracle abe_y0(Values<laws::AbeY0> const& v, std::vector<double> const& x, std::v
   return abe_form({v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], 1.0, v[8], v[9], v[10], v[11], false}, x);
 }
 
-// Displacement and velocity linear between the samples.
+// Displacement and velocity are linear between the samples.
 Oracle hwang_wu(Values<laws::HwangWu> const& values, std::vector<double> const& x, std::vector<double> const& v) {
   auto const [a1, a2, a3, a4, a5, a6, a7, a8, a9, a10] = values;
   auto const force_at = [&, a1 = a1, a2 = a2, a3 = a3, a4 = a4, a5 = a5, a6 = a6, a7 = a7, a8 = a8, a9 = a9, a10 = a10](
@@ -128,14 +127,14 @@ Oracle hwang_wu(Values<laws::HwangWu> const& values, std::vector<double> const& 
   return force;
 }
 
-// At 60 to 100 samples a cycle: two sines, a path with small loops around the peaks, and one with a reversal at every
-// other sample. The paths differ from candidate to candidate.
+// Paths of 60 to 100 samples a cycle: two sines, one with small loops around the peaks, and one that reverses at every
+// other sample. The last two differ from candidate to candidate.
 std::vector<Motion> motions(std::uint32_t index, double roughness) {
   return {sine(208.0, 0.5, 2, 100), sine(60.0, 0.5, 2, 60), irregular(index, 200.0, 3, 100, 0.005),
           irregular(1000 + index, 150.0, 2, 100, roughness)};
 }
 
-// Errors over the peak force, one for each candidate 0 .. count-1 and motion, in ascending order.
+// Errors divided by the peak force, for each of the `count` candidates and each motion, in ascending order.
 template <class Law, class Reference, class Source>
 std::vector<double> errors(std::uint32_t count, Reference const& oracle, Source const& source,
                            double roughness = 0.03) {
@@ -160,7 +159,7 @@ double median(std::vector<double> const& ascending) {
   return ascending[ascending.size() / 2];
 }
 
-// n = 1 has an exponential on each branch; the oracle must meet it far below what it is to judge.
+// With n = 1 every branch is an exponential; the oracle must reproduce it far more closely than the tolerances below.
 TEST(OdeOracle, ReproducesAnExponential) {
   Values<laws::BoucWen> const values{0.0, 1.0, 1.0, 0.06, 1.0, 0.04};
   auto const force = bouc_wen(values, {0.0, 5.0, 30.0, 29.0}, {});
@@ -170,7 +169,7 @@ TEST(OdeOracle, ReproducesAnExponential) {
   EXPECT_NEAR(force[3], (z + 50.0) * std::exp(-0.02) - 50.0, 1e-9);
 }
 
-// The tabulated flow: 1e-5 is its claim (saturating_flow.hpp); 4e-6 was seen.
+// The tabulated flow promises 1e-5 (saturating_flow.hpp); 4e-6 was seen.
 TEST(OdeOracle, BoucWen) {
   EXPECT_LT(errors<laws::BoucWen>(40, bouc_wen, candidate<laws::BoucWen>).back(), 1e-5);
 }
@@ -190,24 +189,25 @@ TEST(OdeOracle, AbeY0) {
   EXPECT_LT(errors<laws::AbeY0>(40, abe_y0, candidate<laws::AbeY0>).back(), 1e-5);
 }
 
-// The yield force is held over a step, with a correction. Most errors are far smaller than the largest, which come from
-// the first sample (p near 0 lets the yield force jump at x = 0) and from steps across F2 = 0 on the rough path.
+// abe holds the yield force constant over a step, with a correction. Most errors are far below the largest, which come
+// from the first sample (with p near 0 the yield force jumps at x = 0) and from steps across F2 = 0 on the rough path.
 TEST(OdeOracle, Abe) {
   auto const all = errors<laws::Abe>(40, abe, candidate<laws::Abe>);
   EXPECT_LT(median(all), 2e-5);
   EXPECT_LT(all.back(), 5e-4);
 }
 
-// One Runge-Kutta step per sample: 4e-6 for ordinary devices; where a10 F dx exceeds one, at the start of a strongly
-// damped candidate, exp(a10 W) is gone within a step or two. A path as rough as the others' would give velocities
-// against the motion, hence damping that does work on the device and exponentials that grow: no case for a tolerance.
+// One Runge-Kutta step per sample errs by 4e-6 for ordinary devices. Where a10 F dx exceeds one, at the start of a
+// strongly damped candidate, exp(a10 W) vanishes within a step or two. On a path as rough as the other laws' some
+// velocities would oppose the motion: damping would feed energy in and exponentials would grow, which no tolerance
+// covers.
 TEST(OdeOracle, HwangWu) {
   auto const all = errors<laws::HwangWu>(40, hwang_wu, candidate<laws::HwangWu>, 0.005);
   EXPECT_LT(median(all), 2e-5);
   EXPECT_LT(all.back(), 5e-3);
 }
 
-// The claim of the law's file: 4e-6 of the peak force at the sampling of a laboratory, for the published devices.
+// The law's file promises 4e-6 of the peak force for the published devices at a laboratory's sampling rate.
 TEST(OdeOracle, HwangWuForThePublishedDevices) {
   for (std::size_t device = 0; device < table_a5::devices; ++device) {
     auto const values = published_means<laws::HwangWu>(device);
@@ -218,7 +218,7 @@ TEST(OdeOracle, HwangWuForThePublishedDevices) {
   }
 }
 
-// Candidates without a bounded force, beta + gamma <= 0, are passed over.
+// Skips candidates without a bounded force, beta + gamma <= 0.
 Values<laws::BoucWen> bounded_bouc_wen(std::uint32_t index) {
   for (std::uint32_t next = index;; next += 100) {
     auto const values = scaled_candidate<laws::BoucWen>(next);
@@ -227,9 +227,9 @@ Values<laws::BoucWen> bounded_bouc_wen(std::uint32_t index) {
   }
 }
 
-// What an optimiser meets on a device of its own size: exponents 0.5 to 2 and any ratio of beta to gamma for bouc-wen,
-// yield displacements down to a thousandth of the largest displacement for abe. A wrong force there is one that a
-// search exploits.
+// The sets that an optimiser meets with a device of its own size: for bouc-wen, exponents 0.5 to 2 and any ratio of
+// beta to gamma; for abe, yield displacements down to a thousandth of the largest displacement. A search would exploit
+// wrong forces there.
 TEST(OdeOracleInTheScaledBox, BoucWen) {
   EXPECT_LT(errors<laws::BoucWen>(100, bouc_wen, bounded_bouc_wen).back(), 1e-4);
 }
@@ -242,9 +242,9 @@ TEST(OdeOracleInTheScaledBox, Abe) {
   EXPECT_LT(all.back(), 0.01);
 }
 
-// Tiny yield displacements: F2 is saturated at Yt(x) = 40 (1 + (x/100)^2) but for a millimetre after each reversal,
-// whatever the step. In the steady state F2 lags Yt by about Ut Yt' / n, 0.8 kN here, and never exceeds the largest Yt,
-// 200 kN (0.1 % for the integration).
+// With tiny yield displacements F2 is saturated at Yt(x) = 40 (1 + (x/100)^2), except within a millimetre after each
+// reversal, whatever the step. In the steady state F2 lags behind Yt by about Ut Yt' / n, 0.8 kN here, and never
+// exceeds the largest Yt, 200 kN (plus 0.1 % for the integration).
 TEST(OdeOracle, AbeSaturatesAtItsYieldForceInLargeSteps) {
   auto const values = named<laws::Abe>(
       {{"alpha", 1.0}, {"n", 0.6}, {"Y0", 40.0}, {"Uh", 100.0}, {"p", 2.0}, {"U0", 0.5}, {"Us", 200.0}, {"r", 0.1}});

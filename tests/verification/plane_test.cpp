@@ -1,5 +1,5 @@
-// Laws of the plane against closed forms and against a differential equation solver that knows nothing of them.
-// The numbers of circles, paths and events were computed with an independent script from the formulas.
+// Laws of the plane against closed forms and an independent solver of differential equations. The numbers for circles,
+// paths and events were computed from the formulas by an independent script.
 #include "isolaw/laws/plane.hpp"
 
 #include <gtest/gtest.h>
@@ -24,11 +24,11 @@ using P = typename Law::template Params<double>;
 template <class Law>
 using S = typename Law::template State<double>;
 
-// z itself, of unit stiffness and A.
+// Parameters that make the force equal to z: alpha = 0, unit stiffness and A.
 laws::BoucWen::Params<double> bouc_wen(double n, double beta, double gamma) {
   return {.alpha = 0.0, .Ke = 1.0, .A = 1.0, .beta = beta, .n = n, .gamma = gamma};
 }
-// The hysteretic part alone, of unit strength; its yield length stays U.
+// The hysteretic part alone with unit strength; its yield length stays U.
 laws::AbeY0::Params<double> abe(double n, double U) {
   laws::AbeY0::Params<double> p{};
   p.n = n;
@@ -62,7 +62,7 @@ TEST(PlaneLaws, a_straight_step_of_bouc_wen_switches_where_the_component_along_i
   EXPECT_NEAR(at_zero.y, 0.440567110531, 1e-12);
 }
 
-// Of a polygon with so many corners, its last turn: q at the last corner and the work of the turn.
+// The last turn around a polygon with `corners` corners: q at the last corner and the work of the turn.
 struct Turn {
   double size, lag, work;
 };
@@ -84,7 +84,7 @@ Turn turn(P<Law> const& p, double radius, int corners, int turns = 4) {
   made.lag = std::abs(made.lag) * 180.0 / pi;
   return made;
 }
-// Chords are shorter than arcs by the square of their angle.
+// A polygon errs by the square of its chords' angle: two polygons are extrapolated to the circle.
 template <class Law>
 Turn circle(P<Law> const& p, double radius, int corners = 4000) {
   auto const once = turn<Law>(p, radius, corners), twice = turn<Law>(p, radius, 2 * corners);
@@ -92,7 +92,7 @@ Turn circle(P<Law> const& p, double radius, int corners = 4000) {
   return {limit(once.size, twice.size), limit(once.lag, twice.lag), limit(once.work, twice.work)};
 }
 
-// q^m = cos(lag), sin(lag) = U q / R.
+// On a circle, q^m = cos(lag) and sin(lag) = U q / R.
 TEST(PlaneLaws, circles_of_the_core) {
   struct Expected {
     double radius, size, lag;
@@ -100,7 +100,7 @@ TEST(PlaneLaws, circles_of_the_core) {
   for (auto const& e : {Expected{0.5, 0.863114152, 25.566417}, Expected{1.0, 0.958629357, 13.866317},
                         Expected{2.0, 0.989058189, 7.101778}}) {
     auto const got = circle<laws::plane::AbeY0>(abe(0.7, 0.25), e.radius);
-    // The method's own error, 1e-7 of the strength.
+    // The method itself errs by 1e-7 of the strength.
     EXPECT_NEAR(got.size, e.size, 2e-9) << e.radius;
     EXPECT_NEAR(got.lag, e.lag, 1e-6) << e.radius;
   }
@@ -139,7 +139,7 @@ TEST(PlaneLaws, a_path_of_two_memories) {
   }
 }
 
-// z after a straight way; slope(z, direction).
+// z after a straight path, with slope(z, direction).
 template <class Slope>
 Vector<double> integrated(Vector<double> const& z, Vector<double> const& n, double length, Slope const& slope) {
   using State = std::array<double, 2>;
@@ -155,7 +155,7 @@ Vector<double> integrated(Vector<double> const& z, Vector<double> const& n, doub
   return {at[0], at[1]};
 }
 
-// The same, stopped where z.n passes 0: there a slope may have a corner that a step control does not see.
+// The same, stopped where z.n passes 0: the slope may have a corner there that the step control does not notice.
 template <class Slope>
 Vector<double> integrated_to_the_corner(Vector<double> z, Vector<double> const& n, double length, Slope const& slope) {
   double done = 0.0;
@@ -173,7 +173,7 @@ Vector<double> integrated_to_the_corner(Vector<double> z, Vector<double> const& 
   return integrated(z, n, length - done, slope);
 }
 
-// Straight steps of all lengths against the differential form, each from where the law was.
+// Straight steps of all lengths against the differential form, each starting from the law's own state.
 template <class Law, class Slope>
 double worst_over_a_walk(P<Law> const& p, Vector<double> S<Law>::*q, Slope const& slope) {
   std::mt19937_64 random(3);
@@ -206,7 +206,7 @@ TEST(PlaneLaws, bouc_wen_of_any_sharpness_follows_its_differential_form) {
     }
 }
 
-// What the form in components does instead: docs/bidirectional.md has these numbers.
+// The form in components is not isotropic; docs/bidirectional.md quotes these numbers.
 TEST(PlaneLaws, the_form_in_components_turns_with_the_axes) {
   constexpr int samples = 10000;
   auto const force = [&](double angle, double beta, bool in_components) {

@@ -1,11 +1,11 @@
-// Population recovery: 50 synthetic devices of a law, drawn from a known population at five levels of variability, are
-// tested (a record each, with noise), fitted one by one, and give the population back within sampling error.
+// Population recovery: 50 synthetic devices of a law are drawn from a known population at five levels of variability,
+// tested (one record each, with noise) and fitted one by one. The fits must give the population back within sampling
+// error.
 //
-// The truth is drawn here by its Cholesky factor, not by the library's sampler. Tolerances are 3.5 standard errors of
-// what is compared, from the normal theory of sample covariances (Anderson 2003, An Introduction to Multivariate
-// Statistical Analysis, section 3.4). With m = devices - 1, and for any two independent vectors x, y of covariances A
-// and B:
-// var(cov(x, x)_ij) = (A_ii A_jj + A_ij^2) / m, var(cov(x, y)_ij) = A_ii B_jj / m.
+// The devices are drawn here with a Cholesky factor, not by the library's sampler. Tolerances are 3.5 standard errors,
+// from the normal theory of sample covariances (Anderson 2003, An Introduction to Multivariate Statistical Analysis,
+// section 3.4). With m = devices - 1 and independent vectors x, y of covariances A and B: var(cov(x, x)_ij) = (A_ii
+// A_jj + A_ij^2) / m, var(cov(x, y)_ij) = A_ii B_jj / m.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -35,9 +35,9 @@ using Values = std::vector<double>;
 constexpr std::size_t devices = 50;
 constexpr double freedom = devices - 1.0;
 constexpr double standard_errors = 3.5;
-constexpr double correlation = 0.6;  // of the first two free parameters; the others are independent
+constexpr double correlation = 0.6;  // between the first two free parameters; the others are independent
 
-// Medians of the free parameters; the others are zero.
+// Medians of the free parameters; all others are zero.
 struct Lot {
   std::string law;
   std::vector<std::string> names;
@@ -49,7 +49,7 @@ std::vector<Lot> const lots{
     {"jankowski", {"a1", "a9", "a2", "a11"}, {6e5, 3e4, 8e6, 0.08}},  // N/m, N, N/m^3, m/s
 };
 
-// Three amplitudes of two cycles each at 0.5 Hz; the force is a law's to make.
+// Three amplitudes with two cycles each at 0.5 Hz; the force is filled in by the law.
 data::FitRecord motion() {
   data::FitRecord record;
   constexpr double omega = std::numbers::pi;
@@ -63,8 +63,8 @@ data::FitRecord motion() {
   return record;
 }
 
-// A law with its free parameters, on logarithmic scales up to four times either side of the medians: in no draw is the
-// box in the way.
+// A law with its free parameters on logarithmic scales that reach four times to either side of the medians, so that the
+// box limits no draw.
 class Laboratory {
  public:
   explicit Laboratory(Lot const& lot) : lot_(lot), law_(laws::find_law(lot.law)), record_(motion()) {
@@ -80,7 +80,7 @@ class Laboratory {
     }
   }
 
-  // `noise`: its standard deviation, of that of the force.
+  // `noise` is its standard deviation as a share of the force's.
   data::FitRecord test(Values const& device, double noise, num::Draws& draws) const {
     auto record = record_;
     record.force_kN = fit::LawOnRecord(law_, record_, laws::Integration::converged).force_kN(all(device));
@@ -109,8 +109,8 @@ class Laboratory {
     return values;
   }
 
-  // Of least absolute deviations with weights w, asymptotically (Koenker and Bassett 1978, for independent errors of
-  // one density f): H^-1 V H^-1 with H = 2 f(0) sum w J J^T, V = sum w^2 J J^T, J the derivatives of a residual.
+  // Asymptotic covariance of least absolute deviations with weights w (Koenker and Bassett 1978, for independent errors
+  // of one density f): H^-1 V H^-1, H = 2 f(0) sum w J J^T, V = sum w^2 J J^T, J the derivatives of a residual.
   SquareMatrix covariance(fit::LawOnRecord const& model, Values const& best) const {
     constexpr double step = 1e-5;
     std::vector<Values> candidates{all(best)};
@@ -139,7 +139,7 @@ class Laboratory {
     return rows;
   }
 
-  // By a normal kernel of the width that suits a normal density (Silverman 1986, Eq. 3.28).
+  // A normal kernel of the width that suits a normal density (Silverman 1986, Eq. 3.28).
   static double density_at_zero(Vector const& residuals) {
     auto const count = static_cast<double>(residuals.size());
     double const width = 1.06 * std::sqrt(residuals.squaredNorm() / count) * std::pow(count, -0.2);
@@ -151,7 +151,7 @@ class Laboratory {
   laws::LawEntry const& law_;
   data::FitRecord record_;
   fit::SearchBox box_;
-  std::vector<std::size_t> place_;  // of the free parameters among the law's
+  std::vector<std::size_t> place_;  // position of each free parameter among the law's
 };
 
 Matrix matrix(SquareMatrix const& rows) {
@@ -162,11 +162,11 @@ Matrix matrix(SquareMatrix const& rows) {
   return made;
 }
 
-// What was drawn, in logarithms, and what the tests made of it.
+// The moments of the parameters' logarithms: true, of the devices drawn, and recovered from the tests.
 struct Recovered {
   Vector true_mean, drawn_mean, mean;
-  Matrix true_covariance, drawn_covariance;  // of the population, of these devices
-  Matrix covariance, S, C;                   // recovered; of the estimates; mean of their errors
+  Matrix true_covariance, drawn_covariance;  // the population's; these devices'
+  Matrix covariance, S, C;                   // recovered; of the estimates; mean covariance of their errors
   Population population;
 };
 
@@ -203,7 +203,7 @@ Recovered recover(Lot const& lot, double level, double noise) {
   return made;
 }
 
-// Every entry within 3.5 of its standard errors, given by their squares.
+// Every entry must lie within 3.5 of its standard errors, whose squares are `variance`.
 void expect_within(Matrix const& found, Matrix const& expected, Matrix const& variance, char const* what) {
   for (Index i = 0; i < found.rows(); ++i)
     for (Index j = 0; j < found.cols(); ++j)
@@ -211,7 +211,7 @@ void expect_within(Matrix const& found, Matrix const& expected, Matrix const& va
           << what << ' ' << i << ' ' << j;
 }
 
-// Of cov(x, x), and of cov(x, y) + cov(y, x), for independent x and y of covariances A and B.
+// Variances of cov(x, x), and of cov(x, y) + cov(y, x) for independent x and y with covariances A and B.
 Matrix variance_of_covariance(Matrix const& A) {
   return (A.diagonal() * A.diagonal().transpose() + A.cwiseAbs2()) / freedom;
 }
@@ -222,7 +222,7 @@ Matrix variance_of_cross_terms(Matrix const& A, Matrix const& B) {
 
 class PopulationRecovery : public testing::TestWithParam<std::size_t> {};
 
-// The fits' errors are small beside the scatter: 0.1 to 0.8 %.
+// The errors of the fits are small beside the scatter of the devices: 0.1 to 0.8 %.
 TEST_P(PopulationRecovery, GivesMeanAndCovarianceBack) {
   auto const& lot = lots[GetParam()];
   for (double const level : {0.025, 0.05, 0.10, 0.15}) {
@@ -232,15 +232,15 @@ TEST_P(PopulationRecovery, GivesMeanAndCovarianceBack) {
     EXPECT_EQ(found.population.directions, lot.names.size());
     EXPECT_TRUE(found.population.undetermined.empty());
 
-    // The population: sampling of the devices and errors of the fits.
+    // Against the population: the sampling of the devices and the errors of the fits both count.
     Matrix const T = found.true_covariance + found.C;
     expect_within(found.mean, found.true_mean, T.diagonal() / devices, "mean");
     expect_within(found.covariance, found.true_covariance, variance_of_covariance(T), "covariance");
-    // By Fisher's transform: not independent.
+    // The correlation is far from 0 and is compared after Fisher's transform.
     EXPECT_NEAR(std::atanh(found.population.correlation[0][1]), std::atanh(correlation),
                 standard_errors / std::sqrt(freedom - 2.0));
 
-    // These very devices: errors of the fits alone.
+    // Against these very devices: only the errors of the fits count.
     expect_within(found.mean, found.drawn_mean, found.C.diagonal() / devices, "mean of the devices");
     expect_within(found.covariance, found.drawn_covariance,
                   variance_of_cross_terms(found.drawn_covariance, found.C) + variance_of_covariance(found.C),
@@ -248,10 +248,10 @@ TEST_P(PopulationRecovery, GivesMeanAndCovarianceBack) {
   }
 }
 
-// Equal devices differ by the errors of their fits. trace(C^-1 S) m is then chi-squared with n m degrees of freedom;
-// the kernel estimate of f(0) is low by half the square of its relative width, C high by that square: 0.10. The largest
-// eigenvalue of C^-1 S lies below (1 + root(n / m) + t / root(m))^2 but for exp(-t^2 / 2) (Davidson and Szarek 2001,
-// Theorem II.13), and what is above 1 is taken for scatter.
+// Equal devices differ by the errors of their fits alone. trace(C^-1 S) m is then chi-squared with n m degrees of
+// freedom; the kernel estimates f(0) too low by half the square of its relative width, so C is high by that square:
+// 0.10. The largest eigenvalue of C^-1 S exceeds (1 + root(n / m) + t / root(m))^2 with probability exp(-t^2 / 2) at
+// most (Davidson and Szarek 2001, Theorem II.13); what exceeds 1 is taken for scatter.
 TEST_P(PopulationRecovery, OfEqualDevicesFindsNoMoreThanTheErrorsOfTheFits) {
   auto const& lot = lots[GetParam()];
   auto const found = recover(lot, 0.0, 0.01);
@@ -261,13 +261,13 @@ TEST_P(PopulationRecovery, OfEqualDevicesFindsNoMoreThanTheErrorsOfTheFits) {
   double const largest = std::pow(1.0 + std::sqrt(n / freedom) + standard_errors / std::sqrt(freedom), 2);
   for (Index i = 0; i < found.C.rows(); ++i) {
     EXPECT_LE(found.covariance(i, i), (largest - 1.0) * found.C(i, i));
-    EXPECT_LT(std::sqrt(found.covariance(i, i)), 0.01);  // nowhere near the least level of variability
+    EXPECT_LT(std::sqrt(found.covariance(i, i)), 0.01);  // far below the least level of variability
   }
   EXPECT_LT(found.population.directions, lot.names.size());
   expect_within(found.mean, found.true_mean, found.C.diagonal() / devices, "mean");
 }
 
-// Ten times the noise, so that the fits' errors are as large as the scatter, or larger: the estimates scatter by the
+// With ten times the noise the errors of the fits are at least as large as the scatter; the estimates scatter by the
 // sum of both.
 TEST_P(PopulationRecovery, AccountsForErrorsAsLargeAsTheScatter) {
   auto const& lot = lots[GetParam()];

@@ -1,5 +1,5 @@
-// power-masing and power-scragging against values of two other implementations, along a path with inner loops; and what
-// their definitions say of paths without asking for numbers.
+// power-masing and power-scragging against two other implementations, along a path with inner loops, and properties
+// that their definitions imply for any path.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,19 +17,19 @@ namespace {
 using laws::PowerMasing;
 using laws::PowerScragging;
 
-constexpr std::array<std::size_t, 5> asked{2, 4, 5, 8, 9};  // corners of which the force is known
+constexpr std::array<std::size_t, 5> asked{2, 4, 5, 8, 9};  // corners where the force is known
 
 template <class Law>
 void expect_at_corners(Values<Law> const& values, std::array<double, 5> const& expected) {
   for (int const steps : {1, 7, 1000}) {
     auto const force = forces<Law>(values, laws::make_path(through(corners, steps), {}));
     for (std::size_t i = 0; i < asked.size(); ++i)
-      // The values are printed to 1e-6; a step cut in a thousand is the same step.
+      // Expected values are printed to 1e-6. A step cut in a thousand is the same step.
       EXPECT_NEAR(force[asked[i] * static_cast<std::size_t>(steps)], expected[i], 6e-7) << steps << " steps a leg";
   }
 }
 
-// Parameters and forces: two implementations in Python that share nothing with this one.
+// Forces from two independent implementations in Python.
 TEST(PowerLaws, Masing) {
   expect_at_corners<PowerMasing>({80, 0.36, 45, 10, 60, 0.25},
                                  {129.532082, -113.471661, -143.227964, 109.233601, 169.340264});
@@ -42,7 +42,7 @@ TEST(PowerLaws, Scragging) {
                                     {133.626557, -121.483364, -147.377735, 106.630371, 170.597619});
 }
 
-// Two implementations in C++ and Python that share nothing with this one, at every corner.
+// Forces at every corner from two independent implementations, in C++ and Python.
 TEST(PowerLaws, Worn) {
   Values<laws::PowerMasingWorn> const values{96, 0.37, 49, 14, 51, 0.15, 1.9, 0.033};
   std::vector<double> const expected{0,           90.743914, 141.827865, -21.715459, -121.017257,
@@ -54,7 +54,7 @@ TEST(PowerLaws, Worn) {
   }
 }
 
-// Without its dashpot, or without wear and kept force, each is power-masing to the bit.
+// Without its dashpot, or without wear and kept force, each variant equals power-masing bit by bit.
 TEST(PowerLaws, VariantsAreTheLawWithoutTheirTerms) {
   auto const motion = polyline(corners, 9);
   auto const path = laws::make_path(motion.disp_mm, motion.velocity_mm_s);
@@ -67,8 +67,8 @@ TEST(PowerLaws, VariantsAreTheLawWithoutTheirTerms) {
     EXPECT_NEAR(damped[i] - force[i], 0.05 * motion.velocity_mm_s[i], 1e-12);
 }
 
-// The closed form of the branches at integers: f (1 + f^4) = x/xy, and the energy 4 a xy Fy f^(r+1) (r-1)/(r+1) of a
-// cycle.
+// The closed form of the branches at integers: f (1 + f^4) = x/xy. The energy of a cycle is 4 a xy Fy f^(r+1)
+// (r-1)/(r+1).
 TEST(PowerLaws, RambergOsgood) {
   double const K = 2.0, Fy = 30.0, xy = Fy / K;
   Values<laws::RambergOsgood> const values{K, Fy, 1.0, 5.0, 0.0};
@@ -85,12 +85,12 @@ TEST(PowerLaws, RambergOsgood) {
     EXPECT_NEAR(found[2 * steps] / Fy, at_zero, 1e-12);
     double energy = 0.0;
     for (std::size_t i = steps; i + 1 < x.size(); ++i) energy += 0.5 * (found[i] + found[i + 1]) * (x[i + 1] - x[i]);
-    // The trapezoidal rule on steps of a twenty-thousandth of the amplitude.
+    // The trapezoidal rule takes steps of a twenty-thousandth of the amplitude.
     EXPECT_NEAR(energy, 4.0 * xy * Fy * std::pow(force, 6.0) * 4.0 / 6.0, 1e-7 * D * Fy);
   }
 }
 
-// The length of the memory has a logarithm at h = 1, which the powers beside it tend to.
+// At h = 1 the length of the memory is a logarithm, the limit of the powers on both sides.
 TEST(PowerLaws, ScraggingIsContinuousInItsExponent) {
   auto const path = laws::make_path(through(corners, 3), {});
   auto const at = [&](double h) { return forces<PowerScragging>({50, 0.36, 80, 10, 60, 35, h, 0.25, 0.05}, path); };
@@ -101,8 +101,8 @@ TEST(PowerLaws, ScraggingIsContinuousInItsExponent) {
       EXPECT_LT(largest_difference(at(h), middle), 20.0 * d + 1e-11) << h;
 }
 
-// A loop of unloading and reloading that closes leaves nothing behind in the hysteretic force: without scragging and
-// hardening the rest of the path has the same force, to the rounding of the sums of branches.
+// A closed loop of unloading and reloading leaves no trace in the hysteretic force: without scragging and hardening the
+// later forces are the same, but for rounding in the sums of branches.
 TEST(PowerLaws, MasingLoopsClose) {
   Values<PowerMasing> const values{80, 0.36, 45, 0, 0, 0.25};
   auto const plain = forces<PowerMasing>(values, laws::make_path(std::vector<double>{0, 50, -60, 40, 80}, {}));
@@ -114,22 +114,21 @@ TEST(PowerLaws, MasingLoopsClose) {
   EXPECT_NEAR(looped[15], plain[4], 1e-12);
 }
 
-// Every loop of a decaying sine stays open: the memory is as deep as the path has turning points, whatever their
-// number.
+// Every loop of a decaying sine stays open, so the law must remember every turning point, however many there are.
 TEST(PowerLaws, MemoryIsAsDeepAsThePath) {
   constexpr int turns = 3287;
   std::vector<double> x{0.0};
   for (int i = 0; i < turns; ++i) x.push_back((i % 2 == 0 ? 100.0 : -100.0) * std::pow(0.999, i));
   auto path = laws::make_path(x, {});
   EXPECT_EQ(path.deepest, static_cast<std::size_t>(turns - 1));
-  // Back through all of them, by which every branch closes at the force that it began with.
+  // On the way back through all of them, every branch closes at the force where it began.
   auto const inwards = forces<PowerMasing>({80, 0.36, 45, 0, 0, 0.25}, path);
   x.push_back(-100.0);
   auto const outwards = forces<PowerMasing>({80, 0.36, 45, 0, 0, 0.25}, laws::make_path(x, {}));
   EXPECT_NEAR(outwards.back(), -inwards[1], 1e-9);
 }
 
-// Halving a step takes the change of the force to 0: as d^g where a branch begins, on a virgin side too.
+// As the step is halved the change of the force tends to 0: as d^g where a branch begins, also on a virgin side.
 TEST(PowerLaws, MasingIsContinuous) {
   Values<PowerMasing> const values{80, 0.36, 45, 10, 60, 0.25};
   std::vector<std::vector<double>> const histories{
@@ -140,34 +139,34 @@ TEST(PowerLaws, MasingIsContinuous) {
         auto x = history;
         x.push_back(x.back() + sign * d);
         auto const force = forces<PowerMasing>(values, laws::make_path(x, {}));
-        // sk'(0) of the branch, the elastic force of a virgin side, and what C and H change along d.
+        // The bound: sk'(0) of the branch, the elastic force of a virgin side, and the change of C and H along d.
         double const bound = 2.0 * 80.0 * std::pow(d / 100.0, 0.36) + 45.0 * std::pow(d / 100.0, 0.36) + 1.5 * d;
         EXPECT_LE(std::abs(force.back() - force[force.size() - 2]), bound) << d << " from " << history.back();
       }
 }
 
-Values<PowerMasing> const bearing{87.1, 0.370, 46.4, 9.8, 65.5, 0.27};  // of the measured one
+Values<PowerMasing> const bearing{87.1, 0.370, 46.4, 9.8, 65.5, 0.27};  // the measured bearing
 
-// What it says of amplitudes beyond the tests' 151.2 mm: at five times as much, first loading, 1,333 kN, of which the
-// hardening that grows with the square has 560.
+// At five times the tests' largest amplitude, 151.2 mm, the first loading reaches 1,333 kN, and 560 kN of that are the
+// hardening, which grows with the square.
 TEST(PowerLaws, HardeningGovernsFarBeyondTheTests) {
   auto const path = laws::make_path(through({0.0, 5.0 * 151.2}, 100), {});
   auto without = bearing;
   without[3] = 0.0;
   double const force = forces<PowerMasing>(bearing, path).back();
-  EXPECT_NEAR(force, 1333.0, 3.0);  // of parameters that are printed to two and three digits
+  EXPECT_NEAR(force, 1333.0, 3.0);  // the parameters are printed to two or three digits
   EXPECT_NEAR(force - forces<PowerMasing>(without, path).back(), 560.0, 0.5);
 }
 
-// Noise, normal and white.
+// White noise with a normal distribution.
 std::vector<double> with_noise(std::vector<double> x, double deviation) {
   num::Draws draws(num::Stream(7), 0, 0);
   for (double& value : x) value += deviation * draws.normal();
   return x;
 }
 
-// A dead band of three deviations of noise costs a noise-free path little: noise of 0.1 % of the amplitude, 0.5 % of
-// the peak force in the mean over the samples (0.31 % here; next to reversals more, where the branches are steepest).
+// A dead band of three standard deviations costs a noise-free path little: for noise of 0.1 % of the amplitude at most
+// 0.5 % of the peak force on average over the samples (0.31 % here; more after reversals, where branches are steepest).
 TEST(PowerLaws, DeadBandKeepsThePath) {
   std::vector<double> x;
   for (double const amplitude : {38.0, 76.0, 152.0})
@@ -183,8 +182,8 @@ TEST(PowerLaws, DeadBandKeepsThePath) {
   EXPECT_EQ(laws::followed(x, 0.0), x);
 }
 
-// At rest with a tremor of 0.01 mm over ten thousand samples: 9 % of the force are lost to travel that is none; behind
-// the band less than 1 %.
+// At rest with a tremor of 0.01 mm over ten thousand samples, 9 % of the force are lost to travel that is not real;
+// with the dead band less than 1 %.
 TEST(PowerLaws, TremorIsNoTravel) {
   auto x = through({0.0, 50.0}, 100);
   x.resize(x.size() + 10000, 50.0);
@@ -196,8 +195,8 @@ TEST(PowerLaws, TremorIsNoTravel) {
   EXPECT_GT(behind.back(), 0.99 * behind[100]);
 }
 
-// The energy of a cycle from rest to rest is positive anywhere in the box. From peak to peak it need not be: what was
-// stored on the way up at a stiffness that travel removes is given back there.
+// A cycle from rest to rest dissipates anywhere in the box. From peak to peak it need not: energy stored on the way up
+// at a stiffness that travel later removes is returned there.
 TEST(PowerLaws, CyclesDissipate) {
   for (double const amplitude : {2.0, 50.0, 208.0})
     for (std::uint32_t i = 0; i < 200; ++i) {

@@ -1,4 +1,4 @@
-// The programs' materials as they are replayed here, against closed forms and values of independent implementations.
+// Other programs' materials as isolaw replays them, against closed forms and values of independent implementations.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -36,13 +36,13 @@ TEST(Replay, bilinear_materials_have_the_closed_form) {
     EXPECT_NEAR((f.back() - f[1]) / (2.0 * D), K2 + Qd / D, 1e-12) << command.name;
     auto const loop = line(D, -D, 20000) + line(-D, D, 20000);
     auto const around = line(0, D, 1) + loop;
-    // The trapezoid misses the corners, less than half a step of the force's change of slope each.
+    // The trapezoidal rule errs at each corner by less than half a step times the change of slope.
     EXPECT_NEAR(energy(around, replay({&command, 1}, around), 0), 4.0 * Qd * (D - Qd / (K1 - K2)), 0.01)
         << command.name;
   }
 }
 
-// Values of another implementation, and f at 1 by hand: 0.1 + 0.9 / 2^(1/20).
+// Values of another implementation; f at 1 follows by hand: 0.1 + 0.9 / 2^(1/20).
 TEST(Replay, steel02_has_the_branches_of_menegotto_and_pinto) {
   Command const command{"Steel02", {1.0, 1.0, 0.1, 20.0, 0.925, 0.15}};
   auto const f = replay({&command, 1}, std::vector<double>{1, 5, -5, 5, 2, 5, 6});
@@ -51,7 +51,7 @@ TEST(Replay, steel02_has_the_branches_of_menegotto_and_pinto) {
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(f[i], expected[i], 5.1e-10) << i;
 }
 
-// Without hardening: K_eff = kb + f0 tanh(alpha D) / D, EDC = 4 f0 (D - tanh(alpha D) / alpha); kb 0.6, f0 25, alpha
+// Without hardening K_eff = kb + f0 tanh(alpha D) / D and EDC = 4 f0 (D - tanh(alpha D) / alpha); kb 0.6, f0 25, alpha
 // 0.08, D 150 give 0.766667 kN/mm and 13750.00 kN mm.
 TEST(Replay, asymmetric_material_without_hardening_has_the_closed_form) {
   double const kb = 0.6, f0 = 25.0, alpha = 0.08, D = 150.0;
@@ -86,8 +86,8 @@ TEST(Replay, asymmetric_material_gives_the_documented_sets) {
   }
 }
 
-// Wen with n = 1 and gamma = 0 has dz/dx = A - beta |z| sgn(dx z): the branches of the asymmetric material without
-// hardening, to the first order of the step.
+// Wen's material with n = 1 and gamma = 0 has dz/dx = A - beta |z| sgn(dx z). Its branches are those of the asymmetric
+// material without hardening, to first order in the step.
 TEST(Replay, bouc_wen_of_exponent_one_is_the_asymmetric_material_as_the_step_goes_to_zero) {
   double const kb = 0.6, f0 = 25.0, alpha = 0.08, D = 150.0, Ke = kb + alpha * f0;
   Command const algebraic{"HystereticAsym", {kb + 2.0 * alpha * f0, kb, f0, 0, 0, 0}};
@@ -106,7 +106,7 @@ TEST(Replay, bouc_wen_of_exponent_one_is_the_asymmetric_material_as_the_step_goe
   EXPECT_LT(before, 0.3);
 }
 
-// A branch so long that the distance to the limit curve is lost gives no number, and none ever after.
+// On a very long branch the distance to the limit curve is lost to rounding; the force is NaN from there on.
 TEST(Replay, asymmetric_material_turns_into_no_number_on_a_long_travel) {
   Command const command{"HystereticAsym", {4.6, 0.6, 25.0, 0, 0, 0}};
   double const alpha = 0.08;

@@ -1,5 +1,5 @@
-// Springs around the circle: stiffness, strength and energies of bilinear ones, computed with an independent script
-// from the formulas; what turning does; tangents.
+// Springs around the circle: stiffness, strength and energy of bilinear ones against values that an independent script
+// computed from the formulas; the effect of turning the springs; tangents.
 #include "isolaw/laws/springs.hpp"
 
 #include <gtest/gtest.h>
@@ -17,12 +17,12 @@ using laws::Springs;
 using laws::plane::Vector;
 constexpr double pi = std::numbers::pi;
 
-// K1 6, K2 0.9 kN/mm, Qd 30 kN, in the law's parameters.
+// K1 6, K2 0.9 kN/mm, Qd 30 kN, as the law's parameters.
 laws::Online bilinear(double K2 = 0.9) {
   return {"bilinear", std::vector{6.0, K2, 30.0 / (6.0 - K2)}};
 }
 
-// The force after every corner, each side of the path in so many steps; the work of the last round of `round` corners.
+// The force after every corner, each side cut into steps; the work of the last round of `round` corners.
 struct Walked {
   std::vector<Vector<double>> forces;
   double work = 0.0;
@@ -79,7 +79,7 @@ TEST(Springs, energies_of_bilinear_ones) {
     EXPECT_NEAR(work(e.springs, circles), e.energy, 0.3) << e.springs;
 }
 
-// The knee that is lost, of 16 springs: what docs/bidirectional.md says.
+// 16 springs lose part of the knee; docs/bidirectional.md quotes these numbers.
 TEST(Springs, lose_work_at_small_amplitudes) {
   constexpr int steps = 2000;
   auto const change_percent = [&](double size) {
@@ -114,7 +114,7 @@ TEST(Springs, turn_by_their_own_angle_exactly_and_by_any_within_a_spring) {
     std::vector<Vector<double>> other;
     for (auto const& at : path) other.push_back(turned(at, 1.0));
     auto const got = walked(Springs(bilinear()), other);
-    // Between their angles one spring more or less has yielded.
+    // If the path turns by a fraction of the springs' spacing, one spring more or less yields.
     bool const exact = share == std::floor(share);
     double worst = 0.0;
     for (std::size_t i = 0; i < path.size(); ++i) {
@@ -130,7 +130,7 @@ TEST(Springs, turn_by_their_own_angle_exactly_and_by_any_within_a_spring) {
 
 TEST(Springs, tangents_and_damping_are_slopes) {
   bool damped = false;
-  // Towards a side that was never visited the second has no bounded slope; its dashpot is compared.
+  // Towards a side never visited the second law has no bounded slope; only its dashpot is compared.
   struct Subject {
     laws::Online law;
     bool has_slopes;

@@ -1,5 +1,5 @@
-// Table 4 of Cucuzza et al. 2025 (Structures 73, 108355) as printed: search boxes, in its order and units, typed in
-// apart from Table A.5. Parameters under isolaw's names. std::nullopt: a bound that is not legible in our copy.
+// Search boxes of Table 4 of Cucuzza et al. 2025 (Structures 73, 108355) as printed, in its order and units, typed in
+// independently of Table A.5, with isolaw's parameter names. std::nullopt: the bound is illegible in our copy.
 #pragma once
 
 #include <array>

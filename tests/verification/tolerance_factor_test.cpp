@@ -25,7 +25,7 @@ TEST(ToleranceFactor, TendsToTheNormalQuantile) {
   EXPECT_TRUE(std::isnan(tolerance_factor(1)));
 }
 
-// What the factor promises, by drawing samples: the interval holds 95 % of the distribution in 95 % of the samples.
+// By drawing samples: the interval must hold 95 % of the distribution in 95 % of the samples.
 TEST(ToleranceFactor, HoldsItsShareWithItsConfidence) {
   std::mt19937_64 random(11);
   std::normal_distribution<double> normal;

@@ -1,6 +1,6 @@
-// Twin experiments: a record that a law made itself, from parameters somewhere in its automatic box, is fitted by that
-// law to the last digits, wherever the search starts; what the record determines by the program's own verdict is the
-// truth, and what it does not determine may be anything that makes the same forces.
+// Twin experiments: a law makes a record from parameters somewhere in its automatic box and is fitted to it. From any
+// start the search must reproduce the record to the last digits. Parameters that the program calls determined must
+// equal the true ones; the others may have any values that give the same forces.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ TEST_P(Twin, IsFoundAgain) {
   IdentificationProblem const problem(model, twin.box);
   num::Stream const stream(stable_hash(GetParam()));
   std::vector<std::vector<double>> found;
-  std::uint64_t const runs = twin.box.free_count() > 10 ? 1 : 3;  // a search of abe's takes a minute
+  std::uint64_t const runs = twin.box.free_count() > 10 ? 1 : 3;  // one search of abe takes a minute
   for (std::uint64_t run = 1; run <= runs; ++run) {
     auto const best = opt::minimise_multistart(problem, stream.split(run));
     EXPECT_LT(best.best_value, 1e-9) << "run " << run;
@@ -58,8 +58,8 @@ TEST_P(Twin, IsFoundAgain) {
       elsewhere.insert(parameter.name);
     }
   }
-  // Elsewhere may lie what is redundant by the law's own word, and of abe-y0 the hardening force K2 |x|^r / Uh^r, known
-  // only as a whole.
+  // Other values are allowed for parameters that the law itself calls redundant, and for abe-y0's hardening force K2
+  // |x|^r / Uh^r, of which only the product is known.
   std::string const law = GetParam();
   EXPECT_GE(determined, law == "bouc-wen" || law == "abe" ? 1u : 3u);
   std::set<std::string_view> redundant{twin.law->redundant_with.begin(), twin.law->redundant_with.end()};

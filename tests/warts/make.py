@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Writes the files of this folder: one wart of a laboratory's export each, around one and the same device.
+"""Writes the files of this folder: each has one wart of a laboratory's export, and all are of the same device.
 
-K = 0.5 kN/mm, friction of 20 kN, three cycles of 100 mm at 0.5 Hz, 100 samples a cycle: K_eff is 0.7 kN/mm. What is
-expected of each file stands in warts.json; tests/cli/warts_test.cpp holds them together. The signals that cannot be
-true (disp-*, force-*, time-gap) and those that may (true*) are of a smooth device: 0.5 kN/mm and 30 kN that follow the
-way within 12.5 mm, K_eff is 0.8 kN/mm."""
+K = 0.5 kN/mm, friction of 20 kN, three cycles of 100 mm at 0.5 Hz, 100 samples a cycle: K_eff is 0.7 kN/mm. warts.json
+states the expected outcome of each file; tests/cli/warts_test.cpp compares the two. The impossible signals (disp-*,
+force-*, time-gap) and the unusual but possible ones (true*) are of a smooth device: 0.5 kN/mm, and 30 kN that follow
+the displacement within 12.5 mm; K_eff is 0.8 kN/mm."""
 import datetime
 import json
 import math
@@ -94,7 +94,7 @@ def time_stamps():
 
 
 def workbook(name, head, time):
-    """The least that Excel reads: cells of the first column in style 1, a date and time."""
+    """Writes the least that Excel reads; cells of the first column have style 1, a date and time."""
     def text(content):
         return f'<c t="inlineStr"><is><t>{content}</t></is></c>'
     rows = '<row>' + text(head) + text('Displacement [mm]') + text('Force [kN]') + '</row>'
@@ -183,8 +183,8 @@ def text_files():
     write('empty.csv', b'')
 
 
-# Load and displacement of a compression test: `loadings` from `least` to `largest` kN along d(P), unloaded with some
-# hysteresis; the first loading settles by a tenth more.
+# Writes load and displacement of a compression test: `loadings` from `least` to `largest` kN along d(P), with some
+# hysteresis on unloading; the first loading settles by a tenth more.
 def compression(name, head, disp_of, loadings=3, least=50.0, largest=1000.0, load_sign=1.0, settles=0.02, unloads=True, end=math.inf):
     lines = [head]
     for number in range(loadings):
@@ -199,7 +199,7 @@ def compression(name, head, disp_of, loadings=3, least=50.0, largest=1000.0, loa
 def compression_tests():
     english = 'Vertical displacement [mm];Vertical load [kN]'
     compression('compression.csv', english, lambda p: 0.3 + p / 1200.0)
-    # 700 kN between 300 and 1000 kN take 700/1200 mm of a law that stiffens, P^0.8.
+    # A stiffening law, d ~ P^0.8: from 300 to 1000 kN it moves by 700/1200 mm.
     scale = 700.0 / 1200.0 / (1000.0 ** 0.8 - 300.0 ** 0.8)
     compression('compression-ramp.csv', 'Displacement [mm];Load [kN]', lambda p: scale * p ** 0.8, loadings=1, least=0.0, settles=0.0, unloads=False)
     compression('compression-negative.csv', 'Weg vertikal [mm];Vertikalkraft [kN]', lambda p: 0.3 + p / 1200.0, load_sign=-1.0)
@@ -211,7 +211,7 @@ def machine(name, head, row, encoding='utf-8', end='\r\n'):
     table(name, head, row, encoding=encoding, end=end)
 
 
-# As the programs of testing machines and of measuring amplifiers write them; device and times as everywhere here.
+# Files as testing machines and measuring amplifiers write them; the device and times are those of all files here.
 def machines():
     tabs = lambda t, x, f: f'{t:.4f}\t{x:.4f}\t{f:.4f}'
     machine('mts-793.dat', 'MTS793|MPT|ENU|1|2|.|/|:|1|0|0|A\r\n\r\nData Acquisition\t\tTime:\t6.02\tSec\t5/2/2024 10:00:06 AM\r\n'
@@ -232,7 +232,7 @@ def machines():
             'Channels\t2\t\t\r\nSamples\t301\t301\t\r\nDate\t2024/05/02\t2024/05/02\t\r\nTime\t10:00:00.25\t10:00:00.25\t\r\n'
             'Y_Unit_Label\tmm\tkN\t\r\nX_Dimension\tTime\tTime\t\r\nX0\t0.0E+0\t0.0E+0\t\r\nDelta_X\t0.020000\t0.020000\t\r\n***End_of_Header***\t\t\t\r\n'
             'X_Value\tDisplacement\tForce\tComment', tabs)
-    # Without a column of times: the header has their interval, where all channels share one.
+    # Without a time column: the header states the interval, if all channels have the same one.
     head = ('LabVIEW Measurement\t\r\nSeparator\tTab\r\nDecimal_Separator\t.\r\nX_Columns\tNo\r\n***End_of_Header***\t\r\n\t\r\n'
             'Channels\t2\t\t\r\nSamples\t301\t301\t\r\nY_Unit_Label\tmm\tkN\t\r\nX_Dimension\tTime\tTime\t\r\nX0\t0.0E+0\t0.0E+0\t\r\n'
             'Delta_X\t{}\t0.020000\t\r\n***End_of_Header***\t\t\t\r\nX_Value\tDisplacement\tForce\tComment')
@@ -243,7 +243,7 @@ def machines():
     write('machine.id_comp', b'TDAT' + bytes(24))
 
 
-# JSON whose times are texts.
+# Writes JSON whose times are strings.
 def json_stamps():
     def arrays(name, times):
         write(name, json.dumps({'time': times, 'disp_mm': [round(x, 3) for _, x, _ in device], 'force_kN': [round(f, 3) for _, _, f in device]}).encode())

@@ -29,8 +29,7 @@ Point with(Point point, std::size_t coordinate, double value) {
   return point;
 }
 
-// The profiles start from an optimum; should one of them come upon a lower objective, everything starts anew from
-// there.
+// Computes the profiles from an optimum. If one of them finds a lower objective, everything starts again from there.
 class Examination {
  public:
   Examination(fit::LawOnRecord const& model, fit::SearchBox const& box, Point optimum, Interrupted const& interrupted)
@@ -40,7 +39,7 @@ class Examination {
         interrupted_(interrupted),
         free_(free_parameters(box)),
         best_(std::move(optimum)) {
-    if (!free_.empty()) best_value_ = value_at(best_, made_.evaluations);
+    if (!free_.empty()) best_value_ = value_at(best_, result_.evaluations);
   }
 
   Determination run() {
@@ -48,7 +47,7 @@ class Examination {
     if (free_.empty()) return closed();
     if (!std::isfinite(best_value_)) return nothing_determined();
     for (int pass = 1;; ++pass) {
-      made_.parameters.clear();
+      result_.parameters.clear();
       rise_ = least_seen();
       look_around();
       bool const is_lowest = profile_all(pass < most_passes);
@@ -61,24 +60,24 @@ class Examination {
   double least_seen() const { return std::max(visible_rise * best_value_, least_visible_rise); }
 
   Determination closed() {
-    made_.optimum.resize(box_.parameters.size());
-    box_.expand(best_, made_.optimum);
+    result_.optimum.resize(box_.parameters.size());
+    box_.expand(best_, result_.optimum);
     std::vector<double> work;
-    made_.objective = best_value_ = model_.objective(made_.optimum, work);
-    made_.rise = free_.empty() ? least_seen() : rise_;
-    return made_;
+    result_.objective = best_value_ = model_.objective(result_.optimum, work);
+    result_.rise = free_.empty() ? least_seen() : rise_;
+    return result_;
   }
 
   // The law has no force at the point that was given.
   Determination nothing_determined() {
     for (auto const* p : free_)
-      made_.parameters.push_back({.parameter = index_of(*p),
-                                  .verdict = Verdict::undetermined,
-                                  .lower = p->lower,
-                                  .upper = p->upper,
-                                  .open_below = true,
-                                  .open_above = true,
-                                  .profile = {}});
+      result_.parameters.push_back({.parameter = index_of(*p),
+                                    .verdict = Verdict::undetermined,
+                                    .lower = p->lower,
+                                    .upper = p->upper,
+                                    .open_below = true,
+                                    .open_above = true,
+                                    .profile = {}});
     return closed();
   }
 
@@ -86,8 +85,8 @@ class Examination {
     return static_cast<std::size_t>(&p - box_.parameters.data());
   }
 
-  // What a change of the force of this root mean square, of its standard deviation, raises the objective by `rise_`:
-  // the residuals there are as good as distributed exponentially on both sides, with the objective as mean magnitude.
+  // The root mean square change of the force, relative to its standard deviation, that raises the objective by `rise_`.
+  // It assumes that the residuals have a two-sided exponential distribution with the objective as their mean magnitude.
   double visible_change() const { return std::max(std::sqrt(2.0 * best_value_ * rise_), rise_); }
 
   double value_at(Point const& point, int& evaluations) const {
@@ -103,13 +102,13 @@ class Examination {
     return best_[k] <= fit::bound_tolerance || best_[k] >= 1.0 - fit::bound_tolerance;
   }
 
-  // What does not act, and singular values and directions of the rest, by relative changes of the parameters.
+  // Finds the parameters without effect, and the singular values and directions of the others by relative changes.
   void look_around() {
-    auto const seen = sensitivity(problem_, best_);
-    made_.evaluations += static_cast<int>(2 * free_.size() + 1);
-    weighted_ = seen.weights.cwiseSqrt().asDiagonal() * seen.jacobian;
-    made_.singular_values.clear();
-    made_.trade_offs.clear();
+    auto const response = sensitivity(problem_, best_);
+    result_.evaluations += static_cast<int>(2 * free_.size() + 1);
+    weighted_ = response.weights.cwiseSqrt().asDiagonal() * response.jacobian;
+    result_.singular_values.clear();
+    result_.trade_offs.clear();
     std::vector<std::size_t> acting;
     Matrix relative(weighted_.rows(), weighted_.cols());
     for (std::size_t k = 0; k < free_.size(); ++k) {
@@ -128,17 +127,18 @@ class Examination {
     Vector const alone = relative.colwise().norm();
     auto const [values, directions] = num::singular_values(relative);
     for (Index i = 0; i < values.size(); ++i) {
-      made_.singular_values.push_back(values[i]);
+      result_.singular_values.push_back(values[i]);
       add_direction(directions.col(i), values[i], acting, alone);
     }
   }
 
-  // A change of the parameters by half, were the law linear.
+  // Whether a change of the parameters by half would be visible if the law were linear.
   bool is_seen(double force_change) const { return weakly_determined_within * force_change >= visible_change(); }
 
-  // A direction of several parameters, since each of these moves the force when it changes alone, by `alone`. Named are
-  // those that change by a tenth or more of what the one that changes most does; and, since a small change counts where
-  // a parameter moves the force much, those whose change moves the force by a tenth or more of the most that any does.
+  // Adds a direction as a trade-off if it is not visible. alone[i] is the force change by parameter i alone, which is
+  // visible for each of them. The trade-off names the parameters that change by at least a tenth of the largest change.
+  // A small change counts too if the parameter is a strong one: then its share of the force change decides, which must
+  // be at least a tenth of the largest.
   void add_direction(Vector const& direction, double singular_value, std::vector<std::size_t> const& acting,
                      Vector const& alone) {
     constexpr double takes_part = 0.1;
@@ -168,10 +168,10 @@ class Examination {
       names.push_back(free_[k]->name);
     }
     found.sentence = trade_off_sentence(names, found.change);
-    made_.trade_offs.push_back(std::move(found));
+    result_.trade_offs.push_back(std::move(found));
   }
 
-  // How far coordinate k goes, to first order, before the others can no longer hide it; and how they follow.
+  // To first order: how far coordinate k can go until the others can no longer make up for it, and how they follow it.
   std::pair<double, Vector> first_order(std::size_t k) const {
     auto const column = static_cast<Index>(k);
     Matrix others(weighted_.rows(), weighted_.cols() - 1);
@@ -188,11 +188,11 @@ class Examination {
   }
 
   struct Side {
-    std::vector<std::pair<double, double>> points;  // coordinate and objective, outwards
-    double end = 0.0;                               // coordinate where the rise is reached
-    bool open = false;                              // it is not, up to the edge of the box
+    std::vector<std::pair<double, double>> points;  // coordinate and objective, from the optimum outwards
+    double end = 0.0;                               // coordinate where the rise is reached, or the edge of the box
+    bool open = false;                              // the rise is not reached inside the box
   };
-  // Both sides of a parameter; where one comes upon a lower objective it ends there.
+  // Both sides of a parameter's profile. The first lower objective found ends them.
   struct Sides {
     Side below = {}, above = {};
     int evaluations = 0;
@@ -202,35 +202,35 @@ class Examination {
     bool found_lower() const { return !lower_at.empty(); }
   };
 
-  // False when a lower objective turned up: what comes after it is not looked at.
+  // False if a profile found a lower objective; the profiles after it are then not used.
   bool profile_all(bool may_restart) {
-    std::vector<Sides> made(free_.size());
-    Ahead profiles(made.size(), [&](std::size_t k) { made[k] = profiled(k, may_restart); });
-    for (std::size_t k = 0; k < made.size(); ++k) {
+    std::vector<Sides> sides(free_.size());
+    WorkAhead profiles(sides.size(), [&](std::size_t k) { sides[k] = profiled(k, may_restart); });
+    for (std::size_t k = 0; k < sides.size(); ++k) {
       if (interrupted_ && interrupted_()) throw GivenUp();
       profiles.need(k);
-      made_.evaluations += made[k].evaluations;
-      if (made[k].found_lower()) {
-        best_ = made[k].lower_at;
-        best_value_ = made[k].lower;
+      result_.evaluations += sides[k].evaluations;
+      if (sides[k].found_lower()) {
+        best_ = sides[k].lower_at;
+        best_value_ = sides[k].lower;
         return false;
       }
-      made_.parameters.push_back(judged(k, made[k].below, made[k].above));
+      result_.parameters.push_back(judged(k, sides[k].below, sides[k].above));
     }
     return true;
   }
 
   Sides profiled(std::size_t k, bool may_restart) const {
     auto const [reach, follow] = first_order(k);
-    Sides made;
-    made.below = profile_side(k, -1.0, reach, follow, may_restart, made);
-    if (!made.found_lower()) made.above = profile_side(k, 1.0, reach, follow, may_restart, made);
-    return made;
+    Sides sides;
+    sides.below = profile_side(k, -1.0, reach, follow, may_restart, sides);
+    if (!sides.found_lower()) sides.above = profile_side(k, 1.0, reach, follow, may_restart, sides);
+    return sides;
   }
 
   Side profile_side(std::size_t k, double sign, double reach, Vector const& follow, bool may_restart,
                     Sides& sides) const {
-    constexpr double enough = 4.0;  // times the rise: to be drawn
+    constexpr double enough = 4.0;  // times the rise, so that a figure shows more than the open range
     double const room = sign > 0.0 ? 1.0 - best_[k] : best_[k];
     Side side;
     double distance = 0.0, step = 0.5 * reach;
@@ -267,7 +267,7 @@ class Examination {
     return side;
   }
 
-  // The objective with coordinate k held at u, the others fitted again from `others`.
+  // Fits the other coordinates again, from `others`, with coordinate k held at u; returns them and the objective.
   std::pair<Point, double> refitted(std::size_t k, double u, Point const& others, int& evaluations) const {
     Held const held(problem_, k, u);
     if (others.empty()) return {Point(), value_at({u}, evaluations)};
@@ -276,7 +276,7 @@ class Examination {
     return {std::move(found.best), found.best_value};
   }
 
-  // Where the rise is reached, between two points by the root of the rise, which grows about linearly.
+  // Finds where the rise is reached. Between two points it interpolates the root of the rise, which is nearly linear.
   void find_end(Side& side, std::size_t k, double sign) const {
     double before_u = best_[k], before = 0.0;
     for (auto const& [u, value] : side.points) {
@@ -294,31 +294,31 @@ class Examination {
 
   ParameterDetermination judged(std::size_t k, Side const& below, Side const& above) const {
     auto const& p = *free_[k];
-    ParameterDetermination made;
-    made.parameter = index_of(p);
-    made.lower = p.at(below.end);
-    made.upper = p.at(above.end);
-    made.open_below = below.open;
-    made.open_above = above.open;
+    ParameterDetermination result;
+    result.parameter = index_of(p);
+    result.lower = p.at(below.end);
+    result.upper = p.at(above.end);
+    result.open_below = below.open;
+    result.open_above = above.open;
     auto const add = [&](double u, double objective) {
       if (!std::isfinite(objective)) return;
-      made.profile.value.push_back(p.at(u));
-      made.profile.objective.push_back(objective);
+      result.profile.value.push_back(p.at(u));
+      result.profile.objective.push_back(objective);
     };
     for (std::size_t i = below.points.size(); i-- > 0;) add(below.points[i].first, below.points[i].second);
     add(best_[k], best_value_);
     for (auto const& [u, objective] : above.points) add(u, objective);
 
     double const value = value_of(k);
-    double const half = std::max(value - made.lower, made.upper - value) / natural_size(p, value);
+    double const half = std::max(value - result.lower, result.upper - value) / natural_size(p, value);
     if (half > weakly_determined_within || (below.open && above.open))
-      made.verdict = Verdict::undetermined;
+      result.verdict = Verdict::undetermined;
     else if (at_bound(k))
-      made.verdict = Verdict::at_bound;
+      result.verdict = Verdict::at_bound;
     else
-      made.verdict =
+      result.verdict =
           half > determined_within || below.open || above.open ? Verdict::weakly_determined : Verdict::determined;
-    return made;
+    return result;
   }
 
   fit::LawOnRecord const& model_;
@@ -329,8 +329,8 @@ class Examination {
   Point best_;
   double best_value_ = 0.0;
   double rise_ = 0.0;
-  Matrix weighted_;  // Jacobian by coordinates, rows times the root of their weights
-  Determination made_;
+  Matrix weighted_;  // the Jacobian by coordinates, each row times the root of its weight
+  Determination result_;
 };
 
 std::string listed(std::vector<std::string> const& names) {

@@ -25,23 +25,22 @@ double quantile(std::vector<double> sorted, double probability) {
   return std::lerp(sorted[below], sorted[above], at - static_cast<double>(below));
 }
 
-// Mean size of the residuals about each sample, over an eighth of the record: misfits differ from one part of it to
-// another. A narrower window would find the samples that the fit passes through, a tenth of the usual size is the
-// least.
+// Mean size of the residuals around each sample, over an eighth of the record, since the misfit differs along it. A
+// narrower window would single out the samples that the fit passes through. The result is at least a tenth of the mean.
 Vector local_size(Vector const& residuals) {
   constexpr double rounding = 1e-12;
   Index const n = residuals.size(), half = std::max<Index>(1, n / 16);
   double const least = std::max(0.1 * residuals.cwiseAbs().mean(), rounding);
-  Vector made(n);
+  Vector sizes(n);
   for (Index i = 0; i < n; ++i) {
     Index const first = std::max<Index>(0, i - half), last = std::min(n - 1, i + half);
-    made[i] = std::max(residuals.segment(first, last - first + 1).cwiseAbs().mean(), least);
+    sizes[i] = std::max(residuals.segment(first, last - first + 1).cwiseAbs().mean(), least);
   }
-  return made;
+  return sizes;
 }
 
-// Density at zero of residuals of about unit size, by a Gaussian kernel. A fit by least absolute residuals passes
-// through as many samples as it has parameters, whatever the errors there; these are left out.
+// The density at zero of residuals of about unit size, by a Gaussian kernel. A fit by least absolute residuals passes
+// through as many samples as it has parameters, whatever their errors; these samples are left out.
 double density_at_zero(Vector const& residuals, Index fitted) {
   std::vector<double> sizes;
   for (double const r : residuals) sizes.push_back(std::abs(r));
@@ -50,7 +49,7 @@ double density_at_zero(Vector const& residuals, Index fitted) {
   auto const count = static_cast<double>(sizes.size());
   double squares = 0.0;
   for (double const size : sizes) squares += size * size;
-  // Half of a normal distribution lies within 0.6745 standard deviations. A record without errors has none of these.
+  // Half of a normal distribution lies within 0.6745 standard deviations. least_spread is for a record without errors.
   constexpr double least_spread = 1e-3;
   double const spread = std::max(std::min(quantile(sizes, 0.5) / 0.6745, std::sqrt(squares / count)), least_spread);
   double const width = 1.06 * spread * std::pow(count, -0.2);
@@ -59,17 +58,17 @@ double density_at_zero(Vector const& residuals, Index fitted) {
   return sum / (count * width * std::sqrt(2.0 * std::numbers::pi));
 }
 
-// Each sample counts by the density of its residual at zero, which is that of its surroundings: its own residual would
-// tell nothing where a few samples decide on a parameter, since the fit passes through these.
-Matrix curvature(Sensitivity const& seen) {
-  Vector const size = local_size(seen.residuals);
-  double const density = density_at_zero(seen.residuals.cwiseQuotient(size), seen.jacobian.cols());
-  Vector const counted = 2.0 * density * seen.weights.cwiseQuotient(size);
-  return num::weighted_gram(seen.jacobian, counted);
+// H. Each sample's weight is the density of its residual at zero, estimated from its surroundings: its own residual
+// says nothing if a few samples decide on a parameter, since the fit passes through them.
+Matrix curvature(Sensitivity const& response) {
+  Vector const size = local_size(response.residuals);
+  double const density = density_at_zero(response.residuals.cwiseQuotient(size), response.jacobian.cols());
+  Vector const weights = 2.0 * density * response.weights.cwiseQuotient(size);
+  return num::weighted_gram(response.jacobian, weights);
 }
 
-// Residuals are smaller than errors, and less correlated, by what was fitted to them: n / (n - p) with the number of
-// samples that would be as many independent ones. Twice the width at the most.
+// The factor n / (n - p) on the variance, since fitting makes residuals smaller and less correlated than the errors. n
+// is the number of independent samples that the record is worth. At most 4, which doubles the intervals.
 double freedom_lost(std::size_t samples, std::size_t fitted, std::vector<double> const& correlation) {
   double total = -1.0;
   for (double const c : correlation) total += 2.0 * c;
@@ -77,11 +76,11 @@ double freedom_lost(std::size_t samples, std::size_t fitted, std::vector<double>
   return independent / std::max(independent - static_cast<double>(fitted), 0.25 * independent);
 }
 
-// Of the sum of weight * sign * derivatives, the signs of a correlation that depends on their distance alone. The
-// products themselves would not do where a few samples decide on a parameter: they are zero there, as are the
-// residuals.
-Matrix variance_of_score(Sensitivity const& seen, std::vector<double> const& correlation) {
-  Matrix const rows = seen.weights.asDiagonal() * seen.jacobian;
+// V, the variance of the sum of weight * sign * derivatives, where the correlation of two signs depends only on their
+// distance. Rejected: an estimate from the products themselves. If a few samples decide on a parameter, the residuals
+// and with them the products are zero there.
+Matrix variance_of_score(Sensitivity const& response, std::vector<double> const& correlation) {
+  Matrix const rows = response.weights.asDiagonal() * response.jacobian;
   Matrix sum = num::transposed_product(rows, rows);
   Vector const size = sum.diagonal().cwiseSqrt().cwiseMax(1e-300);
   for (std::size_t k = 1; k < correlation.size(); ++k) {
@@ -90,47 +89,46 @@ Matrix variance_of_score(Sensitivity const& seen, std::vector<double> const& cor
         num::transposed_product(rows.topRows(rows.rows() - lag), rows.bottomRows(rows.rows() - lag));
     sum += correlation[k] * (products + products.transpose());
   }
-  // The taper admits directions of a variance below zero: they have none.
+  // With the tapered correlations a direction may get a variance below zero; it is set to zero.
   Matrix const scaled = size.cwiseInverse().asDiagonal() * sum * size.cwiseInverse().asDiagonal();
   auto const eigen = num::symmetric_eigen(scaled);
   Matrix const axes = size.asDiagonal() * eigen.vectors;
   return num::product_of_transposed(axes, eigen.values.cwiseMax(0.0), axes);
 }
 
-constexpr double variance_over_box = 1.0 / 12.0;  // of a uniform distribution
+constexpr double variance_over_box = 1.0 / 12.0;  // of a uniform distribution over the unit interval
 
-// H^-1 V H^-1 in coordinates of the unit box. A direction in which a standard deviation would exceed that of a uniform
-// distribution over the box is as uncertain as that.
+// H^-1 V H^-1 in coordinates of the unit box. No direction gets more variance than a uniform distribution over the box.
 Matrix covariance_in_box(Matrix const& H, Matrix const& V) {
   auto const [values, axes] = num::symmetric_eigen(H);
   double const least = 1e-10 * std::max(values.cwiseAbs().maxCoeff(), 1e-300);
   Matrix half = Matrix::Zero(H.rows(), H.cols());
-  Matrix made = Matrix::Zero(H.rows(), H.cols());
+  Matrix undetermined = Matrix::Zero(H.rows(), H.cols());
   for (Index k = 0; k < values.size(); ++k) {
     auto const axis = axes.col(k);
     double const variance =
         values[k] > least ? axis.dot(num::apply(V, axis)) / (values[k] * values[k]) : variance_over_box;
     if (values[k] <= least || variance > variance_over_box)
-      made += variance_over_box * axis * axis.transpose();
+      undetermined += variance_over_box * axis * axis.transpose();
     else
       half += axis * axis.transpose() / values[k];
   }
-  return made + num::product(num::product(half, V), half);
+  return undetermined + num::product(num::product(half, V), half);
 }
 
-// Weights of a replicate: blocks of scored samples, drawn until they are as many as the samples.
+// The weights of one replicate: blocks are drawn until they have as many samples as there are scored ones.
 std::vector<double> drawn(std::span<double const> weights, std::size_t samples, std::size_t block, num::Draws& draws) {
   std::vector<double> count(samples, 0.0);
   for (std::size_t filled = 0; filled < samples; filled += block) {
     auto const first = draws.below(samples);
     for (std::size_t i = 0; i < std::min(block, samples - filled); ++i) count[(first + i) % samples] += 1.0;
   }
-  std::vector<double> made(weights.begin(), weights.end());
+  std::vector<double> redrawn(weights.begin(), weights.end());
   double sum = 0.0;
-  for (std::size_t j = 0, next = 0; j < made.size(); ++j)
-    if (made[j] > 0.0) sum += made[j] *= count[next++];
-  for (double& weight : made) weight /= sum;
-  return made;
+  for (std::size_t j = 0, next = 0; j < redrawn.size(); ++j)
+    if (redrawn[j] > 0.0) sum += redrawn[j] *= count[next++];
+  for (double& weight : redrawn) weight /= sum;
+  return redrawn;
 }
 
 }  // namespace
@@ -142,11 +140,11 @@ Serial serial(std::span<double const> series, double mean) {
     for (std::size_t i = 0; i + lag < n; ++i) sum += (series[i] - mean) * (series[i + lag] - mean);
     return sum / static_cast<double>(n);
   };
-  Serial made;
+  Serial result;
   double const size = static_cast<double>(n), variance = covariance(0);
   constexpr double rounding = 1e-20;
-  if (n < 12 || !(variance > rounding * mean * mean)) return made;
-  // The lag from which on the correlation is no more than that of independent values, for a few lags in a row.
+  if (n < 12 || !(variance > rounding * mean * mean)) return result;
+  // `last` becomes the last lag before `in_a_row` lags whose correlation is no larger than that of independent values.
   auto const in_a_row = static_cast<std::size_t>(std::max(5.0, std::sqrt(std::log10(size))));
   auto const most = static_cast<std::size_t>(std::ceil(std::sqrt(size))) + in_a_row;
   double const threshold = 2.0 * std::sqrt(std::log10(size) / size);
@@ -156,7 +154,7 @@ Serial serial(std::span<double const> series, double mean) {
     quiet = correlated ? 0 : quiet + 1;
     if (correlated) last = lag;
   }
-  if (last == 0) return made;
+  if (last == 0) return result;
   std::size_t const reach = std::min(2 * last, n - 1);
   double g = 0.0, total = variance;
   for (std::size_t k = 1; k <= reach; ++k) {
@@ -164,17 +162,17 @@ Serial serial(std::span<double const> series, double mean) {
     double const c = (place <= 0.5 ? 1.0 : 2.0 * (1.0 - place)) * covariance(k);
     g += 2.0 * static_cast<double>(k) * c;
     total += 2.0 * c;
-    made.correlation.push_back(c / variance);
+    result.correlation.push_back(c / variance);
   }
   double const d = 4.0 / 3.0 * total * total;
-  if (d > 0.0) made.block = std::max(1.0, std::cbrt(2.0 * g * g / d * size));
-  return made;
+  if (d > 0.0) result.block = std::max(1.0, std::cbrt(2.0 * g * g / d * size));
+  return result;
 }
 
 std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox const& box,
                                    std::span<double const> optimum, num::Stream const& stream,
                                    IntervalOptions const& options, Interrupted const& interrupted) {
-  // Parameters at a bound are held: a box in which they are not free.
+  // In `inner`, parameters at a bound are fixed there.
   auto inner = box;
   for (std::size_t i = 0; i < box.parameters.size(); ++i) {
     auto& p = inner.parameters[i];
@@ -185,46 +183,46 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
   auto start = inner.contract(optimum);
   std::size_t const n = start.size();
 
-  Intervals made{.level = options.level};
+  Intervals result{.level = options.level};
   fit::IdentificationProblem const problem(model, inner);
   Matrix covariance = Matrix::Zero(static_cast<Index>(n), static_cast<Index>(n));
-  for (double const weight : model.residual_weights()) made.samples += weight > 0.0 ? 1 : 0;
-  made.block = 1;
+  for (double const weight : model.residual_weights()) result.samples += weight > 0.0 ? 1 : 0;
+  result.block = 1;
   std::vector<std::vector<double>> refits(n);
-  auto const seen = n > 0 ? sensitivity(problem, start) : Sensitivity();
-  if (n > 0) made.evaluations += static_cast<int>(2 * n + 1);
-  if (!seen.residuals.allFinite()) {
-    // The law has no force there: the whole box.
+  auto const response = n > 0 ? sensitivity(problem, start) : Sensitivity();
+  if (n > 0) result.evaluations += static_cast<int>(2 * n + 1);
+  if (!response.residuals.allFinite()) {
+    // The law has no force at the optimum: the intervals are the whole box.
     start.assign(n, 0.5);
     covariance.diagonal().setConstant(variance_over_box);
   } else if (n > 0) {
-    Vector const signs = seen.residuals.array().sign();
-    auto const neighbours = serial({signs.data(), made.samples}, 0.0);
-    made.block = std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(neighbours.block)), 1,
-                                         std::max<std::size_t>(1, made.samples / 8));
-    covariance = covariance_in_box(curvature(seen), variance_of_score(seen, neighbours.correlation) *
-                                                        freedom_lost(made.samples, n, neighbours.correlation));
+    Vector const signs = response.residuals.array().sign();
+    auto const neighbours = serial({signs.data(), result.samples}, 0.0);
+    result.block = std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(neighbours.block)), 1,
+                                           std::max<std::size_t>(1, result.samples / 8));
+    covariance = covariance_in_box(curvature(response), variance_of_score(response, neighbours.correlation) *
+                                                            freedom_lost(result.samples, n, neighbours.correlation));
     auto const count = static_cast<std::size_t>(std::max(0, options.replicates));
-    std::vector<opt::Found> again(count);
-    Ahead replicates(count, [&](std::size_t i) {
+    std::vector<opt::Found> fits(count);
+    WorkAhead replicates(count, [&](std::size_t i) {
       num::Draws draws(stream, static_cast<std::uint32_t>(i), 0);
-      Reweighted const resampled(problem, drawn(model.residual_weights(), made.samples, made.block, draws));
-      again[i] = opt::descend(resampled, start, 0.3, true);
+      Reweighted const resampled(problem, drawn(model.residual_weights(), result.samples, result.block, draws));
+      fits[i] = opt::descend(resampled, start, 0.3, true);
     });
     for (std::size_t i = 0; i < count; ++i) {
       if (interrupted && interrupted()) return std::nullopt;
       replicates.need(i);
-      made.evaluations += again[i].evaluations;
-      if (!again[i].usable()) continue;
-      ++made.replicates;
-      for (std::size_t k = 0; k < n; ++k) refits[k].push_back(again[i].best[k]);
+      result.evaluations += fits[i].evaluations;
+      if (!fits[i].usable()) continue;
+      ++result.replicates;
+      for (std::size_t k = 0; k < n; ++k) refits[k].push_back(fits[i].best[k]);
     }
   }
 
   double const z = std::numbers::sqrt2 * boost::math::erf_inv(options.level), tail = 0.5 * (1.0 - options.level);
   std::size_t const free_count = box.free_count();
-  made.covariance.assign(free_count * free_count, 0.0);
-  std::vector<std::pair<std::size_t, double>> inside;  // place among the free ones of `box`, d value / d coordinate
+  result.covariance.assign(free_count * free_count, 0.0);
+  std::vector<std::pair<std::size_t, double>> inside;  // index among the free ones of `box`, d value / d coordinate
   std::size_t row = 0;
   for (std::size_t i = 0; i < box.parameters.size(); ++i) {
     auto const& p = box.parameters[i];
@@ -233,7 +231,7 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
     if (!inner.parameters[i].free) {
       if (options.replicates > 0) found.bootstrap_lower = found.bootstrap_upper = optimum[i];
     } else {
-      auto const k = inside.size();  // place among the free ones of `inner`
+      auto const k = inside.size();  // index among the free ones of `inner`
       double const reach = z * std::sqrt(covariance(static_cast<Index>(k), static_cast<Index>(k)));
       found.linear_lower = p.at(start[k] - reach);
       found.linear_upper = p.at(start[k] + reach);
@@ -243,14 +241,14 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
       }
       inside.emplace_back(row, slope(p, start[k]));
     }
-    made.parameters.push_back(found);
+    result.parameters.push_back(found);
     ++row;
   }
   for (std::size_t a = 0; a < inside.size(); ++a)
     for (std::size_t b = 0; b < inside.size(); ++b)
-      made.covariance[inside[a].first * free_count + inside[b].first] =
+      result.covariance[inside[a].first * free_count + inside[b].first] =
           covariance(static_cast<Index>(a), static_cast<Index>(b)) * inside[a].second * inside[b].second;
-  return made;
+  return result;
 }
 
 }  // namespace isolaw::analysis

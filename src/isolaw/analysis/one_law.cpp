@@ -20,35 +20,35 @@ std::vector<double> expanded(fit::SearchBox const& box, std::span<double const> 
 }
 
 OneLaw judged(std::span<fit::LawOnRecord const* const> models, std::vector<double> parameters) {
-  OneLaw made;
-  made.parameters = std::move(parameters);
+  OneLaw result;
+  result.parameters = std::move(parameters);
   std::vector<double> work;
-  for (auto const* model : models) made.objectives.push_back(model->objective(made.parameters, work));
-  for (double const objective : made.objectives) {
-    made.mean += objective / static_cast<double>(models.size());
-    made.worst = std::max(made.worst, objective);
+  for (auto const* model : models) result.objectives.push_back(model->objective(result.parameters, work));
+  for (double const objective : result.objectives) {
+    result.mean += objective / static_cast<double>(models.size());
+    result.worst = std::max(result.worst, objective);
   }
-  made.evaluations = static_cast<int>(models.size());
-  return made;
+  result.evaluations = static_cast<int>(models.size());
+  return result;
 }
 
 std::vector<double> equal_shares(std::size_t devices) {
   return std::vector<double>(devices, 1.0 / static_cast<double>(devices));
 }
 
-// Of the free parameters, coordinate by coordinate; for an even count the upper of the two middle ones, not their mean.
+// The median of each coordinate; for an even count the upper of the two middle values, not their mean.
 std::vector<double> median_point(std::span<std::vector<double> const> points) {
-  std::vector<double> made(points.front().size());
+  std::vector<double> medians(points.front().size());
   std::vector<double> values(points.size());
-  for (std::size_t k = 0; k < made.size(); ++k) {
+  for (std::size_t k = 0; k < medians.size(); ++k) {
     for (std::size_t d = 0; d < points.size(); ++d) values[d] = points[d][k];
     std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
-    made[k] = values[values.size() / 2];
+    medians[k] = values[values.size() / 2];
   }
-  return made;
+  return medians;
 }
 
-// The law of all, and the optima of other devices with the least mean over all others.
+// The law of all devices, and those optima of the other devices that have the least mean over the others.
 std::vector<std::vector<double>> starts_without(Joint const& problem, fit::SearchBox const& box,
                                                 std::span<double const> parameters_of_all,
                                                 std::span<std::vector<double> const> optima, std::size_t device) {
@@ -70,10 +70,10 @@ std::vector<std::vector<double>> starts_without(Joint const& problem, fit::Searc
 }  // namespace
 
 fit::SearchBox common_box(std::span<fit::SearchBox const* const> boxes) {
-  auto made = *boxes.front();
+  auto result = *boxes.front();
   for (auto const* box : boxes)
-    for (std::size_t i = 0; i < made.parameters.size(); ++i) {
-      auto& p = made.parameters[i];
+    for (std::size_t i = 0; i < result.parameters.size(); ++i) {
+      auto& p = result.parameters[i];
       auto const& q = box->parameters[i];
       if (p.free != q.free || p.tied_to != q.tied_to || (!p.free && p.value != q.value))
         throw Error({.where = fmt::format("the law of the lot, parameter {}", p.name),
@@ -83,7 +83,7 @@ fit::SearchBox common_box(std::span<fit::SearchBox const* const> boxes) {
       p.upper = std::max(p.upper, q.upper);
       if (p.scale != q.scale) p.scale = laws::Scale::linear;
     }
-  return made;
+  return result;
 }
 
 std::optional<OneLaw> least_mean(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,
@@ -100,7 +100,7 @@ std::optional<OneLaw> least_mean(std::span<fit::LawOnRecord const* const> models
   opt::Found best;
   int evaluations = 0;
   std::vector<opt::Found> ends(starts.size());
-  Ahead descents(starts.size(), [&](std::size_t i) { ends[i] = opt::descend(problem, starts[i], 1.0); });
+  WorkAhead descents(starts.size(), [&](std::size_t i) { ends[i] = opt::descend(problem, starts[i], 1.0); });
   for (std::size_t i = 0; i < starts.size(); ++i) {
     if (interrupted && interrupted()) return std::nullopt;
     descents.need(i);
@@ -108,9 +108,9 @@ std::optional<OneLaw> least_mean(std::span<fit::LawOnRecord const* const> models
     if (ends[i].best_value < best.best_value) best = std::move(ends[i]);
   }
   if (!best.usable()) return std::nullopt;
-  auto made = judged(models, expanded(box, best.best));
-  made.evaluations += evaluations * static_cast<int>(models.size());
-  return made;
+  auto result = judged(models, expanded(box, best.best));
+  result.evaluations += evaluations * static_cast<int>(models.size());
+  return result;
 }
 
 std::optional<LeastWorst> least_worst(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,
@@ -121,26 +121,26 @@ std::optional<LeastWorst> least_worst(std::span<fit::LawOnRecord const* const> m
   best.law.evaluations = 0;
   if (box.free_count() == 0 || models.size() < 2) return best;
   auto shares = equal_shares(models.size());
-  auto now = mean;
+  auto current = mean;
   double pull = 4.0;
   int evaluations = 0;
   for (int round = 0; round < rounds && best.law.worst > best.bound * (1.0 + near); ++round) {
     if (interrupted && interrupted()) return std::nullopt;
     double sum = 0.0;
     for (std::size_t d = 0; d < shares.size(); ++d)
-      sum += shares[d] *= std::exp(pull * (now.objectives[d] / now.worst - 1.0));
+      sum += shares[d] *= std::exp(pull * (current.objectives[d] / current.worst - 1.0));
     for (double& share : shares) share /= sum;
-    // A device that has lost all weight can win it back.
+    // A small share remains, so that a device that has lost its weight can win it back.
     for (double& share : shares) share = 0.999 * share + 0.001 / static_cast<double>(shares.size());
     Joint const problem(models, box, shares);
-    auto const found = opt::descend(problem, box.contract(now.parameters), 0.3);
+    auto const found = opt::descend(problem, box.contract(current.parameters), 0.3);
     evaluations += found.evaluations * static_cast<int>(models.size());
     if (!found.usable()) break;
-    now = judged(models, expanded(box, found.best));
-    evaluations += now.evaluations;
+    current = judged(models, expanded(box, found.best));
+    evaluations += current.evaluations;
     best.bound = std::max(best.bound, found.best_value);
-    if (now.worst < best.law.worst)
-      best.law = now;
+    if (current.worst < best.law.worst)
+      best.law = current;
     else
       pull *= 0.7;
   }
@@ -152,8 +152,8 @@ std::optional<LeastWorst> least_worst(std::span<fit::LawOnRecord const* const> m
 std::optional<LeftOut> leave_out(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,
                                  std::span<double const> parameters_of_all, std::span<std::vector<double> const> optima,
                                  std::size_t device) {
-  LeftOut made;
-  made.parameters.assign(parameters_of_all.begin(), parameters_of_all.end());
+  LeftOut result;
+  result.parameters.assign(parameters_of_all.begin(), parameters_of_all.end());
   std::vector<double> shares(models.size(), 1.0 / static_cast<double>(models.size() - 1));
   shares[device] = 0.0;
   if (box.free_count() > 0) {
@@ -165,14 +165,14 @@ std::optional<LeftOut> leave_out(std::span<fit::LawOnRecord const* const> models
       evaluations += found.evaluations;
       if (found.best_value < best.best_value) best = std::move(found);
     }
-    made.evaluations = (evaluations + static_cast<int>(optima.size())) * static_cast<int>(models.size() - 1);
+    result.evaluations = (evaluations + static_cast<int>(optima.size())) * static_cast<int>(models.size() - 1);
     if (!best.usable()) return std::nullopt;
-    made.parameters = expanded(box, best.best);
+    result.parameters = expanded(box, best.best);
   }
   std::vector<double> work;
-  made.objective = models[device]->objective(made.parameters, work);
-  ++made.evaluations;
-  return made;
+  result.objective = models[device]->objective(result.parameters, work);
+  ++result.evaluations;
+  return result;
 }
 
 }  // namespace isolaw::analysis

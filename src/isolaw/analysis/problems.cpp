@@ -75,13 +75,13 @@ void Joint::add(fit::LawOnRecord const& model, double share) {
 }
 
 std::vector<double> Joint::on_outline(std::span<double const> weights) const {
-  std::vector<double> made;
+  std::vector<double> all;
   for (auto const* model : models_) {
     auto const some = model->on_outline(weights.first(model->samples()));
-    made.insert(made.end(), some.begin(), some.end());
+    all.insert(all.end(), some.begin(), some.end());
     weights = weights.subspan(model->samples());
   }
-  return made;
+  return all;
 }
 
 void Joint::evaluate(opt::Points const& points, std::span<double> values) const {

@@ -1,4 +1,4 @@
-// Problems made of other problems: other weights, one coordinate held, several records at once.
+// Minimisation problems derived from others: with other weights, with one coordinate held, or for several records.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace isolaw::analysis {
 
-// Asked between the parts of long work; once it says yes, that work is given up.
+// Called between the parts of long work, which is given up once it returns true.
 using Interrupted = std::function<bool()>;
 
 // The same residuals with other weights, which must sum to 1.
@@ -37,7 +37,7 @@ class Reweighted final : public opt::DeviationProblem {
   std::unique_ptr<Reweighted> outline_;
 };
 
-// The problem of the other coordinates where one of them is held.
+// The problem in the other coordinates while one is held at a value.
 class Held final : public opt::DeviationProblem {
  public:
   Held(opt::DeviationProblem const& base, std::size_t coordinate, double value);
@@ -58,8 +58,8 @@ class Held final : public opt::DeviationProblem {
   std::unique_ptr<Held> outline_;
 };
 
-// One parameter vector for several records: the weighted mean of their objectives. `shares` sum to 1; a record whose
-// share is 0 is not computed. The outline is that of all records, where each has one.
+// One parameter vector for several records; the value is the weighted mean of their objectives. `shares` sum to 1, and
+// a record whose share is 0 is not computed. There is an outline if each of the records has one.
 class Joint final : public opt::DeviationProblem {
  public:
   Joint(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box, std::span<double const> shares);
@@ -76,9 +76,9 @@ class Joint final : public opt::DeviationProblem {
   void add(fit::LawOnRecord const& model, double share);
 
   fit::SearchBox const& box_;
-  std::vector<fit::LawOnRecord const*> models_;  // those with a share
+  std::vector<fit::LawOnRecord const*> models_;  // those with a share above 0
   std::vector<double> weights_;
-  std::vector<fit::LawOnRecord> fewer_;  // their outlines, which outline_ is made of
+  std::vector<fit::LawOnRecord> fewer_;  // the models' outlines, to which outline_ refers
   std::unique_ptr<Joint> outline_;
 };
 

@@ -22,23 +22,23 @@ Sensitivity sensitivity(opt::DeviationProblem const& problem, std::span<double c
   std::vector<std::size_t> counted;
   for (std::size_t j = 0; j < samples; ++j)
     if (problem.weights()[j] > 0.0) counted.push_back(j);
-  Sensitivity made;
+  Sensitivity result;
   auto const rows = static_cast<Index>(counted.size());
-  made.residuals.resize(rows);
-  made.weights.resize(rows);
-  made.jacobian.resize(rows, static_cast<Index>(n));
+  result.residuals.resize(rows);
+  result.weights.resize(rows);
+  result.jacobian.resize(rows, static_cast<Index>(n));
   for (Index row = 0; row < rows; ++row) {
     auto const j = counted[static_cast<std::size_t>(row)];
-    made.residuals[row] = residuals[j];
-    made.weights[row] = problem.weights()[j];
+    result.residuals[row] = residuals[j];
+    result.weights[row] = problem.weights()[j];
     for (std::size_t k = 0; k < n; ++k)
-      made.jacobian(row, static_cast<Index>(k)) =
+      result.jacobian(row, static_cast<Index>(k)) =
           (residuals[(2 * k + 2) * samples + j] - residuals[(2 * k + 1) * samples + j]) /
           (points[2 * k + 2][k] - points[2 * k + 1][k]);
   }
-  for (Index k = 0; k < made.jacobian.cols(); ++k)
-    if (!made.jacobian.col(k).allFinite()) made.jacobian.col(k).setZero();
-  return made;
+  for (Index k = 0; k < result.jacobian.cols(); ++k)
+    if (!result.jacobian.col(k).allFinite()) result.jacobian.col(k).setZero();
+  return result;
 }
 
 double slope(fit::SearchParameter const& parameter, double coordinate) {

@@ -1,4 +1,4 @@
-// How the residuals at an optimum answer to small changes of the free parameters. Internal to this module.
+// The derivatives of the residuals at an optimum by the free parameters. Internal to this module.
 #pragma once
 
 #include <span>
@@ -11,21 +11,20 @@
 namespace isolaw::analysis {
 
 struct Sensitivity {
-  num::Vector residuals, weights;  // of the samples that count
+  num::Vector residuals, weights;  // of the samples with a weight above 0
   num::Matrix jacobian;            // samples x free parameters: derivatives by coordinates of the unit box
 };
 
-// By central differences inside the box; a column is zero where a neighbour has no finite force.
+// By central differences inside the box. A column is zero if a neighbour has no finite force.
 Sensitivity sensitivity(opt::DeviationProblem const& problem, std::span<double const> point);
 
 // d value / d coordinate of the unit box.
 double slope(fit::SearchParameter const& parameter, double coordinate);
 
-// What a relative change of a parameter refers to: its size; for one whose box spans zero no less than a hundredth of
-// the box.
+// The size that relative changes of a parameter refer to: |value|, but at least a hundredth of the box if the value is
+// zero or the box spans zero.
 double natural_size(fit::SearchParameter const& parameter, double value);
 
-// Free parameters of a box, in its order.
 std::vector<fit::SearchParameter const*> free_parameters(fit::SearchBox const& box);
 
 }  // namespace isolaw::analysis

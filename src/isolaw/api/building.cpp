@@ -12,50 +12,50 @@ namespace isolaw {
 namespace {
 
 Values values_of(std::vector<std::pair<std::string, std::string>> const& given) {
-  Values made;
+  Values values;
   for (auto const& [key, text] : given) {
     auto const rows = building::settings_table();
     auto const row = std::ranges::find(rows, key, &building::FileKey<building::Settings>::key);
-    made[key] = row == rows.end() ? Json(text) : value_of(row->kind, {text});
+    values[key] = row == rows.end() ? Json(text) : value_of(row->kind, {text});
   }
-  return made;
+  return values;
 }
 
 }  // namespace
 
 bool Building::complete() const {
-  return of_->complete;
+  return study_->complete;
 }
-std::string const& Building::verdict() const {
-  return of_->answers.value().verdict;
+std::string Building::verdict() const {
+  return wording::paragraph(study_->answers.value().verdict);
 }
 std::optional<bool> Building::bounds_are_enough() const {
-  return of_->answers.value().bounds_are_enough;
+  return study_->answers.value().bounds_are_enough;
 }
 std::string Building::json() const {
-  return render::building_json(of_->study, of_->answers.value());
+  return render::building_json(study_->study, study_->answers.value());
 }
 std::vector<std::string> Building::laws() const {
-  std::vector<std::string> made;
-  for (auto const& law : of_->study.laws) made.push_back(law.law);
-  return made;
+  std::vector<std::string> ids;
+  for (auto const& law : study_->study.laws) ids.push_back(law.law);
+  return ids;
 }
 std::size_t Building::draws() const {
-  return static_cast<std::size_t>(of_->study.file.settings.draws);
+  return static_cast<std::size_t>(study_->study.file.settings.draws);
 }
 std::size_t Building::motions() const {
-  return of_->study.file.motions.size();
+  return study_->study.file.motions.size();
 }
 std::vector<double> Building::peaks(std::string_view quantity) const {
-  return peaks_of(*of_, quantity);
+  return peaks_of(*study_, quantity);
 }
 
 BuildingHistory Building::history(std::size_t law, std::size_t motion) const {
-  if (law >= of_->study.laws.size() || motion >= motions())
+  if (law >= study_->study.laws.size() || motion >= motions())
     throw Error({.where = "history",
                  .found = fmt::format("law {}, motion {}", law, motion),
-                 .allowed = fmt::format("below {} and {}", of_->study.laws.size(), motions())});
-  auto run = building::nominal_run(of_->study, of_->study.laws[law], of_->study.file.motions[motion]);
+                 .allowed = fmt::format("below {} and {}", study_->study.laws.size(), motions())});
+  auto run = building::nominal_run(study_->study, study_->study.laws[law], study_->study.file.motions[motion]);
   auto& h = run.history;
   return {.time_s = std::move(h.time_s),
           .base = std::move(h.base),
@@ -65,7 +65,7 @@ BuildingHistory Building::history(std::size_t law, std::size_t motion) const {
 
 Building study_building(BuildingInput const& input, campaign::Contents const& contents,
                         BuildingOptions const& options) {
-  building::InPlace in_place{.motions = {}, .settings = values_of(input.settings)};
+  building::ReplacedKeys in_place{.motions = {}, .settings = values_of(input.settings)};
   constexpr double mm_in_m = 1e3;
   for (auto const& [name, step_s, x, y] : input.motions) {
     auto& motion =

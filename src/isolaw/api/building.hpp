@@ -1,4 +1,4 @@
-// One call from a building and a campaign to what the lot's scatter makes of it, as `isolaw building`.
+// One call that studies an isolated building on devices drawn from a campaign's lot, as `isolaw building` does.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ namespace isolaw {
 
 struct StudiedBuilding;
 
-// Accelerations of the ground at equal steps, the first at time 0; without y of one direction.
+// Accelerations of the ground in m/s^2, [steps], at equal steps from time 0. A motion in one direction has an empty y.
 struct GroundMotion {
   std::string name;
   double step_s = 0.0;
@@ -28,49 +28,50 @@ struct GroundMotion {
 
 struct BuildingInput {
   std::filesystem::path file = {};                                 // a building file (isolaw building --template)
-  std::string text = {};                                           // or what would stand in one
-  std::vector<GroundMotion> motions = {};                          // in place of its own
-  std::vector<std::pair<std::string, std::string>> settings = {};  // of [building]: {"draws", "200"}
+  std::string text = {};                                           // or the text of one, which then counts
+  std::vector<GroundMotion> motions = {};                          // replace the file's motions, if not empty
+  std::vector<std::pair<std::string, std::string>> settings = {};  // replace keys of [building]: {"draws", "200"}
 };
 
 struct BuildingOptions {
   int jobs = 0;                                         // threads; 0: one per core
   std::optional<std::filesystem::path> directory = {};  // where runs and reports are kept; empty: nowhere
-  bool fresh = false;                                   // start over where another building is there
-  std::function<void(std::size_t done, std::size_t total)> progress = {};  // analyses; one thread at a time
-  std::function<bool()> interrupted = {};                                  // asked between them, from any thread
+  bool fresh = false;                                   // start over where the directory holds a study
+  std::function<void(std::size_t done, std::size_t total)> progress = {};  // in analyses; one thread at a time calls it
+  std::function<bool()> interrupted = {};                                  // asked between analyses, from any thread
 };
 
-// The nominal building under one motion, by the implicit path: of the base relative to the ground along x and y in mm
-// and its rotation, and the sum of the bearings' forces on it.
+// The nominal building under one motion, by the implicit path. Every member has one element per step.
 struct BuildingHistory {
   std::vector<double> time_s;
-  std::vector<std::array<double, 3>> base;
-  std::vector<std::array<double, 2>> shear_kN;
-  std::vector<std::vector<double>> acceleration_mm_s2;  // in space, of the base and every floor: x and y of each
+  std::vector<std::array<double, 3>> base;              // base relative to the ground: x and y in mm, rotation in rad
+  std::vector<std::array<double, 2>> shear_kN;          // sum of the bearings' forces along x and y
+  std::vector<std::vector<double>> acceleration_mm_s2;  // absolute, x and y of the base, then of every floor
 };
 
 class Building {
  public:
-  explicit Building(std::shared_ptr<StudiedBuilding const> of) : of_(std::move(of)) {}
-  bool complete() const;  // not interrupted; nothing else is there otherwise
-  std::string const& verdict() const;
+  explicit Building(std::shared_ptr<StudiedBuilding const> study) : study_(std::move(study)) {}
+  bool complete() const;  // false after an interruption: verdict(), bounds_are_enough() and json() then throw
+  std::string verdict() const;
   std::optional<bool> bounds_are_enough() const;
   std::string json() const;  // building.json
   std::vector<std::string> laws() const;
   std::size_t draws() const;
   std::size_t motions() const;
-  // A quantity of building.json of every draw: [law][draw][motion]; NaN where a run gave none. Throws Error.
+  // A quantity of building.json, in its unit, for every draw: [law][draw][motion], NaN where a run gave no finite
+  // numbers. Throws Error for an unknown quantity.
   std::vector<double> peaks(std::string_view quantity = "isolator_mm") const;
-  // Throws Error: no such law or motion.
+  // Throws Error where `law` or `motion` is not below laws().size() or motions().
   BuildingHistory history(std::size_t law, std::size_t motion) const;
 
  private:
-  std::shared_ptr<StudiedBuilding const> of_;
+  std::shared_ptr<StudiedBuilding const> study_;
 };
 
-// The same settings, motions and campaign give the same bytes in a directory as the program writes, whatever the number
-// of threads. Throws Error: all that is wrong in the building, a law that was not analysed, another study there.
+// The same settings, motions and campaign give the same bytes in the directory as the program, whatever the number of
+// threads. Throws Error for everything wrong in the building, for a law that was not analysed, and where the directory
+// holds another study.
 Building study_building(BuildingInput const& input, campaign::Contents const& contents,
                         BuildingOptions const& options = {});
 

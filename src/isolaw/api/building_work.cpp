@@ -16,27 +16,27 @@
 namespace isolaw {
 namespace {
 
-// Row by row as numpy has them: [law][draw][motion][measure].
+// The measures of every draw, row by row as in NumPy: [law][draw][motion][measure].
 std::vector<double> measured_of_draws(building::Study const& study, building::RunStore const& store,
                                       std::size_t measures) {
   auto const cases = building::cases_of(study.file.settings);
   auto const first = static_cast<std::size_t>(
       std::ranges::find(cases, building::CaseKind::draw, &building::Case::kind) - cases.begin());
   auto const draws = static_cast<std::size_t>(study.file.settings.draws), motions = study.file.motions.size();
-  std::vector<double> made(study.laws.size() * draws * motions * measures, std::nan(""));
+  std::vector<double> measures_of_draws(study.laws.size() * draws * motions * measures, std::nan(""));
   for (std::size_t law = 0; law < study.laws.size(); ++law)
     for (std::size_t motion = 0; motion < motions; ++motion)
       store.each(law, motion, [&](std::size_t place, std::vector<double> const& measured) {
         if (place < first || place >= first + draws || measured.size() != measures) return;
         auto const row = (law * draws + place - first) * motions + motion;
-        std::ranges::copy(measured, made.begin() + static_cast<std::ptrdiff_t>(row * measures));
+        std::ranges::copy(measured, measures_of_draws.begin() + static_cast<std::ptrdiff_t>(row * measures));
       });
-  return made;
+  return measures_of_draws;
 }
 
 }  // namespace
 
-std::vector<double> peaks_of(StudiedBuilding const& of, std::string_view quantity) {
+std::vector<double> peaks_of(StudiedBuilding const& studied, std::string_view quantity) {
   auto const rows = building::quantities();
   auto const row = std::ranges::find(rows, quantity, &building::Quantity::key);
   if (row == rows.end()) {
@@ -44,24 +44,24 @@ std::vector<double> peaks_of(StudiedBuilding const& of, std::string_view quantit
     for (auto const& one : rows) keys.push_back(one.key);
     throw Error({.where = "quantity", .found = in_quotes(quantity), .allowed = joined(keys)});
   }
-  std::vector<double> made;
-  auto const width = of.layout.count();
-  for (std::size_t at = 0; at < of.measured.size(); at += width) {
-    auto const measured = std::span(of.measured).subspan(at, width);
+  std::vector<double> peaks;
+  auto const width = studied.layout.count();
+  for (std::size_t at = 0; at < studied.measured.size(); at += width) {
+    auto const measured = std::span(studied.measured).subspan(at, width);
     bool const finite = std::ranges::all_of(measured, [](double v) { return std::isfinite(v); });
-    made.push_back(finite ? row->of(of.layout, measured, of.answers.value().weight_kN) : std::nan(""));
+    peaks.push_back(finite ? row->of(studied.layout, measured, studied.answers.value().weight_kN) : std::nan(""));
   }
-  return made;
+  return peaks;
 }
 
 building::Study building_study(building::BuildingFile file, campaign::Contents const& contents,
                                std::string const& where) {
   auto const summary = study::build_summary(contents);
-  building::Study made{.file = std::move(file), .laws = {}};
-  auto& wanted = made.file.settings.laws;
+  building::Study result{.file = std::move(file), .laws = {}};
+  auto& wanted = result.file.settings.laws;
   if (wanted.empty()) wanted.push_back(study::recommended_law(summary, where));
-  for (auto const& law : wanted) made.laws.push_back(study::law_source(contents, summary, law, where, made.file));
-  return made;
+  for (auto const& law : wanted) result.laws.push_back(study::law_source(contents, summary, law, where, result.file));
+  return result;
 }
 
 building::Model possible(building::Study const& study) {
@@ -82,26 +82,26 @@ StudiedBuilding study_building(building::Study study, BuildingWork const& option
   make_directory(directory);
   DirectoryLock const lock(directory);
   auto const file = directory / building_store_name;
-  auto traits = building::traits_of(study);
-  traits.insert(traits.end(), options.words_of_part.begin(), options.words_of_part.end());
+  auto traits = building::properties_of(study);
+  traits.insert(traits.end(), options.properties_of_part.begin(), options.properties_of_part.end());
   render::remove_leftovers(directory);
   if (options.fresh) render::remove_building_outputs(directory);
   std::optional<building::RunStore> store(std::in_place, file, traits, options.fresh);
   auto const threads =
       options.jobs > 0 ? static_cast<std::size_t>(options.jobs) : std::max(1U, std::thread::hardware_concurrency());
-  StudiedBuilding made{.study = std::move(study), .answers = {}, .measured = {}, .layout = model.layout()};
-  made.complete =
-      building::run_all(made.study, *store, threads,
+  StudiedBuilding studied{.study = std::move(study), .answers = {}, .measured = {}, .layout = model.layout()};
+  studied.complete =
+      building::run_all(studied.study, *store, threads,
                         {.progress = options.progress, .part = options.part, .interrupted = options.interrupted});
-  made.runs = store->runs_there();
-  if (made.complete && !options.part) {
-    made.answers = building::answer(made.study, *store);
-    made.measured = measured_of_draws(made.study, *store, made.layout.count());
+  studied.runs = store->runs_there();
+  if (studied.complete && !options.part) {
+    studied.answers = building::answer(studied.study, *store);
+    studied.measured = measured_of_draws(studied.study, *store, studied.layout.count());
   }
   store.reset();
   building::RunStore::put_in_order(file);
-  if (made.answers && options.directory) render::write_building_outputs(made.study, *made.answers, directory);
-  return made;
+  if (studied.answers && options.directory) render::write_building_outputs(studied.study, *studied.answers, directory);
+  return studied;
 }
 
 }  // namespace isolaw

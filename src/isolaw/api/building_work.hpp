@@ -1,5 +1,5 @@
-// One call from a building and a campaign to what the lot's scatter makes of it: what the command, Python and
-// api/building.hpp do. Not public: these headers need Eigen.
+// The study of a building on devices drawn from a campaign's lot, shared by the command, Python and api/building.hpp.
+// Not public: these headers need Eigen.
 #pragma once
 
 #include <cstddef>
@@ -19,40 +19,41 @@ namespace isolaw {
 
 inline constexpr char const* building_store_name = "building.sqlite";
 
-// A building (building::read_building, building::building_of) on bearings of a campaign's lot. Without laws it takes
-// the one that the campaign recommends. `where` is the campaign in messages. Throws Error: a law that was not analysed.
+// Puts a building (building::read_building, building::building_of) on bearings of a campaign's lot. A building that
+// names no law takes the one that the campaign recommends. `where` names the campaign in messages. Throws Error for a
+// law that was not analysed.
 building::Study building_study(building::BuildingFile file, campaign::Contents const& contents,
                                std::string const& where = "the campaign");
 
-// Its model; asked before anything is made. Throws Error: what is no building, or of no lot.
+// The study's model. Called before anything is written. Throws Error for a building or a lot that cannot be analysed.
 building::Model possible(building::Study const& study);
 
 struct BuildingWork {
   int jobs = 0;                                         // threads; 0: one per core
   std::optional<std::filesystem::path> directory = {};  // where runs and reports are kept; empty: nowhere
-  bool fresh = false;                                   // start over where another building is there
-  std::optional<campaign::Part> part = {};              // its share of the runs alone; has a directory
-  std::vector<building::Trait> words_of_part = {};      // kept with a part, for the answers of its whole
+  bool fresh = false;                                   // start over where the directory holds a study
+  std::optional<campaign::Part> part = {};              // compute only this share of the runs; needs a directory
+  std::vector<building::StudyProperty> properties_of_part = {};  // stored with a part, for the answers of the whole
   std::function<void(building::RunProgress const&)> progress = {};
   std::function<bool()> interrupted = {};
 };
 
 struct StudiedBuilding {
   building::Study study;
-  bool complete = false;                     // not interrupted
+  bool complete = false;                     // false after an interruption
   std::size_t runs = 0;                      // in the store
-  std::optional<building::Answers> answers;  // of a complete study
-  // Of the draws, in rows of building::Layout::count() numbers: [law][draw][motion]. NaN where a run gave none.
+  std::optional<building::Answers> answers;  // of a complete study that is no part
+  // Rows of building::Layout::count() measures for the draws: [law][draw][motion]. NaN where a run gave none.
   std::vector<double> measured;
   building::Layout layout;
 };
 
-// A quantity of every draw: [law][draw][motion]. Throws Error: no such quantity.
-std::vector<double> peaks_of(StudiedBuilding const& of, std::string_view quantity);
+// A quantity of every draw: [law][draw][motion]. Throws Error for an unknown quantity.
+std::vector<double> peaks_of(StudiedBuilding const& studied, std::string_view quantity);
 
-// Computes the runs, or those that a directory does not hold yet, and writes the reports there; the same bytes in store
-// and reports as the program's, whatever the number of threads. Throws Error: what is no building, another study in
-// the directory, a part without one.
+// Computes the runs that the directory does not hold yet (all without one) and writes the reports there. Store and
+// reports have the same bytes as the program's, whatever the number of threads. Throws Error for a building that cannot
+// be analysed, for another study in the directory, and for a part without a directory.
 StudiedBuilding study_building(building::Study study, BuildingWork const& options = {});
 
 }  // namespace isolaw

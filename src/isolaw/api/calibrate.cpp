@@ -22,7 +22,7 @@ void load_rules(campaign::Acceptance& acceptance) {
 campaign::Contents finish_campaign(campaign::Contents contents, std::filesystem::path const& store,
                                    campaign::RunOptions const& options) {
   if (!campaign::run(contents, store, options)) return contents;
-  // From the store, not from memory.
+  // Read back from the store, so that the result is what another program would read.
   contents = campaign::Store::read(store);
   if (!contents.part) render::write_outputs(study::build_summary(contents), store.parent_path());
   return contents;
@@ -43,7 +43,7 @@ Calibrated calibrate(std::vector<campaign::NamedRecord> records, campaign::Setti
   contents.acceptance = options.acceptance;
   contents.part = options.part;
   load_rules(contents.acceptance);
-  // What the lot cannot be held to is said before the search, not after it.
+  // Throws now, before the long search, where the rule set or design values do not suit the lot.
   if (contents.acceptance != campaign::Acceptance{}) study::build_summary(contents);
   if (!options.directory) {
     TemporaryDirectory const directory;

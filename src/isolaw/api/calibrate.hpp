@@ -1,4 +1,4 @@
-// One call from records to a finished campaign.
+// One call that fits laws to records and finishes with a campaign and its reports.
 #pragma once
 
 #include <filesystem>
@@ -16,29 +16,30 @@ namespace isolaw {
 struct CalibrateOptions {
   campaign::RunOptions run = {};                        // threads, progress, interruption
   std::optional<std::filesystem::path> directory = {};  // where store and reports are kept; empty: nowhere
-  bool fresh = false;                                   // start over where the directory holds another campaign
-  std::string title = {};                               // of the lot, in its reports
-  campaign::Acceptance acceptance = {};                 // what the tests are held to, see load_rules()
-  std::optional<campaign::Part> part = {};              // its share of the runs alone, for merge(); has a directory
+  bool fresh = false;                                   // start over where the directory holds a campaign
+  std::string title = {};                               // the lot's title in its reports
+  campaign::Acceptance acceptance = {};                 // rule set and design values for the tests, see load_rules()
+  std::optional<campaign::Part> part = {};              // compute only this share, for merge(); needs a directory
 };
 
-// A campaign's contents, and what was there of it in its directory.
+// A campaign's contents, and how they differ from what its directory held before.
 struct Calibrated : campaign::Contents {
   Continued continued = {};
 };
 
-// Loads the rule set that is named and not yet there, and checks it and the design values. Throws Error.
+// Loads the text of the named rule set where it is not loaded yet, and checks it and the design values. Throws Error.
 void load_rules(campaign::Acceptance& acceptance);
 
-// Brings the campaign of a store to its end, of which `contents` are, and writes its reports; what it returns is what
-// another program would read there. Incomplete where it was interrupted; a part has no reports.
+// Computes what is missing in the store's campaign, whose contents are given, and writes its reports beside the store;
+// a part has no reports. Returns the contents as another program would read them there, incomplete after an
+// interruption.
 campaign::Contents finish_campaign(campaign::Contents contents, std::filesystem::path const& store,
                                    campaign::RunOptions const& options);
 
-// Fits `settings.laws` (all where empty) to every record, as `isolaw calibrate` does: the same settings, records, names
-// and seed give the same numbers, whatever the number of threads. A campaign that was interrupted is incomplete
-// (complete() is false); one with a directory is continued by the same call. Throws Error: names that are empty or
-// repeated, settings, no usable record, the directory, a part without one.
+// Fits `settings.laws` (the usual laws where empty) to every record, as `isolaw calibrate` does: the same settings,
+// records, names and seed give the same numbers, whatever the number of threads. After an interruption complete() is
+// false; the same call continues a campaign that has a directory. Throws Error for empty or repeated names, wrong
+// settings, no usable record, an unusable directory, and a part without a directory.
 Calibrated calibrate(std::vector<campaign::NamedRecord> records, campaign::Settings const& settings,
                      CalibrateOptions const& options = {});
 

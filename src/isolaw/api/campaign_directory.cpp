@@ -20,7 +20,7 @@
 namespace isolaw {
 namespace {
 
-// Numbers of two builds may differ: what one began, it finishes.
+// Two builds may give different numbers, so only the build that began a campaign may continue it.
 void require_own(std::filesystem::path const& file, std::vector<campaign::Maker> const& makers) {
   auto const me = campaign::this_maker();
   if (std::ranges::all_of(makers, [&](auto const& maker) { return same_build(maker, me); })) return;
@@ -73,8 +73,8 @@ DirectoryLock::~DirectoryLock() {
 
 Continued open_or_create(std::filesystem::path const& file, campaign::Contents& contents, bool fresh,
                          LeftOut vertical) {
-  // A kill between the two leaves the former store without its reports, which can be made again: never reports of one
-  // campaign beside the store of another.
+  // A kill between the two steps leaves the former store without its reports, which can be made again. There are never
+  // reports of one campaign beside the store of another.
   auto const create = [&] {
     campaign::Store::create(file, contents, [&] { render::remove_outputs(file.parent_path()); });
   };
@@ -83,9 +83,9 @@ Continued open_or_create(std::filesystem::path const& file, campaign::Contents& 
     return {};
   }
   campaign::Store::remove_unfinished(file);
-  // Of a process that was killed: what it had not finished writing is undone, what it had is kept.
+  // After a killed process this undoes what it had not finished writing and keeps the rest.
   if (!campaign::Store::is_plain(file)) campaign::Store::open(file).finish();
-  // A share ends when it is there, and is then read by a merge: what was cut off within a page reads as if it were whole.
+  // A merge will read this part. A file that was cut off within a page would read as if it were whole.
   if (contents.part)
     if (auto const faults = campaign::Store::integrity(file); !faults.empty())
       campaign::sqlite::refuse_damaged(file.string(), faults.front());
@@ -102,13 +102,13 @@ Continued open_or_create(std::filesystem::path const& file, campaign::Contents& 
                                       campaign::text(*contents.part), joined(more)),
                  .allowed = "the lot and settings that it was begun with",
                  .advice = "isolaw merge of the parts there are, then all of it grown without --part; or --fresh"});
-  Continued made;
+  Continued continued;
   for (auto& device : contents.devices) {
     auto const there = std::ranges::find(stored.devices, device.name, &campaign::Device::name);
     if (there == stored.devices.end() || !there->vertical.given() || device.vertical.given()) continue;
     bool const stays = vertical == LeftOut::stays;
     auto const& file_name = there->vertical.file;
-    (stays ? made.kept_vertical : made.dropped_vertical)
+    (stays ? continued.kept_vertical : continued.dropped_vertical)
         .push_back(fmt::format("{} ({})", device.name, file_name.empty() ? "as stated" : file_name));
     if (stays) device.vertical = there->vertical;
   }
@@ -118,15 +118,15 @@ Continued open_or_create(std::filesystem::path const& file, campaign::Contents& 
       std::ranges::equal(stored.devices, contents.devices, {}, &campaign::Device::info, &campaign::Device::info) &&
       std::ranges::equal(stored.devices, contents.devices, {}, &campaign::Device::vertical,
                          &campaign::Device::vertical);
-  made.added = campaign::growth(stored, contents);
-  made.released = contents.acceptance.rules.empty() ? stored.acceptance.rules_file : "";
+  continued.added = campaign::growth(stored, contents);
+  continued.released = contents.acceptance.rules.empty() ? stored.acceptance.rules_file : "";
   campaign::take_over(std::move(stored), contents);
   if (!contents.complete()) require_own(file, contents.makers);
-  if (!made.added.empty())
+  if (!continued.added.empty())
     create();
   else if (!described)
     campaign::Store::open(file).describe(contents);
-  return made;
+  return continued;
 }
 
 }  // namespace isolaw

@@ -1,4 +1,4 @@
-// The directory of a campaign: made, held by one program at a time, and its store opened to be continued or begun.
+// The directory of a campaign: making it, locking it against other programs, and opening or beginning its store.
 #pragma once
 
 #include <filesystem>
@@ -11,10 +11,10 @@ namespace isolaw {
 
 inline constexpr char const* store_name = "campaign.sqlite";
 
-// Throws Error.
+// Makes the directory and its parents where they are missing. Throws Error.
 void make_directory(std::filesystem::path const& directory);
 
-// A directory of its own that goes with its owner. Throws Error.
+// A new temporary directory that the destructor removes. The constructor throws Error.
 class TemporaryDirectory {
  public:
   TemporaryDirectory();
@@ -27,10 +27,10 @@ class TemporaryDirectory {
   std::filesystem::path path_;
 };
 
-// One campaign at a time in a directory. The lock goes with the process, however it ends.
+// Lets one process at a time work in a directory. The lock ends with the process, however that ends.
 class DirectoryLock {
  public:
-  // Throws Error where another one works there.
+  // Throws Error where another process holds the lock.
   explicit DirectoryLock(std::filesystem::path const& directory);
   DirectoryLock(DirectoryLock const&) = delete;
   DirectoryLock& operator=(DirectoryLock const&) = delete;
@@ -40,20 +40,21 @@ class DirectoryLock {
   int descriptor_;
 };
 
-// What a directory's campaign has more, or no longer, than when it was left.
+// How a continued campaign differs from the one that the directory held.
 struct Continued {
   std::vector<std::string> added;  // "2 devices", ...
-  std::string released;            // the rule set that the tests were held to, where they are held to none now
-  // Devices whose compression test was not given again, each with what it was: kept, or gone with the lot file's line.
+  std::string released;            // the rule set of the stored campaign, where the continued one has none
+  // "D01 (v.csv)" for devices whose compression test was not given again: it was kept, or the lot file dropped it.
   std::vector<std::string> kept_vertical, dropped_vertical;
 };
 
-// What a device that is given without its compression test means: a lot file says all there is of a device; where
-// records are named, a test that the campaign holds stays with it.
+// A stored compression test that is not given again stays where only records are named. It is gone where a lot file,
+// which says everything about a device, leaves it out.
 enum class LeftOut { stays, is_gone };
 
-// Takes over what an interrupted or finished campaign of the same settings and inputs computed, or of fewer devices,
-// laws or runs; starts anew where there is none or `fresh` says so. Throws Error where another campaign is there.
+// Takes over into `contents` what the store's interrupted or finished campaign has computed. That campaign must have
+// the same settings and inputs, and the same or fewer devices, laws and runs; Error is thrown where it differs. Starts
+// anew where there is no store or `fresh` is true.
 Continued open_or_create(std::filesystem::path const& file, campaign::Contents& contents, bool fresh,
                          LeftOut vertical = LeftOut::stays);
 

@@ -1,4 +1,4 @@
-// The laws with their parameters, units, limits and boxes as JSON text.
+// The laws with their parameters, units, limits and search boxes as JSON text.
 #pragma once
 
 #include <string>
@@ -8,6 +8,6 @@
 namespace isolaw {
 
 std::string law_json(laws::LawEntry const& law);
-std::string catalogue_json();  // a list of all
+std::string catalogue_json();  // a list of all laws
 
 }  // namespace isolaw

@@ -15,18 +15,18 @@ void note_record(data::FitRecord const& record, FittedLaw& law) {
   law.ranges.add(record);
 }
 
-FittedLaw law_of_lot(campaign::Contents const& contents, std::string_view law, FittedLaw made) {
+FittedLaw law_of_lot(campaign::Contents const& contents, std::string_view law, FittedLaw fitted) {
   auto const found = std::ranges::find(contents.lot_analyses, law, &campaign::LotAnalysis::law);
   if (found == contents.lot_analyses.end())
     throw Error({.where = fmt::format("law {}, lot", law),
                  .found = "the campaign holds no one law for the lot",
                  .allowed = "a campaign of two devices or more with --analysis full, which has finished",
                  .advice = "the name of a device"});
-  made.parameters = found->mean.parameters;
-  made.springs = found->springs;
-  made.refinement = found->refinement;
-  for (auto const device : found->devices) note_record(contents.devices[device].record, made);
-  return made;
+  fitted.parameters = found->mean.parameters;
+  fitted.springs = found->springs;
+  fitted.refinement = found->refinement;
+  for (auto const device : found->devices) note_record(contents.devices[device].record, fitted);
+  return fitted;
 }
 
 }  // namespace
@@ -36,22 +36,22 @@ FittedLaw fitted_law(campaign::Contents const& contents, std::string_view law, s
     throw Error({.where = fmt::format("law {}", law),
                  .found = "not in this campaign",
                  .allowed = joined(contents.settings.laws)});
-  FittedLaw made{.parameters = {},
-                 .integration = contents.settings.integration,
-                 .turning_points = contents.settings.turning_points,
-                 .part = contents.settings.clean.scored.text()};
+  FittedLaw fitted{.parameters = {},
+                   .integration = contents.settings.integration,
+                   .turning_points = contents.settings.turning_points,
+                   .part = contents.settings.clean.scored.text()};
   auto const index = contents.device_or_lot(device);
-  if (!index) return law_of_lot(contents, law, std::move(made));
+  if (!index) return law_of_lot(contents, law, std::move(fitted));
   auto const* run = contents.best_run(*index, law);
   if (run == nullptr)
     throw Error({.where = fmt::format("device '{}', law {}", device, law),
                  .found = "no usable run",
                  .allowed = "a device that the law was fitted to"});
-  made.parameters = run->parameters;
-  made.refinement = run->refinement;
-  note_record(contents.devices[*index].record, made);
-  if (auto const* analysis = contents.analysis_of(*index, law)) made.springs = analysis->springs;
-  return made;
+  fitted.parameters = run->parameters;
+  fitted.refinement = run->refinement;
+  note_record(contents.devices[*index].record, fitted);
+  if (auto const* analysis = contents.analysis_of(*index, law)) fitted.springs = analysis->springs;
+  return fitted;
 }
 
 }  // namespace isolaw

@@ -1,4 +1,4 @@
-// A law as a campaign fitted it, taken from what its store holds.
+// A law as a campaign fitted it, from the contents of the campaign's store.
 #pragma once
 
 #include <optional>
@@ -16,16 +16,16 @@ struct FittedLaw {
   std::vector<double> parameters;  // in the law's order and units
   laws::Integration integration = laws::Integration::converged;
   laws::TurningPoints turning_points = laws::TurningPoints::as_sampled;
-  int refinement = 1;                          // steps per sample that the law was integrated in
-  double dead_band_mm = 0.0;                   // FitRecord::dead_band_mm; of a lot the largest
-  study::Ranges ranges = {};                   // of the records that it was fitted to
-  std::optional<fit::AsSprings> springs = {};  // of the same, where the campaign fitted it as springs too
-  std::string part = {};                       // of the tests that it was fitted to alone; empty: all
+  int refinement = 1;                          // integration steps per sample in the fit
+  double dead_band_mm = 0.0;                   // FitRecord::dead_band_mm; for a lot the largest of its devices
+  study::Ranges ranges = {};                   // displacements and velocities of the records that it was fitted to
+  std::optional<fit::AsSprings> springs = {};  // the fit as springs to the same records, where the campaign has one
+  std::string part = {};                       // the part of the tests that it was fitted to; empty: all
 };
 
 using campaign::whole_lot;
 
-// The law of one device (its best run), or with `whole_lot` the one law for all. Throws Error that says what there is.
+// The law of a device, from its best run, or with `whole_lot` of all. Throws Error, which says what there is.
 FittedLaw fitted_law(campaign::Contents const& contents, std::string_view law, std::string_view device);
 
 }  // namespace isolaw

@@ -1,16 +1,16 @@
-// What a program needs of isolaw, in one header (examples/cpp/two_laws.cpp shows it at work):
-//   data::read_record, data::read_motion     files as laboratories write them, or refused with the reason
+// Everything that a program needs of isolaw, in one header (examples/cpp/two_laws.cpp is an example):
+//   data::read_record, data::read_motion     read files as laboratories write them, or refuse them with the reason
 //   data::cyclic_properties                  stiffness, damping, energy, cycle by cycle
 //   laws::catalogue, laws::find_law          the laws and their parameters
-//   parameters_in_order, fitted_law          values by name, or as a campaign found them
-//   fit::LawOnMotion, fit::LawOnRecord       forces under a displacement history; the objective of a record
-//   calibrate, study::build_summary         laws fitted to records; all numbers of the reports
-//   study_building                          a building on bearings drawn of the lot, shaken
-//   CalibrateOptions::part, merge            a share of a campaign, and one campaign of all of them
-// Wrong input throws one isolaw::Error. Nothing prints.
-// Stable within a minor version: what is named here, and the keys of summary.json. The other headers are installed
-// because this one needs them; what they hold besides may change with any version. Headers that it does not need are
-// internal and are not installed.
+//   parameters_in_order, fitted_law          a law's parameter values: from names, or from a campaign
+//   fit::LawOnMotion, fit::LawOnRecord       forces under a displacement history; the objective on a record
+//   calibrate, study::build_summary          fit laws to records; all numbers of the reports
+//   study_building                           shakes a building on bearings drawn from the lot
+//   CalibrateOptions::part, merge            compute one share of a campaign; make one campaign of all shares
+// Units are kN, mm and s unless a name says otherwise; a law's parameters have the law's own. Wrong input throws one
+// isolaw::Error. Nothing prints. The names in this list and the keys of summary.json are stable within a minor version.
+// Other headers are installed only because this one needs them, and the rest of their contents may change with any
+// version. All further headers are internal and not installed.
 #pragma once
 
 #include "isolaw/api/building.hpp"

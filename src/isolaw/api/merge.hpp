@@ -1,4 +1,4 @@
-// One call from the parts of a campaign to the whole of it.
+// One call that merges the parts of a campaign into the whole campaign.
 #pragma once
 
 #include <filesystem>
@@ -13,22 +13,24 @@
 namespace isolaw {
 
 struct MergeCallOptions {
-  campaign::RunOptions run = {};  // of the analyses
-  bool fresh = false;             // replaces another campaign in the directory
-  std::function<void(campaign::MissingRun const&)> missing = {};
+  campaign::RunOptions run = {};                                  // for the analyses that follow the merge
+  bool fresh = false;                                             // replaces another campaign in the directory
+  std::function<void(campaign::MissingRun const&)> missing = {};  // called for every run that no part holds
 };
 
-// Puts into `directory` the runs of `parts`, directories of CalibrateOptions::part (or their stores), as `isolaw merge`
-// does, and ends as calibrate() of the whole does: the same bytes in the store and in the reports. The contents are
-// incomplete where it was interrupted. Throws Error: a part that is damaged, or of another campaign, build or
-// instruction set; parts that are not there and runs that are missing, what was there having been copied.
+// Copies the runs of `parts`, which are directories of CalibrateOptions::part or their stores, into `directory` as
+// `isolaw merge` does. Then it finishes as calibrate() of the whole campaign would, with the same bytes in store and
+// reports. After an interruption the contents are incomplete. Throws Error for a part that is damaged or belongs to
+// another campaign, build or instruction set, and, after copying the rest, for missing parts or runs.
 campaign::Contents merge(std::filesystem::path const& directory, std::vector<std::filesystem::path> const& parts,
                          MergeCallOptions const& options = {});
 
-// Its first half, for who finishes by other means and holds the directory: what is missing is told, not thrown.
+// The first half of merge(), for callers that hold the directory's lock and finish by other means: it reports missing
+// runs to options.missing and does not throw for them.
 campaign::Merged merge_runs(DirectoryLock const& lock, std::filesystem::path const& directory,
                             std::vector<std::filesystem::path> const& parts, MergeCallOptions const& options);
-// Whether a part is named by itself, not by its directory. Throws Error where it lies in the directory merged into.
+// The store of a part: `part` itself if it is a file, else `name` in it. Throws Error where that is the store in
+// `directory`, the directory that is merged into.
 std::filesystem::path store_of_part(std::filesystem::path const& part, std::filesystem::path const& directory,
                                     std::string const& name = store_name);
 

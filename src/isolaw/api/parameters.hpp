@@ -1,4 +1,4 @@
-// Parameters of a law as users name them, from a file, an option or a program's own table, checked against the law.
+// Parameters of a law by name, from a file, an option or a program's own table, checked against the law.
 #pragma once
 
 #include <filesystem>
@@ -13,24 +13,24 @@ namespace isolaw {
 struct NamedValue {
   std::string name;
   double value = 0.0;
-  std::string where = {};  // "parameters.toml:3", "--set"; empty: as the caller says
+  std::string where = {};  // "parameters.toml:3", "--set"; if empty, messages use the caller's `where`
 };
 
-// "Ke=2.5", in the law's units. Throws Error.
+// Reads "Ke=2.5", in the law's units. Throws Error for a text of another form.
 NamedValue parse_named_value(std::string_view text, std::string const& where);
 
-// A file of TOML or JSON: `name = value` for each parameter, in the law's units, at the top or in a table of the law's
-// id. Throws one Error with every line that is neither; the names are checked by parameters_in_order().
+// Reads a file of TOML or JSON with `name = value` for each parameter, in the law's units, at the top or in a table
+// with the law's id. Throws one Error with every value that is no number; parameters_in_order() checks the names.
 std::vector<NamedValue> read_parameter_file(std::filesystem::path const& file, laws::LawEntry const& law);
 
-// Whether values that are each within their limits must also be those of a device together. A search may come by
-// others:
-// they have no objective, or a poor one.
+// Whether values within their single limits must also meet the law's joint limits. A search may try values that do not:
+// their objective is infinite or poor.
 enum class Together { checked, left };
 
-// The values of all of the law's parameters in its order; those fixed by default may be missing. Throws one Error with
-// everything wrong: unknown names, a name twice, missing parameters, values outside the physical limits; or, where each
-// is right, what they come to together. `where` is said of what has no place of its own.
+// The values of all parameters of the law in its order and units. Parameters that are fixed by default may be missing.
+// Throws one Error with everything wrong: unknown or repeated names, missing parameters, values outside their physical
+// limits; where all of these are right, a joint limit that is not met. `where` is the place in messages about values
+// without a place of their own.
 std::vector<double> parameters_in_order(laws::LawEntry const& law, std::vector<NamedValue> const& values,
                                         std::string const& where, Together together = Together::checked);
 

@@ -9,9 +9,11 @@
 #include <exception>
 #include <filesystem>
 #include <functional>
+#include <iterator>
 #include <new>
 #include <ranges>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -20,10 +22,11 @@
 #include "isolaw/app/part_script.hpp"
 #include "isolaw/app/say.hpp"
 #include "isolaw/app/usage.hpp"
+#include "isolaw/app/version_text.hpp"
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/json.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
-#include "isolaw/campaign/maker.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/data/reading.hpp"
 #include "isolaw/programs/exports.hpp"
@@ -32,6 +35,10 @@ namespace isolaw::app {
 namespace {
 
 using Words = std::vector<std::string>;
+
+CLI::Option* under(Heading heading, CLI::Option* option) {
+  return option->group(std::string(title(heading)));
+}
 
 void add_option(CLI::App& command, OptionInfo const& option, Values& given, std::string_view other_name = {}) {
   auto const name = "--" + (other_name.empty() ? option.option() : std::string(other_name));
@@ -42,17 +49,19 @@ void add_option(CLI::App& command, OptionInfo const& option, Values& given, std:
   };
   auto const take_word = [take](std::string const& word) { take({word}); };
   auto const type = option.kind == Kind::whole ? "INT" : option.kind == Kind::real ? "FLOAT" : "TEXT";
+  CLI::Option* added = nullptr;
   if (option.kind == Kind::flag)
-    command.add_flag_callback(
+    added = command.add_flag_callback(
         name, [take] { take({}); }, option.help);
   else if (option.kind == Kind::repeated)
-    command.add_option_function<Words>(name, take, option.help)->allow_extra_args(false);
+    added = command.add_option_function<Words>(name, take, option.help)->allow_extra_args(false);
   else
-    command.add_option_function<std::string>(name, take_word, option.help)->type_name(type);
+    added = command.add_option_function<std::string>(name, take_word, option.help)->type_name(type);
+  under(option.heading, added);
 }
 
-// Of a motion, which has no force: `of_test` is false. One whose name the command takes for itself is left to the lot
-// file.
+// `of_test` is false for a motion, which has no force. A reading option whose name the command uses for something else
+// is left out: a lot file can still set it.
 void add_reading(CLI::App& command, Values& read, bool of_test = true) {
   for (auto const& option : data::reading_table()) {
     auto const other_name = of_test ? std::string_view() : option.motion_option;
@@ -62,29 +71,46 @@ void add_reading(CLI::App& command, Values& read, bool of_test = true) {
   }
 }
 
-void add_acceptance(CLI::App& command, Values& acceptance) {
-  for (auto const& option : campaign::acceptance_table()) add_option(command, option, acceptance);
+void add_acceptance(CLI::App& c, Values& acceptance) {
+  for (auto const& option : campaign::acceptance_table()) add_option(c, option, acceptance);
 }
 
-void add_vertical(CLI::App& command, std::vector<std::string>& vertical) {
-  command
-      .add_option("--vertical", vertical,
-                  "DEVICE=FILE: the compression test of a device, which gives K_v; may be repeated")
+void add_vertical(CLI::App& c, std::vector<std::string>& vertical) {
+  under(Heading::acceptance,
+        c.add_option("--vertical", vertical,
+                     "DEVICE=FILE: compression test of a device, for its vertical stiffness K_v; may be repeated"))
       ->allow_extra_args(false);
 }
 
-void add_figures(CLI::App& command, std::string& figures) {
-  command.add_option("--figures", figures,
-                     "for print, with data and gnuplot scripts: lot (default), all (of every device too), none");
+void add_allow_outside(CLI::App& c, bool& allow_outside) {
+  under(Heading::reading,
+        c.add_flag("--allow-outside", allow_outside, "allow the lot file to name records outside its own folder"));
+}
+
+void add_figures(CLI::App& c, std::string& figures) {
+  under(
+      Heading::running,
+      c.add_option("--figures", figures,
+                   "figures for print, with data and gnuplot scripts: lot (default), all (each device too), or none"));
 }
 
 void add_jobs(CLI::App& c, std::optional<int>& jobs) {
-  c.add_option("--jobs", jobs,
-               fmt::format("threads, 0 to {} (one per core); the results do not depend on it", campaign::most_jobs))
-      ->check(CLI::Range(0, campaign::most_jobs));
+  auto const help =
+      fmt::format("threads, 0 to {} (default 0: one per core); results do not depend on it", campaign::most_jobs);
+  under(Heading::running, c.add_option("--jobs", jobs, help))
+      ->check(CLI::Range(0, campaign::most_jobs).description(""));
 }
 
-// What decides results, and where they go.
+void add_part(CLI::App& c, std::optional<std::string>& part) {
+  under(Heading::running,
+        c.add_option("--part", part, "K/N, such as 3/40: only this share of the runs, for isolaw merge"));
+}
+
+void add_fresh(CLI::App& c, bool& fresh) {
+  under(Heading::running, c.add_flag("--fresh", fresh, "start over, even if the directory holds another campaign"));
+}
+
+// The options of calibrate that parts has too: they decide the results, or where these go.
 void add_campaign(CLI::App& c, CalibrateArguments& a) {
   for (auto const& setting : campaign::setting_table())
     if (!setting.stored_only) add_option(c, setting, a.settings);
@@ -92,140 +118,149 @@ void add_campaign(CLI::App& c, CalibrateArguments& a) {
   add_acceptance(c, a.acceptance);
   add_vertical(c, a.vertical);
   add_jobs(c, a.jobs);
-  c.add_option("--out", a.out, "directory of the results (out/<name of the lot>)");
+  c.add_option("--out", a.out, "directory for the results (default out/<name of the lot>)");
   add_figures(c, a.figures);
-  c.add_flag("--allow-outside", a.allow_outside, "the lot file may name records outside its own folder");
+  add_allow_outside(c, a.allow_outside);
+}
+
+void add_printing(CLI::App& c, bool& json, bool& details) {
+  under(Heading::running, c.add_flag("--json", json, "print summary.json and the profile instead of the answer"));
+  under(Heading::running, c.add_flag("--details", details, "print every table, finding and warning"));
 }
 
 void add_calibrate(CLI::App& c, CalibrateArguments& a) {
   c.add_option("inputs", a.inputs, "a lot file (.toml), test records, or a directory of them")->required();
   add_campaign(c, a);
-  c.add_option("--part", a.part, "K/N: only the K-th of N even shares of the runs, for isolaw merge");
-  c.add_flag("--fresh", a.fresh, "start over where the directory holds another campaign");
-  c.add_flag("--json", a.json, "print summary.json and the profile instead of the ranking");
+  add_part(c, a.part);
+  add_fresh(c, a.fresh);
+  add_printing(c, a.json, a.details);
 }
 
 void add_simulate(CLI::App& c, SimulateArguments& a) {
-  c.add_option("law", a.law, "a law (isolaw laws lists them)")->required();
-  c.add_option("--parameters", a.parameters,
-               "file of its parameters, name = value in TOML or JSON, in the law's units");
-  c.add_option("--from", a.from, "in place of it, a campaign's directory, with --device");
-  c.add_option("--device", a.device, "of --from: the device whose law is taken, or lot for the one law of all");
-  c.add_option("--set", a.set, "parameter=value, over what file or campaign say; may be repeated")
-      ->allow_extra_args(false);
-  c.add_option("--motion", a.motion, "file of the displacement history, read as a record is; force is not needed")
+  c.add_option("law", a.law, "id of a law (isolaw laws lists them)")->required();
+  c.add_option("--motion", a.motion, "file of the displacement history, read like a record; force is not needed")
       ->required();
+  c.add_option("--from", a.from, "directory of the campaign that fitted the law, with --device");
+  c.add_option("--device", a.device, "with --from: the device, or lot for the one law of the lot");
+  c.add_option("--parameters", a.parameters,
+               "instead of --from: file of parameters, name = value in TOML or JSON, in the law's units");
+  c.add_option("--set", a.set, "change a parameter of the file or campaign: K1=2.5; may be repeated")
+      ->allow_extra_args(false);
   add_reading(c, a.read, false);
   for (auto const* key : {"integration", "turning-points", "dead-band"}) {
     auto option = *campaign::find_setting(key);
-    option.help += "; with --from, as the campaign had it";
+    option.help += "; with --from as in the campaign";
     add_option(c, option, a.how);
   }
-  c.add_option("--refinement", a.refinement, "steps per sample (1, or as the campaign had it)");
-  c.add_option("--bidirectional", a.bidirectional,
-               "two displacements, two forces: coupled, for laws with such a form, or springs around the circle");
-  c.add_option("--second-disp", a.second_disp,
-               "of --bidirectional: column of the displacement across the first, which --columns names");
-  c.add_option("--softening", a.softening,
-               "of coupled: by distance (default), or axis: each axis by the largest displacement along it");
-  c.add_option("--springs", a.springs,
-               "of springs: fitted to the device's record as they are (default with --from and a device), or given");
-  c.add_option("--out", a.out, "file to write, instead of standard output");
-  c.add_flag("--anyway", a.anyway, "with --from: though the law's prediction is unusable");
+  auto const add = [&](Heading heading, char const* name, auto& value, char const* help) {
+    under(heading, c.add_option(name, value, help));
+  };
+  add(Heading::search, "--refinement", a.refinement, "steps per sample (default 1; with --from as in the campaign)");
+  add(Heading::plane, "--bidirectional", a.bidirectional,
+      "for a motion in two directions: coupled, if the law has such a form, or springs: springs around the circle");
+  add(Heading::plane, "--second-disp", a.second_disp, "column of the second displacement; --columns names the first");
+  add(Heading::plane, "--softening", a.softening,
+      "with coupled: by distance (default), or axis: by the largest displacement along each axis");
+  add(Heading::plane, "--springs", a.springs,
+      "with springs: fitted to the device's record (default with --from), or given: the law's own parameters");
+  c.add_option("--out", a.out, "file to write (default: standard output)");
+  c.add_flag("--anyway", a.anyway, "with --from: simulate even if the law predicts unusably");
 }
 
 void add_building(CLI::App& c, BuildingArguments& a) {
-  c.add_option("file", a.file, "the building (isolaw building --template prints one)");
-  c.add_option("--from", a.from, "the campaign's directory, whose lot the bearings are of");
+  c.add_option("file", a.file, "a building file (isolaw building --template prints one)");
+  c.add_option("--from", a.from, "directory of the campaign whose lot supplies the bearings");
   c.add_option("--motion", a.motions,
-               "FILE, or FILE,FILE of two components, in place of the file's motions; several may follow");
-  c.add_option("--out", a.out, "directory of the results (out/building)");
-  c.add_option("--jobs", a.jobs,
-               fmt::format("threads, 0 to {} (one per core); the results do not depend on it", campaign::most_jobs))
-      ->check(CLI::Range(0, campaign::most_jobs));
-  c.add_option("--part", a.part, "K/N: only the K-th of N even shares of the runs, for isolaw merge");
-  c.add_option("--figures", a.figures, "for print, with data and gnuplot scripts: lot (default), none");
-  c.add_flag("--nominal", a.nominal,
-             "the nominal building alone, over time: its response to every motion as CSV; no draws, no bounds");
-  c.add_flag("--arrange", a.arrange, "also put the tested devices where least eccentricity is left");
-  c.add_flag("--fresh", a.fresh, "start over where the directory holds runs of another building");
+               "FILE, or FILE,FILE for two components, instead of the file's motions; several may follow");
+  c.add_option("--out", a.out, "directory for the results (default out/building)");
+  add_jobs(c, a.jobs);
+  add_part(c, a.part);
+  c.add_option("--figures", a.figures, "figures for print, with data and gnuplot scripts: lot (default), or none");
+  c.add_flag("--nominal", a.nominal, "only the nominal building: its response to every motion over time, as CSV");
+  c.add_flag("--arrange", a.arrange,
+             "also print where to put each tested device for the least eccentricity of stiffness");
+  c.add_flag("--fresh", a.fresh, "start over, even if the directory holds runs of another building");
   c.add_flag("--template", a.print_template, "print a commented building file");
   c.add_flag("--json", a.json, "print building.json");
 }
 
 int dispatch(CLI::App& app, int argc, char** argv) {
   std::vector<std::pair<CLI::App*, std::function<int()>>> commands;
-  auto const add = [&](char const* name, char const* description, std::function<int()> run) -> CLI::App& {
-    return *commands.emplace_back(app.add_subcommand(name, description), std::move(run)).first;
+  auto const add = [&](char const* name, char const* description, char const* example,
+                       std::function<int()> run) -> CLI::App& {
+    auto* const command = app.add_subcommand(name, description)->group("Commands");
+    under(Heading::running, command->get_help_ptr());
+    command->footer(std::string(example_mark) + example);
+    return *commands.emplace_back(command, std::move(run)).first;
   };
 
   CalibrateArguments calibrate_arguments;
-  add_calibrate(add("calibrate", "Identify the laws on every device; statistics, ranking, report",
+  add_calibrate(add("calibrate", "Fit laws to the test of every device: statistics, ranking, report",
+                    "isolaw calibrate d01.csv d02.csv --out out/lot",
                     [&] {
                       return calibrate(calibrate_arguments, {argv, argv + argc});
                     }),
                 calibrate_arguments);
 
   InitArguments init_arguments;
-  auto& init_command =
-      add("init", "Recognise records and write them down as a lot file", [&] { return init(init_arguments); });
+  auto& init_command = add("init", "Recognise records and write a lot file that says how to read them",
+                           "isolaw init d01.csv d02.csv --out lot.toml", [&] { return init(init_arguments); });
   init_command.add_option("files", init_arguments.files, "test records, or a directory of them")->required();
   add_reading(init_command, init_arguments.read);
-  init_command.add_option("--like", init_arguments.like, "a lot file whose way of reading these records share");
-  init_command.add_option("--out", init_arguments.out, "lot file to write (lot.toml)");
-  init_command.add_flag("--force", init_arguments.force, "overwrite it");
+  init_command.add_option("--like", init_arguments.like, "a lot file to copy the settings and the way of reading from");
+  init_command.add_option("--out", init_arguments.out, "lot file to write (default lot.toml)");
+  init_command.add_flag("--force", init_arguments.force, "overwrite the lot file");
 
   InspectArguments inspect_arguments;
   auto& inspect_command =
-      add("inspect", "What records hold, what was recognised and why; cycles, properties, verdicts, the lot",
+      add("inspect", "Show what records hold and how they were read: cycles, properties, verdicts, the lot",
+          "isolaw inspect d01.csv d02.csv --rules ntc-2018 --design K_eff=0.62,damping=19.5,disp=208",
           [&] { return inspect(inspect_arguments); });
-  inspect_command.add_option("inputs", inspect_arguments.inputs, "test records, a directory, or a lot file")
+  inspect_command
+      .add_option("inputs", inspect_arguments.inputs, "a lot file (.toml), test records, or a directory of them")
       ->required();
   add_reading(inspect_command, inspect_arguments.read);
   add_acceptance(inspect_command, inspect_arguments.acceptance);
   add_vertical(inspect_command, inspect_arguments.vertical);
-  inspect_command.add_option("--out", inspect_arguments.out,
-                             "also write a page with drawn loops, tables and JSON there");
-  inspect_command.add_flag("--allow-outside", inspect_arguments.allow_outside,
-                           "the lot file may name records outside its own folder");
-  inspect_command.add_flag("--json", inspect_arguments.json, "for machines");
+  inspect_command.add_option("--out", inspect_arguments.out, "directory for a page with drawn loops, tables and JSON");
+  add_allow_outside(inspect_command, inspect_arguments.allow_outside);
+  inspect_command.add_flag("--json", inspect_arguments.json, "print inspection.json instead of text");
 
+  char const* const a_campaign = "directory of a campaign";
   ReportArguments report_arguments;
   std::filesystem::path directory;
   bool json = false;
-  auto& report_command = add("report", "Make summary, tables and page again from a campaign's store",
+  auto& report_command = add("report", "Write summary, tables and page again from a campaign's store",
+                             "isolaw report out/lot --rules ntc-2018 --design K_eff=0.62,damping=19.5,disp=208",
                              [&] { return report(report_arguments); });
-  report_command.add_option("directory", report_arguments.directory, "the campaign's directory")->required();
+  report_command.add_option("directory", report_arguments.directory, a_campaign)->required();
   add_acceptance(report_command, report_arguments.acceptance);
-  report_command.add_option("--out", report_arguments.out, "directory of the results (the campaign's)");
+  report_command.add_option("--out", report_arguments.out, "directory for the results (default: the campaign's)");
   add_figures(report_command, report_arguments.figures);
-  report_command.add_flag("--json", report_arguments.json, "print summary.json instead of the ranking");
+  add_printing(report_command, report_arguments.json, report_arguments.details);
 
   MergeArguments merge_arguments;
-  auto& merge_command =
-      add("merge", "Make one campaign, or building study, of the parts that several machines computed", [&] {
-        return merge(merge_arguments, {argv, argv + argc});
-      });
+  auto& merge_command = add("merge", "Join the parts of a campaign or building study that several machines computed",
+                            "isolaw merge out/lot part-1 part-2 part-3", [&] {
+                              return merge(merge_arguments, {argv, argv + argc});
+                            });
   merge_command.add_option("directory", merge_arguments.directory, "directory of the whole campaign or study")
       ->required();
-  merge_command.add_option(
-      "parts", merge_arguments.parts,
-      "directories of isolaw calibrate --part or isolaw building --part, in any order; none: what is there is finished");
-  merge_command.add_option(
-      "--part", merge_arguments.part,
-      "K/N: examine only the K-th of N even shares of the devices, for isolaw merge of all such directories; given all "
-      "of them, of the lot's laws");
+  merge_command.add_option("parts", merge_arguments.parts,
+                           "directories of the parts, in any order; without any, what the directory holds is finished");
+  merge_command.add_option("--part", merge_arguments.part,
+                           "K/N, such as 3/40: analyse only this share of the devices, then of the lot's laws");
   add_jobs(merge_command, merge_arguments.jobs);
   add_figures(merge_command, merge_arguments.figures);
   merge_command.add_flag("--copy-only", merge_arguments.copy_only,
-                         "no analyses, no reports: isolaw merge DIRECTORY makes them later");
-  merge_command.add_flag("--fresh", merge_arguments.fresh, "start over where the directory holds another campaign");
-  merge_command.add_flag("--json", merge_arguments.json, "print summary.json and the profile instead of the ranking");
+                         "copy the runs only; isolaw merge DIRECTORY makes analyses and reports later");
+  add_fresh(merge_command, merge_arguments.fresh);
+  add_printing(merge_command, merge_arguments.json, merge_arguments.details);
 
   PartsArguments parts_arguments;
   auto& parts_command =
-      add("parts",
-          "Print a script that computes a campaign or a building study in parts, by a scheduler, and merges them", [&] {
+      add("parts", "Print a script that computes a campaign or building study in parts and merges them",
+          "isolaw parts lot.toml 40 --to slurm > submit.sh", [&] {
             for (auto const* option : app.get_subcommand("parts")->get_options())
               if (option->count() > 0) parts_arguments.given.push_back(option->get_name());
             return parts(parts_arguments, argv[0]);
@@ -234,33 +269,38 @@ int dispatch(CLI::App& app, int argc, char** argv) {
       .add_option("lot", parts_arguments.lot,
                   "a lot file (.toml), or a directory of records; with --campaign a building file")
       ->required();
-  parts_command.add_option("count", parts_arguments.count, "parts; some two or three for each thread there is")
+  parts_command.add_option("count", parts_arguments.count, "number of parts; two or three for each thread are usual")
       ->required();
   parts_command
-      .add_option("--to", parts_arguments.to,
-                  joined(part_script_kinds) + " (where a record ends, its `to`, a lot file says)")
+      .add_option(
+          "--to", parts_arguments.to,
+          "who runs the parts: " + joined(part_script_kinds) + " (set the end of a record, `to`, in a lot file)")
       ->required();
   parts_command.add_option("--campaign", parts_arguments.campaign,
-                           "of a building file: the campaign's directory, whose lot the bearings are of");
-  parts_command.add_option("--motion", parts_arguments.motions, "of a building file: as of isolaw building");
+                           "for a building file: directory of the campaign whose lot supplies the bearings");
+  parts_command.add_option("--motion", parts_arguments.motions, "for a building file: motions, as in isolaw building");
   add_campaign(parts_command, parts_arguments.calibrate);
 
   SampleArguments sample_arguments;
-  auto& sample_command = add("sample", "Draw devices from a lot's population of a law's parameters, as CSV",
-                             [&] { return sample(sample_arguments); });
-  sample_command.add_option("directory", sample_arguments.directory, "the campaign's directory")->required();
+  auto& sample_command =
+      add("sample", "Draw devices from the lot's distribution of a law's parameters, as CSV",
+          "isolaw sample out/lot --law bouc-wen --count 1000 > devices.csv", [&] { return sample(sample_arguments); });
+  sample_command.add_option("directory", sample_arguments.directory, a_campaign)->required();
   sample_command.add_option("--law", sample_arguments.law, "id of the law")->required();
-  sample_command.add_option("--count", sample_arguments.count, "devices to draw (100)");
+  sample_command.add_option("--count", sample_arguments.count, "devices to draw (default 100)");
   auto seed = *campaign::find_setting("seed");
-  seed.help = "seed of the draws (the campaign's)";
+  seed.help = "seed of the draws (default: the campaign's)";
+  seed.heading = Heading::model;
   add_option(sample_command, seed, sample_arguments.seed);
 
   ExportArguments export_arguments;
-  auto& export_command = add("export", "A law of a campaign for an analysis program, with its check",
+  auto& export_command = add("export", "Write a fitted law for an analysis program, with a check of it",
+                             "isolaw export out/lot --law bouc-wen --device lot --to opensees --out bearing.tcl",
                              [&] { return export_law(export_arguments); });
-  export_command.add_option("directory", export_arguments.directory, "the campaign's directory")->required();
+  export_command.add_option("directory", export_arguments.directory, a_campaign)->required();
   export_command.add_option("--law", export_arguments.law, "id of the law")->required();
-  export_command.add_option("--device", export_arguments.device, "name of the device, or lot: the one law of the lot")
+  export_command
+      .add_option("--device", export_arguments.device, "name of the device, or lot for the one law of the lot")
       ->required();
   export_command
       .add_option("--to", export_arguments.to,
@@ -269,59 +309,69 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   add_acceptance(export_command, export_arguments.acceptance);
   export_command.add_option(
       "--units", export_arguments.units,
-      fmt::format("{} ({})", joined(programs::unit_systems | std::views::transform(&programs::UnitSystem::id)),
+      fmt::format("{} (default {})", joined(programs::unit_systems | std::views::transform(&programs::UnitSystem::id)),
                   programs::unit_systems[0].id));
   for (auto const& option : programs::model_table()) add_option(export_command, option, export_arguments.model);
   add_option(export_command, seed, export_arguments.seed);
-  export_command.add_option("--out", export_arguments.out, "file to write (standard output)");
+  export_command.add_option("--out", export_arguments.out, "file to write (default: standard output)");
   export_command.add_flag("--anyway", export_arguments.anyway,
-                          "though the law's prediction is unusable, or what stands in for it is far off");
+                          "export even if the law predicts unusably, or the program's own law is far off");
+
   SimulateArguments simulate_arguments;
-  add_simulate(add("simulate", "The force of a law under any displacement history, cyclic or seismic, as CSV",
+  add_simulate(add("simulate", "Compute the force of a law under a displacement history, cyclic or seismic, as CSV",
+                   "isolaw simulate bouc-wen --from out/lot --device d01 --motion u.csv --out force.csv",
                    [&] { return simulate(simulate_arguments); }),
                simulate_arguments);
 
   BuildingArguments building_arguments;
-  add_building(add("building", "The isolated building: bearings drawn from the lot, against the bound analyses",
-                   [&] {
-                     return building(building_arguments, {argv, argv + argc});
-                   }),
-               building_arguments);
+  add_building(
+      add("building", "Analyse an isolated building with bearings drawn from the lot, beside the bound analyses",
+          "isolaw building building.toml --from out/lot",
+          [&] {
+            return building(building_arguments, {argv, argv + argc});
+          }),
+      building_arguments);
 
   std::string rule_set;
-  auto& rules_command = add("rules", "The rule sets, or the file of one; template to write your own",
-                            [&] { return list_rules(rule_set); });
+  auto& rules_command = add("rules", "List the rule sets, print one, or print a template to write your own",
+                            "isolaw rules template > contract.toml", [&] { return list_rules(rule_set, json); });
   rules_command.add_option("name", rule_set, "a rule set, or template");
+  rules_command.add_flag("--json", json, "the list for machines");
 
-  auto& bench_command =
-      add("bench", "A signature of what is computed, and the speed of every law here", [&] { return bench(json); });
-  bench_command.add_flag("--json", json, "for machines");
+  auto& bench_command = add("bench", "Print a signature of the computed numbers and the speed of every law here",
+                            "isolaw bench", [&] { return bench(json); });
+  bench_command.add_flag("--json", json, "print JSON");
 
-  auto& check_command = add("check", "Whether a campaign's store is sound: its file, and every number computed again",
-                            [&] { return check(directory); });
-  check_command.add_option("directory", directory, "the campaign's directory")->required();
+  auto& check_command = add("check", "Check that a campaign's store is intact and that its numbers come out again",
+                            "isolaw check out/lot", [&] { return check(directory); });
+  check_command.add_option("directory", directory, a_campaign)->required();
 
   std::string law;
   bool markdown = false;
-  auto& laws_command = add("laws", "The catalogue of laws, or one law with its parameters",
+  auto& laws_command = add("laws", "List the laws, or show one law with its parameters", "isolaw laws bouc-wen",
                            [&] { return list_laws(law, json, markdown); });
-  laws_command.add_option("id", law, "a law");
-  laws_command.add_flag("--json", json, "for machines");
-  laws_command.add_flag("--markdown", markdown, "all of them as a page");
+  laws_command.add_option("id", law, "id of a law");
+  laws_command.add_flag("--json", json, "print JSON");
+  laws_command.add_flag("--markdown", markdown, "print all laws as one page of Markdown");
 
   std::vector<std::string> keywords, other_keywords;
-  auto& keywords_command = add("keywords", "Tables of options as parameters of the Python package, for its stub",
-                               [&] { return list_keywords(keywords, other_keywords); });
+  auto& keywords_command = add("keywords", "Print options as parameters of the Python package, for its stub",
+                               "isolaw keywords settings", [&] { return list_keywords(keywords, other_keywords); });
   keywords_command.group("");
-  keywords_command.add_option("which", keywords, "settings, acceptance, reading, motion, or single ones")->required();
-  keywords_command.add_option("--but", other_keywords, "not these");
+  keywords_command.add_option("which", keywords, "settings, acceptance, reading, motion, or single options")
+      ->required();
+  keywords_command.add_option("--but", other_keywords, "options to leave out");
+
+  add("reference", "Print the page of the command line, docs/cli.md", "isolaw reference", [&] {
+    print_reference(app);
+    return exit_done;
+  }).group("");
 
   bool example_building = false;
-  auto& example_command = add("example", "Write the built-in example lot, or a building",
+  auto& example_command = add("example", "Write the built-in example lot, or an example building", "isolaw example lot",
                               [&] { return example(directory, example_building); });
-  example_command.add_option("directory", directory, "where to")->required();
-  example_command.add_flag("--building", example_building,
-                           "a building file with motions made for it, in place of the lot");
+  example_command.add_option("directory", directory, "directory to write to")->required();
+  example_command.add_flag("--building", example_building, "write a building file and motions instead of the lot");
 
   require_known_command(app, argc, argv);
   try {
@@ -333,39 +383,90 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   return std::ranges::find_if(commands, [](auto const& each) { return each.first->parsed(); })->second();
 }
 
-int without_output() {
-  say("isolaw: standard output cannot be written\n");
+// Who reads a failure besides the person at the terminal: nobody, a program that asked for --json, the page's engine.
+enum class Reader { none, program, engine };
+
+// The engine puts this word before the command, which does not see it.
+constexpr std::string_view word_of_engine = "--errors-as-json";
+
+Reader reader_of(int argc, char** argv) {
+  if (argc > 1 && argv[1] == word_of_engine) return Reader::engine;
+  for (int i = 1; i < argc && argv[i] != std::string_view("--"); ++i)
+    if (argv[i] == std::string_view("--json")) return Reader::program;
+  return Reader::none;
+}
+
+// One line: for a program on standard output, unless something stands there already; else at standard error.
+void give(Reader reader, std::string_view object) {
+  if (reader == Reader::program && !has_printed && std::ferror(stdout) == 0) {
+    print(object);
+    std::fflush(stdout);
+  } else if (reader != Reader::none) {
+    say("{}\n", object);
+  }
+}
+
+// In words, and as an object where somebody reads it; returns the exit code.
+int fail(Reader reader, std::string_view kind, std::vector<Complaint> const& complaints, int code) {
+  for (auto const& complaint : complaints) say("isolaw: {}\n", to_string(complaint));
+  JsonWriter out;
+  out.begin_object().key("error").begin_object().member("kind", kind).key("complaints");
+  write_complaints(out, complaints);
+  out.end_object().member("exit", code).end_object();
+  give(reader, out.take());
+  return code;
+}
+
+int fail_without_memory(Reader reader) {
+  constexpr std::string_view advice =
+      "fewer devices or shorter records at once, fewer --jobs, --samples-per-cycle 200, a smaller --population, or a machine with more memory";
+  say("isolaw: out of memory; try: {}\n", advice);
+  // As fail() has it, without an allocation.
+  fmt::memory_buffer object;
+  fmt::format_to(
+      std::back_inserter(object),
+      R"({{"error":{{"kind":"memory","complaints":[{{"where":"","found":"out of memory","allowed":"","advice":"{}","names":[]}}]}},"exit":{}}})",
+      advice, exit_internal);
+  give(reader, {object.data(), object.size()});
   return exit_internal;
+}
+
+int fail_without_output(Reader reader) {
+  return fail(reader, "system", {{.found = "standard output cannot be written"}}, exit_internal);
 }
 
 }  // namespace
 
 int run(int argc, char** argv) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file above the limit of its size is then a write that fails, with a message
+  std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the file size limit then fails with a message
+  auto const reader = reader_of(argc, argv);
+  if (reader == Reader::engine) {
+    argv[1] = argv[0];
+    ++argv;
+    --argc;
+  }
   try {
-    CLI::App app("isolaw: from the test records of a production lot of seismic isolators to calibrated, ranked laws",
-                 "isolaw");
-    app.set_version_flag("--version", campaign::text(campaign::this_maker()));
+    CLI::App app(
+        "isolaw: fit force-displacement laws to the tests of a production lot of seismic isolators, and rank them",
+        "isolaw");
+    app.set_version_flag("--version", version_text());
+    app.formatter(help_format());
+    app.footer("isolaw COMMAND --help lists the options of a command.");
     app.require_subcommand(1);
     int const code = dispatch(app, argc, argv);
-    // Both: what failed while it was printed is no longer there to be flushed.
-    return std::fflush(stdout) != 0 || std::ferror(stdout) != 0 ? without_output() : code;
+    // Check both: a failure while printing leaves nothing for fflush to report.
+    return std::fflush(stdout) != 0 || std::ferror(stdout) != 0 ? fail_without_output(reader) : code;
   } catch (Error const& error) {
-    for (auto const& complaint : error.complaints()) say("isolaw: {}\n", to_string(complaint));
-    return exit_wrong_usage;
+    return fail(reader, "input", error.complaints(), exit_wrong_usage);
   } catch (std::bad_alloc const&) {
-    say("isolaw: out of memory; try: fewer devices or shorter records at once, fewer --jobs, --samples-per-cycle 200, a smaller --population, or a machine with more memory\n");
-    return exit_internal;
+    return fail_without_memory(reader);
   } catch (std::filesystem::filesystem_error const& error) {
-    say("isolaw: {}: {}\n", shown(error.path1()), error.code().message());
-    return exit_internal;
+    return fail(reader, "system", {{.where = error.path1().string(), .found = error.code().message()}}, exit_internal);
   } catch (std::system_error const& error) {
-    if (std::ferror(stdout) != 0) return without_output();
-    say("isolaw: cannot write: {}\n", error.code().message());
-    return exit_internal;
+    if (std::ferror(stdout) != 0) return fail_without_output(reader);
+    return fail(reader, "system", {{.found = "cannot write: " + error.code().message()}}, exit_internal);
   } catch (std::exception const& error) {
-    say("isolaw: internal error: {}\n", printable(error.what()));
-    return exit_internal;
+    return fail(reader, "internal", {{.found = "internal error: " + printable(error.what())}}, exit_internal);
   }
 }
 

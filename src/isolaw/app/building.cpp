@@ -42,12 +42,12 @@ void show_progress(building::RunProgress const& progress, std::chrono::steady_cl
 }
 
 void print_answers(building::Study const& study, building::Answers const& answers) {
-  auto text = answers.verdict + "\n\n";
+  auto text = wording::paragraph(answers.verdict) + "\n\n";
   text +=
       fmt::format("{} motions, {} bearings, weight {:.0f} kN; means over the motions, fractiles over {} draws\n",
                   study.file.motions.size(), study.file.bearings.size(), answers.weight_kN, study.file.settings.draws);
   auto const quantities = building::quantities();
-  for (auto const& warning : answers.warnings) text += fmt::format("warning: {}\n", warning);
+  for (auto const& warning : render::building_warnings(answers)) text += fmt::format("warning: {}\n", warning);
   for (auto const& law : answers.laws) {
     text += fmt::format("\n{}\n{:<24}", law.law, "");
     for (auto const* head : {"lower", "nominal", "upper", "16 %", "50 %", "84 %", "95 %"})
@@ -66,7 +66,7 @@ void print_answers(building::Study const& study, building::Answers const& answer
       auto const& c = law.checked[m];
       text += fmt::format(
           "{}: implicit {:.2f} mm (misses {:.3f}), energy error {:.1e}, draws' path {:+.2f} %, equivalent linear {:+.0f} %: {}\n",
-          printable(study.file.motions[m].name), c.isolator_mm, c.missed_mm, c.balance, c.lanes_off_percent,
+          printable(study.file.motions[m].name), c.isolator_mm, c.missed_mm, c.balance, c.draws_error_percent,
           c.equivalent_error_percent, c.outcome);
     }
   }
@@ -178,7 +178,8 @@ int building(BuildingArguments const& a, std::vector<std::string> const& command
   if (a.nominal) return nominal_alone(study, out);
   BuildingWork options{.jobs = a.jobs.value_or(0), .directory = out, .fresh = a.fresh, .part = part};
   if (part)
-    options.words_of_part = building::traits_of(*part, full_name(*a.file), full_name(*a.from), full_names(a.motions));
+    options.properties_of_part =
+        building::properties_of(*part, full_name(*a.file), full_name(*a.from), full_names(a.motions));
   bool const shown_to_somebody = isatty(STDERR_FILENO) != 0;
   auto const start = std::chrono::steady_clock::now();
   if (shown_to_somebody)
@@ -315,7 +316,7 @@ int merge_buildings(MergeArguments const& arguments) {
     answers_that_are_there(directory, arguments.json);
     return exit_done;
   }
-  using Kind = building::Trait::Kind;
+  using Kind = building::StudyProperty::Kind;
   BuildingArguments whole{.file = building::value_of(merged.part, Kind::part, "file"),
                           .from = building::value_of(merged.part, Kind::part, "from"),
                           .out = directory,

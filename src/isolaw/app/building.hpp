@@ -1,4 +1,4 @@
-// What commands know of a study of a building.
+// Reading a building study, for the commands building and parts.
 #pragma once
 
 #include "isolaw/app/commands.hpp"
@@ -6,7 +6,7 @@
 
 namespace isolaw::app {
 
-// Of the building file and the campaign's directory. Throws Error: one that is not given, all that is wrong in them.
+// Reads the building file and the campaign's directory. Throws Error if one is not given, or for all faults in them.
 building::Study building_study(BuildingArguments const& arguments);
 
 }  // namespace isolaw::app

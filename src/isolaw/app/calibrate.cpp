@@ -30,7 +30,7 @@ void warn_of_idle_overrides(campaign::Settings const& settings) {
 int calibrate(CalibrateArguments const& arguments, std::vector<std::string> const& command_line) {
   CampaignWork work(command_line);
   auto const figures = render::figure_choice(arguments.figures);
-  fit::instruction_set();  // throws before anything is written, also where no run is left to do
+  fit::instruction_set();  // throws before anything is written, even if no run is left to do
   auto const lot = lot_of(arguments);
   auto const part = arguments.part ? std::optional(campaign::parse_part(*arguments.part)) : std::nullopt;
   if (part && arguments.json)
@@ -43,7 +43,7 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
   for (auto const& device : contents.devices)
     if (!device.vertical.refusal.empty())
       say("{}: no vertical stiffness\n  {}\n", device.name, device.vertical.refusal);
-  // What the lot cannot be held to is said before the search, not after it.
+  // Throws before the search, not after it, if the rules or design values do not suit the lot.
   if (lot.acceptance != campaign::Acceptance{}) study::build_summary(contents);
 
   auto const directory = output_directory(arguments, lot);
@@ -53,22 +53,25 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
   render::remove_leftovers(directory);
   auto const [added, released, kept, dropped] =
       open_or_create(file, contents, arguments.fresh, is_of_lot_file(arguments) ? LeftOut::is_gone : LeftOut::stays);
-  if (!added.empty()) say("grows by {}\n", joined(added));
+  if (!added.empty()) say("the campaign grows by {}\n", joined(added));
   if (!released.empty())
-    say("no longer held to rule set {}: --rules {} holds the tests to it again, without another search\n",
+    say("the tests are no longer checked against rule set {}; --rules {} checks them again, without another search\n",
         printable(released), printable(released));
   if (!kept.empty())
-    say("the compression tests that this campaign holds stay: {}; --vertical DEVICE=FILE gives another\n",
+    say("the campaign keeps its compression tests: {}; to replace one: --vertical DEVICE=FILE\n",
         printable(joined(kept)));
   if (!dropped.empty())
-    say("no longer in the lot file, and their K_v no longer in this campaign: the compression tests of {}\n",
+    say("the lot file no longer names compression tests of {}; the campaign drops their K_v\n",
         printable(joined(dropped)));
   if (!contents.complete() && !contents.runs.empty())
     say("continuing: {} {} there already\n", counted(contents.runs.size(), "run"),
         contents.runs.size() == 1 ? "is" : "are");
 
-  return work.finish(
-      contents, {.directory = directory, .jobs = lot.jobs.value_or(0), .figures = figures, .json = arguments.json});
+  return work.finish(contents, {.directory = directory,
+                                .jobs = lot.jobs.value_or(0),
+                                .figures = figures,
+                                .json = arguments.json,
+                                .details = arguments.details});
 }
 
 }  // namespace isolaw::app

@@ -49,19 +49,19 @@ int CampaignWork::finish(campaign::Contents& contents, HowToWork const& how) {
                               .interrupted = interrupted,
                               .short_of_threads =
                                   [](int threads) {
-                                    say("the system gave no more threads or memory: {} worked; try: --jobs {}\n",
-                                        threads, threads);
+                                    say("the system gave no more threads or memory: {} did the work; try: --jobs {}\n",
+                                        counted(threads, "thread"), threads);
                                   },
                               .profile = &profile_,
                               .share = how.share});
   } catch (std::exception const&) {
-    say("stopped: {} finished runs are kept in {}\nonce the fault is mended, continue with: {}\n", contents.runs.size(),
+    say("stopped: {} finished runs are kept in {}\nafter fixing the fault, continue with: {}\n", contents.runs.size(),
         shown(file), command_);
     throw;
   }
-  own_.restart();
+  campaign::Meter::restart();
   if (how.share && !interrupted()) {
-    say("part {} of {} of the {} is examined, in {}; once every part is: isolaw merge OUT PARTS...\n",
+    say("part {} of {} of the {} is analysed, in {}; when every part is: isolaw merge OUT PARTS...\n",
         how.share->number, how.share->of,
         campaign::every_device_examined(contents) ? "devices and of the lot's laws" : "devices", shown(file));
     return exit_done;
@@ -76,13 +76,13 @@ int CampaignWork::finish(campaign::Contents& contents, HowToWork const& how) {
   if (contents.part) {
     say("part {} of {}: {}, all of its share, in {}; once every part is there: isolaw merge OUT PARTS...\n",
         contents.part->number, contents.part->of, counted(contents.runs.size(), "run"), shown(file));
-    return exit_done;  // what was refused or failed is of the whole, and told by its report
+    return exit_done;  // the report of the whole tells what was refused or failed
   }
   double const search_s = std::chrono::duration<double>(Clock::now() - start_).count();
   // From the store, not from memory: what is printed is what `isolaw report` would print.
   auto const summary = study::build_summary(campaign::Store::read(file));
   render::write_outputs(summary, directory);
-  // Figures are for print, and no part of the study: their time is told apart from its.
+  // Figures are for print and not part of the study: their time is reported separately.
   auto const before_figures = Clock::now();
   double const cpu_s = process_time_s() - cpu_at_start_s_;
   own_.lap(campaign::Phase::report);
@@ -100,8 +100,7 @@ int CampaignWork::finish(campaign::Contents& contents, HowToWork const& how) {
                                .cpu_s = cpu_s,
                                .jobs = how.jobs > 0 ? how.jobs : static_cast<int>(std::thread::hardware_concurrency()),
                                .profile = profiled}));
-  print(summary, how.json, profiled);
-  say("results: {} (open {})\n", shown(directory), shown(directory / "report.html"));
+  print(summary, directory, {.json = how.json, .details = how.details}, profiled);
   return exit_code(summary);
 }
 

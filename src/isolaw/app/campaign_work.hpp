@@ -1,5 +1,4 @@
-// What a campaign is brought to its end by, once it is prepared and its directory is held: runs and analyses that are
-// missing, then the reports.
+// Finishes a prepared campaign whose directory is locked: the runs and analyses that are missing, then the reports.
 #pragma once
 
 #include <chrono>
@@ -18,16 +17,16 @@ namespace isolaw::app {
 struct HowToWork {
   std::filesystem::path directory;
   int jobs = 0;
-  std::optional<campaign::Part> share = {};  // of the analyses alone, and no report
+  std::optional<campaign::Part> share = {};  // compute this share of the analyses only, and no report
   render::FigureChoice figures = {};
-  bool json = false;
+  bool json = false, details = false;
 };
 
-// Made when the command starts: what it took is told from then.
+// Construct it when the command starts: reported times count from then.
 class CampaignWork {
  public:
   explicit CampaignWork(std::vector<std::string> const& command_line);
-  // The exit code.
+  // Returns the exit code.
   int finish(campaign::Contents& contents, HowToWork const& how);
 
  private:

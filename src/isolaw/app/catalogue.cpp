@@ -9,6 +9,10 @@
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/example_lot.hpp"
 #include "isolaw/app/say.hpp"
+#include "isolaw/app/usage.hpp"
+#include "isolaw/base/error.hpp"
+#include "isolaw/base/json.hpp"
+#include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/laws/catalogue.hpp"
 #include "isolaw/render/terminal/terminal.hpp"
@@ -17,21 +21,11 @@
 namespace isolaw::app {
 namespace {
 
-// What Markdown would read as markup in prose or a cell of a table.
-std::string plain_markdown(std::string_view text) {
-  std::string out;
-  for (char const c : text) {
-    if (c == '|' || c == '*' || c == '_' || c == '<' || c == '`') out += '\\';
-    out += c;
-  }
-  return out;
-}
-
 std::string markdown_interval(std::optional<laws::Interval> const& interval) {
   return interval ? fmt::format("{:g} to {:g}", interval->lower, interval->upper) : std::string("–");
 }
 
-// Where its tables call it otherwise.
+// The name in the paper's tables, if it is another one.
 std::string in_the_paper(laws::ParameterInfo const& parameter) {
   return parameter.paper_name.empty() ? std::string() : fmt::format("; {} in the paper's tables", parameter.paper_name);
 }
@@ -40,7 +34,7 @@ std::string together(laws::LawEntry const& law) {
   return joined(law.joint_limits | std::views::transform(&laws::JointLimitEntry::statement));
 }
 
-// The catalogue that docs/laws.md holds.
+// Prints docs/laws.md.
 void print_markdown() {
   fmt::print(
       "# The laws\n\nFrom the laws' own files, by `./isolaw.sh docs`. x displacement, v velocity, F force, in the law's own units; a step goes from one\nsample to the next, and what is not said starts at zero. *Paper*: the box of Table 4; `isolaw laws ID` says the same. A history that\nstarts elsewhere than at zero displacement finds the device virgin there, as if it had come there without history; analysis\nprograms start at zero.\n");
@@ -122,13 +116,26 @@ int example(std::filesystem::path const& directory, bool with_building) {
   return exit_done;
 }
 
-int list_rules(std::string const& name) {
+int list_rules(std::string const& name, bool json) {
   if (!name.empty()) {
+    if (json)
+      throw Error({.where = "--json", .found = "is given with " + in_quotes(name), .allowed = "the list alone"});
     auto const text = rules::rule_set_text(name);
     std::fwrite(text.data(), 1, text.size(), stdout);
     return exit_done;
   }
   auto const sets = rules::built_in_rule_sets();
+  if (json) {
+    JsonWriter out(JsonWriter::Layout::indented);
+    out.begin_array();
+    for (auto const& set : sets) {
+      out.begin_object().member("id", set.id).member("title", set.title).member("edition", set.edition);
+      out.member("source", set.source).member("verified_by", set.verified_by).end_object();
+    }
+    out.end_array();
+    print(out.take());
+    return exit_done;
+  }
   auto const longest = std::ranges::max(sets, {}, [](auto const& set) { return set.id.size(); }).id.size();
   for (auto const& set : sets)
     fmt::print("{:<{}} {}{}\n", set.id, longest, set.title,

@@ -32,21 +32,21 @@ bool holds(std::filesystem::path const& file, std::string_view text) {
   return there == text;
 }
 
-// How many runs fewer than the store the reports beside it were made from; 0 when their summary.json does not say so.
+// How many runs the store has gained since the reports beside it were written; 0 if their summary.json does not say.
 std::size_t runs_since(std::filesystem::path const& directory, std::size_t missing_runs) {
   try {
     auto const text =
         read_file(directory / "summary.json",
                   {.largest_bytes = std::uintmax_t{1} << 30, .allowed = "a summary of isolaw", .when_too_large = {}});
-    auto const told = render::missing_runs_in(text).value_or(0);
-    return told > missing_runs ? told - missing_runs : 0;
+    auto const missing_then = render::missing_runs_in(text).value_or(0);
+    return missing_then > missing_runs ? missing_then - missing_runs : 0;
   } catch (Error const&) {
     return 0;
   }
 }
 
-// `isolaw report --rules ...` holds the tests to something else than the store says; the page states to what. Whether
-// it does; `contents` and `summary` are then those of the page. What cannot be read counts as not stated.
+// `isolaw report --rules ...` checks the tests against other rules than the store holds, and states them in its page.
+// If the page does so, puts its rules into `contents` and `summary` and returns true. An unreadable page states nothing.
 bool hold_to_what_the_page_states(std::filesystem::path const& directory, campaign::Contents& contents,
                                   study::Summary& summary) {
   auto const stored = contents.acceptance;
@@ -66,7 +66,7 @@ bool hold_to_what_the_page_states(std::filesystem::path const& directory, campai
 
 struct Outputs {
   int compared = 0;
-  std::vector<std::string> other;  // names of those that are not what the store gives
+  std::vector<std::string> other;  // names of files that differ from what the store gives
 };
 
 Outputs compare_outputs(std::filesystem::path const& directory, study::Summary const& summary) {
@@ -96,7 +96,7 @@ int check(std::filesystem::path const& directory) {
     for (auto const& name : outputs.other)
       (result.of_another_build ? result.differences : result.faults)
           .push_back(
-              fmt::format("{} is not what the store gives; isolaw report {} makes it again", name, shown(directory)));
+              fmt::format("{} is not what the store gives; isolaw report {} writes it again", name, shown(directory)));
   fmt::print("{}: {}\n", shown(file),
              !result.faults.empty()       ? fmt::format("{} fault(s)", result.faults.size())
              : result.differences.empty() ? "sound"
@@ -113,12 +113,12 @@ int check(std::filesystem::path const& directory) {
   if (outputs.compared > 0) fmt::print("  {} files beside it compared with what the store gives\n", outputs.compared);
   if (other_rules && outputs.compared > 0)
     fmt::print(
-        "  they were made with other rules, design values or lot size than the store holds, and compared with these\n");
+        "  they were written with other rules, design values or lot size than the store holds; the comparison uses theirs\n");
   if (since > 0)
-    fmt::print("  out of date: {} of them, made before the last {} runs; isolaw report {} makes them again\n",
+    fmt::print("  out of date: {} of them, written before the last {} runs; isolaw report {} writes them again\n",
                outputs.other.size(), since, shown(directory));
   if (result.of_another_build)
-    fmt::print("  made by isolaw {}; this is {}, which may compute otherwise\n",
+    fmt::print("  computed by isolaw {}; this is {}, whose numbers may differ\n",
                campaign::text(std::span(contents.makers)), campaign::text(campaign::this_maker()));
   for (auto const& fault : result.faults) fmt::print("  fault: {}\n", fault);
   for (auto const& difference : result.differences) fmt::print("  difference: {}\n", difference);

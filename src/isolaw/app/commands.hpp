@@ -1,5 +1,5 @@
 // The commands behind the command line: each takes its parsed options, writes results to standard output and messages
-// to standard error, and returns the exit code. Wrong input throws isolaw::Error.
+// to standard error, and returns the exit code. Wrong input throws isolaw::Error. app.cpp holds what each command does.
 #pragma once
 
 #include <filesystem>
@@ -13,8 +13,8 @@ namespace isolaw::app {
 
 inline constexpr int exit_done = 0, exit_with_refusals = 1, exit_wrong_usage = 2, exit_internal = 3;
 
-// Values are what is given of the options of a table: of data::reading_table() how records are read, of
-// campaign::acceptance_table() what the tests are held to. They override a lot file, or what a campaign's store says.
+// Values hold the options given from a table: `read` from data::reading_table(), `acceptance` from
+// campaign::acceptance_table(). They override a lot file and the acceptance of a campaign's store.
 struct CalibrateArguments {
   std::vector<std::filesystem::path> inputs;  // one lot file, or records
   Values settings, read, acceptance;
@@ -24,8 +24,8 @@ struct CalibrateArguments {
   std::optional<std::string> part;  // "3/40"
   std::string figures = "lot";
   bool fresh = false;
-  bool allow_outside = false;  // a lot file may name files outside its folder
-  bool json = false;
+  bool allow_outside = false;  // the lot file may name files outside its folder
+  bool json = false, details = false;
 };
 int calibrate(CalibrateArguments const& arguments, std::vector<std::string> const& command_line);
 
@@ -35,25 +35,24 @@ struct MergeArguments {
   std::optional<std::string> part;  // "3/40", of the analyses
   std::optional<int> jobs;
   std::string figures = "lot";
-  bool copy_only = false, fresh = false, json = false;
+  bool copy_only = false, fresh = false, json = false, details = false;
 };
-// A campaign, or a study of a building, computed in parts as one machine would have computed it; what is missing is
-// named.
+// Joins the parts of a campaign or building study; the result is as one machine would have computed it. Lists what is
+// missing.
 int merge(MergeArguments const& arguments, std::vector<std::string> const& command_line);
-// Whether it is parts of buildings, and their merge. Throws Error where it cannot be told.
+// Whether the parts are those of a building study, and their merge. Throws Error if that cannot be decided.
 bool merges_buildings(MergeArguments const& arguments);
 int merge_buildings(MergeArguments const& arguments);
 
 struct PartsArguments {
   std::filesystem::path lot;
   CalibrateArguments calibrate;                   // its inputs are the lot
-  std::optional<std::filesystem::path> campaign;  // the lot is then a building file, with these motions
+  std::optional<std::filesystem::path> campaign;  // given: the lot is a building file, with these motions
   std::vector<std::string> motions;
-  std::vector<std::string> given;  // names of all that was given
+  std::vector<std::string> given;  // names of all options given
   int count = 0;
-  std::string to;  // of part_script_kinds
+  std::string to;  // one of part_script_kinds
 };
-// A script that computes a campaign, or a study of a building, in so many parts and merges them.
 int parts(PartsArguments const& arguments, std::string const& program);
 
 struct InspectArguments {
@@ -69,7 +68,7 @@ int inspect(InspectArguments const& arguments);
 struct InitArguments {
   std::vector<std::filesystem::path> files;
   Values read;
-  std::optional<std::filesystem::path> like;  // a lot file whose way of reading is taken over
+  std::optional<std::filesystem::path> like;  // a lot file whose way of reading is copied
   std::filesystem::path out = "lot.toml";
   bool force = false;
 };
@@ -77,10 +76,10 @@ int init(InitArguments const& arguments);
 
 struct ReportArguments {
   std::filesystem::path directory;
-  std::optional<std::filesystem::path> out;  // of the results; empty: the campaign's directory
+  std::optional<std::filesystem::path> out;  // for the results; empty: the campaign's directory
   Values acceptance;
   std::string figures = "lot";
-  bool json = false;
+  bool json = false, details = false;
 };
 int report(ReportArguments const& arguments);
 
@@ -88,21 +87,19 @@ struct SampleArguments {
   std::filesystem::path directory;
   std::string law;
   int count = 100;
-  Values seed;  // of campaign::setting_table()
+  Values seed;  // from campaign::setting_table()
 };
-// Devices of a lot's population as CSV, a row for each.
 int sample(SampleArguments const& arguments);
 
 struct ExportArguments {
   std::filesystem::path directory;
   std::string law, device, to;
-  Values acceptance;  // of the bounds; what is given overrides what the store says
+  Values acceptance;  // for the bounds
   std::optional<std::string> units;
   std::optional<std::filesystem::path> out;  // empty: standard output
-  Values model, seed;                        // of programs::model_table(); of the draws, of campaign::setting_table()
-  bool anyway = false;                       // whatever speaks against it
+  Values model, seed;   // from programs::model_table(), and from campaign::setting_table() for the draws
+  bool anyway = false;  // export despite objections
 };
-// A law of a campaign for an analysis program.
 int export_law(ExportArguments const& arguments);
 
 struct SimulateArguments {
@@ -112,33 +109,31 @@ struct SimulateArguments {
   std::optional<std::string> device;
   std::vector<std::string> set;
   std::filesystem::path motion;
-  Values read, how;  // of campaign::setting_table(): integration and turning points
+  Values read, how;  // how: from campaign::setting_table(), integration to dead-band
   std::optional<int> refinement;
   std::optional<std::filesystem::path> out;
-  bool anyway = false;  // though its prediction is unusable
+  bool anyway = false;  // even if its prediction is unusable
   std::optional<std::string> bidirectional, second_disp, softening, springs;
 };
-// The force of a law under a displacement history as CSV.
 int simulate(SimulateArguments const& arguments);
 
 struct BuildingArguments {
-  std::optional<std::filesystem::path> file, from, out;  // BUILDING.toml, a campaign's directory, of the results
+  std::optional<std::filesystem::path> file, from, out;  // BUILDING.toml, a campaign's directory, for the results
   std::vector<std::string> motions;                      // "x.AT2" or "x.AT2,y.AT2", in place of the file's
   std::optional<int> jobs;
   std::optional<std::string> part;  // "3/40"
   std::string figures = "lot";
   bool print_template = false, fresh = false, arrange = false, nominal = false, json = false;
 };
-// The isolated building: its bearings drawn from the lot, the bound analyses beside them.
 int building(BuildingArguments const& arguments, std::vector<std::string> const& command_line);
-// A runnable building file with motions made for it.
+// Writes a building file that can be run, with synthetic motions.
 void write_example_building(std::filesystem::path const& directory);
 
-int list_rules(std::string const& name);
+int list_rules(std::string const& name, bool json);
 int check(std::filesystem::path const& directory);
 int bench(bool json);
 int list_laws(std::string const& id, bool json, bool markdown);
-// Of whole tables (settings, acceptance, reading, motion, building) and of single rows, as parameters of Python.
+// Prints whole tables (settings, acceptance, reading, motion, building) and single rows as parameters of Python.
 int list_keywords(std::vector<std::string> const& which, std::vector<std::string> const& but);
 int example(std::filesystem::path const& directory, bool with_building);
 

@@ -71,7 +71,7 @@ std::vector<Sample> record_of(std::size_t device) {
   return samples;
 }
 
-// How a laboratory writes: what stands before the rows, and how a row is put together.
+// How a laboratory writes a file: the lines above the rows, and the form of a row.
 struct Dialect {
   std::string head;
   std::string separator;
@@ -84,7 +84,7 @@ std::string decimals(double value, int digits) {
   return fmt::format("{:.{}f}", value, digits);
 }
 
-// Cells of time [s], displacement, force and load in units of the given size (record units per unit).
+// The cells of a row: time [s], displacement, force and load in units of the given size (record units per unit).
 auto plain(double disp_unit, double force_unit, double load_unit, int disp_digits, int force_digits,
            double time_unit = 1.0, int time_digits = 2) {
   return [=](Sample const& s, std::size_t) {
@@ -210,7 +210,7 @@ void write_example_lot(std::filesystem::path const& directory) {
       content << present.rdbuf();
       if (content.str() == file.text) continue;
       throw Error({.where = path.string(),
-                   .found = "a file of this name with another content is there",
+                   .found = "a file of this name exists, with other content",
                    .advice = "an empty directory"});
     }
     std::ofstream out(path, std::ios::binary);

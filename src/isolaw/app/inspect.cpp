@@ -42,7 +42,7 @@ int inspect(InspectArguments const& arguments) {
   apply_vertical(arguments.vertical, lot);
   apply(arguments.acceptance, lot.acceptance);
   auto const contents = campaign::prepare_devices(lot);
-  // One record that cannot be read: its own error, with every complaint.
+  // A single record that cannot be read is refused with its own error, which holds every complaint.
   if (contents.devices.size() == 1 && !contents.devices.front().usable()) {
     for (auto const& file : lot.devices.front().files) data::read_record(file, lot.devices.front().read);
     throw Error({.where = printable(contents.devices.front().name), .found = contents.devices.front().refusal});
@@ -65,8 +65,8 @@ int inspect(InspectArguments const& arguments) {
 
 namespace {
 
-// The settings of another lot file, what it holds tests to, and how it reads what its devices share (its first device's
-// way where they share nothing). A channel's own file is that lot's, no way of reading.
+// Copies from another lot file its settings, its rules, and how its devices are read; if they share no way of reading,
+// how its first device is read. A channel in a file of its own is not copied: that file belongs to the other lot.
 void take_over(std::filesystem::path const& file, campaign::Lot& lot) {
   auto const other = lot_of_file(file, {.allow_outside = true, .other_out = true});
   lot.settings = other.settings;
@@ -77,7 +77,7 @@ void take_over(std::filesystem::path const& file, campaign::Lot& lot) {
     auto const& [channel, column] = entry;
     bool const is_file = data::file_column(column).has_value();
     if (is_file)
-      say("columns {} = {} of {} left out: it is a file of that lot; --columns {}=FILE:COLUMN names one of this lot\n",
+      say("columns {} = {} of {} not taken over: the file belongs to that lot; for a file of this lot: --columns {}=FILE:COLUMN\n",
           name(channel), in_quotes(printable(column)), shown(file), name(channel));
     return is_file;
   });
@@ -95,7 +95,7 @@ campaign::Lot lot_of_tests(InitArguments const& arguments) {
     try {
       tests = data::list_tests(device.files.front(), device.read);
     } catch (Error const&) {
-      tests.resize(1, {.sheet = device.read.sheet, .test = device.read.test, .place = {}});  // said when it is read
+      tests.resize(1, {.sheet = device.read.sheet, .test = device.read.test, .place = {}});  // reported when it is read
     }
     if (auto const& other = tests.front().passed_over; !other.empty())
       say("{}: {} {} no time, displacement or force, passed over\n", device.shown_file,
@@ -116,7 +116,7 @@ campaign::Lot lot_of_tests(InitArguments const& arguments) {
   return lot;
 }
 
-// A file of which some part was taken for a test and cannot be read as one.
+// The complaint about a file some part of which was taken for a test but cannot be read as one.
 Complaint about_sheets(std::filesystem::path const& file, campaign::Lot const& lot) {
   std::vector<std::string> sheets;
   for (auto const& device : lot.devices)
@@ -143,7 +143,7 @@ int init(InitArguments const& arguments) {
   campaign::LotFileRemarks remarks;
   remarks.open_keys = true;
   std::vector<campaign::DeviceInput> recognised;
-  std::vector<std::filesystem::path> of_sheets;  // files of which one sheet cannot be read
+  std::vector<std::filesystem::path> of_sheets;  // files with a sheet that cannot be read
   for (auto& device : lot.devices) {
     try {
       if (!is_printable(device.files.front().string()))
@@ -151,7 +151,7 @@ int init(InitArguments const& arguments) {
                      .found = "a file name that no lot file can hold: it has control characters, marks that turn the "
                               "direction of writing, or bytes that are not UTF-8",
                      .allowed = "printable text in UTF-8",
-                     .advice = "rename the file; without a lot file it is read as it is named"});
+                     .advice = "rename the file, or calibrate it without a lot file"});
       auto const record = data::read_record(device.files.front(), device.read);
       device.read = record.layout;
       remarks.stated.push_back(campaign::take_particulars(record.particulars, device.info));
@@ -174,13 +174,13 @@ int init(InitArguments const& arguments) {
         shown(arguments.out));
   lot.devices = std::move(recognised);
   auto const folder = std::filesystem::absolute(arguments.out).parent_path();
-  // The size is one of the other production lot: said, and left out where it cannot be that of this one.
+  // The lot size belongs to the other production lot: the user is told, and a size too small for this lot is dropped.
   auto& size = lot.acceptance.lot_size;
   if (size && static_cast<std::size_t>(*size) < lot.devices.size()) {
     say("lot-size = {} of {} left out: there are {} devices here\n", *size, shown(*arguments.like), lot.devices.size());
     size.reset();
   } else if (size) {
-    say("lot-size = {} taken over from {}: change it where this lot has another size\n", *size, shown(*arguments.like));
+    say("lot-size = {} taken over from {}: change it if this lot has another size\n", *size, shown(*arguments.like));
   }
   std::vector<std::filesystem::path> inputs;
   for (auto const& device : lot.devices) std::ranges::copy(campaign::files_of(device), std::back_inserter(inputs));

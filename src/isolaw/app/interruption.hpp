@@ -1,5 +1,5 @@
-// How long commands end early: what is finished is kept, the exit code is that of a result with something missing, and
-// the same command goes on.
+// Ending a long command early: finished work is kept, the exit code says that something is missing, and the same command
+// continues.
 #pragma once
 
 #include <array>
@@ -8,8 +8,8 @@
 
 namespace isolaw::app {
 
-// Ctrl-C, a polite kill and a terminal that is closed ask for an end; a second signal ends the program at once. Where a
-// closed terminal is to be ignored (nohup), it is.
+// Ctrl-C, SIGTERM and a closed terminal ask the command to end; a second signal ends the program at once. Under nohup a
+// closed terminal is ignored.
 class SignalGuard {
  public:
   SignalGuard();
@@ -20,10 +20,10 @@ class SignalGuard {
  private:
   std::array<void (*)(int), 3> previous_{};
 };
-// Whether one came since the last guard was made.
+// Whether such a signal came since the last guard was constructed.
 bool interrupted();
 
-// The command line that goes on: without what starts over.
+// The command line that continues: without --fresh.
 std::string to_continue(std::vector<std::string> words);
 
 }  // namespace isolaw::app

@@ -1,5 +1,5 @@
-// `isolaw keywords`: the options of the tables as keyword parameters, for the stub of the Python package, which
-// `./isolaw.sh docs` writes with it.
+// `isolaw keywords`: the options of the tables as keyword parameters. `./isolaw.sh docs` puts them into the stub of the
+// Python package.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,11 +22,11 @@ std::string python_literal(Json const& value) {
   return value.dump();
 }
 
-// "runs: int | None = None"; in place of a value that is elsewhere: None leaves that.
+// "runs: int | None = None". `in_place`: the parameter replaces a value of a file, and None keeps the file's.
 template <class Row>
 std::string keyword(Row const& row, bool in_place = false) {
   auto value = in_place ? Json() : row.get({});
-  // A zero below its limits stands for what others decide.
+  // A zero below the limits means that the value is decided elsewhere.
   if (row.limits && value == 0 && row.limits->least > 0.0) value = Json();
   auto type = row.python_type();
   if (value.is_null() && !type.ends_with(" | None")) type += " | None";
@@ -58,7 +58,7 @@ int list_keywords(std::vector<std::string> const& which, std::vector<std::string
     for (auto const& word : *words)
       if (!is_in(known, word))
         complaints.push_back(
-            {.where = word, .found = "no table and no keyword", .allowed = joined(known), .advice = {}});
+            {.where = word, .found = "no such table or keyword", .allowed = joined(known), .advice = {}});
   if (!complaints.empty()) throw Error(std::move(complaints));
   for (auto const& line : lines) fmt::print("{}\n", line);
   return exit_done;

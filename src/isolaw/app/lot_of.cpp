@@ -15,7 +15,7 @@
 #include "isolaw/data/reading.hpp"
 #include "isolaw/rules/measured.hpp"
 #include "isolaw/rules/rule_set.hpp"
-#include "isolaw/study/findings.hpp"
+#include "isolaw/wording/words.hpp"
 
 namespace isolaw::app {
 namespace {
@@ -24,7 +24,7 @@ bool is_lot_file(std::filesystem::path const& path) {
   return path.extension() == ".toml";
 }
 
-// Each number may be large, but not all of them together: the runs are listed before the first one starts.
+// Each number alone may be large, but their product is limited: all runs are listed before the first one starts.
 void refuse_endless(campaign::Lot const& lot) {
   constexpr std::size_t most_runs = 10'000'000;
   auto const runs = static_cast<std::size_t>(lot.settings.runs) * lot.settings.laws.size() * lot.devices.size();
@@ -41,13 +41,13 @@ void refuse_endless(campaign::Lot const& lot) {
                  .advice = "fewer runs, 20 are usual"});
 }
 
-// The last part of a directory's name, also of "." and "records/".
+// The last part of a directory's name; works for "." and "records/" too.
 std::string folder_name(std::filesystem::path const& directory) {
   auto const path = std::filesystem::weakly_canonical(directory);
   return path.filename().string();
 }
 
-// The lot's folder, the only file, the folder that several files share, or how many records there are.
+// The name of a lot file's folder, of the only input, or of the folder that all files share; else "12 records".
 std::string name_of(std::vector<std::filesystem::path> const& inputs, std::size_t devices) {
   auto const& first = inputs.front();
   auto const folder = [](std::filesystem::path const& file) {
@@ -86,7 +86,8 @@ std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path>
     }
     std::ranges::sort(passed_over);
     if (!inside.empty() && !passed_over.empty())
-      say("note: {}: not read, no test records by their names: {}\n", shown(input), shortened(passed_over, 6));
+      say("note: {}: not read, because their names are not those of test records: {}\n", shown(input),
+          shortened(passed_over, 6));
     if (inside.empty())
       throw Error({.where = input.string(),
                    .found = "a directory without test records",
@@ -94,7 +95,7 @@ std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path>
                        "files ending in {} or {}",
                        joined(data::record_extensions | std::views::take(data::record_extensions.size() - 1)),
                        data::record_extensions.back()),
-                   .advice = "naming the files themselves"});
+                   .advice = "name the files themselves"});
     std::ranges::sort(inside);
     files.insert(files.end(), inside.begin(), inside.end());
   }
@@ -103,8 +104,8 @@ std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path>
 
 namespace {
 
-// What may be repeated adds to what is there, and counts where both speak of a parameter. One that is given twice is
-// refused where it is taken.
+// An option that may be repeated adds to the values of the lot file and replaces those for the same parameter. A
+// parameter given twice on the command line is refused later, by the option itself.
 Json added(Json const& there, Json const& given) {
   auto const parameter = [](std::string const& text) { return text.substr(0, text.find('=')); };
   auto const words = given.get<std::vector<std::string>>();
@@ -136,12 +137,12 @@ void apply(Values const& given, campaign::Acceptance& acceptance) {
   if (acceptance.rules.empty()) {
     std::vector<std::string> sets;
     for (auto const& set : rules::built_in_rule_sets()) sets.push_back(set.id);
-    say("design values {}: no device is held to them without a rule set; try: --rules NAME, one of {}, or --rules FILE\n",
+    say("design values {}: without a rule set no device is checked against them; try: --rules NAME, one of {}, or --rules FILE\n",
         printable(acceptance.design), joined(sets));
   }
   auto const damping = rules::parse_design(acceptance.design).damping_percent;
   if (damping && *damping < 1.0)
-    say("--design damping={:g}: damping is in percent, and below 1 % is no damping of an isolator; try: damping={:g}\n",
+    say("--design damping={:g}: damping is in percent, and no isolator has less than 1 %; try: damping={:g}\n",
         *damping, 100.0 * *damping);
 }
 
@@ -149,7 +150,7 @@ void apply_vertical(std::vector<std::string> const& given, campaign::Lot& lot) {
   std::vector<Complaint> complaints;
   std::set<std::string> named;
   for (auto const& text : given) {
-    // Names may hold an equals sign: the longest that fits.
+    // Device names may hold an equals sign: take the longest name that fits.
     campaign::DeviceInput* found = nullptr;
     for (auto& device : lot.devices)
       if (text.starts_with(device.name + "=") && (found == nullptr || device.name.size() > found->name.size()))
@@ -159,7 +160,7 @@ void apply_vertical(std::vector<std::string> const& given, campaign::Lot& lot) {
     auto const file = found == nullptr ? std::string() : text.substr(found->name.size() + 1);
     if (file.empty())
       complaints.push_back({"--vertical", in_quotes(text) + (found == nullptr ? ": no such device" : ": no file"),
-                            "DEVICE=FILE, where DEVICE is " + study::enumerate(names),
+                            "DEVICE=FILE, where DEVICE is " + wording::enumerate(names),
                             fmt::format("--vertical {}=FILE", lot.devices.front().name)});
     else if (!named.insert(found->name).second)
       complaints.push_back({"--vertical", in_quotes(found->name) + " is given twice", "one test for a device", {}});
@@ -196,7 +197,7 @@ campaign::Lot lot_of_inputs(std::vector<std::filesystem::path> const& inputs, ca
 
 campaign::Lot lot_of(CalibrateArguments const& a) {
   campaign::Settings unused;
-  lay_over(a.settings, unused);  // wrong usage is said before files are read
+  lay_over(a.settings, unused);  // reports wrong usage before files are read
   auto lot = lot_of_inputs(a.inputs, {.allow_outside = a.allow_outside, .other_out = a.out.has_value()});
   auto& s = lot.settings;
   lay_over(a.settings, s);

@@ -1,4 +1,4 @@
-// From what the user named, files and options, to a lot.
+// Builds the lot from the files and options that the user gave.
 #pragma once
 
 #include "isolaw/app/commands.hpp"
@@ -6,24 +6,24 @@
 
 namespace isolaw::app {
 
-// The lot file or the lot of the files named, with the options of the command line laid over it.
+// The lot of the lot file or of the records, with the command line's options, which override those of the lot file.
 campaign::Lot lot_of(CalibrateArguments const& arguments);
 bool is_of_lot_file(CalibrateArguments const& arguments);
 
-// The files named; in place of a directory the records in it by name, directories below it left out. Throws Error for
-// one without records.
+// The files named. A directory stands for the files in it whose names are those of records, without subdirectories.
+// Throws Error for a directory without records.
 std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path> const& inputs);
 
-// A lot file with the built-in rule sets known by their names.
+// Reads a lot file that may name built-in rule sets.
 campaign::Lot lot_of_file(std::filesystem::path const& file, campaign::LotFileOptions options);
 
 // One lot file or the records named; a directory stands for the records in it.
 campaign::Lot lot_of_inputs(std::vector<std::filesystem::path> const& inputs, campaign::LotFileOptions const& options);
 
-// Lays what is given over `acceptance`, whose rule set is then loaded and everything checked. Throws Error.
+// Puts the values given into `acceptance`, then loads its rule set and checks everything. Throws Error.
 void apply(Values const& given, campaign::Acceptance& acceptance);
 
-// "DEVICE=FILE": the compression test of a device of the lot, in place of what the lot file says. Throws Error.
+// Takes "DEVICE=FILE", the compression test of a device of the lot, which replaces the lot file's. Throws Error.
 void apply_vertical(std::vector<std::string> const& given, campaign::Lot& lot);
 
 // Options given on the command line win over those in `options`.

@@ -24,21 +24,22 @@ void tell_merged(campaign::Merged const& merged, std::filesystem::path const& di
       merged.analyses > 0 ? fmt::format(" and {} analyses", merged.analyses) : "",
       merged.there > 0 ? fmt::format(", {} there already", merged.there) : "", shown(directory / store));
   if (merged.missing > 0)
-    say("not complete: {}; named on standard output\n"
-        "compute or copy what is missing, then again: isolaw merge {} PARTS...\n",
+    say("not complete: {}; listed on standard output\n"
+        "compute or copy what is missing, then repeat: isolaw merge {} PARTS...\n",
         missing_text(merged), shown(directory));
 }
 
 int merge(MergeArguments const& arguments, std::vector<std::string> const& command_line) {
   if (merges_buildings(arguments)) {
     if (arguments.part)
-      throw Error({.where = "--part", .found = "parts of a building, whose merge examines no device"});
+      throw Error(
+          {.where = "--part", .found = "is given for parts of a building study, whose merge has no analyses to share"});
     return merge_buildings(arguments);
   }
   auto const share = arguments.part ? std::optional(campaign::parse_part(*arguments.part)) : std::nullopt;
   if (share && (arguments.json || arguments.copy_only))
     throw Error({.where = arguments.json ? "--json" : "--copy-only",
-                 .found = "a part makes a share of the analyses, and has no summary",
+                 .found = "a part computes only a share of the analyses and has no summary",
                  .advice = "isolaw merge of all parts without --part"});
   CampaignWork work(command_line);
   auto const figures = render::figure_choice(arguments.figures);
@@ -63,7 +64,8 @@ int merge(MergeArguments const& arguments, std::vector<std::string> const& comma
                                 .jobs = arguments.jobs.value_or(0),
                                 .share = share,
                                 .figures = figures,
-                                .json = arguments.json});
+                                .json = arguments.json,
+                                .details = arguments.details});
 }
 
 }  // namespace isolaw::app

@@ -1,4 +1,4 @@
-// What merges of campaigns and of buildings say alike.
+// Messages that merges of campaigns and of building studies share.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace isolaw::app {
 
-// To standard error: what was not there, what was copied, what is missing.
+// Says on standard error which parts were absent, what was copied and what is missing.
 void tell_merged(campaign::Merged const& merged, std::filesystem::path const& directory, std::string const& store);
 
 }  // namespace isolaw::app

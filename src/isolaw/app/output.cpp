@@ -27,18 +27,18 @@ void write_output(fs::path const& out, std::string_view text, std::vector<fs::pa
   auto const refuse = [&](std::string found) {
     throw Error({.where = out.string(),
                  .found = std::move(found),
-                 .allowed = "a new file, or one that nothing is read from",
+                 .allowed = "a new file, or one that the command does not read",
                  .advice = "another name after --out"});
   };
   if (std::ranges::any_of(inputs, [&](auto const& input) { return fs::equivalent(out, input, none); }))
-    refuse("read for this, and would be replaced");
+    refuse("is an input of this command and would be replaced");
   if (other_than_plain(out) && !fs::is_directory(out, none)) {
     std::ofstream file(out, std::ios::binary);
     file.write(text.data(), static_cast<std::streamsize>(text.size()));
     if (!file.flush()) refuse("cannot be written");
     return;
   }
-  if (is_store(out)) refuse("a campaign's store, which would be replaced");
+  if (is_store(out)) refuse("is a campaign's store and would be replaced");
   write_file(out, text);
 }
 

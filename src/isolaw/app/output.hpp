@@ -7,8 +7,8 @@
 
 namespace isolaw::app {
 
-// Written whole or not at all; a pipe or a device is written to. Throws Error: it cannot be written, is one of
-// `inputs`, which it would replace, or a campaign's store.
+// Writes the file whole or not at all; a pipe or a device is written to directly. Throws Error if it cannot be written,
+// if it is one of `inputs`, or if it is a campaign's store.
 void write_output(std::filesystem::path const& out, std::string_view text,
                   std::vector<std::filesystem::path> const& inputs);
 

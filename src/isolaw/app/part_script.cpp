@@ -14,7 +14,7 @@
 namespace isolaw::app {
 namespace {
 
-// Slower processors, searches that take longer than others, a share of the machine.
+// Allows for slower processors, for searches longer than average, and for other jobs on the machine.
 constexpr double time_margin = 3.0;
 constexpr double least_minutes = 10.0;
 
@@ -22,8 +22,8 @@ std::string quoted(std::string const& word) {
   return shell_quoted({word});
 }
 
-std::string parts_of(PartScript const& of) {
-  return of.out.string() + ".parts";
+std::string parts_of(PartScript const& script) {
+  return script.out.string() + ".parts";
 }
 
 int minutes(double seconds) {
@@ -36,38 +36,39 @@ std::string in_words(double seconds) {
                             : fmt::format("{:.1f} h", seconds / 3600.0);
 }
 
-// What is said of the whole, as comments of shell and make alike.
-std::string heading(PartScript const& of, std::string_view how) {
-  auto const& needs = of.needs;
+// The comment at the top of every script, in the form that both shell and make understand.
+std::string heading(PartScript const& script, std::string_view how) {
+  auto const& needs = script.needs;
   return fmt::format(
       "# {} of {}, merged into {}. {}\n"
-      "# After any loss the same again: what is there of a part is not computed again, but seen to be of these settings and\n"
-      "# records. Where it is not, nothing is merged.\n"
-      "# In all likelihood, as measured where this was printed: {} a part on {}, {} for the analyses on as many.\n",
-      counted(of.parts, "part"), printable(of.title), printable(of.out.string()), how, in_words(needs.part_s),
-      counted(of.jobs, "thread"), in_words(needs.merge_s));
+      "# After an interruption run the same again: finished work of a part is kept if it belongs to these settings and\n"
+      "# records. If it does not, nothing is merged.\n"
+      "# Estimated on the machine that printed this: {} for each part on {}, {} for the analyses on as many.\n",
+      counted(script.parts, "part"), printable(script.title), printable(script.out.string()), how,
+      in_words(needs.part_s), counted(script.jobs, "thread"), in_words(needs.merge_s));
 }
 
-std::string program_line(PartScript const& of, std::vector<std::string> words) {
-  words.insert(words.begin(), of.program);
+std::string program_line(PartScript const& script, std::vector<std::string> words) {
+  words.insert(words.begin(), script.program);
   return shell_quoted(words);
 }
 
-// Scratch directories of one campaign are its own.
-std::string fingerprint(PartScript const& of) {
-  return sha256(shell_quoted(of.words) + of.directory.string() + of.out.string() + std::to_string(of.parts))
+// Keeps the scratch directories of different campaigns apart.
+std::string fingerprint(PartScript const& script) {
+  return sha256(shell_quoted(script.words) + script.directory.string() + script.out.string() +
+                std::to_string(script.parts))
       .substr(0, 12);
 }
 
-// What both shell scripts do.
-std::string shell_functions(PartScript const& of) {
-  auto merge = of.merge;
+// The functions that the Slurm and the GNU parallel script share.
+std::string shell_functions(PartScript const& script) {
+  auto merge = script.merge;
   merge.insert(merge.begin(), "merge");
   return fmt::format(
       R"sh(set -eu
 ISOLAW_SCRIPT=$(cd "$(dirname "$0")" && pwd)/$(basename "$0")
 export ISOLAW_SCRIPT
-# One instruction set on all machines, or last digits would differ: parts of two are not merged.
+# The same instruction set on all machines: otherwise last digits differ, and the parts cannot be merged.
 export ISOLAW_SIMD={instruction_set}
 cd {directory}
 out={out}
@@ -75,10 +76,10 @@ parts={parts}
 case $parts in /*) ;; *) parts=$PWD/$parts ;; esac
 count={count}
 jobs=${{ISOLAW_JOBS:-{jobs}}}  # threads of a part, and of the merge
-# A disk of the machine itself.
+# A local disk of the machine.
 scratch=${{ISOLAW_SCRATCH:-${{SLURM_TMPDIR:-${{TMPDIR:-/tmp}}}}}}/isolaw-$(id -u)-{fingerprint}
 
-# What lies on the machine's disk, unless another process works there.
+# Clears the local disk, unless another process works there.
 clear_disk() {{
   [ ! -d "$disk" ] || flock -n "$disk" rm -rf "$disk" 2>/dev/null || :
   rmdir "$scratch" 2>/dev/null || :
@@ -90,7 +91,7 @@ compute() {{
   trap 'kill "$child" 2>/dev/null || :' TERM INT HUP
   code=0
   wait "$child" || code=$?
-  while kill -0 "$child" 2>/dev/null; do  # a signal ended the wait, not yet the child
+  while kill -0 "$child" 2>/dev/null; do  # a signal ended the wait but not yet the child
     code=0
     wait "$child" || code=$?
   done
@@ -98,9 +99,9 @@ compute() {{
   return "$code"
 }}
 
-# Part $1, on the machine's own disk, whatever is there of it: the program alone can tell whether that is whole, and of
-# these settings and records. Of a whole one it takes as long as to read the lot. It has its name while it is known to be
-# whole, and is called unfinished before.
+# Computes part $1 on the local disk, starting from whatever exists of it: only the program can tell whether that is
+# complete and belongs to these settings and records. For a complete part this takes as long as reading the lot. The
+# store carries its name only while it is known to be complete; before that it is called unfinished.
 part() {{
   kept=$parts/$1
   disk=$scratch/$1
@@ -108,11 +109,11 @@ part() {{
   rm -f "$kept/refused"
   if [ -e "$kept/{store}" ]; then
     mv "$kept/{store}" "$kept/unfinished" || return 1
-    clear_disk  # what a try that was killed left here is no more than that
+    clear_disk  # a killed attempt left nothing more complete here
   fi
   (umask 077 && {{ mkdir -p "$disk" 2>/dev/null || mkdir -p "$disk"; }}) || return 1
-  [ -O "$scratch" ] || {{ echo "$scratch is somebody else's: ISOLAW_SCRATCH names another disk" >&2; return 1; }}
-  from=disk  # where a try was killed
+  [ -O "$scratch" ] || {{ echo "$scratch belongs to another user; set ISOLAW_SCRATCH to another disk" >&2; return 1; }}
+  from=disk  # a killed attempt left work there
   if [ ! -s "$disk/{store}" ]; then
     from=kept
     rm -f "$disk/{store}" "$disk/{store}"-*
@@ -129,8 +130,8 @@ part() {{
   if [ "$code" -eq 2 ]; then
     clear_disk
     : >"$kept/refused"
-    echo "part $1 was refused, as said above, and nothing is merged. Once that is mended the same again; where what is" \
-      "there of it is damaged, or of other settings or records: rm -r '$kept' computes it anew" >&2
+    echo "part $1 was refused for the reason above, and nothing is merged. Fix that and run the same again; if its files" \
+      "are damaged or belong to other settings or records, rm -r '$kept' has it computed anew" >&2
     return 2
   fi
   name={store}
@@ -145,7 +146,7 @@ part() {{
   return "$code"
 }}
 
-# Numbers of all parts; of those that are not there; of those that the program refused.
+# The numbers of all parts, of the missing ones, and of those that the program refused.
 all() {{
   number=1
   while [ "$number" -le "$count" ]; do
@@ -173,20 +174,21 @@ merge() {{
   {merge} "$out" --jobs "$jobs" "$@"
 }}
 )sh",
-      fmt::arg("instruction_set", quoted(of.instruction_set)), fmt::arg("directory", quoted(of.directory.string())),
-      fmt::arg("out", quoted(of.out.string())), fmt::arg("parts", quoted(parts_of(of))), fmt::arg("count", of.parts),
-      fmt::arg("jobs", of.jobs), fmt::arg("fingerprint", fingerprint(of)), fmt::arg("program", quoted(of.program)),
-      fmt::arg("command", of.command), fmt::arg("store", of.store), fmt::arg("words", shell_quoted(of.words)),
-      fmt::arg("merge", program_line(of, std::move(merge))));
+      fmt::arg("instruction_set", quoted(script.instruction_set)),
+      fmt::arg("directory", quoted(script.directory.string())), fmt::arg("out", quoted(script.out.string())),
+      fmt::arg("parts", quoted(parts_of(script))), fmt::arg("count", script.parts), fmt::arg("jobs", script.jobs),
+      fmt::arg("fingerprint", fingerprint(script)), fmt::arg("program", quoted(script.program)),
+      fmt::arg("command", script.command), fmt::arg("store", script.store),
+      fmt::arg("words", shell_quoted(script.words)), fmt::arg("merge", program_line(script, std::move(merge))));
 }
 
-std::string for_slurm(PartScript const& of) {
+std::string for_slurm(PartScript const& script) {
   constexpr std::uint64_t mebibyte = 1 << 20;
-  return "#!/bin/sh\n" + heading(of, "On a machine that submits jobs: sh THIS_FILE") +
+  return "#!/bin/sh\n" + heading(script, "On a machine that submits jobs: sh THIS_FILE") +
          "# $ISOLAW_SBATCH: options of sbatch for every job, such as an account; $ISOLAW_SCRATCH: a disk of the nodes.\n" +
-         shell_functions(of) +
+         shell_functions(script) +
          fmt::format(R"sh(
-# The array of these parts, and after it, however it ends, the merge; which submits again what is missing still.
+# Submits the array of these parts and, to run after it however it ends, the merge, which resubmits missing parts.
 submit() {{
   mkdir -p "$parts"
   array=$1
@@ -196,7 +198,7 @@ submit() {{
   echo "parts $array: job ${{job%%;*}}"
   job=$(sbatch "$@" --dependency=afterany:"${{job%%;*}}" --job-name=isolaw-merge --requeue --open-mode=append \
     --time={merge_minutes} --output=merge.log --wrap 'exec sh "$ISOLAW_SCRIPT" merge')
-  echo "merge: job ${{job%%;*}}, which says in $parts/merge.log what became of it"
+  echo "merge: job ${{job%%;*}}, whose messages go to $parts/merge.log"
 }}
 
 case ${{1:-submit}} in
@@ -216,14 +218,14 @@ case ${{1:-submit}} in
   *) echo "sh $0 [submit | part NUMBER | merge]" >&2; exit 2 ;;
 esac
 )sh",
-                     fmt::arg("memory", (of.needs.memory_bytes + mebibyte - 1) / mebibyte),
-                     fmt::arg("part_minutes", minutes(of.needs.part_s)),
-                     fmt::arg("merge_minutes", minutes(of.needs.merge_s)));
+                     fmt::arg("memory", (script.needs.memory_bytes + mebibyte - 1) / mebibyte),
+                     fmt::arg("part_minutes", minutes(script.needs.part_s)),
+                     fmt::arg("merge_minutes", minutes(script.needs.merge_s)));
 }
 
-std::string for_parallel(PartScript const& of) {
-  return "#!/bin/sh\n" + heading(of, "With GNU parallel: sh THIS_FILE [options of parallel, such as --jobs 8]") +
-         shell_functions(of) +
+std::string for_parallel(PartScript const& script) {
+  return "#!/bin/sh\n" + heading(script, "With GNU parallel: sh THIS_FILE [options of parallel, such as --jobs 8]") +
+         shell_functions(script) +
          R"sh(
 case ${1:-} in
   part)
@@ -235,7 +237,7 @@ case ${1:-} in
   merge) merge ;;
   *)
     mkdir -p "$parts"
-    # What a part leaves undone, the merge names.
+    # The merge lists what parts leave undone.
     all | PARALLEL_SHELL=/bin/sh parallel "$@" sh '"$ISOLAW_SCRIPT"' part {} || echo "not every part is there" >&2
     merge
     ;;
@@ -243,52 +245,52 @@ esac
 )sh";
 }
 
-// In a recipe.
+// Escapes text for a recipe of make.
 std::string for_make(std::string const& text) {
-  std::string made;
-  for (char const c : text) made += c == '$' ? std::string("$$") : std::string(1, c);
-  return made;
+  std::string escaped;
+  for (char const c : text) escaped += c == '$' ? std::string("$$") : std::string(1, c);
+  return escaped;
 }
 
-std::string makefile(PartScript const& of) {
-  auto merge = of.merge;
-  merge.insert(merge.begin(), {"merge", of.out.string(), "--jobs", std::to_string(of.jobs)});
-  auto const cd = "cd " + for_make(quoted(of.directory.string()));
+std::string makefile(PartScript const& script) {
+  auto merge = script.merge;
+  merge.insert(merge.begin(), {"merge", script.out.string(), "--jobs", std::to_string(script.jobs)});
+  auto const cd = "cd " + for_make(quoted(script.directory.string()));
   std::string names;
-  for (int number = 1; number <= of.parts; ++number) {
+  for (int number = 1; number <= script.parts; ++number) {
     names += fmt::format(" {}part-{}", number % 16 == 0 ? "\\\n  " : "", number);
-    merge.push_back(fmt::format("{}/{}", parts_of(of), number));
+    merge.push_back(fmt::format("{}/{}", parts_of(script), number));
   }
-  return heading(of, "With make: make -f THIS_FILE -j 8 -k") +
+  return heading(script, "With make: make -f THIS_FILE -j 8 -k") +
          fmt::format(R"make(SHELL = /bin/sh
-# One instruction set on all machines, or last digits would differ: parts of two are not merged.
+# The same instruction set on all machines: otherwise last digits differ, and the parts cannot be merged.
 export ISOLAW_SIMD = {instruction_set}
 parts ={names}
 .PHONY: merge $(parts)
 merge: $(parts)
 	{cd} && {merge}
-# A part that is there ends at once; one of other settings or records is refused, and nothing merged.
+# A finished part ends at once; one of other settings or records is refused, and nothing is merged.
 $(parts): part-%:
 	{cd} && {program} {command} --jobs {jobs} --part $*/{count} --out {out}/$* {words}
 )make",
-                     fmt::arg("instruction_set", of.instruction_set), fmt::arg("names", names), fmt::arg("cd", cd),
-                     fmt::arg("merge", for_make(program_line(of, merge))),
-                     fmt::arg("program", for_make(quoted(of.program))), fmt::arg("command", of.command),
-                     fmt::arg("words", for_make(shell_quoted(of.words))), fmt::arg("jobs", of.jobs),
-                     fmt::arg("count", of.parts), fmt::arg("out", for_make(quoted(parts_of(of)))));
+                     fmt::arg("instruction_set", script.instruction_set), fmt::arg("names", names), fmt::arg("cd", cd),
+                     fmt::arg("merge", for_make(program_line(script, merge))),
+                     fmt::arg("program", for_make(quoted(script.program))), fmt::arg("command", script.command),
+                     fmt::arg("words", for_make(shell_quoted(script.words))), fmt::arg("jobs", script.jobs),
+                     fmt::arg("count", script.parts), fmt::arg("out", for_make(quoted(parts_of(script)))));
 }
 
 }  // namespace
 
-std::string part_script(std::string_view kind, PartScript const& of) {
-  auto words = of.words;
-  words.insert(words.end(), {of.program, of.directory.string(), of.out.string()});
+std::string part_script(std::string_view kind, PartScript const& script) {
+  auto words = script.words;
+  words.insert(words.end(), {script.program, script.directory.string(), script.out.string()});
   for (auto const& word : words)
     if (word.find('\n') != std::string::npos)
       throw Error({.where = in_quotes(word), .found = "holds a line break", .allowed = "names of one line"});
-  if (kind == "slurm") return for_slurm(of);
-  if (kind == "parallel") return for_parallel(of);
-  if (kind == "make") return makefile(of);
+  if (kind == "slurm") return for_slurm(script);
+  if (kind == "parallel") return for_parallel(script);
+  if (kind == "make") return makefile(script);
   throw Error({.where = "--to", .found = in_quotes(kind), .allowed = joined(part_script_kinds)});
 }
 

@@ -24,7 +24,7 @@
 namespace isolaw::app {
 namespace {
 
-// What was given, as words that give it again.
+// The options given, as words of a command line.
 std::vector<std::string> words_again(CalibrateArguments const& given) {
   std::vector<std::string> words;
   auto const add = [&](auto const& table, Values const& values) {
@@ -42,7 +42,7 @@ std::vector<std::string> words_again(CalibrateArguments const& given) {
   return words;
 }
 
-// Reading the lot is what a part begins with, and threads add little to it.
+// A part reads the lot first, as this command just did; each thread adds a little.
 std::uint64_t memory_bytes(int jobs) {
   rusage used{};
   getrusage(RUSAGE_SELF, &used);
@@ -56,13 +56,13 @@ std::string program_of(std::string const& word) {
   return word.find('/') == std::string::npos ? word : std::filesystem::absolute(word).lexically_normal().string();
 }
 
-// Of a building or of a lot: what is of the other would be left out without a word.
+// Refuses options of a lot given for a building, and the reverse, which would otherwise be ignored silently.
 void require_used(PartsArguments const& arguments) {
   if (!arguments.campaign && !arguments.motions.empty())
     throw Error({.where = "--motion",
                  .found = "is given for a lot",
                  .allowed = "for a building file, with --campaign",
-                 .advice = "--campaign DIR, whose lot the bearings are of"});
+                 .advice = "--campaign DIR, the campaign whose lot supplies the bearings"});
   if (!arguments.campaign) return;
   constexpr std::array<std::string_view, 7> of_building{"lot",      "count", "--to",  "--campaign",
                                                         "--motion", "--out", "--jobs"};
@@ -73,10 +73,10 @@ void require_used(PartsArguments const& arguments) {
     throw Error({.where = joined(others),
                  .found = "is given for a building file",
                  .allowed = "--motion, --out and --jobs with --campaign",
-                 .advice = "the building file, which says how it is computed; the campaign has its own settings"});
+                 .advice = "set it in the building file; the campaign keeps its own settings"});
 }
 
-// Of a building: one block of runs of each law is computed here for the time that it takes.
+// The script for a building study. Computes one block of runs of each law here, to measure the time it takes.
 std::string script_of_building(PartsArguments const& arguments, std::string const& program) {
   auto const study = building_study({.file = arguments.lot,
                                      .from = arguments.campaign,
@@ -111,7 +111,7 @@ std::string script_of_building(PartsArguments const& arguments, std::string cons
                                     .parts = arguments.count,
                                     .jobs = jobs,
                                     .instruction_set = std::string(fit::name(fit::instruction_set())),
-                                    // Of the answers: some runs one by one for each law and motion.
+                                    // The answers need a few runs, one by one, for each law and motion.
                                     .needs = {.part_s = all_s / arguments.count / jobs,
                                               .merge_s = blocks_s * static_cast<double>(study.file.motions.size()),
                                               .memory_bytes = memory_bytes(jobs)}});
@@ -136,15 +136,14 @@ int parts(PartsArguments const& arguments, std::string const& program) {
   int const jobs = std::max(1, lot.jobs.value_or(1));
   auto const runs = contents.expected_runs();
   auto const count = static_cast<std::size_t>(arguments.count);
-  if (runs < count) say("{} for {}: some will have none\n", counted(runs, "run"), counted(count, "part"));
-  campaign::Estimate estimate(1);
-  campaign::expect_all(estimate, contents);
-  double const all_s = estimate.left_s(0.0);
-  estimate.expect_left(campaign::TaskKind::run, {});
-  double const analyses_s = estimate.left_s(0.0);
+  if (runs < count) say("{} for {}: some parts will have none\n", counted(runs, "run"), counted(count, "part"));
+  campaign::Estimate const estimate(contents);
+  double analyses_s = 0.0;
+  for (auto const kind : {campaign::TaskKind::device, campaign::TaskKind::lot, campaign::TaskKind::left_out})
+    analyses_s += estimate.work_left_s(kind);
   auto const threads = static_cast<std::size_t>(jobs);
-  auto const in_turn = (runs + count * threads - 1) / (count * threads);  // of one thread
-  double const run_s = runs > 0 ? (all_s - analyses_s) / static_cast<double>(runs) : 0.0;
+  auto const in_turn = (runs + count * threads - 1) / (count * threads);  // runs that one thread computes
+  double const run_s = runs > 0 ? estimate.work_left_s(campaign::TaskKind::run) / static_cast<double>(runs) : 0.0;
   std::vector<std::string> of_merge{"--figures", given.figures};
   print(part_script(arguments.to, {.program = program_of(program),
                                    .directory = std::filesystem::current_path(),

@@ -1,4 +1,4 @@
-// A progress line on a terminal: share of all work and time left, runs or analyses, best objective per law.
+// The progress line: share of all work done, time left, count of runs or analyses, best objective of each law.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// In a browser: a line for the page to read (page/engine/engine.js), some five in a second.
+// In a browser: lines for the page to read (page/engine/engine.js), about five per second.
 //   progress SHARE SECONDS_LEFT DONE TOTAL runs|analyses
 #include <fmt/format.h>
 

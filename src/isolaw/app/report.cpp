@@ -13,7 +13,6 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/campaign/store.hpp"
-#include "isolaw/render/json/run_json.hpp"
 #include "isolaw/render/json/summary_json.hpp"
 #include "isolaw/render/terminal/terminal.hpp"
 #include "isolaw/render/write.hpp"
@@ -36,11 +35,15 @@ void draw_figures(study::Summary const& summary, render::FigureChoice choice, st
   say_drawn(render::write_figures(summary, choice, directory), directory, "isolaw report");
 }
 
-void print(study::Summary const& summary, bool json, std::string_view profile) {
-  auto text =
-      json ? render::summary_json(summary) : render::ranking(summary, std::min(terminal_width(STDOUT_FILENO), 120));
-  if (auto const verdicts = study::verdict_summary(summary); !json && !verdicts.empty()) text += "\n" + verdicts;
-  if (json && !profile.empty()) text = render::with_profile(std::move(text), profile);
+void print(study::Summary const& summary, std::filesystem::path const& directory, Printed how,
+           std::string_view profile) {
+  if (how.json) {
+    app::print(render::summary_json(summary, profile));
+    return;
+  }
+  int const width = std::min(terminal_width(STDOUT_FILENO), 120);
+  auto text = how.details ? render::ranking(summary, width) : render::answer(summary, shown(directory), width);
+  if (auto const verdicts = study::verdict_summary(summary); !verdicts.empty()) text += "\n" + verdicts;
   app::print(text);
 }
 
@@ -56,9 +59,9 @@ int exit_code(study::Summary const& summary) {
 std::string what_is_missing(study::Summary const& summary) {
   auto const runs = summary.missing_runs();
   if (summary.part)
-    return fmt::format("this is part {} of {}, {} of its {} runs; isolaw merge OUT PARTS... makes it whole",
+    return fmt::format("this is part {} of {}, {} of its {} runs; isolaw merge OUT PARTS... joins the parts",
                        summary.part->number, summary.part->of, summary.runs, summary.expected_here);
-  return fmt::format("{} {} are missing; the last calibrate command there continues it",
+  return fmt::format("{} {} are missing; repeat the last calibrate command to continue",
                      runs > 0 ? runs : summary.missing_analyses(), runs > 0 ? "runs" : "analyses");
 }
 
@@ -68,7 +71,7 @@ int report(ReportArguments const& arguments) {
   auto contents = campaign::Store::read(directory / store_name);
   apply(arguments.acceptance, contents.acceptance);
   auto const summary = study::build_summary(contents);
-  // What is printed does not depend on the files: a store on read-only media can be looked at as it is.
+  // Print even if the files cannot be written: a store on read-only media can then still be looked at.
   std::optional<Error> not_written;
   try {
     render::write_outputs(summary, arguments.out.value_or(directory));
@@ -76,7 +79,7 @@ int report(ReportArguments const& arguments) {
   } catch (Error const& error) {
     not_written = error;
   }
-  print(summary, arguments.json);
+  print(summary, arguments.out.value_or(directory), {.json = arguments.json, .details = arguments.details});
   if (!contents.complete() || contents.part) say("the campaign is not complete: {}\n", what_is_missing(summary));
   if (not_written) throw *not_written;
   return contents.complete() ? exit_code(summary) : exit_with_refusals;

@@ -1,4 +1,4 @@
-// What `report` does with results, and `calibrate` and `check` too.
+// Printing results, shared by `report`, `calibrate` and `check`.
 #pragma once
 
 #include <filesystem>
@@ -10,19 +10,23 @@
 
 namespace isolaw::app {
 
-// Figures that cannot be drawn are no failure: their data and scripts are there.
-// `again`: what draws them once gnuplot is there.
+// Says which figures could not be drawn. That is no failure: their data and scripts are written. `again` is the command
+// that draws them once gnuplot is installed.
 void say_drawn(render::FigureOutcome const& outcome, std::filesystem::path const& directory, std::string_view again);
 void draw_figures(study::Summary const& summary, render::FigureChoice choice, std::filesystem::path const& directory);
 
-// The ranking and the verdicts, or summary.json, with a campaign's profile where there is one.
-void print(study::Summary const& summary, bool json, std::string_view profile = {});
+struct Printed {
+  bool json = false, details = false;
+};
+// The answer of a campaign whose results lie in `directory`: on one screen, with all details, or summary.json with the
+// campaign's profile where there is one. Verdicts of a rule set follow the answer.
+void print(study::Summary const& summary, std::filesystem::path const& directory, Printed how,
+           std::string_view profile = {});
 
-// Exit code 1 whenever a device was refused, a law could not be searched on a device, a run failed, or a limit of the
-// rule set is not kept.
+// 1 if a device was refused, a law could not be fitted to a device, a run failed, or a limit of the rule set is exceeded.
 int exit_code(study::Summary const& summary);
 
-// Of a campaign that is not complete.
+// For a campaign that is not complete: what is missing and how to complete it.
 std::string what_is_missing(study::Summary const& summary);
 
 }  // namespace isolaw::app

@@ -26,8 +26,11 @@ void say(fmt::format_string<Args...> format, Args&&... args) {
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
+inline bool has_printed = false;  // by print(): what follows on standard output is no longer the only thing there
+
 // A whole output, which ends with its line.
 inline void print(std::string_view text) {
+  has_printed = true;
   std::fwrite(text.data(), 1, text.size(), stdout);
   if (!text.ends_with('\n')) std::fputc('\n', stdout);
 }

@@ -123,9 +123,10 @@ std::vector<std::string> facts(Chosen const& chosen) {
     return {
         fmt::format("fitted to {}", reach),
         fmt::format("changed by --set {}: how well this law fits or predicts is not known", joined(chosen.changes))};
-  std::vector<std::string> lines{fmt::format("fitted to {}", reach), "prediction " + chosen.doubts.prediction};
-  for (auto const& warning : chosen.doubts.warnings) lines.push_back("warning: " + warning);
-  if (!chosen.doubts.objection.empty()) lines.push_back(study::let_through(chosen.doubts.objection));
+  std::vector<std::string> lines{fmt::format("fitted to {}", reach), wording::remark(chosen.doubts.prediction)};
+  for (auto const& warning : wording::sentences(chosen.doubts.findings, wording::with_law))
+    lines.push_back("warning: " + warning);
+  if (chosen.doubts.objection) lines.push_back(study::let_through(wording::remark(*chosen.doubts.objection)));
   return lines;
 }
 

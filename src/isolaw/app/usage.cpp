@@ -13,7 +13,7 @@
 namespace isolaw::app {
 namespace {
 
-// Insertions, deletions and exchanges that make one word of the other.
+// The number of insertions, deletions and replacements that turn one word into the other.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -46,10 +46,11 @@ std::vector<std::string> names_of_options(CLI::App const& command) {
   return names;
 }
 
-// Those of no group are the project's own.
-std::vector<std::string> names_of_commands(CLI::App& app, bool own_too = false) {
+// Commands without a group are for the project itself and are not shown.
+std::vector<std::string> names_of_commands(CLI::App& app, bool hidden_too = false) {
   std::vector<std::string> names;
-  for (auto const* command : app.get_subcommands([=](CLI::App* each) { return own_too || !each->get_group().empty(); }))
+  for (auto const* command :
+       app.get_subcommands([=](CLI::App* each) { return hidden_too || !each->get_group().empty(); }))
     names.push_back(command->get_name());
   return names;
 }
@@ -59,7 +60,7 @@ std::vector<Complaint> about_extra_words(CLI::App const& command, std::string co
   constexpr std::size_t longest = 100;
   for (auto const& word : command.remaining(true)) {
     if (!word.starts_with('-')) {
-      complaints.push_back({word, "nothing more is expected here", {}, advice});
+      complaints.push_back({word, "one argument too many", {}, advice});
       continue;
     }
     auto const name = word.substr(0, std::min(word.find('='), longest));
@@ -70,7 +71,7 @@ std::vector<Complaint> about_extra_words(CLI::App const& command, std::string co
   return complaints;
 }
 
-// The option the library's message speaks of: "Could not convert: --runs = many", "--out: 1 required TEXT missing".
+// The option that CLI11's message is about: "Could not convert: --runs = many", "--out: 1 required TEXT missing".
 CLI::Option const* option_of(CLI::App const& command, std::string_view message) {
   for (auto const* option : command.get_options()) {
     auto const name = option->get_name();
@@ -103,7 +104,7 @@ std::vector<Complaint> usage_complaints(CLI::App& app, CLI::ParseError const& er
   bool const required = dynamic_cast<CLI::RequiredError const*>(&error) != nullptr;
   if (required || dynamic_cast<CLI::ExtrasError const*>(&error) != nullptr)
     if (auto complaints = about_extra_words(command, advice); !complaints.empty()) return complaints;
-  if (chosen.empty()) return {{{}, "a subcommand is required", joined(names_of_commands(app)), advice}};
+  if (chosen.empty()) return {{{}, "no command given", joined(names_of_commands(app)), advice}};
   std::string const message = error.what();
   if (required) return {{"isolaw " + command.get_name(), message, {}, advice}};
   auto const* option = option_of(command, message);
@@ -114,9 +115,12 @@ std::vector<Complaint> usage_complaints(CLI::App& app, CLI::ParseError const& er
   bool const number = dynamic_cast<CLI::ConversionError const*>(&error) != nullptr;
   bool const whole = number && option->get_type_name() == "INT";
   auto const value = option->results().empty() ? std::string() : option->results().back();
-  auto const found = number ? fmt::format("'{}' is no {}", value, whole ? "whole number of ordinary size" : "number")
-                     : value.empty() ? std::string("needs a value")
-                                     : fmt::format("'{}' is not allowed", value);
+  bool const out_of_range = whole && value.find_first_not_of("+-0123456789") == std::string::npos;
+  auto const problem = out_of_range ? "out of range"
+                       : whole      ? "not a whole number"
+                       : number     ? "not a number"
+                                    : "not allowed";
+  auto const found = value.empty() ? std::string("needs a value") : fmt::format("'{}' is {}", value, problem);
   return {{option->get_name(), found, option->get_description(), advice}};
 }
 

@@ -1,21 +1,38 @@
-// Wrong usage in our own words: what was found, what is allowed, what was probably meant.
+// What the program says of its use: --help, docs/cli.md, and errors of usage in our own words.
 #pragma once
 
+#include <memory>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "isolaw/base/error.hpp"
 
 namespace CLI {
 class App;
+class FormatterBase;
 class ParseError;
 }  // namespace CLI
 
 namespace isolaw::app {
 
-// Throws Error where the first word is neither a command of `app` nor an option.
+// A command's footer is its example, after this mark.
+inline constexpr std::string_view example_mark = "Example: ";
+
+// Lists options under the headings of base/option.hpp, in their order; few options under a single heading.
+std::shared_ptr<CLI::FormatterBase> help_format();
+
+// Prints docs/cli.md: every command with its own options. The options that other commands share with calibrate stand in
+// sections of their own, to which the commands refer.
+void print_reference(CLI::App const& app);
+
+// Escapes the characters that Markdown would read as markup, in prose or in a cell of a table.
+std::string plain_markdown(std::string_view text);
+
+// Throws Error if the first word is neither a command of `app` nor an option.
 void require_known_command(CLI::App& app, int argc, char** argv);
 
-// About words that `app` has refused with `error`; never empty.
+// The complaints about a command line that `app` refused with `error`; never empty.
 std::vector<Complaint> usage_complaints(CLI::App& app, CLI::ParseError const& error);
 
 }  // namespace isolaw::app

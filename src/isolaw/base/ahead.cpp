@@ -6,26 +6,26 @@
 namespace isolaw {
 namespace {
 
-thread_local Crew* crew_of_thread = nullptr;
-thread_local HelpWatch* watch_of_thread = nullptr;
+thread_local WorkerGroup* crew_of_thread = nullptr;
+thread_local HelpListener* watch_of_thread = nullptr;
 
 }  // namespace
 
-HelpWatch::HelpWatch() : before_(std::exchange(watch_of_thread, this)) {}
-HelpWatch::~HelpWatch() {
+HelpListener::HelpListener() : before_(std::exchange(watch_of_thread, this)) {}
+HelpListener::~HelpListener() {
   watch_of_thread = before_;
 }
 
-Crew* Crew::current() {
+WorkerGroup* WorkerGroup::current() {
   return crew_of_thread;
 }
 
-Membership::Membership(Crew& crew) : before_(std::exchange(crew_of_thread, &crew)) {}
+Membership::Membership(WorkerGroup& crew) : before_(std::exchange(crew_of_thread, &crew)) {}
 Membership::~Membership() {
   crew_of_thread = before_;
 }
 
-void Crew::offer(Ahead& work) {
+void WorkerGroup::offer(WorkAhead& work) {
   {
     std::scoped_lock const lock(mutex_);
     offered_.push_back(&work);
@@ -33,27 +33,27 @@ void Crew::offer(Ahead& work) {
   news_.notify_all();
 }
 
-void Crew::withdraw(Ahead& work) {
+void WorkerGroup::withdraw(WorkAhead& work) {
   std::unique_lock lock(mutex_);
   std::erase(offered_, &work);
   news_.wait(lock, [&] { return work.helpers_ == 0; });
 }
 
-void Crew::changed() {
-  // Whoever is about to wait holds the mutex: it either sees the change or is told of it.
+void WorkerGroup::changed() {
+  // A thread that is about to wait holds the mutex: it either sees the change itself or is woken for it.
   { std::scoped_lock const lock(mutex_); }
   news_.notify_all();
 }
 
-void Crew::help_until(std::function<bool()> const& finished) {
+void WorkerGroup::help_until(std::function<bool()> const& finished) {
   std::unique_lock lock(mutex_);
   while (!finished()) {
-    auto const found = std::ranges::find_if(offered_, [](Ahead const* work) { return work->has_open(); });
+    auto const found = std::ranges::find_if(offered_, [](WorkAhead const* work) { return work->has_open(); });
     if (found == offered_.end()) {
       news_.wait(lock);
       continue;
     }
-    Ahead& work = **found;
+    WorkAhead& work = **found;
     ++work.helpers_;
     lock.unlock();
     auto* const before = std::exchange(watch_of_thread, work.watch_);
@@ -66,17 +66,17 @@ void Crew::help_until(std::function<bool()> const& finished) {
   }
 }
 
-Ahead::Ahead(std::size_t count, std::function<void(std::size_t)> work)
-    : work_(std::move(work)), states_(count), failures_(count), crew_(Crew::current()), watch_(watch_of_thread) {
+WorkAhead::WorkAhead(std::size_t count, std::function<void(std::size_t)> work)
+    : work_(std::move(work)), states_(count), failures_(count), crew_(WorkerGroup::current()), watch_(watch_of_thread) {
   if (crew_ != nullptr && count > 1) crew_->offer(*this);
 }
 
-Ahead::~Ahead() {
+WorkAhead::~WorkAhead() {
   next_open_ = states_.size();
   if (crew_ != nullptr && states_.size() > 1) crew_->withdraw(*this);
 }
 
-void Ahead::perform(std::size_t i) {
+void WorkAhead::perform(std::size_t i) {
   try {
     work_(i);
   } catch (...) {
@@ -86,7 +86,7 @@ void Ahead::perform(std::size_t i) {
   states_[i].notify_all();
 }
 
-bool Ahead::do_one() {
+bool WorkAhead::do_one() {
   for (auto i = next_open_++; i < states_.size(); i = next_open_++) {
     auto expected = State::open;
     if (!states_[i].compare_exchange_strong(expected, State::taken)) continue;
@@ -97,12 +97,12 @@ bool Ahead::do_one() {
   return false;
 }
 
-void Ahead::need(std::size_t i) {
+void WorkAhead::need(std::size_t i) {
   auto expected = State::open;
   if (states_[i].compare_exchange_strong(expected, State::taken)) {
     perform(i);
   } else {
-    // Another thread is at it: rather than wait, the next ones.
+    // Another thread is computing item i: this one computes further open items instead of waiting.
     while (states_[i] != State::done && do_one()) continue;
     states_[i].wait(State::taken);
   }

@@ -1,4 +1,4 @@
-// Work that one thread takes in order, and that others with nothing else to do take ahead of it.
+// A list of work items that one thread needs in order. Idle threads compute later items ahead of it.
 #pragma once
 
 #include <atomic>
@@ -12,69 +12,70 @@
 
 namespace isolaw {
 
-class Ahead;
+class WorkAhead;
 
-// Is told of help, on the thread that gives it, before and after each item; while it lives, of whatever its thread, and
-// who helps it, offers.
-class HelpWatch {
+// Notified before and after each item that a helping thread computes, on that thread. It covers all work that is
+// offered during its life by the thread that created it, and by helpers while they work for that thread.
+class HelpListener {
  public:
-  HelpWatch();
-  virtual ~HelpWatch();
-  HelpWatch(HelpWatch const&) = delete;
-  HelpWatch& operator=(HelpWatch const&) = delete;
+  HelpListener();
+  virtual ~HelpListener();
+  HelpListener(HelpListener const&) = delete;
+  HelpListener& operator=(HelpListener const&) = delete;
   virtual void help_begins() = 0;
   virtual void help_ends() = 0;
 
  private:
-  HelpWatch* before_;
+  HelpListener* before_;
 };
 
-// Threads that help one another. Who is a member (see Membership) offers its work to all others.
-class Crew {
+// A group of threads that help one another: each WorkAhead that a member creates (see Membership) is offered to the others.
+class WorkerGroup {
  public:
-  // Of the calling thread; null where it is no member of any.
-  static Crew* current();
+  static WorkerGroup* current();  // the calling thread's group, or null
 
-  // Helps with what is offered until `finished` says that nothing more will be. It is asked again at every change.
+  // Computes offered items, and sleeps while there are none, until finished() is true. finished() is called with the
+  // group's mutex held.
   void help_until(std::function<bool()> const& finished);
-  void changed();  // of what `finished` asks for
+  void changed();  // to be called after a change of anything that finished() looks at
 
  private:
-  friend class Ahead;
-  void offer(Ahead& work);
-  void withdraw(Ahead& work);
+  friend class WorkAhead;
+  void offer(WorkAhead& work);
+  void withdraw(WorkAhead& work);
 
   std::mutex mutex_;
   std::condition_variable news_;
-  std::vector<Ahead*> offered_;
+  std::vector<WorkAhead*> offered_;
 };
 
-// Makes the calling thread a member, as long as this lives.
+// Makes the calling thread a member of the group for the lifetime of this object.
 class Membership {
  public:
-  explicit Membership(Crew& crew);
+  explicit Membership(WorkerGroup& crew);
   ~Membership();
   Membership(Membership const&) = delete;
   Membership& operator=(Membership const&) = delete;
 
  private:
-  Crew* before_;
+  WorkerGroup* before_;
 };
 
-// Items 0 to count - 1 of a piece of work. `work` may be called from several threads, once for an item, and for items
-// that are never needed; what it makes of one item must not depend on any other. Without a crew nothing is done ahead.
-class Ahead {
+// Items 0 to count - 1 of a piece of work. `work` may be called from several threads, at most once for each item, also
+// for items that are never needed; the result of one item must not depend on another. Without a group (see WorkerGroup) every
+// item is computed when it is needed.
+class WorkAhead {
  public:
-  Ahead(std::size_t count, std::function<void(std::size_t)> work);
-  ~Ahead();  // what is not needed is not begun; waits for what is under way
-  Ahead(Ahead const&) = delete;
-  Ahead& operator=(Ahead const&) = delete;
+  WorkAhead(std::size_t count, std::function<void(std::size_t)> work);
+  ~WorkAhead();  // begins no further item, and waits for those that helpers are computing
+  WorkAhead(WorkAhead const&) = delete;
+  WorkAhead& operator=(WorkAhead const&) = delete;
 
-  // Item `i` is done when this returns. Throws what its work threw.
+  // Returns when item `i` is done. Throws what its work threw.
   void need(std::size_t i);
 
  private:
-  friend class Crew;
+  friend class WorkerGroup;
   enum class State : unsigned char { open, taken, done };
   bool has_open() const { return next_open_ < states_.size(); }
   bool do_one();  // false where no item is open
@@ -85,8 +86,8 @@ class Ahead {
   std::vector<std::exception_ptr> failures_;
   std::atomic<std::size_t> next_open_ = 0;
   std::size_t helpers_ = 0;  // guarded by the crew's mutex
-  Crew* crew_;
-  HelpWatch* watch_;
+  WorkerGroup* crew_;
+  HelpListener* watch_;
 };
 
 }  // namespace isolaw

@@ -1,4 +1,4 @@
-// Files that the library holds within it, as tables that cmake/embed.cmake makes when it is built.
+// Files compiled into the library: cmake/embed.cmake writes them as tables of names and texts during the build.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@ struct Embedded {
   std::string_view name, text;
 };
 
-// The text of a file that is surely there: std::logic_error otherwise.
+// The text of the named file. A missing file is our own mistake: std::logic_error.
 std::string_view embedded_text(std::span<Embedded const> files, std::string_view name);
 
 }  // namespace isolaw

@@ -1,8 +1,17 @@
 #include "isolaw/base/error.hpp"
 
+#include "isolaw/base/json.hpp"
 #include "isolaw/base/printable.hpp"
 
 namespace isolaw {
+namespace {
+
+// The parts may quote files from outside and hold several lines: line breaks stay, other control characters do not.
+std::string clean(std::string const& part) {
+  return printable(part, true);
+}
+
+}  // namespace
 
 std::string Error::join(std::vector<Complaint> const& complaints) {
   std::string text;
@@ -14,14 +23,27 @@ std::string Error::join(std::vector<Complaint> const& complaints) {
 }
 
 std::string to_string(Complaint const& complaint) {
-  // A complaint may hold the lines of others, and quotes files that others wrote.
-  auto const clean = [](std::string const& part) { return printable(part, true); };
   std::string text = printable(complaint.where);
   if (!text.empty() && !complaint.found.empty()) text += ": ";
   text += clean(complaint.found);
   if (!complaint.allowed.empty()) text += "; allowed: " + clean(complaint.allowed);
   if (!complaint.advice.empty()) text += "; try: " + clean(complaint.advice);
   return text;
+}
+
+void write_complaints(JsonWriter& out, std::vector<Complaint> const& complaints) {
+  out.begin_array();
+  for (auto const& complaint : complaints) {
+    out.begin_object().member("where", printable(complaint.where)).member("found", clean(complaint.found));
+    out.member("allowed", clean(complaint.allowed))
+        .member("advice", clean(complaint.advice))
+        .key("names")
+        .begin_array();
+    for (auto const& name : complaint.names)
+      if (!name.empty()) out.value(printable(name));
+    out.end_array().end_object();
+  }
+  out.end_array();
 }
 
 }  // namespace isolaw

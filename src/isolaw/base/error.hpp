@@ -1,4 +1,4 @@
-// The one exception of the library: wrong input or environment, said once and completely.
+// The library's only exception. It reports wrong input or environment, with all problems of one input at once.
 #pragma once
 
 #include <concepts>
@@ -9,21 +9,27 @@
 
 namespace isolaw {
 
-// What is wrong with an input. Empty parts are left out of the message.
+class JsonWriter;
+
+// One problem of an input. Empty parts are left out of the message.
 struct Complaint {
-  std::string where = {};    // "file:line", a key, an option
-  std::string found = {};    // what was found there
-  std::string allowed = {};  // what would have been accepted
-  std::string advice = {};   // what to try
+  std::string where = {};               // "file:line", a key, an option
+  std::string found = {};               // what was found there
+  std::string allowed = {};             // what would have been accepted
+  std::string advice = {};              // what to try
+  std::vector<std::string> names = {};  // of the columns there are, where one was looked for; not in the message
 };
 
-// "where: found; allowed: ...; try: ...", control characters spelled out
+// "where: found; allowed: ...; try: ...", with control characters spelled out.
 std::string to_string(Complaint const& complaint);
+
+// The same as data: an array of objects with these parts, cleaned as in the message; an empty part is "".
+void write_complaints(JsonWriter& out, std::vector<Complaint> const& complaints);
 
 class Error : public std::runtime_error {
  public:
   explicit Error(Complaint complaint) : Error(std::vector{std::move(complaint)}) {}
-  // Several problems of one input, found in one pass; never empty. (A template, so that braces mean one complaint.)
+  // Several problems found in one pass; at least one. A template, so that Error({...}) always means one complaint.
   template <std::same_as<std::vector<Complaint>> Complaints>
   explicit Error(Complaints complaints) : std::runtime_error(join(complaints)), complaints_(std::move(complaints)) {}
 

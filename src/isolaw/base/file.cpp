@@ -63,8 +63,8 @@ std::string read_file(fs::path const& file, ReadLimits const& limits) {
     if (size > limits.largest_bytes) refuse("is " + size_text(size, limits.largest_bytes), limits.when_too_large);
   };
 
-  // Looked at before it is opened, since opening a device may set it going, and after, since it may have been
-  // exchanged.
+  // Checked before it is opened, since opening a device may set it going, and after, since the name may lead to
+  // another file by then.
   struct stat status {};
   if (::stat(file.c_str(), &status) != 0) {
     bool const missing = errno == ENOENT || errno == ENOTDIR;
@@ -84,7 +84,7 @@ std::string read_file(fs::path const& file, ReadLimits const& limits) {
     if (count < 0) refuse("cannot be read to its end: " + reason());
     if (count == 0) return bytes;
     bytes.append(buffer.data(), static_cast<std::size_t>(count));
-    if (bytes.size() > limits.largest_bytes)  // it grows, or says nothing of its size
+    if (bytes.size() > limits.largest_bytes)  // the file grows, or the system gives no size for it
       refuse("is " + size_text(bytes.size(), limits.largest_bytes), limits.when_too_large);
   }
 }
@@ -101,7 +101,7 @@ std::optional<fs::path> leads_outside(fs::path const& file, fs::path const& fold
   if (failure) return file;
   auto const target = fs::weakly_canonical(fs::absolute(file, failure), failure).lexically_normal();
   if (failure) return file;
-  // A link to nothing is not followed by weakly_canonical, but may lead anywhere once its target is made.
+  // weakly_canonical does not follow a link without a target, but that link leads anywhere once the target is created.
   fs::path part;
   for (auto const& name : target) {
     part /= name;

@@ -1,5 +1,5 @@
-// Files that others name or wrote: read whole and only when they are plain files of bounded size; whether a name leads
-// out of a folder.
+// Safe access to files that a user names or someone else wrote: reads plain files of bounded size, and tells whether a
+// name leads out of a folder.
 #pragma once
 
 #include <cstdint>
@@ -12,20 +12,20 @@ namespace isolaw {
 
 struct ReadLimits {
   std::uintmax_t largest_bytes;
-  std::string_view allowed;         // what the messages say would have been accepted
-  std::string_view when_too_large;  // what to try then
-  std::string_view when_missing = {};
+  std::string_view allowed;            // for the messages: what is accepted
+  std::string_view when_too_large;     // for the messages: what to try with a file that is too large
+  std::string_view when_missing = {};  // the same for a file that is missing
 };
 
-// The bytes of the file; links are followed. Throws Error: no such file, a directory, pipe, socket or device (which is
-// never waited for), too large (before anything is read), unreadable.
+// The bytes of the file. Links are followed. Throws Error if there is no such file, if it is a directory, pipe, socket
+// or device (these are never waited for), if it is too large (checked before reading) or cannot be read.
 std::string read_file(std::filesystem::path const& file, ReadLimits const& limits);
 
-// "a pipe" or the like when the name is taken by something that is no plain file, links followed; nullopt otherwise.
+// "a pipe" or the like when the name, with links followed, belongs to something else than a plain file.
 std::optional<std::string> other_than_plain(std::filesystem::path const& file);
 
-// Where `file` really leads when that is neither `folder` nor below it, links followed; nullopt when it stays. What
-// does not exist yet counts by its name. A name that cannot be followed (a circle of links) leads outside.
+// The real place of `file`, with links followed, if that is neither `folder` nor below it; nullopt if it is. For a part
+// that does not exist yet its name decides. A name that cannot be followed, such as a circle of links, is outside.
 std::optional<std::filesystem::path> leads_outside(std::filesystem::path const& file,
                                                    std::filesystem::path const& folder);
 

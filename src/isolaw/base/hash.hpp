@@ -1,4 +1,4 @@
-// Fingerprints: SHA-256 of inputs for the record of what was computed from what, FNV-1a for stable stream numbers.
+// Fingerprints. SHA-256 identifies the inputs of a result; FNV-1a turns names into numbers of random streams.
 #pragma once
 
 #include <cstdint>
@@ -7,10 +7,10 @@
 
 namespace isolaw {
 
-// Lower-case hexadecimal SHA-256 of the bytes.
+// In lower-case hexadecimal digits.
 std::string sha256(std::string_view bytes);
 
-// 64-bit FNV-1a: the same on every machine and in every version.
+// 64-bit FNV-1a. Must stay the same on every machine and in every version, or seeds would give other results.
 constexpr std::uint64_t stable_hash(std::string_view bytes) noexcept {
   std::uint64_t hash = 0xcbf29ce484222325u;
   for (char const c : bytes) {

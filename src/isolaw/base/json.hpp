@@ -1,5 +1,5 @@
-// JSON text, written straight to a string: shortest round-trip numbers, invalid UTF-8 replaced by U+FFFD, and null for
-// everything that is not a finite number. A page of 160 devices holds a million numbers: no document tree is built.
+// Writes JSON text straight into a string: shortest round-trip numbers, U+FFFD for invalid UTF-8, and null for numbers
+// that are not finite. It builds no document tree, since a page of 160 devices holds a million numbers.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace isolaw {
 
 class JsonWriter {
  public:
-  enum class Layout { compact, indented };  // indented: two spaces per level, as nlohmann's dump(2)
+  enum class Layout { compact, indented };  // indented: two spaces per level, like nlohmann's dump(2)
 
   explicit JsonWriter(Layout layout = Layout::compact) : indented_(layout == Layout::indented) {}
 
@@ -30,41 +30,41 @@ class JsonWriter {
   JsonWriter& value(std::uint64_t number) { return put(std::to_string(number)); }
   JsonWriter& value(double number);  // null when not finite
   JsonWriter& value(std::optional<double> const& number);
-  // Rounded to `digits` significant digits: for numbers that are drawn rather than computed with.
+  // Rounded to `digits` significant digits, for numbers that are only drawn, not computed with.
   JsonWriter& rounded(std::optional<double> const& number, int digits);
-  // The same of many, on one line however the rest is laid out: curves.
+  // An array of rounded numbers on a single line, in either layout; for curves.
   JsonWriter& line(std::vector<double> const& numbers, int digits);
   JsonWriter& null() { return put("null"); }
-  // Text that is JSON already. What does not parse is written as a string: a setting is never lost.
+  // Inserts text that is JSON already. Text that does not parse is written as a string, so that no setting is lost.
   JsonWriter& json(std::string_view text);
   JsonWriter& value(std::vector<std::string> const& texts);
 
   template <class T>
-  JsonWriter& member(std::string_view name, T const& of) {
-    return key(name).value(of);
+  JsonWriter& member(std::string_view name, T const& content) {
+    return key(name).value(content);
   }
 
-  std::string take();  // the document; the writer is empty afterwards
+  std::string take();  // returns the document and leaves the writer empty
 
  private:
-  JsonWriter& put(std::string_view json);  // a value
+  JsonWriter& put(std::string_view json);
   JsonWriter& open(char bracket);
   JsonWriter& close(char bracket);
   void start_value();
   void new_line();
 
   std::string text_;
-  std::vector<bool> filled_;  // per open bracket: it holds something already
+  std::vector<bool> filled_;  // for each open bracket: whether it holds a value already
   bool indented_;
   bool after_key_ = false;
 };
 
-// `number` to `digits` significant digits, shortest form ("0.0791", "2.32e+05"); "" when there is none.
+// `number` with `digits` significant digits in its shortest form ("0.0791", "2.32e+05"); "" if empty or not finite.
 std::string to_text(std::optional<double> const& number, int digits);
-// Shortest text that reads back as the same double; "" when it is empty or not finite.
+// The shortest text that reads back as the same double; "" if empty or not finite.
 std::string to_text(std::optional<double> const& number);
 
-// JSON that may stand inside <script>: no "<", U+2028 or U+2029 remains, and it parses to the same document.
+// Makes JSON safe inside <script>: escapes "<", U+2028 and U+2029. It still parses to the same document.
 std::string script_safe(std::string_view json);
 
 }  // namespace isolaw

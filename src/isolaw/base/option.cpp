@@ -22,12 +22,25 @@ Json parsed(std::string const& word) {
 }
 
 std::string with(std::string_view key, char from, char to) {
-  std::string made(key);
-  std::ranges::replace(made, from, to);
-  return made;
+  std::string name(key);
+  std::ranges::replace(name, from, to);
+  return name;
 }
 
 }  // namespace
+
+std::string_view title(Heading heading) {
+  constexpr std::string_view titles[]{"Everyday options",
+                                      "Reading records",
+                                      "Correcting for the test rig",
+                                      "Laws and search",
+                                      "Two directions",
+                                      "Analysis",
+                                      "Acceptance",
+                                      "Whole models (targets opensees-model and openseespy-model)",
+                                      "Running and output"};
+  return titles[static_cast<std::size_t>(heading)];
+}
 
 bool Limits::allow(double value) const {
   if (or_zero && value == 0.0) return true;
@@ -118,14 +131,16 @@ int whole_of(Json const& value, Limits const& limits) {
   auto const fits = [](auto number) { return std::in_range<int>(number); };
   bool const whole = value.is_number_unsigned() ? fits(value.get<std::uint64_t>())
                                                 : value.is_number_integer() && fits(value.get<std::int64_t>());
-  if (!whole) refuse_found(shown(value) + " is no whole number of ordinary size", limits.text());
+  if (!whole)
+    refuse_found(shown(value) + (value.is_number_integer() ? " is out of range" : " is not a whole number"),
+                 limits.text());
   if (!limits.allow(value.get<int>())) refuse(value, limits.text());
   return value.get<int>();
 }
 
 double real_of(Json const& value, Limits const& limits) {
   auto const allowed = limits.text().empty() ? std::string("a finite number") : limits.text();
-  if (!value.is_number()) refuse_found(shown(value) + " is no number", allowed);
+  if (!value.is_number()) refuse_found(shown(value) + " is not a number", allowed);
   if (!limits.allow(value.get<double>())) refuse(value, allowed);
   return value.get<double>();
 }
@@ -136,7 +151,7 @@ bool flag_of(Json const& value) {
 }
 
 std::string text_in(Json const& value) {
-  if (!value.is_string()) refuse_found(shown(value) + " is no text", "text");
+  if (!value.is_string()) refuse_found(shown(value) + " is not text", "text");
   return value.get<std::string>();
 }
 
@@ -146,7 +161,7 @@ void refuse(Json const& value, std::string allowed) {
 
 std::string help_of(std::string help, std::string const& limits, std::string const& usual) {
   if (!limits.empty()) help += ", " + limits;
-  return usual.empty() ? help : help + " (" + usual + ")";
+  return usual.empty() ? help : help + " (default " + usual + ")";
 }
 
 }  // namespace isolaw

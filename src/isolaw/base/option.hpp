@@ -1,5 +1,5 @@
-// An option of the program as one row of a table: what it is called, what it may be, where it is kept. A way in
-// (command line, lot file, store, Python) makes a JSON value of what it was given; the row alone judges it.
+// An option of the program as one row of a table: its name, the values it allows, where the value is kept. The command
+// line, a lot file, the store and Python each turn what they were given into a JSON value; the row alone checks it.
 #pragma once
 
 #include <algorithm>
@@ -22,61 +22,67 @@ namespace isolaw {
 
 using Json = nlohmann::ordered_json;
 
-// list: "a,b" on the command line. repeated: the option once for each. assignments: "a=1,b=2", or a table.
+// list: "a,b" on the command line. repeated: the option is given once for each value. assignments: "a=1,b=2", a table.
 enum class Kind { flag, whole, real, text, list, repeated, assignments };
 
-// What a number may be.
+// The heading under which help and docs/cli.md list an option. Headings follow in this order.
+enum class Heading { everyday, reading, corrections, search, plane, analysis, acceptance, model, running };
+std::string_view title(Heading heading);
+
 struct Limits {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
-  std::string words = {};  // for messages and help, where "least to most" is not what to say
-  int step = 1;            // of whole numbers, from the least
-  bool or_zero = false;    // which then stands for none
+  std::string words = {};  // for messages and help, where "least to most" would not say it
+  int step = 1;            // between allowed whole numbers, counted from the least
+  bool or_zero = false;    // zero is allowed too and stands for none
 
   bool allow(double value) const;
   std::string text() const;
 };
 
 struct OptionInfo {
-  std::string_view key;  // as stored and reported
+  std::string_view key;  // the name in the store and in reports
   Kind kind = Kind::text;
   std::string help = {};
   std::optional<Limits> limits = {};
-  std::vector<std::string_view> words = {};  // where it is one of these
-  std::string_view keyword = {};             // in Python, where that is not the key with underscores
-  std::string_view type = {};                // in Python, where kind and words do not say it
+  std::vector<std::string_view> words = {};  // the values allowed, if it takes one of a few words
+  std::string_view keyword = {};             // in Python, if that is not the key with underscores
+  std::string_view type = {};                // in Python, if kind and words do not say it
+  Heading heading = Heading::search;         // that of most settings
 
-  std::string option() const;  // on the command line, without its dashes, and in a lot file
+  std::string option() const;  // the name in a lot file and, after two dashes, on the command line
   std::string python() const;
-  std::string python_type() const;  // as the stub of the package has it: float, Literal["best", "ga"]
-  std::string where() const { return "--" + option(); }  // of a complaint
+  std::string python_type() const;                       // in the package's stub: float, Literal["best", "ga"]
+  std::string where() const { return "--" + option(); }  // the place that a complaint names
 };
 
 template <class Target>
 struct Option : OptionInfo {
   std::function<Json(Target const&)> get;         // null: not given
-  std::function<void(Target&, Json const&)> set;  // throws Error, which leaves `where` to the way in
+  std::function<void(Target&, Json const&)> set;  // throws Error; the caller adds `where`
+
+  Option under(Heading chosen) && {
+    this->heading = chosen;
+    return std::move(*this);
+  }
 };
 
-// --- ways in and out
-// ---------------------------------------------------------------------------------------------------
-
-// What a way in was given, by key.
+// The values given, by key.
 using Values = std::map<std::string, Json, std::less<>>;
 
-// What the command line gives: a number where the words are one.
+// The value of words from the command line; text stays text where the kind asks for a number and it is none.
 Json value_of(Kind kind, std::vector<std::string> const& words);
-// As the command line takes it back; of a list: by commas.
+// The value as the command line takes it back; the items of a list are joined by commas.
 std::string text_of(Json const& value);
-// The words of the command line that give an option its value: none for null, false and a list of nothing.
+// The words of the command line that give an option its value; none for null, false and an empty list.
 std::vector<std::string> words_of(OptionInfo const& option, Json const& value);
 // For messages: 'text', 12, true.
 std::string shown(Json const& value);
 
-// Calls judge() and says of its complaints that they are about `where`, if they do not name an option themselves.
+// Calls judge() and adds its complaints to the list, as complaints about `where` if they do not name an option.
 void about(std::string const& where, std::vector<Complaint>& complaints, std::function<void()> const& judge);
 
-// Calls judge(row) for every row of a table; throws one Error of all complaints.
+// Calls judge(row) for every row of a table and throws one Error with all complaints.
 template <class Rows, class Judge>
 void judge_each(Rows const& rows, Judge const& judge) {
   std::vector<Complaint> complaints;
@@ -91,19 +97,14 @@ void lay_over(Rows const& rows, Values const& given, Target& target) {
   });
 }
 
-// --- judges: throw Error
-// -----------------------------------------------------------------------------------------------
-
+// These check a value given, and throw Error without `where`.
 int whole_of(Json const& value, Limits const& limits);
 double real_of(Json const& value, Limits const& limits);
 bool flag_of(Json const& value);
 std::string text_in(Json const& value);
 [[noreturn]] void refuse(Json const& value, std::string allowed);
 
-// --- rows
-// --------------------------------------------------------------------------------------------------------------
-
-// The place of a member, or of a member's member.
+// at(&A::b, &B::c): a function that returns a.b.c of an A.
 constexpr auto at(auto... path) {
   return [=](auto& from) -> auto& {
     return (from.*....*path);
@@ -119,12 +120,13 @@ Json or_null(std::optional<T> const& value) {
   return value ? Json(*value) : Json();
 }
 
-// "help, limits (usual)"
+// "help, limits (default usual)"
 std::string help_of(std::string help, std::string const& limits, std::string const& usual);
 
-// Of an int or a double, optional or not.
-template <class Target, class Place>
-Option<Target> number(std::string_view key, std::string help, Place place, Limits limits = {}, std::string usual = {}) {
+// An option that is an int or a double, optional or not.
+template <class Target, class Access>
+Option<Target> number(std::string_view key, std::string help, Access place, Limits limits = {},
+                      std::string usual = {}) {
   using Value = std::remove_cvref_t<decltype(place(std::declval<Target&>()))>;
   constexpr bool whole = std::is_same_v<Value, int> || std::is_same_v<Value, std::optional<int>>;
   auto const get = [place](Target const& from) { return or_null(place(from)); };
@@ -138,30 +140,31 @@ Option<Target> number(std::string_view key, std::string help, Place place, Limit
   return {{.key = key, .kind = whole ? Kind::whole : Kind::real, .help = help, .limits = limits}, get, set};
 }
 
-template <class Target, class Place>
-Option<Target> flag(std::string_view key, std::string help, Place place) {
+template <class Target, class Access>
+Option<Target> flag(std::string_view key, std::string help, Access place) {
   return {{.key = key, .kind = Kind::flag, .help = std::move(help)},
           [place](Target const& from) -> Json { return place(from); },
           [place](Target& to, Json const& value) { place(to) = flag_of(value); }};
 }
 
-// One of several words, each of which stands for a value. A flag of two words may also be true or false.
-template <class Target, class Place, class T, std::size_t N>
-Option<Target> word(std::string_view key, std::string help, Place place,
+// An option that is one of several words, each of which stands for a value. If the values are true and false, these
+// may be given in place of the words.
+template <class Target, class Access, class T, std::size_t N>
+Option<Target> word(std::string_view key, std::string help, Access place,
                     std::pair<std::string_view, T> const (&words)[N]) {
   std::vector<std::pair<std::string_view, T>> const all(std::begin(words), std::end(words));
-  Option<Target> made{{.key = key, .help = std::move(help)}, {}, {}};
-  for (auto const& [text, meant] : all) made.words.push_back(text);
-  if (std::is_same_v<T, bool>) made.type = "bool";
-  made.get = [=](Target const& from) -> Json {
+  Option<Target> row{{.key = key, .help = std::move(help)}, {}, {}};
+  for (auto const& [text, meant] : all) row.words.push_back(text);
+  if (std::is_same_v<T, bool>) row.type = "bool";
+  row.get = [=](Target const& from) -> Json {
     return std::ranges::find(all, place(from), [](auto& w) { return w.second; })->first;
   };
-  made.set = [=, allowed = joined(made.words)](Target& to, Json const& value) {
+  row.set = [=, allowed = joined(row.words)](Target& to, Json const& value) {
     for (auto const& [text, meant] : all)
       if (value == Json(text) || (std::is_same_v<T, bool> && value == Json(meant))) return void(place(to) = meant);
     refuse(value, allowed);
   };
-  return made;
+  return row;
 }
 
 }  // namespace isolaw

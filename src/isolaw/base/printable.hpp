@@ -1,5 +1,5 @@
-// Text of files that others wrote, before it reaches a terminal, a message or a table: control characters could move
-// the cursor, forge lines or reorder what is read.
+// Makes text from other people's files safe for a terminal, a message or a table: control characters could move the
+// cursor, forge lines or reorder what is read.
 #pragma once
 
 #include <cstddef>
@@ -8,20 +8,19 @@
 
 namespace isolaw {
 
-// Length of the UTF-8 sequence at the start of `bytes`, which is not empty; 0 when it is none.
+// The length of the UTF-8 sequence at the start of `bytes` (not empty); 0 if the bytes are no such sequence.
 std::size_t utf8_length(std::string_view bytes);
 
-// UTF-8 without control characters, line and paragraph separators, and marks that turn the direction of writing.
+// Whether the text is UTF-8 without control characters, line or paragraph separators and direction marks.
 bool is_printable(std::string_view text);
 
-// What is not printable is spelled out: \n, \x1b, \u202e. Printable text comes back as it is; `keep_lines` keeps \n
-// too.
+// Spells out what is not printable: \n, \x1b, \u202e. With `keep_lines`, line breaks stay.
 std::string printable(std::string_view text, bool keep_lines = false);
 
-// The same of several lines that become one: "a; b".
+// The same, with several lines joined into one: "a; b".
 std::string on_one_line(std::string_view text);
 
-// 'text' for a message, cut to a readable length, control characters spelled out.
+// The text in single quotes for a message, cut after 40 bytes, with control characters spelled out.
 std::string in_quotes(std::string_view text);
 
 }  // namespace isolaw

@@ -1,4 +1,4 @@
-// Processor time, which other work on the machine does not lengthen much.
+// Processor time in seconds. Unlike elapsed time, other work on the machine hardly lengthens it.
 #pragma once
 
 #include <ctime>
@@ -7,7 +7,7 @@ namespace isolaw {
 
 inline double processor_time_s(clockid_t clock) {
   timespec time{};
-  // Without a clock of the processor's, as in a browser: time that goes by.
+  // A browser has no processor clock: elapsed time takes its place.
   if (clock_gettime(clock, &time) != 0) clock_gettime(CLOCK_MONOTONIC, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }

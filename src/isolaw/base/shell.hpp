@@ -1,4 +1,4 @@
-// Command lines that a reader can paste into a shell.
+// Writes command lines that a reader can paste into a shell.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace isolaw {
 
-// The words as a POSIX shell reads them back, each in single quotes where it needs them.
+// The words in POSIX shell syntax, each in single quotes if it needs them.
 std::string shell_quoted(std::vector<std::string> const& words);
 
 }  // namespace isolaw

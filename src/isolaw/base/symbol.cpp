@@ -12,7 +12,7 @@ struct Letter {
   std::string_view name, sign, latex;
 };
 
-// A name that another begins with stands after it.
+// The first name that a text begins with is taken, so a name would have to stand before any that is its beginning.
 constexpr auto greek = std::to_array<Letter>({
     {"alpha", "α", "\\alpha"},
     {"beta", "β", "\\beta"},
@@ -61,13 +61,13 @@ std::string with_signs(std::string index) {
 
 Symbol symbol_of(std::string_view name) {
   if (name.empty()) return {};
-  if (name == "OF") return {"OF", "\\mathit{OF}", {}};  // of two letters
+  if (name == "OF") return {"OF", "\\mathit{OF}", {}};  // the objective function: one symbol of two letters
   if (auto const* letter = greek_at_head(name))
     return {letter->sign, letter->latex, index_of(name.substr(letter->name.size()))};
-  // The degradation of something: delta with what degrades.
+  // "dbeta" is the degradation of beta: delta with beta as its index.
   auto const rest = name.substr(1);
   if (name.front() == 'd')
-    if (auto const* of = greek_letter(rest)) return {"δ", "\\delta", std::string(of->sign)};
+    if (auto const* degrading = greek_letter(rest)) return {"δ", "\\delta", std::string(degrading->sign)};
   return {name.substr(0, 1), {}, index_of(rest)};
 }
 
@@ -75,12 +75,12 @@ std::string latex_symbol(std::string_view name) {
   auto const symbol = symbol_of(name);
   auto text = "$" + std::string(symbol.latex.empty() ? symbol.letter : symbol.latex);
   if (!symbol.index.empty()) {
-    auto const of = std::ranges::find(greek, symbol.index, &Letter::sign);
+    auto const letter = std::ranges::find(greek, symbol.index, &Letter::sign);
     bool const words = std::ranges::count_if(symbol.index, is_letter) > 1;
     text += "_{" +
-            (of != greek.end() ? std::string(of->latex)
-             : words           ? "\\mathrm{" + symbol.index + "}"
-                               : with_signs(symbol.index)) +
+            (letter != greek.end() ? std::string(letter->latex)
+             : words               ? "\\mathrm{" + symbol.index + "}"
+                                   : with_signs(symbol.index)) +
             "}";
   }
   return text + "$";

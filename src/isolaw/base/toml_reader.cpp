@@ -11,17 +11,18 @@
 namespace isolaw {
 namespace {
 
-// How deep a statement nests, tables by their dots included: toml++ takes tables apart by recursion, and a name of a
-// hundred thousand parts ends its stack. Quoted text and comments do not count; what is no TOML is left to the parser.
+// Measures how deep a statement nests, where each dot of a name counts as a level: toml++ takes tables apart by
+// recursion, and a name of a hundred thousand parts would overflow its stack. Quoted text and comments do not count;
+// text that is not TOML is left for the parser to refuse.
 class NestingCheck {
  public:
   explicit NestingCheck(std::string_view text) : text_(text) {}
 
-  // The first line that nests deeper than any lot file does; 0 when there is none.
+  // The first line that nests deeper than any real file; 0 if there is none.
   std::size_t deep_line() {
     constexpr int deepest = 64;
     int depth = 0;
-    std::vector<int> dots{0};  // of the name being read, in every table and list that is open
+    std::vector<int> dots{0};  // dots in the name being read, for every table and list that is open
     auto const end_name = [&] {
       depth -= dots.back();
       dots.back() = 0;
@@ -60,7 +61,7 @@ class NestingCheck {
       return length;
     };
     auto const opening = run(at_);
-    if (opening == 2) {  // empty
+    if (opening == 2) {  // an empty text
       ++at_;
       return;
     }
@@ -68,7 +69,7 @@ class NestingCheck {
     for (at_ += marks; at_ < text_.size(); ++at_) {
       char const c = text_[at_];
       if (c == '\n') {
-        if (marks == 1) {  // not closed, which the parser complains about
+        if (marks == 1) {  // the quote is not closed, which the parser will refuse
           --at_;
           return;
         }
@@ -77,7 +78,7 @@ class NestingCheck {
         ++at_;
         if (at_ < text_.size() && text_[at_] == '\n') ++line_;
       } else if (c == quote && (marks == 1 || run(at_) >= 3)) {
-        at_ += marks == 1 ? 0 : run(at_) - 1;  // up to two more quotes belong to the text
+        at_ += marks == 1 ? 0 : run(at_) - 1;  // up to two quotes before the closing three belong to the text
         return;
       }
     }
@@ -120,7 +121,7 @@ TomlTable::TomlTable(toml::table const& table, std::string file, std::string nam
     : table_(table), file_(std::move(file)), name_(std::move(name)), complaints_(complaints) {}
 
 std::string TomlTable::where(toml::node const& node) const {
-  auto const line = node.source().begin.line;  // 0: of a table that was not parsed
+  auto const line = node.source().begin.line;  // 0 for a table that was not parsed from text
   return line == 0 ? file_ : fmt::format("{}:{}", file_, line);
 }
 
@@ -193,7 +194,7 @@ void TomlTable::refuse_unknown() {
 }
 
 void TomlTable::complain(toml::node const& node, std::string found, std::string allowed, std::string advice) {
-  if (complaints_.size() > most_complaints) return;  // one more than is shown, so that the rest is mentioned
+  if (complaints_.size() > most_complaints) return;  // keeps one more than is shown: throw_complaints then mentions it
   complaints_.push_back(
       {.where = where(node), .found = std::move(found), .allowed = std::move(allowed), .advice = std::move(advice)});
 }

@@ -1,5 +1,6 @@
-// TOML files that others wrote: nesting bounded before the parser sees it, every mistake collected with its line, no
-// conversions between kinds of values, text printable and of bounded length. What a file means is its reader's affair.
+// Reads TOML files from outside safely: bounds the nesting before the parser sees it, collects every mistake with its
+// line, converts no kind of value into another, and takes only printable text of bounded length. Each kind of file has
+// a reader of its own that knows what the keys mean.
 #pragma once
 
 #include <toml++/toml.h>
@@ -21,31 +22,30 @@ namespace isolaw {
 
 using Json = nlohmann::ordered_json;
 
-// What a message about the whole file says.
 struct TomlMessages {
-  std::string kind;  // "lot file"
-  std::string advice;
+  std::string kind;    // of file: "lot file"
+  std::string advice;  // for a file that is not TOML
 };
 
-// Throws one Error with the line: nested deeper than any such file needs, or no TOML.
+// Throws one Error with the line if the text nests deeper than any such file needs or is not TOML.
 toml::table parse_toml(std::string_view text, std::string const& file, TomlMessages const& messages);
 
-// Throws what was collected, if anything; of very many complaints the first ones and a line that says so.
+// Throws one Error of all complaints, if there are any; after most_complaints (below) it only says that there are more.
 void throw_complaints(std::vector<Complaint> complaints, std::string const& file);
 
-// Reads keys of one table, collects what is wrong with them, and remembers which keys are known.
+// Reads the keys of one table, collects complaints about them, and remembers which keys were asked for.
 class TomlTable {
  public:
-  static constexpr std::size_t longest_text = 512;  // bytes, where a key does not say otherwise
-  static constexpr std::size_t most_items = 1000;   // of a list
+  static constexpr std::size_t longest_text = 512;  // bytes, unless the caller says otherwise
+  static constexpr std::size_t most_items = 1000;   // in a list
   static constexpr std::size_t most_complaints = 50;
 
-  // `name` is the table in messages: "[calibrate]", or empty for the file itself.
+  // `name` is how messages call the table: "[calibrate]"; empty for the file itself.
   TomlTable(toml::table const& table, std::string file, std::string name, std::vector<Complaint>& complaints);
 
   std::string where(toml::node const& node) const;
 
-  // Calls take(value) when the key is there and of type T; an Error of take() becomes complaints at the key's line.
+  // Calls take(value) if the key is there with a value of type T. An Error of take() becomes complaints at its line.
   template <class T, class Take>
   void value(std::string_view key, std::string_view expected, Take&& take, std::size_t longest = longest_text) {
     auto const* node = find(key);
@@ -56,32 +56,33 @@ class TomlTable {
       if (!accept_text(*node, key, *found, longest)) return;
     guarded(*node, key, [&] { take(*found); });
   }
-  // A text or a list of texts, one take() each.
+  // Calls take() for a text, or for each text of a list.
   void strings(std::string_view key, std::function<void(std::string const&)> const& take,
                std::size_t longest = longest_text);
-  // Calls take() with the value of the key, when it is there: of a list once for each item, with those before it that
-  // were taken; of a table once for each entry. What take() refuses is said at the line of the item.
+  // Calls take() with the value of the key, if it is there. A list of a, b, c gives the calls [a], [a, b] and
+  // [a, b, c], less the items that take() refused; a table gives one call for each entry. A refusal becomes a complaint
+  // at the line of the item.
   void json(std::string_view key, std::function<void(Json const&)> const& take, std::size_t longest = longest_text);
-  // A sub-table; nullptr when there is none.
+  // The sub-table, or nullptr.
   toml::table const* table(std::string_view key);
-  // The node of a key, which counts as known; nullptr when there is none.
+  // The node of the key, or nullptr. The key counts as known from here on.
   toml::node const* find(std::string_view key);
-  // Every key that nobody asked for is a mistake.
+  // Complains about every key that was not asked for.
   void refuse_unknown();
   void complain(toml::node const& node, std::string found, std::string allowed, std::string advice = {});
-  // About the table as a whole.
+  // A complaint about the table as a whole.
   void complain(std::string found, std::string allowed, std::string advice = {}) {
     complain(table_, std::move(found), std::move(allowed), std::move(advice));
   }
 
  protected:
-  // Names go to terminals, tables and pages.
+  // Whether the text is printable and short enough for terminals, tables and pages; complains if it is not.
   bool accept_text(toml::node const& node, std::string_view key, std::string const& text, std::size_t longest);
-  // Whether the action refused nothing.
+  // Whether action() threw no Error. The Error's complaints are collected.
   bool guarded(toml::node const& node, std::string_view key, std::function<void()> const& action);
 
  private:
-  // No conversions: true is no number, and 1 is not true.
+  // toml++ would convert 1 to true and true to a number.
   template <class T>
   static bool is_kind(toml::node const& node) {
     if constexpr (std::is_same_v<T, bool>)
@@ -93,9 +94,9 @@ class TomlTable {
     else
       return node.is_string();
   }
-  // Of text, a number, true and false, or a date, which is text; no value of what is none of these, or not accepted.
+  // The value of a text, number, bool or date (as text). Other nodes and refused texts give nullopt and a complaint.
   std::optional<Json> scalar(toml::node const& node, std::string_view key, std::size_t longest);
-  // Of another kind, or of that kind, but a whole number beyond those of its type.
+  // `of_kind` is true for a whole number that its type cannot hold, and false for a value of another kind.
   void complain_value(toml::node const& node, std::string_view key, std::string_view expected, bool of_kind);
 
   toml::table const& table_;

@@ -8,7 +8,7 @@
 namespace isolaw {
 namespace {
 
-// Exact by definition: 1 kgf = 9.80665 N, 1 lbf = 4.4482216152605 N, 1 in = 25.4 mm.
+// These are exact by definition: 1 kgf = 9.80665 N, 1 lbf = 4.4482216152605 N, 1 in = 25.4 mm.
 constexpr std::array known{
     kN,
     N,
@@ -54,7 +54,7 @@ std::optional<Unit> parse_unit(std::string_view text) {
   text = text.substr(first, text.find_last_not_of(ignored) - first + 1);
   for (auto const& unit : known)
     if (unit.symbol == text) return unit;
-  if (text == "mN") return std::nullopt;  // millinewton: refused rather than read as meganewton
+  if (text == "mN") return std::nullopt;  // a millinewton must not be read as a meganewton
   auto const wanted = lower(text);
   for (auto const& alias : aliases)
     if (alias.text == wanted) return parse_unit(alias.symbol);

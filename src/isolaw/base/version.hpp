@@ -1,4 +1,4 @@
-// The version of the program.
+// The program's version. The number comes from the build (base/CMakeLists.txt).
 #pragma once
 
 #include <string_view>

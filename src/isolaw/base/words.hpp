@@ -1,4 +1,4 @@
-// Words of a person or a file: blanks around them, their case, the number one is, a list of them.
+// Small operations on text that a person typed or a file holds: trimming, lower case, numbers, lists of words.
 #pragma once
 
 #include <charconv>
@@ -11,22 +11,21 @@
 
 namespace isolaw {
 
-// Without blanks and tabs at both ends.
+// Removes blanks and tabs at both ends.
 constexpr std::string_view trimmed(std::string_view text) {
   auto const first = text.find_first_not_of(" \t");
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-// Of ASCII.
 constexpr bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
-constexpr bool is_letter(char c) {
+constexpr bool is_letter(char c) {  // ASCII only
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-// ASCII letters in lower case, all else as it is.
+// Changes ASCII letters only.
 inline std::string lower(std::string_view text) {
   std::string out(text);
   for (char& c : out)
@@ -34,14 +33,14 @@ inline std::string lower(std::string_view text) {
   return out;
 }
 
-// What stands before the first separator, or all; both are taken off the text.
+// Returns the part before the first separator (or everything) and removes both from `text`.
 constexpr std::string_view take_part(std::string_view& text, char separator) {
   auto const part = text.substr(0, text.find(separator));
   text.remove_prefix(part.size() == text.size() ? part.size() : part.size() + 1);
   return part;
 }
 
-// The number that the whole text is, with a decimal point and in the range of T; a '+' before it is let through.
+// The number, if the whole text is one that T can hold. The decimal sign is a point, and a leading '+' is allowed.
 template <class T>
 std::optional<T> number_in(std::string_view text) {
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);

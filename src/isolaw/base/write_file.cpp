@@ -32,9 +32,9 @@ void make_folder(fs::path const& dir) {
   if (error) refuse(dir, error.message());
 }
 
-// Everything on disk before the name is given to it: after a power cut the old or the new file is there.
+// All bytes are on disk before the file gets its name: after a power cut either the old or the new file is there.
 void write_file(fs::path const& path, std::string_view text) {
-  auto aside = path;  // in the same directory, where a rename is atomic
+  auto aside = path;  // in the same directory, since only there is a rename atomic
   aside += "." + std::to_string(::getpid()) + std::string(part_suffix);
   int const file = ::open(aside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666);
   bool written = file >= 0;
@@ -44,7 +44,7 @@ void write_file(fs::path const& path, std::string_view text) {
     written = count >= 0;
     if (written) rest.remove_prefix(static_cast<std::size_t>(count));
   }
-  written = written && (::fsync(file) == 0 || errno == EINVAL);  // EINVAL: a pipe or the like
+  written = written && (::fsync(file) == 0 || errno == EINVAL);  // EINVAL: a pipe or the like cannot be synchronised
   std::error_code error = written ? std::error_code() : std::error_code(errno, std::generic_category());
   if (file >= 0 && ::close(file) != 0 && !error) error = std::error_code(errno, std::generic_category());
   if (!error) fs::rename(aside, path, error);
@@ -60,7 +60,7 @@ void write_file(fs::path const& path, std::string_view text) {
 void remove_unfinished_files(fs::path const& folder) {
   std::error_code ignored;
   for (auto const& entry : fs::directory_iterator(folder, ignored)) {
-    // NAME.PID.part, of a process that is no more.
+    // The name is NAME.PID.part; the file is removed if that process has ended.
     auto const name = entry.path().filename().string();
     if (!name.ends_with(part_suffix)) continue;
     auto const stem = std::string_view(name).substr(0, name.size() - part_suffix.size());

@@ -1,4 +1,4 @@
-// Files that are whole or not there.
+// Writes files so that a reader never sees half of one.
 #pragma once
 
 #include <filesystem>
@@ -6,13 +6,13 @@
 
 namespace isolaw {
 
-// Written aside and renamed: a reader sees the old or the new file, never a part. Throws Error.
+// Writes beside the file and then renames: a reader sees the old or the new file, never a part. Throws Error.
 void write_file(std::filesystem::path const& path, std::string_view text);
 
-// Made where it is not there. Throws Error: it cannot be, or is a link to somewhere else.
+// Creates the folder if it is missing. Throws Error if that fails or if the name is a symbolic link.
 void make_folder(std::filesystem::path const& folder);
 
-// Parts that a killed process left in `folder`.
+// Removes partly written files that killed processes left in `folder`.
 void remove_unfinished_files(std::filesystem::path const& folder);
 
 }  // namespace isolaw

@@ -12,6 +12,7 @@
 #include "isolaw/data/ground_motion.hpp"
 #include "isolaw/laws/catalogue.hpp"
 #include "isolaw/num/statistics.hpp"
+#include "isolaw/wording/table.hpp"
 
 namespace isolaw::building {
 namespace {
@@ -22,9 +23,9 @@ double measure_of(std::span<double const> measured, Measure which) {
   return measured[static_cast<std::size_t>(which)];
 }
 double largest(std::span<double const> measured, std::size_t first, std::size_t count) {
-  double made = 0.0;
-  for (std::size_t i = 0; i < count; ++i) made = std::max(made, measured[first + i]);
-  return made;
+  double most = 0.0;
+  for (std::size_t i = 0; i < count; ++i) most = std::max(most, measured[first + i]);
+  return most;
 }
 double ratio(double a, double b) {
   return b > 0.0 ? a / b : 0.0;
@@ -71,52 +72,51 @@ constexpr Quantity quantity_rows[]{
      alike},
 };
 
-// By linear interpolation between the values in order, the first at 0 and the last at 1.
+// By linear interpolation, the first value at the share 0 and the last at 1.
 double fractile(std::vector<double> const& sorted, double share) {
   if (sorted.empty()) return std::nan("");
-  double const at = share * static_cast<double>(sorted.size() - 1);
-  auto const i = static_cast<std::size_t>(at);
+  double const place = share * static_cast<double>(sorted.size() - 1);
+  auto const i = static_cast<std::size_t>(place);
   if (i + 1 >= sorted.size()) return sorted.back();
-  return sorted[i] + (at - static_cast<double>(i)) * (sorted[i + 1] - sorted[i]);
+  return sorted[i] + (place - static_cast<double>(i)) * (sorted[i + 1] - sorted[i]);
 }
 std::array<double, 4> fractiles(std::vector<double> values) {
   std::ranges::sort(values);
-  std::array<double, 4> made{};
-  for (std::size_t i = 0; i < made.size(); ++i) made[i] = fractile(values, shares[i]);
-  return made;
+  std::array<double, 4> at_shares{};
+  for (std::size_t i = 0; i < at_shares.size(); ++i) at_shares[i] = fractile(values, shares[i]);
+  return at_shares;
 }
 
 double spread_ln(std::vector<double> const& values) {
   std::vector<double> logs;
   for (double const v : values)
     if (v > 0.0) logs.push_back(std::log(v));
-  auto const made = num::moments(logs);
-  return made.count < 2 ? 0.0 : made.std;
+  auto const moments = num::moments(logs);
+  return moments.count < 2 ? 0.0 : moments.std;
 }
 
-// [case] of one quantity under each motion.
-struct Table {
-  std::vector<std::vector<double>> by_motion;
-  std::vector<double> mean;  // over motions
+struct Table {                                 // one quantity in all runs of a law
+  std::vector<std::vector<double>> by_motion;  // [motion][case]
+  std::vector<double> mean;                    // [case] over motions
 };
 
 Table table_of(std::size_t cases, std::vector<std::vector<std::vector<double>>> const& kept, std::size_t index) {
-  Table made{.by_motion = {}, .mean = std::vector<double>(cases, 0.0)};
+  Table table{.by_motion = {}, .mean = std::vector<double>(cases, 0.0)};
   for (auto const& motion : kept) {
-    auto& row = made.by_motion.emplace_back(motion[index]);
-    for (std::size_t c = 0; c < cases; ++c) made.mean[c] += row[c] / static_cast<double>(kept.size());
+    auto& row = table.by_motion.emplace_back(motion[index]);
+    for (std::size_t c = 0; c < cases; ++c) table.mean[c] += row[c] / static_cast<double>(kept.size());
   }
-  return made;
+  return table;
 }
 
 std::vector<double> part(std::vector<double> const& values, std::size_t first, std::size_t count) {
-  std::vector<double> made;
+  std::vector<double> finite;
   for (std::size_t i = first; i < first + count; ++i)
-    if (std::isfinite(values[i])) made.push_back(values[i]);
-  return made;
+    if (std::isfinite(values[i])) finite.push_back(values[i]);
+  return finite;
 }
 
-// Of one direction, at rest at first: the largest relative displacement, average acceleration.
+// Largest displacement relative to the ground of a linear oscillator that starts at rest, by average acceleration.
 double linear_peak(Motion const& motion, double period_s, double damping) {
   double const w = 2.0 * pi / period_s;
   auto const parts = static_cast<std::size_t>(std::ceil(motion.step_s / std::min(0.005, period_s / 50.0)));
@@ -141,117 +141,129 @@ double linear_peak(Motion const& motion, double period_s, double damping) {
   return most;
 }
 
-// The displacement whose effective stiffness and damping give it back from the motion's own response.
-void equivalent_linear(Checked& made, Devices const& devices, Motion const& motion, std::vector<double> const& bearings,
-                       double mass) {
+// Iterates for the displacement whose effective stiffness and damping give this displacement as the motion's response.
+void equivalent_linear(Checked& checked, Devices const& devices, Motion const& motion,
+                       std::vector<double> const& bearings, double mass) {
   auto const& source = devices.source();
   std::size_t const each = source.lot.size(), count = bearings.size() / each;
-  double at = 100.0;
+  double amplitude_mm = 100.0;
   for (int i = 0; i < 60; ++i) {
     double k = 0.0, weighted = 0.0;
-    Effective one;
+    Effective bearing;
     for (std::size_t j = 0; j < count; ++j) {
       auto const values = std::span(bearings).subspan(j * each, each);
-      // Most are the same.
       if (j == 0 || !std::ranges::equal(values, std::span(bearings).subspan((j - 1) * each, each)))
-        one = effective(source.law, values, at, devices.coupling());
-      k += one.stiffness_kN_mm;
-      weighted += one.stiffness_kN_mm * one.damping;
+        bearing = effective(source.law, values, amplitude_mm, devices.coupling());
+      k += bearing.stiffness_kN_mm;
+      weighted += bearing.stiffness_kN_mm * bearing.damping;
     }
     if (!(k > 0.0)) break;
-    made.equivalent_period_s = 2.0 * pi * std::sqrt(mass / k);
-    made.equivalent_damping = std::min(0.6, weighted / k);
-    double const next = linear_peak(motion, made.equivalent_period_s, made.equivalent_damping);
-    double const change = next - at;
-    at = std::max(1e-3, at + 0.5 * change);
-    if (std::abs(change) < 1e-4 * at) break;
+    checked.equivalent_period_s = 2.0 * pi * std::sqrt(mass / k);
+    checked.equivalent_damping = std::min(0.6, weighted / k);
+    double const next = linear_peak(motion, checked.equivalent_period_s, checked.equivalent_damping);
+    double const change = next - amplitude_mm;
+    amplitude_mm = std::max(1e-3, amplitude_mm + 0.5 * change);
+    if (std::abs(change) < 1e-4 * amplitude_mm) break;
   }
-  made.equivalent_mm = at;
+  checked.equivalent_mm = amplitude_mm;
 }
 
-Coverage covered(Quantity const& of, std::vector<double> const& draws, Distribution const& d, Settings const& settings,
-                 std::vector<double> const& grid) {
+Coverage covered(Quantity const& quantity, std::vector<double> const& draws, Distribution const& d,
+                 Settings const& settings, std::vector<double> const& grid) {
   auto const [least, most] = std::minmax(d.lower, d.upper);
-  Coverage made{.quantity = of.key, .factor_low = {}, .factor_high = {}, .not_monotonic = {}};
-  constexpr double rounding = 1e-9;  // of its size: what does not change is monotonic
-  if (d.nominal < least - rounding * std::abs(least) || d.nominal > most + rounding * std::abs(most))
-    made.not_monotonic = fmt::format(
-        "{} does not rise or fall with the forces: {:.4g}, {:.4g} and {:.4g}{} at {:.2f}, 1 and {:.2f} times them, so that both bounds are on one side of the nominal building",
-        of.title, d.lower, d.nominal, d.upper, of.unit == "-" ? std::string() : " " + std::string(of.unit),
-        settings.lower, settings.upper);
+  Coverage coverage{.quantity = quantity.key, .factor_low = {}, .factor_high = {}, .not_monotonic = {}};
+  constexpr double rounding = 1e-9;  // relative; a response that does not change is monotonic
+  if (d.nominal < least - rounding * std::abs(least) || d.nominal > most + rounding * std::abs(most)) {
+    coverage.monotony = Finding{.kind = FindingKind::bounds_not_monotonic,
+                                .numbers = {{"lower", d.lower},
+                                            {"nominal", d.nominal},
+                                            {"upper", d.upper},
+                                            {"lower_factor", settings.lower},
+                                            {"upper_factor", settings.upper}},
+                                .words = {{"quantity", std::string(quantity.title)},
+                                          {"unit", quantity.unit == "-" ? "" : std::string(quantity.unit)},
+                                          {"side", d.nominal < least ? "above" : "below"}}};
+    coverage.not_monotonic = wording::remark(*coverage.monotony);
+  }
   std::size_t inside = 0, below = 0;
   for (double const v : draws) {
     inside += v >= least && v <= most;
     below += v < least;
   }
   auto const n = static_cast<double>(draws.size());
-  if (draws.empty()) return made;
-  made.inside = static_cast<double>(inside) / n;
-  made.below = static_cast<double>(below) / n;
-  made.above = 1.0 - made.inside - made.below;
+  if (draws.empty()) return coverage;
+  coverage.inside = static_cast<double>(inside) / n;
+  coverage.below = static_cast<double>(below) / n;
+  coverage.above = 1.0 - coverage.inside - coverage.below;
   auto const interval = binomial_interval(inside, draws.size());
-  made.interval_low = interval[0], made.interval_high = interval[1];
+  coverage.interval_low = interval[0], coverage.interval_high = interval[1];
   double low = grid[grid_half], high = low;
   for (std::uint32_t a = 0; a <= grid_half; ++a) {
     for (double const v : {grid[grid_half - a], grid[grid_half + a]}) low = std::min(low, v), high = std::max(high, v);
     auto const within = std::ranges::count_if(draws, [&](double v) { return v >= low && v <= high; });
-    if (static_cast<double>(within) < enough * n) continue;
-    made.factor_low = grid_factor(grid_half - a);
-    made.factor_high = grid_factor(grid_half + a);
+    if (static_cast<double>(within) < wanted_share * n) continue;
+    coverage.factor_low = grid_factor(grid_half - a);
+    coverage.factor_high = grid_factor(grid_half + a);
     break;
   }
-  return made;
-}
-
-// "1,000"
-std::string grouped(std::size_t number) {
-  auto text = std::to_string(number);
-  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, 1, ',');
-  return text;
+  return coverage;
 }
 
 bool has_draws(Study const& study) {
   return std::ranges::any_of(study.file.bearings, [](auto const& b) { return b.stands == Stands::draw; });
 }
 
-// Of the motions, the largest 95 % fractile.
-double largest_of_motions(Distribution const& of) {
-  double most = of.fractiles[3];
-  for (auto const& motion : of.by_motion) most = std::max(most, motion[3]);
+// The largest 95 % fractile: of the means over motions, or under any single motion.
+double largest_of_motions(Distribution const& distribution) {
+  double most = distribution.fractiles[3];
+  for (auto const& motion : distribution.by_motion) most = std::max(most, motion[3]);
   return most;
 }
 
-std::string verdict_of(Study const& study, Answers const& answers) {
+std::vector<Finding> verdict_of(Study const& study, Answers const& answers) {
   if (answers.laws.empty()) return {};
   auto const& first = answers.laws.front();
-  if (!has_draws(study)) return "No bearing is a draw of the lot: there is no scatter that bounds could cover.";
+  if (!has_draws(study)) return {{.kind = FindingKind::building_no_draws}};
   auto const& c = first.coverage.front();
-  auto const called = laws::called(first.law);
-  auto text = fmt::format(
-      "{}: with {} the bounds cover {:.0f} % of {} buildings ({:.0f} to {:.0f} %) in the largest displacement of a bearing",
-      answers.bounds_are_enough ? (*answers.bounds_are_enough ? "Yes" : "No") : "No answer yet", called,
-      100.0 * c.inside, grouped(first.draws), 100.0 * c.interval_low, 100.0 * c.interval_high);
-  if (!c.not_monotonic.empty() && c.inside < enough) text += ", since the nominal building itself is outside them";
-  text += "; " + factors_text(c);
+  Finding cover{.kind = FindingKind::building_bounds_cover,
+                .law = first.law,
+                .numbers = {{"inside", c.inside},
+                            {"interval_low", c.interval_low},
+                            {"interval_high", c.interval_high},
+                            {"draws", static_cast<double>(first.draws)}},
+                .words = {{"answer", !answers.bounds_are_enough   ? "No answer yet"
+                                     : *answers.bounds_are_enough ? "Yes"
+                                                                  : "No"},
+                          {"nominal_outside", c.monotony && c.inside < wanted_share ? "yes" : ""}}};
+  auto const factors = covering_factors(c);
+  cover.numbers.insert(cover.numbers.end(), factors.numbers.begin(), factors.numbers.end());
+  cover.words.insert(cover.words.end(), factors.words.begin(), factors.words.end());
+  std::vector<Finding> verdict{std::move(cover)};
   for (auto const& law : answers.laws)
-    if (law.by_first_bounds && *law.by_first_bounds < enough)
-      text += fmt::format("; with {} they cover {:.0f} %", laws::called(law.law), 100.0 * *law.by_first_bounds);
+    if (law.by_first_bounds && *law.by_first_bounds < wanted_share)
+      verdict.push_back({.kind = FindingKind::building_bounds_cover_with,
+                         .law = law.law,
+                         .numbers = {{"inside", *law.by_first_bounds}}});
   if (answers.law_std_ln) {
     double const lot = first.distributions.front().lot_std_ln;
-    text += *answers.law_std_ln > lot ? "; the law matters more than the lot" : "; the lot matters more than the law";
+    bool const law_matters_more = *answers.law_std_ln > lot;
+    verdict.push_back(
+        {.kind = FindingKind::building_law_or_lot,
+         .numbers = {{"law_std_ln", *answers.law_std_ln}, {"lot_std_ln", lot}},
+         .words = {{"more", law_matters_more ? "law" : "lot"}, {"less", law_matters_more ? "lot" : "law"}}});
   }
-  return text + ".";
+  return verdict;
 }
 
-// Shown where the lower limit of the share is enough, for every law; refuted where a share itself is not.
+// Yes if the lower limit of the first law's share is large enough, no if any law's share is too small.
 std::optional<bool> bounds_are_enough(Study const& study, Answers const& answers) {
   if (!has_draws(study) || answers.laws.empty()) return {};
   auto const& own = answers.laws.front().coverage.front();
-  bool const refuted = own.inside < enough || std::ranges::any_of(answers.laws, [](LawAnswer const& law) {
-                         return law.by_first_bounds && *law.by_first_bounds < enough;
+  bool const refuted = own.inside < wanted_share || std::ranges::any_of(answers.laws, [](LawAnswer const& law) {
+                         return law.by_first_bounds && *law.by_first_bounds < wanted_share;
                        });
   if (refuted) return false;
-  return own.interval_low >= enough ? std::optional(true) : std::nullopt;
+  return own.interval_low >= wanted_share ? std::optional(true) : std::nullopt;
 }
 
 std::string_view form_sentence(LawAnswer const& law) {
@@ -277,27 +289,27 @@ BearingLoops loops_of(Model const& model, Devices const& devices, Study const& s
   auto const& h = run.history;
   auto const samples = h.time_s.size(),
              stride = std::max<std::size_t>(1, (samples + most_of_loops - 1) / most_of_loops);
-  BearingLoops made{.motion = motion,
-                    .drawn = drawn,
-                    .step_s = run.step_s * static_cast<double>(stride),
-                    .x_mm = {},
-                    .y_mm = {},
-                    .rotation_rad = {},
-                    .force_x_kN = std::vector<std::vector<double>>(bearings.size()),
-                    .force_y_kN = std::vector<std::vector<double>>(bearings.size())};
+  BearingLoops loops{.motion = motion,
+                     .drawn = drawn,
+                     .step_s = run.step_s * static_cast<double>(stride),
+                     .x_mm = {},
+                     .y_mm = {},
+                     .rotation_rad = {},
+                     .force_x_kN = std::vector<std::vector<double>>(bearings.size()),
+                     .force_y_kN = std::vector<std::vector<double>>(bearings.size())};
   for (std::size_t i = 0; i < samples; i += stride) {
-    made.x_mm.push_back(h.base[i][0]);
-    made.y_mm.push_back(h.base[i][1]);
-    made.rotation_rad.push_back(h.base[i][2]);
+    loops.x_mm.push_back(h.base[i][0]);
+    loops.y_mm.push_back(h.base[i][1]);
+    loops.rotation_rad.push_back(h.base[i][2]);
     for (std::size_t j = 0; j < bearings.size(); ++j) {
-      made.force_x_kN[j].push_back(h.bearing_kN[i][2 * j]);
-      made.force_y_kN[j].push_back(h.bearing_kN[i][2 * j + 1]);
+      loops.force_x_kN[j].push_back(h.bearing_kN[i][2 * j]);
+      loops.force_y_kN[j].push_back(h.bearing_kN[i][2 * j + 1]);
     }
   }
-  return made;
+  return loops;
 }
 
-// Adds `share` of the spectra of every diaphragm's acceleration.
+// Adds `share` times each diaphragm's acceleration spectrum [diaphragm][period].
 void add_spectra(std::vector<std::vector<double>>& to, Response const& run, double share) {
   auto const& periods = spectrum_periods_s();
   if (run.history.acceleration.empty()) return;
@@ -316,67 +328,70 @@ void add_spectra(std::vector<std::vector<double>>& to, Response const& run, doub
   }
 }
 
-// Beside the displacement of which the verdict is: what bounds cover less of, and where they are none.
-void warn_of_coverage(LawAnswer const& law, std::vector<std::string>& warnings) {
-  std::vector<std::string> less;
+// Warns of quantities that the bounds do not cover, except the displacement, which the verdict is about; and of those
+// that do not rise or fall with the forces, for which the bounds mean nothing.
+void warn_of_coverage(LawAnswer const& law, std::vector<Finding>& warnings) {
   for (auto const& c : law.coverage) {
-    if (c.inside >= enough) continue;
-    if (!c.not_monotonic.empty())
-      warnings.push_back(fmt::format("{}: the bounds cover {:.0f} % in {}, which says nothing of their factors: {}",
-                                     laws::called(law.law), 100.0 * c.inside, quantity(c.quantity).title,
-                                     c.not_monotonic));
-    else if (&c != &law.coverage.front())
-      less.push_back(fmt::format("{} {:.0f} %", quantity(c.quantity).title, 100.0 * c.inside));
+    if (c.inside >= wanted_share) continue;
+    if (c.monotony) {
+      auto& warning = warnings.emplace_back(*c.monotony);
+      warning.law = law.law;
+      warning.numbers.push_back({"inside", c.inside});
+    } else if (&c != &law.coverage.front()) {
+      warnings.push_back({.kind = FindingKind::bounds_cover_less,
+                          .law = law.law,
+                          .numbers = {{"inside", c.inside}, {"wanted", wanted_share}},
+                          .words = {{"quantity", std::string(quantity(c.quantity).title)}}});
+    }
   }
-  if (!less.empty())
-    warnings.push_back(fmt::format("{}: less than {:.0f} % of the draws are between the bounds in {}",
-                                   laws::called(law.law), 100.0 * enough, joined(less)));
 }
 
 std::vector<std::string> assumed_of(Study const& study, Answers const& answers) {
   auto const& s = study.file.settings;
-  std::vector<std::string> made;
+  std::vector<std::string> sentences;
   auto const count = [&](Stands stands) {
     return std::ranges::count(study.file.bearings, stands, &BearingPlace::stands);
   };
-  made.push_back(fmt::format(
+  sentences.push_back(fmt::format(
       "Of {} bearings {} are draws of the lot, {} its law, {} tested devices, {} and {} its law times the lower and the upper factor.",
       study.file.bearings.size(), count(Stands::draw), count(Stands::lot), count(Stands::device), count(Stands::lower),
       count(Stands::upper)));
-  made.push_back(fmt::format(
+  sentences.push_back(fmt::format(
       "The bound analyses take every bearing at its nominal values, forces times {:.2f} and {:.2f}: stiffness and strength alike.",
       s.lower, s.upper));
-  made.push_back(
+  sentences.push_back(
       fmt::format("A building's response is its mean over the {} motions, each as the building file scales it.",
                   study.file.motions.size()));
-  made.push_back(s.populations > 1
-                     ? fmt::format("The population is as uncertain as the tests leave it: {} populations of {} draws.",
-                                   s.populations, s.draws_of_each)
-                     : std::string("The lot's population is taken as known: what few tests leave open is not in it."));
+  sentences.push_back(
+      s.populations > 1
+          ? fmt::format("The population is as uncertain as the tests leave it: {} populations of {} draws.",
+                        s.populations, s.draws_of_each)
+          : std::string("The lot's population is taken as known: what few tests leave open is not in it."));
   for (auto const& law : answers.laws)
-    made.push_back(fmt::format("{} goes into the plane {}.", laws::called(law.law), form_sentence(law)));
-  made.push_back(fmt::format(
+    sentences.push_back(fmt::format("{} goes into the plane {}.", laws::called(law.law), form_sentence(law)));
+  sentences.push_back(fmt::format(
       "The superstructure is linear, {} above the base, {:.3g} s on a fixed base, {:.3g} % of damping in every mode; none of it is in the isolation layer.",
       study.file.frame.floors.empty() ? std::string("nothing")
                                       : fmt::format("{} floors", study.file.frame.floors.size()),
       answers.fixed_periods_s.empty() ? 0.0 : answers.fixed_periods_s.front(), 100.0 * s.damping));
-  made.emplace_back("Bearings move in plan: no axial load and its changes, no uplift, no vertical motion, no soil.");
-  return made;
+  sentences.emplace_back(
+      "Bearings move in plan: no axial load and its changes, no uplift, no vertical motion, no soil.");
+  return sentences;
 }
 
-// Every so many steps, the last one left out where it is none of them.
+// Keeps every n-th sample, not always the last.
 NominalHistory thinned(History const& history, double step_s) {
   auto const samples = history.time_s.size();
   auto const stride = std::max<std::size_t>(1, (samples + most_of_history - 1) / most_of_history);
-  NominalHistory made{
+  NominalHistory nominal{
       .step_s = step_s * static_cast<double>(stride), .x_mm = {}, .y_mm = {}, .shear_x_kN = {}, .shear_y_kN = {}};
   for (std::size_t i = 0; i < samples; i += stride) {
-    made.x_mm.push_back(history.base[i][0]);
-    made.y_mm.push_back(history.base[i][1]);
-    made.shear_x_kN.push_back(history.shear_kN[i][0]);
-    made.shear_y_kN.push_back(history.shear_kN[i][1]);
+    nominal.x_mm.push_back(history.base[i][0]);
+    nominal.y_mm.push_back(history.base[i][1]);
+    nominal.shear_x_kN.push_back(history.shear_kN[i][0]);
+    nominal.shear_y_kN.push_back(history.shear_kN[i][1]);
   }
-  return made;
+  return nominal;
 }
 
 }  // namespace
@@ -388,9 +403,9 @@ Quantity const& quantity(std::string_view key) {
   return *std::ranges::find(quantity_rows, key, &Quantity::key);
 }
 
-// Thirty, equally far apart in ln, from stiff equipment to what sways with the isolators.
+// Thirty periods, equally spaced in ln, from those of stiff equipment to those of the isolators.
 std::vector<double> const& spectrum_periods_s() {
-  static std::vector<double> const made = [] {
+  static std::vector<double> const all_periods = [] {
     constexpr std::size_t count = 30;
     constexpr double first = 0.05, last = 4.0;
     std::vector<double> periods;
@@ -398,7 +413,7 @@ std::vector<double> const& spectrum_periods_s() {
       periods.push_back(first * std::pow(last / first, static_cast<double>(i) / (count - 1)));
     return periods;
   }();
-  return made;
+  return all_periods;
 }
 
 std::string_view form(LawAnswer const& law) {
@@ -407,39 +422,43 @@ std::string_view form(LawAnswer const& law) {
   return law.fitted_as_springs ? "springs" : "springs as given";
 }
 
-std::string factors_text(Coverage const& c) {
-  auto const would = fmt::format("would cover {:.0f} %", 100.0 * enough);
-  if (!c.factor_low)
-    return fmt::format("no factors up to {:.2f} and {:.2f} {}", grid_factor(0), grid_factor(2 * grid_half), would);
+Finding covering_factors(Coverage const& coverage) {
+  Finding finding{.kind = FindingKind::covering_factors,
+                  .numbers = {{"wanted", wanted_share},
+                              {"grid_low", grid_factor(0)},
+                              {"grid_high", grid_factor(2 * grid_half)},
+                              {"grid_step", grid_step}}};
   constexpr double rounding = 1e-9;
-  if (*c.factor_low > 1.0 - grid_step - rounding)
-    return fmt::format("factors within {:.0f} % of 1, the accuracy, {}", 100.0 * grid_step, would);
-  return fmt::format("factors of {:.2f} and {:.2f} {}", *c.factor_low, *c.factor_high, would);
+  bool const near = coverage.factor_low && *coverage.factor_low > 1.0 - grid_step - rounding;
+  finding.words = {{"factors", !coverage.factor_low ? "none" : near ? "near" : "found"}};
+  if (coverage.factor_low) finding.numbers.push_back({"factor_low", *coverage.factor_low});
+  if (coverage.factor_high) finding.numbers.push_back({"factor_high", *coverage.factor_high});
+  return finding;
 }
 
-// As many bins as Rice's rule says, 2 n^(1/3).
+// Rice's rule: 2 n^(1/3) bins.
 Histogram histogram(std::vector<double> const& values) {
-  Histogram made;
-  if (values.empty()) return made;
+  Histogram histogram;
+  if (values.empty()) return histogram;
   auto const [least, most] = std::ranges::minmax(values);
   bool const spread = most - least > 1e-9 * std::abs(most);
   auto const bins =
       spread ? static_cast<std::size_t>(std::ceil(2.0 * std::cbrt(static_cast<double>(values.size())))) : 1;
-  made.width = spread ? (most - least) / static_cast<double>(bins) : 1e-3 * std::abs(most);
-  made.from = spread ? least : least - 0.5 * made.width;
-  made.counts.assign(bins, 0);
+  histogram.width = spread ? (most - least) / static_cast<double>(bins) : 1e-3 * std::abs(most);
+  histogram.from = spread ? least : least - 0.5 * histogram.width;
+  histogram.counts.assign(bins, 0);
   for (double const v : values)
-    ++made.counts[spread ? std::min(bins - 1, static_cast<std::size_t>((v - least) / made.width)) : 0];
-  return made;
+    ++histogram.counts[spread ? std::min(bins - 1, static_cast<std::size_t>((v - least) / histogram.width)) : 0];
+  return histogram;
 }
 
-std::array<double, 2> binomial_interval(std::size_t found, std::size_t of, double level) {
-  if (of == 0) return {0.0, 1.0};
+std::array<double, 2> binomial_interval(std::size_t found, std::size_t trials, double level) {
+  if (trials == 0) return {0.0, 1.0};
   using Binomial = boost::math::binomial_distribution<>;
-  auto const n = static_cast<double>(of), k = static_cast<double>(found);
+  auto const n = static_cast<double>(trials), k = static_cast<double>(found);
   double const tail = 0.5 * (1.0 - level);
   return {found == 0 ? 0.0 : Binomial::find_lower_bound_on_p(n, k, tail),
-          found == of ? 1.0 : Binomial::find_upper_bound_on_p(n, k, tail)};
+          found == trials ? 1.0 : Binomial::find_upper_bound_on_p(n, k, tail)};
 }
 
 Effective effective(std::string_view law, std::span<double const> parameters, double amplitude_mm, Coupling coupling) {
@@ -461,34 +480,34 @@ Effective effective(std::string_view law, std::span<double const> parameters, do
 
 Arrangement arrange(std::span<Point const> places, Point centre, std::span<double const> stiffness) {
   auto const n = places.size();
-  Arrangement made;
-  made.device.resize(stiffness.size());
-  std::iota(made.device.begin(), made.device.end(), std::size_t{0});
+  Arrangement arrangement;
+  arrangement.device.resize(stiffness.size());
+  std::iota(arrangement.device.begin(), arrangement.device.end(), std::size_t{0});
   auto const eccentricity = [&] {
     double sum = 0.0, x = 0.0, y = 0.0;
     for (std::size_t i = 0; i < n; ++i) {
-      double const k = stiffness[made.device[i]];
+      double const k = stiffness[arrangement.device[i]];
       sum += k, x += k * (places[i].x_mm - centre.x_mm), y += k * (places[i].y_mm - centre.y_mm);
     }
     return std::hypot(x, y) / sum;
   };
-  made.in_order_mm = made.eccentricity_mm = eccentricity();
+  arrangement.in_order_mm = arrangement.eccentricity_mm = eccentricity();
   for (bool better = true; better;) {
     better = false;
     std::size_t best_i = 0, best_j = 0;
-    double best = made.eccentricity_mm * (1.0 - 1e-12);
+    double best = arrangement.eccentricity_mm * (1.0 - 1e-12);
     for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = i + 1; j < made.device.size(); ++j) {
-        std::swap(made.device[i], made.device[j]);
+      for (std::size_t j = i + 1; j < arrangement.device.size(); ++j) {
+        std::swap(arrangement.device[i], arrangement.device[j]);
         if (double const now = eccentricity(); now < best) best = now, best_i = i, best_j = j, better = true;
-        std::swap(made.device[i], made.device[j]);
+        std::swap(arrangement.device[i], arrangement.device[j]);
       }
     if (!better) break;
-    std::swap(made.device[best_i], made.device[best_j]);
-    made.eccentricity_mm = best;
+    std::swap(arrangement.device[best_i], arrangement.device[best_j]);
+    arrangement.eccentricity_mm = best;
   }
-  made.device.resize(n);
-  return made;
+  arrangement.device.resize(n);
+  return arrangement;
 }
 
 Answers answer(Study const& study, RunStore const& store) {
@@ -501,19 +520,19 @@ Answers answer(Study const& study, RunStore const& store) {
   auto const first_uncertain = first_draw + static_cast<std::size_t>(settings.draws);
   auto const first_factor =
       static_cast<std::size_t>(std::ranges::find(cases, CaseKind::factor, &Case::kind) - cases.begin());
-  Answers made;
-  made.weight_kN = model.structure().weight_kN();
-  for (double const w : model.structure().frequency_rad_s()) made.fixed_periods_s.push_back(2.0 * pi / w);
-  made.corners = model.plan().corners;
+  Answers answers;
+  answers.weight_kN = model.structure().weight_kN();
+  for (double const w : model.structure().frequency_rad_s()) answers.fixed_periods_s.push_back(2.0 * pi / w);
+  answers.corners = model.plan().corners;
   for (std::size_t law = 0; law < study.laws.size(); ++law) {
-    auto& out = made.laws.emplace_back();
+    auto& out = answers.laws.emplace_back();
     auto const& source = study.laws[law];
     out.law = source.law;
     out.draws = static_cast<std::size_t>(settings.draws);
     out.doubts = source.doubts;
     out.bearing_mm.assign(layout.bearings, 0.0);
     out.bearing_energy_share.assign(layout.bearings, 0.0);
-    double of_bearings = 0.0;  // runs in their means
+    double runs_of_draws = 0.0;
     // [motion][quantity][case]
     std::vector<std::vector<std::vector<double>>> kept(
         study.file.motions.size(),
@@ -524,17 +543,17 @@ Answers answer(Study const& study, RunStore const& store) {
         out.failed += !finite;
         if (!finite) return;
         for (std::size_t q = 0; q < std::size(quantity_rows); ++q)
-          kept[motion][q][place] = quantity_rows[q].of(layout, measured, made.weight_kN);
+          kept[motion][q][place] = quantity_rows[q].of(layout, measured, answers.weight_kN);
         out.worst_balance = std::max(out.worst_balance, std::abs(measure_of(measured, Measure::balance)));
         if (cases[place].kind != CaseKind::draw) return;
-        of_bearings += 1.0;
+        runs_of_draws += 1.0;
         for (std::size_t b = 0; b < layout.bearings; ++b) {
           out.bearing_mm[b] += measured[layout.displacement(b)];
           out.bearing_energy_share[b] += ratio(measured[layout.energy(b)], measure_of(measured, Measure::hysteretic));
         }
       });
     for (auto* const means : {&out.bearing_mm, &out.bearing_energy_share})
-      for (double& value : *means) value = of_bearings > 0.0 ? value / of_bearings : std::nan("");
+      for (double& value : *means) value = runs_of_draws > 0.0 ? value / runs_of_draws : std::nan("");
     for (std::size_t q = 0; q < std::size(quantity_rows); ++q) {
       auto const table = table_of(cases.size(), kept, q);
       auto const draws = part(table.mean, first_draw, static_cast<std::size_t>(settings.draws));
@@ -546,20 +565,20 @@ Answers answer(Study const& study, RunStore const& store) {
                      .by_motion = {},
                      .nominal_by_motion = {},
                      .histogram = histogram(draws)};
-      // Var ln = Var over motions of the mean + mean over motions of the variance.
+      // Var(ln response) = variance over motions of the means + mean over motions of the variances.
       std::vector<double> means;
       double within = 0.0;
       for (auto const& row : table.by_motion) {
-        auto const of_motion = part(row, first_draw, static_cast<std::size_t>(settings.draws));
-        d.by_motion.push_back(fractiles(of_motion));
+        auto const motion_draws = part(row, first_draw, static_cast<std::size_t>(settings.draws));
+        d.by_motion.push_back(fractiles(motion_draws));
         d.nominal_by_motion.push_back(row[0]);
         std::vector<double> logs;
-        for (double const v : of_motion)
+        for (double const v : motion_draws)
           if (v > 0.0) logs.push_back(std::log(v));
         if (logs.empty()) continue;
-        auto const of = num::moments(logs);
-        means.push_back(of.mean);
-        within += of.count > 1 ? of.std * of.std : 0.0;
+        auto const moments = num::moments(logs);
+        means.push_back(moments.mean);
+        within += moments.count > 1 ? moments.std * moments.std : 0.0;
       }
       if (!means.empty()) {
         within /= static_cast<double>(means.size());
@@ -579,8 +598,8 @@ Answers answer(Study const& study, RunStore const& store) {
       if (quantity_rows[q].uncovered.empty())
         out.coverage.push_back(
             covered(quantity_rows[q], draws, d, settings, part(table.mean, first_factor, 2 * grid_half + 1)));
-      if (q == 0 && made.laws.size() > 1 && !draws.empty()) {
-        auto const& bounds = made.laws.front().distributions.front();
+      if (q == 0 && answers.laws.size() > 1 && !draws.empty()) {
+        auto const& bounds = answers.laws.front().distributions.front();
         auto const range = std::minmax(bounds.lower, bounds.upper);
         out.by_first_bounds = static_cast<double>(std::ranges::count_if(
                                   draws, [&](double v) { return v >= range.first && v <= range.second; })) /
@@ -612,52 +631,47 @@ Answers answer(Study const& study, RunStore const& store) {
       checked.balance = run.of(Measure::balance);
       checked.step_s = run.step_s;
       checked.missed_mm = richardson(run, fine)[static_cast<std::size_t>(Measure::isolator)];
-      checked.lanes_off_percent = 100.0 * (kept[motion][0][0] / checked.isolator_mm - 1.0);
+      checked.draws_error_percent = 100.0 * (kept[motion][0][0] / checked.isolator_mm - 1.0);
       equivalent_linear(checked, devices, study.file.motions[motion], nominal, model.structure().mass()(0, 0));
       checked.equivalent_error_percent = 100.0 * (checked.equivalent_mm / run.of(Measure::centre) - 1.0);
     }
     if (!kept.empty()) out.loops = loops_of(model, devices, study, strongest, options);
   }
-  if (made.laws.size() > 1) {
+  if (answers.laws.size() > 1) {
     std::vector<double> medians;
-    for (auto const& law : made.laws) medians.push_back(law.distributions.front().fractiles[1]);
-    made.law_std_ln = spread_ln(medians);
+    for (auto const& law : answers.laws) medians.push_back(law.distributions.front().fractiles[1]);
+    answers.law_std_ln = spread_ln(medians);
   }
-  for (std::size_t i = 0; i < made.laws.size(); ++i) {
-    auto const& law = made.laws[i];
+  for (std::size_t i = 0; i < answers.laws.size(); ++i) {
+    auto const& law = answers.laws[i];
     double const tested = study.laws[i].tested_mm, most = largest_of_motions(law.distributions.front());
     if (tested > 0.0 && most > tested)
-      made.warnings.push_back(fmt::format(
-          "{}: bearings move up to {:.0f} mm (95 % of the draws, under the strongest motion), and the tests went to {:.0f} mm: beyond it the law is extrapolated",
-          law.law, most, tested));
-    if (has_draws(study)) warn_of_coverage(law, made.warnings);
+      answers.warnings.push_back({.kind = FindingKind::displacement_beyond_tests,
+                                  .law = law.law,
+                                  .numbers = {{"most_mm", most}, {"tested_mm", tested}}});
+    if (has_draws(study)) warn_of_coverage(law, answers.warnings);
     if (law.coupling == Coupling::springs && !law.fitted_as_springs)
-      made.warnings.push_back(fmt::format(
-          "{} has no coupled form, and its springs have the parameters of the law along one direction: they round its knee and dissipate less; isolaw calibrate --bidirectional springs fits them",
-          laws::called(law.law)));
+      answers.warnings.push_back({.kind = FindingKind::springs_as_given, .law = law.law});
     if (law.failed > 0)
-      made.warnings.push_back(fmt::format("{}: {} runs gave no finite numbers and are left out", law.law, law.failed));
+      answers.warnings.push_back({.kind = FindingKind::building_runs_failed,
+                                  .law = law.law,
+                                  .numbers = {{"failed", static_cast<double>(law.failed)}}});
+    for (auto const& doubt : law.doubts)
+      if (std::ranges::find(answers.calibration, doubt) == answers.calibration.end())
+        answers.calibration.push_back(doubt);
   }
-  made.bounds_are_enough = bounds_are_enough(study, made);
-  made.verdict = verdict_of(study, made);
-  if (has_draws(study) && !made.laws.empty() && !made.bounds_are_enough)
-    made.warnings.push_back(fmt::format("{} draws are too few to show a share of {:.0f} %: no answer yet",
-                                        made.laws.front().draws, 100.0 * enough));
+  answers.bounds_are_enough = bounds_are_enough(study, answers);
+  answers.verdict = verdict_of(study, answers);
+  if (has_draws(study) && !answers.laws.empty() && !answers.bounds_are_enough)
+    answers.warnings.push_back(
+        {.kind = FindingKind::draws_too_few,
+         .numbers = {{"draws", static_cast<double>(answers.laws.front().draws)}, {"wanted", wanted_share}}});
   if (auto const motions = study.file.motions.size(); motions < motions_for_a_mean)
-    made.warnings.push_back(fmt::format("{}: codes take the mean over {} or more, some over eleven, as the design's",
-                                        counted(motions, "motion"), motions_for_a_mean));
-  // What names its law, and what is of the records, which several laws share.
-  for (auto const& law : made.laws)
-    for (std::string_view doubt : law.doubts) {
-      auto const own = fmt::format("{}: ", laws::called(law.law));
-      bool const named = doubt.starts_with(own);
-      if (named) doubt.remove_prefix(own.size());
-      auto warning =
-          fmt::format("of the calibration{}: {}", named ? fmt::format(" of {}", laws::called(law.law)) : "", doubt);
-      if (std::ranges::find(made.warnings, warning) == made.warnings.end()) made.warnings.push_back(std::move(warning));
-    }
-  made.assumed = assumed_of(study, made);
-  return made;
+    answers.warnings.push_back(
+        {.kind = FindingKind::motions_too_few,
+         .numbers = {{"motions", static_cast<double>(motions)}, {"wanted", static_cast<double>(motions_for_a_mean)}}});
+  answers.assumed = assumed_of(study, answers);
+  return answers;
 }
 
 Response nominal_run(Study const& study, LawSource const& source, Motion const& motion) {
@@ -672,28 +686,28 @@ std::string history_csv(Response const& run, Motion const& motion) {
   auto const& history = run.history;
   std::size_t const diaphragms = history.acceleration.empty() ? 0 : history.acceleration.front().size() / 2;
   std::size_t const axes = motion.y_mm_s2.empty() ? 1 : 2;
-  std::string made = "time [s]";
+  std::string csv = "time [s]";
   auto const head = [&](std::string_view what, std::string_view unit) {
-    for (std::size_t axis = 0; axis < axes; ++axis) made += fmt::format(",{}_{} [{}]", what, "xy"[axis], unit);
+    for (std::size_t axis = 0; axis < axes; ++axis) csv += fmt::format(",{}_{} [{}]", what, "xy"[axis], unit);
   };
   head("base", "mm");
   head("velocity", "mm/s");
   head("force", "kN");
   for (std::size_t floor = 0; floor < diaphragms; ++floor)
     head(floor == 0 ? std::string("acceleration_base") : fmt::format("acceleration_{}", floor), "mm/s2");
-  made += '\n';
+  csv += '\n';
   for (std::size_t i = 0; i < history.time_s.size(); ++i) {
-    made += fmt::format("{:.6g}", history.time_s[i]);
+    csv += fmt::format("{:.6g}", history.time_s[i]);
     auto const add = [&](auto const& values, std::size_t first) {
-      for (std::size_t axis = 0; axis < axes; ++axis) made += fmt::format(",{:.6g}", values[first + axis]);
+      for (std::size_t axis = 0; axis < axes; ++axis) csv += fmt::format(",{:.6g}", values[first + axis]);
     };
     add(history.base[i], 0);
     add(history.velocity[i], 0);
     add(history.shear_kN[i], 0);
     for (std::size_t floor = 0; floor < diaphragms; ++floor) add(history.acceleration[i], 2 * floor);
-    made += '\n';
+    csv += '\n';
   }
-  return made;
+  return csv;
 }
 
 }  // namespace isolaw::building

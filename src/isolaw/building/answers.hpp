@@ -1,7 +1,6 @@
-// What the analyses of a building say, in numbers: distributions, variance, coverage of the bound analyses, law against
-// law, and the hand method beside them. Each number is a row with its name, unit and meaning.
-//
-// A response of one draw is its mean over the motions, as designs take it; what single motions give stands beside it.
+// Computes the answers of a building study from its stored runs: distributions, parts of the variance, coverage by the
+// bound analyses, one law against another, and the equivalent linear method for comparison. A draw's response is its
+// mean over the motions, as designs take it; distributions under single motions are kept too.
 #pragma once
 
 #include <array>
@@ -13,21 +12,23 @@
 #include <string_view>
 #include <vector>
 
+#include "isolaw/base/finding.hpp"
 #include "isolaw/building/runs.hpp"
 
 namespace isolaw::building {
 
+// A number computed from the measures of one run.
 struct Quantity {
   std::string_view key, title, unit, meaning;
   double (*of)(Layout const& layout, std::span<double const> measured, double weight_kN);
-  std::string_view uncovered = {};  // why the bound analyses say nothing of its draws; empty: they do
+  std::string_view uncovered = {};  // why the bound analyses cannot cover it; empty: they can
 };
 std::span<Quantity const> quantities();
 Quantity const& quantity(std::string_view key);
 
-inline constexpr std::array shares{0.16, 0.50, 0.84, 0.95};
+inline constexpr std::array shares{0.16, 0.50, 0.84, 0.95};  // at which fractiles are given
 
-// Equal bins from the least of the draws to the most; one bin where they are the same.
+// Equal bins from the smallest value to the largest; a single bin if all values are equal.
 struct Histogram {
   double from = 0.0, width = 0.0;
   std::vector<std::uint64_t> counts;
@@ -35,126 +36,132 @@ struct Histogram {
 Histogram histogram(std::vector<double> const& values);
 
 struct Distribution {
-  double nominal = 0.0, lower = 0.0, upper = 0.0;  // of the analyses without draws, means over motions
-  std::array<double, 4> fractiles{};               // of the draws' means over motions, at `shares`
-  double motion_std_ln = 0.0, lot_std_ln = 0.0;    // parts of the spread of ln(response): law of total variance
-  double lot_share = 0.0;                          // of the variance
-  std::optional<double> uncertain_std_ln;          // between populations, of ln of their medians
-  std::vector<std::array<double, 4>> by_motion;    // fractiles over the draws under each motion
+  double nominal = 0.0, lower = 0.0, upper = 0.0;  // responses of the analyses without draws, means over motions
+  std::array<double, 4> fractiles{};               // at `shares`, of the draws' means over motions
+  double motion_std_ln = 0.0, lot_std_ln = 0.0;    // spread of ln(response) in two parts, by the law of total variance
+  double lot_share = 0.0;                          // the lot's part of that variance
+  std::optional<double> uncertain_std_ln;          // standard deviation of ln(median) over the re-estimated populations
+  std::vector<std::array<double, 4>> by_motion;    // [motion] fractiles of the draws
   std::vector<double> nominal_by_motion;
-  Histogram histogram = {};  // of the draws' means over motions
+  Histogram histogram = {};  // the draws' means over motions
 };
 
-// The share of buildings that bounds should cover.
-inline constexpr double enough = 0.95;
+// The bounds are judged enough if they cover this share of the drawn buildings.
+inline constexpr double wanted_share = 0.95;
 
 struct Coverage {
-  std::string_view quantity;                       // its key
-  double inside = 0.0;                             // share of the draws between the lower and upper bound analyses
-  double interval_low = 0.0, interval_high = 0.0;  // Clopper and Pearson 1934, 95 %
-  double below = 0.0, above = 0.0;
-  // The least symmetric factors 1 -+ a, of a grid of analyses, between whose responses `enough` of the draws lie; none:
-  // not within the grid.
+  std::string_view quantity;                       // key
+  double inside = 0.0;                             // share of the draws between both bound analyses
+  double interval_low = 0.0, interval_high = 0.0;  // 95 %, Clopper and Pearson 1934
+  double below = 0.0, above = 0.0;                 // shares
+  // Smallest factors 1 - a and 1 + a on the grid (grid_factor) such that the responses of the analyses from one to the
+  // other span `wanted_share` of the draws; nullopt if even the whole grid does not.
   std::optional<double> factor_low, factor_high;
-  // The nominal building is not between the two: the response does not rise or fall with the forces. Empty otherwise.
+  // FindingKind::bounds_not_monotonic and its sentence if the nominal building is not between the bound analyses: the
+  // response then neither rises nor falls with the forces. Empty otherwise.
+  std::optional<Finding> monotony = {};
   std::string not_monotonic;
 };
-// "factors of 0.94 and 1.06 would cover 95 %": no more than one step of the grid is within the accuracy.
-std::string factors_text(Coverage const& coverage);
+// FindingKind::covering_factors: the factors that would cover `wanted_share` of the draws, or that none on the grid do.
+Finding covering_factors(Coverage const& coverage);
 
-// Codes take the mean response over no fewer motions as the design's (EN 1998-1, 4.3.3.4.3; ASCE 7-16, 17.3.3; eleven
-// in its chapter 16).
+// Codes let a design use the mean response only from this number of motions on (EN 1998-1, 4.3.3.4.3; ASCE 7-16,
+// 17.3.3; its chapter 16 asks for eleven).
 inline constexpr std::size_t motions_for_a_mean = 7;
 
-struct Checked {  // the nominal building by the implicit path, under each motion
+// The nominal building under one motion by the implicit path, and how far other methods are from it.
+struct Checked {
   std::string outcome;
   double isolator_mm = 0.0, balance = 0.0, step_s = 0.0;
-  double missed_mm = 0.0;                                      // a third of the difference to half the step
-  double lanes_off_percent = 0.0;                              // the explicit path from it
-  double equivalent_mm = 0.0, equivalent_error_percent = 0.0;  // equivalent linear analysis, of the centre
+  double missed_mm = 0.0;                                      // step error of isolator_mm, by richardson()
+  double draws_error_percent = 0.0;                            // error of isolator_mm by the path of the draws
+  double equivalent_mm = 0.0, equivalent_error_percent = 0.0;  // equivalent linear analysis: displacement of the centre
   double equivalent_period_s = 0.0, equivalent_damping = 0.0;
 };
 
-// The nominal building by the implicit path: the base's centre of mass relative to the ground, and the sum of the
-// bearings' forces on it, every so many steps.
+// The nominal building by the implicit path, thinned to most_of_history samples: displacement of the base's centre of
+// mass relative to the ground, and the sum of the bearings' forces, positive along the displacement.
 inline constexpr std::size_t most_of_history = 2000;
 struct NominalHistory {
   double step_s = 0.0;
   std::vector<double> x_mm, y_mm, shear_x_kN, shear_y_kN;
 };
 
-// Every bearing under the motion that moves the nominal building most, by the implicit path: of the first draw where
-// bearings are drawn, so that no two are alike.
+// Every bearing under the motion that moves the nominal building most, by the implicit path, thinned to most_of_loops
+// samples. If bearings are drawn this is the first drawn building, so that no two loops are alike.
 inline constexpr std::size_t most_of_loops = 500;
 struct BearingLoops {
   std::size_t motion = 0;
   bool drawn = false;
   double step_s = 0.0;
-  std::vector<double> x_mm, y_mm, rotation_rad;             // of the base's centre of mass
-  std::vector<std::vector<double>> force_x_kN, force_y_kN;  // [bearing]
+  std::vector<double> x_mm, y_mm, rotation_rad;             // motion of the base's centre of mass
+  std::vector<std::vector<double>> force_x_kN, force_y_kN;  // [bearing][sample]
 };
 
-// Of the nominal building, means over the motions: what a linear oscillator of one direction or two, 5 % damped, that
-// stands on a diaphragm feels (pseudo-acceleration).
+// Floor spectra: the pseudo-acceleration of a linear oscillator of these periods, 5 % damped, on a diaphragm of the
+// nominal building. It moves along x, and along y if the motion has it; means over the motions.
 inline constexpr double spectrum_damping = 0.05;
 std::vector<double> const& spectrum_periods_s();
 
 struct LawAnswer {
   std::string law;
   Coupling coupling = Coupling::coupled;
-  bool fitted_as_springs = false;           // of springs
+  bool fitted_as_springs = false;           // the parameters were fitted as springs
   std::size_t draws = 0, failed = 0;        // runs whose numbers are not finite
-  double worst_balance = 0.0;               // of the energy, of all runs
-  std::vector<Distribution> distributions;  // of quantities()
-  std::vector<Coverage> coverage;           // of each quantity that is not uncovered
-  std::vector<std::string> doubts;          // of its calibration
-  // Of a further law, the share of its draws whose displacement is between the bounds of the first law.
+  double worst_balance = 0.0;               // largest error of the energy balance over all runs
+  std::vector<Distribution> distributions;  // [quantity], as quantities()
+  std::vector<Coverage> coverage;           // for each quantity whose `uncovered` is empty
+  std::vector<Finding> doubts;              // about the law's calibration
+  // For every law but the first: share of its draws whose bearing displacement is between the first law's bounds.
   std::optional<double> by_first_bounds;
   std::vector<Checked> checked;
-  std::vector<NominalHistory> histories;  // of every motion
-  // Of every bearing, means over draws and motions: its largest displacement, its share of the work on all.
+  std::vector<NominalHistory> histories;  // [motion]
+  // [bearing], means over draws and motions: largest displacement, and share of the work done on all bearings.
   std::vector<double> bearing_mm, bearing_energy_share;
   BearingLoops loops = {};
   std::vector<std::vector<double>> floor_spectra_g = {};  // [diaphragm, the base first][period]
 };
 
-// How a law goes into the plane, in one word.
+// "coupled", "separate", "springs" or, with parameters fitted in one direction, "springs as given".
 std::string_view form(LawAnswer const& law);
 
 struct Answers {
   std::vector<LawAnswer> laws;
   double weight_kN = 0.0;
   std::vector<double> fixed_periods_s;
-  // Between laws, standard deviation of ln of their median largest isolator displacement; beside the lot's own.
+  // Standard deviation over the laws of ln(median bearing displacement), to be compared with the lot's lot_std_ln.
   std::optional<double> law_std_ln;
-  std::string verdict;
-  std::optional<bool> bounds_are_enough;  // none: nothing to cover, or too few draws to show it
-  std::vector<std::string> warnings;
-  std::vector<std::string> assumed;  // what the numbers stand on, a sentence each
-  std::vector<Point> corners;        // where the slab's corners were measured
+  std::vector<Finding> verdict;
+  std::optional<bool> bounds_are_enough;  // nullopt: nothing to cover, or too few draws to tell
+  std::vector<Finding> warnings;          // about the analyses of the building
+  std::vector<Finding> calibration;       // doubts about the laws, without repetitions
+  std::vector<std::string> assumed;       // the assumptions, a sentence each
+  std::vector<Point> corners;             // the slab's, where displacements were measured
 };
 Answers answer(Study const& study, RunStore const& store);
 
-// Clopper and Pearson's interval of a share.
-std::array<double, 2> binomial_interval(std::size_t found, std::size_t of, double level = 0.95);
+// Clopper and Pearson's confidence interval of the share found / trials; 0 to 1 without trials.
+std::array<double, 2> binomial_interval(std::size_t found, std::size_t trials, double level = 0.95);
 
-// Effective stiffness and damping of a bearing in its third cycle of this amplitude, along x.
+// Effective stiffness and damping ratio of a bearing in its third sine cycle of this amplitude along x, at 1 Hz. Forms
+// other than coupled ones are given the velocity 0: viscous forces of their laws do not count.
 struct Effective {
   double stiffness_kN_mm = 0.0, damping = 0.0;
 };
 Effective effective(std::string_view law, std::span<double const> parameters, double amplitude_mm, Coupling coupling);
 
-// Places for tested devices, given their stiffness at the design displacement: [place] -> device, so that the centre of
-// stiffness is as near as it comes to the centre of mass by exchanges of two. As many devices as places, or more.
+// Chooses a tested device for each place by their stiffness at the design displacement. Devices are exchanged in pairs
+// until no exchange brings the centre of stiffness nearer to `centre`, the centre of mass; this need not be the best
+// arrangement of all. There are at least as many devices as places.
 struct Arrangement {
-  std::vector<std::size_t> device;
-  double eccentricity_mm = 0.0, in_order_mm = 0.0;  // and of the devices as they came
+  std::vector<std::size_t> device;                  // [place]
+  double eccentricity_mm = 0.0, in_order_mm = 0.0;  // with this arrangement, and with the devices in order
 };
 Arrangement arrange(std::span<Point const> places, Point centre, std::span<double const> stiffness);
 
-// The nominal building under a motion, by the implicit path, with its history.
+// Computes the nominal building under a motion by the implicit path, with its history.
 Response nominal_run(Study const& study, LawSource const& source, Motion const& motion);
-// The same as CSV: the base's displacement and velocity relative to the ground, the bearings' force and every floor's
-// acceleration in space; along x, and y where the motion has it. Where the run did not complete, up to there.
+// The same as CSV: the base's displacement and velocity relative to the ground, the force on the bearings, every
+// diaphragm's acceleration in space; along x, and y if the motion has it. A run that failed ends where it failed.
 std::string history_csv(Response const& run, Motion const& motion);
 }  // namespace isolaw::building

@@ -17,12 +17,12 @@ class InPlaneBearing final : public Bearing {
       : law_(std::move(law)), length_(info.length.in_record_units), force_(info.force.in_record_units) {}
 
   BearingForce trial(Vector const& to, Vector const& velocity, double dt) override {
-    auto const made = law_.trial({to.x / length_, to.y / length_}, {velocity.x / length_, velocity.y / length_}, dt);
-    BearingForce out{.force = {force_ * made.force.x, force_ * made.force.y}};
+    auto const force = law_.trial({to.x / length_, to.y / length_}, {velocity.x / length_, velocity.y / length_}, dt);
+    BearingForce out{.force = {force_ * force.force.x, force_ * force.force.y}};
     for (std::size_t i = 0; i < 2; ++i)
       for (std::size_t j = 0; j < 2; ++j) {
-        out.by_displacement[i][j] = made.by_displacement[i][j] * force_ / length_;
-        out.by_velocity[i][j] = made.by_velocity[i][j] * force_ / length_;
+        out.by_displacement[i][j] = force.by_displacement[i][j] * force_ / length_;
+        out.by_velocity[i][j] = force.by_velocity[i][j] * force_ / length_;
       }
     return out;
   }
@@ -34,21 +34,21 @@ class InPlaneBearing final : public Bearing {
   double length_, force_;
 };
 
-// A law of one direction. Until it first goes further than `rest_mm` it is its first tangents: of a direction in which
-// nothing moves it rounding does, and laws with a power of the displacement have no tangent there that Newton's method
-// could follow.
+// A law of one direction. Until the bearing first moves further than `rest_mm` the law's tangents at rest replace it.
+// In a direction without motion it moves by rounding only, and there laws with a power of the displacement have no
+// tangent that Newton's method could follow.
 class OneDirection {
  public:
   OneDirection(laws::Online const& law, laws::LawInfo const& info)
       : law_(law), length_(info.length.in_record_units), force_(info.force.in_record_units), first_(law_.trial(0, 0)) {}
 
-  // Force, and its derivatives by place and velocity, in the record's units.
+  // In kN, mm and s.
   laws::Online::Force trial(double x_mm, double v_mm_s) {
     goes_ = went_ || std::abs(x_mm) > rest_mm;
     double const x = x_mm / length_, v = v_mm_s / length_;
-    auto made = goes_ ? law_.trial(x, v) : first_;
-    if (!goes_) made.force += made.by_x * x + made.by_v * v;
-    return {force_ * made.force, force_ / length_ * made.by_x, force_ / length_ * made.by_v};
+    auto force = goes_ ? law_.trial(x, v) : first_;
+    if (!goes_) force.force += force.by_x * x + force.by_v * v;
+    return {force_ * force.force, force_ / length_ * force.by_x, force_ / length_ * force.by_v};
   }
   void commit() {
     if (goes_) law_.commit();

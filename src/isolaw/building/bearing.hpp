@@ -1,5 +1,5 @@
-// A bearing as the implicit integrator sees it: whatever its law, the force at the end of a straight step in plan, with
-// its tangents. Units kN, mm, s.
+// A bearing as the integrators see it: the force at the end of a straight step in plan and its tangents, for any law.
+// Units kN, mm, s.
 #pragma once
 
 #include <memory>
@@ -21,24 +21,24 @@ struct BearingForce {
 class Bearing {
  public:
   virtual ~Bearing() = default;
-  // At the end of a straight step from the place last committed, `velocity` there, `dt` long.
+  // The force after a straight step of duration dt from the last committed place to `to`, with `velocity` at its end.
   virtual BearingForce trial(Vector const& to, Vector const& velocity, double dt) = 0;
-  // Takes the last trial.
+  // Makes the last trial the committed state.
   virtual void commit() = 0;
-  // As it is now, with its history.
+  // An independent copy with the same history.
   virtual std::unique_ptr<Bearing> copy() const = 0;
 };
 
-// How a law of one direction goes into the plane (laws/in_plane.hpp).
+// How a law of one direction is used in the plane (laws/in_plane.hpp).
 enum class Coupling {
-  coupled,  // the law of the plane that takes the same parameters
-  springs,  // any law, as springs around the circle
-  separate  // one for each direction, which know nothing of one another: exact for motions along x or y alone
+  coupled,  // a law of the plane with the same parameters
+  springs,  // springs around the circle, for any law
+  separate  // the law once along x and once along y, independent: exact for motions along x or y alone
 };
-// coupled where the law with these parameters has such a form, else springs.
+// coupled if the law with these parameters has such a form, else springs.
 Coupling coupling_of(std::string_view law, std::span<double const> parameters);
 
-// At rest at its place. Throws Error: a law that is not there, values of another number, no such form.
+// A virgin bearing at rest. Throws Error for an unknown law, another number of parameters, or a form that it lacks.
 std::unique_ptr<Bearing> make_bearing(std::string_view law, std::span<double const> parameters, Coupling coupling);
 
 }  // namespace isolaw::building

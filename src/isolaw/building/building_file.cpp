@@ -21,7 +21,7 @@ namespace {
 constexpr double mm_in_m = 1e3;
 constexpr std::size_t most_bearings = 2000, most_floors = 100;
 
-// The tables as they stand in the file, in its units.
+// The tables of a file in its units, with the template's values. Except for [[motion]] they are the defaults too.
 struct BaseRow {
   double mass_Mg = 700.0, gyration_m = 9.0, x_m = 0.0, y_m = 0.0;
 };
@@ -57,11 +57,11 @@ using TomlKey = FileKey<Target>;
 template <class Target>
 using TomlKeys = std::vector<TomlKey<Target>>;
 
-template <class Target, class Place>
-TomlKey<Target> real(std::string_view key, std::string help, Place place, Limits limits = {}, bool required = false) {
-  auto made = number<Target>(key, help, place, std::move(limits));
-  made.help = std::move(help);
-  return {std::move(made), required};
+template <class Target, class Access>
+TomlKey<Target> real(std::string_view key, std::string help, Access place, Limits limits = {}, bool required = false) {
+  auto option = number<Target>(key, help, place, std::move(limits));
+  option.help = std::move(help);
+  return {std::move(option), required};
 }
 template <class Target>
 TomlKey<Target> text(std::string_view key, std::string help, std::string Target::*place, bool required = false) {
@@ -77,11 +77,11 @@ Limits positive(double most = 1e9) {
 
 TomlKeys<Settings> const& settings_keys() {
   static TomlKeys<Settings> const keys = [] {
-    TomlKeys<Settings> made;
-    made.push_back(text("title", "of the report", &Settings::title));
-    made.push_back({{{.key = "laws",
+    TomlKeys<Settings> rows;
+    rows.push_back(text("title", "title of the report", &Settings::title));
+    rows.push_back({{{.key = "laws",
                       .kind = Kind::list,
-                      .help = "to compare, by their ids; none: the one that the campaign recommends"},
+                      .help = "laws to compare, by id; an empty list: the one that the campaign recommends"},
                      [](Settings const& s) -> Json { return s.laws; },
                      [](Settings& s, Json const& value) {
                        s.laws.clear();
@@ -89,92 +89,95 @@ TomlKeys<Settings> const& settings_keys() {
                          s.laws.emplace_back(laws::find_law(text_in(law)).info.id);
                      }},
                     false});
-    made.push_back(real<Settings>("draws", "buildings drawn: every bearing that is a draw becomes a device of its own",
+    rows.push_back(real<Settings>("draws",
+                                  "buildings to draw; each draws a device of its own for every bearing marked draw",
                                   at(&Settings::draws), {.least = 1, .most = 1e6}));
-    made.push_back(real<Settings>("populations",
-                                  "populations as uncertain as the few tests leave them, each with some draws; 0: none",
+    rows.push_back(real<Settings>("populations",
+                                  "re-estimated lots, which show how uncertain a few tests leave the lot; 0: none",
                                   at(&Settings::populations), {.least = 0, .most = 1e4}));
-    made.push_back(real<Settings>("draws_of_each", "draws of each of them", at(&Settings::draws_of_each),
-                                  {.least = 2, .most = 1e4}));
-    made.push_back(real<Settings>("seed", "of all draws", at(&Settings::seed), {.least = 0, .most = 2147483647}));
-    made.push_back(real<Settings>("damping", "ratio of critical, of every mode of the superstructure on a fixed base",
+    rows.push_back(real<Settings>("draws_of_each", "buildings to draw from each of these lots",
+                                  at(&Settings::draws_of_each), {.least = 2, .most = 1e4}));
+    rows.push_back(real<Settings>("seed", "seed of all draws", at(&Settings::seed), {.least = 0, .most = 2147483647}));
+    rows.push_back(real<Settings>("damping", "damping ratio of every mode of the superstructure on a fixed base",
                                   at(&Settings::damping), {.least = 0.0, .most = 0.5}));
-    made.push_back(real<Settings>("lower", "factor on the forces of every bearing in the lower bound analysis",
+    rows.push_back(real<Settings>("lower", "factor on the force of every bearing in the lower bound analysis",
                                   at(&Settings::lower), {.least = 0.05, .most = 1.0}, true));
-    made.push_back(
-        real<Settings>("upper", "and in the upper", at(&Settings::upper), {.least = 1.0, .most = 20.0}, true));
-    made.push_back(
-        real<Settings>("step_s", "longest step of integration", at(&Settings::step_s), {.least = 1e-5, .most = 0.05}));
-    made.push_back(real<Settings>("rest_s",
-                                  "seconds without motion of the ground after it, until what remains is measured",
-                                  at(&Settings::rest_s), {.least = 0.0, .most = 120.0}));
-    return made;
+    rows.push_back(real<Settings>("upper", "and in the upper bound analysis", at(&Settings::upper),
+                                  {.least = 1.0, .most = 20.0}, true));
+    rows.push_back(
+        real<Settings>("step_s", "longest integration step", at(&Settings::step_s), {.least = 1e-5, .most = 0.05}));
+    rows.push_back(real<Settings>(
+        "rest_s", "seconds to continue after the ground motion ends, before the residual displacement is read",
+        at(&Settings::rest_s), {.least = 0.0, .most = 120.0}));
+    return rows;
   }();
   return keys;
 }
 
 template <class Row>
-void slab_keys(TomlKeys<Row>& made) {
-  made.push_back(real<Row>("mass_Mg", "mass in Mg (t)", at(&Row::mass_Mg), positive(), true));
-  made.push_back(
-      real<Row>("gyration_m", "radius of gyration about the vertical", at(&Row::gyration_m), positive(1e4), true));
+void slab_keys(TomlKeys<Row>& rows) {
+  rows.push_back(real<Row>("mass_Mg", "mass in Mg (t)", at(&Row::mass_Mg), positive(), true));
+  rows.push_back(
+      real<Row>("gyration_m", "radius of gyration about the vertical axis", at(&Row::gyration_m), positive(1e4), true));
 }
 template <class Row>
-void place_keys(TomlKeys<Row>& made, std::string const& of) {
+void place_keys(TomlKeys<Row>& rows, std::string const& point) {
   Limits const within{.least = -1e4, .most = 1e4};
-  made.push_back(real<Row>("x_m", of + " in plan", at(&Row::x_m), within));
-  made.push_back(real<Row>("y_m", "", at(&Row::y_m), within));
+  rows.push_back(real<Row>("x_m", point + " in plan", at(&Row::x_m), within));
+  rows.push_back(real<Row>("y_m", "", at(&Row::y_m), within));
 }
 
 TomlKeys<BaseRow> const& base_keys() {
   static auto const keys = [] {
-    TomlKeys<BaseRow> made;
-    slab_keys(made);
-    place_keys(made, "centre of mass");
-    return made;
+    TomlKeys<BaseRow> rows;
+    slab_keys(rows);
+    place_keys(rows, "centre of mass");
+    return rows;
   }();
   return keys;
 }
 TomlKeys<EqualFloors> const& equal_floors_keys() {
   static auto const keys = [] {
-    TomlKeys<EqualFloors> made{real<EqualFloors>("count", "floors above the base slab", at(&EqualFloors::count),
+    TomlKeys<EqualFloors> rows{real<EqualFloors>("count", "floors above the base slab", at(&EqualFloors::count),
                                                  {.least = 0, .most = most_floors}, true)};
-    slab_keys(made);
-    made.push_back(real<EqualFloors>("period_x_s", "first period on a fixed base", at(&EqualFloors::period_x_s),
+    slab_keys(rows);
+    rows.push_back(real<EqualFloors>("period_x_s", "first period on a fixed base", at(&EqualFloors::period_x_s),
                                      positive(100.0), true));
-    made.push_back(real<EqualFloors>("period_y_s", "", at(&EqualFloors::period_y_s), positive(100.0), true));
-    made.push_back(real<EqualFloors>("rotation_ratio", "first rotation's frequency over the lower of the two",
+    rows.push_back(real<EqualFloors>("period_y_s", "", at(&EqualFloors::period_y_s), positive(100.0), true));
+    rows.push_back(real<EqualFloors>("rotation_ratio",
+                                     "frequency of the first torsional mode over the lower of these two",
                                      at(&EqualFloors::rotation_ratio), positive(100.0)));
-    return made;
+    return rows;
   }();
   return keys;
 }
 TomlKeys<FloorRow> const& floor_keys() {
   static auto const keys = [] {
-    TomlKeys<FloorRow> made;
-    slab_keys(made);
-    place_keys(made, "centre of mass");
+    TomlKeys<FloorRow> rows;
+    slab_keys(rows);
+    place_keys(rows, "centre of mass");
     Limits const within{.least = -1e4, .most = 1e4};
-    made.push_back(real<FloorRow>("stiffness_x_kN_per_mm", "of the storey below it",
+    rows.push_back(real<FloorRow>("stiffness_x_kN_per_mm", "stiffness of the storey below it",
                                   at(&FloorRow::stiffness_x_kN_per_mm), positive(1e12), true));
-    made.push_back(
+    rows.push_back(
         real<FloorRow>("stiffness_y_kN_per_mm", "", at(&FloorRow::stiffness_y_kN_per_mm), positive(1e12), true));
-    made.push_back(real<FloorRow>("stiffness_rotation_GNm", "GN m per radian, about its centre of stiffness",
+    rows.push_back(real<FloorRow>("stiffness_rotation_GNm",
+                                  "torsional stiffness in GN m per radian, about its centre of stiffness",
                                   at(&FloorRow::stiffness_rotation_GNm), positive(1e12), true));
-    made.push_back(
+    rows.push_back(
         real<FloorRow>("stiffness_at_x_m", "centre of stiffness in plan", at(&FloorRow::stiffness_at_x_m), within));
-    made.push_back(real<FloorRow>("stiffness_at_y_m", "", at(&FloorRow::stiffness_at_y_m), within));
-    return made;
+    rows.push_back(real<FloorRow>("stiffness_at_y_m", "", at(&FloorRow::stiffness_at_y_m), within));
+    return rows;
   }();
   return keys;
 }
 constexpr std::string_view stands_help =
-    "draw: a device of the lot's population; lot: its law; lower, upper: its law times that factor; else the name of a tested device";
+    "draw: a device drawn from the lot; lot: the lot's law; lower, upper: that law times the factor above; or the name of a tested device";
 TomlKeys<GridRow> const& grid_keys() {
   static auto const keys = [] {
     Limits const many{.least = 1, .most = 200};
     return TomlKeys<GridRow>{
-        real<GridRow>("along", "bearings along x, about the middle of the plan", at(&GridRow::along), many, true),
+        real<GridRow>("along", "bearings along x, centred on the plan", at(&GridRow::along), many, true),
         real<GridRow>("across", "and along y", at(&GridRow::across), many, true),
         real<GridRow>("spacing_x_m", "", at(&GridRow::spacing_x_m), positive(1e3), true),
         real<GridRow>("spacing_y_m", "", at(&GridRow::spacing_y_m), positive(1e3), true),
@@ -203,26 +206,28 @@ TomlKeys<PlanRow> const& plan_keys() {
 }
 TomlKeys<MotionRow> const& motion_keys() {
   static auto const keys = TomlKeys<MotionRow>{
-      text("x", "file of the ground's acceleration along x: AT2, or columns with units", &MotionRow::x, true),
-      text("y", "and along y; none: one component", &MotionRow::y),
-      real<MotionRow>("scale", "factor on both", at(&MotionRow::scale), positive(1e3)),
+      text("x", "file of the ground acceleration along x: AT2, or columns with units", &MotionRow::x, true),
+      text("y", "and along y; leave out for a single component", &MotionRow::y),
+      real<MotionRow>("scale", "factor on both accelerations", at(&MotionRow::scale), positive(1e3)),
       real<MotionRow>("step_s", "seconds between samples, for files without time", at(&MotionRow::step_s),
                       positive(10.0))};
   return keys;
 }
 
-// What stands in a table of the file, and how the template says it.
+// A table's name in the file, and its explanation in the template.
 struct TableInfo {
   std::string_view name, help;
 };
-constexpr TableInfo of_settings{"building", "What is asked. Lengths in m, masses in Mg (t), time in s."},
-    of_base{"base", "The slab on the bearings. Every place in plan is in one system of axes."},
-    of_floors{"floors", "Equal floors; or [[floor]] for each, from below."},
-    of_floor{"floor", "One floor and the storey below it, in place of [floors]."},
-    of_grid{"grid", "Bearings in equal distances; or [[bearing]] for each."},
-    of_bearing{"bearing", "One bearing, in place of or beside [grid]."},
-    of_plan{"plan", "The slab's edges: where its corners are measured, and no bearing may stand outside."},
-    of_motion{"motion", "One for each motion; files beside this one, or isolaw building --motion in their place."};
+constexpr TableInfo settings_info{"building", "The analysis. Lengths in m, masses in Mg (t), times in s."},
+    base_info{"base", "The slab on the bearings. All coordinates in plan share one system of axes."},
+    floors_info{"floors", "Equal floors; or one [[floor]] for each, from the lowest up."},
+    floor_info{"floor", "One floor and the storey below it, instead of [floors]."},
+    grid_info{"grid", "Bearings on a regular grid; or one [[bearing]] for each."},
+    bearing_info{"bearing", "One bearing, instead of or besides [grid]."},
+    plan_info{"plan",
+              "The edges of the slab. Its corners are where displacements are reported; no bearing may stand outside."},
+    motion_info{"motion",
+                "One ground motion each; files relative to this one. isolaw building --motion replaces them."};
 
 template <class Row>
 void read_row(toml::table const& from, std::string const& file, TableInfo const& info, TomlKeys<Row> const& keys,
@@ -249,24 +254,24 @@ std::optional<Row> read_table(TomlTable& root, std::string const& file, TableInf
 template <class Row>
 std::vector<Row> read_tables(TomlTable& root, std::string const& file, TableInfo const& info, TomlKeys<Row> const& keys,
                              Row const& usual, std::size_t most, std::vector<Complaint>& complaints) {
-  std::vector<Row> made;
+  std::vector<Row> rows;
   auto const* node = root.find(info.name);
-  if (node == nullptr) return made;
+  if (node == nullptr) return rows;
   auto const* list = node->as_array();
   if (list == nullptr || list->size() > most || !list->is_homogeneous(toml::node_type::table)) {
     root.complain(*node, fmt::format("'{}' is no list of tables", info.name),
                   fmt::format("[[{}]], {} of them at most", info.name, most));
-    return made;
+    return rows;
   }
-  for (auto const& item : *list) read_row(*item.as_table(), file, info, keys, made.emplace_back(usual), complaints);
-  return made;
+  for (auto const& item : *list) read_row(*item.as_table(), file, info, keys, rows.emplace_back(usual), complaints);
+  return rows;
 }
 
 BearingPlace place_of(double x_m, double y_m, std::string const& is) {
-  BearingPlace made{.at = {x_m * mm_in_m, y_m * mm_in_m}, .stands = Stands::device, .device = is};
+  BearingPlace bearing{.at = {x_m * mm_in_m, y_m * mm_in_m}, .stands = Stands::device, .device = is};
   for (auto const stands : {Stands::draw, Stands::lot, Stands::lower, Stands::upper})
-    if (is == name(stands)) made = {.at = made.at, .stands = stands, .device = {}};
-  return made;
+    if (is == name(stands)) bearing = {.at = bearing.at, .stands = stands, .device = {}};
+  return bearing;
 }
 
 Motion motion_of(std::filesystem::path const& folder, MotionRow const& row) {
@@ -275,23 +280,23 @@ Motion motion_of(std::filesystem::path const& folder, MotionRow const& row) {
     return path.is_absolute() ? path : folder / path;
   };
   auto const x = data::read_ground_motion(in(row.x), row.step_s);
-  Motion made{
+  Motion motion{
       .name = std::filesystem::path(row.x).stem().string(), .step_s = x.step_s, .x_mm_s2 = x.acceleration_mm_s2};
   if (!row.y.empty()) {
     auto const y = data::read_ground_motion(in(row.y), row.step_s);
-    if (y.acceleration_mm_s2.size() != made.x_mm_s2.size() || std::abs(y.step_s - x.step_s) > 1e-6 * x.step_s)
+    if (y.acceleration_mm_s2.size() != motion.x_mm_s2.size() || std::abs(y.step_s - x.step_s) > 1e-6 * x.step_s)
       throw Error({.where = y.file,
                    .found = fmt::format("{} samples every {:.6g} s, and {} has {} every {:.6g} s",
-                                        y.acceleration_mm_s2.size(), y.step_s, x.file, made.x_mm_s2.size(), x.step_s),
+                                        y.acceleration_mm_s2.size(), y.step_s, x.file, motion.x_mm_s2.size(), x.step_s),
                    .allowed = "two components of one length and step"});
-    made.y_mm_s2 = y.acceleration_mm_s2;
+    motion.y_mm_s2 = y.acceleration_mm_s2;
   }
-  for (double& a : made.x_mm_s2) a *= row.scale;
-  for (double& a : made.y_mm_s2) a *= row.scale;
-  return made;
+  for (double& a : motion.x_mm_s2) a *= row.scale;
+  for (double& a : motion.y_mm_s2) a *= row.scale;
+  return motion;
 }
 
-// As a parser makes it, but that nothing stands on a line.
+// Converts JSON to what the parser makes of a file, but without line numbers.
 toml::table table_of(Json const& value, int depth);
 toml::array array_of(Json const& value, int depth);
 template <class Insert>
@@ -305,18 +310,18 @@ void insert_toml(Json const& value, int depth, Insert const& insert) {
   if (value.is_number_integer()) return insert(value.get<std::int64_t>());
   if (value.is_number()) return insert(value.get<double>());
   if (value.is_string()) return insert(value.get<std::string>());
-  // null: not given
+  // null counts as not given
 }
 toml::table table_of(Json const& value, int depth) {
-  toml::table made;
+  toml::table table;
   for (auto const& [key, item] : value.items())
-    insert_toml(item, depth + 1, [&, name = key](auto node) { made.insert(name, std::move(node)); });
-  return made;
+    insert_toml(item, depth + 1, [&, name = key](auto node) { table.insert(name, std::move(node)); });
+  return table;
 }
 toml::array array_of(Json const& value, int depth) {
-  toml::array made;
-  for (auto const& item : value) insert_toml(item, depth + 1, [&](auto node) { made.push_back(std::move(node)); });
-  return made;
+  toml::array array;
+  for (auto const& item : value) insert_toml(item, depth + 1, [&](auto node) { array.push_back(std::move(node)); });
+  return array;
 }
 
 MotionRow row_of(std::string const& files) {
@@ -375,13 +380,13 @@ std::string_view name(Stands stands) {
 }
 
 Plan BuildingFile::plan() const {
-  Plan made;
-  for (auto const& bearing : bearings) made.bearings.push_back(bearing.at);
+  Plan places;
+  for (auto const& bearing : bearings) places.bearings.push_back(bearing.at);
   if (plan_mm) {
     auto const [left, right, front, back] = *plan_mm;
-    made.corners = {{left, front}, {left, back}, {right, front}, {right, back}};
+    places.corners = {{left, front}, {left, back}, {right, front}, {right, back}};
   }
-  return made;
+  return places;
 }
 
 bool BuildingFile::along_x_alone() const {
@@ -395,14 +400,14 @@ std::string building_template() {
   settings.title = "Five floors on 28 bearings";
   settings.lower = 0.9;
   settings.upper = 1.1;
-  write_table(out, of_settings, settings_keys(), settings, false, true);
-  write_table(out, of_base, base_keys(), BaseRow{}, false, true);
-  write_table(out, of_floors, equal_floors_keys(), EqualFloors{}, false, true);
-  write_table(out, of_floor, floor_keys(), FloorRow{}, true, false);
-  write_table(out, of_grid, grid_keys(), GridRow{}, false, true);
-  write_table(out, of_bearing, bearing_keys(), BearingRow{}, true, false);
-  write_table(out, of_plan, plan_keys(), PlanRow{}, false, true);
-  write_table(out, of_motion, motion_keys(), MotionRow{}, true, true);
+  write_table(out, settings_info, settings_keys(), settings, false, true);
+  write_table(out, base_info, base_keys(), BaseRow{}, false, true);
+  write_table(out, floors_info, equal_floors_keys(), EqualFloors{}, false, true);
+  write_table(out, floor_info, floor_keys(), FloorRow{}, true, false);
+  write_table(out, grid_info, grid_keys(), GridRow{}, false, true);
+  write_table(out, bearing_info, bearing_keys(), BearingRow{}, true, false);
+  write_table(out, plan_info, plan_keys(), PlanRow{}, false, true);
+  write_table(out, motion_info, motion_keys(), MotionRow{}, true, true);
   return out;
 }
 
@@ -415,17 +420,17 @@ Motion read_motion(std::string const& files) {
 }
 
 std::vector<Motion> read_motions(std::vector<std::string> const& files) {
-  std::vector<Motion> made;
+  std::vector<Motion> motions;
   std::vector<Complaint> complaints;
   for (auto const& file : files) {
     try {
-      made.push_back(read_motion(file));
+      motions.push_back(read_motion(file));
     } catch (Error const& error) {
       complaints.insert(complaints.end(), error.complaints().begin(), error.complaints().end());
     }
   }
   if (!complaints.empty()) throw Error(std::move(complaints));
-  return made;
+  return motions;
 }
 
 void require_sound(Motion const& motion) {
@@ -449,48 +454,48 @@ void require_sound(Motion const& motion) {
 namespace {
 
 BuildingFile read_parsed(toml::table parsed, std::string const& name, std::filesystem::path const& folder,
-                         InPlace const& in_place) {
+                         ReplacedKeys const& in_place) {
   if (!in_place.settings.empty()) {
-    auto* const settings = parsed.insert(of_settings.name, toml::table()).first->second.as_table();
+    auto* const settings = parsed.insert(settings_info.name, toml::table()).first->second.as_table();
     for (auto const& [key, value] : in_place.settings)
       if (settings != nullptr)
         insert_toml(value, 0, [&, name = key](auto node) { settings->insert_or_assign(name, std::move(node)); });
   }
   std::vector<Complaint> complaints;
   TomlTable root(parsed, name, "", complaints);
-  BuildingFile made{.file = name, .settings = {}, .frame = {}, .bearings = {}, .plan_mm = {}, .motions = {}};
-  auto const settings = read_table(root, name, of_settings, settings_keys(), Settings{}, complaints);
-  auto const base = read_table(root, name, of_base, base_keys(), BaseRow{}, complaints);
-  auto const equal = read_table(root, name, of_floors, equal_floors_keys(), EqualFloors{}, complaints);
-  auto const floors = read_tables(root, name, of_floor, floor_keys(), FloorRow{}, most_floors, complaints);
-  auto const grid = read_table(root, name, of_grid, grid_keys(), GridRow{}, complaints);
-  auto const bearings = read_tables(root, name, of_bearing, bearing_keys(), BearingRow{}, most_bearings, complaints);
-  auto const plan = read_table(root, name, of_plan, plan_keys(), PlanRow{}, complaints);
-  auto rows = read_tables(root, name, of_motion, motion_keys(), MotionRow{.x = {}, .y = {}, .scale = 1.0, .step_s = {}},
-                          1000, complaints);
+  BuildingFile file{.file = name, .settings = {}, .frame = {}, .bearings = {}, .plan_mm = {}, .motions = {}};
+  auto const settings = read_table(root, name, settings_info, settings_keys(), Settings{}, complaints);
+  auto const base = read_table(root, name, base_info, base_keys(), BaseRow{}, complaints);
+  auto const equal = read_table(root, name, floors_info, equal_floors_keys(), EqualFloors{}, complaints);
+  auto const floors = read_tables(root, name, floor_info, floor_keys(), FloorRow{}, most_floors, complaints);
+  auto const grid = read_table(root, name, grid_info, grid_keys(), GridRow{}, complaints);
+  auto const bearings = read_tables(root, name, bearing_info, bearing_keys(), BearingRow{}, most_bearings, complaints);
+  auto const plan = read_table(root, name, plan_info, plan_keys(), PlanRow{}, complaints);
+  auto rows = read_tables(root, name, motion_info, motion_keys(),
+                          MotionRow{.x = {}, .y = {}, .scale = 1.0, .step_s = {}}, 1000, complaints);
   root.refuse_unknown();
   auto const lacks = [&](TableInfo const& info, std::string const& allowed) {
     root.complain(fmt::format("no [{}]", info.name), allowed, "isolaw building --template");
   };
-  if (!settings) lacks(of_settings, "what is asked, with the bounds' factors");
-  if (!base) lacks(of_base, "the slab on the bearings");
+  if (!settings) lacks(settings_info, "what is asked, with the bounds' factors");
+  if (!base) lacks(base_info, "the slab on the bearings");
   if (equal && !floors.empty()) root.complain("[floors] and [[floor]]", "one of them");
   if (!grid && bearings.empty())
     root.complain("no bearings", "[grid], or [[bearing]] with their places", "isolaw building --template");
 
-  if (settings) made.settings = *settings;
+  if (settings) file.settings = *settings;
   if (base)
-    made.frame.base = {.mass_Mg = base->mass_Mg,
+    file.frame.base = {.mass_Mg = base->mass_Mg,
                        .gyration_mm = base->gyration_m * mm_in_m,
                        .centre = {base->x_m * mm_in_m, base->y_m * mm_in_m}};
-  made.frame.damping = {made.settings.damping};
+  file.frame.damping = {file.settings.damping};
   if (equal)
-    made.frame.floors = equal_floors(
+    file.frame.floors = equal_floors(
         static_cast<std::size_t>(equal->count),
-        {.mass_Mg = equal->mass_Mg, .gyration_mm = equal->gyration_m * mm_in_m, .centre = made.frame.base.centre},
+        {.mass_Mg = equal->mass_Mg, .gyration_mm = equal->gyration_m * mm_in_m, .centre = file.frame.base.centre},
         equal->period_x_s, equal->period_y_s, equal->rotation_ratio);
   for (auto const& floor : floors)
-    made.frame.floors.push_back(
+    file.frame.floors.push_back(
         {.below = storey(floor.stiffness_x_kN_per_mm, floor.stiffness_y_kN_per_mm, floor.stiffness_rotation_GNm * 1e9,
                          {floor.stiffness_at_x_m * mm_in_m, floor.stiffness_at_y_m * mm_in_m}),
          .slab = {.mass_Mg = floor.mass_Mg,
@@ -499,26 +504,26 @@ BuildingFile read_parsed(toml::table parsed, std::string const& name, std::files
   double middle_x = 0.0, middle_y = 0.0;
   if (plan) {
     if (!(plan->left_m < plan->right_m) || !(plan->front_m < plan->back_m))
-      root.complain(*root.find(of_plan.name), "edges in the wrong order", "left_m < right_m, front_m < back_m");
-    made.plan_mm =
+      root.complain(*root.find(plan_info.name), "edges in the wrong order", "left_m < right_m, front_m < back_m");
+    file.plan_mm =
         std::array{plan->left_m * mm_in_m, plan->right_m * mm_in_m, plan->front_m * mm_in_m, plan->back_m * mm_in_m};
     middle_x = 0.5 * (plan->left_m + plan->right_m), middle_y = 0.5 * (plan->front_m + plan->back_m);
   }
   if (grid)
     for (int i = 0; i < grid->along; ++i)
       for (int j = 0; j < grid->across; ++j)
-        made.bearings.push_back(place_of(middle_x + (i - 0.5 * (grid->along - 1)) * grid->spacing_x_m,
+        file.bearings.push_back(place_of(middle_x + (i - 0.5 * (grid->along - 1)) * grid->spacing_x_m,
                                          middle_y + (j - 0.5 * (grid->across - 1)) * grid->spacing_y_m, grid->is));
-  for (auto const& b : bearings) made.bearings.push_back(place_of(b.x_m, b.y_m, b.is));
-  if (made.bearings.size() > most_bearings)
-    root.complain(fmt::format("{} bearings", made.bearings.size()), fmt::format("{} at most", most_bearings));
-  if (made.plan_mm)
-    for (std::size_t i = 0; i < made.bearings.size(); ++i) {
-      auto const [x, y] = made.bearings[i].at;
-      auto const [left, right, front, back] = *made.plan_mm;
+  for (auto const& b : bearings) file.bearings.push_back(place_of(b.x_m, b.y_m, b.is));
+  if (file.bearings.size() > most_bearings)
+    root.complain(fmt::format("{} bearings", file.bearings.size()), fmt::format("{} at most", most_bearings));
+  if (file.plan_mm)
+    for (std::size_t i = 0; i < file.bearings.size(); ++i) {
+      auto const [x, y] = file.bearings[i].at;
+      auto const [left, right, front, back] = *file.plan_mm;
       if (x < left || x > right || y < front || y > back) {
         root.complain(
-            *root.find(of_plan.name),
+            *root.find(plan_info.name),
             fmt::format("bearing {} at ({:g}, {:g}) m stands outside the plan", i + 1, x / mm_in_m, y / mm_in_m),
             fmt::format("{:g} to {:g} m along x, {:g} to {:g} m along y", left / mm_in_m, right / mm_in_m,
                         front / mm_in_m, back / mm_in_m));
@@ -527,7 +532,7 @@ BuildingFile read_parsed(toml::table parsed, std::string const& name, std::files
     }
   auto const take = [&](auto const& sound) {
     try {
-      made.motions.push_back(sound());
+      file.motions.push_back(sound());
     } catch (Error const& error) {
       complaints.insert(complaints.end(), error.complaints().begin(), error.complaints().end());
     }
@@ -538,24 +543,24 @@ BuildingFile read_parsed(toml::table parsed, std::string const& name, std::files
   if (in_place.motions.empty() && rows.empty())
     root.complain("no motions", "[[motion]], or --motion FILES", "isolaw building --template");
   throw_complaints(std::move(complaints), name);
-  return made;
+  return file;
 }
 
 }  // namespace
 
 BuildingFile read_building_text(std::string_view content, std::string const& name, std::filesystem::path const& folder,
-                                InPlace const& in_place) {
+                                ReplacedKeys const& in_place) {
   return read_parsed(parse_toml(content, name, {.kind = "building file", .advice = "isolaw building --template"}), name,
                      folder, in_place);
 }
 
-BuildingFile building_of(Json const& tables, InPlace const& in_place) {
+BuildingFile building_of(Json const& tables, ReplacedKeys const& in_place) {
   if (!tables.is_object())
     throw Error({.where = "building", .found = shown(tables), .allowed = "tables as a building file has them"});
   return read_parsed(table_of(tables, 0), "building", {}, in_place);
 }
 
-BuildingFile read_building(std::filesystem::path const& file, InPlace const& in_place) {
+BuildingFile read_building(std::filesystem::path const& file, ReplacedKeys const& in_place) {
   return read_building_text(read_file(file, {.largest_bytes = 1 << 20,
                                              .allowed = "a building file",
                                              .when_too_large = "isolaw building --template"}),

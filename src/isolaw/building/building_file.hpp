@@ -1,5 +1,5 @@
-// BUILDING.toml: a building on bearings, the motions it is shaken with and what is asked of it. Each key is one row of
-// a table, from which the reader, the messages and the template are made.
+// Reads BUILDING.toml: a building on bearings, the ground motions and the analyses to compute. Each key is one row of a
+// table, which the reader, the messages and the template share.
 #pragma once
 
 #include <array>
@@ -15,27 +15,27 @@
 
 namespace isolaw::building {
 
-// What is asked, [building].
+// The table [building].
 struct Settings {
   std::string title;
-  std::vector<std::string> laws;  // empty: the one that the campaign recommends
+  std::vector<std::string> laws;  // empty: the law that the campaign recommends
   int draws = 1000;
-  int populations = 0;  // drawn again of the tests' own uncertainty; 0: the population is taken as known
+  int populations = 0;  // estimated again within the tests' uncertainty; 0: the population is taken as known
   int draws_of_each = 20;
   int seed = 1;
   double damping = 0.02;
-  double lower = 0.0, upper = 0.0;  // factors on the forces of every bearing: the bound analyses
+  double lower = 0.0, upper = 0.0;  // factors of the bound analyses, on the forces of every bearing
   double step_s = 0.005;
   double rest_s = 5.0;
 };
 
-// What stands at a place.
+// The device at a place: drawn from the lot, the lot's law, a tested one, or the lot's law times a bound's factor.
 enum class Stands { draw, lot, device, lower, upper };
-std::string_view name(Stands stands);  // as a building file says it; of a device its name stands there
+std::string_view name(Stands stands);  // the word of building files; "tested device", for which they have the name
 struct BearingPlace {
   Point at;
   Stands stands = Stands::draw;
-  std::string device;  // of Stands::device
+  std::string device;  // name; empty unless Stands::device
 };
 
 struct BuildingFile {
@@ -47,38 +47,39 @@ struct BuildingFile {
   std::vector<Motion> motions;
 
   Plan plan() const;
-  // No motion shakes it along y.
+  // Whether no motion has a component along y.
   bool along_x_alone() const;
 };
 
-// A key of a table of the file; those of [building] are Python's keywords too. What is required has no usual value.
+// A key in a table of the file. Those of [building] are Python's keywords too. A required key has no default.
 template <class Target>
 struct FileKey : Option<Target> {
   bool required = false;
 };
 std::span<FileKey<Settings> const> settings_table();
 
-// In place of what a building file has.
-struct InPlace {
-  std::vector<Motion> motions = {};  // of those of the file, where there are any
-  isolaw::Values settings = {};      // of the keys of [building], by key
+// Values that replace those of a building file.
+struct ReplacedKeys {
+  std::vector<Motion> motions = {};  // if there are any, they replace all motions
+  isolaw::Values settings = {};      // by key of [building]
 };
 
-// A motion of a file, "x.AT2", or of two, "x.AT2,y.AT2". Throws Error.
+// Reads a motion from one file, "x.AT2", or two, "x.AT2,y.AT2". Throws Error.
 Motion read_motion(std::string const& files);
-// The same of many: one Error of everything wrong.
+// Reads many; throws one Error with the complaints about all of them.
 std::vector<Motion> read_motions(std::vector<std::string> const& files);
-// Throws Error: no samples, a value or a step that is none, components of different length.
+// Throws Error for fewer than two samples, values that are not finite, a step not in (0, 10] s, and components of
+// different length.
 void require_sound(Motion const& motion);
 
-// Throws one Error of everything wrong, with lines.
-BuildingFile read_building(std::filesystem::path const& file, InPlace const& in_place = {});
+// Throws one Error with all complaints and their lines. Paths of motions are relative to the file, or to `folder`.
+BuildingFile read_building(std::filesystem::path const& file, ReplacedKeys const& in_place = {});
 BuildingFile read_building_text(std::string_view text, std::string const& name, std::filesystem::path const& folder,
-                                InPlace const& in_place = {});
-// Tables as a file has them, by their names; files of motions are sought in the working directory.
-BuildingFile building_of(Json const& tables, InPlace const& in_place = {});
+                                ReplacedKeys const& in_place = {});
+// `tables` by name, as in a file; paths of motions are relative to the working directory.
+BuildingFile building_of(Json const& tables, ReplacedKeys const& in_place = {});
 
-// A commented file of a building with five floors on 28 bearings.
+// A commented example file: five floors on 28 bearings.
 std::string building_template();
 
 }  // namespace isolaw::building

@@ -15,7 +15,7 @@ Vector3 as_vector(double const (&from)[3]) {
   return {from[0], from[1], from[2]};
 }
 
-// One run on plain numbers, with what Newton's method needs of it.
+// One run, in double.
 class ImplicitRun {
  public:
   ImplicitRun(Model const& model, std::span<std::unique_ptr<Bearing> const> bearings, Motion const& motion,
@@ -61,7 +61,7 @@ class ImplicitRun {
     condensed_ = model_.condensed_mass(dt);
   }
 
-  // At rest where it was pulled to.
+  // Pulls the base to options_.pulled_to and releases it from rest.
   void release() {
     first_ = total(run_.u, run_.v, 0.0).stiffness;
     run_.u[0] = options_.pulled_to.x;
@@ -69,9 +69,9 @@ class ImplicitRun {
     Vector3 const force = total(run_.u, run_.v, 0.0).force;
     for (std::size_t j = 0; j < bearings_.size(); ++j) {
       bearings_[j]->commit();
-      double const* at = skeleton_.bearing_at + 2 * j;
+      double const* point = skeleton_.bearing_at + 2 * j;
       double x, y;
-      at_point(run_.u, at, x, y);
+      at_point(run_.u, point, x, y);
       run_.d[2 * j] = x, run_.d[2 * j + 1] = y;
       run_.force[2 * j] = forces_[j].x, run_.force[2 * j + 1] = forces_[j].y;
     }
@@ -85,30 +85,30 @@ class ImplicitRun {
     Vector3 force;
     Matrix3 stiffness, damping;
   };
-  // Of all bearings at the end of a step, about the base's centre of mass.
+  // Tries all bearings at the end of a step; sums about the base's centre of mass.
   Total total(double const (&u)[3], double const (&v)[3], double dt) {
-    Total made{Vector3::Zero(), Matrix3::Zero(), Matrix3::Zero()};
+    Total sum{Vector3::Zero(), Matrix3::Zero(), Matrix3::Zero()};
     for (std::size_t j = 0; j < bearings_.size(); ++j) {
-      double const* at = skeleton_.bearing_at + 2 * j;
+      double const* point = skeleton_.bearing_at + 2 * j;
       Vector to, velocity;
-      at_point(u, at, to.x, to.y);
-      at_point(v, at, velocity.x, velocity.y);
+      at_point(u, point, to.x, to.y);
+      at_point(v, point, velocity.x, velocity.y);
       auto const force = bearings_[j]->trial(to, velocity, dt);
       forces_[j] = force.force;
       Eigen::Matrix<double, 2, 3> T;
-      T << 1.0, 0.0, -at[1], 0.0, 1.0, at[0];
-      made.force += T.transpose() * Eigen::Vector2d(force.force.x, force.force.y);
+      T << 1.0, 0.0, -point[1], 0.0, 1.0, point[0];
+      sum.force += T.transpose() * Eigen::Vector2d(force.force.x, force.force.y);
       Eigen::Matrix2d K, C;
       K << force.by_displacement[0][0], force.by_displacement[0][1], force.by_displacement[1][0],
           force.by_displacement[1][1];
       C << force.by_velocity[0][0], force.by_velocity[0][1], force.by_velocity[1][0], force.by_velocity[1][1];
-      made.stiffness += T.transpose() * K * T;
-      made.damping += T.transpose() * C * T;
+      sum.stiffness += T.transpose() * K * T;
+      sum.damping += T.transpose() * C * T;
     }
-    return made;
+    return sum;
   }
 
-  // From time on over dt, the ground's acceleration going from g0 to g1; in halves where that does not converge.
+  // Integrates over dt while the ground acceleration goes from g0 to g1; in two halves if one step does not converge.
   void advance(double time, double dt, double const (&g0)[2], double const (&g1)[2], int halvings) {
     if (step(dt, g0, g1)) return;
     if (out_.outcome != Outcome::completed) return;
@@ -123,7 +123,7 @@ class ImplicitRun {
     if (out_.outcome == Outcome::completed) advance(time + 0.5 * dt, 0.5 * dt, half, g1, halvings + 1);
   }
 
-  // Whether equilibrium was found; nothing is changed where it was not.
+  // Returns whether equilibrium was found; if not, the run has not moved.
   bool step(double dt, double const (&g0)[2], double const (&g1)[2]) {
     prepare(dt);
     ModeStep const modes{.dt = dt, .share = shares_.data()};
@@ -134,8 +134,8 @@ class ImplicitRun {
     }
     modes_freely(run_, skeleton_, modes, on_base);
     Vector3 const ground(g1[0], g1[1], 0.0), speed = as_vector(v0), before = as_vector(a0);
-    // Unknown is what the acceleration at the end adds to the way: of the way itself, ten thousand times as large, the
-    // inertial force would have the rounding.
+    // The unknown is the part of the displacement that the acceleration at the end adds. The whole displacement is ten
+    // thousand times as large, and its rounding would spoil the inertial force.
     Vector3 const steady = dt * speed + 0.25 * dt * dt * before;
     Vector3 const load = condensed_ * ground + as_vector(on_base);
     Matrix3 const inertia = condensed_ * (4.0 / (dt * dt));
@@ -164,7 +164,7 @@ class ImplicitRun {
       Vector3 const residual = inertial + load + now.force;
       if (!residual.allFinite()) break;
       double const scale = std::max({size(inertial), size(load), size(now.force), 1e-12}), left = size(residual);
-      // As far as it goes where that is enough.
+      // Iterates to `all`; `enough` suffices once an iteration no longer reduces the residual to a tenth.
       constexpr double enough = 1e-10, all = 1e-14, slow = 0.1;
       found = left <= all * scale || (left <= enough * scale && left > slow * last);
       last = left;
@@ -217,7 +217,7 @@ class ImplicitRun {
   }
 
   Model const& model_;
-  Skeleton skeleton_;
+  StructureArrays skeleton_;
   std::span<std::unique_ptr<Bearing> const> bearings_;
   Options const& options_;
   Steps steps_;
@@ -266,7 +266,7 @@ Model::Model(Structure structure, Plan plan) : structure_(std::move(structure)),
     for (Eigen::Index j = 0; j < 3; ++j) mass_.push_back(structure_.mass()(i, j));
 }
 
-Skeleton Model::skeleton() const {
+StructureArrays Model::skeleton() const {
   return {.modes = structure_.modes(),
           .floors = structure_.floors(),
           .bearings = plan_.bearings.size(),
@@ -284,44 +284,44 @@ Skeleton Model::skeleton() const {
 }
 
 std::vector<double> Model::shares(double dt) const {
-  std::vector<double> made;
+  std::vector<double> share;
   for (std::size_t k = 0; k < structure_.modes(); ++k) {
     double const w = structure_.frequency_rad_s()[k] * dt;
-    made.push_back(1.0 / (1.0 + structure_.damping()[k] * w + 0.25 * w * w));
+    share.push_back(1.0 / (1.0 + structure_.damping()[k] * w + 0.25 * w * w));
   }
-  return made;
+  return share;
 }
 
 Matrix3 Model::condensed_mass(double dt) const {
-  Matrix3 made = structure_.mass();
+  Matrix3 mass = structure_.mass();
   auto const share = shares(dt);
   for (std::size_t k = 0; k < share.size(); ++k) {
     Eigen::Map<Vector3 const> const gamma(structure_.participation().data() + 3 * k);
-    made -= share[k] * gamma * gamma.transpose();
+    mass -= share[k] * gamma * gamma.transpose();
   }
-  return made;
+  return mass;
 }
 
 Matrix3 Model::stiffness(std::span<std::array<double, 4> const> bearings) const {
-  Matrix3 made = Matrix3::Zero();
+  Matrix3 sum = Matrix3::Zero();
   for (std::size_t j = 0; j < bearings.size(); ++j) {
-    double const* at = bearing_at_.data() + 2 * j;
+    double const* point = bearing_at_.data() + 2 * j;
     Eigen::Matrix<double, 2, 3> T;
-    T << 1.0, 0.0, -at[1], 0.0, 1.0, at[0];
+    T << 1.0, 0.0, -point[1], 0.0, 1.0, point[0];
     Eigen::Matrix2d K;
     K << bearings[j][0], bearings[j][1], bearings[j][2], bearings[j][3];
-    made += T.transpose() * K * T;
+    sum += T.transpose() * K * T;
   }
-  return made;
+  return sum;
 }
 
 Steps steps_of(Motion const& motion, double longest_step_s, double rest_s) {
-  // A step that is the longest but for its rounding is one.
+  // The 1e-6 lets a step that exceeds the longest by rounding count as one part.
   auto const parts = static_cast<std::size_t>(std::max(1.0, std::ceil(motion.step_s / longest_step_s - 1e-6)));
-  Steps made{.parts = parts, .dt = motion.step_s / static_cast<double>(parts)};
+  Steps steps{.parts = parts, .dt = motion.step_s / static_cast<double>(parts)};
   auto const samples = motion.x_mm_s2.size() + static_cast<std::size_t>(std::llround(rest_s / motion.step_s));
-  made.count = (samples - 1) * parts;
-  return made;
+  steps.count = (samples - 1) * parts;
+  return steps;
 }
 
 Response integrate(Model const& model, std::span<std::unique_ptr<Bearing> const> bearings, Motion const& motion,
@@ -347,9 +347,9 @@ Response integrate_explicitly(Model const& model, std::span<std::unique_ptr<Bear
                       .steps = steps.count};
   explicit_run(run, skeleton, {.dt = steps.dt, .share = share.data()}, rows, ground,
                [&](std::size_t j, double x, double y, double vx, double vy, double& fx, double& fy) {
-                 auto const made = bearings[j]->trial({x, y}, {vx, vy}, steps.dt);
+                 auto const trial = bearings[j]->trial({x, y}, {vx, vy}, steps.dt);
                  bearings[j]->commit();
-                 fx = made.force.x, fy = made.force.y;
+                 fx = trial.force.x, fy = trial.force.y;
                });
   Response out;
   out.step_s = steps.dt;
@@ -363,10 +363,10 @@ Response integrate_explicitly(Model const& model, std::span<std::unique_ptr<Bear
 }
 
 std::vector<double> richardson(Response const& coarse, Response const& fine) {
-  std::vector<double> made;
+  std::vector<double> error;
   for (std::size_t i = 0; i < std::min(coarse.measured.size(), fine.measured.size()); ++i)
-    made.push_back(std::abs(coarse.measured[i] - fine.measured[i]) / 3.0);
-  return made;
+    error.push_back(std::abs(coarse.measured[i] - fine.measured[i]) / 3.0);
+  return error;
 }
 
 }  // namespace isolaw::building

@@ -1,7 +1,7 @@
-// The response of a structure on its bearings to a motion of the ground, by steps of constant average acceleration
-// (Newmark 1959, 1/2 and 1/4) condensed to the base, whose three unknowns Newton's method finds with the laws'
-// tangents. Where it does not, the laws' first tangents take over; then the step is halved. A run that still does not
-// converge is a recorded outcome.
+// The implicit path: integrates a structure on its bearings under a ground motion by constant average acceleration
+// (Newmark 1959, gamma 1/2, beta 1/4), condensed to the base's three unknowns. Newton's method finds them with the
+// laws' tangents. If it fails, it is repeated with the tangents at rest; if that fails too, the step is halved. A run
+// that still does not converge is an outcome, not an exception.
 #pragma once
 
 #include <array>
@@ -18,20 +18,20 @@
 
 namespace isolaw::building {
 
-// Accelerations of the ground at equal steps, the first at time 0; linear between them, zeros after.
+// Ground accelerations at equal steps, the first at time 0; linear between samples, then to zero in one step.
 struct Motion {
   std::string name;
   double step_s = 0.0;
   std::vector<double> x_mm_s2;
-  std::vector<double> y_mm_s2 = {};  // empty: one component
+  std::vector<double> y_mm_s2 = {};  // empty: no motion along y
 };
 
 struct Options {
   double longest_step_s = 0.005;
-  double rest_s = 0.0;                             // zeros after the motion
-  bool histories = false, bearing_forces = false;  // the latter with the former
-  Vector pulled_to = {0.0, 0.0};                   // released from rest there, along a straight way
-  int most_halvings = 10;
+  double rest_s = 0.0;                             // time to continue after the motion
+  bool histories = false, bearing_forces = false;  // bearing_forces needs histories
+  Vector pulled_to = {0.0, 0.0};                   // the base is pulled there straight, and released from rest
+  int most_halvings = 10;                          // how often one step may be halved
 };
 
 enum class Outcome { completed, not_converged, not_finite };
@@ -39,43 +39,41 @@ std::string_view name(Outcome outcome);
 
 struct History {
   std::vector<double> time_s;
-  std::vector<std::array<double, 3>> base;      // mm, mm, rad, relative to the ground
-  std::vector<std::array<double, 3>> velocity;  // of the same
-  std::vector<std::array<double, 2>> shear_kN;  // of all bearings
-  std::vector<std::vector<double>> bearing_kN;  // where asked for, x and y of each: [sample][2 bearings]
-  std::vector<std::vector<double>>
-      acceleration;  // in space, of every diaphragm x and y, mm/s2: [sample][2 (1 + floors)]
+  std::vector<std::array<double, 3>> base;        // mm, mm, rad, relative to the ground
+  std::vector<std::array<double, 3>> velocity;    // mm/s, mm/s, rad/s
+  std::vector<std::array<double, 2>> shear_kN;    // sum over the bearings
+  std::vector<std::vector<double>> bearing_kN;    // [sample][2 bearings], x and y; if bearing_forces
+  std::vector<std::vector<double>> acceleration;  // [sample][2 (1 + floors)], mm/s2 in space, x and y of diaphragms
 };
 
 struct Response {
   Outcome outcome = Outcome::completed;
-  std::string why;               // it did not complete
-  std::vector<double> measured;  // Layout's
-  double step_s = 0.0;           // of the integration
-  std::size_t steps = 0, iterations = 0, first_tangents = 0, halvings = 0;
+  std::string why;                                                          // the reason if it did not complete
+  std::vector<double> measured;                                             // as Layout orders them
+  double step_s = 0.0;                                                      // integration step
+  std::size_t steps = 0, iterations = 0, first_tangents = 0, halvings = 0;  // first_tangents: steps that tried them
   History history;
 
   double of(Measure which) const { return measured[static_cast<std::size_t>(which)]; }
 };
 
-// Bearings in plan, relative to the axes of the structure's plan.
+// Places in the axes of the structure's plan.
 struct Plan {
   std::vector<Point> bearings;
-  std::vector<Point> corners = {};  // empty: of the rectangle around the bearings
+  std::vector<Point> corners = {};  // the slab's; empty: the rectangle around the bearings
 };
 
-// A structure and its plan as the integrators read them; holds what the skeleton points to.
+// A structure and its plan. Owns the arrays that skeleton() points to.
 class Model {
  public:
   Model(Structure structure, Plan plan);
   Structure const& structure() const { return structure_; }
   Plan const& plan() const { return plan_; }
   Layout layout() const { return {structure_.floors(), plan_.bearings.size()}; }
-  Skeleton skeleton() const;
-  // Of every mode for a step of this length, and M - sum share participation participation^T.
-  std::vector<double> shares(double dt) const;
-  Matrix3 condensed_mass(double dt) const;
-  // Of forces in plan at the bearings: sum T_j^T k_j T_j about the base's centre of mass; k_j 2 x 2 by rows.
+  StructureArrays skeleton() const;
+  std::vector<double> shares(double dt) const;  // [mode] ModeStep::share for steps of dt
+  Matrix3 condensed_mass(double dt) const;      // M - sum share participation participation^T
+  // Stiffness of all bearings about the base's centre of mass, sum T_j^T k_j T_j, from k_j [bearing] 2 x 2 by rows.
   Matrix3 stiffness(std::span<std::array<double, 4> const> bearings) const;
 
  private:
@@ -84,22 +82,22 @@ class Model {
   std::vector<double> mass_, bearing_at_, corner_at_;
 };
 
-// The steps of a motion: of its own cut into equal parts no longer than `longest`.
+// Integration steps: each step of the motion is cut into equal parts no longer than longest_step_s.
 struct Steps {
   std::size_t parts = 1, count = 0;
   double dt = 0.0;
 };
 Steps steps_of(Motion const& motion, double longest_step_s, double rest_s);
 
-// The bearings start as they are and end as the run leaves them.
+// The bearings start in their present state and end in that after the run.
 Response integrate(Model const& model, std::span<std::unique_ptr<Bearing> const> bearings, Motion const& motion,
                    Options const& options = {});
 
-// The explicit path, scalar: what the lanes compute, one draw (lanes.hpp).
+// The explicit path for one draw, in double: the reference for the lanes (lanes.hpp). Keeps no history.
 Response integrate_explicitly(Model const& model, std::span<std::unique_ptr<Bearing> const> bearings,
                               Motion const& motion, Options const& options = {});
 
-// What a run at this step misses, from another at twice as many: a third of the difference of every measure.
+// [measure] step error of `coarse`, estimated from a run with half its step: a third of the difference (second order).
 std::vector<double> richardson(Response const& coarse, Response const& fine);
 
 }  // namespace isolaw::building

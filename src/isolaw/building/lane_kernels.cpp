@@ -1,5 +1,5 @@
-// Compiled once for every instruction set, with ISOLAW_LANE_KERNELS the name of what it defines; fit/kernels.cpp says
-// what that asks for.
+// The explicit path for lanes, compiled once per instruction set. ISOLAW_LANE_KERNELS is the name of the only object
+// that this file may define for others (fit/kernels.cpp says why).
 #include <tuple>
 
 #include "isolaw/building/lane_run.hpp"
@@ -9,12 +9,12 @@
 namespace isolaw::building {
 namespace {
 
-// States and parameters of all bearings, then the scalars of the run.
+// in.memory holds the states of all bearings, their parameters, and the scalars of the run.
 template <class Law, class T = num::Batch<lane_width>>
 void run_lanes(LaneRun const& in) {
   using Params = typename Law::template Params<T>;
   using State = typename Law::template State<T>;
-  using Place = laws::plane::Vector<T>;
+  using Point = laws::plane::Vector<T>;
   constexpr auto& members = laws::members<typename Law::OneDirection, T>;
   constexpr auto count = laws::parameter_count<typename Law::OneDirection>;
   auto* const states = static_cast<State*>(in.memory);
@@ -31,9 +31,9 @@ void run_lanes(LaneRun const& in) {
   double const dt = in.step.dt;
   explicit_run(run, in.skeleton, in.step, in.inverse, in.ground,
                [&](std::size_t j, T const& x, T const& y, T const&, T const&, T& fx, T& fy) ISOLAW_LAMBDA {
-                 Place const from{per_length * run.d[2 * j], per_length * run.d[2 * j + 1]};
-                 Place const to{per_length * x, per_length * y};
-                 Place const force = Law::template step<T>(params[j], states[j], from, to, dt);
+                 Point const from{per_length * run.d[2 * j], per_length * run.d[2 * j + 1]};
+                 Point const to{per_length * x, per_length * y};
+                 Point const force = Law::template step<T>(params[j], states[j], from, to, dt);
                  fx = per_force * force.x, fy = per_force * force.y;
                });
   Layout const layout{in.skeleton.floors, in.skeleton.bearings};

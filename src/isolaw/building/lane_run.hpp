@@ -1,4 +1,5 @@
-// What the kernels of lanes.hpp take and are; without what cannot be compiled beside them.
+// The type of the lane kernels and their arguments; apart from lanes.hpp, which includes headers that must not be
+// compiled once per instruction set (fit/kernels.cpp says why).
 #pragma once
 
 #include <array>
@@ -11,21 +12,20 @@ namespace isolaw::building {
 
 inline constexpr std::size_t lane_width = 8;
 
-// What a kernel needs; `parameters` [bearing][parameter][lane], `memory` of 64-byte alignment.
 struct LaneRun {
-  Skeleton skeleton;
+  StructureArrays skeleton;
   ModeStep step;
-  double const* inverse = nullptr;
+  double const* inverse = nullptr;  // [3][3], see explicit_run
   Ground ground;
-  double const* parameters = nullptr;
-  double length = 1.0, force = 1.0;  // mm and kN in one of the law's units
-  void* memory = nullptr;
-  double* measured = nullptr;  // [measure][lane]
+  double const* parameters = nullptr;  // [bearing][parameter][lane]
+  double length = 1.0, force = 1.0;    // the law's units in mm and kN
+  void* memory = nullptr;              // aligned to 64 bytes
+  double* measured = nullptr;          // [measure][lane]
 };
 struct LaneKernel {
   std::string_view law;
   void (*run)(LaneRun const&) = nullptr;
-  std::size_t memory_bytes_a_scalar = 0, state_bytes = 0;
+  std::size_t memory_bytes_a_scalar = 0, state_bytes = 0;  // state: per bearing, with its parameters
 };
 
 }  // namespace isolaw::building

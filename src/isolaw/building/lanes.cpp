@@ -48,11 +48,11 @@ std::vector<double> respond(Model const& model, std::string_view law, std::span<
   auto const* const kernel = coupling == Coupling::coupled ? lane_kernel(set, law) : nullptr;
   if (kernel == nullptr) {
     for (std::size_t draw = 0; draw < count; ++draw) {
-      std::vector<std::unique_ptr<Bearing>> made;
+      std::vector<std::unique_ptr<Bearing>> devices;
       for (std::size_t j = 0; j < bearings; ++j)
-        made.push_back(make_bearing(law, draws.subspan(draw * each + j * parameters, parameters), coupling));
-      auto response = coupling == Coupling::coupled ? integrate_explicitly(model, made, motion, options)
-                                                    : integrate(model, made, motion, options);
+        devices.push_back(make_bearing(law, draws.subspan(draw * each + j * parameters, parameters), coupling));
+      auto response = coupling == Coupling::coupled ? integrate_explicitly(model, devices, motion, options)
+                                                    : integrate(model, devices, motion, options);
       if (response.outcome != Outcome::completed)
         std::ranges::fill(response.measured, std::numeric_limits<double>::quiet_NaN());
       std::ranges::copy(response.measured, out.begin() + static_cast<std::ptrdiff_t>(draw * layout.count()));
@@ -83,7 +83,7 @@ std::vector<double> respond(Model const& model, std::string_view law, std::span<
               .measured = measured.data()};
   for (std::size_t first = 0; first < count; first += lane_width) {
     for (std::size_t lane = 0; lane < lane_width; ++lane) {
-      // The last block is filled up with its last draw.
+      // The last draw fills the lanes that are left over.
       auto const draw = draws.subspan(std::min(first + lane, count - 1) * each, each);
       for (std::size_t i = 0; i < each; ++i) values[i * lane_width + lane] = draw[i];
     }

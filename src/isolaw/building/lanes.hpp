@@ -1,6 +1,6 @@
-// Many draws of a building at once: one motion, every bearing of every draw with parameters of its own, one draw in a
-// lane. The explicit path of stepping.hpp, compiled once per instruction set (lane_kernels.cpp). No draw notices
-// another, so that a result depends neither on what stands beside it nor on threads.
+// Computes many draws of a building under one motion at once by the explicit path of stepping.hpp, one draw per lane,
+// compiled once per instruction set (lane_kernels.cpp). Lanes never mix, so a result depends neither on the other draws
+// nor on threads.
 #pragma once
 
 #include <cstddef>
@@ -14,19 +14,19 @@
 
 namespace isolaw::building {
 
-// nullptr: no kernel, as for `scalar` or a law without a coupled form.
+// nullptr for `scalar`, and for a law without a coupled form.
 LaneKernel const* lane_kernel(num::InstructionSet set, std::string_view law);
 
-// The measures of `draws` [draw][bearing][parameter], [draw][measure]. Draws that are not finite come out so.
-// Parameters in the law's order; longest_step_s and rest_s of `options` alone count. Springs, whose laws may depend on
-// the rate as steeply as they like, go one by one by the implicit path; one that does not converge comes out as not a
-// number.
+// Returns the measures [draw][measure] of `draws` [draw][bearing][parameter], parameters in the law's order and units.
+// Failed draws have measures that are not finite. Couplings other than `coupled` take the implicit path, draw by draw,
+// since their laws may depend on the velocity more steeply than an explicit step bears. The explicit path heeds only
+// longest_step_s and rest_s.
 std::vector<double> respond(Model const& model, std::string_view law, std::span<double const> draws,
                             Motion const& motion, Options const& options, Coupling coupling = Coupling::coupled,
                             num::InstructionSet set = num::instruction_set());
 
-// The longest step of the explicit path on bearings as stiff as these at first, with margin for draws that are twice as
-// stiff: dt^2 K <= m / 2, eight times below where it grows.
+// The longest step [s] of the explicit path on bearings with this stiffness at rest ([bearing], 2 x 2 by rows):
+// dt^2 K = m / 2, an eighth of the limit of stability, which leaves a margin for draws that are twice as stiff.
 double longest_explicit_step(Model const& model, std::span<std::array<double, 4> const> first_stiffness);
 
 }  // namespace isolaw::building

@@ -25,14 +25,14 @@ using campaign::sqlite::Connection;
 using campaign::sqlite::Statement;
 using campaign::sqlite::Transaction;
 
-extern char const* const sources_hash;  // made while building, see CMakeLists.txt
+extern char const* const sources_hash;  // from the build (CMakeLists.txt)
 
 namespace {
 
-using Kind = Trait::Kind;
+using Kind = StudyProperty::Kind;
 using Path = std::filesystem::path;
 
-// In the order of Kind; as the store has them.
+// Names of Kind in the store, in the order of Kind.
 constexpr std::array<std::string_view, 6> kinds{"setting", "building", "motion", "law", "maker", "part"};
 
 void create_run_tables(Connection const& db) {
@@ -62,20 +62,20 @@ void require_sound(Path const& file, std::string const& again) {
                  .advice = "copying it once more, or " + again});
 }
 
-std::vector<Trait> read_traits(Connection const& db, Path const& file) {
+std::vector<StudyProperty> read_properties(Connection const& db, Path const& file) {
   return read_as_study(file, [&] {
-    std::vector<Trait> made;
+    std::vector<StudyProperty> properties;
     Statement select(db, "SELECT kind, name, value FROM study ORDER BY rowid");
     while (select.row()) {
       std::string kind;
-      auto& trait = made.emplace_back();
-      select.read(kind, trait.name, trait.value);
+      auto& property = properties.emplace_back();
+      select.read(kind, property.name, property.value);
       auto const place = std::ranges::find(kinds, kind);
       if (place == kinds.end()) throw Error({.found = "a trait of kind " + in_quotes(kind)});
-      trait.kind = static_cast<Kind>(place - kinds.begin());
+      property.kind = static_cast<Kind>(place - kinds.begin());
     }
-    if (made.empty()) throw Error({.found = "it does not say what its runs are of"});
-    return made;
+    if (properties.empty()) throw Error({.found = "it does not say what its runs are of"});
+    return properties;
   });
 }
 
@@ -86,19 +86,20 @@ std::size_t runs_in(Connection const& db) {
   return count;
 }
 
-std::vector<Trait> without(std::vector<Trait> traits, Kind kind) {
-  std::erase_if(traits, [&](Trait const& trait) { return trait.kind == kind; });
-  return traits;
+std::vector<StudyProperty> without(std::vector<StudyProperty> properties, Kind kind) {
+  std::erase_if(properties, [&](StudyProperty const& property) { return property.kind == kind; });
+  return properties;
 }
 
-std::vector<Trait> of_kind(std::span<Trait const> traits, Kind kind) {
-  std::vector<Trait> found;
-  std::ranges::copy_if(traits, std::back_inserter(found), [&](Trait const& trait) { return trait.kind == kind; });
+std::vector<StudyProperty> of_kind(std::span<StudyProperty const> properties, Kind kind) {
+  std::vector<StudyProperty> found;
+  std::ranges::copy_if(properties, std::back_inserter(found),
+                       [&](StudyProperty const& property) { return property.kind == kind; });
   return found;
 }
 
-// Numbers of two builds may differ, and in last digits those of two instruction sets do.
-void require_same_maker(Path const& file, std::span<Trait const> there, campaign::Maker const& now,
+// Two builds may give different numbers, and two instruction sets differ in the last digits.
+void require_same_maker(Path const& file, std::span<StudyProperty const> there, campaign::Maker const& now,
                         std::string const& again) {
   auto const maker = maker_of(there);
   if (!campaign::same_build(maker, now))
@@ -127,32 +128,32 @@ std::string of_part(std::optional<campaign::Part> const& part) {
 
 }  // namespace
 
-campaign::Maker maker_of(std::span<Trait const> traits) {
-  return {.version = value_of(traits, Kind::maker, "version"),
-          .build = value_of(traits, Kind::maker, "build"),
-          .instruction_set = value_of(traits, Kind::maker, "instruction_set")};
+campaign::Maker maker_of(std::span<StudyProperty const> properties) {
+  return {.version = value_of(properties, Kind::maker, "version"),
+          .build = value_of(properties, Kind::maker, "build"),
+          .instruction_set = value_of(properties, Kind::maker, "instruction_set")};
 }
 
-std::optional<campaign::Part> part_of(std::span<Trait const> traits) {
-  auto const text = value_of(traits, Kind::part, "part");
+std::optional<campaign::Part> part_of(std::span<StudyProperty const> properties) {
+  auto const text = value_of(properties, Kind::part, "part");
   return text.empty() ? std::nullopt : std::optional(campaign::parse_part(text));
 }
 
-std::string value_of(std::span<Trait const> traits, Kind kind, std::string_view name) {
-  auto const found =
-      std::ranges::find_if(traits, [&](Trait const& trait) { return trait.kind == kind && trait.name == name; });
-  return found == traits.end() ? std::string() : found->value;
+std::string value_of(std::span<StudyProperty const> properties, Kind kind, std::string_view name) {
+  auto const found = std::ranges::find_if(
+      properties, [&](StudyProperty const& property) { return property.kind == kind && property.name == name; });
+  return found == properties.end() ? std::string() : found->value;
 }
 
-std::vector<Trait> traits_of(campaign::Part const& part, std::string const& building_file, std::string const& campaign,
-                             std::vector<std::string> const& motions) {
-  std::vector<Trait> made{
+std::vector<StudyProperty> properties_of(campaign::Part const& part, std::string const& building_file,
+                                         std::string const& campaign, std::vector<std::string> const& motions) {
+  std::vector<StudyProperty> properties{
       {Kind::part, "part", campaign::text(part)}, {Kind::part, "file", building_file}, {Kind::part, "from", campaign}};
-  for (auto const& motion : motions) made.push_back({Kind::part, "motion", motion});
-  return made;
+  for (auto const& motion : motions) properties.push_back({Kind::part, "motion", motion});
+  return properties;
 }
 
-std::vector<std::string> differences(std::span<Trait const> there, std::span<Trait const> now,
+std::vector<std::string> differences(std::span<StudyProperty const> there, std::span<StudyProperty const> now,
                                      campaign::Sides const& sides) {
   std::vector<std::string> found;
   for (auto const kind : {Kind::setting, Kind::building, Kind::motion, Kind::law}) {
@@ -184,14 +185,14 @@ std::vector<std::string> differences(std::span<Trait const> there, std::span<Tra
 
 Blocks::Block Blocks::at(std::size_t number) const {
   constexpr std::size_t size = 2 * lane_width;
-  auto const from = number % of_motion() * size;
-  return {.law = number / of_motion() / motions_,
-          .motion = number / of_motion() % motions_,
+  auto const from = number % blocks_per_motion() * size;
+  return {.law = number / blocks_per_motion() / motions_,
+          .motion = number / blocks_per_motion() % motions_,
           .from = from,
           .to = std::min(cases_, from + size)};
 }
 
-std::size_t Blocks::of_motion() const {
+std::size_t Blocks::blocks_per_motion() const {
   constexpr std::size_t size = 2 * lane_width;
   return (cases_ + size - 1) / size;
 }
@@ -200,21 +201,21 @@ struct RunStore::Handle {
   Connection db;
 };
 
-RunStore::RunStore(std::filesystem::path const& file, std::vector<Trait> const& of, bool fresh) {
+RunStore::RunStore(std::filesystem::path const& file, std::vector<StudyProperty> const& properties, bool fresh) {
   campaign::sqlite::remove_unfinished(file);
   campaign::sqlite::require_plain(file);
   if (fresh || !std::filesystem::exists(file)) {
-    create(file, of);
+    create(file, properties);
     handle_ = std::make_unique<Handle>(Handle{Connection::to_write(file)});
     return;
   }
   handle_ = std::make_unique<Handle>(Handle{Connection::to_write(file)});
-  auto const found = read_traits(handle_->db, file);
-  // A share ends when it is there, and is then read by a merge: what was cut off within a page reads as if it were whole.
+  auto const found = read_properties(handle_->db, file);
+  // A part is next read by a merge. A file that was cut off within a page would read there as if it were whole.
   if (part_of(found)) require_sound(file, "--fresh to start over");
-  if (found == of) return;
-  auto different = differences(found, of);
-  if (auto const a = part_of(found), b = part_of(of); a != b)
+  if (found == properties) return;
+  auto different = differences(found, properties);
+  if (auto const a = part_of(found), b = part_of(properties); a != b)
     different.push_back(fmt::format("{} there, {} now", of_part(a), of_part(b)));
   if (!different.empty())
     throw Error(
@@ -222,21 +223,21 @@ RunStore::RunStore(std::filesystem::path const& file, std::vector<Trait> const& 
          .found = "the runs of another building, of other settings or of another campaign: " + joined(different, "; "),
          .allowed = "the same, which is continued",
          .advice = "--fresh to start over, or another --out"});
-  // But for a part whose files were named otherwise.
-  require_same_maker(file, found, maker_of(of), "--fresh to start over, or another --out");
+  // Now only the maker can differ, or a part's paths, which may.
+  require_same_maker(file, found, maker_of(properties), "--fresh to start over, or another --out");
 }
 
-void RunStore::create(Path const& file, std::vector<Trait> const& of) {
+void RunStore::create(Path const& file, std::vector<StudyProperty> const& properties) {
   auto const aside = campaign::sqlite::unfinished(file);
   {
     auto const db = Connection::create(aside);
     Transaction transaction(db);
     create_run_tables(db);
     Statement insert(db, "INSERT INTO study VALUES (?, ?, ?)");
-    for (auto const& trait : of)
+    for (auto const& property : properties)
       insert
-          .bind(kinds.at(static_cast<std::size_t>(trait.kind)), std::string_view(trait.name),
-                std::string_view(trait.value))
+          .bind(kinds.at(static_cast<std::size_t>(property.kind)), std::string_view(property.name),
+                std::string_view(property.value))
           .insert();
     transaction.commit();
   }
@@ -261,7 +262,7 @@ void RunStore::add(std::vector<Row> const& rows) {
   auto const& db = handle_->db;
   Transaction transaction(db);
   {
-    // Of a block that another program's merge holds in part, what is there stays.
+    // A merge in another program may have stored a part of the block already; its rows stay.
     Statement insert(db, "INSERT OR IGNORE INTO runs VALUES (?, ?, ?, ?)");
     for (auto const& row : rows) insert.bind(row.law, row.motion, row.place, row.measured).insert();
   }
@@ -284,10 +285,10 @@ void RunStore::put_in_order(std::filesystem::path const& file) {
   campaign::sqlite::put_in_order(file, create_run_tables);
 }
 
-std::vector<Trait> traits_of(Study const& study) {
-  std::vector<Trait> made;
-  std::string all;
-  auto const add = [&](auto const&... values) { ((all += fmt::format("{};", values)), ...); };
+std::vector<StudyProperty> properties_of(Study const& study) {
+  std::vector<StudyProperty> properties;
+  std::string content;
+  auto const add = [&](auto const&... values) { ((content += fmt::format("{};", values)), ...); };
   auto const add_all = [&](auto const& values) {
     add(values.size());
     for (auto const& v : values) add(v);
@@ -296,11 +297,11 @@ std::vector<Trait> traits_of(Study const& study) {
     for (auto const& row : rows) add_all(row);
   };
   auto const hashed = [&](Kind kind, std::string const& name) {
-    made.push_back({kind, name, sha256(std::exchange(all, {}))});
+    properties.push_back({kind, name, sha256(std::exchange(content, {}))});
   };
   auto const& s = study.file.settings;
   auto const setting = [&](char const* name, auto value) {
-    made.push_back({Kind::setting, name, fmt::format("{}", value)});
+    properties.push_back({Kind::setting, name, fmt::format("{}", value)});
   };
   setting("draws", s.draws);
   setting("populations", s.populations);
@@ -323,7 +324,7 @@ std::vector<Trait> traits_of(Study const& study) {
   if (study.file.plan_mm) add_all(*study.file.plan_mm);
   hashed(Kind::building, "plan");
   auto const measures = Layout{study.file.frame.floors.size(), study.file.bearings.size()}.count();
-  made.push_back({Kind::building, "measures", std::to_string(measures)});
+  properties.push_back({Kind::building, "measures", std::to_string(measures)});
   for (auto const& m : study.file.motions) {
     add(m.step_s);
     add_all(m.x_mm_s2);
@@ -349,11 +350,11 @@ std::vector<Trait> traits_of(Study const& study) {
     }
     hashed(Kind::law, law.law);
   }
-  auto const me = building_maker();
-  made.push_back({Kind::maker, "version", me.version});
-  made.push_back({Kind::maker, "build", me.build});
-  made.push_back({Kind::maker, "instruction_set", me.instruction_set});
-  return made;
+  auto const maker = building_maker();
+  properties.push_back({Kind::maker, "version", maker.version});
+  properties.push_back({Kind::maker, "build", maker.build});
+  properties.push_back({Kind::maker, "instruction_set", maker.instruction_set});
+  return properties;
 }
 
 Options options_of(Study const& study, Model const& model, Devices const& devices) {
@@ -383,22 +384,22 @@ std::vector<RunStore::Row> Runs::of(Blocks::Block const& block) const {
   auto const& devices = devices_[block.law];
   std::vector<double> values;
   for (auto place = block.from; place < block.to; ++place) {
-    auto const one = devices.of(cases_[place]);
-    values.insert(values.end(), one.begin(), one.end());
+    auto const parameters = devices.of(cases_[place]);
+    values.insert(values.end(), parameters.begin(), parameters.end());
   }
   auto const out = respond(model_, study_.laws[block.law].law, values, study_.file.motions[block.motion],
                            options_[block.law], devices.coupling());
   auto const count = static_cast<std::ptrdiff_t>(model_.layout().count());
-  std::vector<RunStore::Row> made;
+  std::vector<RunStore::Row> rows;
   auto row = out.begin();
   for (auto place = block.from; place < block.to; ++place, row += count)
-    made.push_back({block.law, block.motion, place, {row, row + count}});
-  return made;
+    rows.push_back({block.law, block.motion, place, {row, row + count}});
+  return rows;
 }
 
 namespace {
 
-// Finished rows on their way to the store: many at a time, since each transaction waits for the disk.
+// Collects finished rows and stores many at a time, since each transaction waits for the disk.
 class Rows {
  public:
   explicit Rows(RunStore& store) : store_(store) {}
@@ -427,13 +428,13 @@ bool run_all(Study const& study, RunStore& store, std::size_t threads, RunAllOpt
   Runs const runs(study);
   auto const& blocks = runs.blocks();
   std::vector<Blocks::Block> left;
-  RunProgress told;
+  RunProgress progress;
   for (std::size_t number = 0; number < blocks.count(); ++number) {
     if (options.part && Blocks::part_of(number, options.part->of) != options.part->number) continue;
     auto const block = blocks.at(number);
-    told.total += block.to - block.from;
+    progress.total += block.to - block.from;
     if (store.is_there(block))
-      told.done += block.to - block.from;
+      progress.done += block.to - block.from;
     else
       left.push_back(block);
   }
@@ -444,11 +445,11 @@ bool run_all(Study const& study, RunStore& store, std::size_t threads, RunAllOpt
     if (!stopped && options.interrupted && options.interrupted()) stopped = true;
     return stopped.load();
   };
-  auto const take = [&](std::vector<RunStore::Row> made) {
+  auto const take = [&](std::vector<RunStore::Row> finished) {
     std::scoped_lock const lock(one_at_a_time);
-    told.done += made.size();
-    rows.add(std::move(made));
-    if (options.progress) options.progress(told);
+    progress.done += finished.size();
+    rows.add(std::move(finished));
+    if (options.progress) options.progress(progress);
   };
   auto const perform = [&](Blocks::Block const& block) {
     if (!runs.one_by_one(block)) {
@@ -465,14 +466,14 @@ bool run_all(Study const& study, RunStore& store, std::size_t threads, RunAllOpt
     throw;
   }
   rows.store();
-  return told.done == told.total;
+  return progress.done == progress.total;
 }
 
 namespace {
 
-Blocks blocks_of(std::span<Trait const> traits, std::vector<Case>& cases, Path const& file) {
+Blocks blocks_of(std::span<StudyProperty const> properties, std::vector<Case>& cases, Path const& file) {
   auto const whole = [&](std::string_view name) {
-    auto const number = number_in<int>(value_of(traits, Kind::setting, name));
+    auto const number = number_in<int>(value_of(properties, Kind::setting, name));
     constexpr int most = 100'000'000;
     if (!number || *number < 0 || *number > most)
       throw Error({.where = file.generic_string(),
@@ -486,10 +487,10 @@ Blocks blocks_of(std::span<Trait const> traits, std::vector<Case>& cases, Path c
   settings.populations = whole("populations");
   settings.draws_of_each = whole("draws_of_each");
   cases = cases_of(settings);
-  return {of_kind(traits, Kind::law).size(), of_kind(traits, Kind::motion).size(), cases.size()};
+  return {of_kind(properties, Kind::law).size(), of_kind(properties, Kind::motion).size(), cases.size()};
 }
 
-// All rows of a store, or with an Error none of them.
+// Copies all rows of a store, or none if it throws Error.
 void take_runs(Connection const& db, Path const& file, campaign::Merged& merged, std::array<std::size_t, 3> const& most,
                std::string const& measures) {
   auto const theirs = Connection::to_read(file);
@@ -523,31 +524,27 @@ void take_runs(Connection const& db, Path const& file, campaign::Merged& merged,
   transaction.commit();
 }
 
-}  // namespace
-
-namespace {
-
 constexpr char const* again_as_part = "isolaw building ... --part K/N --fresh, which computes it again";
 
-// Of a file that is to be replaced, whatever it is.
+// False also for a file that is no store: it is to be replaced, whatever it is.
 bool has_every_run(Path const& file) {
   try {
     auto const db = Connection::to_read(file);
     std::vector<Case> cases;
-    return runs_in(db) == blocks_of(read_traits(db, file), cases, file).runs();
+    return runs_in(db) == blocks_of(read_properties(db, file), cases, file).runs();
   } catch (Error const&) {
     return false;
   }
 }
 std::optional<campaign::Part> part_in(Path const& file) {
   try {
-    return part_of(read_traits(Connection::to_read(file), file));
+    return part_of(read_properties(Connection::to_read(file), file));
   } catch (Error const&) {
     return std::nullopt;
   }
 }
 
-// What no merge replaces: a part may be the only copy of its runs.
+// A merge must not replace a part, which may be the only copy of its runs.
 void refuse_part(Path const& out, std::optional<campaign::Part> const& part) {
   if (part)
     throw Error({.where = out.generic_string(),
@@ -559,31 +556,31 @@ void refuse_part(Path const& out, std::optional<campaign::Part> const& part) {
 }  // namespace
 
 MergedStudy merge(Path const& out, std::vector<Path> const& parts, MergeOptions const& options) {
-  auto const me = building_maker();
+  auto const maker = building_maker();
   MergedStudy merged;
-  std::optional<std::pair<Path, std::vector<Trait>>> first;
+  std::optional<std::pair<Path, std::vector<StudyProperty>>> first;
   auto const examine = [&](Path const& file) {
     require_sound(file, again_as_part);
-    auto const traits = read_traits(Connection::to_read(file), file);
-    require_same_maker(file, traits, me, again_as_part);
-    if (!first) first.emplace(file, without(traits, Kind::part));
-    if (without(traits, Kind::part) != first->second)
+    auto const properties = read_properties(Connection::to_read(file), file);
+    require_same_maker(file, properties, maker, again_as_part);
+    if (!first) first.emplace(file, without(properties, Kind::part));
+    if (without(properties, Kind::part) != first->second)
       throw Error({.where = file.generic_string(),
                    .found = fmt::format("of another study than {}: {}", first->first.generic_string(),
-                                        joined(differences(first->second, traits,
+                                        joined(differences(first->second, properties,
                                                            {.one = "in " + first->first.generic_string(),
                                                             .other = "in " + file.generic_string()}),
                                                "; ")),
                    .allowed = "parts of one study: the same building, motions, lot and settings",
                    .advice = "leaving it out, or --part again with the command of the others"});
-    auto const part = read_as_study(file, [&] { return part_of(traits); });
+    auto const part = read_as_study(file, [&] { return part_of(properties); });
     if (part && merged.parts != 0 && merged.parts != part->of)
       throw Error({.where = file.generic_string(),
                    .found = fmt::format("is part {}; another is one of {}", campaign::text(*part), merged.parts),
                    .allowed = "parts of one deal",
                    .advice = "merging those of each deal into the same directory, one after the other"});
     if (part) merged.parts = part->of;
-    if (part && merged.part.empty()) merged.part = of_kind(traits, Kind::part);
+    if (part && merged.part.empty()) merged.part = of_kind(properties, Kind::part);
     return part;
   };
   std::vector<Path> files;
@@ -602,7 +599,7 @@ MergedStudy merge(Path const& out, std::vector<Path> const& parts, MergeOptions 
   campaign::sqlite::remove_unfinished(out);
   if (continues) {
     if (!campaign::sqlite::is_plain(out))
-      Connection::to_write(out).try_execute("SELECT 1 FROM sqlite_master");  // undoes what a kill left half done
+      Connection::to_write(out).try_execute("SELECT 1 FROM sqlite_master");  // rolls back what a kill left open
     refuse_part(out, examine(out));
   }
   for (auto const& file : files) examine(file);
@@ -613,7 +610,7 @@ MergedStudy merge(Path const& out, std::vector<Path> const& parts, MergeOptions 
   std::vector<Case> cases;
   auto const blocks = blocks_of(first->second, cases, first->first);
   auto const laws = of_kind(first->second, Kind::law), motions = of_kind(first->second, Kind::motion);
-  // What is replaced stays until all that stands in its place was judged and copied.
+  // The old store stays until everything that replaces it was checked and copied.
   auto const target = replaces ? campaign::sqlite::unfinished(out) : out;
   std::optional<campaign::sqlite::Unfinished> unfinished;
   if (replaces) unfinished.emplace(out);

@@ -13,13 +13,13 @@
 namespace isolaw::building {
 namespace {
 
-// The power of the force in a unit: 1 of "kN", "kN/mm" and "kN s/mm", -1 of "1/(kN mm)".
+// The power of the force in a unit: 1 for "kN", "kN/mm" and "kN s/mm", -1 for "1/(kN mm)".
 int power_of_force(std::string_view unit, std::string_view force) {
-  auto const at = unit.find(force);
-  if (at == std::string_view::npos) return 0;
-  auto const behind = at + force.size();
-  if (behind < unit.size() && std::string_view("/ )").find(unit[behind]) == std::string_view::npos) return 0;
-  return unit.find('/') < at ? -1 : 1;
+  auto const start = unit.find(force);
+  if (start == std::string_view::npos) return 0;
+  auto const end = start + force.size();
+  if (end < unit.size() && std::string_view("/ )").find(unit[end]) == std::string_view::npos) return 0;
+  return unit.find('/') < start ? -1 : 1;
 }
 
 }  // namespace
@@ -52,14 +52,14 @@ std::string text(Case const& which) {
 }
 
 std::vector<Case> cases_of(Settings const& settings) {
-  std::vector<Case> made{{.kind = CaseKind::nominal}, {.kind = CaseKind::lower}, {.kind = CaseKind::upper}};
-  for (std::uint32_t i = 0; i <= 2 * grid_half; ++i) made.push_back({.kind = CaseKind::factor, .draw = i});
+  std::vector<Case> cases{{.kind = CaseKind::nominal}, {.kind = CaseKind::lower}, {.kind = CaseKind::upper}};
+  for (std::uint32_t i = 0; i <= 2 * grid_half; ++i) cases.push_back({.kind = CaseKind::factor, .draw = i});
   for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(settings.draws); ++i)
-    made.push_back({.kind = CaseKind::draw, .draw = i});
+    cases.push_back({.kind = CaseKind::draw, .draw = i});
   for (std::uint32_t p = 0; p < static_cast<std::uint32_t>(settings.populations); ++p)
     for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(settings.draws_of_each); ++i)
-      made.push_back({.kind = CaseKind::uncertain, .population = p, .draw = i});
-  return made;
+      cases.push_back({.kind = CaseKind::uncertain, .population = p, .draw = i});
+  return cases;
 }
 
 lot::Population population_again(lot::Population const& population, num::Stream const& stream,
@@ -77,7 +77,7 @@ lot::Population population_again(lot::Population const& population, num::Stream 
       for (std::size_t j = 0; j < values.size(); ++j) estimate.covariance[i][j] *= unit(i) * unit(j);
     estimates.push_back(std::move(estimate));
   }
-  // What no test determined stays out, as it was.
+  // Parameters that no test determined are left out again.
   std::vector<std::size_t> without;
   for (std::size_t i = 0; i < population.std.size(); ++i)
     if (population.std[i] == 0.0) without.push_back(i);
@@ -124,32 +124,32 @@ Devices::Devices(LawSource source, BuildingFile const& file)
 }
 
 std::vector<std::unique_ptr<Bearing>> Devices::bearings(std::vector<double> const& values) const {
-  std::vector<std::unique_ptr<Bearing>> made;
+  std::vector<std::unique_ptr<Bearing>> devices;
   auto const each = source_.lot.size();
   for (std::size_t j = 0; j * each < values.size(); ++j)
-    made.push_back(make_bearing(source_.law, std::span(values).subspan(j * each, each), coupling_));
-  return made;
+    devices.push_back(make_bearing(source_.law, std::span(values).subspan(j * each, each), coupling_));
+  return devices;
 }
 
 std::vector<double> Devices::full(std::vector<double> const& of_population) const {
-  auto made = source_.median;
-  for (std::size_t i = 0; i < made.size(); ++i)
-    if (source_.place[i]) made[i] = of_population[*source_.place[i]];
-  return made;
+  auto values = source_.median;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (source_.place[i]) values[i] = of_population[*source_.place[i]];
+  return values;
 }
 
 std::vector<double> Devices::of(Case const& which) const {
   auto const draws = static_cast<std::size_t>(std::ranges::count(places_, Stands::draw, &BearingPlace::stands));
   std::vector<std::vector<double>> drawn(draws, source_.median);
   auto const draw = [&](lot::Population const& population, num::Stream const& stream) {
-    // A population without scatter left is its median.
+    // A re-estimated population may have no scatter; its devices are all the median.
     if (draws == 0) return;
     if (!population.has_covariance()) {
       std::ranges::fill(drawn, full(population.medians));
       return;
     }
-    auto const made = lot::sample(population, draws, stream.split(which.draw), source_.limits);
-    for (std::size_t j = 0; j < draws; ++j) drawn[j] = full(made.values[j]);
+    auto const sample = lot::sample(population, draws, stream.split(which.draw), source_.limits);
+    for (std::size_t j = 0; j < draws; ++j) drawn[j] = full(sample.values[j]);
   };
   if (which.kind == CaseKind::draw) draw(source_.population, stream_.split(stable_hash("draw")));
   if (which.kind == CaseKind::uncertain)
@@ -159,7 +159,7 @@ std::vector<double> Devices::of(Case const& which) const {
   if (which.kind == CaseKind::upper) factor = settings_.upper;
   if (which.kind == CaseKind::factor) factor = grid_factor(which.draw);
 
-  std::vector<double> made;
+  std::vector<double> parameters;
   std::size_t next = 0;
   for (auto const& place : places_) {
     auto values = place.stands == Stands::draw     ? drawn[next++]
@@ -169,9 +169,9 @@ std::vector<double> Devices::of(Case const& which) const {
     if (place.stands == Stands::lower) own *= settings_.lower;
     if (place.stands == Stands::upper) own *= settings_.upper;
     values = with_force(source_.law, std::move(values), own);
-    made.insert(made.end(), values.begin(), values.end());
+    parameters.insert(parameters.end(), values.begin(), values.end());
   }
-  return made;
+  return parameters;
 }
 
 }  // namespace isolaw::building

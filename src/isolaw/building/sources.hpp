@@ -1,5 +1,5 @@
-// Where the parameters of bearings come from: for each law what its lot is (LawSource), and the sets of parameters that
-// a building takes of it, each whole.
+// Chooses the parameters of bearings: LawSource holds a law's parameters for the lot and its devices, and Devices makes
+// the bearings of each analysis from it. All parameters of a device are taken together.
 #pragma once
 
 #include <cstddef>
@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "isolaw/base/finding.hpp"
 #include "isolaw/building/building_file.hpp"
 #include "isolaw/lot/population.hpp"
 #include "isolaw/num/random.hpp"
@@ -18,29 +19,29 @@ namespace isolaw::building {
 // Parameters in the law's order and units.
 struct LawSource {
   std::string law;
-  std::vector<double> lot;                             // the law of the lot
-  std::map<std::string, std::vector<double>> devices;  // tested ones, by name
-  lot::Population population;                          // without medians: no bearing may be a draw
-  // Of each parameter its place in the population; none: the value of `median` holds for all.
+  std::vector<double> lot;                             // the lot's law
+  std::map<std::string, std::vector<double>> devices;  // tested devices, by name
+  lot::Population population;                          // without a covariance no bearing may be a draw
+  // [parameter] its index in the population; nullopt if all devices have the value in `median`.
   std::vector<std::optional<std::size_t>> place;
   std::vector<double> median;
-  std::vector<lot::Limits> limits;       // of the population's parameters
-  double tested_mm = 0.0;                // largest displacement of the tests; 0: not known
-  bool as_springs = false;               // all of them were fitted as springs around the circle
-  std::vector<std::string> doubts = {};  // what is known against it: numbers do not depend on them
+  std::vector<lot::Limits> limits;   // [parameter of the population]
+  double tested_mm = 0.0;            // largest displacement in the tests; 0: not known
+  bool as_springs = false;           // the parameters were fitted as springs around the circle
+  std::vector<Finding> doubts = {};  // about its calibration; numbers do not depend on them
 };
 
-// The same device, its forces `factor` times as large.
+// The parameters of the same device with forces `factor` times as large. `parameters` are in the law's units.
 std::vector<double> with_force(std::string_view law, std::vector<double> parameters, double factor);
 
-// What a building's bearings are in one analysis.
+// The bearings of one analysis. Bearings that are no draws stay the same, except for factors.
 enum class CaseKind {
-  nominal,  // draws are the population's median
-  lower,    // the same, forces times the factors of the bound analyses
+  nominal,  // every draw is the population's median
+  lower,    // nominal, all forces times the factor `lower` or `upper`
   upper,
-  factor,    // the same, forces times one of factor_grid()
-  draw,      // every bearing that is a draw a device of its own
-  uncertain  // the same, of a population as uncertain as the tests leave it
+  factor,    // nominal, all forces times grid_factor(draw)
+  draw,      // every draw is a device of its own from the population
+  uncertain  // as draw, from a population estimated again (population_again)
 };
 struct Case {
   CaseKind kind = CaseKind::nominal;
@@ -55,25 +56,23 @@ inline double grid_factor(std::uint32_t i) {
 
 std::string text(Case const& which);  // "nominal", "factor 0.60", "draw 7", "population 2 draw 7"; counted from 1
 
-// All analyses of a law under one motion, in the order of stores.
+// All analyses of a law under one motion, in the order of the store.
 std::vector<Case> cases_of(Settings const& settings);
 
-// How a law goes into the plane in a building: coupled where all its sets of parameters have such a form.
+// coupled if all parameter sets of the law have such a form; else springs, or separate if no motion goes along y.
 Coupling coupling_in(BuildingFile const& file, LawSource const& source);
 
-// Makes the sets of parameters of one law. A number depends on (seed, law, population, draw, bearing) alone.
+// The bearings of one law. A random number depends on (seed, law, population, draw, bearing) only.
 class Devices {
  public:
-  // Throws Error: a bearing is a draw of a law without population, or a device that was not tested. Under motions along x
-  // alone a law that has no coupled form is itself, not springs around the circle.
+  // Throws Error if a bearing is a draw and the law has no population with a covariance, or is an unknown device.
   Devices(LawSource source, BuildingFile const& file);
 
   LawSource const& source() const { return source_; }
-  Coupling coupling() const { return coupling_; }  // the same for all of them
-  // The bearings of one analysis.
+  Coupling coupling() const { return coupling_; }  // the same for all bearings
+  // Virgin bearings with parameters as `of` returns them.
   std::vector<std::unique_ptr<Bearing>> bearings(std::vector<double> const& values) const;
-  // [bearing][parameter]
-  std::vector<double> of(Case const& which) const;
+  std::vector<double> of(Case const& which) const;  // [bearing][parameter]
 
  private:
   std::vector<double> full(std::vector<double> const& of_population) const;
@@ -86,8 +85,8 @@ class Devices {
   std::vector<lot::Population> uncertain_;
 };
 
-// Of as many devices as were tested, drawn from the estimates' own distribution N(mu, S) and estimated again with the
-// same uncertainty: what another lot of tests of the same production might have said (a parametric bootstrap).
+// Parametric bootstrap: draws as many devices as were tested from N(mu, S), the distribution of the estimates, and
+// estimates the population from them with the same uncertainty, as another series of tests might have done.
 lot::Population population_again(lot::Population const& population, num::Stream const& stream,
                                  std::vector<lot::Limits> const& limits);
 

@@ -1,36 +1,35 @@
-// What both integrators of a building share, templated on the scalar (double, or a batch with one draw in a lane): the
-// modes of the superstructure over one step, and what is measured of a run. Plain arrays alone: this is compiled once
-// per instruction set too (fit/kernels.cpp says what that asks for).
+// The parts that both integrators of a building share: the superstructure's modes over one step, the measures of a run,
+// and the explicit path. The scalar is double, or a batch with one draw per lane. Plain arrays only, because this is
+// also compiled once per instruction set (fit/kernels.cpp says what that asks for).
 //
-// Both are Newmark's method with gamma = 1/2 (Newmark 1959): the modes by average acceleration (beta = 1/4), the base
-// by average acceleration where its force is found by iteration (integrate.cpp), by central differences (beta = 0)
-// where it is that of the displacement reached (explicit_run below). The modes of the next instant are linear in the
-// base's acceleration there, so that they leave a constant matrix of three rows in the base's equation. Undamped,
-// central differences beside average acceleration are stable for dt^2 K < 4 m with K the bearings' stiffness and m the
-// base slab's mass, however stiff the superstructure (Hughes and Liu 1978 for such partitions). The exact response of
-// the modes to a base acceleration that varies linearly over the step is not: with 95 % of the mass above and a period
-// of three or four steps it grows by a factor of 2.5 a step.
+// Both integrators are Newmark's method with gamma = 1/2 (Newmark 1959). The modes take average acceleration (beta =
+// 1/4), and so does the base where an iteration finds its force (integrate.cpp). In explicit_run the base takes central
+// differences (beta = 0), with the force at the displacement reached. The modes at the end of a step are linear in the
+// base's acceleration there, so they enter the base's equation as a constant 3 x 3 matrix. Undamped, this mixture is
+// stable for dt^2 K < 4 m, with K the bearings' stiffness and m the base slab's mass, however stiff the superstructure
+// (Hughes and Liu 1978 for such partitions). Rejected: the exact response of the modes to a base acceleration that is
+// linear over the step. With 95 % of the mass above and a period of three or four steps it grows 2.5-fold a step.
 #pragma once
 
 #include <cstddef>
 
 #include "isolaw/num/scalar.hpp"
 
-// Every function that is not made of T must disappear into its caller (num/batch.hpp says why).
+// Every function without T in its type must be inlined (num/batch.hpp says why).
 #define ISOLAW_AWAY __attribute__((always_inline))
 
 namespace isolaw::building {
 
-// A structure on its bearings as arrays (Structure says what they hold); places relative to the base's centre of mass.
-struct Skeleton {
+// A structure on its bearings as arrays of the shapes that Structure names.
+struct StructureArrays {
   std::size_t modes = 0, floors = 0, bearings = 0, corners = 0;
   double const *mass = nullptr, *frequency = nullptr, *damping = nullptr, *participation = nullptr, *shape = nullptr,
                *rigid = nullptr, *deformation = nullptr, *shear = nullptr;
-  double const *bearing_at = nullptr, *corner_at = nullptr;  // [..][2], mm
+  double const *bearing_at = nullptr, *corner_at = nullptr;  // [][2], mm from the base's centre of mass
 };
 
-// What is measured, in this order: these, then of every diaphragm from the base its acceleration, of every storey its
-// shear and its drift, of every bearing its displacement and its energy.
+// The measures of a run, in this order: these, then the accelerations of all diaphragms from the base up, the shears of
+// all storeys, their drifts, the displacements of all bearings, and the work done on each.
 enum class Measure : std::size_t { isolator, centre, corner, rotation, end, shear, input, hysteretic, damped, balance };
 inline constexpr std::size_t measures_of_all = 10;
 
@@ -50,29 +49,29 @@ struct Layout {
   ISOLAW_AWAY constexpr std::size_t count() const { return measures_of_all + 1 + 3 * floors + 2 * bearings; }
 };
 
-// How the modes go over a step of this length: mode k has q''_1 = share_k (free part - participation_k . A_1).
+// A step of length dt: at its end mode k has q'' = share_k (free part_k - participation_k . A).
 struct ModeStep {
   double dt = 0.0;
   double const* share = nullptr;  // [mode]
 };
 
-// Everything that changes over a run. The arrays are the caller's.
+// Everything that changes over a run. The caller owns the arrays.
 template <class T>
 struct Run {
-  T u[3], v[3], A[3];          // of the base: relative to the ground, and the acceleration in space
-  T f[3];                      // of the bearings on the base, at its centre of mass
+  T u[3], v[3], A[3];          // base: displacement and velocity relative to the ground, acceleration in space
+  T f[3];                      // sum of the bearings' forces at its centre of mass, positive along the displacement
   T *q, *qv, *qa, *free_part;  // [mode]
   T *d, *force;                // [bearing][2]: displacement and force
-  T* measured;                 // [Layout::count()]; peaks as squares until finish()
-  T damped_rate;               // power of the damping at the last instant
+  T* measured;                 // [Layout::count()]; lengths of vectors as squares until finish_run()
+  T damped_rate;               // power of the modes' damping at the last instant
 };
-// Scalars that a run needs beside itself.
+// Number of scalars in a run's arrays.
 ISOLAW_AWAY constexpr std::size_t run_scalars(std::size_t modes, Layout const& layout) {
   return 4 * modes + 4 * layout.bearings + layout.count();
 }
 
 template <class T>
-inline void start_run(Run<T>& run, Skeleton const& s, T* memory) {
+inline void start_run(Run<T>& run, StructureArrays const& s, T* memory) {
   Layout const layout{s.floors, s.bearings};
   for (std::size_t i = 0; i < run_scalars(s.modes, layout); ++i) memory[i] = T(0.0);
   for (std::size_t i = 0; i < 3; ++i) run.u[i] = run.v[i] = run.A[i] = run.f[i] = T(0.0);
@@ -86,9 +85,9 @@ inline void start_run(Run<T>& run, Skeleton const& s, T* memory) {
   run.damped_rate = T(0.0);
 }
 
-// The free part of every mode at the end of the step, and what all of them do to the base there.
+// The free part of every mode at the end of the step, and the force of all of them on the base there.
 template <class T>
-inline void modes_freely(Run<T>& run, Skeleton const& s, ModeStep const& step, T (&on_base)[3]) {
+inline void modes_freely(Run<T>& run, StructureArrays const& s, ModeStep const& step, T (&on_base)[3]) {
   for (std::size_t i = 0; i < 3; ++i) on_base[i] = T(0.0);
   double const dt = step.dt;
   for (std::size_t k = 0; k < s.modes; ++k) {
@@ -101,9 +100,9 @@ inline void modes_freely(Run<T>& run, Skeleton const& s, ModeStep const& step, T
   }
 }
 
-// The modes at the end of the step, the base's acceleration there being run.A.
+// Moves the modes to the end of the step, where the base's acceleration is run.A.
 template <class T>
-inline void modes_reach(Run<T>& run, Skeleton const& s, ModeStep const& step) {
+inline void modes_reach(Run<T>& run, StructureArrays const& s, ModeStep const& step) {
   double const dt = step.dt;
   for (std::size_t k = 0; k < s.modes; ++k) {
     T drive = run.free_part[k];
@@ -116,8 +115,8 @@ inline void modes_reach(Run<T>& run, Skeleton const& s, ModeStep const& step) {
   }
 }
 
-// The largest square of a length over a step: at its end, or of the cubic through both ends where it turns between
-// them. `rate`: its derivative by time.
+// The largest square of a length over a step: at its end, or between the ends if the cubic through both has a maximum
+// there. `rate` is the derivative of the square by time.
 template <class T>
 inline T largest_within(T const& square0, T const& rate0, T const& square1, T const& rate1, double dt) {
   using num::max;
@@ -130,16 +129,16 @@ inline T largest_within(T const& square0, T const& rate0, T const& square1, T co
   return select(rate0 > T(0.0), turned, square1);
 }
 
-// The motion of a point of the base.
+// Motion of a point of the base, from that of its centre of mass.
 template <class T>
-inline void at_point(T const (&base)[3], double const* at, T& x, T& y) {
-  x = base[0] + T(-at[1]) * base[2];
-  y = base[1] + T(at[0]) * base[2];
+inline void at_point(T const (&base)[3], double const* point, T& x, T& y) {
+  x = base[0] + T(-point[1]) * base[2];
+  y = base[1] + T(point[0]) * base[2];
 }
 
-// In space, of a diaphragm's centre of mass, the base being the first.
+// Acceleration of a diaphragm's centre of mass in space; diaphragm 0 is the base.
 template <class T>
-inline void acceleration_of(Run<T> const& run, Skeleton const& s, std::size_t diaphragm, T& x, T& y) {
+inline void acceleration_of(Run<T> const& run, StructureArrays const& s, std::size_t diaphragm, T& x, T& y) {
   x = run.A[0], y = run.A[1];
   if (diaphragm == 0) return;
   auto const add = [&](std::size_t i, T& a) ISOLAW_AWAY {
@@ -153,10 +152,10 @@ inline void acceleration_of(Run<T> const& run, Skeleton const& s, std::size_t di
   add(1, y);
 }
 
-// Takes one step's end: `u0`, `v0` and `f0` are of its start, ground accelerations of both ends;
-// momenta as momentum() gives them.
+// Updates the measures at the end of a step, which `run` has reached. The suffixes 0 and 1 are the step's start and
+// end; momentum() gives the momenta.
 template <class T>
-inline void measure(Run<T>& run, Skeleton const& s, double dt, T const (&u0)[3], T const (&v0)[3],
+inline void measure(Run<T>& run, StructureArrays const& s, double dt, T const (&u0)[3], T const (&v0)[3],
                     double const (&ground0)[2], double const (&ground1)[2], T const& momentum0_x, T const& momentum0_y,
                     T const& momentum1_x, T const& momentum1_y) {
   using num::abs;
@@ -164,22 +163,22 @@ inline void measure(Run<T>& run, Skeleton const& s, double dt, T const (&u0)[3],
   Layout const layout{s.floors, s.bearings};
   auto const keep = [&](std::size_t place, T const& value)
                         ISOLAW_AWAY { run.measured[place] = max(run.measured[place], value); };
-  auto const of = [](Measure which) ISOLAW_AWAY { return static_cast<std::size_t>(which); };
+  auto const index_of = [](Measure which) ISOLAW_AWAY { return static_cast<std::size_t>(which); };
 
   for (std::size_t c = 0; c <= s.corners; ++c) {
     double const origin[2]{0.0, 0.0};
-    double const* at = c < s.corners ? s.corner_at + 2 * c : origin;
+    double const* point = c < s.corners ? s.corner_at + 2 * c : origin;
     T x0, y0, x1, y1, vx0, vy0, vx1, vy1;
-    at_point(u0, at, x0, y0);
-    at_point(run.u, at, x1, y1);
-    at_point(v0, at, vx0, vy0);
-    at_point(run.v, at, vx1, vy1);
-    keep(of(c < s.corners ? Measure::corner : Measure::centre),
+    at_point(u0, point, x0, y0);
+    at_point(run.u, point, x1, y1);
+    at_point(v0, point, vx0, vy0);
+    at_point(run.v, point, vx1, vy1);
+    keep(index_of(c < s.corners ? Measure::corner : Measure::centre),
          largest_within<T>(x0 * x0 + y0 * y0, T(2.0) * (x0 * vx0 + y0 * vy0), x1 * x1 + y1 * y1,
                            T(2.0) * (x1 * vx1 + y1 * vy1), dt));
   }
-  keep(of(Measure::rotation), abs(run.u[2]));
-  keep(of(Measure::shear), run.f[0] * run.f[0] + run.f[1] * run.f[1]);
+  keep(index_of(Measure::rotation), abs(run.u[2]));
+  keep(index_of(Measure::shear), run.f[0] * run.f[0] + run.f[1] * run.f[1]);
 
   for (std::size_t floor = 0; floor <= s.floors; ++floor) {
     T x, y;
@@ -200,21 +199,20 @@ inline void measure(Run<T>& run, Skeleton const& s, double dt, T const (&u0)[3],
     keep(layout.storey_shear(storey), shear[0] * shear[0] + shear[1] * shear[1]);
   }
 
-  // Powers at both ends by the trapezium, but the ground's acceleration times the momentum, both linear over the step,
-  // exactly.
+  // Input: ground acceleration times momentum, both linear over the step, integrated exactly. Damping: trapezium rule.
   auto const power = [&](double g0, double g1, T const& p0, T const& p1)
                          ISOLAW_AWAY { return T(-dt / 6.0) * (T(2.0 * g0 + g1) * p0 + T(g0 + 2.0 * g1) * p1); };
-  run.measured[of(Measure::input)] +=
+  run.measured[index_of(Measure::input)] +=
       power(ground0[0], ground1[0], momentum0_x, momentum1_x) + power(ground0[1], ground1[1], momentum0_y, momentum1_y);
   T rate(0.0);
   for (std::size_t k = 0; k < s.modes; ++k) rate += T(2.0 * s.damping[k] * s.frequency[k]) * run.qv[k] * run.qv[k];
-  run.measured[of(Measure::damped)] += T(0.5 * dt) * (run.damped_rate + rate);
+  run.measured[index_of(Measure::damped)] += T(0.5 * dt) * (run.damped_rate + rate);
   run.damped_rate = rate;
 }
 
-// Takes the force of bearing j at its new place, the base's motion being given at both ends of the step.
+// Adds the work of a step on bearing j, by the trapezium rule, and keeps its new place and force.
 template <class T>
-inline void measure_bearing(Run<T>& run, Skeleton const& s, std::size_t j, T const& x, T const& y, T const& fx,
+inline void measure_bearing(Run<T>& run, StructureArrays const& s, std::size_t j, T const& x, T const& y, T const& fx,
                             T const& fy) {
   Layout const layout{s.floors, s.bearings};
   T *d = run.d + 2 * j, *f = run.force + 2 * j;
@@ -222,17 +220,18 @@ inline void measure_bearing(Run<T>& run, Skeleton const& s, std::size_t j, T con
   d[0] = x, d[1] = y, f[0] = fx, f[1] = fy;
 }
 
-// The displacement of every bearing over the step; after the velocity at its end is known.
+// Updates the largest displacement of every bearing; needs the velocity at the end of the step.
 template <class T>
-inline void measure_displacements(Run<T>& run, Skeleton const& s, double dt, T const (&u0)[3], T const (&v0)[3]) {
+inline void measure_displacements(Run<T>& run, StructureArrays const& s, double dt, T const (&u0)[3],
+                                  T const (&v0)[3]) {
   using num::max;
   Layout const layout{s.floors, s.bearings};
   for (std::size_t j = 0; j < s.bearings; ++j) {
-    double const* at = s.bearing_at + 2 * j;
+    double const* point = s.bearing_at + 2 * j;
     T x0, y0, vx0, vy0, vx1, vy1;
-    at_point(u0, at, x0, y0);
-    at_point(v0, at, vx0, vy0);
-    at_point(run.v, at, vx1, vy1);
+    at_point(u0, point, x0, y0);
+    at_point(v0, point, vx0, vy0);
+    at_point(run.v, point, vx1, vy1);
     T const x1 = run.d[2 * j], y1 = run.d[2 * j + 1];
     T& kept = run.measured[layout.displacement(j)];
     kept = max(kept, largest_within<T>(x0 * x0 + y0 * y0, T(2.0) * (x0 * vx0 + y0 * vy0), x1 * x1 + y1 * y1,
@@ -240,26 +239,26 @@ inline void measure_displacements(Run<T>& run, Skeleton const& s, double dt, T c
   }
 }
 
-// Momentum of all along x or y (i), relative to the ground.
+// Momentum of the whole building along x or y (i = 0, 1), relative to the ground.
 template <class T>
-inline T momentum(Run<T> const& run, Skeleton const& s, std::size_t i) {
-  T made(0.0);
+inline T momentum(Run<T> const& run, StructureArrays const& s, std::size_t i) {
+  T sum(0.0);
   for (std::size_t j = 0; j < 3; ++j)
-    if (double const m = s.mass[3 * i + j]; m != 0.0) made += T(m) * run.v[j];
+    if (double const m = s.mass[3 * i + j]; m != 0.0) sum += T(m) * run.v[j];
   for (std::size_t k = 0; k < s.modes; ++k)
-    if (double const c = s.participation[3 * k + i]; c != 0.0) made += T(c) * run.qv[k];
-  return made;
+    if (double const c = s.participation[3 * k + i]; c != 0.0) sum += T(c) * run.qv[k];
+  return sum;
 }
 
-// Lengths from their squares, and the balance: what is left of the input that is neither moving, strained, damped nor
-// taken by the bearings, over the larger of the input and what they took.
+// Turns squares into lengths and computes the balance: input energy minus kinetic, strain, damped and bearings' energy,
+// over the larger of the input and the bearings' energy. An exact integration leaves 0.
 template <class T>
-inline void finish_run(Run<T>& run, Skeleton const& s) {
+inline void finish_run(Run<T>& run, StructureArrays const& s) {
   using num::abs;
   using num::max;
   using num::sqrt;
   Layout const layout{s.floors, s.bearings};
-  auto const at = [&](Measure which) ISOLAW_AWAY -> T& { return run.measured[static_cast<std::size_t>(which)]; };
+  auto const value = [&](Measure which) ISOLAW_AWAY -> T& { return run.measured[static_cast<std::size_t>(which)]; };
   T held(0.0);
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j)
@@ -272,24 +271,24 @@ inline void finish_run(Run<T>& run, Skeleton const& s) {
     held += T(0.5) * (run.qv[k] * run.qv[k] + w * w * run.q[k] * run.q[k]);
   }
   for (std::size_t j = 0; j < s.bearings; ++j) {
-    at(Measure::hysteretic) += run.measured[layout.energy(j)];
-    at(Measure::isolator) = max(at(Measure::isolator), run.measured[layout.displacement(j)]);
+    value(Measure::hysteretic) += run.measured[layout.energy(j)];
+    value(Measure::isolator) = max(value(Measure::isolator), run.measured[layout.displacement(j)]);
   }
-  at(Measure::end) = run.u[0] * run.u[0] + run.u[1] * run.u[1];
-  T const left = at(Measure::input) - held - at(Measure::damped) - at(Measure::hysteretic);
-  T const size = max(abs(at(Measure::input)), abs(at(Measure::hysteretic)));
-  at(Measure::balance) = left / max(size, T(1e-290));
+  value(Measure::end) = run.u[0] * run.u[0] + run.u[1] * run.u[1];
+  T const left = value(Measure::input) - held - value(Measure::damped) - value(Measure::hysteretic);
+  T const size = max(abs(value(Measure::input)), abs(value(Measure::hysteretic)));
+  value(Measure::balance) = left / max(size, T(1e-290));
   for (auto const which : {Measure::isolator, Measure::centre, Measure::corner, Measure::end, Measure::shear})
-    at(which) = sqrt(at(which));
+    value(which) = sqrt(value(which));
   for (std::size_t i = layout.acceleration(0); i < layout.energy(0); ++i) run.measured[i] = sqrt(run.measured[i]);
 }
 
-// Ground accelerations at equal steps, linear between them, and zeros after.
+// Ground accelerations at equal steps, linear between samples. After the last they fall to zero over one interval.
 struct Ground {
-  double const *x = nullptr, *y = nullptr;  // mm/s2; y may be missing
+  double const *x = nullptr, *y = nullptr;  // mm/s2; y may be nullptr
   std::size_t samples = 0;
-  std::size_t parts = 1;  // steps in an interval of the samples
-  std::size_t steps = 0;  // of the run
+  std::size_t parts = 1;  // integration steps between two samples
+  std::size_t steps = 0;  // integration steps of the run
 
   ISOLAW_AWAY void at(std::size_t step, double (&out)[2]) const {
     std::size_t const i = step / parts, part = step % parts;
@@ -301,21 +300,21 @@ struct Ground {
   ISOLAW_AWAY double between(double const* values, std::size_t i, std::size_t part) const {
     double const w = static_cast<double>(part) / static_cast<double>(parts);
     double const a = i < samples ? values[i] : 0.0, b = i + 1 < samples ? values[i + 1] : 0.0;
-    // The last sample stays until the next would come: it falls to zero over one interval.
     return part == 0 ? a : a + w * (b - a);
   }
 };
 
-// The explicit path. `inverse`: of the base's constant matrix M - sum share participation participation^T, [3][3].
-// force_of(j, x, y, fx, fy, vx, vy, dt): of bearing j at its new displacement, with a velocity that is good to the
-// second order; it keeps the bearing's state.
+// The explicit path. `inverse` [3][3] is that of M - sum share participation participation^T.
+// force_of(j, x, y, vx, vy, fx, fy) is called once per step for each bearing j, in order. It moves the bearing to its
+// displacement (x, y) at the end of the step, sets its force (fx, fy) there [kN], positive along the displacement, and
+// advances its state. (vx, vy) is the velocity extrapolated from the start, v + dt a, off by a term of order dt^2.
 template <class T, class Force>
-inline void explicit_run(Run<T>& run, Skeleton const& s, ModeStep const& step, double const* inverse,
+inline void explicit_run(Run<T>& run, StructureArrays const& s, ModeStep const& step, double const* inverse,
                          Ground const& ground, Force const& force_of) {
   double const dt = step.dt;
   double g0[2], g1[2];
   ground.at(0, g0);
-  // At rest with no force, the whole has no acceleration in space until the ground has moved away under it.
+  // The building starts at rest: no bearing has a force, so nothing accelerates in space before the ground has moved.
   T p0x(0.0), p0y(0.0);
   for (std::size_t n = 0; n < ground.steps; ++n) {
     ground.at(n + 1, g1);
@@ -328,15 +327,15 @@ inline void explicit_run(Run<T>& run, Skeleton const& s, ModeStep const& step, d
     T speed[3];
     for (std::size_t i = 0; i < 3; ++i) speed[i] = v0[i] + T(dt) * a0[i], run.f[i] = T(0.0);
     for (std::size_t j = 0; j < s.bearings; ++j) {
-      double const* at = s.bearing_at + 2 * j;
+      double const* point = s.bearing_at + 2 * j;
       T x, y, vx, vy, fx, fy;
-      at_point(run.u, at, x, y);
-      at_point(speed, at, vx, vy);
+      at_point(run.u, point, x, y);
+      at_point(speed, point, vx, vy);
       force_of(j, x, y, vx, vy, fx, fy);
       measure_bearing(run, s, j, x, y, fx, fy);
       run.f[0] += fx;
       run.f[1] += fy;
-      run.f[2] += T(-at[1]) * fx + T(at[0]) * fy;
+      run.f[2] += T(-point[1]) * fx + T(point[0]) * fy;
     }
     modes_freely(run, s, step, on_base);
     for (std::size_t i = 0; i < 3; ++i) on_base[i] += run.f[i];

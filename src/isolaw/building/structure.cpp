@@ -34,22 +34,22 @@ Vector3 masses_of(Diaphragm const& slab) {
 }  // namespace
 
 Matrix3 carried(Point from, Point at) {
-  Matrix3 made = Matrix3::Identity();
-  made(0, 2) = -(at.y_mm - from.y_mm);
-  made(1, 2) = at.x_mm - from.x_mm;
-  return made;
+  Matrix3 transform = Matrix3::Identity();
+  transform(0, 2) = -(at.y_mm - from.y_mm);
+  transform(1, 2) = at.x_mm - from.x_mm;
+  return transform;
 }
 
 Storey storey(double x_kN_mm, double y_kN_mm, double rotation_kNmm, Point centre) {
-  Storey made{.centre = centre};
-  made.stiffness.diagonal() << x_kN_mm, y_kN_mm, rotation_kNmm;
-  return made;
+  Storey result{.centre = centre};
+  result.stiffness.diagonal() << x_kN_mm, y_kN_mm, rotation_kNmm;
+  return result;
 }
 
 std::vector<Floor> equal_floors(std::size_t count, Diaphragm const& slab, double period_x_s, double period_y_s,
                                 double rotation_ratio) {
   using std::numbers::pi;
-  // Of n equal masses and springs the first frequency is 2 sqrt(k/m) sin(pi / (4 n + 2)).
+  // A chain of n equal masses m and springs k has the first frequency 2 sqrt(k/m) sin(pi / (4 n + 2)).
   double const factor = 2.0 * std::sin(pi / (4.0 * static_cast<double>(count) + 2.0));
   auto const stiffness = [&](double period_s) {
     double const rate = 2.0 * pi / (period_s * factor);
@@ -134,9 +134,9 @@ std::vector<double> Structure::frequencies_on(Matrix3 const& bearings) const {
   whole.topLeftCorner<3, 3>() += bearings;
   num::Vector const root = masses_.cwiseSqrt().cwiseInverse();
   auto const values = num::symmetric_eigen(root.asDiagonal() * whole * root.asDiagonal()).values;
-  std::vector<double> made;
-  for (double const value : values) made.push_back(std::sqrt(std::max(0.0, value)));
-  return made;
+  std::vector<double> frequencies;
+  for (double const value : values) frequencies.push_back(std::sqrt(std::max(0.0, value)));
+  return frequencies;
 }
 
 }  // namespace isolaw::building

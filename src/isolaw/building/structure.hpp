@@ -1,15 +1,15 @@
-// The building above and around its bearings: a base slab and floors, each a rigid diaphragm of three degrees of
-// freedom, ux, uy and the rotation at its centre of mass, joined by storeys that shear and twist (a shear building).
+// The building without its bearings: a base slab and floors, each a rigid diaphragm with three degrees of freedom (ux,
+// uy and the rotation at its centre of mass), joined by storeys that shear and twist (a shear building).
 // Source: Chopra, Dynamics of Structures, sections 9.5 and 18; Naeim and Kelly, Design of Seismic Isolated Structures.
 //
-// The superstructure is linear: w, its motion relative to the base carried along rigidly, is a sum of its modes on a
-// fixed base. With u_b the base relative to the ground, A the base's acceleration in space and q the modes,
+// The superstructure is linear: its motion relative to the rigidly moving base is a sum of its modes on a fixed base.
+// With u_b the base relative to the ground, A the base's acceleration in space and q the modes,
 //   q'' + 2 zeta omega q' + omega^2 q = -Gamma A            Gamma = phi^T M_s R, R the rigid motion of the floors
 //   M A + Gamma^T q'' + f(u_b, u_b') = 0                    M the mass of all, as a rigid body
-// No mode is left out, so that these are the full equations. The damping is modal, of the superstructure on its fixed
-// base, and nothing of it is in the isolation layer.
+// No mode is left out, so these are the full equations. The damping is that of the modes on the fixed base; the
+// isolation layer gets none of it.
 //
-// Units kN, mm, s, so that a mass is in kN s2/mm (1000 Mg) and 1 kN/mm on 100 Mg has omega^2 = 10 1/s2.
+// Units kN, mm, s; a mass is in kN s2/mm = 1000 Mg, and 1 kN/mm on 100 Mg has omega^2 = 10 1/s2.
 #pragma once
 
 #include <Eigen/Core>
@@ -30,18 +30,18 @@ struct Point {
   double x_mm = 0.0, y_mm = 0.0;
 };
 
-// Motion of the point `at` of a rigid plate whose motion is given at `from`: (ux - y theta, uy + x theta, theta).
+// Maps the motion of a rigid plate at `from` to that at `at`: (ux - y theta, uy + x theta, theta), x and y from `from`.
 Matrix3 carried(Point from, Point at);
 
 struct Diaphragm {
   double mass_Mg = 0.0;
   double gyration_mm = 0.0;  // radius of gyration about the vertical through the centre of mass
-  Point centre = {};         // of mass, in plan
+  Point centre = {};         // centre of mass in plan
 };
 
 struct Storey {
   Matrix3 stiffness = Matrix3::Zero();  // about `centre`: kN/mm, kN (coupling), kN mm
-  Point centre = {};                    // of stiffness, in plan
+  Point centre = {};                    // centre of stiffness in plan
 };
 Storey storey(double x_kN_mm, double y_kN_mm, double rotation_kNmm, Point centre = {});
 
@@ -50,47 +50,47 @@ struct Floor {
   Diaphragm slab;
 };
 
-// `count` equal floors whose first periods along x and y on a fixed base are those given; the storeys' rotational
-// stiffness makes the first rotation of the floors `rotation_ratio` times as fast as the slower of the two.
+// `count` equal floors with the given first periods along x and y on a fixed base. Their first torsional frequency is
+// `rotation_ratio` times the lower of the two others.
 std::vector<Floor> equal_floors(std::size_t count, Diaphragm const& slab, double period_x_s, double period_y_s,
                                 double rotation_ratio = 1.3);
 
 struct Frame {
   Diaphragm base;
-  std::vector<Floor> floors;         // from below; none: a rigid mass on its bearings
-  std::vector<double> damping = {};  // ratios of the modes on a fixed base, the last holding for all further ones
+  std::vector<Floor> floors;         // from the lowest up; empty: a rigid mass on its bearings
+  std::vector<double> damping = {};  // [mode on a fixed base] ratios; the last holds for all further modes
 };
 
-// A frame made ready: its modes and what they do. Row-major arrays, for loops over lanes.
+// A frame with its modes, in row-major arrays for loops over lanes.
 class Structure {
  public:
-  // Throws Error of all that is wrong with the frame: masses and radii that are not positive, storeys that are not stiff.
+  // Throws one Error: masses and radii not above 0, storeys not positive definite, centres not finite, damping not < 1.
   explicit Structure(Frame frame);
 
   Frame const& frame() const { return frame_; }
   std::size_t floors() const { return frame_.floors.size(); }
   std::size_t modes() const { return frequency_.size(); }
 
-  Matrix3 const& mass() const { return mass_; }            // of all as a rigid body, about the base's centre of mass
-  Matrix3 const& base_mass() const { return base_mass_; }  // of the slab alone
+  Matrix3 const& mass() const { return mass_; }            // whole building, rigid, about the base's centre of mass
+  Matrix3 const& base_mass() const { return base_mass_; }  // the base slab only
   double weight_kN() const;
   std::vector<double> const& frequency_rad_s() const { return frequency_; }  // on a fixed base, ascending
   std::vector<double> const& damping() const { return damping_; }
   std::vector<double> const& participation() const { return participation_; }  // Gamma [mode][3]
-  // Acceleration in space of floor i's centre of mass, [floor][3]: carried(base) A + shape q''
+  // The acceleration of a floor's centre of mass in space is rigid A + shape q''.
   std::vector<double> const& shape() const { return shape_; }              // [floor][3][mode]
   std::vector<double> const& rigid() const { return rigid_; }              // [floor][3][3]
-  std::vector<double> const& deformation() const { return deformation_; }  // [storey][3][mode], at its centre
+  std::vector<double> const& deformation() const { return deformation_; }  // [storey][3][mode], at `centre`
   std::vector<double> const& shear() const { return shear_; }              // [storey][3][mode], kN and kN mm
 
-  // Circular frequencies on bearings of this stiffness about the base's centre of mass, ascending.
+  // Circular frequencies [rad/s], ascending, on bearings of this stiffness about the base's centre of mass.
   std::vector<double> frequencies_on(Matrix3 const& bearings) const;
 
  private:
   Frame frame_;
   Matrix3 mass_, base_mass_;
-  num::Vector masses_;     // of all degrees of freedom, the base first
-  num::Matrix stiffness_;  // of the storeys
+  num::Vector masses_;     // [degree of freedom], the base first
+  num::Matrix stiffness_;  // storeys only, without bearings
   std::vector<double> frequency_, damping_, participation_, shape_, rigid_, deformation_, shear_;
 };
 

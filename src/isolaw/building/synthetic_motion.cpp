@@ -14,7 +14,7 @@ namespace {
 
 using std::numbers::pi;
 
-// Power over circular frequency, to a factor.
+// Power spectral density at the circular frequency w, up to a factor.
 double clough_penzien(double w, double ground, double damping) {
   double const slow = 0.1 * ground, r = w / ground, s = w / slow;
   double const soil =
@@ -23,7 +23,7 @@ double clough_penzien(double w, double ground, double damping) {
   return soil * high_pass;
 }
 
-// Rises as a square, holds, falls exponentially.
+// Rises as a square, stays at 1, falls exponentially.
 double envelope(double share) {
   constexpr double risen = 0.15, falls = 0.5;
   if (share < risen) return share * share / (risen * risen);
@@ -36,22 +36,22 @@ std::vector<double> component(num::Draws& numbers, SyntheticMotion const& wanted
   double const ground = 2.0 * pi / wanted.ground_period_s, width = 2.0 * pi * highest_Hz / waves;
   std::vector<double> amplitude, frequency, phase;
   for (std::size_t i = 0; i < waves; ++i) {
-    // Unequal steps of frequency, or the sum would repeat itself.
+    // With equal steps of frequency the sum would repeat itself.
     frequency.push_back(width * (static_cast<double>(i) + numbers.uniform()));
     amplitude.push_back(std::sqrt(clough_penzien(frequency.back(), ground, wanted.ground_damping)));
     phase.push_back(2.0 * pi * numbers.uniform());
   }
   auto const samples = static_cast<std::size_t>(std::llround(wanted.duration_s / wanted.step_s)) + 1;
-  std::vector<double> made(samples);
+  std::vector<double> values(samples);
   for (std::size_t n = 0; n < samples; ++n) {
     double const t = static_cast<double>(n) * wanted.step_s;
-    for (std::size_t i = 0; i < waves; ++i) made[n] += amplitude[i] * std::cos(frequency[i] * t + phase[i]);
-    made[n] *= envelope(t / wanted.duration_s);
+    for (std::size_t i = 0; i < waves; ++i) values[n] += amplitude[i] * std::cos(frequency[i] * t + phase[i]);
+    values[n] *= envelope(t / wanted.duration_s);
   }
   double most = 0.0;
-  for (double const a : made) most = std::max(most, std::abs(a));
-  for (double& a : made) a *= peak_mm_s2 / most;
-  return made;
+  for (double const a : values) most = std::max(most, std::abs(a));
+  for (double& a : values) a *= peak_mm_s2 / most;
+  return values;
 }
 
 }  // namespace
@@ -59,10 +59,10 @@ std::vector<double> component(num::Draws& numbers, SyntheticMotion const& wanted
 Motion synthetic_motion(std::uint64_t seed, std::uint32_t index, SyntheticMotion const& wanted) {
   num::Draws x(num::Stream(seed), index, 0), y(num::Stream(seed), index, 1);
   double const peak = wanted.peak_g * data::gravity_mm_s2;
-  Motion made{
+  Motion motion{
       .name = fmt::format("synthetic {}", index + 1), .step_s = wanted.step_s, .x_mm_s2 = component(x, wanted, peak)};
-  if (wanted.two_components) made.y_mm_s2 = component(y, wanted, 0.85 * peak);
-  return made;
+  if (wanted.two_components) motion.y_mm_s2 = component(y, wanted, 0.85 * peak);
+  return motion;
 }
 
 }  // namespace isolaw::building

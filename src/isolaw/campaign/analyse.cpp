@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -20,7 +19,7 @@
 namespace isolaw::campaign {
 namespace {
 
-// What a law's analyses over the lot need: every device that was examined.
+// A law on all devices that have an analysis of it: the input of the fits to the lot.
 struct LawOnLot {
   std::string_view law;
   int refinement = 1;
@@ -30,20 +29,17 @@ struct LawOnLot {
   fit::SearchBox box = {};
 
   std::vector<fit::LawOnRecord const*> pointers() const {
-    std::vector<fit::LawOnRecord const*> made;
-    for (auto const& model : models) made.push_back(&model);
-    return made;
+    std::vector<fit::LawOnRecord const*> addresses;
+    for (auto const& model : models) addresses.push_back(&model);
+    return addresses;
   }
 };
 
-int evaluations_of(DeviceAnalysis const& made) {
-  return made.determination.evaluations + made.intervals.evaluations;
+int evaluations_of(LotAnalysis const& result) {
+  return result.mean.evaluations + result.worst.law.evaluations;
 }
-int evaluations_of(LotAnalysis const& made) {
-  return made.mean.evaluations + made.worst.law.evaluations;
-}
-int evaluations_of(LeftOutAnalysis const& made) {
-  return made.left_out.evaluations;
+int evaluations_of(LeftOutAnalysis const& result) {
+  return result.left_out.evaluations;
 }
 
 class Analysis {
@@ -52,7 +48,7 @@ class Analysis {
       : contents_(contents), store_(store), options_(options), total_(contents.expected_analyses()) {}
 
   std::size_t run() {
-    take_what_holds();
+    take_earlier_analyses();
     examine_devices();
     if (interrupted() || (options_.share && !every_device_examined(contents_))) return threads_;
     Meter own(options_.profile);
@@ -67,43 +63,43 @@ class Analysis {
  private:
   bool interrupted() const { return options_.interrupted && options_.interrupted(); }
 
-  // Of a campaign of fewer runs: what rests on best runs that are best still.
-  void take_what_holds() {
-    auto& held = contents_.held_over;
-    auto const holds = [&](std::size_t device, std::string const& law) {
+  // Analyses of the campaign when it had fewer runs stay valid where the best run is still one of those.
+  void take_earlier_analyses() {
+    auto& earlier = contents_.held_over;
+    auto const best_is_earlier = [&](std::size_t device, std::string const& law) {
       auto const* best = contents_.best_run(device, law);
-      return best != nullptr && best->number <= held.runs;
+      return best != nullptr && best->number <= earlier.runs;
     };
-    auto const take = [&](auto& from, auto& to, auto const& may) {
+    auto const take = [&](auto& from, auto& to, auto const& is_valid) {
       for (auto& analysis : from) {
-        if (!may(analysis)) continue;
+        if (!is_valid(analysis)) continue;
         store_.add(analysis);
         to.push_back(std::move(analysis));
       }
       from.clear();
     };
-    auto const of_device = [&](auto const& analysis) { return holds(analysis.device, analysis.law); };
+    auto const device_is_valid = [&](auto const& analysis) { return best_is_earlier(analysis.device, analysis.law); };
     // A device on which the law had no usable run before may have one now.
-    auto const of_lot = [&](LotAnalysis const& analysis) {
+    auto const lot_is_valid = [&](LotAnalysis const& analysis) {
       std::vector<std::size_t> usable;
       for (auto const& search : contents_.searches)
         if (search.law == analysis.law && contents_.best_run(search.device, search.law) != nullptr)
           usable.push_back(search.device);
       return usable == analysis.devices &&
-             std::ranges::all_of(usable, [&](std::size_t device) { return holds(device, analysis.law); });
+             std::ranges::all_of(usable, [&](std::size_t device) { return best_is_earlier(device, analysis.law); });
     };
-    take(held.devices, contents_.device_analyses, of_device);
-    take(held.lots, contents_.lot_analyses, of_lot);
-    take(held.left_out, contents_.left_out,
+    take(earlier.devices, contents_.device_analyses, device_is_valid);
+    take(earlier.lots, contents_.lot_analyses, lot_is_valid);
+    take(earlier.left_out, contents_.left_out,
          [&](LeftOutAnalysis const& analysis) { return lot_analysis_of(analysis.law) != nullptr; });
   }
 
   void examine_devices() {
     std::vector<Search const*> tasks;
-    auto const dealt = options_.share ? deal_of_analyses(contents_, options_.share->of) : std::vector<int>();
+    auto const shares = options_.share ? assign_analyses(contents_, options_.share->of) : std::vector<int>();
     auto const is_of_share = [&](Search const& search) {
-      return dealt.empty() ||
-             dealt[static_cast<std::size_t>(&search - contents_.searches.data())] == options_.share->number;
+      return shares.empty() ||
+             shares[static_cast<std::size_t>(&search - contents_.searches.data())] == options_.share->number;
     };
     for (auto const& search : contents_.searches)
       if (is_of_share(search) && contents_.best_run(search.device, search.law) != nullptr &&
@@ -117,7 +113,7 @@ class Analysis {
     mark({Phase::determination, Phase::intervals});
   }
 
-  // nullopt when interrupted.
+  // Returns nullopt if interrupted.
   std::optional<DeviceAnalysis> examined(Search const& search, Meter& meter) const {
     auto const& best = *contents_.best_run(search.device, search.law);
     auto const model = law_on_device(contents_, search.device, search.law, best.refinement);
@@ -129,7 +125,7 @@ class Analysis {
     auto optimum = best.parameters;
     int evaluations = 0;
     if (contents_.settings.method == Method::genetic && box.free_count() > 0) {
-      // The runs end where the method of the paper does; what a test determines is asked about the least objective.
+      // A run of the paper's genetic algorithm may end above the least objective, where the analysis must start.
       fit::IdentificationProblem const problem(model, box);
       auto const found = opt::minimise_multistart(problem, stream, contents_.settings.multistart, options_.interrupted);
       if (found.outcome == Outcome::interrupted) return std::nullopt;
@@ -154,7 +150,8 @@ class Analysis {
                           .springs = std::move(springs)};
   }
 
-  // Where they are asked for, of a law that goes into the plane by them alone: fitted again on these devices' records.
+  // Fits the law as springs to these devices' records, if the settings ask for it and these parameters have no coupled
+  // form in two directions. Returns nullopt otherwise, and for a law without an online form.
   std::optional<fit::AsSprings> as_springs(std::string_view law, std::span<std::size_t const> devices,
                                            fit::SearchBox const& box, std::vector<double> const& parameters,
                                            int refinement) const {
@@ -168,18 +165,18 @@ class Analysis {
   std::vector<LawOnLot> laws_on_lot() const {
     std::vector<LawOnLot> lots;
     auto const& laws = contents_.settings.laws;
-    auto const dealt = options_.share ? deal_of_laws(contents_, options_.share->of) : std::vector<int>();
+    auto const shares = options_.share ? assign_laws(contents_, options_.share->of) : std::vector<int>();
     for (std::size_t i = 0; i < laws.size(); ++i) {
-      if (options_.share && dealt[i] != options_.share->number) continue;
+      if (options_.share && shares[i] != options_.share->number) continue;
       auto const& law = laws[i];
       LawOnLot lot{.law = law};
       for (auto const& search : contents_.searches) {
         if (search.law != law) continue;
-        auto const* examined = contents_.analysis_of(search.device, law);
-        if (examined == nullptr) continue;
+        auto const* on_device = contents_.analysis_of(search.device, law);
+        if (on_device == nullptr) continue;
         lot.devices.push_back(search.device);
-        lot.optima.push_back(examined->determination.optimum);
-        lot.refinement = std::max(lot.refinement, examined->refinement);
+        lot.optima.push_back(on_device->determination.optimum);
+        lot.refinement = std::max(lot.refinement, on_device->refinement);
       }
       if (lot.devices.size() < 2) continue;
       for (auto const device : lot.devices) lot.models.push_back(law_on_device(contents_, device, law, lot.refinement));
@@ -195,52 +192,52 @@ class Analysis {
       if (lot_analysis_of(lot.law) == nullptr) tasks.push_back(&lot);
     auto const law_of = [&](std::size_t i) { return tasks[i]->law; };
     each(tasks.size(), contents_.lot_analyses, {Phase::lot, TaskKind::lot}, law_of, [&](std::size_t i, Meter& meter) {
-      auto made = fitted(*tasks[i]);
-      if (made) meter.count_evaluations(Phase::lot, evaluations_of(*made));
-      return made;
+      auto result = fitted(*tasks[i]);
+      if (result) meter.count_evaluations(Phase::lot, evaluations_of(*result));
+      return result;
     });
     std::ranges::sort(contents_.lot_analyses, {}, &LotAnalysis::law);
     mark({Phase::lot});
   }
 
-  // nullopt when interrupted. Without parameters where no start has a finite force on every device.
+  // Returns nullopt if interrupted, and a result without parameters if no start has a finite force on every device.
   std::optional<LotAnalysis> fitted(LawOnLot const& lot) const {
-    LotAnalysis made{.law = std::string(lot.law), .refinement = lot.refinement, .devices = lot.devices};
+    LotAnalysis result{.law = std::string(lot.law), .refinement = lot.refinement, .devices = lot.devices};
     auto const models = lot.pointers();
     auto mean = analysis::least_mean(models, lot.box, lot.optima, options_.interrupted);
     if (interrupted()) return std::nullopt;
-    if (!mean) return made;
-    made.mean = std::move(*mean);
-    auto worst = analysis::least_worst(models, lot.box, made.mean, options_.interrupted);
+    if (!mean) return result;
+    result.mean = std::move(*mean);
+    auto worst = analysis::least_worst(models, lot.box, result.mean, options_.interrupted);
     if (!worst) return std::nullopt;
-    made.worst = std::move(*worst);
-    made.springs = as_springs(lot.law, lot.devices, lot.box, made.mean.parameters, lot.refinement);
-    return made;
+    result.worst = std::move(*worst);
+    result.springs = as_springs(lot.law, lot.devices, lot.box, result.mean.parameters, lot.refinement);
+    return result;
   }
 
   void leave_each_out(std::vector<LawOnLot> const& lots) {
     std::vector<std::pair<LawOnLot const*, std::size_t>> tasks;
     for (auto const& lot : lots)
       for (std::size_t i = 0; i < lot.devices.size(); ++i) {
-        bool const there = std::ranges::any_of(contents_.left_out, [&](auto const& other) {
+        bool const done = std::ranges::any_of(contents_.left_out, [&](auto const& other) {
           return other.device == lot.devices[i] && other.law == lot.law;
         });
-        if (!there) tasks.emplace_back(&lot, i);
+        if (!done) tasks.emplace_back(&lot, i);
       }
     auto const law_of = [&](std::size_t i) { return tasks[i].first->law; };
     each(tasks.size(), contents_.left_out, {Phase::left_out, TaskKind::left_out}, law_of,
          [&](std::size_t i, Meter& meter) {
            auto const& [lot, place] = tasks[i];
-           LeftOutAnalysis found{.device = lot->devices[place], .law = std::string(lot->law)};
-           found.left_out.objective = std::nan("");
-           auto const* of_all = lot_analysis_of(lot->law);
+           LeftOutAnalysis result{.device = lot->devices[place], .law = std::string(lot->law)};
+           result.left_out.objective = std::nan("");
+           auto const* on_lot = lot_analysis_of(lot->law);
            auto left_out =
-               of_all == nullptr || of_all->mean.parameters.empty()
+               on_lot == nullptr || on_lot->mean.parameters.empty()
                    ? std::nullopt
-                   : analysis::leave_out(lot->pointers(), lot->box, of_all->mean.parameters, lot->optima, place);
-           if (left_out) found.left_out = std::move(*left_out);
-           meter.count_evaluations(Phase::left_out, evaluations_of(found));
-           return std::optional(std::move(found));
+                   : analysis::leave_out(lot->pointers(), lot->box, on_lot->mean.parameters, lot->optima, place);
+           if (left_out) result.left_out = std::move(*left_out);
+           meter.count_evaluations(Phase::left_out, evaluations_of(result));
+           return std::optional(std::move(result));
          });
     std::ranges::sort(contents_.left_out, {}, by_device_and_law);
     mark({Phase::left_out});
@@ -251,36 +248,34 @@ class Analysis {
     return found == contents_.lot_analyses.end() ? nullptr : &*found;
   }
 
-  void mark(std::initializer_list<Phase> of) {
-    if (options_.profile != nullptr) options_.profile->mark(of);
+  void mark(std::initializer_list<Phase> ended) {
+    if (options_.profile != nullptr) options_.profile->mark(ended);
   }
 
-  // Work by several threads; what a piece of it returns is stored and added to `where`, which none of them reads. What
-  // it has not said another phase took was for this one.
+  // Calls work(i, meter) for every i below `count` from several threads, stores what it returns and adds it to
+  // `results`, which `work` must not read. Time that `work` assigns to no phase itself counts for `part.phase`.
   struct Part {
     Phase phase;
     TaskKind kind;
   };
-  template <class Made, class LawOf, class Work>
-  void each(std::size_t count, std::vector<Made>& where, Part part, LawOf&& law_of, Work&& work) {
+  template <class Result, class LawOf, class Work>
+  void each(std::size_t count, std::vector<Result>& results, Part part, LawOf&& law_of, Work&& work) {
     if (options_.estimate != nullptr) {
-      std::map<std::string, std::size_t> left;
-      for (std::size_t i = 0; i < count; ++i) ++left[std::string(law_of(i))];
-      options_.estimate->expect_left(part.kind, left);
+      options_.estimate->expect_none(part.kind);
+      for (std::size_t i = 0; i < count; ++i) options_.estimate->expect(part.kind, law_of(i));
     }
     if (count == 0) return;
-    where.reserve(where.size() + count);
+    results.reserve(results.size() + count);
     auto const worked = for_each_in_parallel(count, options_.threads, [&](std::size_t i) {
       if (interrupted()) return;
       Meter meter(options_.profile);
-      TimedTask timed(options_.estimate, part.kind, law_of(i));
-      auto found = work(i, meter);
-      if (!found) return;
+      auto result = work(i, meter);
+      if (!result) return;
       {
         std::scoped_lock const lock(one_writer_);
-        store_.add(*found);
-        timed.done(evaluations_of(*found), options_.task_done);
-        where.push_back(std::move(*found));
+        store_.add(*result);
+        if (options_.estimate != nullptr) options_.estimate->done(part.kind, result->law);
+        results.push_back(std::move(*result));
         if (options_.progress) options_.progress(contents_.analyses(), total_);
       }
       meter.lap(part.phase);

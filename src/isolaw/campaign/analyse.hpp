@@ -1,5 +1,5 @@
-// After the runs: what each device's test determines of a law, one law for all devices, and that law without each of
-// them.
+// The analyses that follow the runs: what each device's test determines of a law, the one law fitted to all devices of
+// the lot, and that law fitted without each device in turn.
 #pragma once
 
 #include <cstddef>
@@ -13,12 +13,12 @@
 
 namespace isolaw::campaign {
 
-// Where a law's parameters are examined on a device: the box of the search, on the scales of `best`.
+// The box in which a device's analysis moves the parameters: that of the search, on the logarithmic scales of `best`.
 fit::SearchBox examined_box(Search const& search);
-// And in which the one law of all devices was looked for on which the law was examined.
+// The box in which one law is fitted to all devices that have a DeviceAnalysis of this law.
 fit::SearchBox box_of_lot(Contents const& contents, std::string_view law);
 
-// A law on a device's record, as a campaign of these settings integrates it.
+// A law on a device's record, integrated as the campaign's settings ask.
 fit::LawOnRecord law_on_device(Contents const& contents, std::size_t device, std::string_view law, int refinement = 1);
 
 struct AnalyseOptions {
@@ -27,16 +27,15 @@ struct AnalyseOptions {
   std::function<bool()> interrupted;                                  // asked from any thread
   Profile* profile = nullptr;
   Estimate* estimate = nullptr;
-  TaskDone task_done = {};
-  // Of the devices alone, dealt into so many; and where all of them are examined then, of the laws of the lot.
+  // Analyse only this share of the devices. If that leaves no device unexamined, also fit this share of the lot's laws.
   std::optional<Part> share = {};
 };
 
-// Whether each device was examined for each law that has a usable run there: what the laws of the lot start from.
+// Whether every device has an analysis of each law with a usable run there. Fits to the lot start from these analyses.
 bool every_device_examined(Contents const& contents);
 
 // Makes the analyses that are missing and adds them to the store and to `contents`, whose runs must be complete and
-// sorted. The result depends on the runs and the settings alone. Returns how many threads worked.
+// sorted. The result depends on the runs and the settings alone. Returns how many threads the system allowed.
 std::size_t analyse(Contents& contents, Store& store, AnalyseOptions const& options);
 
 }  // namespace isolaw::campaign

@@ -18,47 +18,47 @@ using analysis::Verdict;
 template <class T, class Of>
 concept A = std::same_as<std::remove_const_t<T>, Of>;
 
-// What of each struct is stored: `each(key, member)` writes a member, or reads it; several of one key are a list.
-void members(auto const& each, A<analysis::Profile> auto& of) {
-  each("value", of.value)("objective", of.objective);
+// The stored members of each struct. `each(key, member)` writes or reads a member; several members of a key are a list.
+void members(auto const& each, A<analysis::Profile> auto& p) {
+  each("value", p.value)("objective", p.objective);
 }
-void members(auto const& each, A<analysis::ParameterDetermination> auto& of) {
-  each("parameter", of.parameter)("verdict", of.verdict)("lower", of.lower)("upper", of.upper);
-  each("open_below", of.open_below)("open_above", of.open_above)("profile", of.profile);
+void members(auto const& each, A<analysis::ParameterDetermination> auto& p) {
+  each("parameter", p.parameter)("verdict", p.verdict)("lower", p.lower)("upper", p.upper);
+  each("open_below", p.open_below)("open_above", p.open_above)("profile", p.profile);
 }
-void members(auto const& each, A<analysis::TradeOff> auto& of) {
-  each("parameters", of.parameters)("change", of.change)("force_change", of.force_change)("sentence", of.sentence);
+void members(auto const& each, A<analysis::TradeOff> auto& t) {
+  each("parameters", t.parameters)("change", t.change)("force_change", t.force_change)("sentence", t.sentence);
 }
-void members(auto const& each, A<analysis::Determination> auto& of) {
-  each("optimum", of.optimum)("objective", of.objective)("rise", of.rise)("singular_values", of.singular_values);
-  each("parameters", of.parameters)("trade_offs", of.trade_offs)("evaluations", of.evaluations);
+void members(auto const& each, A<analysis::Determination> auto& d) {
+  each("optimum", d.optimum)("objective", d.objective)("rise", d.rise)("singular_values", d.singular_values);
+  each("parameters", d.parameters)("trade_offs", d.trade_offs)("evaluations", d.evaluations);
 }
-void members(auto const& each, A<analysis::ParameterInterval> auto& of) {
-  each("parameter", of.parameter)("linear", of.linear_lower, of.linear_upper);
-  each("bootstrap", of.bootstrap_lower, of.bootstrap_upper);
+void members(auto const& each, A<analysis::ParameterInterval> auto& p) {
+  each("parameter", p.parameter)("linear", p.linear_lower, p.linear_upper);
+  each("bootstrap", p.bootstrap_lower, p.bootstrap_upper);
 }
-void members(auto const& each, A<analysis::Intervals> auto& of) {
-  each("level", of.level)("samples", of.samples)("block", of.block)("replicates", of.replicates);
-  each("parameters", of.parameters)("covariance", of.covariance)("evaluations", of.evaluations);
+void members(auto const& each, A<analysis::Intervals> auto& i) {
+  each("level", i.level)("samples", i.samples)("block", i.block)("replicates", i.replicates);
+  each("parameters", i.parameters)("covariance", i.covariance)("evaluations", i.evaluations);
 }
-void members(auto const& each, A<analysis::OneLaw> auto& of) {
-  each("parameters", of.parameters)("objectives", of.objectives);
-  each("mean", of.mean)("worst", of.worst)("evaluations", of.evaluations);
+void members(auto const& each, A<analysis::OneLaw> auto& law) {
+  each("parameters", law.parameters)("objectives", law.objectives);
+  each("mean", law.mean)("worst", law.worst)("evaluations", law.evaluations);
 }
-void members(auto const& each, A<fit::AsSprings> auto& of) {
-  each("parameters", of.parameters)("law", of.law)("given", of.given)("fitted", of.fitted);
+void members(auto const& each, A<fit::AsSprings> auto& s) {
+  each("parameters", s.parameters)("law", s.law)("given", s.given)("fitted", s.fitted);
 }
-void members(auto const& each, A<DeviceAnalysis> auto& of) {
-  each("refinement", of.refinement)("determination", of.determination)("intervals", of.intervals);
-  each.where_there("springs", of.springs);
+void members(auto const& each, A<DeviceAnalysis> auto& a) {
+  each("refinement", a.refinement)("determination", a.determination)("intervals", a.intervals);
+  each.where_there("springs", a.springs);
 }
-void members(auto const& each, A<LotAnalysis> auto& of) {
-  each("refinement", of.refinement)("devices", of.devices);
-  each("mean", of.mean)("worst", of.worst.law)("bound", of.worst.bound);
-  each.where_there("springs", of.springs);
+void members(auto const& each, A<LotAnalysis> auto& a) {
+  each("refinement", a.refinement)("devices", a.devices);
+  each("mean", a.mean)("worst", a.worst.law)("bound", a.worst.bound);
+  each.where_there("springs", a.springs);
 }
-void members(auto const& each, A<LeftOutAnalysis> auto& of) {
-  auto& left_out = of.left_out;
+void members(auto const& each, A<LeftOutAnalysis> auto& a) {
+  auto& left_out = a.left_out;
   each("parameters", left_out.parameters)("objective", left_out.objective)("evaluations", left_out.evaluations);
 }
 
@@ -79,12 +79,12 @@ Json written(Verdict verdict) {
   return name(verdict);
 }
 template <class T>
-Json written(T const& of);
+Json written(T const& object);
 template <class T>
 Json written(std::vector<T> const& values) {
-  Json made = Json::array();
-  for (auto const& value : values) made.push_back(written(value));
-  return made;
+  Json array = Json::array();
+  for (auto const& value : values) array.push_back(written(value));
+  return array;
 }
 struct Writer {
   Json& json;
@@ -100,10 +100,10 @@ struct Writer {
   }
 };
 template <class T>
-Json written(T const& of) {
-  Json made;
-  members(Writer{made}, of);
-  return made;
+Json written(T const& object) {
+  Json json;
+  members(Writer{json}, object);
+  return json;
 }
 
 template <Plain T>
@@ -125,7 +125,7 @@ void read(Json const& json, Verdict& verdict) {
   verdict = *found;
 }
 template <class T>
-void read(Json const& json, T& of);
+void read(Json const& json, T& object);
 template <class T>
 void read(Json const& json, std::vector<T>& values) {
   values.clear();
@@ -145,8 +145,8 @@ struct Reader {
   }
 };
 template <class T>
-void read(Json const& json, T& of) {
-  members(Reader{json}, of);
+void read(Json const& json, T& object) {
+  members(Reader{json}, object);
 }
 
 }  // namespace

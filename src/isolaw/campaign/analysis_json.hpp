@@ -1,5 +1,5 @@
-// Analyses as the store holds them: JSON text, numbers to their last digit, null for what is not a finite number. Of a
-// DeviceAnalysis, LotAnalysis or LeftOutAnalysis, without its device, law and maker, which are columns of their own.
+// Converts a DeviceAnalysis, LotAnalysis or LeftOutAnalysis to the JSON text that the store holds, and back. Numbers
+// keep their last digit; one that is not finite is null. Device, law and maker are columns of their own in the store.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace isolaw::campaign {
 template <class Analysis>
 std::string analysis_json(Analysis const& analysis);
 
-// Throws nlohmann::json::exception, or Error for what is no analysis.
+// Throws nlohmann::json::exception or Error if the text is not such an analysis.
 template <class Analysis>
 void read_analysis(std::string_view json, Analysis& analysis);
 

@@ -6,7 +6,6 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
-#include <new>
 #include <optional>
 #include <set>
 #include <thread>
@@ -23,10 +22,10 @@
 namespace isolaw::campaign {
 namespace {
 
-// One law on one device. The record as the law sees it is a hundred times larger than this: each run makes its own, so
-// that only those at work are in memory.
+// One law on one device. The LawOnRecord is a hundred times larger: each run makes its own, so that only those of
+// running tasks are in memory.
 struct Target {
-  std::size_t place;  // among the campaign's searches
+  std::size_t place;  // index among the campaign's searches
   Search const* search;
   num::Stream stream;
 };
@@ -36,7 +35,7 @@ struct Task {
   int number;
 };
 
-// Nothing is searched when every parameter is fixed: the one point is the answer.
+// For a box in which every parameter is fixed: its only point is the result.
 opt::SearchResult evaluate_fixed(Target const& target, fit::LawOnRecord const& model, Method method) {
   opt::SearchResult result;
   std::vector<double> parameters(target.search->box.parameters.size()), work;
@@ -62,7 +61,7 @@ opt::SearchResult search_by(Settings const& settings, Target const& target, fit:
              : opt::minimise_multistart(problem, stream, settings.multistart, interrupted);
 }
 
-// Keeps how the search went, and none of what it found.
+// Marks the run as failed: keeps its statistics and drops its parameters.
 void fail(Run& run, std::string why) {
   run.outcome = Outcome::no_finite_value;
   run.failure = std::move(why);
@@ -86,16 +85,16 @@ Run finished(Target const& target, fit::LawOnRecord const& model, int number, op
   }
   run.parameters.resize(target.search->box.parameters.size());
   target.search->box.expand(result.best, run.parameters);
-  // What is reported comes from the scalar path, whatever evaluated the population.
+  // Reported numbers come from the scalar path, whichever kernels the search used.
   std::vector<double> work;
   run.objective = model.objective(run.parameters, work);
   run.integration_shift = model.integration_shift(run.parameters);
   return run;
 }
 
-// An optimum that owes more than a thousandth of its value to the step of the integration is none of the law's: the law
-// is fitted again from there in finer steps, until steps two and four times finer agree. One without a finite force in
-// finer steps is the steps' alone, and no result.
+// If more than a thousandth of an optimum's value comes from the integration step, it is not an optimum of the law. The
+// law is then fitted again from there in finer steps, until steps two and four times finer agree. The run fails if
+// finer steps give no finite force.
 void refit_in_finer_steps(Target const& target, fit::LawOnRecord model, Run& run) {
   constexpr double tolerance = 1e-3;
   if (!model.law().info.traits.path_integrated) return;
@@ -110,10 +109,10 @@ void refit_in_finer_steps(Target const& target, fit::LawOnRecord model, Run& run
     fit::IdentificationProblem const problem(finer, box);
     run.refinement = finer.refinement();
     if (box.free_count() > 0) {
-      auto const again = opt::descend(problem, box.contract(run.parameters), 1.0);
-      run.evaluations += again.evaluations;
-      run.failed_evaluations += again.failed_evaluations;
-      if (again.usable()) box.expand(again.best, run.parameters);
+      auto const refit = opt::descend(problem, box.contract(run.parameters), 1.0);
+      run.evaluations += refit.evaluations;
+      run.failed_evaluations += refit.failed_evaluations;
+      if (refit.usable()) box.expand(refit.best, run.parameters);
     }
     double const coarse = run.objective;
     run.objective = finer.objective(run.parameters, work);
@@ -131,7 +130,7 @@ void refit_in_finer_steps(Target const& target, fit::LawOnRecord model, Run& run
 std::vector<Task> missing_runs(Contents const& contents, std::vector<Target> const& targets) {
   std::set<std::tuple<std::size_t, std::string, int>> present;
   for (auto const& run : contents.runs) present.emplace(run.device, run.law, run.number);
-  std::optional<Deal> deal;
+  std::optional<RunAssignment> deal;
   if (contents.part) deal.emplace(contents, contents.part->of);
   auto const is_of_this_part = [&](Target const& target, int number) {
     return !deal || deal->part_of(target.place, number) == contents.part->number;
@@ -169,25 +168,17 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
       options.jobs > 0 ? static_cast<std::size_t>(options.jobs) : std::max(1U, std::thread::hardware_concurrency());
   Progress progress{
       .done = contents.runs.size(), .total = contents.runs.size() + tasks.size(), .analysis = false, .best = {}};
-  std::optional<Estimate> estimate;
-  if (options.progress || options.task_done) expect_all(estimate.emplace(jobs), contents);
-  if (estimate && contents.part) {
-    std::map<std::string, std::size_t> left;
-    for (auto const& task : tasks) ++left[targets[task.target].search->law];
-    for (auto const kind : {TaskKind::run, TaskKind::device, TaskKind::lot, TaskKind::left_out})
-      estimate->expect_left(kind, kind == TaskKind::run ? left : std::map<std::string, std::size_t>());
+  Estimate estimate(contents);
+  if (contents.part) {
+    for (auto const kind : task_kinds) estimate.expect_none(kind);
+    for (auto const& task : tasks) estimate.expect(TaskKind::run, targets[task.target].search->law);
   }
-  if (estimate && options.share && !every_device_examined(contents))
-    for (auto const kind : {TaskKind::lot, TaskKind::left_out}) estimate->expect_left(kind, {});
-  auto* const estimated = estimate ? &*estimate : nullptr;
+  if (options.share && !every_device_examined(contents))
+    for (auto const kind : {TaskKind::lot, TaskKind::left_out}) estimate.expect_none(kind);
   auto const tell = [&] {
     if (!options.progress) return;
-    try {
-      double const now_s = TimedTask::now_s();
-      progress.share = estimate->share(now_s);
-      progress.left_s = estimate->left_s(now_s);
-    } catch (std::bad_alloc const&) {  // what is told of the work before stands
-    }
+    progress.share = estimate.share();
+    progress.left_s = estimate.left_s();
     options.progress(progress);
   };
   auto const note = [&](Run const& run) {
@@ -208,7 +199,6 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
     if (asked_to_stop()) return;
     Meter meter(options.profile);
     auto const& target = targets[task.target];
-    TimedTask timed(estimated, TaskKind::run, target.search->law);
     auto model = law_on_device(contents, target.search->device, target.search->law);
     auto const result = search_by(contents.settings, target, model, task.number, asked_to_stop);
     if (result.outcome == Outcome::interrupted) return;
@@ -218,10 +208,10 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
       refit_in_finer_steps(target, std::move(model), run);
     std::scoped_lock const lock(one_writer);
     note(run);
-    store.add(run);  // after it nothing may fail: a run that ran out of memory is tried again
+    store.add(run);  // after this nothing may fail: a task that ran out of memory is tried again
     ++progress.done;
     meter.count_evaluations(Phase::search, run.evaluations);
-    timed.done(run.evaluations, options.task_done);
+    estimate.done(TaskKind::run, run.law);
     contents.runs.push_back(std::move(run));
     tell();
     meter.lap(Phase::search);
@@ -229,7 +219,7 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
 
   own.lap(Phase::search);
   auto worked = for_each_in_parallel(tasks.size(), jobs, [&](std::size_t i) { perform(tasks[i]); });
-  own.restart();
+  Meter::restart();
   bool short_of_threads = worked < std::min(jobs, tasks.size());
   std::ranges::sort(contents.runs, {}, [](Run const& r) { return std::tie(r.device, r.law, r.number); });
   own.lap(Phase::search);
@@ -247,18 +237,17 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
                                       },
                                   .interrupted = asked_to_stop,
                                   .profile = options.profile,
-                                  .estimate = estimated,
-                                  .task_done = options.task_done,
+                                  .estimate = &estimate,
                                   .share = options.share});
-    own.restart();
+    Meter::restart();
     if (threads < jobs) {
       worked = short_of_threads ? std::min(worked, threads) : threads;
       short_of_threads = true;
     }
   }
   if (short_of_threads && options.short_of_threads) options.short_of_threads(static_cast<int>(worked));
-  bool const complete = contents.complete();  // also when the wish to stop came during the last run
-  bool const plain = store.finish();          // also when interrupted: whoever reads it next finds one plain file
+  bool const complete = contents.complete();  // may be true although an interruption was asked for during the last run
+  bool const plain = store.finish();  // also after an interruption, so that the next reader finds one plain file
   opened.reset();
   if (complete && plain) Store::put_in_order(file);
   own.lap(Phase::report);

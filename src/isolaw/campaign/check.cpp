@@ -20,9 +20,9 @@
 namespace isolaw::campaign {
 namespace {
 
-// An objective near zero, of a record a law made itself, is rounding.
+// On a record that the law itself computed the objective is near zero and nothing but rounding.
 constexpr double smallest_objective = 1e-3;
-bool ends_at(double a, double b) {
+bool close_objectives(double a, double b) {
   return std::abs(a - b) <= fit::evaluation_tolerance * std::max({std::abs(a), std::abs(b), smallest_objective});
 }
 
@@ -52,7 +52,7 @@ void check_record(Device const& device, Settings const& settings, std::vector<st
   }
 }
 
-// The curve is as it was read whichever build reads it now; what it gives is not.
+// A curve that differs from the one read is a fault in any build. The stiffness found from it may depend on the build.
 void check_vertical(Device const& device, std::vector<std::string>& faults, std::vector<std::string>& found) {
   auto const& test = device.vertical;
   if (!test.curve_sha256.empty() && test.curve_sha256 != data::curve_hash(test))
@@ -90,7 +90,7 @@ class Checker {
     check_course(where, search, run);
     if (!std::ranges::is_sorted(run.history, std::ranges::greater())) complain(where, "its history rises");
     if (!run.usable()) return;
-    if (run.history.empty() || (run.refinement == 1 && !ends_at(run.history.back(), run.objective)))
+    if (run.history.empty() || (run.refinement == 1 && !close_objectives(run.history.back(), run.objective)))
       complain(where, "its history ends elsewhere");
     for (std::size_t i = 0; i < run.parameters.size(); ++i) {
       auto const& p = search.box.parameters[i];
@@ -100,7 +100,7 @@ class Checker {
       if (!inside) complain(where, fmt::format("{} = {} lies outside its box", p.name, run.parameters[i]));
     }
     hold(where, run.device, run.law, run.refinement, run.parameters, run.objective);
-    // The difference of two objectives, each as exact as an objective is.
+    // The shift is the difference of two objectives, hence twice the tolerance of one.
     double const shift =
         law_on_device(contents_, run.device, run.law, run.refinement).integration_shift(run.parameters);
     bool const same = shift == run.integration_shift ||
@@ -144,7 +144,7 @@ class Checker {
   }
 
  private:
-  // How the search went: what the settings and the history leave no choice in.
+  // Checks the number of evaluations and the outcome, as far as the settings and the history determine them.
   void check_course(std::string const& where, Search const& search, Run const& run) {
     bool const searched = search.box.free_count() > 0;
     auto const [evaluations, end] =
@@ -168,7 +168,7 @@ class Checker {
             .end = searched ? opt::outcome_of(run.history, genetic) == run.outcome
                             : count == 1 && run.outcome != Outcome::stagnated};
   }
-  // A history has a value for each start, and one for the refinement that ends a confirmed search.
+  // The history has a value for each start and, if the search was confirmed, one for the final refinement.
   Possible descents(bool searched, Run const& run) const {
     auto const& options = contents_.settings.multistart;
     auto const least = static_cast<std::size_t>(searched && run.usable() ? options.least_starts : 1);
@@ -181,9 +181,9 @@ class Checker {
   void hold(std::string const& where, std::size_t device, std::string const& law, int refinement,
             std::vector<double> const& parameters, double stored) {
     double const again = law_on_device(contents_, device, law, refinement).objective(parameters, work_);
-    bool const none = std::isnan(stored) && !std::isfinite(again);  // no finite force there
+    bool const both_infinite = std::isnan(stored) && !std::isfinite(again);  // NaN is stored for no finite force
     double const difference =
-        none || again == stored ? 0.0 : std::abs(again - stored) / std::max(stored, smallest_objective);
+        both_infinite || again == stored ? 0.0 : std::abs(again - stored) / std::max(stored, smallest_objective);
     result_.largest_difference = std::max(result_.largest_difference, difference);
     if (!(difference <= fit::evaluation_tolerance))
       complain(where, fmt::format("its parameters give the objective {}, stored is {}", again, stored));

@@ -1,4 +1,4 @@
-// Whether a finished store can be trusted: the file itself, and every number in it that can be computed again.
+// Tells whether a finished store can be trusted: checks the file itself and computes its numbers again.
 #pragma once
 
 #include <cstddef>
@@ -10,18 +10,17 @@ namespace isolaw::campaign {
 
 struct Check {
   std::size_t devices = 0, searches = 0, runs = 0, expected_runs = 0, analyses = 0, expected_analyses = 0;
-  double largest_difference = 0.0;  // of an objective computed again, relative
-  std::vector<std::string> faults;  // one sentence each; empty: sound
-  // What another build computed and this one computes otherwise, which then is no fault; and whether it did.
-  std::vector<std::string> differences;
-  bool of_another_build = false;
+  double largest_difference = 0.0;       // the largest relative difference of an objective computed again
+  std::vector<std::string> faults;       // one sentence each; empty: sound
+  std::vector<std::string> differences;  // values of another build that this one computes otherwise, which is no fault
+  bool of_another_build = false;         // whether another build computed any part of the store
 };
 
-// SQLite's own check of the file; that indices and lengths fit; that each device's raw record cleaned again is the
-// record the laws saw, and the boxes are those made from it; that each run's parameters give its objective and lie in
-// the box, and so for the optima, the laws of the lot and those without one device; profiles and intervals are held to
-// their optimum alone. Values are compared within fit::evaluation_tolerance, so that another machine may check.
-// Throws Error when the file is not a store at all.
+// Runs SQLite's own check, checks that indices and lengths fit, cleans each raw record again and makes the boxes again.
+// A run's parameters must lie in the box and give its objective; those of the optima, and of the laws of the lot with
+// and without each device, must give theirs. No profile may fall below its optimum. Intervals are not computed again.
+// Values are compared within fit::evaluation_tolerance, so that another machine may check. Throws Error when the file
+// is not a store at all.
 Check check(std::filesystem::path const& file);
 
 }  // namespace isolaw::campaign

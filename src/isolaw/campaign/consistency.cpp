@@ -57,7 +57,7 @@ void require_search(Contents const& campaign, Search const& s) {
   }
 }
 
-// They are printed, and written into inputs of other programs.
+// These words are printed, and written into input files of other programs, hence the limits.
 void require_words(Maker const& maker) {
   constexpr std::size_t longest = 64;
   for (auto const& word : {maker.version, maker.build, maker.instruction_set})
@@ -72,7 +72,7 @@ void require_refinement(int refinement) {
   if (refinement < 1 || refinement > finest_refinement) fail(fmt::format("{} steps per sample", refinement));
 }
 
-// nullptr where it was not searched.
+// Returns nullptr if the law was not searched on the device.
 Search const* search_of(Contents const& campaign, std::size_t device, std::string_view law) {
   auto const [first, last] = std::ranges::equal_range(campaign.searches, device, {}, &Search::device);
   auto const found = std::find_if(first, last, [&](Search const& s) { return s.law == law && s.refusal.empty(); });

@@ -1,14 +1,14 @@
-// What readers of Contents rely on: indices and lengths that fit together. Asked when a store is read, of whatever file
-// it is, and before anything is written: what a reader refuses is never stored.
+// Checks that the indices and lengths in Contents fit together, as its readers expect. This is done whenever a store is
+// read, and before anything is written, so that nothing is stored that a reader would refuse.
 #pragma once
 
 #include "isolaw/campaign/contents.hpp"
 
 namespace isolaw::campaign {
 
-// Each throws Error that says what does not fit.
+// Each throws an Error that says what does not fit.
 void require_consistent(Contents const& contents);
-// Of a campaign whose devices, searches and settings are those of `campaign`.
+// Check one result against the devices, searches and settings of `campaign`.
 void require_consistent(Contents const& campaign, Run const& run);
 void require_consistent(Contents const& campaign, DeviceAnalysis const& analysis);
 void require_consistent(Contents const& campaign, LotAnalysis const& analysis);

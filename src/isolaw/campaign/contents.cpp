@@ -36,7 +36,6 @@ std::string text(Part const& part) {
 }
 
 std::string_view name(Outcome outcome) {
-  // In the order of Outcome.
   static constexpr std::array<std::string_view, 6> names{"confirmed", "budget_spent",    "all_generations",
                                                          "stagnated", "no_finite_value", "interrupted"};
   return names.at(static_cast<std::size_t>(outcome));
@@ -51,7 +50,7 @@ std::size_t Contents::expected_runs() const {
 std::size_t Contents::expected_here() const {
   auto const all = expected_runs();
   if (!part) return all;
-  // Dealt in turn, see deal.hpp.
+  // Runs are dealt to the parts in turn, see deal.hpp.
   auto const number = static_cast<std::size_t>(part->number), of = static_cast<std::size_t>(part->of);
   return all < number ? 0 : (all - number) / of + 1;
 }

@@ -1,4 +1,4 @@
-// What a campaign holds, in memory: the plain image of the store.
+// The data of a campaign in memory, as the store holds them.
 #pragma once
 
 #include <optional>
@@ -21,13 +21,13 @@ namespace isolaw::campaign {
 // The program that computed a part of a campaign.
 struct Maker {
   std::string version;          // of isolaw
-  std::string build;            // a hash of the sources that decide numbers; empty: not known
-  std::string instruction_set;  // of the search; empty: not known
+  std::string build;            // a hash of the sources that determine numbers; empty if not known
+  std::string instruction_set;  // of the search; empty if not known
 
   bool operator==(Maker const&) const = default;
 };
 
-// What the lot file says about a device beside its record.
+// Facts about a device that the lot file states, besides its record.
 struct DeviceInfo {
   std::string serial, lot, test_date;
   std::optional<double> temperature_C, rubber_thickness_mm, rubber_area_mm2;
@@ -39,15 +39,15 @@ struct Device {
   std::string name;
   std::string file;  // as given, relative to the lot file
   DeviceInfo info;
-  std::string refusal = {};  // why the device takes no part; empty for a usable one
+  std::string refusal = {};  // why the device is left out; empty for a usable one
   data::TestRecord raw = {};
-  data::FitRecord record = {};       // what the laws are fitted to
+  data::FitRecord record = {};       // the cleaned record that laws are fitted to
   data::VerticalTest vertical = {};  // no law depends on it, so it may change before a campaign is continued
 
   bool usable() const { return refusal.empty(); }
 };
 
-// One law's search on one device: its box, or why it was not searched.
+// The search of one law on one device: its box, or the reason why there is none.
 struct Search {
   std::size_t device = 0;
   std::string law;
@@ -55,11 +55,12 @@ struct Search {
   fit::SearchBox box = {};
 };
 
-// confirmed, budget_spent: of the method `best`; all_generations, stagnated: of the genetic algorithm.
-using opt::Outcome;  // an interrupted run is not kept
+// `best` ends with confirmed or budget_spent, the genetic algorithm with all_generations or stagnated, both also with
+// no_finite_value. Interrupted runs are not kept.
+using opt::Outcome;
 std::string_view name(Outcome outcome);
 
-// Steps per sample, a power of four: what a search may end on.
+// The most integration steps per sample that a run may end with. The number of steps is a power of four.
 inline constexpr int finest_refinement = 64;
 
 struct Run {
@@ -67,42 +68,42 @@ struct Run {
   std::string law;
   int number = 0;  // from 1
   Outcome outcome = Outcome::no_finite_value;
-  double objective = 0.0;          // NaN when no parameter set gave a finite force
-  double integration_shift = 0.0;  // of the objective, against a much finer path
-  int refinement = 1;              // steps per sample of the path that the law was integrated on in the end
+  double objective = 0.0;          // NaN if no parameter set gave a finite force
+  double integration_shift = 0.0;  // how far the objective moves on a much finer path
+  int refinement = 1;              // the number of integration steps per sample that the run ended with
   int evaluations = 0;
-  int failed_evaluations = 0;           // parameter sets tried that gave no finite force
+  int failed_evaluations = 0;           // those of them that gave no finite force
   std::string failure = {};             // why the run is not usable; empty for a usable one
-  std::vector<double> parameters = {};  // all of the law's; empty when not usable
-  std::vector<double> history = {};     // best objective after each generation, or start
-  std::size_t maker = 0;                // place in Contents::makers; the store sets it
+  std::vector<double> parameters = {};  // all of the law's; empty for a run that is not usable
+  std::vector<double> history = {};     // best objective after each generation or descent
+  std::size_t maker = 0;                // index in Contents::makers; the store sets it
 
   bool usable() const { return !parameters.empty(); }
 };
 
-// What the test of one device determines of a law, about its least objective.
+// The analysis of a law on one device, at its least objective: what the test determines.
 struct DeviceAnalysis {
   std::size_t device = 0;
   std::string law;
-  int refinement = 1;  // as of the run it starts from
+  int refinement = 1;  // that of the run it starts from
   analysis::Determination determination;
   analysis::Intervals intervals;
-  std::optional<fit::AsSprings> springs = {};  // where they were asked for and its optimum has no coupled form
+  std::optional<fit::AsSprings> springs = {};  // if they were asked for and the optimum has no coupled form
   std::size_t maker = 0;
 };
 
 // One parameter vector for all devices that have a DeviceAnalysis of the law.
 struct LotAnalysis {
   std::string law;
-  int refinement = 1;                          // the finest of the devices'
-  std::vector<std::size_t> devices;            // those that took part, rising
-  analysis::OneLaw mean = {};                  // least mean objective; objectives in the order of `devices`
-  analysis::LeastWorst worst = {};             // least objective of the worst device
-  std::optional<fit::AsSprings> springs = {};  // of the mean, as of a device
+  int refinement = 1;                          // the largest of the devices'
+  std::vector<std::size_t> devices;            // those that took part, in rising order
+  analysis::OneLaw mean = {};                  // the law of least mean objective; its objectives follow `devices`
+  analysis::LeastWorst worst = {};             // the law with the least objective of the worst device
+  std::optional<fit::AsSprings> springs = {};  // fitted from `mean`, under the same conditions as for a device
   std::size_t maker = 0;
 };
 
-// The law of the lot without one device, judged by it.
+// The law of the lot without one device, judged on that device.
 struct LeftOutAnalysis {
   std::size_t device = 0;
   std::string law;
@@ -110,32 +111,32 @@ struct LeftOutAnalysis {
   std::size_t maker = 0;
 };
 
-// The order of results, but for the number of a run.
+// Sort key of results, by device and law.
 inline constexpr auto by_device_and_law = [](auto const& item) {
   return std::tuple(item.device, std::string_view(item.law));
 };
 
-// Analyses of a campaign of fewer runs. One of a device holds where the best run is among those; one of the lot where
-// all of its devices' do.
-struct HeldOver {
-  int runs = 0;  // per device and law
+// Analyses of the campaign when it had fewer runs. That of a device is still valid if its best run is one of those,
+// that of the lot if those of all its devices are.
+struct EarlierAnalyses {
+  int runs = 0;  // the number per device and law then
   std::vector<DeviceAnalysis> devices = {};
   std::vector<LotAnalysis> lots = {};
   std::vector<LeftOutAnalysis> left_out = {};
 };
 
-// What the tests are held to. No law depends on it, so it may change before a campaign is continued or reported.
+// The requirements for the tests. No law depends on them: they may change before a campaign is continued or reported.
 struct Acceptance {
-  std::string rules;            // text of a rule set; empty: none
-  std::string rules_file;       // its name
-  std::string design;           // "K_eff=1.2,damping=15"; empty: no design values
-  std::optional<int> lot_size;  // devices of the production lot, tested or not
+  std::string rules;            // text of a rule set; empty if there is none
+  std::string rules_file;       // name or path of the rule set
+  std::string design;           // "K_eff=1.2,damping=15"; empty if there are no design values
+  std::optional<int> lot_size;  // number of devices in the production lot, tested or not
 
   bool operator==(Acceptance const&) const = default;
 };
 
-// A share of a campaign's runs, for a machine of its own: number `number` of `of`. It decides which runs are computed,
-// and none of their numbers.
+// A share of a campaign's runs for one of several machines: part `number` of `of`. It selects the runs to compute and
+// does not change their results.
 struct Part {
   int number = 1, of = 1;
 
@@ -143,9 +144,9 @@ struct Part {
 };
 inline constexpr int most_parts = 100'000;
 Part parse_part(std::string_view text);  // "3/40"; throws Error
-std::string text(Part const& part);      // and back
+std::string text(Part const& part);      // the inverse
 
-// What the law of the lot goes by where a device may be named.
+// The name that stands for the law of the lot where a device may be named.
 inline constexpr std::string_view whole_lot = "lot";
 
 struct Contents {
@@ -158,23 +159,23 @@ struct Contents {
   std::vector<DeviceAnalysis> device_analyses = {};  // by device, law
   std::vector<LotAnalysis> lot_analyses = {};        // by law
   std::vector<LeftOutAnalysis> left_out = {};        // by device, law
-  std::vector<Maker> makers = {};                    // the first read the records; empty: nobody but this program
-  std::optional<Part> part = {};                     // which alone is computed, and stored here; nullopt: all
-  HeldOver held_over = {};                           // of a campaign that grows; in no store
+  std::vector<Maker> makers = {};                    // the first read the records; empty: only this program
+  std::optional<Part> part = {};                     // the only part computed and stored here; nullopt: all
+  EarlierAnalyses held_over = {};                    // from before the campaign grew; not stored
 
-  std::size_t expected_runs() const;  // of every search that was not refused
-  std::size_t expected_here() const;  // those of them that are of this part
-  // Analyses that are to be made, given the runs there are; 0 without analysis. A part makes none, but they are
-  // expected of the whole.
+  std::size_t expected_runs() const;  // of all parts, over the searches that were not refused
+  std::size_t expected_here() const;  // of this part
+  // The number of analyses of the whole campaign, given the present runs; 0 if the settings ask for none. A part makes
+  // no analyses itself.
   std::size_t expected_analyses() const;
   std::size_t analyses() const { return device_analyses.size() + lot_analyses.size() + left_out.size(); }
-  // Nothing is left to compute here.
+  // Whether nothing is left to compute here.
   bool complete() const { return runs.size() == expected_here() && (part || analyses() >= expected_analyses()); }
 
-  // The usable run of least objective, the first of equals; nullptr: none.
+  // The usable run of least objective (the first one of several), or nullptr.
   Run const* best_run(std::size_t device, std::string_view law) const;
   DeviceAnalysis const* analysis_of(std::size_t device, std::string_view law) const;
-  // The device of that name; nullopt: `whole_lot`, where no device is called so. Throws Error: neither.
+  // The index of the named device; nullopt for `whole_lot`, unless a device is called so. Throws Error for other names.
   std::optional<std::size_t> device_or_lot(std::string_view name) const;
 };
 

@@ -11,7 +11,7 @@ namespace {
 
 using Costs = std::vector<std::tuple<std::uint64_t, std::size_t>>;
 
-// The dearest first.
+// Costliest first.
 Costs in_order(Costs costs) {
   std::ranges::stable_sort(costs, [](auto const& a, auto const& b) { return std::get<0>(a) > std::get<0>(b); });
   return costs;
@@ -25,7 +25,7 @@ Costs dearest_first(Contents const& contents) {
   return in_order(std::move(searches));
 }
 
-// Each to the part that has least to do; 0 of what has no cost here.
+// Assigns each item to the part with the least load; items without a cost get part 0.
 std::vector<int> even_by_cost(Costs const& costs, std::size_t count, int parts) {
   std::vector<int> part(count, 0);
   std::vector<std::uint64_t> load(static_cast<std::size_t>(parts), 0);
@@ -42,12 +42,13 @@ std::vector<int> even_by_cost(Costs const& costs, std::size_t count, int parts) 
 std::uint64_t relative_cost(Contents const& contents, Search const& search) {
   auto const& settings = contents.settings;
   auto const free = std::max<std::uint64_t>(search.box.free_count(), 1);
-  // Populations are of one size, descents take evaluations by the square of the free parameters (see estimate.hpp).
+  // A population has one size; descents need evaluations like the square of the free parameters (see estimate.cpp).
   auto const evaluations = settings.method == Method::genetic ? 1 : free * free;
   return laws::find_law(search.law).info.step_cost * evaluations * contents.devices[search.device].record.size();
 }
 
-Deal::Deal(Contents const& contents, int parts) : runs_(static_cast<std::size_t>(contents.settings.runs)) {
+RunAssignment::RunAssignment(Contents const& contents, int parts)
+    : runs_(static_cast<std::size_t>(contents.settings.runs)) {
   part_.resize(contents.searches.size() * runs_);
   int next = 0;
   for (auto const& [cost, search] : dearest_first(contents))
@@ -57,11 +58,11 @@ Deal::Deal(Contents const& contents, int parts) : runs_(static_cast<std::size_t>
     }
 }
 
-std::vector<int> deal_of_analyses(Contents const& contents, int parts) {
+std::vector<int> assign_analyses(Contents const& contents, int parts) {
   return even_by_cost(dearest_first(contents), contents.searches.size(), parts);
 }
 
-std::vector<int> deal_of_laws(Contents const& contents, int parts) {
+std::vector<int> assign_laws(Contents const& contents, int parts) {
   auto const& laws = contents.settings.laws;
   Costs costs;
   for (std::size_t i = 0; i < laws.size(); ++i) {

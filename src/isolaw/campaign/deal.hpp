@@ -1,5 +1,5 @@
-// Which part of a campaign computes a run: runs in the order of what they cost in all likelihood, dealt in turn, so
-// that parts are even. The same deal on every machine: nothing is measured for it.
+// Assigns the runs and analyses of a campaign to its parts, so that parts cost about the same. Runs are sorted by
+// estimated cost and dealt in turn. The result is the same on every machine, since nothing is measured for it.
 #pragma once
 
 #include <cstddef>
@@ -10,12 +10,12 @@
 
 namespace isolaw::campaign {
 
-class Deal {
+class RunAssignment {
  public:
-  // Of a campaign with its records.
-  Deal(Contents const& contents, int parts);
+  // `contents` must hold the records.
+  RunAssignment(Contents const& contents, int parts);
 
-  // Of a run of contents.searches[search], which was not refused.
+  // The part, from 1, of run `number` of contents.searches[search], which must not be refused.
   int part_of(std::size_t search, int number) const {
     return part_[search * runs_ + static_cast<std::size_t>(number) - 1];
   }
@@ -25,13 +25,13 @@ class Deal {
   std::vector<int> part_;
 };
 
-// Which of `parts` examines a device for a law (campaign/analyse.hpp), for each of contents.searches: the dearest
-// first, each to the part that has least to do. 0 where the search was refused.
-std::vector<int> deal_of_analyses(Contents const& contents, int parts);
-// And which fits a law to the lot and leaves each device out, for each of settings.laws.
-std::vector<int> deal_of_laws(Contents const& contents, int parts);
+// For each of contents.searches the part that analyses the device for the law (campaign/analyse.hpp), or 0 if the
+// search was refused. The costliest are assigned first, each to the part with the least load.
+std::vector<int> assign_analyses(Contents const& contents, int parts);
+// For each of settings.laws the part that fits the law to the lot and without each device.
+std::vector<int> assign_laws(Contents const& contents, int parts);
 
-// What a run costs in all likelihood, in proportion alone.
+// The estimated cost of a run; only ratios have a meaning.
 std::uint64_t relative_cost(Contents const& contents, Search const& search);
 
 }  // namespace isolaw::campaign

@@ -15,7 +15,7 @@ bool among(std::vector<std::string> const& laws, std::string_view law) {
   return std::ranges::find(laws, law) != laws.end();
 }
 
-// Those of the laws, in their order, as text.
+// The overrides of these laws as text, in the order of `overrides`.
 std::vector<std::string> overrides_of(std::vector<fit::Override> const& overrides,
                                       std::vector<std::string> const& laws) {
   std::vector<std::string> texts;
@@ -24,7 +24,7 @@ std::vector<std::string> overrides_of(std::vector<fit::Override> const& override
   return texts;
 }
 
-// The stored settings with what may grow as it is asked for.
+// The stored settings, where those that may grow are as asked for.
 Settings grown(Settings settings, Settings const& asked) {
   if (asked.analysis) settings.analysis = true;
   if (asked.springs) settings.springs = true;
@@ -46,7 +46,7 @@ bool same_record(Device const& there, Device const& now) {
   return there.raw.sha256 == now.raw.sha256 && there.refusal == now.refusal;
 }
 
-// A device that was refused has no results, and may be another now.
+// A device that was refused has no results, so its file may be another one now.
 std::string obstacle(Device const& there, Device const& now) {
   if (!there.usable()) return {};
   if (!now.usable()) return fmt::format("{}: refused now: {}", now.name, now.refusal);
@@ -75,8 +75,8 @@ std::vector<std::string> obstacles(Contents const& stored, Contents const& asked
     auto const place = place_of(asked, device.name);
     if (!place)
       gone.push_back("'" + device.name + "'");
-    else if (auto what = obstacle(device, asked.devices[*place]); !what.empty())
-      found.push_back(std::move(what));
+    else if (auto reason = obstacle(device, asked.devices[*place]); !reason.empty())
+      found.push_back(std::move(reason));
   }
   constexpr std::size_t most = 5;
   auto const more = gone.size() > most ? gone.size() - most : 0;
@@ -91,7 +91,7 @@ std::vector<std::string> growth(Contents const& stored, Contents const& asked) {
   std::vector<std::string> added;
   if (auto const more = asked.devices.size() - stored.devices.size(); more > 0)
     added.push_back(fmt::format("{} device{}", more, more == 1 ? "" : "s"));
-  std::vector<std::string> mended, refused;  // what differs was refused before
+  std::vector<std::string> mended, refused;  // devices that differ: all of them were refused before, see obstacle()
   for (auto const& device : stored.devices)
     if (auto const& now = asked.devices[*place_of(asked, device.name)]; !same_record(device, now))
       (now.usable() ? mended : refused).push_back("'" + device.name + "'");
@@ -121,7 +121,7 @@ void take_over(Contents stored, Contents& asked) {
   asked.runs = moved(std::move(stored.runs));
   asked.makers = std::move(stored.makers);
   auto devices = moved(std::move(stored.device_analyses));
-  if (asked.settings.springs && !stored.settings.springs) devices.clear();  // analyses fit them
+  if (asked.settings.springs && !stored.settings.springs) devices.clear();  // an analysis includes its springs
   if (!same_lot || devices.empty()) {
     stored.lot_analyses.clear();
     stored.left_out.clear();

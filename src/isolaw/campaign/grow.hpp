@@ -1,4 +1,4 @@
-// A campaign that grows: one of fewer devices, laws or runs, all else the same, serves the larger one.
+// Lets a campaign grow: the results of one with fewer devices, laws or runs, and otherwise the same, are used again.
 #pragma once
 
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace isolaw::campaign {
 
-// What makes the stored campaign none that the one asked for continues or grows from; empty where there is nothing.
+// The reasons why the campaign asked for can neither continue the stored one nor grow from it; empty if it can.
 std::vector<std::string> obstacles(Contents const& stored, Contents const& asked, Sides const& sides = {});
 
-// What is asked for beyond it, in words: "2 devices", "law gallardo", "20 runs instead of 10", or the devices' order;
-// empty where only what was asked for then is missing, or nothing.
+// Everything asked for beyond the stored campaign, in words: "2 devices", "law gallardo", "20 runs instead of 10", or
+// another order of the devices. Empty if the stored campaign was asked for the same, whether or not it is complete.
 std::vector<std::string> growth(Contents const& stored, Contents const& asked);
 
-// Takes over what the stored campaign computed, as far as a campaign begun with all would compute the same: runs, what
-// was found on a device, and about the lot where it is of the same devices. What rests on the best of the runs is held
-// over until it is known whether that is still the same (Contents::held_over).
+// Moves to `asked` the results that a campaign begun with everything would compute as well: runs, analyses of a device,
+// and those of the lot if it has the same devices. If more runs are asked for, the analyses go to Contents::held_over
+// until the new runs tell which of them are still valid.
 void take_over(Contents stored, Contents& asked);
 
 }  // namespace isolaw::campaign

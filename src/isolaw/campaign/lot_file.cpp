@@ -55,7 +55,7 @@ void require_rules(TomlTable& table, toml::node const& node, std::string const& 
                    "a name that isolaw rules lists, or a file in the folder of the lot file or below it");
 }
 
-// What the tests are held to: a built-in rule set by its name or a file beside the lot file, design values, lot size.
+// Reads [acceptance]: a built-in rule set or a file beside the lot file, design values, lot size.
 void read_acceptance(TomlTable& table, std::filesystem::path const& directory, LotFileOptions const& options,
                      Lot& lot) {
   auto& acceptance = lot.acceptance;
@@ -75,7 +75,7 @@ void read_acceptance(TomlTable& table, std::filesystem::path const& directory, L
   acceptance.rules_file = lot.rules_are_file ? (directory / name).string() : name;
   if (!lot.rules_are_file) return;
   if (options.allow_outside) return require_rules(table, *rules, name, acceptance.rules_file, options);
-  // Also of a file that is not there: what the name would lead to must not be told apart from what is there.
+  // Files that do not exist are refused alike, so that a lot file cannot find out which files exist outside.
   if (auto const outside = leads_outside(directory / name, directory))
     table.complain(*rules, fmt::format("rules: {} leads outside, to {}", in_quotes(name), outside->generic_string()),
                    "a built-in rule set, or a file in the folder of the lot file or below it",
@@ -94,7 +94,7 @@ void set_date(DeviceInfo& info, Json const& value) {
   info.test_date = text;
 }
 
-// What the table of a device says of it.
+// A key of a device's table that states a fact about the device.
 struct InfoOption : Option<DeviceInfo> {
   Measure measure = Measure::text;
 };
@@ -126,15 +126,14 @@ std::vector<InfoOption> const& info_table() {
   return table;
 }
 
-// How a compression test is read: as a motion is, which has no force either.
+// Visits the options for reading a compression test, which are those that a motion has too.
 template <class Visit>
 void for_each_vertical_option(Visit&& visit) {
   for (auto const& option : data::reading_table())
     if (!option.of_test) visit(option);
 }
 
-// K_v = 1234.0, vertical = "file.csv", or a table with the file, the loads and how it is read. `take_file` judges a
-// name.
+// Reads K_v = 1234.0, vertical = "file.csv", or a table of the file, the loads and options. `take_file` checks a name.
 void read_vertical_input(TomlTable& table, std::filesystem::path const& directory,
                          std::function<void(std::string const&)> const& take_file, std::string const& lot_file,
                          std::vector<Complaint>& complaints, VerticalInput& vertical) {
@@ -220,7 +219,7 @@ DeviceInput read_device(TomlTable& table, toml::table const& source, std::filesy
   return device;
 }
 
-// Values that each read well but are not allowed: at the line of their key, named as in the file.
+// Complains, at the line of its key, about each value that is not allowed together with the others.
 void refuse_settings(TomlTable const& reader, toml::table const& table, Settings const& settings,
                      std::vector<Complaint>& complaints) {
   try {
@@ -236,7 +235,7 @@ void refuse_settings(TomlTable const& reader, toml::table const& table, Settings
   }
 }
 
-// The results of a lot file of others must not be written over what lies elsewhere.
+// A lot file from someone else must not write its results outside the current directory.
 void take_out(Lot& lot, std::string const& out, LotFileOptions const& options) {
   lot.out = out;
   if (options.other_out) return;
@@ -260,7 +259,7 @@ std::string relative_name(std::filesystem::path const& file, std::filesystem::pa
   return (below ? inside : std::filesystem::absolute(file).lexically_normal()).generic_string();
 }
 
-// Null, and a list of nothing, stay out. TOML has no whole numbers above half of 64 bits: such a one is text.
+// Null and empty lists are left out. TOML's whole numbers are signed 64-bit: a larger one is written as text.
 void insert(toml::table& table, std::string const& key, Json const& value) {
   if (value.is_array()) {
     toml::array items;
@@ -282,8 +281,7 @@ void insert(toml::table& table, std::string const& key, Json const& value) {
   }
 }
 
-// What all devices are read by, key by key: one that a single device lacks stays out, since the device could not take
-// it back.
+// The options of reading that are the same for all devices. Others do not go into [read]: a device could not undo them.
 Json shared_reading(Lot const& lot) {
   Json shared = Json::object();
   for (auto const& option : data::reading_table()) {
@@ -295,12 +293,12 @@ Json shared_reading(Lot const& lot) {
   return shared;
 }
 
-// The keys in which `read` differs from what [read] says already.
-void insert_reading(toml::table& table, data::ReadOptions const& read, Json const& said) {
+// Inserts the keys in which `read` differs from the shared ones in [read].
+void insert_reading(toml::table& table, data::ReadOptions const& read, Json const& shared) {
   for (auto const& option : data::reading_table()) {
     auto const key = option.option();
     auto const value = option.get(read);
-    if (value != said.value(key, option.get({}))) insert(table, key, value);
+    if (value != shared.value(key, option.get({}))) insert(table, key, value);
   }
 }
 
@@ -406,7 +404,7 @@ Lot lot_of_files(std::vector<std::filesystem::path> const& files) {
     DeviceInput device;
     auto const stem = name_of_file(file);
     device.name = stem;
-    // Files of one name in several folders: the folder tells them apart, a number where that is not enough.
+    // The folder tells files of one name apart, or a number if that is not enough.
     if (names.contains(device.name))
       device.name = trimmed(printable(file.parent_path().filename().string()) + "/" + stem);
     for (int i = 2; !names.insert(device.name).second; ++i) device.name = fmt::format("{} ({})", stem, i);
@@ -419,7 +417,7 @@ Lot lot_of_files(std::vector<std::filesystem::path> const& files) {
 
 namespace {
 
-// The files of single channels, relative like all names of a lot file.
+// Makes the names of single channels' files relative, like all names in a lot file.
 data::ReadOptions with_relative_files(data::ReadOptions read, std::filesystem::path const& directory) {
   for (auto& [channel, column] : read.columns)
     if (auto const other = data::file_column(column))
@@ -444,7 +442,7 @@ void insert_vertical(toml::table& device, VerticalInput const& vertical, std::fi
   }
 }
 
-// What nobody said of a device, to be filled in: a key and what stands for its value.
+// The keys of a device without a value, as comments to be filled in.
 std::string open_keys(DeviceInfo const& info, Particulars const& hints) {
   std::string text;
   for (auto const& option : info_table()) {
@@ -477,7 +475,7 @@ Particulars take_particulars(std::vector<std::pair<std::string, std::string>> co
     } catch (Error const& error) {
       left[key] = text;
       auto const& why = error.complaints().front();
-      // Text that was read and is not allowed; of what could not be read its own words say enough.
+      // For a value that was understood but is not allowed, the limits are added.
       if (!value.is_null()) left[key] += fmt::format("; allowed: {}", why.allowed);
     }
   }

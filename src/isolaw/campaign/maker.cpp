@@ -11,7 +11,7 @@
 
 namespace isolaw::campaign {
 
-extern char const* const sources_hash;  // made while building, see CMakeLists.txt
+extern char const* const sources_hash;  // the build generates it, see CMakeLists.txt
 
 Maker this_maker() {
   return {.version = std::string(version()),

@@ -1,4 +1,4 @@
-// Which build of isolaw computed a campaign. Numbers of two builds may differ, so that one campaign is of one.
+// Tells which build of isolaw computed a campaign. Two builds may give different numbers, so only one may compute it.
 #pragma once
 
 #include <span>
@@ -8,14 +8,14 @@
 
 namespace isolaw::campaign {
 
-// Of this program.
+// The running program.
 Maker this_maker();
-// Whether they compute the same; what they ran on may differ.
+// Whether both are one known build and thus compute the same; their instruction sets may differ.
 bool same_build(Maker const& a, Maker const& b);
-// "0.1.0, build 0123456789ab", of several "... and ..."; of none that of this program.
+// "0.1.0, build 0123456789ab"; the different builds of several makers are joined by "and". No maker: this program.
 std::string text(std::span<Maker const> makers);
 std::string text(Maker const& maker);
-// Those that compute differently, each once, without what they ran on; of none that of this program.
+// The different builds among the makers, each once, without instruction sets. No maker: this program.
 std::vector<Maker> builds(std::span<Maker const> makers);
 
 }  // namespace isolaw::campaign

@@ -33,8 +33,8 @@ void require_sound(Path const& file, std::optional<Part> const& part) {
                  .advice = "copying it once more, or " + again(part)});
 }
 
-// One campaign is of one build; and what runs on two instruction sets differs in last digits, which no order of parts
-// would make the same bytes.
+// All numbers of a campaign come from one build, and from one instruction set: two differ in last digits, so that the
+// merged store would depend on which parts ran where.
 void require_one_maker(Path const& file, Contents const& part, Maker const& me) {
   for (auto const& maker : part.makers) {
     if (!same_build(maker, me))
@@ -55,7 +55,7 @@ void require_one_maker(Path const& file, Contents const& part, Maker const& me) 
   }
 }
 
-// What all the others are held to.
+// The first store, with which all others must agree.
 struct First {
   Path file;
   Contents contents;  // without series
@@ -88,7 +88,7 @@ std::size_t runs_in(Path const& file) {
 }
 
 void tell_missing(Path const& out, Merged& merged, MergeOptions const& options) {
-  // Without the records: whether anything is missing is a matter of keys.
+  // The keys tell which runs are missing; the records are not needed for that.
   auto const campaign = Store::read_beginning(out);
   auto const runs = static_cast<std::size_t>(campaign.settings.runs);
   std::map<std::pair<std::size_t, std::string_view>, std::size_t> places;
@@ -102,7 +102,7 @@ void tell_missing(Path const& out, Merged& merged, MergeOptions const& options) 
   });
   merged.missing = campaign.expected_runs() - count;
   if (merged.missing == 0) return;
-  std::optional<Deal> deal;
+  std::optional<RunAssignment> deal;
   if (merged.parts > 0) deal.emplace(Store::read_beginning_and_series(out), merged.parts);
   for (auto const& [key, place] : places)
     for (std::size_t run = 0; run < runs; ++run) {
@@ -117,7 +117,7 @@ void tell_missing(Path const& out, Merged& merged, MergeOptions const& options) 
     }
 }
 
-// Of a file that is to be replaced, whatever it is.
+// The result of read(), or `otherwise` if it throws: a file that is to be replaced may be damaged or no store at all.
 template <class Value, class Read>
 Value value_or(Value otherwise, Read&& read) {
   try {
@@ -127,7 +127,7 @@ Value value_or(Value otherwise, Read&& read) {
   }
 }
 
-// What no merge replaces: a part may be the only copy of its runs.
+// A merge replaces no part, since that may be the only copy of its runs.
 void refuse_part(Path const& out, std::optional<Part> const& part) {
   if (part)
     throw Error({.where = out.string(),
@@ -171,8 +171,8 @@ Merged merge(Path const& out, std::vector<Path> const& parts, MergeOptions const
   auto const me = this_maker();
   Merged merged;
   std::optional<First> first;
-  Path dealt;               // the first that says into how many
-  std::vector<Path> whole;  // which are no parts: of them what was examined is taken too
+  Path dealt;               // the first store that tells the number of parts
+  std::vector<Path> whole;  // stores that are not parts: their analyses are copied too
   auto const examine = [&](Path const& file) {
     auto const campaign = Store::read_beginning(file);
     require_sound(file, campaign.part);
@@ -219,7 +219,7 @@ Merged merge(Path const& out, std::vector<Path> const& parts, MergeOptions const
     refuse_part(out, first->contents.part);
   }
   for (auto const& file : files) examine(file);
-  // What is replaced stays until all that stands in its place was judged and copied.
+  // With --fresh the old store stays until everything that replaces it was checked and copied.
   auto const target = replaces ? sqlite::unfinished(out) : out;
   std::optional<sqlite::Unfinished> unfinished;
   if (replaces) unfinished.emplace(out);
@@ -241,7 +241,7 @@ Merged merge(Path const& out, std::vector<Path> const& parts, MergeOptions const
   }
   tell_missing(target, merged, options);
   if (merged.missing == 0) {
-    // What was examined rests on the best of all runs.
+    // Analyses start from the best of all runs, so only those of complete stores are copied.
     auto const runs = whole.empty() ? 0 : runs_in(target);
     std::erase_if(whole, [&](Path const& file) { return runs_in(file) < runs; });
     if (!whole.empty()) {

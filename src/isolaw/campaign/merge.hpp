@@ -1,5 +1,5 @@
-// A campaign that was computed in parts, made one again: checks that they are of one campaign, one build and one
-// instruction set, and copies their runs.
+// Merges the parts of a campaign into one store: checks that they belong to one campaign, one build and one instruction
+// set, and copies their runs.
 #pragma once
 
 #include <cstddef>
@@ -17,38 +17,37 @@ namespace isolaw::campaign {
 struct MissingRun {
   std::string device, law;
   int number = 0;
-  int part = 0;  // that should hold it; 0: nobody knows how the campaign was dealt
+  int part = 0;  // the part that should hold it; 0 if the number of parts is not known
 };
 
 struct Merged {
-  std::size_t added = 0, there = 0;  // runs: copied, and there before or in two parts
+  std::size_t added = 0, there = 0;  // runs copied, and runs that were there already or came twice
   std::size_t analyses = 0;          // copied
   std::size_t missing = 0;
-  int parts = 0;                          // that the campaign was dealt into; 0: none says so
-  std::vector<std::string> absent;        // parts that are not there
-  std::map<int, std::size_t> missing_of;  // by MissingRun::part
+  int parts = 0;                          // the number of parts of the campaign; 0 if no store tells it
+  std::vector<std::string> absent;        // given paths that do not exist
+  std::map<int, std::size_t> missing_of;  // missing runs by MissingRun::part
 };
-// "5 runs are missing, of part 4/7 (4 runs), 5/7 (1 run)"; empty where none is.
+// "5 runs are missing, of part 4/7 (4 runs), 5/7 (1 run)"; empty if none is missing.
 std::string missing_text(Merged const& merged);
 
-// What merges of campaigns and of buildings refuse alike: `out` is to be replaced by parts that are not all there, or,
-// every run in it, by fewer.
+// Two refusals that merges of campaigns and of buildings share. The first throws Error if `absent` is not empty: `out`
+// was to be replaced. The second always does: `out` is complete and would be replaced by fewer runs.
 void refuse_absent(std::filesystem::path const& out, std::vector<std::string> const& absent);
 [[noreturn]] void refuse_to_replace_whole(std::filesystem::path const& out, Merged const& merged);
 
 struct MergeOptions {
   std::function<void()> before_replacing = {};                  // see Store::create
-  std::function<void(std::size_t, std::size_t)> progress = {};  // parts copied, of all
-  std::function<void(MissingRun const&)> missing = {};          // told of each, in the order of results
-  bool fresh = false;  // replaces another campaign, once all that takes its place was judged and copied
+  std::function<void(std::size_t, std::size_t)> progress = {};  // called with the parts copied and their total
+  std::function<void(MissingRun const&)> missing = {};          // called for each missing run, in the order of results
+  bool fresh = false;  // replaces `out`, after everything that takes its place was checked and copied
 };
 
-// Adds to the store `out`, which is made where there is none, the runs of the stores `parts`, and what those that hold
-// all runs have examined of devices. Neither their order nor
-// one that is given twice matters. Every one is checked before the first is copied, and each is copied in one
-// transaction, so that a merge that was stopped is done again by the same call. Memory holds the records, and of the
-// results one run at a time. Throws Error: a store that is damaged, of another campaign, build or instruction set, runs
-// that contradict one another, an `out` that is a part, or would lose what it has.
+// Adds the runs of the stores `parts` to the store `out`, which is created if it is missing, and the analyses of those
+// stores that hold all runs. The order of the parts does not matter, and one may be given twice. All parts are checked
+// before the first is copied. Each is copied in one transaction, so the same call completes a merge that was stopped.
+// Memory holds the records and one run at a time. Throws Error for a store that is damaged or of another campaign,
+// build or instruction set, for runs that contradict each other, and if `out` is a part itself or would lose runs.
 Merged merge(std::filesystem::path const& out, std::vector<std::filesystem::path> const& parts,
              MergeOptions const& options = {});
 

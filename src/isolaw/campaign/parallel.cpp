@@ -18,12 +18,12 @@ std::size_t for_each_in_parallel(std::size_t count, std::size_t threads, std::fu
   if (count == 0) return 1;
   threads = std::max<std::size_t>(threads, 1);
   std::atomic<std::size_t> next = 0, busy = 0;
-  Crew crew;
+  WorkerGroup crew;
   std::mutex one_at_a_time;
   std::exception_ptr failure;
   std::vector<std::size_t> left;
   left.reserve(threads);
-  // False where memory ran out.
+  // Returns false if memory ran out.
   auto const work_through = [&] {
     for (auto i = next++; i < count; i = next++) {
       try {

@@ -13,8 +13,8 @@ struct Stated {
   std::string_view unit;
 };
 
-// "23.5 °C", "120,5 cm2": a number, then its unit. Digits grouped by blanks end at the first blank, and what follows is
-// no unit.
+// Splits "23.5 °C" or "120,5 cm2" into number and unit. A number with blanks between its digits ends at the first one,
+// and the rest is then no known unit.
 std::optional<Stated> number_and_unit(std::string_view text) {
   auto const end = std::min(text.find_first_not_of("0123456789.,+-eE"), text.size());
   std::string number(text.substr(0, end));

@@ -1,4 +1,4 @@
-// What a record's file says of its device in words ("23.5 °C", "120 cm2"), as the numbers that a lot file holds.
+// Converts what a record's file states about its device in words ("23.5 °C", "120 cm2") to the numbers of a lot file.
 #pragma once
 
 #include <optional>
@@ -7,11 +7,11 @@
 
 namespace isolaw::campaign {
 
-// What a lot file's key is a number of; text where it is none.
+// The quantity and unit of a lot file's key; `text` if it is not a number.
 enum class Measure { text, temperature_C, length_mm, area_mm2 };
 
-// The number that `text` states, in the unit of the measure. nullopt: no number or no unit that is known, or one comma
-// before exactly three digits, which may group them ("282,743 mm2") as well as begin a fraction.
+// The number that `text` states, in the unit of the measure. nullopt if it has no number or no known unit, or if a
+// single comma stands before exactly three digits: that may group digits ("282,743 mm2") or begin a fraction.
 std::optional<double> stated(std::string_view text, Measure measure);
 
 }  // namespace isolaw::campaign

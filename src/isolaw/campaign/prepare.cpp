@@ -19,7 +19,7 @@
 namespace isolaw::campaign {
 namespace {
 
-// Several files of one device as one history: time continues after a pause of one sampling interval.
+// Joins the files of one device into one history; time continues after a pause of one sampling interval.
 data::TestRecord read_history(DeviceInput const& input) {
   auto record = data::read_record(input.files.front(), input.read);
   for (std::size_t i = 1; i < input.files.size(); ++i)
@@ -27,7 +27,7 @@ data::TestRecord read_history(DeviceInput const& input) {
   return record;
 }
 
-// Files as the lot file names them: results must not depend on the folder the program was started from.
+// Names files as the lot file does: results must not depend on the folder in which the program was started.
 std::string with_shown_files(std::string text, std::filesystem::path const& directory) {
   auto const prefix = directory.empty() ? std::string() : (directory / "").generic_string();
   if (prefix.empty()) return text;
@@ -40,7 +40,7 @@ void show_files(std::vector<Finding>& findings, std::filesystem::path const& dir
     for (auto& word : finding.words) word.text = with_shown_files(std::move(word.text), directory);
 }
 
-// Of what can be read of a refused device, so that another content is noticed.
+// A hash of a refused device's readable files, so that a later change of them is noticed.
 std::string hash_of_files(DeviceInput const& input) {
   std::string hashes;
   for (auto const& file : files_of(input)) {
@@ -48,7 +48,7 @@ std::string hash_of_files(DeviceInput const& input) {
     try {
       bytes = data::load_text(file);
     } catch (Error const&) {
-      continue;  // not to be read at all
+      continue;
     }
     auto const hash = sha256(bytes);
     hashes = hashes.empty() ? hash : sha256(hashes + hash);
@@ -95,7 +95,6 @@ Contents without_devices(std::string const& title, Acceptance const& acceptance,
   return contents;
 }
 
-// Names as a lot file would take them.
 void check_names(std::vector<NamedRecord> const& records) {
   std::vector<Complaint> complaints;
   std::set<std::string> seen;
@@ -111,7 +110,7 @@ void check_names(std::vector<NamedRecord> const& records) {
   if (!complaints.empty()) throw Error(std::move(complaints));
 }
 
-// Takes the device's record from it, but for what tells which it was.
+// Refuses the device and drops its record, except for the file name and the hash.
 void refuse_device(Device& device, std::string why) {
   device.refusal = std::move(why);
   data::TestRecord nothing;
@@ -135,7 +134,7 @@ Device cleaned(NamedRecord&& given, data::CleanOptions const& cleaning) {
   return device;
 }
 
-// No law follows a signal that cannot be true, however well it is fitted to it.
+// A signal that cannot be true is no basis for a law, even if one fits it well.
 void refuse_false_signals(Device& device) {
   if (!device.usable()) return;
   auto const properties = data::cyclic_properties(device.raw);
@@ -146,7 +145,7 @@ Contents with_searches(Contents contents, std::vector<std::string> const& laws) 
   for (auto& device : contents.devices) refuse_false_signals(device);
   contents.settings.laws = laws.empty() ? parse_laws(usual_laws) : laws;
   contents.settings.validate();
-  // Not in validate(): a store that was made before is read all the same.
+  // Not checked in validate(), so that stores with such settings can still be read.
   for (auto const& id : contents.settings.laws)
     fit::require_joint_limits(laws::find_law(id), contents.settings.overrides);
   if (std::ranges::none_of(contents.devices, &Device::usable)) {
@@ -170,7 +169,7 @@ fit::SearchBox search_box(laws::LawEntry const& law, data::FitRecord const& reco
   return settings.method == Method::best ? fit::on_logarithmic_scales(std::move(box), law) : box;
 }
 
-// What cannot be read or gives no stiffness is kept with its reason: the device is identified all the same.
+// A test that fails is kept with its reason, since the device can be identified without it.
 data::VerticalTest prepare_vertical(VerticalInput const& given, std::filesystem::path const& directory) {
   data::VerticalTest test;
   if (given.stated_kN_per_mm) test.stated_kN_per_mm = given.stated_kN_per_mm;

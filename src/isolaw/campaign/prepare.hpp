@@ -1,5 +1,5 @@
-// From a lot, or from records that are there already, to devices and the searches of every law on each: read, cleaned,
-// boxes made.
+// Turns a lot file, or records in memory, into a campaign's contents: reads and cleans the records and makes the search
+// boxes of every law on every device.
 #pragma once
 
 #include <filesystem>
@@ -11,28 +11,26 @@
 
 namespace isolaw::campaign {
 
-// Reads and cleans every record and makes every box. A device that cannot be used is kept with its reason; throws Error
-// only when none is usable.
+// A device that cannot be used is kept with its reason. Throws Error if none is usable or the settings are not allowed.
 Contents prepare(Lot const& lot);
 
-// A record that a program holds already; its name counts as a device's in a lot file does.
+// A record in memory. The rules for a device's name in a lot file apply to its name.
 struct NamedRecord {
   std::string name;
   data::TestRecord record;
   DeviceInfo info = {};
   VerticalInput vertical = {};
 };
-// The same of these. Throws Error also for names that no lot file could hold.
+// The same for records in memory. Throws Error also for names that no lot file could hold.
 Contents prepare(std::vector<NamedRecord> records, Settings const& settings, std::string const& title);
 
-// A compression test, read; with its reason where it gives no stiffness. Names of files are those of a lot file in
-// `directory`.
+// Reads a compression test; one that gives no stiffness keeps the reason. Messages name files relative to `directory`.
 data::VerticalTest prepare_vertical(VerticalInput const& given, std::filesystem::path const& directory);
 
-// Only that: devices as they are read and cleaned, no boxes, none of the laws. Never throws for a device.
+// Reads and cleans the devices only, without laws and boxes. A device that cannot be used never makes it throw.
 Contents prepare_devices(Lot const& lot);
 
-// Where a law is searched on a record under these settings.
+// The search box of a law on a record under these settings.
 fit::SearchBox search_box(laws::LawEntry const& law, data::FitRecord const& record, Settings const& settings);
 
 }  // namespace isolaw::campaign

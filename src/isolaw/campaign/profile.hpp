@@ -1,4 +1,4 @@
-// Where the time of a campaign goes, phase by phase.
+// Measures the time and work of each phase of a campaign.
 #pragma once
 
 #include <array>
@@ -9,37 +9,34 @@
 #include <string_view>
 
 #include "isolaw/base/ahead.hpp"
-#include "isolaw/fit/block_cost.hpp"
 
 namespace isolaw::campaign {
 
-// read: until the search begins; report: everything after the last search or analysis, without figures.
+// `read` lasts until the search begins; `report` is everything after the last search or analysis, without figures.
 enum class Phase { read, search, determination, intervals, lot, left_out, report };
 inline constexpr std::array phases{Phase::read, Phase::search,   Phase::determination, Phase::intervals,
                                    Phase::lot,  Phase::left_out, Phase::report};
 std::string_view name(Phase phase);
 
 struct PhaseCost {
-  double cpu_s = 0.0;   // of the threads that worked on it
-  double wall_s = 0.0;  // while it went on
+  double cpu_s = 0.0;     // processor time of all threads
+  double kernel_s = 0.0;  // of it, in the laws' code
+  double wall_s = 0.0;    // elapsed time
   std::uint64_t evaluations = 0;
-  fit::WorkCount work = {};
+
+  PhaseCost& operator+=(PhaseCost const& other);
 };
 
-// Of one process: what a campaign held already when it was continued cost nothing. Thread-safe but for reading.
+// The cost of one process: work that a continued campaign had stored before is not included. Adding is thread-safe,
+// reading is not.
 class Profile {
  public:
-  void add(Phase phase, double cpu_s, fit::WorkCount const& work);
-  void count_evaluations(Phase phase, int evaluations);
-  // The time since the mark before, or since the profile was made, belongs to these phases: where there are several,
-  // whose pieces take turns, each gets as much as its share of the processor time added since then.
-  void mark(std::initializer_list<Phase> of);
+  void add(Phase phase, PhaseCost const& cost);
+  // Adds the elapsed time since the last mark, or since construction, to these phases. Several phases whose tasks take
+  // turns share it in proportion to the processor time added since then.
+  void mark(std::initializer_list<Phase> ended);
 
   PhaseCost const& operator[](Phase phase) const { return costs_[static_cast<std::size_t>(phase)]; }
-  // Measures what has not been measured yet: once for all phases, within a hundredth of their processor time and 20 ms,
-  // as far as two passes allow.
-  std::array<double, phases.size()> kernel_seconds() const;
-  std::array<double, phases.size()> kernel_seconds(fit::BlockCost const& cost) const;
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -49,24 +46,22 @@ class Profile {
   Clock::time_point last_mark_ = Clock::now();
 };
 
-// What the calling thread does, and those that help it, for a profile that may not be there.
-class Meter final : HelpWatch {
+// Adds the work of the calling thread, and of threads that help it, to a profile; does nothing without one.
+class Meter final : HelpListener {
  public:
   explicit Meter(Profile* profile);
-  // What was done since it was made, or since the last lap, was for this phase.
+  // Assigns to this phase what the thread did since its last lap of any meter, or since it constructed or restarted one.
   void lap(Phase phase);
-  void restart();  // it was for another's meter
+  static void restart();
   void count_evaluations(Phase phase, int evaluations) const;
 
  private:
-  void help_begins() override;
+  void help_begins() override { restart(); }
   void help_ends() override;
 
   Profile* profile_;
-  double before_s_ = 0.0;
-  std::mutex mutex_;  // of what helpers did since the last lap
-  double helped_s_ = 0.0;
-  fit::WorkCount helped_;
+  std::mutex mutex_;  // guards the work of helpers since the last lap
+  PhaseCost helped_;
 };
 
 }  // namespace isolaw::campaign

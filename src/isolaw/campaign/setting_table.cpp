@@ -59,9 +59,9 @@ void set_seed(S& s, Json const& value) {
   s.seed = *seed;
 }
 
-// The number of a row, or a word that stands for none; `type` is that of both.
-template <class Place>
-Setting number_or(std::string_view word, std::string_view type, Place place, Option<S> row) {
+// A row whose value is a number or a word that stands for none; `type` is the Python type of both.
+template <class Access>
+Setting number_or(std::string_view word, std::string_view type, Access place, Option<S> row) {
   row.get = [=](S const& s) { return place(s) ? Json(*place(s)) : Json(word); };
   row.set = [=, judge = row.set, kind = row.kind](S& s, Json const& value) {
     if (value == Json(word))
@@ -85,8 +85,8 @@ Setting dead_band() {
   auto const place = at(&S::clean, &Clean::dead_band_mm);
   return number_or(
       "auto", "float | Literal[\"auto\"]", place,
-      number<S>("dead-band", "tremor in mm that is no motion to laws that remember turning points", place,
-                {.least = 0, .most = 1e4, .words = "0 to 10000, or auto: three deviations of each record's noise"}));
+      number<S>("dead-band", "smaller reversals, in mm, are no turning points", place,
+                {.least = 0, .most = 1e4, .words = "0 to 10000, or auto (default): 3 times each record's noise"}));
 }
 
 Setting blocks(std::string_view key, std::string help, data::Numbers data::Selection::*numbers) {
@@ -98,7 +98,7 @@ Setting blocks(std::string_view key, std::string help, data::Numbers data::Selec
            }}};
 }
 
-// A constant of the genetic algorithm, or of the default search.
+// A constant of the genetic algorithm or of the default search: kept in the store, not an option.
 template <class T>
 Setting constant(std::string_view key, T Ga::*member, Limits limits) {
   return {number<S>(key, {}, at(&S::genetic, member), std::move(limits)), Method::genetic, true};
@@ -115,31 +115,30 @@ std::vector<Setting> make_settings() {
   return {
       {{{.key = "laws",
          .kind = Kind::list,
-         .help =
-             "paper, usual (default: those and what predicts better), all, or ids separated by commas (isolaw laws lists them)"},
+         .help = "laws to fit: usual (default), paper, all, or ids from isolaw laws, such as bilinear,bouc-wen",
+         .heading = Heading::everyday},
         [](S const& s) -> Json { return s.laws; },
         set_laws}},
-      {word<S>("method", "best (default): to the least objective there is; ga: the paper's genetic algorithm",
+      {word<S>("method", "best (default): search for the best fit there is; ga: the paper's genetic algorithm",
                at(&S::method), methods)},
       {word<S>("integration", "converged (default), or paper: one Runge-Kutta step per sample", at(&S::integration),
                integrations)},
       {word<S>("turning-points",
-               "sampled (default), or interpolated: the path turns between samples, for smooth records",
+               "sampled (default), or interpolated: the motion turns between samples, for smooth records",
                at(&S::turning_points), turnings)},
       {number<S>("runs", "independent runs per law and device", at(&S::runs), {.least = 1, .most = 1e5}, "3; ga: 20")},
       // The upper limits keep the count of evaluations an int; that of the pressure keeps every weight above zero.
-      {number<S>("population", "of ga: individuals", at(&S::genetic, &Ga::population),
+      {number<S>("population", "with --method ga: individuals", at(&S::genetic, &Ga::population),
                  {.least = 4, .most = 1e5, .words = "an even number from 4 to 100000", .step = 2}),
        ga},
-      {number<S>("generations", "of ga: generations, the initial one included", at(&S::genetic, &Ga::generations),
-                 {.least = 1, .most = 20'000}),
+      {number<S>("generations", "with --method ga: generations, counting the initial one",
+                 at(&S::genetic, &Ga::generations), {.least = 1, .most = 20'000}),
        ga},
       constant("mutation_rate", &Ga::mutation_rate, {.least = 0, .most = 1}),
       constant("stagnation", &Ga::stagnation, {.least = 1, .most = largest, .words = "at least 1 generation"}),
-      {number<S>("stagnation_tolerance",
-                 "of ga: relative improvement that counts as none; 20 generations without improvement end a run",
-                 at(&S::genetic, &Ga::stagnation_tolerance),
-                 {.least = 0, .most = below_1, .words = "0 or more, below 1"}),
+      {number<S>(
+           "stagnation_tolerance", "with --method ga: 20 generations without a larger relative improvement end a run",
+           at(&S::genetic, &Ga::stagnation_tolerance), {.least = 0, .most = below_1, .words = "0 or more, below 1"}),
        ga},
       constant("selection_pressure", &Ga::selection_pressure, {.least = 0, .most = 100}),
       constant("least_starts", &Best::least_starts, {.least = 1, .most = 10'000}),
@@ -149,39 +148,45 @@ std::vector<Setting> make_settings() {
       constant("most_evaluations", &Best::most_evaluations, {.least = 1, .most = 1e9}),
       constant("scattered", &Best::scattered, {.least = 1, .most = 10'000}),
       constant("hops", &Best::hops, {.least = 0, .most = 10'000}),
-      {{{.key = "seed", .help = "seed of the campaign (1)", .type = "int"},
+      {{{.key = "seed", .help = "seed of all random numbers (default 1)", .type = "int"},
         [](S const& s) -> Json { return s.seed; },
         set_seed}},
-      {word<S>("box", "search box: auto, scaled from each record (default), or published, Table 4 of the paper",
+      {word<S>("box",
+               "range searched for each parameter: auto (default), from the record, or published: the paper's Table 4",
                at(&S::box), boxes)},
       {{{.key = "set",
          .kind = Kind::repeated,
-         .help = "law.parameter=value | lower:upper | free | another parameter, to tie it; may be repeated"},
+         .help = "fix a parameter: bilinear.K2=0.6; or =0.5:0.7 (range), =free, =K1 (equal to K1); may be repeated"},
         [](S const& s) { return texts_of(s.overrides); },
         set_overrides}},
-      {number<S>("smooth", "window of the centred moving average", at(&S::clean, &Clean::smooth),
+      {number<S>("smooth", "smooth records by a centred moving average", at(&S::clean, &Clean::smooth),
                  {.least = 1, .most = largest, .words = "an odd number of samples, 1 for none", .step = 2})},
       thinning(),
       {flag<S>("center", "remove the offset of displacement and force", at(&S::clean, &Clean::center))},
       dead_band(),
-      blocks("fit-blocks", "judge laws by these blocks of the test alone: 2, 1-3, 2- (all)", &data::Selection::blocks),
-      blocks("fit-cycles", "and by these cycles of each: 2- leaves out scragging (all)", &data::Selection::cycles),
-      blocks("score-blocks", "with --fit-blocks: predict these blocks by the laws fitted to those (all others)",
+      blocks("fit-blocks", "fit laws only to these blocks of each test: 2, 1-3, 2- (default all)",
+             &data::Selection::blocks),
+      blocks("fit-cycles", "and only to these cycles of each block: 2- leaves out scragging (default all)",
+             &data::Selection::cycles),
+      blocks("score-blocks", "with --fit-blocks: predict these blocks with the fitted laws (default all others)",
              &data::Selection::predicted),
       {word<S>("analysis",
-               "what the tests determine, intervals, one law for the lot, devices left out: full (default), or none",
-               at(&S::analysis), analyses)},
-      // A quantile of 2.5 % is that of one replicate in forty.
-      {number<S>("replicates", "fits of the bootstrap for intervals", at(&S::replicates),
-                 {.least = 40, .most = 1e5, .words = "0 for none, or 40 to 100000", .or_zero = true})},
+               "full (default): intervals, what the tests cannot fix, one law for the lot, devices left out; or none",
+               at(&S::analysis), analyses)
+           .under(Heading::analysis)},
+      // The 2.5 % quantile needs at least forty replicates: one of them lies below it.
+      {number<S>("replicates", "bootstrap fits for the intervals", at(&S::replicates),
+                 {.least = 40, .most = 1e5, .words = "0 for none, or 40 to 100000", .or_zero = true})
+           .under(Heading::analysis)},
       {word<S>(
-          "bidirectional",
-          "springs: the analyses fit laws without a coupled form in the plane as springs around the circle too, for buildings; none (default)",
-          at(&S::springs), in_the_plane)},
+           "bidirectional",
+           "springs: for building, also fit laws without a coupled two-dimensional form as springs; or none (default)",
+           at(&S::springs), in_the_plane)
+           .under(Heading::analysis)},
   };
 }
 
-// {"K_eff": 1.2, "damping": 15} adds to what is there; text takes its place.
+// A table {"K_eff": 1.2, "damping": 15} adds to the design values given so far; text replaces them.
 void set_design(Acceptance& to, Json const& value) {
   if (!value.is_object()) {
     if (trimmed(text_in(value)).empty()) refuse(value, "design values, K_eff=1.2,damping=15");
@@ -189,8 +194,9 @@ void set_design(Acceptance& to, Json const& value) {
   }
   for (auto const& [key, item] : value.items()) {
     if (!item.is_number())
-      throw Error(
-          {.where = {}, .found = fmt::format("design.{} is no number", key), .allowed = "K_eff = 1.2, damping = 15.0"});
+      throw Error({.where = {},
+                   .found = fmt::format("design.{} is not a number", key),
+                   .allowed = "K_eff = 1.2, damping = 15.0"});
     to.design += fmt::format("{}{}={}", to.design.empty() ? "" : ",", key, item.get<double>());
   }
 }
@@ -205,18 +211,21 @@ std::vector<Option<Acceptance>> make_acceptance() {
   auto const unless_empty = [](std::string const& text) { return text.empty() ? Json() : Json(text); };
   return {
       {{.key = "rules",
-        .help = "rule set the tests are held to: a name (isolaw rules) or a file",
-        .type = "str | PathLike[str]"},
+        .help = "rule set to check the tests against: a name from isolaw rules, such as ntc-2018, or a file",
+        .type = "str | PathLike[str]",
+        .heading = Heading::everyday},
        [=](Acceptance const& a) { return unless_empty(a.rules_file); },
        set_rules},
       {{.key = "design",
         .kind = Kind::assignments,
-        .help = "design values: K_eff=1.2,damping=15,disp=150,frequency=0.5,...",
-        .type = "str | Mapping[str, float]"},
+        .help = "design values in kN, mm, Hz and %: K_eff=1.2,damping=15,disp=150,frequency=0.5,...",
+        .type = "str | Mapping[str, float]",
+        .heading = Heading::everyday},
        [=](Acceptance const& a) { return unless_empty(a.design); },
        set_design},
-      number<Acceptance>("lot-size", "devices of the production lot, tested or not", at(&Acceptance::lot_size),
-                         {.least = 1, .most = 1e7}),
+      number<Acceptance>("lot-size", "devices in the production lot, tested or not", at(&Acceptance::lot_size),
+                         {.least = 1, .most = 1e7})
+          .under(Heading::acceptance),
   };
 }
 
@@ -239,8 +248,8 @@ void take(Setting const& setting, Json const& value, bool method_given, Settings
                chosen = methods[settings.method == Method::genetic].first;
     if (method_given)
       throw Error({.where = {},
-                   .found = fmt::format("belongs to method {}, and the method is {}", own, chosen),
-                   .allowed = fmt::format("with method {}, which it also chooses where no method is named", own)});
+                   .found = fmt::format("belongs to method {}, but the method is {}", own, chosen),
+                   .allowed = fmt::format("with method {}, or without a method: it then chooses {}", own, own)});
     settings.method = *setting.of;
   }
   setting.set(settings, value);
@@ -274,9 +283,9 @@ std::span<Option<Acceptance> const> acceptance_table() {
 }
 
 int parse_lot_size(std::string_view text) {
-  Acceptance made;
-  acceptance_table().back().set(made, value_of(Kind::whole, {std::string(text)}));
-  return *made.lot_size;
+  Acceptance acceptance;
+  acceptance_table().back().set(acceptance, value_of(Kind::whole, {std::string(text)}));
+  return *acceptance.lot_size;
 }
 
 }  // namespace isolaw::campaign

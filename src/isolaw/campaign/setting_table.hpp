@@ -1,5 +1,5 @@
-// Every setting of a campaign once, and every option of what its tests are held to: command line, lot file, store,
-// comparison on resume, the command in the report, Python and docs/cli.md are made from these tables.
+// Every setting of a campaign once, and every option of the rules that its tests are checked against. The command line,
+// lot file, store, comparison on resume, the command in the report, Python and docs/cli.md are built from these tables.
 #pragma once
 
 #include <optional>
@@ -11,32 +11,33 @@
 namespace isolaw::campaign {
 
 struct Setting : Option<Settings> {
-  std::optional<Method> of = {};  // the method that alone has it
-  bool stored_only = false;       // a constant of its method, kept with the results: nobody gives it
+  std::optional<Method> of = {};  // the only method that has it, if not all do
+  bool stored_only = false;       // a constant of its method, kept with the results: no way to set it
 
   bool belongs_to(Method method) const { return !of || *of == method; }
   std::string where() const { return stored_only ? std::string(key) : Option::where(); }
 };
 
-// In the order of stores and reports: the method before what it alone has.
+// In the order of stores and reports: the method before the settings that it alone has.
 std::span<Setting const> setting_table();
-// nullptr for a key that no setting has.
+// nullptr for an unknown key.
 Setting const* find_setting(std::string_view key);
 
-// Sets one setting; what one method alone has chooses it, unless `method_given` says that the method was named. Throws
-// Error, which leaves `where` to the way in.
+// Sets one setting. A setting that only one method has also chooses that method, unless `method_given` says that the
+// method was named. Throws Error; the caller adds `where`.
 void take(Setting const& setting, Json const& value, bool method_given, Settings& settings);
-// Lays everything that one way in was given over `settings`. Throws one Error, where of which is the option.
+// Sets all settings that were given. Throws one Error of all complaints, each with its option.
 void apply(Values const& given, Settings& settings);
 
-// Where what differs was found, as messages say it.
+// The two places that differ, as messages name them.
 struct Sides {
   std::string one = "there", other = "now";
 };
-// "method: ga there, best now", for each setting that differs; what one method alone has is said by the method.
+// "method: ga there, best now", for each setting that differs. Settings that only one of two methods has are left out:
+// the difference of method says enough.
 std::vector<std::string> differences(Settings const& there, Settings const& now, Sides const& sides = {});
 
-// What tests are held to. A name of rules means what its way in takes it for: their text is not loaded.
+// The options of the rules that tests are checked against. `rules` is stored as named; the file is not loaded here.
 std::span<Option<Acceptance> const> acceptance_table();
 
 }  // namespace isolaw::campaign

@@ -45,7 +45,7 @@ Settings settings_from_pairs(std::vector<std::pair<std::string, std::string>> co
     if (!setting.belongs_to(settings.method)) return;
     auto const found = stored.find(setting.key);
     if (found == stored.end()) throw Error({.where = {}, .found = "is missing in the store"});
-    // Runs that nobody chose are stored as the default, which nobody may give.
+    // A number of runs left open is stored as 0, which set() would refuse.
     if (auto const value = Json::parse(found->second); value != setting.get(settings)) setting.set(settings, value);
   });
   return settings;

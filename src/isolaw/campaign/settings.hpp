@@ -1,4 +1,4 @@
-// What decides the numbers of a campaign. Two campaigns with equal settings, inputs and seed give equal results.
+// The settings that a campaign's numbers depend on. Equal settings (with the seed) and equal inputs give equal results.
 #pragma once
 
 #include <cstdint>
@@ -15,42 +15,42 @@
 
 namespace isolaw::campaign {
 
-// best: descents from many starts, to the least objective there is. genetic: the paper's search.
+// best: descents from many starts look for the least objective. genetic: the genetic algorithm of Cucuzza et al. 2025.
 enum class Method { best, genetic };
 
-inline constexpr int most_jobs = 4096;  // threads that may be asked for, which decide no number
+inline constexpr int most_jobs = 4096;  // the most threads; results do not depend on their number
 
 struct Settings {
   std::vector<std::string> laws;  // ids, in the order of reports; empty: the usual ones
   Method method = Method::best;
   laws::Integration integration = laws::Integration::converged;
   laws::TurningPoints turning_points = laws::TurningPoints::as_sampled;
-  int runs = 0;                       // 0: as many as the method needs, see complete()
-  opt::MultistartOptions multistart;  // of `best`
-  opt::GeneticOptions genetic;        // of `genetic`
+  int runs = 0;                       // per law and device; 0: as many as the method needs, see complete()
+  opt::MultistartOptions multistart;  // used by Method::best
+  opt::GeneticOptions genetic;        // used by Method::genetic
   std::uint64_t seed = 1;
   fit::BoxKind box = fit::BoxKind::scaled;
   std::vector<fit::Override> overrides;
   data::CleanOptions clean;
-  bool analysis = true;  // what the tests determine, intervals, one law for the lot
-  int replicates = 100;  // of the bootstrap
-  bool springs = false;  // with the analyses: laws without a coupled form in the plane fitted as springs as well
+  bool analysis = true;  // also analyse: what the tests determine, intervals, one law for the lot
+  int replicates = 100;  // bootstrap replicates of an analysis
+  bool springs = false;  // the analyses also fit spring models for laws that have no coupled two-dimensional form
 
-  // What was left to the method: 3 runs of `best`, which differ by the last digits; 20 of the paper's.
+  // Sets a number of runs that was left open: 3 for `best`, whose runs differ by the last digits; 20 for `genetic`.
   void complete();
   void validate() const;  // throws Error
 };
 
-// Every setting of the method with its value as JSON text, in a fixed order; and back. Throws Error: one that is
-// missing, or not what it may be.
+// Every setting of the method with its value as JSON text, in a fixed order; and back. The way back throws Error if a
+// setting is missing or has a value that is not allowed.
 std::vector<std::pair<std::string, std::string>> to_pairs(Settings const& settings);
 Settings settings_from_pairs(std::vector<std::pair<std::string, std::string>> const& pairs);
 
-// What runs where no laws are asked for.
+// The set of laws that is fitted if none are asked for.
 inline constexpr std::string_view usual_laws = laws::law_sets[1].first;
 
-// "paper", "usual", "all" or ids, by commas: the ids of known laws without repetition. Throws Error that lists the
-// laws.
+// Turns a list like "paper,gallardo" into ids without repetition: "paper", "usual" and "all" name sets, other words are
+// ids. Throws an Error that lists the laws.
 std::vector<std::string> parse_laws(std::string_view text);
 int parse_lot_size(std::string_view text);  // 1 to 10,000,000
 

@@ -57,9 +57,9 @@ std::uintmax_t bytes_of_pages(Connection const& db) {
 
 }  // namespace
 
-void refuse_damaged(std::string file, std::string_view what) {
+void refuse_damaged(std::string file, std::string_view reason) {
   throw Error({.where = std::move(file),
-               .found = fmt::format("not a campaign store of isolaw, or a damaged one: {}", what),
+               .found = fmt::format("not a campaign store of isolaw, or a damaged one: {}", reason),
                .allowed = "campaign.sqlite of a campaign",
                .advice = advice_on_damaged});
 }
@@ -93,7 +93,7 @@ Connection Connection::open(std::string const& name, int flags, std::filesystem:
          .found = fmt::format("cannot open the store: {}", raw == nullptr ? "out of memory" : sqlite3_errmsg(raw)),
          .advice = "check that the directory exists and may be written"});
   sqlite3_busy_timeout(raw, 5000);
-  // Stores come from others, too: no value larger than the longest series, no functions run by the schema.
+  // A store may come from a stranger: allow no value larger than the longest series, and no function in its schema.
   constexpr int largest_value_bytes = 256 << 20;
   sqlite3_limit(raw, SQLITE_LIMIT_LENGTH, largest_value_bytes);
   sqlite3_db_config(raw, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
@@ -159,7 +159,7 @@ void Statement::put(std::optional<double> value) {
   put(value.value_or(std::nan("")));
 }
 void Statement::put(std::vector<double> const& values) {
-  if (values.empty()) return check(sqlite3_bind_zeroblob(statement_, ++bound_, 0));  // no address would be NULL
+  if (values.empty()) return check(sqlite3_bind_zeroblob(statement_, ++bound_, 0));  // a null address would bind NULL
   check(sqlite3_bind_blob64(statement_, ++bound_, values.data(), values.size() * sizeof(double), SQLITE_TRANSIENT));
 }
 
@@ -247,14 +247,14 @@ std::filesystem::path unfinished(std::filesystem::path const& file) {
 void remove_unfinished(std::filesystem::path const& file) {
   std::error_code ignored;
   auto const aside = unfinished(file).string();
-  for (auto const& name : {unfinished(aside).string(), aside})  // one that is written anew itself
+  for (auto const& name : {unfinished(aside).string(), aside})  // put_in_order() may have been writing `aside` anew
     for (auto const* suffix : {beside[0], beside[1], beside[2], ""}) std::filesystem::remove(name + suffix, ignored);
 }
 
 void move_into_place(std::filesystem::path const& whole, std::filesystem::path const& file) {
-  // A log of the former file beside the new one would be taken for the new one's. Folded in before it is removed, so that
-  // the former is whole without it should the program be killed just now. Whatever the former is: of another schema,
-  // damaged. What cannot be folded in is not to be had.
+  // SQLite would take a log of the former file for the new file's, so the log must go. It is folded in first: if the
+  // program is killed here, the former file is then complete without it. The former file may have another schema or be
+  // damaged; a log that cannot be folded in is lost.
   std::error_code error;
   if (std::filesystem::exists(file, error) && !is_plain(file)) try {
       Connection::to_write(file).try_execute("PRAGMA journal_mode = DELETE");
@@ -277,7 +277,7 @@ bool is_plain(std::filesystem::path const& file) {
 }
 
 void put_in_order(std::filesystem::path const& file, std::function<void(Connection const&)> const& create_tables) {
-  // Bytes 24 to 27 count what was written to an SQLite file since it was made, transaction by transaction.
+  // Bytes 24 to 27 of an SQLite file count the transactions that wrote to it.
   std::array<char, 28> header{};
   std::ifstream(file, std::ios::binary).read(header.data(), header.size());
   bool const written_once = header[24] == 0 && header[25] == 0 && header[26] == 0 && header[27] == 1;
@@ -296,7 +296,7 @@ void put_in_order(std::filesystem::path const& file, std::function<void(Connecti
       db.execute(fmt::format("INSERT INTO main.\"{0}\" SELECT * FROM former.\"{0}\"", name));
     transaction.commit();
   } catch (Error const&) {
-    return remove_unfinished(file);  // what is there is whole, and all that was asked for
+    return remove_unfinished(file);  // the old file is complete, only not in order
   }
   std::error_code error;
   std::filesystem::rename(aside, file, error);
@@ -306,7 +306,7 @@ void put_in_order(std::filesystem::path const& file, std::function<void(Connecti
 std::vector<std::string> integrity(std::filesystem::path const& file) {
   auto const db = Connection::to_read(file);
   std::vector<std::string> faults;
-  // A file that was cut off within a page reads as if the rest were zeros.
+  // SQLite reads a file that was cut off within a page as if the rest were zeros, and finds no fault.
   auto const bytes = std::filesystem::file_size(file);
   if (auto const whole = bytes_of_pages(db); is_plain(file) && whole != bytes)
     faults.push_back(fmt::format("it has {} bytes instead of {}", bytes, whole));

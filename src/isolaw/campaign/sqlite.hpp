@@ -1,4 +1,4 @@
-// SQLite's handles, closed by themselves; what goes wrong is said as of a campaign store.
+// SQLite's handles as objects that close themselves. Their errors speak of a campaign store.
 #pragma once
 
 #include <array>
@@ -17,23 +17,25 @@ struct sqlite3_stmt;
 
 namespace isolaw::campaign::sqlite {
 
-// Of what is damaged: of a part of a merge, too, whose own --fresh is another.
+// Advice for a damaged store. It names the command that computed the store, since `merge` reads stores of parts as well
+// and its own --fresh would not make them anew.
 inline constexpr char const* advice_on_damaged =
     "copying it once more, or the command that computed it, with --fresh, which starts over";
 
 inline constexpr std::array beside{"-wal", "-shm", "-journal"};  // SQLite's own files beside a store
 
-[[noreturn]] void refuse_damaged(std::string file, std::string_view what);
-// Throws Error for a pipe or a device, which would be waited for, or set going.
+[[noreturn]] void refuse_damaged(std::string file, std::string_view reason);
+// Throws Error for a pipe or a device: opening one could block, or start the device.
 void require_plain(std::filesystem::path const& file);
 bool has_log(std::filesystem::path const& file);
 
 class Connection {
  public:
-  // Each throws Error, and std::bad_alloc.
+  // Each may throw Error and std::bad_alloc.
   static Connection create(std::filesystem::path const& file);
   static Connection to_write(std::filesystem::path const& file);
-  // Where nobody writes without locks and without files beside it, which read-only media and some network shares lack.
+  // Takes no locks and makes no files unless a log lies beside `file`, so that stores can be read on read-only media
+  // and on network shares without locks.
   static Connection to_read(std::filesystem::path const& file);
   static Connection in_memory();
 
@@ -59,12 +61,12 @@ class Statement {
   Statement& operator=(Statement const&) = delete;
   ~Statement();
 
-  // The next values, in order; not a number is stored as NULL.
+  // Binds the next values. NaN is stored as NULL.
   Statement& bind(auto const&... values) {
     (put(values), ...);
     return *this;
   }
-  // Runs an INSERT or UPDATE and makes the statement ready for the next row; whether it changed any.
+  // Runs an INSERT or UPDATE, makes the statement ready for the next row, and returns whether a row changed.
   bool insert();
   // Starts a SELECT over with other values.
   Statement& again(auto const&... values) {
@@ -72,13 +74,11 @@ class Statement {
     return bind(values...);
   }
 
-  // The next row of a SELECT.
-  bool row();
-  // The next columns, in order. Throws Error for what does not fit: a count too large for an int, half a number.
+  bool row();  // moves to the next row of a SELECT; false after the last one
+  // Reads the next columns. Throws Error for a number too large for an int and a series that ends within a number.
   void read(auto&... values) { (take(values), ...); }
-  std::string text();  // the next column
-  // All values of the row, with their kinds.
-  std::string whole_row();
+  std::string text();       // reads the next column
+  std::string whole_row();  // all values of the row with their kinds, as a text that differs where they do
 
  private:
   void start_over();
@@ -103,7 +103,7 @@ class Statement {
   int next_ = 0;
 };
 
-// BEGIN ... COMMIT; rolled back when left by an exception.
+// Begins a transaction, and rolls it back when destroyed without commit().
 class Transaction {
  public:
   explicit Transaction(Connection const& db) : db_(db) { db_.execute("BEGIN IMMEDIATE"); }
@@ -122,12 +122,12 @@ class Transaction {
   bool done_ = false;
 };
 
-// Whether the file stands alone, without a log or a journal, and can be read wherever it is copied to.
+// Whether the file stands alone, without a log or a journal, so that a copy of it can be read anywhere.
 bool is_plain(std::filesystem::path const& file);
-// A file beside `file` while it is written anew; and what of it a program that was killed left there.
+// The name beside `file` under which its successor is written.
 std::filesystem::path unfinished(std::filesystem::path const& file);
-void remove_unfinished(std::filesystem::path const& file);
-// While what is to replace `file` is made; declared before connections to it.
+void remove_unfinished(std::filesystem::path const& file);  // also one that a killed program left
+// Removes the unfinished successor of `file` when destroyed, so declare it before connections to that.
 class Unfinished {
  public:
   explicit Unfinished(std::filesystem::path file) : file_(std::move(file)) {}
@@ -138,13 +138,13 @@ class Unfinished {
  private:
   std::filesystem::path file_;
 };
-// Puts `whole`, a file that stands alone and is open nowhere, in the place of `file`: whatever stops the program, the
-// former or the new one is there, whole. Throws Error.
+// Replaces `file` by `whole`, a file that stands alone and is open nowhere. Whenever the program is stopped, either the
+// former or the new file is there and complete. Throws Error.
 void move_into_place(std::filesystem::path const& whole, std::filesystem::path const& file);
-// Writes a file that stands alone anew, rows in the order of their keys: equal rows are then equal files, byte by byte.
-// Leaves it as it is where that is so already, and where the new one cannot be written.
+// Writes a file that stands alone anew with its rows in the order of their keys, so that equal rows give equal files
+// byte by byte. Does nothing if that is so already, and keeps the old file if the new one cannot be written.
 void put_in_order(std::filesystem::path const& file, std::function<void(Connection const&)> const& create_tables);
-// What SQLite finds wrong with the file itself; empty when it is sound. Throws Error when it cannot be read at all.
+// The faults that SQLite finds in the file itself; empty if it is sound. Throws Error if it cannot be read at all.
 std::vector<std::string> integrity(std::filesystem::path const& file);
 
 }  // namespace isolaw::campaign::sqlite

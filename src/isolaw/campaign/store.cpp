@@ -24,8 +24,7 @@ using sqlite::Connection;
 using sqlite::Statement;
 using sqlite::Transaction;
 
-// What a reader would refuse must not be stored, where it would cost all that was computed before: it is our own
-// mistake.
+// A result that a reader would refuse is our own mistake. It is not stored, since the whole store would be refused.
 template <class Require>
 void require_readable(Require&& require) {
   try {
@@ -39,7 +38,7 @@ void require_readable(Require&& require) {
   }
 }
 
-// As it will be read.
+// The result as it will be read from the store.
 Run const& stored(Run const& run) {
   return run;
 }
@@ -99,8 +98,8 @@ void Store::remove_unfinished(std::filesystem::path const& file) {
 Store Store::create(std::filesystem::path const& file, Contents const& contents,
                     std::function<void()> const& before_replacing) {
   require_readable([&] { require_consistent(contents); });
-  // Written aside and moved into place when whole: whatever stops the program, there is a store or there is none, and
-  // the one it replaces is not lost to a full disk or a kill.
+  // The store is written aside and moved into place when complete. So there is never half a store, and the one that it
+  // replaces is not lost if the disk is full or the program is killed.
   sqlite::require_plain(file);
   remove_unfinished(file);
   auto const aside = sqlite::unfinished(file);
@@ -121,7 +120,7 @@ bool Store::is_plain(std::filesystem::path const& file) {
 
 Store Store::open(std::filesystem::path const& file) {
   auto db = Connection::to_write(file);
-  require_present_schema(db, file);
+  require_schema(db, file);
   auto campaign = read_as_ours(file, [&] { return read_campaign(db); });
   db.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
   return {std::move(db), std::move(campaign)};
@@ -134,7 +133,7 @@ Contents Store::read(std::filesystem::path const& file) {
                  .allowed = "campaign.sqlite of a campaign",
                  .advice = "isolaw calibrate ... --out DIR makes one"});
   auto const db = Connection::to_read(file);
-  require_readable_schema(db, file);
+  require_schema(db, file);
   return read_as_ours(file, [&] {
     auto contents = read_contents(db);
     require_consistent(contents);
@@ -148,9 +147,10 @@ void Store::put_in_order(std::filesystem::path const& file) {
 
 Store::Taken Store::take_runs(std::filesystem::path const& other) {
   auto const theirs = Connection::to_read(other);
-  require_present_schema(theirs, other);
+  require_schema(theirs, other);
   auto const maker = own_maker();
-  // Rows of a part lie all over the tree: what many parts changed goes from the log into the file at once.
+  // The rows of a part are spread over the whole tree. A long log collects the changes of many parts before the file is
+  // written (16384 pages instead of SQLite's 1000).
   db_.execute("PRAGMA wal_autocheckpoint = 16384");
   Taken taken;
   Transaction transaction(db_);
@@ -177,28 +177,28 @@ Store::Taken Store::take_runs(std::filesystem::path const& other) {
 
 std::size_t Store::take_analyses(std::filesystem::path const& other) {
   auto const theirs = Connection::to_read(other);
-  require_present_schema(theirs, other);
+  require_schema(theirs, other);
   auto const maker = own_maker();
   std::size_t added = 0;
   auto const take = [&](auto const& here, auto offered, auto const& key) {
     std::set<decltype(key(offered.front()))> there;
-    for (auto const& made : here) there.insert(key(made));
-    for (auto& made : offered) {
-      if (!there.insert(key(made)).second) continue;
-      require_consistent(campaign_, made);
-      made.maker = maker;
-      write_row(db_, made);
+    for (auto const& analysis : here) there.insert(key(analysis));
+    for (auto& analysis : offered) {
+      if (!there.insert(key(analysis)).second) continue;
+      require_consistent(campaign_, analysis);
+      analysis.maker = maker;
+      write_row(db_, analysis);
       ++added;
     }
   };
-  auto const of_device = [](auto const& made) { return std::pair(made.device, made.law); };
+  auto const device_and_law = [](auto const& analysis) { return std::pair(analysis.device, analysis.law); };
   Transaction transaction(db_);
   read_as_ours(other, [&] {
     auto const here = read_analyses(db_);
     auto offered = read_analyses(theirs);
-    take(here.devices, std::move(offered.devices), of_device);
-    take(here.lots, std::move(offered.lots), [](LotAnalysis const& made) { return made.law; });
-    take(here.left_out, std::move(offered.left_out), of_device);
+    take(here.devices, std::move(offered.devices), device_and_law);
+    take(here.lots, std::move(offered.lots), [](LotAnalysis const& analysis) { return analysis.law; });
+    take(here.left_out, std::move(offered.left_out), device_and_law);
     return Contents();
   });
   transaction.commit();
@@ -207,13 +207,13 @@ std::size_t Store::take_analyses(std::filesystem::path const& other) {
 
 Contents Store::read_beginning(std::filesystem::path const& file) {
   auto const db = Connection::to_read(file);
-  require_present_schema(db, file);
+  require_schema(db, file);
   return read_as_ours(file, [&] { return read_campaign(db); });
 }
 
 Contents Store::read_beginning_and_series(std::filesystem::path const& file) {
   auto const db = Connection::to_read(file);
-  require_present_schema(db, file);
+  require_schema(db, file);
   return read_as_ours(file, [&] {
     auto contents = read_campaign_and_series(db);
     require_consistent(contents);
@@ -223,7 +223,7 @@ Contents Store::read_beginning_and_series(std::filesystem::path const& file) {
 
 std::vector<std::pair<std::string, std::string>> Store::hashes_of_beginning(std::filesystem::path const& file) {
   auto const db = Connection::to_read(file);
-  require_present_schema(db, file);
+  require_schema(db, file);
   std::vector<std::pair<std::string, std::string>> found;
   for (auto const& [table, rows] :
        {std::pair("meta", "meta WHERE key <> 'part' ORDER BY key"), std::pair("setting", "setting ORDER BY position"),
@@ -287,7 +287,7 @@ void Store::add(LeftOutAnalysis const& analysis) {
 
 std::vector<std::string> Store::foreign_rows(std::filesystem::path const& file, Contents const& contents) {
   auto const theirs = Connection::to_read(file);
-  require_readable_schema(theirs, file);
+  require_schema(theirs, file);
   auto const ours = Connection::in_memory();
   fill(ours, contents, contents.makers);
   write_results(ours, contents);

@@ -1,4 +1,4 @@
-// The campaign on disk: one SQLite file, one transaction per finished run, readable by plain SQL.
+// The campaign on disk: one SQLite file, with one transaction per finished run, that plain SQL can read.
 #pragma once
 
 #include <filesystem>
@@ -14,71 +14,70 @@ namespace isolaw::campaign {
 
 class Store {
  public:
-  // A new store that holds `contents`, results among them; replaces a file of that name. When it
-  // fails, or the program is killed, the former or the new one is there, whole. `before_replacing` is called when the
-  // new one is complete and not yet in place. Throws Error: no plain file, cannot be written.
+  // Makes a store of `contents` with its results, and replaces a file of that name. If this fails or the program is
+  // killed, either the former or the new file is there and complete. `before_replacing` is called when the new one is
+  // complete and not yet in place. Throws Error if `file` is not a plain file or cannot be written.
   static Store create(std::filesystem::path const& file, Contents const& contents,
                       std::function<void()> const& before_replacing = {});
-  // What a create() that was killed left beside it.
+  // Removes what a create() that was killed left beside the file.
   static void remove_unfinished(std::filesystem::path const& file);
-  // An existing one, to add runs to. Throws Error: no such file, no plain file (a pipe is never waited for), not a
-  // store, another schema, anything in it that isolaw does not make.
+  // Opens an existing store to add results. Throws Error if it is missing, not a plain file (a pipe could block), not a
+  // store, or of another schema, and for anything in what the campaign began with that isolaw would not write.
   static Store open(std::filesystem::path const& file);
-  // Whether the file stands alone, without a write-ahead log, and can be read wherever it is copied to.
+  // Whether the file stands alone, without a write-ahead log, so that a copy of it can be read anywhere.
   static bool is_plain(std::filesystem::path const& file);
-  // Writes a store that stands alone anew, rows in the order of their keys: equal campaigns are then equal files, byte
-  // by byte, in whatever order and on however many machines their runs were computed. Leaves the file as it is where
-  // that is so already, and where the new one cannot be written.
+  // Writes a store that stands alone anew with its rows in the order of their keys. Equal campaigns then give equal
+  // files, byte by byte, in whatever order and on however many machines their runs were computed. Does nothing if that
+  // is so already, and keeps the old file if the new one cannot be written.
   static void put_in_order(std::filesystem::path const& file);
-  // Everything in it, also of an older schema; the file is not changed. Throws Error as above.
+  // Everything in it; the file is not changed. Throws Error as above.
   static Contents read(std::filesystem::path const& file);
-  // What a campaign began with, without its records' series and without results, of the present schema alone.
+  // What a campaign began with, without its records' series and without results.
   static Contents read_beginning(std::filesystem::path const& file);
   // The same with the series.
   static Contents read_beginning_and_series(std::filesystem::path const& file);
-  // Of every table that holds what the campaign began with, series too: its name and a hash of its rows, but for which
-  // part the store is.
+  // The name and a hash of the rows for each table that holds what the campaign began with, also the series. The hash
+  // does not depend on which part of a campaign the store holds.
   static std::vector<std::pair<std::string, std::string>> hashes_of_beginning(std::filesystem::path const& file);
-  // Every run's device, law and number, in their order.
+  // Calls visit(device, law, number) for every run, in this order of keys.
   static void for_each_run(std::filesystem::path const& file,
                            std::function<void(std::size_t, std::string const&, int)> const& visit);
-  // What SQLite finds wrong with the file itself; empty when it is sound. Throws Error when it cannot be read at all.
+  // The faults that SQLite finds in the file itself; empty if it is sound. Throws Error if it cannot be read at all.
   static std::vector<std::string> integrity(std::filesystem::path const& file);
-  // Rows that are not as this program writes them, given what read() made of them; empty when there is none. Values of
-  // series are left out, which read() holds as they are.
+  // A sentence for each table with rows that this program would not write for `contents`, which read() returned. The
+  // values of series are not compared, since read() takes them as they are.
   static std::vector<std::string> foreign_rows(std::filesystem::path const& file, Contents const& contents);
 
-  // Each is one transaction; not thread-safe. Throws std::logic_error, and writes nothing, for what read() would
-  // refuse.
+  // Each is one transaction; not thread-safe. Throws std::logic_error for a result that read() would refuse, and does
+  // not store it.
   void add(Run const& run);
   void add(DeviceAnalysis const& analysis);
   void add(LotAnalysis const& analysis);
   void add(LeftOutAnalysis const& analysis);
-  // What the lot file says of the devices and what they are held to, on which no law depends, may be changed before a
-  // campaign is continued; and a campaign without analysis may be continued with one.
+  // Writes the title, the devices' facts and compression tests, the requirements for the tests, and whether to analyse.
+  // No law depends on these, so they may change before a campaign is continued.
   void describe(Contents const& contents);
-  // The runs of another store of this campaign, made by this program. Those that are here already must be the same.
-  // All of them or, with an Error, none; one row at a time is in memory.
+  // Copies the runs of another store of this campaign, which this program made. A run that is here already must be the
+  // same there. Copies all or, with an Error, none; holds one row at a time in memory.
   struct Taken {
     std::size_t added = 0, there = 0;
   };
   Taken take_runs(std::filesystem::path const& other);
-  // What another store of this campaign, with all its runs, has examined, where that is not here already; how many
-  // analyses. Likewise all of them or none.
+  // Copies the analyses that are not here yet from another store of this campaign, which must have all its runs, and
+  // returns their number. Likewise all of them or none.
   std::size_t take_analyses(std::filesystem::path const& other);
-  // No more runs: folds the write-ahead log into the one file. False when another program reads the store just now; the
-  // log then stays beside it, and whoever opens the store to write next folds it in.
+  // To be called after the last result: folds the write-ahead log into the file. Returns false if another program is
+  // reading the store. The log then stays beside the file, and whoever next opens the store to write folds it in.
   bool finish();
 
  private:
   Store(sqlite::Connection db, Contents campaign) : db_(std::move(db)), campaign_(std::move(campaign)) {}
-  // The place of this program among those who made the campaign.
-  std::size_t own_maker();
+  std::size_t own_maker();  // index of this program among the makers, which it is added to if need be
   template <class Result>
   void add_result(Result result);
 
   sqlite::Connection db_;
-  Contents campaign_;  // what results are held to before they are added: without series and without results
+  Contents campaign_;  // without series and results; results are checked against it before they are added
 };
 
 }  // namespace isolaw::campaign

@@ -1,4 +1,4 @@
-// What the values themselves tell: sentinels of an overloaded sensor, time that goes back, channels that do not move,
+// Finds faults in a record's values: sentinels of an overloaded sensor, time that goes back, channels that do not move,
 // force and displacement exchanged. An isolator dissipates energy and pushes back, so both signs are known beforehand.
 #pragma once
 
@@ -17,7 +17,7 @@ namespace isolaw::data {
 // Collects the complaints of one kind: the first few with their line, the rest counted.
 class Findings {
  public:
-  // `rest` names the kind for the count, "cells that are no number".
+  // `rest` names the kind where the rest is counted, for example "cells that are no number".
   Findings(std::string file, std::string_view rest) : file_(std::move(file)), rest_(rest) {}
   void add(std::size_t line, std::string found, std::string allowed, std::string advice);
   void append_to(std::vector<Complaint>& complaints) const;
@@ -38,15 +38,15 @@ struct RawChannel {
   std::vector<double> values;
 };
 
-// Overload and constancy of displacement, force and load; order of time.
+// Checks displacement, force and load for overload and constancy, and time for its order.
 void check_channel(std::string const& file, RawChannel const& raw, std::span<std::size_t const> lines,
                    std::vector<Complaint>& complaints);
 
-// Signs of energy and stiffness over the complete cycles. `advice` is what to type when the columns are exchanged.
+// Checks the signs of energy and stiffness over complete cycles. `exchange_advice` says how to exchange two columns.
 void check_physics(TestRecord const& record, std::string const& exchange_advice, std::vector<Complaint>& complaints);
 
-// An implausible stiffness, a start away from zero, a clock that jumps; the warnings of error_budget; why there are no
-// properties.
+// Adds warnings: an implausible stiffness, a start away from zero, a clock that jumps, those of error_budget, and why
+// there are no properties.
 void add_warnings(TestRecord& record);
 
 }  // namespace isolaw::data

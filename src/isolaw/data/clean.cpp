@@ -63,7 +63,10 @@ void center(FitRecord& record, Properties const& properties) {
   double const force_kN = remove_middle(record.force_kN, range);
   auto& step = record.cleaning.emplace_back(
       Finding{.kind = FindingKind::centred, .numbers = {{"disp_mm", disp_mm}, {"force_kN", force_kN}}});
-  if (!properties.reported) return;
+  if (!properties.reported) {
+    step.words = {{"whole", "yes"}};
+    return;
+  }
   step.blocks = {properties.reported->block};
   step.numbers.push_back({"cycle", static_cast<double>(properties.reported->number)});
 }

@@ -1,4 +1,4 @@
-// From the raw record to the one the laws are fitted to (section 3 of the paper; every step is recorded).
+// Makes the record that laws are fitted to from the raw one (Cucuzza et al. 2025, section 3), and records every step.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace isolaw::data {
 
-// What each may be says campaign::setting_table().
+// campaign::setting_table() has the allowed values.
 struct CleanOptions {
   int smooth = 1;                              // window of the centred moving average, odd; 1 = none
   std::optional<int> samples_per_cycle = 200;  // thinning to at least this many, 20 or more; nullopt = all samples
@@ -32,11 +32,10 @@ std::vector<double> central_difference(std::vector<double> const& time_s, std::v
 // record without samples.
 FitRecord clean(TestRecord const& raw, CleanOptions const& options);
 
-// The play that hides noise of the displacement: three of its standard deviations, beyond which one sample in 400 lies.
+// The play in mm that hides noise of the displacement: three standard deviations, which one sample in 400 exceeds.
 double dead_band_of(std::vector<double> const& disp_mm);
 
-// What a law needs of a history whose force is not looked at: every sample as it is, velocity by central_difference().
-// The result has no force.
+// The record of a motion, without force, that a law is run on: every sample as it is, velocity by central_difference().
 FitRecord motion_of(TestRecord const& record);
 
 }  // namespace isolaw::data

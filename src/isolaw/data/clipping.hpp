@@ -1,5 +1,5 @@
-// Channels that end at the limit of their amplifier or converter: a level that is kept while the other channel goes on,
-// exactly or within noise that comes after it.
+// Finds channels that end at the limit of their amplifier or converter: they keep a level while the other channel goes
+// on, either exactly or, if noise is added behind the limit, within that noise.
 #pragma once
 
 #include <vector>

@@ -209,7 +209,7 @@ Meaning meaning_of_symbol(std::string_view base, std::optional<Unit> unit) {
   if (symbol == "T" && unit) return meant(Channel::time);  // alone it is as often a temperature
   if (symbol == "N") return meant(Channel::load);          // n counts samples
   auto const small = lower(symbol);
-  if (small == "xvalue") return meant(Channel::time);  // of LabVIEW's files
+  if (small == "xvalue") return meant(Channel::time);  // in LabVIEW's files
   if (is_in(disp_symbols, small)) return meant(Channel::disp);
   if (is_in(force_symbols, small)) return meant(Channel::force);
   if (is_in(load_symbols, small)) return meant(Channel::load);

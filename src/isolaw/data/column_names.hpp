@@ -1,4 +1,4 @@
-// What the name of a column says of it, in the languages laboratories write: its words, its unit, the channel it means.
+// Reads the name of a column, in the languages laboratories write: its words, its unit, the channel it means.
 #pragma once
 
 #include <optional>
@@ -17,10 +17,10 @@ struct ColumnName {
 };
 ColumnName dissect_name(std::string_view name);
 
-// Words of a name in lower case without accents: "DispH_2" -> disp, h, 2; Japanese by what it means.
+// The words of a name in lower case without accents: "DispH_2" -> disp, h, 2. Japanese words are translated.
 std::vector<std::string> name_words(std::string_view name);
 
-// Whether a word of Japanese that is known stands in the name.
+// Whether the name contains a Japanese word that we know.
 bool is_japanese(std::string_view name);
 
 // Whether a header cell looks like a time, displacement or force of any kind: tells a row of names from other lines.
@@ -28,18 +28,18 @@ bool names_a_channel(std::string_view cell);
 
 enum class Certainty { none, symbol, word };
 
-// What a name says. `load` without "vertical" or "horizontal" beside it may be either force.
+// The channel that a name means. `load` without "vertical" or "horizontal" (plain_load) may be either force.
 struct Meaning {
   std::optional<Channel> channel;
   Certainty certainty = Certainty::none;
   bool plain_load = false;
-  bool vertical_disp = false;  // of which no channel of a shear test is
+  bool vertical_disp = false;  // vertical displacement, which no channel of a shear test is
 };
 Meaning meaning_of(std::string_view name);
 
-// Whether it counts samples.
+// Whether the column counts samples.
 bool is_counter(std::string_view name);
-// Whether it says that dates stand below it, not times alone.
+// Whether the name says that dates stand in the column, not times alone.
 bool names_a_calendar(std::string_view name);
 bool names_a_velocity(std::string_view name);
 

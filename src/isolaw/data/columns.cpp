@@ -613,6 +613,7 @@ Columns recognise_columns(std::string const& where, Header const& header, std::s
       if (is_counter(header.names[i]))
         columns.recognised.push_back(
             decision(FindingKind::columns_unused, column_text(i, header) + " counts samples, it is no time"));
+  for (auto& complaint : columns.complaints) complaint.names = header.names;
   return columns;
 }
 

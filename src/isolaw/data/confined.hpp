@@ -1,5 +1,5 @@
-// Work on a file of others by a library that such a file may bring down: in a process of its own, with a limit on
-// memory and time, that opens no file and leaves nothing behind. What ends it ends as an outcome here.
+// Runs a library on a stranger's file that may bring it down: in a process of its own, with limits on memory and time,
+// that opens no file and leaves nothing behind. Whatever ends that process is a value in this one.
 #pragma once
 
 #include <cstddef>
@@ -10,9 +10,9 @@
 
 namespace isolaw::data {
 
-// Under sanitizers, which need both for themselves, neither memory nor files are limited.
+// Under sanitizers memory and files are not limited, since sanitizers need both themselves.
 struct ConfinedLimits {
-  std::uint64_t memory_bytes;  // beyond what the process holds already
+  std::uint64_t memory_bytes;  // in addition to what the process holds already
   unsigned seconds;
   std::size_t output_bytes;
 };
@@ -22,8 +22,8 @@ struct ConfinedResult {
   std::string failure;  // why there is none; empty when the work ended well
 };
 
-// Runs `work` in a copy of this process; it hands over its result through `write`, and an exception's text as a
-// failure. Throws std::system_error where no process can be made.
+// Runs `work` in a copy of this process. It passes its result to `write`; the text of an exception becomes the failure.
+// Throws std::system_error if no process can be made.
 ConfinedResult run_confined(std::function<void(std::function<void(std::string_view)> const& write)> const& work,
                             ConfinedLimits const& limits);
 

@@ -12,15 +12,15 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double nominal = 0.05;          // of the block's amplitude
-constexpr double least_change = 0.05;     // of the period, that splits a block
-constexpr double clear_change = 0.20;     // of the period, where but one cycle before it can be compared
-constexpr double agreement = 0.25;        // of the change: what periods before and after it may scatter by
+constexpr double nominal = 0.05;          // fraction of the block's amplitude
+constexpr double least_change = 0.05;     // fraction of the period; this change splits a block
+constexpr double clear_change = 0.20;     // the same if only one cycle before it can be compared
+constexpr double agreement = 0.25;        // fraction of the change by which periods before and after it may scatter
 constexpr std::size_t compared = 3;       // cycles before a change
 constexpr double far_period = 1.4;        // ratio to the block's: such a cycle does not count
-constexpr double build_up = 0.15;         // of the amplitude of the run that a lone cycle belongs to
+constexpr double build_up = 0.15;         // fraction of the amplitude of the run that a lone cycle belongs to
 constexpr double symmetric = 0.05;        // unevenness of a lone cycle that is a stage of its own
-constexpr double lopsided = 0.25;         // of the amplitude, that the middle of a regular cycle may move by
+constexpr double lopsided = 0.25;         // fraction of the amplitude by which a regular cycle's middle may move
 constexpr std::size_t sure_run = 3;       // cycles: shorter runs may come about by chance
 constexpr std::size_t longest_taper = 2;  // cycles
 
@@ -39,8 +39,8 @@ bool close(double value, double reference, double share) {
 
 std::vector<Run> runs_of_amplitude(std::vector<Shape> const& shapes) {
   std::vector<Run> runs;
-  double sum =
-      0.0;  // of the run's amplitudes: their mean stands for its middle, a median of every prefix would cost more
+  // The sum of the run's amplitudes: their mean replaces the median, which would cost more for every prefix.
+  double sum = 0.0;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     bool const joins =
         !runs.empty() && close(shapes[i].amplitude(), sum / static_cast<double>(runs.back().size()), nominal);

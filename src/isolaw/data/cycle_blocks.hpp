@@ -1,4 +1,4 @@
-// Which cut cycles belong together: blocks of one amplitude and one frequency, and the cycles that count in them.
+// Groups the cut cycles into blocks of one amplitude and one frequency, and tells which cycles count in them.
 #pragma once
 
 #include <string_view>
@@ -8,7 +8,7 @@
 
 namespace isolaw::data {
 
-// One cut cycle, and what numbering needs of it.
+// A cut cycle with the values that numbering needs.
 struct Shape : CycleCut {
   double least = 0.0;  // mm
   double largest = 0.0;
@@ -22,12 +22,12 @@ struct Shape : CycleCut {
   double amplitude() const { return largest / 2.0 - least / 2.0; }
 };
 
-// Blocks and numbers of the cycles. A block is a run of cycles of one amplitude (within 5 %) and one frequency. A lone
-// cycle is a block of its own where it is symmetric, as in a test of one cycle per stage; where it is uneven, or within
-// 15 % of a run of three or more beside it, as when a rig builds up its amplitude, it belongs uncounted to that block.
-// A change of frequency has to last: for two cycles or more, which agree with one another, as those before do, four
-// times better than the change of 5 % or more. A cycle whose period is more than a factor of 1.4 from its block's does
-// not count. `unit` of the periods.
+// Gives the cycles their blocks and numbers. A block is a run of cycles of one amplitude (within 5 %) and one
+// frequency. A lone cycle is a block of its own if it is symmetric, as in a test of one cycle per stage. If it is
+// uneven, or within 15 % of a run of three or more beside it, as when a rig builds up its amplitude, it belongs to that
+// block uncounted. A change of frequency must be 5 % or more and last for two cycles or more; these, and those before,
+// must agree among themselves four times better than the change. A cycle whose period is off its block's by more than a
+// factor of 1.4 does not count. `unit` is that of the periods.
 std::vector<CycleCut> number_cycles(std::vector<Shape>& shapes, std::string_view unit);
 
 }  // namespace isolaw::data

@@ -14,7 +14,7 @@
 namespace isolaw::data {
 namespace {
 
-// What acquisition programs and spreadsheets write for a value that is not there or not finite.
+// Whether the cell is a mark by which acquisition programs and spreadsheets say that a value is missing or not finite.
 bool is_not_finite(std::string_view cell) {
   constexpr std::array<std::string_view, 16> marks{"nan",     "inf",    "infinity", "n/a",  "na",      "#n/a",
                                                    "#nv",     "#num!",  "null",     "none", "#div/0!", "1.#inf",
@@ -83,7 +83,7 @@ Cell parse_point(char const* first, char const* last) {
   auto const [end, failure] = std::from_chars(first, last, value);
   if (end != last) return {.kind = CellKind::text};
   if (failure == std::errc::result_out_of_range) {
-    bool const tiny = std::find(std::next(first), last, '-') != last;  // of the exponent
+    bool const tiny = std::find(std::next(first), last, '-') != last;  // the minus of the exponent
     if (tiny) return {.kind = CellKind::number, .value = 0.0};
     return {.kind = CellKind::not_finite};
   }
@@ -109,7 +109,7 @@ struct Pair {
   char decimal;
 };
 
-// What a pair makes of the sampled lines, for the number of cells that explains most of them.
+// How well a pair explains the sampled lines, with the number of cells that explains most of them.
 struct Score {
   Pair pair{',', '.'};
   std::size_t columns = 0;
@@ -121,7 +121,7 @@ bool number_like(CellKind kind) {
   return kind == CellKind::number || kind == CellKind::not_finite || kind == CellKind::grouped;
 }
 
-// Of lines whose rows have at least `fewest` numbers or time stamps.
+// Only lines with at least `fewest` numbers or time stamps count.
 Score score_pair(std::span<std::string_view const> lines, Pair pair, char thousands = '\0', std::size_t fewest = 2) {
   struct Group {
     std::size_t rows = 0;
@@ -161,7 +161,7 @@ std::vector<std::string_view> sample_lines(std::span<std::string_view const> lin
   return sample;
 }
 
-// What the cells of one column are.
+// Counts the kinds of cells in one column.
 struct ColumnStudy {
   std::size_t numbers = 0;
   std::array<std::size_t, 4> stamps{};  // by kind, from StampKind::none

@@ -1,4 +1,4 @@
-// Delimiter and decimal separator, decided together. A comma alone says nothing ("1,5;2,0" against "1.5,2.0"), so every
+// Recognises delimiter and decimal separator together. A comma may be either ("1,5;2,0" against "1.5,2.0"), so every
 // pair of the two is tried on lines from all over the file, and the pair that reads most of them as numbers wins.
 #pragma once
 
@@ -14,22 +14,22 @@
 
 namespace isolaw::data {
 
-// What --thousands calls a mark that groups digits; a name for the mark of several writings.
+// A mark that groups digits, with its names. The blank is called "blank", since it is written in several ways.
 struct DigitGroup {
   char mark;
-  std::string_view word, typed, said;  // the option's value; as a shell takes it; in a sentence
+  std::string_view word, typed, said;  // the value of --thousands; quoted for a shell; in a sentence
 };
 inline constexpr std::array digit_groups{DigitGroup{',', ",", ",", "','"}, DigitGroup{'.', ".", ".", "'.'"},
                                          DigitGroup{'\'', "'", "\"'\"", "'''"},
                                          DigitGroup{' ', "blank", "blank", "blanks"}};
 DigitGroup const& digit_group(char mark);
-// The one that groups the digits of a cell, beside its decimal sign; nullopt where none does.
+// The mark that groups the digits of a cell with this decimal sign; nullopt if there is none.
 std::optional<DigitGroup> group_in(std::string_view cell, char decimal);
 
 // How numbers are written.
 struct NumberFormat {
   char decimal = '.';
-  char thousands = '\0';  // what groups digits; none unless the user says so
+  char thousands = '\0';  // the mark that groups digits; none unless the user says so
   NumberFormat(char decimal_sign, char group = '\0') : decimal(decimal_sign), thousands(group) {}
 };
 
@@ -58,7 +58,7 @@ enum class CellKind {
 
 struct Cell {
   CellKind kind = CellKind::empty;
-  double value = 0.0;  // of a number
+  double value = 0.0;  // if it is a number
 };
 
 Cell parse_cell(std::string_view cell, NumberFormat format);
@@ -66,7 +66,7 @@ Cell parse_cell(std::string_view cell, NumberFormat format);
 // Cells of one line, trimmed and without their quotes; one trailing empty cell is dropped.
 void split_cells(std::string_view line, char delimiter, std::vector<std::string_view>& cells);
 
-// The cells of a row as the dialect has them.
+// The cells of a row in this dialect, see Dialect::sheet.
 void split_row(std::string_view line, Dialect const& dialect, std::vector<std::string_view>& cells);
 
 // A line that starts with '#' or '%'.
@@ -74,13 +74,13 @@ bool is_comment(std::string_view line);
 // Nothing but blanks and delimiters.
 bool is_blank(std::string_view line, char delimiter);
 
-// nullopt when no pair finds rows with numbers or time stamps in at least two columns. `thousands` as the user says.
+// nullopt if no pair finds rows with numbers or time stamps in at least two columns. The user may give `thousands`.
 std::optional<Dialect> recognise_dialect(std::span<std::string_view const> lines,
                                          std::optional<char> thousands = std::nullopt);
-// Of a file that may be one column of numbers.
+// The same for a file that may be a single column of numbers.
 std::optional<Dialect> one_column_dialect(std::span<std::string_view const> lines,
                                           std::optional<char> thousands = std::nullopt);
-// The same of the rows of a worksheet, cells separated by tabs.
+// The same for the rows of a worksheet, with cells separated by tabs.
 std::optional<Dialect> sheet_dialect(std::span<std::string_view const> rows);
 
 std::string_view delimiter_name(char delimiter);

@@ -10,13 +10,13 @@ namespace isolaw::data {
 namespace {
 
 constexpr std::size_t fewest_gone = 3;    // samples; fewer are spikes, or may be the signal
-constexpr double least_gone = 0.1;        // of the half range, off the path on both sides
-constexpr double gone_deviations = 10.0;  // of the noise
+constexpr double least_gone = 0.1;        // fraction of the half range, off the path on both sides
+constexpr double gone_deviations = 10.0;  // standard deviations of the noise
 constexpr double gone_quanta = 4.0;       // steps of the digitiser
 constexpr double gone_steps = 4.0;        // times what the motion makes of a sampling interval near by
-constexpr double other_goes_on = 0.002;   // of its half range
-constexpr double other_jumps = 0.3;       // of the jump, both in parts of their half ranges
-constexpr double most_gone = 0.15;        // of the samples: more are how the channel is
+constexpr double other_goes_on = 0.002;   // fraction of its half range
+constexpr double other_jumps = 0.3;       // ratio to the jump, each relative to its half range
+constexpr double most_gone = 0.15;        // fraction of the samples; if more are gone, the channel is like that
 
 struct Size {
   double half_range = 0.0, noise = 0.0, quantum = 0.0;

@@ -1,9 +1,9 @@
-// The program that wrote a text file, where its first lines say so. What it wrote is read by the same rules as every
-// other table; its name goes into what was recognised, and with it what its words for a channel mean.
+// Recognises the program that wrote a text file, if the first lines name it. Such a file is read by the same rules as
+// any other; the program is reported as recognised, and decides what its words for a channel mean.
 //
-// The layouts, as the programs' files have them: LabVIEW measurement files after National Instruments' description of
-// .lvm; the others after files and readers that laboratories have published (MTS Series 793 ASCII files of Station
-// Manager and MultiPurpose TestWare, MTS TestSuite, Instron Bluehill 3 and Bluehill Universal, DASYLab).
+// Sources of the layouts: National Instruments' description of .lvm for LabVIEW measurement files; for the others files
+// and readers that laboratories have published (MTS Series 793 ASCII files of Station Manager and MultiPurpose
+// TestWare, MTS TestSuite, Instron Bluehill 3 and Bluehill Universal, DASYLab).
 #pragma once
 
 #include <optional>

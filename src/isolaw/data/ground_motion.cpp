@@ -34,7 +34,7 @@ std::optional<double> number_behind(std::string_view line, std::string_view word
 }
 
 struct PeerHeader {
-  std::size_t line = 0;  // of the counts, from 0
+  std::size_t line = 0;  // the line with the counts, from 0
   std::size_t count = 0;
   double step_s = 0.0;
   std::optional<double> unit_mm_s2;
@@ -156,7 +156,7 @@ MotionColumns motion_columns(Header const& header, std::size_t count, std::strin
 // The step of times that should be equally spaced; each may be rounded, as files with three decimals are.
 double step_of(std::vector<double> const& time_s, std::string const& name) {
   double const step = (time_s.back() - time_s.front()) / static_cast<double>(time_s.size() - 1);
-  constexpr double allowed = 0.1;  // of a step
+  constexpr double allowed = 0.1;  // fraction of a step
   for (std::size_t i = 0; i < time_s.size(); ++i) {
     double const expected = time_s.front() + static_cast<double>(i) * step;
     if (step > 0.0 && std::abs(time_s[i] - expected) <= allowed * step) continue;

@@ -1,4 +1,4 @@
-// The acceleration of the ground over time, that an analysis is shaken with: a file of the PEER database (AT2), or
+// Reads the ground's acceleration over time, the load of an analysis: from a file of the PEER database (AT2), or from
 // columns of text that name their units.
 #pragma once
 
@@ -24,11 +24,11 @@ struct GroundMotion {
   std::string recognised;                  // in one sentence, how it was read
 };
 
-// Throws one Error of all that is wrong: values that are no numbers, times that are not equally spaced, no column with
-// a unit of acceleration or several, fewer samples than the file says. `step_s` is for a file that has no time, and
-// refused where it says otherwise than the file.
+// Throws one Error with all that is wrong: values that are no numbers, times that are not equally spaced, no column
+// with a unit of acceleration or several, fewer samples than the file says. `step_s` is for a file without time, and
+// must not contradict the file.
 GroundMotion read_ground_motion(std::filesystem::path const& file, std::optional<double> step_s = {});
-// The same of a file's bytes; `name` is the file in messages.
+// The same for a file's bytes; messages call the file `name`.
 GroundMotion read_ground_motion_text(std::string_view bytes, std::string const& name,
                                      std::optional<double> step_s = {});
 

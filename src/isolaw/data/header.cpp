@@ -254,7 +254,7 @@ std::vector<std::size_t> later_tests(std::span<std::string_view const> lines, Di
     if (!begins_test(lines[i], dialect, names)) continue;
     auto row = i;
     while (row > last_seen && !is_data_row(lines[row - 1], dialect)) --row;
-    if (row > last_seen) starts.push_back(row);  // what stands between the rows and the names belongs to the new test
+    if (row > last_seen) starts.push_back(row);  // lines between the rows and the names belong to the new test
     last_seen = i + 1;
   }
   return starts;

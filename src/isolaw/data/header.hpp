@@ -1,4 +1,4 @@
-// What stands above the rows of numbers: lines about the specimen, a row of names, a row of units, comments.
+// Reads the lines above the rows of numbers: lines about the specimen, a row of names, a row of units, comments.
 #pragma once
 
 #include <cstddef>
@@ -33,12 +33,12 @@ struct Header {
   std::optional<double> interval_s;  // between rows, where no column has the time and the header has the interval
 
   bool own_axis = false;             // channels are named after the axis of the machine, which may lie any way
-  std::string_view row = "line";     // what a row is called: "line", "row", "element"
+  std::string_view row = "line";     // the word for a row: "line", "row", "element"
   bool lettered = false;             // columns have letters, as in a workbook
   bool by_name = false;              // columns are variables: named, not numbered, in what is advised
   std::vector<std::string> objects;  // variables that only the program reads which wrote them, or that hold no numbers
   std::vector<std::string> complex;  // variables of complex numbers, which no channel is read from
-  std::string listing;               // what the file holds besides, where that is more than its columns
+  std::string listing;               // everything in the file, if that is more than its columns
 };
 
 // Whether a line is a row of numbers.

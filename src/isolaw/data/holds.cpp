@@ -11,14 +11,14 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double band = 0.005;          // of the amplitude: a servo holds better
-constexpr double edge = 0.0005;         // of the amplitude: where a hold begins and ends
+constexpr double band = 0.005;          // fraction of the amplitude; a servo holds better
+constexpr double edge = 0.0005;         // fraction of the amplitude at which a hold begins and ends
 constexpr double noise_band = 8.0;      // standard deviations, from the least of a stretch to its largest
-constexpr double too_noisy = 0.3;       // of the amplitude
-constexpr double least_hold = 0.15;     // of the period
-constexpr double least_stretch = 0.02;  // of the piece
-constexpr double clear_edges = 0.9;     // of a stretch: what lies within the narrower band stands for all of it
-constexpr std::size_t most_holds = 16;  // of a piece
+constexpr double too_noisy = 0.3;       // fraction of the amplitude
+constexpr double least_hold = 0.15;     // fraction of the period
+constexpr double least_stretch = 0.02;  // fraction of the piece
+constexpr double clear_edges = 0.9;     // fraction of a stretch; the part in the narrower band then stands for all
+constexpr std::size_t most_holds = 16;  // per piece
 constexpr std::size_t least_in_piece = 8;
 
 struct Stretch {

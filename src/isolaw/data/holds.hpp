@@ -1,7 +1,7 @@
-// Holds: where a device stands still within a cyclic test, at rest between cycles or held at a displacement.
+// Finds holds: times when a device stands still within a cyclic test, at rest between cycles or held at a displacement.
 //
-// A hold is a stretch within a narrow band, of half a percent of the amplitude or of the noise, that lasts longer than
-// the motion takes to pass the band there: a sine lingers at its peaks without standing still.
+// In a hold the motion stays within a narrow band, which is half a percent of the amplitude or as wide as the noise,
+// for longer than it takes to pass the band there: a sine lingers at its peaks without standing still.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace isolaw::data {
 struct Piece {
   double first = 0.0;  // fractional sample indices
   double last = 0.0;
-  double amplitude = 0.0;  // of the motion, mm
+  double amplitude = 0.0;  // mm
   double middle = 0.0;     // mm
 };
 
@@ -22,16 +22,16 @@ struct StillTime {
   double time = 0.0;  // in s, or in samples without time
 };
 
-// How long the device stands still within the piece. `noise` is the standard deviation of disp_mm in mm; where it hides
-// holds none are found. O(n log n) of the piece's samples at worst.
+// How long the device stands still within the piece. `noise` is the standard deviation of disp_mm in mm; if it is too
+// large, no holds are found. At worst O(n log n) in the piece's samples.
 StillTime still_time(std::span<double const> disp_mm, std::span<double const> time_s, Piece const& piece, double noise);
 
-// Between two samples this many times farther apart than most nobody knows what a channel did.
+// If two samples are more than this many usual intervals apart, nobody knows what a channel did between them.
 inline constexpr double most_intervals = 5.0;
 
-// Time as the motion took it: where the clock jumps between two samples (by more than most_intervals), what the speed
-// on both sides needs for the way between them, at least one interval and at most what the clock says. Empty where
-// nothing jumps.
+// A jump of the clock between two samples by more than most_intervals. taken_s is the time that the motion needs for
+// the way between them at the speed on both sides, at least one interval and at most what the clock says.
+// without_gaps() is empty if nothing jumps.
 struct Gap {
   std::size_t after = 0;  // sample
   double length_s = 0.0;  // by the clock

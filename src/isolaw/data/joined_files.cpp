@@ -65,7 +65,7 @@ struct Opened {
     return recognise_columns(chosen.place(), chosen.header(), chosen.columns(), options, wanted);
   }
 
-  // What its samples have of a time: nothing, an interval or seconds, or stamps.
+  // How the samples are timed: not at all, by an interval or seconds, or by stamps.
   enum class Clock { none, seconds, stamps };
   Clock clock() const {
     auto const found = columns();
@@ -141,7 +141,7 @@ RecordPart read_joined(std::filesystem::path const& file, ReadOptions options,
   }
   bool const sheet_of_another = std::ranges::any_of(rest, &Opened::chooses_sheet);
   bool const test_of_another = std::ranges::any_of(rest, &Opened::chooses_test);
-  // What does something in one of the files may be given.
+  // An option may be given if it has an effect in one of the files.
   auto const idle_in = [&](Opened const& each) { return idle_options(*each.bytes, asked); };
   auto idle = idle_in(first);
   for (auto const& more : rest)

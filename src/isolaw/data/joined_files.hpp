@@ -1,4 +1,4 @@
-// A test whose channels stand in several files: each is read by itself, then brought to the samples of the first.
+// Reads a test whose channels are in several files: reads each by itself, then brings it to the samples of the first.
 #pragma once
 
 #include <filesystem>
@@ -10,11 +10,11 @@
 
 namespace isolaw::data {
 
-// The other files that `options` name channels of, with what is asked of each; taken out of `options`.
+// Takes out of `options` the channels that are in other files, and returns these files with the options for each.
 std::map<std::string, ReadOptions> other_files(std::filesystem::path const& file, ReadOptions& options);
 
-// The channels of `file` and of `others`, before anything is asked of them together. Throws Error where one cannot be
-// read, or they do not belong together.
+// The channels of `file` and of `others`, before they are checked together. Throws Error if one of the files cannot be
+// read, or if they do not belong together.
 RecordPart read_joined(std::filesystem::path const& file, ReadOptions options,
                        std::map<std::string, ReadOptions> const& others);
 

@@ -6,11 +6,11 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double at_rest = 0.05;         // of a lobe's reach: this close to the centre it is at the centre
+constexpr double at_rest = 0.05;         // fraction of a lobe's reach; so close to the centre counts as at the centre
 constexpr double alike = 0.15;           // difference of reach, of the larger one
 constexpr double same_fall = 1.5;        // ratio of the times to fall
-constexpr double slight = 0.2;           // of the next lobe's reach: a pre-load whatever follows
-constexpr double high = 0.9, low = 0.1;  // of the reach: between them a lobe falls
+constexpr double slight = 0.2;           // fraction of the next lobe's reach; a pre-load whatever follows
+constexpr double high = 0.9, low = 0.1;  // fractions of the reach between which the fall of a lobe is timed
 
 class Finder {
  public:

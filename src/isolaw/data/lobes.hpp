@@ -1,9 +1,9 @@
-// Lobes: the excursions of a motion to one side of its centre, and which two of them make a cycle.
+// Finds lobes, the excursions of a motion to one side of its centre, and tells which two of them make a cycle.
 //
-// A lobe ends where the motion crosses the centre, or where it comes back to the centre and turns there: before a rest,
-// a second test, a pre-load taken off. Two lobes to opposite sides make a cycle. A lobe after the start, a rest or a
-// turn is left out as a pre-load where it is unlike the next in size (15 %) or in the time it takes to fall (a factor
-// of 1.5), while those after it are alike; so is the half cycle that a stage may end with.
+// A lobe ends where the motion crosses the centre, or comes back to the centre and turns there: before a rest, a second
+// test, or the removal of a pre-load. Two lobes to opposite sides make a cycle. A lobe after the start, a rest or a
+// turn is left out as a pre-load if it differs from the next in size (by 15 %) or in the time it takes to fall (by a
+// factor of 1.5) while those after it are alike. The half cycle that a stage may end with is left out as well.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ struct Lobe {
   double last = 0.0;
   std::size_t tip = 0;       // sample farthest from the centre
   bool positive = false;     // to which side
-  double reach_mm = 0.0;     // of the tip from the centre
+  double reach_mm = 0.0;     // distance of the tip from the centre
   double fall = 0.0;         // time from 90 to 10 % of the reach, in s or in samples
   bool turns = false;        // starts where the motion turns at the centre, or from rest with the record
   bool rests = false;        // starts after a rest
@@ -30,8 +30,8 @@ struct Lobe {
 
 enum class Part {
   cycle,       // two lobes
-  pre_load,    // one before a cycle that it is no part of
-  half,        // one left over where the motion starts anew
+  pre_load,    // a lobe before a cycle that it is not a part of
+  half,        // a lobe that is left over where the motion starts anew
   open_start,  // the record starts within it
   open_end     // the record ends within it, or before the second lobe
 };

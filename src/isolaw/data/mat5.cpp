@@ -1,6 +1,6 @@
-// MATLAB files of version 5, and 7 where elements are compressed (MathWorks, "MAT-File Format", 2017). Read by own code
-// from a stream that is inflated as it is read: a size that a file states is only ever a number of bytes to pass over
-// or to stop at, never one to allocate. docs/decisions/0001-dependencies.md says why no library does it.
+// Reads MATLAB files of version 5, and of 7, where elements are compressed (MathWorks, "MAT-File Format", 2017). Own
+// code reads from a stream that is inflated on the way: a size that a file states is a number of bytes to pass over or
+// to stop at, never one to allocate. docs/decisions/0001-dependencies.md says why no library does it.
 #include <fmt/format.h>
 #include <zlib.h>
 
@@ -81,7 +81,7 @@ class PlainSource : public Source {
 
 class InflatedSource : public Source {
  public:
-  // What is inflated counts against `left`.
+  // Inflated bytes count against `left`.
   InflatedSource(std::string_view bytes, std::uint64_t& left) : left_(left) {
     // zlib does not write to its input, though its type says so.
     stream_.next_in = const_cast<Bytef*>(static_cast<Bytef const*>(static_cast<void const*>(bytes.data())));
@@ -200,7 +200,7 @@ constexpr Stored stored_as(Type type) {
           [](Reader const& reader, char const* at) { return static_cast<double>(reader.number<T>(at)); }};
 }
 
-// Of a type that is no number: nullptr.
+// nullptr for a type that is no number.
 Stored const* stored(std::uint32_t type) {
   static constexpr std::array table{
       stored_as<std::int8_t>(mi_int8),     stored_as<std::uint8_t>(mi_uint8),   stored_as<std::int16_t>(mi_int16),
@@ -211,7 +211,7 @@ Stored const* stored(std::uint32_t type) {
   return found == table.end() ? nullptr : &*found;
 }
 
-// Asked for every array: what is wanted of it, if anything.
+// Called for every array; returns the values wanted of it, if any.
 using Chooser = std::function<std::optional<MatSlice>(MatVariable const&)>;
 
 class Walk {
@@ -243,7 +243,7 @@ class Walk {
       auto const [tag, form] = values_tag(reader, variable);
       if (slice) read_values(reader, tag, form, *slice, elements(variable));
     }
-    if (!prefix.empty()) reader.skip(reader.available());  // what follows at the top is found by its tag
+    if (!prefix.empty()) reader.skip(reader.available());  // at the top the next array is found by its tag
   }
 
  private:

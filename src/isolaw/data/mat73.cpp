@@ -1,6 +1,6 @@
-// MATLAB files of version 7.3: HDF5 behind a block of 512 bytes, arrays as data sets with their dimensions reversed,
-// structs as groups, the class in an attribute. The HDF5 library is no match for files made to break it, so it works in
-// a confined process of its own, on the bytes alone: links to other files and data kept elsewhere lead nowhere.
+// Reads MATLAB files of version 7.3: HDF5 behind a block of 512 bytes, arrays as data sets with their dimensions
+// reversed, structs as groups, the class in an attribute. Malicious files can break the HDF5 library, so it works in a
+// confined process of its own, on the bytes alone, where links to other files and external data lead nowhere.
 #include <fmt/format.h>
 #include <hdf5.h>
 #include <hdf5_hl.h>

@@ -1,4 +1,4 @@
-// What a MATLAB file holds, whatever its version: arrays of numbers, at the top or in structs one level deep.
+// The contents of a MATLAB file of any version: arrays of numbers, at the top or in structs one level deep.
 #pragma once
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ struct MatVariable {
   std::string kind;                 // "double", "char", "struct", ...
   std::vector<std::uint64_t> size;  // as MATLAB's size() has it
   bool numeric = false;             // real numbers, which can be read
-  std::string unit = {};            // of an attribute beside it; may be empty
+  std::string unit = {};            // from an attribute beside it; may be empty
 };
 
 // Every `stride`-th value from `first`, in MATLAB's order (the first index runs fastest).
@@ -40,7 +40,7 @@ class MatFile {
   MatFile& operator=(MatFile const&) = delete;
 
   std::vector<MatVariable> const& variables() const { return variables_; }
-  // Of characters, their codes. Throws Error: damaged, or grows beyond the limit when it is unpacked.
+  // Characters give their codes. Throws Error if the file is damaged or grows beyond the limit when it is unpacked.
   virtual std::vector<double> values(MatVariable const& variable, MatSlice const& slice) const = 0;
   // "MATLAB file of version 5"
   virtual std::string_view version() const = 0;
@@ -58,8 +58,8 @@ class MatFile {
   std::vector<MatVariable> variables_;
 };
 
-// The versions that are read. `bytes` must outlive the file, `file` is its name in messages. Throws Error: damaged,
-// more variables than any test has.
+// Open the versions that we read. `bytes` must outlive the file, `file` is its name in messages. Throw Error if it is
+// damaged or has more variables than any test.
 std::unique_ptr<MatFile> open_mat5(std::string_view bytes, std::string const& file);
 std::unique_ptr<MatFile> open_mat73(std::string_view bytes, std::string const& file);
 

@@ -18,15 +18,15 @@ namespace isolaw::data {
 namespace {
 
 constexpr std::uint64_t fewest_values = 3;
-constexpr std::uint64_t most_rows_across = 20;  // of a matrix whose rows are channels
-constexpr std::uint64_t bytes_per_sample = 32;  // of four channels
+constexpr std::uint64_t most_rows_across = 20;  // the most rows of a matrix whose rows are channels
+constexpr std::uint64_t bytes_per_sample = 32;  // four channels
 constexpr std::size_t most_listed = 30;
 
-// Which values of which variable a column is.
+// The values of a variable that make a column.
 struct Origin {
   MatVariable const* variable;
   MatSlice slice;
-  std::string name;  // of the column, its owner included
+  std::string name;  // the column's, its owner included
 };
 
 struct MatColumns {
@@ -207,7 +207,7 @@ class MatTable : public NumberTable {
   std::uint64_t longest_;
 };
 
-// Of the columns, those of one struct or matrix, by the names they have in it.
+// The columns of one struct or matrix, under the names that they have in it.
 MatColumns part_of(MatColumns const& all, std::string const& owner) {
   MatColumns part;
   for (std::size_t i = 0; i < all.columns.size(); ++i) {

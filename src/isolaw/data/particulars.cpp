@@ -143,7 +143,7 @@ void add(std::string_view key, std::string_view value, std::string const& unit, 
   if (empty || value.size() > longest ||
       std::ranges::find(found, key, &ParticularList::value_type::first) != found.end())
     return;
-  // What goes on with other labels is no value of this one.
+  // A text that goes on with other labels is not a value of this one.
   if (value.find(';') != std::string_view::npos || value.find(": ") != std::string_view::npos) return;
   auto text = std::string(value);
   constexpr std::size_t shortest_date = 6;
@@ -173,7 +173,7 @@ void take_particulars(std::string_view line, char delimiter, ParticularList& fou
     std::string unit;
     auto colon = cell.find_first_of(":=");
     std::size_t width = 1;
-    if (auto const wide = cell.find("\xEF\xBC\x9A"); wide != std::string::npos && wide < colon) {  // of Japanese texts
+    if (auto const wide = cell.find("\xEF\xBC\x9A"); wide != std::string::npos && wide < colon) {  // Japanese
       colon = wide;
       width = 3;
     }

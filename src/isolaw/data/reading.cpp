@@ -15,9 +15,9 @@ namespace {
 Reading by_channel(std::string_view key, std::string help, std::map<Channel, std::string> ReadOptions::*values,
                    std::map<Channel, std::string> (*parse)(std::string_view)) {
   auto const write = [values](ReadOptions const& from) {
-    Json made;
-    for (auto const& [channel, value] : from.*values) made[std::string(name(channel))] = value;
-    return made;
+    Json table;
+    for (auto const& [channel, value] : from.*values) table[std::string(name(channel))] = value;
+    return table;
   };
   auto const read = [parse, values](ReadOptions& to, Json const& value) {
     if (value.is_string()) {
@@ -30,17 +30,18 @@ Reading by_channel(std::string_view key, std::string help, std::map<Channel, std
         throw Error({.where = {},
                      .found = fmt::format("{}: {} is neither text nor a number", channel, shown(item)),
                      .allowed = "a name or a 1-based number"});
-      // A column's name may hold a comma, which the command line's form could not carry.
+      // A column's name may hold a comma, which text like "disp=2,force=F" cannot carry.
       auto const text = text_of(item);
       bool const comma = text.find(',') != std::string::npos;
       for (auto& [known, parsed] : parse(fmt::format("{}={}", channel, comma ? "1" : text)))
         (to.*values)[known] = comma ? text : parsed;
     }
   };
-  return {{{.key = key, .kind = Kind::assignments, .help = std::move(help)}, write, read}};
+  return {
+      {{.key = key, .kind = Kind::assignments, .help = std::move(help), .heading = Heading::everyday}, write, read}};
 }
 
-// A name, or a number without quotes. `written`: as which of them a lot file has it.
+// A name, or a number without quotes. `written`: the kind in which a lot file writes it.
 Reading name_or_number(std::string_view key, std::string help, Kind written,
                        std::optional<std::string> ReadOptions::*choice, std::string (*parse)(std::string const&)) {
   auto const write = [=](ReadOptions const& from) {
@@ -50,10 +51,9 @@ Reading name_or_number(std::string_view key, std::string help, Kind written,
     if (!value.is_string() && !value.is_number_integer()) refuse(value, "a name or a whole number");
     to.*choice = parse(text_of(value));
   };
-  return {{{.key = key, .help = std::move(help), .type = "str | int"}, write, read}};
+  return {{{.key = key, .help = std::move(help), .type = "str | int", .heading = Heading::reading}, write, read}};
 }
 
-// One of a few words, or nothing.
 Reading one_of(std::string_view key, std::string help, std::vector<std::string_view> words,
                std::optional<std::string_view> (*get)(ReadOptions const&),
                void (*set)(ReadOptions&, std::string_view)) {
@@ -68,7 +68,7 @@ Reading one_of(std::string_view key, std::string help, std::vector<std::string_v
     for (auto const word : words) texts.push_back(fmt::format("'{}'", word));
     refuse(value, joined(texts, " or "));
   };
-  return {{{.key = key, .help = std::move(help), .words = words}, write, read}};
+  return {{{.key = key, .help = std::move(help), .words = words, .heading = Heading::reading}, write, read}};
 }
 
 std::vector<std::string_view> group_words() {
@@ -79,7 +79,7 @@ std::vector<std::string_view> group_words() {
 
 Reading thousands() {
   return one_of(
-      "thousands", "what groups the digits of numbers: a comma, a point, an apostrophe or blank", group_words(),
+      "thousands", "mark that groups digits, as in 12,345.6: a comma, a point, an apostrophe, or blank", group_words(),
       [](ReadOptions const& from) -> std::optional<std::string_view> {
         return from.thousands ? std::optional(digit_group(*from.thousands).word) : std::nullopt;
       },
@@ -90,7 +90,7 @@ Reading thousands() {
 
 Reading date_order() {
   return one_of(
-      "date-order", "of dates like 03/04/2024 where nothing tells: dmy or mdy",
+      "date-order", "dmy or mdy: order of day and month in dates like 03/04/2024",
       {date_order_word(DateOrder::day_first), date_order_word(DateOrder::month_first)},
       [](ReadOptions const& from) -> std::optional<std::string_view> {
         return from.date_order ? std::optional(date_order_word(*from.date_order)) : std::nullopt;
@@ -102,7 +102,7 @@ Reading date_order() {
 
 Reading footer() {
   return one_of(
-      "footer", "skip: text below the rows (statistics, a signature) is left out", {"skip"},
+      "footer", "skip: ignore text below the rows, such as statistics or a signature", {"skip"},
       [](ReadOptions const& from) -> std::optional<std::string_view> {
         return from.skip_footer ? std::optional<std::string_view>("skip") : std::nullopt;
       },
@@ -112,45 +112,51 @@ Reading footer() {
 Reading rows() {
   auto const write = [](ReadOptions const& from) { return from.rows ? Json(rows_text(*from.rows)) : Json(); };
   auto const read = [](ReadOptions& to, Json const& value) { to.rows = parse_rows(text_in(value)); };
-  return {{{.key = "rows", .help = "rows A:B of the numbers alone, counted from 1 below the header; A: to the end"},
+  return {{{.key = "rows",
+            .help = "read only rows A:B, such as 101:700, or 101: to the end; row 1 is the first below the header",
+            .heading = Heading::reading},
            write,
            read}};
 }
 
-// Of a motion under another name: there --from is a campaign.
+// For a motion the option has another name, because --from names a campaign there.
 Reading time_limit(std::string_view key, std::string help, std::optional<double> ReadOptions::*value,
                    std::string_view keyword, std::string_view motion_option) {
-  Reading made{number<ReadOptions>(key, std::move(help), at(value)), false, motion_option};
-  made.keyword = keyword;
-  return made;
+  Reading row{number<ReadOptions>(key, std::move(help), at(value)).under(Heading::reading), false, motion_option};
+  row.keyword = keyword;
+  return row;
 }
 
 Reading correction(std::string_view key, std::string help, std::optional<double> Corrections::*value,
                    std::string_view keyword = {}) {
-  Reading made{number<ReadOptions>(key, "correct: " + help, at(&ReadOptions::corrections, value)), true};
-  made.keyword = keyword;
-  return made;
+  Reading row{
+      number<ReadOptions>(key, std::move(help), at(&ReadOptions::corrections, value)).under(Heading::corrections),
+      true};
+  row.keyword = keyword;
+  return row;
 }
 
 Reading skew() {
   auto const place = at(&ReadOptions::corrections, &Corrections::skew_s);
-  auto made = correction("skew-ms", "the force comes later than displacement by this", &Corrections::skew_s);
-  made.get = [place](ReadOptions const& from) { return place(from) ? Json(*place(from) / 1e-3) : Json(); };
-  made.set = [place](ReadOptions& to, Json const& value) { place(to) = real_of(value, {}) / 1000.0; };
-  return made;
+  auto row = correction("skew-ms", "move the force back by this many milliseconds, by which it lags the displacement",
+                        &Corrections::skew_s);
+  row.get = [place](ReadOptions const& from) { return place(from) ? Json(*place(from) / 1e-3) : Json(); };
+  row.set = [place](ReadOptions& to, Json const& value) { place(to) = real_of(value, {}) / 1000.0; };
+  return row;
 }
 
 constexpr std::string_view spikes_word = "spikes";
 
 Reading repair() {
-  auto made = one_of(
-      "repair", "correct: single samples off their neighbours, replaced by interpolation", {spikes_word},
+  auto row = one_of(
+      "repair", "spikes: replace single-sample spikes by interpolation", {spikes_word},
       [](ReadOptions const& from) -> std::optional<std::string_view> {
         return from.corrections.repair_spikes ? std::optional(spikes_word) : std::nullopt;
       },
       [](ReadOptions& to, std::string_view) { to.corrections.repair_spikes = true; });
-  made.of_test = true;
-  return made;
+  row.of_test = true;
+  row.heading = Heading::corrections;
+  return row;
 }
 
 std::vector<Reading> make_table() {
@@ -159,28 +165,31 @@ std::vector<Reading> make_table() {
   return {
       by_channel(
           "columns",
-          "time=...,disp=...,force=...,load=...: column names or 1-based numbers; FILE:COLUMN where a channel is in a file of its own",
+          "column of each channel, by name or number: time=1,disp=Travel,force=3; FILE:COLUMN if in another file",
           &R::columns, parse_columns),
-      by_channel("units", "disp=cm,force=tonf,time=s: units the files do not state", &R::units, parse_units),
-      {number<R>("dt", "sampling interval in seconds of files without a time column", at(&R::dt_s),
-                 {.least = std::numeric_limits<double>::min(), .words = "a positive number of seconds"})},
+      by_channel("units", "units that the files do not state: disp=cm,force=tonf,time=s", &R::units, parse_units),
+      {number<R>("dt", "sampling interval of files without a time column", at(&R::dt_s),
+                 {.least = std::numeric_limits<double>::min(), .words = "a positive number of seconds"})
+           .under(Heading::reading)},
       rows(),
-      time_limit("from", "from this time on, in seconds of the file", &R::from_s, "from_s", "motion-from"),
-      time_limit("to", "up to this time, in seconds of the file", &R::to_s, "to_s", "motion-to"),
+      time_limit("from", "read only from this time on, in seconds of the file", &R::from_s, "from_s", "motion-from"),
+      time_limit("to", "read only up to this time, in seconds of the file", &R::to_s, "to_s", "motion-to"),
       footer(),
       thousands(),
       date_order(),
-      name_or_number("sheet", "sheet of a workbook, struct of a .mat file, key of JSON: name or number", Kind::text,
-                     &R::sheet, [](std::string const& name) { return name; }),
-      name_or_number("test", "of files that hold several tests: a number, or all, one after the other", Kind::whole,
-                     &R::test, [](std::string const& text) { return parse_test(text); }),
-      {flag<R>("flip-force", "reverse the sign of the force", at(&R::flip_force)), true},
+      name_or_number("sheet", "sheet of a workbook, struct of a .mat file or key of JSON, by name or number",
+                     Kind::text, &R::sheet, [](std::string const& name) { return name; }),
+      name_or_number("test", "which test of a file that holds several: a number, or all in turn", Kind::whole, &R::test,
+                     [](std::string const& text) { return parse_test(text); }),
+      {flag<R>("flip-force", "reverse the sign of the force", at(&R::flip_force)).under(Heading::reading), true},
       repair(),
       skew(),
-      correction("rig-friction", "friction of the rig in the force, kN", &C::friction_kN, "rig_friction_kN"),
-      correction("rig-friction-coefficient", "the same as a share of the vertical load", &C::friction_coefficient),
-      correction("moving-mass", "mass between device and load cell, kg", &C::moving_mass_kg, "moving_mass_kg"),
-      correction("force-factor", "0.5 where the rig shears two devices", &C::force_factor),
+      correction("rig-friction", "subtract the rig's friction, kN", &C::friction_kN, "rig_friction_kN"),
+      correction("rig-friction-coefficient", "the same as a share of the vertical load: 0.005",
+                 &C::friction_coefficient),
+      correction("moving-mass", "subtract the inertia of this mass between device and load cell, kg",
+                 &C::moving_mass_kg, "moving_mass_kg"),
+      correction("force-factor", "multiply the force: by 0.5 if the rig shears two devices", &C::force_factor),
   };
 }
 

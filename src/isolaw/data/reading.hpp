@@ -1,4 +1,4 @@
-// How records are read, option by option: command line, lot file and Python are made from this table.
+// The options that say how records are read. The command line, lot files and Python are built from this table.
 #pragma once
 
 #include <span>
@@ -9,12 +9,12 @@
 namespace isolaw::data {
 
 struct Reading : Option<ReadOptions> {
-  bool of_test = false;                 // not of motions, which have no force
-  std::string_view motion_option = {};  // what it is called beside options of a law, where its own name is taken
+  bool of_test = false;                 // motions do not take it: they have no force
+  std::string_view motion_option = {};  // its name for a motion, if a law's option has its own name already
 };
 
-// Columns and units add to those that are there, channel by channel; every other value takes the place of what was
-// there. Limits of corrections are those of Corrections::validate().
+// Columns and units add to those given before, channel by channel; every other value replaces the one given before.
+// Corrections::validate() holds the limits of corrections.
 std::span<Reading const> reading_table();
 
 }  // namespace isolaw::data

@@ -1,5 +1,5 @@
-// Which part of a test the laws are judged by (options --fit-blocks and --fit-cycles): for example the stable cycles
-// alone, leaving out scragging. The history before still acts on a law's state; it is only not scored.
+// Selects the part of a test that laws are judged by (options --fit-blocks and --fit-cycles): for example the stable
+// cycles only, without scragging. The history before still acts on a law's state but is not scored.
 #pragma once
 
 #include <cstddef>
@@ -27,19 +27,19 @@ struct Numbers {
   bool operator==(Numbers const&) const = default;
 };
 
-// Throws Error that names `option`: anything else than numbers, ranges that fall, "all" is all of them.
+// Throws an Error that names `option` for anything but numbers and for ranges that fall. "all" selects all of them.
 Numbers parse_numbers(std::string_view option, std::string_view text);
 
 struct Selection {
   Numbers blocks, cycles;
-  Numbers predicted = {};  // blocks that the law of the others is then tried on (--score-blocks); all: every other one
+  Numbers predicted = {};  // blocks that the fitted law then predicts (--score-blocks); all: every other block
   bool all() const { return blocks.all() && cycles.all(); }
   std::string text() const;  // "blocks 1-2", "cycles 1-3 of block 2"; empty where all is
 };
 
-// 1 for every sample that counts and 0 for the others; empty where all of them do. By blocks alone: everything from the
-// block's first cut to its last, partial cycles included; by cycles: the counted cycles of these numbers. Throws Error
-// when nothing is left, or only a sample: with the blocks and cycles there are.
+// 1 for every sample that counts and 0 for the others; empty if all count. If only blocks are selected, everything from
+// a block's first cut to its last counts, partial cycles included; otherwise the counted cycles of these numbers.
+// Throws an Error that lists the blocks and cycles if nothing is left, or a single sample.
 std::vector<double> scored_samples(Selection const& selection, Segmentation const& segmentation, std::size_t samples);
 
 // The number of its block for every sample of a block that is scored or predicted, from the block's first cut to its

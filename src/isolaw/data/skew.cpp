@@ -14,9 +14,9 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double wide = 0.08;            // of a cycle, to each side of a reversal: half a radian
+constexpr double wide = 0.08;            // fraction of a cycle to each side of a reversal: half a radian
 constexpr double narrow = 0.04;          // a quarter of the way in displacement, where a sharp loop is smooth too
-constexpr double farthest_shift = 0.04;  // of a cycle: a quarter of a radian
+constexpr double farthest_shift = 0.04;  // fraction of a cycle: a quarter of a radian
 constexpr int shifts = 41;
 constexpr std::size_t least_in_window = 12;  // in a window: twice the unknowns
 constexpr std::size_t most_samples = 400;    // in a window: of more, every so many-th is used
@@ -28,13 +28,13 @@ constexpr double least_late = 0.015;           // rad
 constexpr double least_late_by_shape = 0.045;  // where a loop is too sharp for its samples
 constexpr double least_early = 0.04;
 constexpr double standard_errors = 4.0;     // at least
-constexpr double by_chance = 0.001;         // of the records, one side
-constexpr double most_agree = 0.75;         // of the reversals
+constexpr double by_chance = 0.001;         // fraction of the records, one-sided
+constexpr double most_agree = 0.75;         // fraction of the reversals
 constexpr double most_apart = 0.004;        // rad, of the two windows
-constexpr double quiet = 0.0005;            // of the amplitude: noise of displacement that does no harm
-constexpr double too_noisy = 0.01;          // of the amplitude
-constexpr double smoothed_over = 0.06;      // of a cycle, to each side: takes 0.02 % from a sine
-constexpr double hold_band = 0.005;         // of the amplitude
+constexpr double quiet = 0.0005;            // fraction of the amplitude; less noise of displacement does no harm
+constexpr double too_noisy = 0.01;          // fraction of the amplitude
+constexpr double smoothed_over = 0.06;      // fraction of a cycle to each side; takes 0.02 % from a sine
+constexpr double hold_band = 0.005;         // fraction of the amplitude
 constexpr double noise_band = 8.0;          // standard deviations, from the least of a hold to its largest
 constexpr std::size_t most_smoothed = 100;  // samples to each side: more bring little and cost time
 
@@ -55,7 +55,7 @@ Row row_of(double distance, bool before) {
   return before ? Row{1.0, s, s * s, 0.0, 0.0, 0.0} : Row{1.0, 0.0, 0.0, s, s * s, s * s * s};
 }
 
-// Sum of squares that the columns leave of the values, by modified Gram-Schmidt, a column at a time.
+// The residual sum of squares of the values after fitting the columns, by modified Gram-Schmidt, a column at a time.
 double residual(std::vector<Row>& rows, std::vector<double>& values) {
   for (std::size_t k = 0; k < unknowns; ++k) {
     double size = 0.0;
@@ -77,8 +77,8 @@ double residual(std::vector<Row>& rows, std::vector<double>& values) {
   return sum;
 }
 
-// What is left when the force is taken to be `shift` samples late. Displacement is shifted, not the force: it is the
-// smoother of the two, and interpolating noise would make it smaller between samples.
+// The mean square residual if the force is `shift` samples late. The displacement is shifted, not the force, since it
+// is the smoother of the two: interpolation between samples would make noise smaller.
 double left_at(double shift, double window, Reversal const& reversal, CycleView const& view) {
   double const half = window * reversal.cycle;
   auto const begin = static_cast<std::size_t>(std::ceil(reversal.at - half));
@@ -98,10 +98,10 @@ double left_at(double shift, double window, Reversal const& reversal, CycleView 
 
 struct Shift {
   double samples = 0.0;
-  double left = 0.0;  // rms, of the force's amplitude
+  double left = 0.0;  // rms residual relative to the force's amplitude
 };
 
-// The shift at which least is left, nullopt at the edge of the search or where the fit is poor.
+// The shift with the least residual; nullopt if it is at the edge of the search or the fit is poor.
 std::optional<Shift> best_shift(double window, Reversal const& reversal, CycleView const& view,
                                 double force_amplitude) {
   double const farthest = farthest_shift * reversal.cycle;
@@ -138,7 +138,7 @@ bool is_held(std::span<double const> x, double at, double tip, Cycle const& cycl
   };
   double const share = std::acos(std::max(-1.0, 1.0 - width / cycle.amplitude_mm)) / std::numbers::pi;
   double const lingers = share * (cycle.last - cycle.first);
-  return stays(-1) + stays(1) > longer * lingers + 1.0;  // of which a sample is lost on either side
+  return stays(-1) + stays(1) > longer * lingers + 1.0;  // a sample of slack, since samples rarely lie on the tip
 }
 
 std::vector<Cycle const*> chosen_cycles(Properties const& properties) {
@@ -175,11 +175,11 @@ std::vector<double> smoothed(std::span<double const> x, std::size_t half) {
   return smooth;
 }
 
-// What one reversal says.
+// The result of one reversal.
 struct Sample {
   double phase = 0.0;              // rad
   double late = 0.0;               // s, or samples
-  double left = 0.0, noise = 0.0;  // of the force's amplitude, rms
+  double left = 0.0, noise = 0.0;  // rms relative to the force's amplitude
   double samples = 0.0;            // in the window
 };
 
@@ -250,7 +250,7 @@ std::optional<Skew> estimate_skew(CycleView const& of, Properties const& propert
                               .tip_mm = smooth.empty() ? raw_tip : value_at(smooth, at),
                               .reach_mm = 0.15 * cycle->amplitude_mm,
                               .friction_kN = upper ? friction_kN : -friction_kN};
-      // What smooths noise makes corners of a hold, which stand out where there is little of it.
+      // Smoothing noise turns a hold into corners, which stand out where little noise is left.
       if (held_at_extreme(of.disp_mm, *cycle, upper, noise) ||
           is_held(view.disp_mm, at, reversal.tip_mm, *cycle, left_of_noise))
         continue;
@@ -278,7 +278,7 @@ std::optional<Skew> estimate_skew(CycleView const& of, Properties const& propert
   double const least = (friction_kN != 0.0 ? 0.5 : 0.1) * sampling;
   auto const found = skew_of(of_wide, least);
   auto const near = skew_of(of_narrow, least);
-  // What the wide window has from the shape of the loop alone, the narrow one has not; it is the worse one in noise.
+  // The shape of the loop affects the wide window only, noise affects the narrow one more.
   if (!near || !found) return near ? near : found;
   double const apart = std::abs(near->phase - found->phase);
   double const unsure = std::abs(near->uncertainty * near->phase / near->force_late);

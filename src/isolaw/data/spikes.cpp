@@ -11,15 +11,15 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double least_spike = 0.04;       // of the half range: a true record has kinks of 3 % in a sample
-constexpr double spike_deviations = 13.0;  // of the noise
+constexpr double least_spike = 0.04;       // fraction of the half range; a true record has kinks of 3 % in a sample
+constexpr double spike_deviations = 13.0;  // standard deviations of the noise
 constexpr double spike_quanta = 2.5;
 // Over what the neighbours leave of a cubic through them, rms: a corner comes to 7.4, a step to 5.6.
 constexpr double spike_contrast = 10.0;
 constexpr double edge_contrast = 2.0;      // times that at the ends, where the neighbours are on one side
-constexpr double on_one_side = 0.5;        // of a spike: so close to the line through two neighbours it is none
+constexpr double on_one_side = 0.5;        // fraction of a spike; closer to the line through two neighbours it is none
 constexpr double beyond_others = 1.25;     // times the largest that are not single
-constexpr std::size_t fewest_others = 24;  // of that shape, more than which are how the signal is
+constexpr std::size_t fewest_others = 24;  // if more samples have that shape, the signal is like that
 constexpr std::size_t samples_an_other = 75;
 constexpr std::size_t fewest_texture = 6;     // so many are still single
 constexpr std::size_t samples_a_spike = 150;  // more than one in so many samples is how the signal is
@@ -87,7 +87,7 @@ double ordinary_half_range(std::span<double const> x) {
 double smallest_step(std::span<double const> x, double range) {
   std::vector<double> sorted(x.begin(), x.end());
   std::ranges::sort(sorted);
-  constexpr double no_step = 1e-9;  // of the range
+  constexpr double no_step = 1e-9;  // fraction of the range
   double least = range;
   for (std::size_t i = 1; i < sorted.size(); ++i)
     if (double const step = sorted[i] - sorted[i - 1]; step > no_step * range) least = std::min(least, step);
@@ -102,7 +102,7 @@ std::vector<Spike> spikes(std::span<double const> values) {
   double const least = std::max({least_spike * half_range, spike_deviations * noise_deviation(values),
                                  spike_quanta * smallest_step(values, 2.0 * half_range)});
   std::vector<Spike> found;
-  std::vector<double> others;  // of the same shape, single or not
+  std::vector<double> others;  // samples with the same shape, single or not
   for (std::size_t i = 1; i + 1 < values.size(); ++i) {
     // Cheap first: most samples lie between their neighbours.
     if (std::abs(values[i] - (values[i - 1] + values[i + 1]) / 2.0) <= least / 4.0) continue;

@@ -1,4 +1,4 @@
-// Single samples far off their neighbours.
+// Finds single samples far off their neighbours.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace isolaw::data {
 
-// A single sample off its neighbours, and what they say it should be.
+// A single sample off its neighbours, and the value that they suggest for it.
 struct Spike {
   std::size_t at = 0;
   double value = 0.0;
@@ -15,13 +15,13 @@ struct Spike {
 };
 std::vector<Spike> spikes(std::span<double const> values);
 
-// Where motion turns force may jump, and a sample in the jump lies off its neighbours: at some turns more, by where the
-// samples happen to lie. What other turns have too is how the device or its rig is. `turns`: samples at which the
-// displacement turns; `all`: the spikes of the force.
+// Whether a spike at a turn of the motion is the device's or its rig's own, because other turns show it too. The force
+// may jump at a turn, and a sample in the jump lies off its neighbours, more or less as the samples happen to lie.
+// `turns`: samples at which the displacement turns; `all`: the spikes of the force.
 bool is_of_every_turn(Spike const& spike, std::vector<Spike> const& all, std::span<double const> force,
                       std::span<std::size_t const> turns);
 
-// The smallest step between two values that differ: what a digitiser or the digits of a file resolve. At most `range`.
+// The smallest step between two different values: the resolution of a digitiser or a file's digits. At most `range`.
 double smallest_step(std::span<double const> values, double range);
 
 }  // namespace isolaw::data

@@ -1,5 +1,5 @@
-// Channels that stand for a while in which the other goes on: a slow writer, a cable, a sensor that sticks. A device
-// that rests, yields, slips or has play moves one of them too, which is told apart here.
+// Finds channels that stand still while the other goes on, because of a slow writer, a cable or a sensor that sticks.
+// In a device that rests, yields, slips or has play one of them stands still as well; these cases are told apart.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace isolaw::data {
 
-// A channel that is clipped is not looked at.
+// A clipped channel is not examined.
 std::vector<SignalFault> stuck_channels(SignalPair const& pair, bool clipped_disp, bool clipped_force);
 
 }  // namespace isolaw::data

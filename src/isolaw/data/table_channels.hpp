@@ -1,5 +1,5 @@
-// From a table to the channels of a record: columns recognised, rows and time cut to what was asked for, values in the
-// record's units, and each channel checked by itself.
+// Makes the channels of a record from a table: recognises columns, keeps the rows and times asked for, converts values
+// to the record's units, and checks each channel by itself.
 #pragma once
 
 #include <optional>
@@ -10,14 +10,14 @@
 
 namespace isolaw::data {
 
-// What the times asked for count from, where that is the first time stamp of another file.
+// The first time stamp of another file, if the times asked for count from there.
 struct FirstStamp {
   double since_s = 0.0;
   bool dated = false;
 };
 
-// The channels of one table, before anything is asked of them together; what is known of the file stands in `record`
-// already. Throws Error with every problem found.
+// The channels of one table, before they are checked together; `record` already holds what is known of the file. Throws
+// Error with every problem found.
 RecordPart read_channels(Tests const& tests, Table const& table, TestRecord record, ReadOptions const& options,
                          Wanted wanted, std::optional<FirstStamp> const& origin = {});
 

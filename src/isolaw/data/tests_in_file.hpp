@@ -1,4 +1,4 @@
-// What a file holds: its format, and which of its tables is the test that is asked for.
+// Recognises the format of a file and chooses the table with the test that is asked for.
 #pragma once
 
 #include <cstddef>
@@ -12,15 +12,15 @@
 
 namespace isolaw::data {
 
-// The tests of a file's bytes, which `bytes` must outlive. Throws Error where they are of no kind that is read.
+// The tests in a file's bytes, which must outlive them. Throws Error if the format is none that we read.
 Tests open_tests(std::string_view bytes, std::string const& file, ReadOptions const& options,
                  Wanted wanted = Wanted::test());
 
-// Options that do nothing in a file of its kind, as they are typed; refused, for what is typed is meant.
+// Options, as they are typed, without effect on a file of this format. They are refused: the user meant something.
 std::vector<std::string> idle_options(std::string_view bytes, ReadOptions const& options);
 void refuse_idle(std::vector<std::string> const& idle, std::string const& file);
 
-// Whether --columns says all that would have to be recognised.
+// Whether --columns names the displacement and, if a force is wanted, the force: these then need not be recognised.
 bool columns_are_told(ReadOptions const& options, Wanted wanted);
 
 void require_one_sheet(Tests const& tests, std::string const& file, ReadOptions const& options, Wanted wanted);

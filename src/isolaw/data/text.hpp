@@ -1,5 +1,5 @@
-// A file's bytes as lines of text. Names are kept as UTF-8; laboratories on Windows write Windows-1252, so bytes that
-// are no UTF-8 are taken as that. Binary files are refused by their first bytes.
+// Splits a file's bytes into lines of text. Names are kept as UTF-8; bytes that are not UTF-8 are read as Windows-1252,
+// which laboratories on Windows write. Binary files are refused by their first bytes.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Tables written as lines of cells: delimited text, and the rows of a worksheet brought into the same form.
+// Reads tables written as lines of cells: delimited text, and the rows of a worksheet brought into the same form.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 namespace isolaw::data {
 
 struct TextOptions {
-  std::optional<char> thousands = {};  // what groups digits
+  std::optional<char> thousands = {};  // the mark that groups digits
   bool one_column = false;             // a single column of numbers will do
 };
 

@@ -1,5 +1,5 @@
-// Dates and times of day as loggers write them (ISO 8601, day or month first, clock times, serial days of a
-// spreadsheet), read as seconds from the first of them. Zones are honoured where they are written.
+// Reads dates and times of day as loggers write them (ISO 8601, day or month first, clock times, serial days of a
+// spreadsheet) as seconds from the first of them, with time zones where they are written.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace isolaw::data {
 
-// What the cells of a column are. serial_number: unmarked numbers that may be days of a spreadsheet's calendar.
+// The kind of a column's cells. serial_number: unmarked numbers that may be days of a spreadsheet's calendar.
 enum class StampKind { none, date_time, date, clock, serial_number };
 
 struct Stamp {
@@ -44,9 +44,9 @@ inline constexpr std::string_view date_cell_mark = " (a date or time of day)";
 
 struct StampedTime {
   std::vector<double> time_s;      // from the first stamp
-  std::optional<double> origin_s;  // of the first stamp: since 1970 where dated, else since midnight
+  std::optional<double> origin_s;  // the first stamp: since 1970 if dated, else since midnight
   bool dated = false;
-  std::vector<std::string> sentences;  // what was decided
+  std::vector<std::string> sentences;  // the decisions, in words
 };
 
 // `lines` are the places of the stamps, for messages. What cannot be decided is among the complaints, which leaves the

@@ -1,5 +1,5 @@
-// Signals of a compression test that cannot be true: a channel at the end of its range, one that stands still while the
-// other goes on, samples that drop out, single samples far off their neighbours.
+// Finds signals of a compression test that cannot be true: a channel at the end of its range, one that stands still
+// while the other goes on, samples that drop out, single samples far off their neighbours.
 #pragma once
 
 #include <span>

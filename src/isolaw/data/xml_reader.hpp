@@ -1,5 +1,5 @@
-// XML element by element, read with expat: nothing is kept but what the handlers keep. A document type, through which
-// entities are declared, is refused, as are tags and nesting beyond what any workbook has.
+// Reads XML element by element with expat and keeps nothing itself. A document type, which could declare entities, is
+// refused, as are tags and nesting beyond those of any workbook.
 #pragma once
 
 #include <functional>
@@ -19,7 +19,7 @@ class Attributes {
   char const** list_;
 };
 
-// Element names come without their prefix. Those that are empty are not called.
+// Element names come without their prefix. Empty handlers are not called.
 struct XmlHandlers {
   std::function<void(std::string_view name, Attributes const& attributes)> start;
   std::function<void(std::string_view name)> end = {};

@@ -1,4 +1,4 @@
-// A zip archive in memory, read with minizip. Everything taken out of it counts against one limit.
+// Reads a zip archive in memory with minizip. All bytes taken out of it count against one limit.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace isolaw::data {
 
 class ZipArchive {
  public:
-  // What minizip takes for a file.
+  // The archive in memory, which minizip reads as a file.
   struct Memory {
     std::string_view bytes;
     std::size_t at = 0;

@@ -12,13 +12,13 @@
 namespace isolaw::fit {
 namespace {
 
-// One or more springs that see the same motion along the first one's direction.
+// One spring, or two mirrored ones, with the factor of its force in the direction of the test.
 struct Share {
   LawOnMotion law;
   double force;
 };
 
-// Springs of one device on its record, along the test's direction.
+// The springs around the circle of one device, on its record. The test's direction is that of spring 0.
 class SpringsOnRecord {
  public:
   SpringsOnRecord(laws::LawEntry const& law, data::FitRecord const& record, int refinement)
@@ -29,8 +29,8 @@ class SpringsOnRecord {
     auto const [force_share, way_share] = laws::spring_shares(count);
     for (int i = 0; i < count; ++i) {
       double const along = std::cos(std::numbers::pi * i / count);
-      if (2 * i == count) continue;  // across the motion
-      // Springs to the left of it move as their neighbours to the right do, mirrored.
+      if (2 * i == count) continue;  // this spring is across the motion
+      // With an odd law, spring count - i gives the same force in the test's direction as spring i: it is not computed.
       bool const mirrored = law.info.traits.odd && i > 0;
       if (mirrored && 2 * i > count) break;
       auto motion = record;
@@ -44,7 +44,7 @@ class SpringsOnRecord {
 
   std::size_t size() const { return measured_.size(); }
   std::span<double const> weights() const { return model_.residual_weights(); }
-  // Of the law by itself.
+  // Eq. (27) of the law itself, without springs.
   double objective_of_law(std::span<double const> parameters) const {
     std::vector<double> work;
     return model_.objective(parameters, work);
@@ -66,7 +66,7 @@ class SpringsOnRecord {
   double spread_ = 1.0;
 };
 
-// The same parameters on every record; the mean of their objectives.
+// Finds one set of parameters for springs on all records; minimises the mean of Eq. (27) over the records.
 class SpringsProblem final : public opt::DeviationProblem {
  public:
   SpringsProblem(laws::LawEntry const& law, std::span<data::FitRecord const* const> records, SearchBox const& box,
@@ -74,9 +74,9 @@ class SpringsProblem final : public opt::DeviationProblem {
       : box_(box), parameters_(law.parameters.size()) {
     auto const count = static_cast<double>(records.size());
     for (auto const* record : records) {
-      auto const& made = records_.emplace_back(law, *record, refinement);
-      size_ += made.size();
-      for (double const weight : made.weights()) weights_.push_back(weight / count);
+      auto const& springs = records_.emplace_back(law, *record, refinement);
+      size_ += springs.size();
+      for (double const weight : springs.weights()) weights_.push_back(weight / count);
     }
   }
 
@@ -86,7 +86,7 @@ class SpringsProblem final : public opt::DeviationProblem {
     std::vector<double> found(size_);
     for (std::size_t i = 0; i < points.size(); ++i) {
       residuals_at(points[i], found);
-      values[i] = of(found);
+      values[i] = weighted_sum(found);
     }
   }
   void residuals(opt::Points const& points, std::span<double> values) const override {
@@ -98,15 +98,14 @@ class SpringsProblem final : public opt::DeviationProblem {
       mean += record.objective_of_law(parameters) / static_cast<double>(records_.size());
     return mean;
   }
-  // Of all parameters of the law.
   double objective(std::span<double const> parameters) const {
     std::vector<double> found(size_);
     residuals_of(parameters, found);
-    return of(found);
+    return weighted_sum(found);
   }
 
  private:
-  double of(std::span<double const> residuals) const {
+  double weighted_sum(std::span<double const> residuals) const {
     double sum = 0.0;
     for (std::size_t j = 0; j < size_; ++j) sum += weights()[j] * std::abs(residuals[j]);
     return std::isfinite(sum) ? sum : opt::infinity;
@@ -134,15 +133,16 @@ class SpringsProblem final : public opt::DeviationProblem {
 AsSprings fitted_as_springs(laws::LawEntry const& law, std::span<data::FitRecord const* const> records,
                             SearchBox const& box, std::vector<double> parameters, int refinement) {
   SpringsProblem const springs(law, records, box, refinement);
-  AsSprings made{.parameters = {}, .law = springs.objective_of_law(parameters), .given = springs.objective(parameters)};
-  made.fitted = made.given;
-  made.parameters = std::move(parameters);
-  if (box.free_count() == 0) return made;
-  auto const found = opt::descend(springs, box.contract(made.parameters));
-  if (!found.usable() || found.best_value >= made.given) return made;
-  box.expand(found.best, made.parameters);
-  made.fitted = found.best_value;
-  return made;
+  AsSprings result{
+      .parameters = {}, .law = springs.objective_of_law(parameters), .given = springs.objective(parameters)};
+  result.fitted = result.given;
+  result.parameters = std::move(parameters);
+  if (box.free_count() == 0) return result;
+  auto const found = opt::descend(springs, box.contract(result.parameters));
+  if (!found.usable() || found.best_value >= result.given) return result;
+  box.expand(found.best, result.parameters);
+  result.fitted = found.best_value;
+  return result;
 }
 
 AsSprings fitted_as_springs(laws::LawEntry const& law, data::FitRecord const& record, SearchBox const& box,

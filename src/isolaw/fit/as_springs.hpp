@@ -1,5 +1,5 @@
-// A law fitted as it is wrapped: springs around the circle keep its stiffness and strength along one direction, not its
-// knee (laws/springs.hpp), so that the parameters of the law itself are not theirs.
+// Fits a law in the form of springs around the circle, as it is used in two directions (laws/springs.hpp). With the
+// law's own parameters springs keep its stiffness and strength along one direction but not its knee: they need others.
 #pragma once
 
 #include <span>
@@ -12,15 +12,15 @@
 namespace isolaw::fit {
 
 struct AsSprings {
-  std::vector<double> parameters;
-  // Eq. (27) on the record, or its mean over the records: of the law by itself, of springs of the same parameters, and
-  // of springs with their own.
+  std::vector<double> parameters;  // of the springs, in the law's order and units
+  // Eq. (27) on the record, or its mean over the records: for the law itself, for springs with the law's parameters,
+  // and for springs with `parameters`.
   double law = 0.0, given = 0.0, fitted = 0.0;
 };
 
-// One descent from `parameters` within their box, on the record that they were fitted to. Springs are along one
-// direction, in the first one's; converged integration, turning at samples, `refinement` steps a sample. Where springs
-// have no finite force with these parameters, these come back.
+// Descends once from the law's `parameters` inside their box, on the record that they were fitted to. The motion is in
+// the first spring's direction; integration is converged, reversals are at samples, with `refinement` steps a sample.
+// Returns `parameters` themselves if the descent does not improve on them or springs have no finite force there.
 AsSprings fitted_as_springs(laws::LawEntry const& law, data::FitRecord const& record, SearchBox const& box,
                             std::vector<double> parameters, int refinement = 1);
 // One set of parameters for the records of several devices.

@@ -12,11 +12,10 @@
 namespace isolaw::fit {
 namespace {
 
-// A logarithmic scale that ends at zero: six decades, then straight into it. One across zero: the same on both sides.
+// A logarithmic scale that ends at zero covers six decades, then goes linearly to zero; one across zero does so twice.
 constexpr double decades_from_zero = 6.0 * 2.302585092994046;
 
-// value = linear_size sinh(coordinate), the coordinate running from asinh(lower / linear_size) to that of the upper
-// end.
+// value = linear_size sinh(c), with c from asinh(lower / linear_size) to asinh(upper / linear_size).
 struct AcrossZero {
   double linear_size, from, to;
 
@@ -34,7 +33,7 @@ std::optional<double> parse_number(std::string_view text) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-// Displacement decreasing or increasing through zero after the start; the force there, by linear interpolation.
+// The forces where the displacement passes through zero, by linear interpolation; a start at zero does not count.
 std::vector<double> forces_at_zero(data::FitRecord const& record) {
   auto const &x = record.disp_mm, &f = record.force_kN;
   std::vector<double> forces;
@@ -64,7 +63,7 @@ std::string limits_text(laws::Interval const& limits, std::string_view unit) {
   auto const in_unit = [&](double value) {
     return unit == "1" ? fmt::format("{}", value) : fmt::format("{} {}", value, unit);
   };
-  // From the least of all numbers on: a strict limit.
+  // laws::positive starts at the smallest positive number: it stands for a strict limit.
   bool const above = limits.lower == laws::positive.lower, from = above || std::isfinite(limits.lower);
   bool const to = std::isfinite(limits.upper);
   if (!from && !to) return unit == "1" ? std::string("any number") : fmt::format("any number of {}", unit);
@@ -97,9 +96,9 @@ Override parse_override(std::string_view text) {
 
   auto const& law = laws::find_law(text.substr(0, dot));
   auto const& parameter = law.parameters[law.index_of(text.substr(dot + 1, equals - dot - 1))];
-  Override made{.law = std::string(law.info.id), .parameter = std::string(parameter.name), .interval = std::nullopt};
+  Override result{.law = std::string(law.info.id), .parameter = std::string(parameter.name), .interval = std::nullopt};
   auto const value = text.substr(equals + 1);
-  if (value == "free") return made;
+  if (value == "free") return result;
   if (auto const other = std::ranges::find(law.parameters, value, &laws::ParameterInfo::name);
       other != law.parameters.end()) {
     if (other->name == parameter.name || other->unit != parameter.unit)
@@ -108,8 +107,8 @@ Override parse_override(std::string_view text) {
                                                           : fmt::format("{} is in {}, {} in {}", parameter.name,
                                                                         parameter.unit, value, other->unit),
                    .allowed = "another parameter of the law, of the same unit"});
-    made.tied_to = value;
-    return made;
+    result.tied_to = value;
+    return result;
   }
 
   auto const colon = value.find(':');
@@ -124,15 +123,15 @@ Override parse_override(std::string_view text) {
     throw Error({.where = where,
                  .found = fmt::format("the lower bound {} is not below the upper bound {}", *lower, *upper),
                  .allowed = "lower < upper",
-                 .advice = fmt::format("--set {}.{}={}:{}, or one value to fix the parameter", made.law, made.parameter,
-                                       *upper, *lower == *upper ? *upper + 1.0 : *lower)});
+                 .advice = fmt::format("--set {}.{}={}:{}, or one value to fix the parameter", result.law,
+                                       result.parameter, *upper, *lower == *upper ? *upper + 1.0 : *lower)});
   auto const& limits = parameter.physical;
   if (*lower < limits.lower || *upper > limits.upper)
     throw Error({.where = where,
                  .found = fmt::format("[{}, {}] leaves the physical limits of {}", *lower, *upper, parameter.name),
                  .allowed = limits_text(limits, parameter.unit)});
-  made.interval = laws::Interval{*lower, *upper};
-  return made;
+  result.interval = laws::Interval{*lower, *upper};
+  return result;
 }
 
 double SearchParameter::at(double u) const {
@@ -219,14 +218,14 @@ laws::RecordScales scales_of(data::FitRecord const& record, laws::LawInfo const&
   if (x.empty()) throw Error({.where = "law " + std::string(law.id), .found = "a record of 0 samples"});
   double const disp = record.largest_scored(x), force = record.largest_scored(f);
   double stiffness = peak_to_peak_stiffness(record);
-  if (!(stiffness > 0.05 * force / disp)) stiffness = force / disp;  // a record without a clear slope
+  if (!(stiffness > 0.05 * force / disp)) stiffness = force / disp;  // the record has no clear slope
 
   auto const at_zero = forces_at_zero(record);
   double strength = 0.0;
   for (double const value : at_zero) strength += std::abs(value) / static_cast<double>(at_zero.size());
-  if (!(strength > 0.02 * force)) strength = 0.25 * force;  // no crossing, or no dissipation to speak of
+  if (!(strength > 0.02 * force)) strength = 0.25 * force;  // no crossing of zero, or hardly any dissipation
 
-  double work = 0.0;  // of the whole history, which a law's state carries along
+  double work = 0.0;  // over the whole history, scored or not, since a law's state accumulates it
   for (std::size_t i = 1; i < x.size(); ++i) work += 0.5 * (f[i] + f[i - 1]) * (x[i] - x[i - 1]);
   if (!(work > 0.1 * force * disp)) work = force * disp;
 
@@ -245,28 +244,28 @@ SearchBox make_box(laws::LawEntry const& law, BoxKind kind, laws::RecordScales c
   for (auto const& info : law.parameters) {
     bool const from_paper = kind == BoxKind::published && info.published.has_value();
     auto const interval = from_paper ? *info.published : info.scaled(scales);
-    SearchParameter made{.name = std::string(info.name),
-                         .unit = std::string(info.unit),
-                         .free = !info.fixed_by_default.has_value(),
-                         .value = info.fixed_by_default.value_or(0.0),
-                         .lower = interval.lower,
-                         .upper = interval.upper,
-                         .scale = from_paper ? laws::Scale::linear : info.scaled_search};
+    SearchParameter parameter{.name = std::string(info.name),
+                              .unit = std::string(info.unit),
+                              .free = !info.fixed_by_default.has_value(),
+                              .value = info.fixed_by_default.value_or(0.0),
+                              .lower = interval.lower,
+                              .upper = interval.upper,
+                              .scale = from_paper ? laws::Scale::linear : info.scaled_search};
     auto const* change = last_override(overrides, law, info.name);
     if (change != nullptr && !change->tied_to.empty()) {
-      made.free = false;
-      made.tied_to = law.index_of(change->tied_to);
+      parameter.free = false;
+      parameter.tied_to = law.index_of(change->tied_to);
     } else if (change != nullptr) {
-      made.free = !change->interval || change->interval->lower < change->interval->upper;
+      parameter.free = !change->interval || change->interval->lower < change->interval->upper;
       if (change->interval) {
-        made.lower = change->interval->lower;
-        made.upper = change->interval->upper;
-        made.value = made.lower;
-        // A logarithm needs one sign; an interval that touches or spans zero is searched linearly.
-        if (made.lower * made.upper <= 0.0) made.scale = laws::Scale::linear;
+        parameter.lower = change->interval->lower;
+        parameter.upper = change->interval->upper;
+        parameter.value = parameter.lower;
+        // An interval that touches or spans zero has no plain logarithmic scale and is searched linearly.
+        if (parameter.lower * parameter.upper <= 0.0) parameter.scale = laws::Scale::linear;
       }
     }
-    box.parameters.push_back(made);
+    box.parameters.push_back(parameter);
   }
   for (auto& p : box.parameters) {
     if (!p.tied_to) continue;

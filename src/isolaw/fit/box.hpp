@@ -1,4 +1,4 @@
-// Where the parameters of a law are searched on one device: which are free, between which values, on which scale.
+// The search box of a law on one device: which parameters are free, between which values, and on which scale.
 #pragma once
 
 #include <optional>
@@ -13,73 +13,73 @@
 namespace isolaw::fit {
 
 enum class BoxKind {
-  published,  // Table 4 of the paper, with the two bounds lost there supplied; always linear
-  scaled,     // "auto": from the size of the record
+  published,  // Table 4 of Cucuzza et al. 2025; we supply two bounds that are missing there. Always linear.
+  scaled,     // called "auto" by the user: follows from the size of the record
 };
 
-// Option --set law.parameter=value|lo:hi|free|other parameter.
+// The option --set law.parameter=value|lo:hi|free|other parameter.
 struct Override {
   std::string law;
   std::string parameter;
-  std::optional<laws::Interval> interval;  // equal ends: fixed at that value; nullopt: free in its box, or tied
-  std::string tied_to = {};                // another parameter of the law whose value it takes; empty: none
+  std::optional<laws::Interval> interval;  // equal ends fix the parameter; nullopt: free in its box, or tied
+  std::string tied_to = {};                // the parameter of the same law whose value it takes; empty if not tied
 
   std::string text() const;  // as the user would type it
 };
 
-// Of the parameter, the last, which counts; nullptr: none.
+// The last override of the parameter, which is the one that counts; nullptr if there is none.
 Override const* last_override(std::span<Override const> overrides, laws::LawEntry const& law,
                               std::string_view parameter);
 
-// What a parameter may be, "above 0 kN/mm".
+// Limits in words: "above 0 kN/mm".
 std::string limits_text(laws::Interval const& limits, std::string_view unit);
 
-// Throws Error: malformed, unknown law or parameter, lower >= upper, outside the physical limits, a tie to itself or to
-// a parameter of another unit.
+// Throws Error if the text has another form, the law or parameter is unknown, lower >= upper, the values leave the
+// physical limits, or the parameter is tied to itself or to one of another unit.
 Override parse_override(std::string_view text);
 
 struct SearchParameter {
   std::string name, unit;
   bool free = true;
-  double value = 0.0;                       // when fixed
-  std::optional<std::size_t> tied_to = {};  // not free: takes the value of this one; free: none
+  double value = 0.0;                       // if the parameter is fixed
+  std::optional<std::size_t> tied_to = {};  // index of the parameter whose value it takes, in which case it is not free
   double lower = 0.0, upper = 0.0;
   laws::Scale scale = laws::Scale::linear;
 
-  // From the unit interval to the parameter's value and back (clamped to it).
+  // Maps the unit interval to values of the parameter, and back; both clamp to the interval.
   double at(double unit_coordinate) const;
   double coordinate(double value_) const;
 };
 
 struct SearchBox {
-  std::vector<SearchParameter> parameters;  // all of the law's, in its order
+  std::vector<SearchParameter> parameters;  // all parameters of the law, in its order
 
-  // The point of the unit box that gives these values of the law's parameters, the free ones clamped into it.
+  // The point of the free parameters' unit box for these values of all parameters, clamped into the box.
   std::vector<double> contract(std::span<double const> values) const;
 
   std::size_t free_count() const;
-  // Parameter values for a point of the unit box of the free parameters.
+  // The values of all parameters at a point of the free parameters' unit box.
   void expand(std::span<double const> point, std::span<double> values) const;
 };
 
-// The same box, searched on a logarithmic scale in every free interval of one sign that spans a factor of
-// `wide_interval` or more, and in those that end at zero where the law's own box is logarithmic: what acts through its
-// order of magnitude is otherwise looked for in the last decade alone. A scale that ends at zero holds six decades, one
-// across it six on each side.
+// The same box with logarithmic scales: for free intervals of one sign whose ends differ by a factor of `wide_interval`
+// or more, and for all intervals of one sign, also those that end at zero, for which the law asks for such a scale. On
+// a linear scale a parameter that matters by its order of magnitude would be sought in the last decade only. A scale
+// that ends at zero holds six decades, one across zero six on each side.
 inline constexpr double wide_interval = 100.0;
 SearchBox on_logarithmic_scales(SearchBox box, laws::LawEntry const& law);
 
-// A best value this close to an edge, as a share of the interval on the search scale, is at its bound.
+// A best value this close to an edge, as a share of the interval on the search scale, counts as at the bound.
 inline constexpr double bound_tolerance = 1e-3;
 enum class AtBound { no, lower, upper };
 std::string_view name(AtBound bound);  // "", "lower", "upper"
 AtBound at_bound(SearchParameter const& parameter, double value);
 
-// The size of a record in the units of a law. Throws Error for a record without samples.
+// Typical sizes of a record's quantities, in the units of the law. Throws Error for a record without samples.
 laws::RecordScales scales_of(data::FitRecord const& record, laws::LawInfo const& law);
 
-// `published` falls back to the scaled interval for parameters the paper does not calibrate. Throws Error for a tie to
-// a parameter that is tied itself.
+// For parameters that the paper does not calibrate, `published` uses the scaled interval. Throws Error for a parameter
+// that is tied to a tied one.
 SearchBox make_box(laws::LawEntry const& law, BoxKind kind, laws::RecordScales const& scales,
                    std::span<Override const> overrides);
 

@@ -20,15 +20,15 @@ laws::InPlane LawInPlane::made(Bidirectional how, Softening softening) const {
 
 std::vector<Vector<double>> force_kN(laws::LawEntry const& law, laws::InPlane in_plane, PlaneMotion const& motion) {
   double const per_mm = 1.0 / law.info.length.in_record_units, to_kN = law.info.force.in_record_units;
-  std::vector<Vector<double>> made;
-  made.reserve(motion.disp_mm.size());
+  std::vector<Vector<double>> forces;
+  forces.reserve(motion.disp_mm.size());
   for (std::size_t i = 0; i < motion.disp_mm.size(); ++i) {
     Vector<double> const v = motion.vel_mm_s.empty() ? Vector<double>{0.0, 0.0} : motion.vel_mm_s[i];
     double const dt = i > 0 && !motion.vel_mm_s.empty() ? motion.time_s[i] - motion.time_s[i - 1] : 0.0;
-    made.push_back(to_kN * in_plane.trial(per_mm * motion.disp_mm[i], per_mm * v, dt).force);
+    forces.push_back(to_kN * in_plane.trial(per_mm * motion.disp_mm[i], per_mm * v, dt).force);
     in_plane.commit();
   }
-  return made;
+  return forces;
 }
 
 std::vector<OnAnEight> on_a_figure_of_eight(LawInPlane const& law, double size_mm, double duration_s) {
@@ -41,15 +41,15 @@ std::vector<OnAnEight> on_a_figure_of_eight(LawInPlane const& law, double size_m
     motion.disp_mm.push_back({size_mm * std::sin(phase), 0.5 * size_mm * std::sin(2.0 * phase)});
     motion.vel_mm_s.push_back({rate * size_mm * std::cos(phase), rate * size_mm * std::cos(2.0 * phase)});
   }
-  std::vector<OnAnEight> made;
+  std::vector<OnAnEight> results;
   auto const add = [&](std::string_view rule, Bidirectional how, Softening softening) {
     auto const force = force_kN(*law.law, law.made(how, softening), motion);
-    OnAnEight of{rule, 0.0, 0.0};
+    OnAnEight result{rule, 0.0, 0.0};
     for (std::size_t i = (turns - 1) * samples + 1; i < force.size(); ++i) {
-      of.peak_kN = std::max(of.peak_kN, std::hypot(force[i].x, force[i].y));
-      of.work_kN_mm += 0.5 * laws::plane::dot(force[i] + force[i - 1], motion.disp_mm[i] - motion.disp_mm[i - 1]);
+      result.peak_kN = std::max(result.peak_kN, std::hypot(force[i].x, force[i].y));
+      result.work_kN_mm += 0.5 * laws::plane::dot(force[i] + force[i - 1], motion.disp_mm[i] - motion.disp_mm[i - 1]);
     }
-    made.push_back(of);
+    results.push_back(result);
   };
   if (!laws::no_coupled_form(law.law->info.id, law.parameters)) {
     bool const softens = laws::softens_with_the_peak(law.law->info.id);
@@ -57,7 +57,7 @@ std::vector<OnAnEight> on_a_figure_of_eight(LawInPlane const& law, double size_m
     if (softens) add("coupled, softened by axis", Bidirectional::coupled, Softening::by_axis);
   }
   if (laws::has_online_form(law.law->info.id)) add("springs", Bidirectional::springs, Softening::by_distance);
-  return made;
+  return results;
 }
 
 double work_of_springs_on_a_line(LawInPlane const& law, double size_mm, double duration_s) {
@@ -86,13 +86,13 @@ double work_of_springs_on_a_line(LawInPlane const& law, double size_mm, double d
 }
 
 Spread spread_of(std::vector<OnAnEight> const& rules) {
-  Spread made;
+  Spread spread;
   for (auto const& a : rules)
     for (auto const& b : rules) {
-      made.peak = std::max(made.peak, (a.peak_kN - b.peak_kN) / std::abs(rules.front().peak_kN));
-      made.work = std::max(made.work, (a.work_kN_mm - b.work_kN_mm) / std::abs(rules.front().work_kN_mm));
+      spread.peak = std::max(spread.peak, (a.peak_kN - b.peak_kN) / std::abs(rules.front().peak_kN));
+      spread.work = std::max(spread.work, (a.work_kN_mm - b.work_kN_mm) / std::abs(rules.front().work_kN_mm));
     }
-  return made;
+  return spread;
 }
 
 }  // namespace isolaw::fit

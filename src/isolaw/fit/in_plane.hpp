@@ -1,4 +1,5 @@
-// A law on a motion in two directions, and what tests in one direction leave open of it.
+// Computes a law on a motion in two directions, and how far its two-dimensional forms differ there, between which tests
+// in one direction cannot decide.
 #pragma once
 
 #include <string_view>
@@ -9,42 +10,39 @@
 
 namespace isolaw::fit {
 
-// Of an isolator at rest at the origin, from where the first sample is reached on a straight line. Without time,
-// velocities are empty.
+// The motion of an isolator that is at rest at the origin and reaches the first sample on a straight line. Without
+// time, velocities are empty.
 struct PlaneMotion {
   std::vector<double> time_s;
   std::vector<laws::plane::Vector<double>> disp_mm, vel_mm_s;
 };
 
-// A law with its parameters, and how it is taken in two directions.
 struct LawInPlane {
   laws::LawEntry const* law;
   std::vector<double> parameters;
-  double dead_band_mm = 0.0;  // of springs
-  int refinement = 1;         // of springs: steps per sample; coupled forms need none
+  double dead_band_mm = 0.0;  // for springs only
+  int refinement = 1;         // steps per sample, for springs only; coupled forms need no substeps
 
   laws::InPlane made(laws::Bidirectional how, laws::plane::Softening softening) const;
 };
 
-// At every sample.
 std::vector<laws::plane::Vector<double>> force_kN(laws::LawEntry const& law, laws::InPlane in_plane,
                                                   PlaneMotion const& motion);
 
-// The second turn of a figure of eight, x = A sin p and y = A/2 sin 2p, at 200 samples a turn and `duration_s` a turn.
+// Results on the second turn of a figure of eight, x = A sin p and y = A/2 sin 2p, with 200 samples a turn.
 struct OnAnEight {
-  std::string_view rule;
+  std::string_view rule;  // the two-dimensional form: "coupled", "springs", ...
   double peak_kN, work_kN_mm;
 };
-// By every rule that goes with one direction and that the law has: coupled with either rule of softening, springs.
+// For A = size_mm and `duration_s` a turn, by each form of the law: coupled with either rule of softening, springs.
 std::vector<OnAnEight> on_a_figure_of_eight(LawInPlane const& law, double size_mm, double duration_s);
-// The largest difference between rules of either, relative to the first.
+// The largest differences between the forms, relative to the first.
 struct Spread {
   double peak = 0.0, work = 0.0;
 };
 Spread spread_of(std::vector<OnAnEight> const& rules);
 
-// Work of the second cycle along one direction, of springs against the law itself: 1 where they were fitted as springs.
-// The law must have a form online.
+// Work of springs over that of the law in the second cycle along one direction. The law must have an online form.
 double work_of_springs_on_a_line(LawInPlane const& law, double size_mm, double duration_s);
 
 }  // namespace isolaw::fit

@@ -8,7 +8,7 @@
 namespace isolaw::fit {
 namespace {
 
-// Whether a point of the box meets the limit: one of its corners does where any does.
+// Whether any point of the box meets the limit. It suffices to look at the corners.
 bool met_somewhere(laws::JointLimitEntry const& limit, SearchBox const& box) {
   std::vector<double> values;
   for (auto const& p : box.parameters) values.push_back(p.free ? p.lower : p.value);

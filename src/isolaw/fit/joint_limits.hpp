@@ -1,5 +1,5 @@
-// What the parameters of a law must meet together (laws/law.hpp), asked of overrides and of search boxes. A box that
-// crosses such a limit is searched as it is.
+// Checks overrides and search boxes against limits that concern several parameters of a law together (laws/law.hpp). A
+// box that is partly outside such a limit is searched as it is.
 #pragma once
 
 #include <span>
@@ -8,10 +8,10 @@
 
 namespace isolaw::fit {
 
-// Throws Error where no point of the box meets a joint limit of the law; `overrides` are those that made it.
+// Throws Error if no point of the box meets one of the law's joint limits; the message names the overrides concerned.
 void require_joint_limits(laws::LawEntry const& law, SearchBox const& box, std::span<Override const> overrides);
 
-// The same whatever the record: a parameter that is left to its box may be anything within its limits.
+// The same before a record is known: parameters without an override may take any value within their physical limits.
 void require_joint_limits(laws::LawEntry const& law, std::span<Override const> overrides);
 
 }  // namespace isolaw::fit

@@ -1,6 +1,6 @@
-// Compiled once for every instruction set, with ISOLAW_KERNELS the name of what it defines. Nothing else may leave this
-// file: what is not inlined must carry the instruction set in its name (tests/kernels checks it), as everything does
-// that is made of batches.
+// The laws compiled for batches of candidates, once for every instruction set. ISOLAW_KERNELS is the name of the only
+// object that this file may define for others: the name of every function that is not inlined must contain the
+// instruction set, which it does if it takes batches (tests/kernels checks it).
 #include "isolaw/fit/kernels.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace isolaw::fit {
 namespace {
 
-// T is a parameter so that the name says the instruction set.
+// T is a template parameter so that the function's name contains the instruction set.
 template <class Law, std::size_t W, class T>
 laws::ParamsOf<Law, T> load(double const* parameters, std::size_t block = W) {
   laws::ParamsOf<Law, T> params;
@@ -22,7 +22,7 @@ laws::ParamsOf<Law, T> load(double const* parameters, std::size_t block = W) {
   return params;
 }
 
-// Of W candidates among the `block` that stand in `parameters`.
+// Objectives of W candidates; `parameters` holds `block` of them.
 template <class Law, std::size_t W, class T = num::Batch<W>>
 void sums(double const* parameters, std::size_t block, KernelRecord const& record, laws::Integration integration,
           double* out) {
@@ -35,13 +35,13 @@ void sums(double const* parameters, std::size_t block, KernelRecord const& recor
   sum.store(out);
 }
 
-// Laws with so much in flight that eight vectors at once cost more than four and four.
+// Laws that keep so many values in registers that eight vectors at once cost more than four and four.
 template <class Law>
 inline constexpr bool crowded = requires {
   Law::crowded;
 };
 
-// Where a wide block fills more registers than there are, in parts.
+// A wide block that needs more registers than there are is computed in parts.
 template <class Law, std::size_t Block, class T = num::Batch<Block>>
 void objectives(double const* parameters, KernelRecord const& record, laws::Integration integration, double* out) {
   constexpr auto part = Block > 8 * num::vector_lanes ? narrow_block

@@ -1,4 +1,4 @@
-// The laws compiled for blocks of candidates, once per instruction set, and the choice among them.
+// Access to the laws' kernels: code that computes a block of candidates at once, compiled once per instruction set.
 #pragma once
 
 #include <cstddef>
@@ -15,27 +15,27 @@ using num::InstructionSet;
 using num::name;
 using num::parse_instruction_set;
 
-// What a kernel needs of a record, in the law's units; see LawOnRecord.
+// A record in the law's units; see LawOnRecord.
 struct KernelRecord {
   laws::Path const& path;
   std::span<double const> measured, weight;
 };
 
-// The sums of |measured - computed| * weight of `width` candidates; not finite where a force is not. `parameters` holds
-// the values of the first parameter for every candidate, then those of the second, and so on.
+// `parameters` holds the first parameter's values for every candidate of the block, then the second's, and so on.
 struct Kernel {
+  // For each candidate the sum of |measured - computed| * weight; not finite if a force is not.
   using Objectives = void (*)(double const* parameters, KernelRecord const& record, laws::Integration integration,
                               double* objectives);
-  Objectives wide = nullptr, narrow = nullptr;  // of wide_block and narrow_block candidates
+  Objectives wide = nullptr, narrow = nullptr;  // for wide_block and narrow_block candidates
 
-  // (measured - computed) * scale of every sample, one row of `stride` values each: the candidates' stand side by side.
+  // (measured - computed) * scale: a row of `stride` values for each sample, with the candidates side by side.
   using Residuals = void (*)(double const* parameters, laws::Path const& path, laws::Integration integration,
                              double const* measured, double scale, double* rows, std::size_t stride);
-  Residuals residuals = nullptr, narrow_residuals = nullptr;  // of residual_block and narrow_block candidates
+  Residuals residuals = nullptr, narrow_residuals = nullptr;  // for residual_block and narrow_block candidates
 };
 inline constexpr std::size_t wide_block = 32, residual_block = 16, narrow_block = 8;
 
-// Of the law with this index in the catalogue; not for `scalar`.
+// The kernel of the law with this index in the catalogue. There is none for InstructionSet::scalar.
 Kernel kernel(InstructionSet set, std::size_t law);
 
 }  // namespace isolaw::fit

@@ -10,7 +10,7 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/words.hpp"
-#include "isolaw/fit/work_counter.hpp"
+#include "isolaw/fit/kernel_time.hpp"
 #include "isolaw/num/row_kernels.hpp"
 #include "isolaw/num/statistics.hpp"
 
@@ -24,50 +24,48 @@ std::vector<double> in_unit(std::vector<double> values, double unit) {
   return values;
 }
 
-std::vector<double> taken(std::vector<double> const& values, std::span<std::size_t const> samples) {
-  std::vector<double> some;
-  if (values.empty()) return some;
-  some.reserve(samples.size());
-  for (std::size_t const i : samples) some.push_back(values[i]);
-  return some;
+std::vector<double> at_samples(std::vector<double> const& values, std::span<std::size_t const> samples) {
+  std::vector<double> kept_values;
+  if (values.empty()) return kept_values;
+  kept_values.reserve(samples.size());
+  for (std::size_t const i : samples) kept_values.push_back(values[i]);
+  return kept_values;
 }
 
-// Shares of some of the samples, which stand for the others too: a value between two of them is taken for the line
-// through these.
+// Spreads the shares of all samples over the kept ones, as if values between two of them lay on the line through both.
 std::vector<double> shared_among(std::span<std::size_t const> kept, std::span<double const> shares) {
-  std::vector<double> made(kept.size(), 0.0);
+  std::vector<double> kept_shares(kept.size(), 0.0);
   for (std::size_t k = 0; k < kept.size(); ++k) {
-    made[k] += shares[kept[k]];
+    kept_shares[k] += shares[kept[k]];
     if (k + 1 == kept.size()) break;
     auto const gap = static_cast<double>(kept[k + 1] - kept[k]);
     for (std::size_t i = kept[k] + 1; i < kept[k + 1]; ++i) {
       double const nearness = static_cast<double>(i - kept[k]) / gap;
-      made[k] += (1.0 - nearness) * shares[i];
-      made[k + 1] += nearness * shares[i];
+      kept_shares[k] += (1.0 - nearness) * shares[i];
+      kept_shares[k + 1] += nearness * shares[i];
     }
   }
-  return made;
+  return kept_shares;
 }
 
-// Weights of the trapezoidal rule over the true time stamps, divided by the duration; only intervals between two scored
-// samples count.
+// Weights of the trapezoidal rule over the true time stamps, divided by the duration, for intervals of scored samples.
 struct TimeWeights {
   std::vector<double> weight;
   double duration = 0.0;
 };
 TimeWeights time_weights(data::FitRecord const& record) {
   auto const& t = record.time_s;
-  TimeWeights made{.weight = std::vector<double>(t.size(), 0.0)};
+  TimeWeights result{.weight = std::vector<double>(t.size(), 0.0)};
   for (std::size_t i = 1; i < t.size(); ++i) {
     if (!record.is_scored(i - 1) || !record.is_scored(i)) continue;
-    made.weight[i - 1] += 0.5 * (t[i] - t[i - 1]);
-    made.weight[i] += 0.5 * (t[i] - t[i - 1]);
-    made.duration += t[i] - t[i - 1];
+    result.weight[i - 1] += 0.5 * (t[i] - t[i - 1]);
+    result.weight[i] += 0.5 * (t[i] - t[i - 1]);
+    result.duration += t[i] - t[i - 1];
   }
-  // The ends' difference is exact where a sum of many small intervals is not.
-  if (record.scored.empty() && t.size() > 1) made.duration = t.back() - t.front();
-  for (double& w : made.weight) w /= made.duration;
-  return made;
+  // The difference of the ends is exact; a sum of many small intervals is not.
+  if (record.scored.empty() && t.size() > 1) result.duration = t.back() - t.front();
+  for (double& w : result.weight) w /= result.duration;
+  return result;
 }
 
 std::vector<double> scored_values(data::FitRecord const& record, std::vector<double> const& values) {
@@ -78,8 +76,8 @@ std::vector<double> scored_values(data::FitRecord const& record, std::vector<dou
   return kept;
 }
 
-// Eq. (27) divides by the duration and by the standard deviation of the force: where either says nothing, a candidate
-// could get any value, also a good one.
+// Eq. (27) divides by the duration and by the standard deviation of the force: if either were only rounding error, a
+// candidate could get any objective, also a good one.
 void require_something_to_fit(laws::LawInfo const& law, data::FitRecord const& record) {
   auto const refuse = [&](std::string found, std::string allowed) {
     throw Error({.where = "law " + std::string(law.id), .found = std::move(found), .allowed = std::move(allowed)});
@@ -131,10 +129,10 @@ LawOnMotion::LawOnMotion(laws::LawEntry const& law, data::FitRecord const& motio
 }
 
 LawOnMotion LawOnMotion::refined(int refinement) const {
-  LawOnMotion made = *this;
-  made.refinement_ = refinement;
-  made.path_ = path(refinement);
-  return made;
+  LawOnMotion result = *this;
+  result.refinement_ = refinement;
+  result.path_ = path(refinement);
+  return result;
 }
 
 laws::Path LawOnMotion::path(int refinement) const {
@@ -144,8 +142,8 @@ laws::Path LawOnMotion::path(int refinement) const {
 }
 
 std::vector<std::size_t> LawOnMotion::outline() const {
-  // Laws bend most after a reversal, and what a search keeps of that decides which valley it finds: every third sample
-  // alone halves abe's chance.
+  // Laws bend most after a reversal, and the samples kept there decide which valley a search finds. Rejected: every
+  // third sample, which halves abe's chance.
   constexpr std::size_t distance_per_gap = 6, widest_gap = 8;
   std::vector<std::size_t> samples;
   auto const reverses = [&](std::size_t i) {
@@ -162,12 +160,12 @@ std::vector<std::size_t> LawOnMotion::outline() const {
 }
 
 LawOnMotion LawOnMotion::at(std::span<std::size_t const> samples) const {
-  LawOnMotion made = *this;
-  made.time_s_ = taken(time_s_, samples);
-  made.x_ = taken(x_, samples);
-  made.v_ = taken(v_, samples);
-  made.path_ = made.path(refinement_);
-  return made;
+  LawOnMotion result = *this;
+  result.time_s_ = at_samples(time_s_, samples);
+  result.x_ = at_samples(x_, samples);
+  result.v_ = at_samples(v_, samples);
+  result.path_ = result.path(refinement_);
+  return result;
 }
 
 void LawOnMotion::force_kN(std::span<double const> parameters, std::span<double> force) const {
@@ -192,21 +190,21 @@ LawOnRecord::LawOnRecord(laws::LawEntry const& law, data::FitRecord const& recor
 }
 
 LawOnRecord LawOnRecord::refined(int refinement) const {
-  LawOnRecord made = *this;
-  made.motion_ = motion_.refined(refinement);
-  return made;
+  LawOnRecord result = *this;
+  result.motion_ = motion_.refined(refinement);
+  return result;
 }
 
 std::optional<LawOnRecord> LawOnRecord::outline() const {
   bool const steps_are_samples = motion_.integration() == laws::Integration::paper && law().info.traits.path_integrated;
   auto const kept = motion_.outline();
   if (steps_are_samples || 4 * kept.size() > 3 * samples()) return std::nullopt;
-  LawOnRecord made = *this;
-  made.motion_ = motion_.at(kept);
-  made.measured_ = taken(measured_, kept);
-  made.weight_ = made.share_ = shared_among(kept, share_);
-  for (double& w : made.weight_) w /= spread_;
-  return made;
+  LawOnRecord result = *this;
+  result.motion_ = motion_.at(kept);
+  result.measured_ = at_samples(measured_, kept);
+  result.weight_ = result.share_ = shared_among(kept, share_);
+  for (double& w : result.weight_) w /= spread_;
+  return result;
 }
 
 std::vector<double> LawOnRecord::on_outline(std::span<double const> shares) const {
@@ -221,8 +219,8 @@ double LawOnRecord::misfit(std::vector<double> const& force) const {
 
 double LawOnRecord::objective(std::span<double const> parameters, std::vector<double>& work) const {
   work.resize(measured_.size());
+  KernelTimer const timer;
   law().evaluate(parameters, motion_.path(), motion_.integration(), work);
-  count_block(law(), motion_.integration(), Block::scalar, motion_.path());
   return misfit(work);
 }
 
@@ -247,13 +245,15 @@ void LawOnRecord::objectives(std::size_t count, std::function<void(std::size_t, 
     std::size_t const used = std::min(left, width);
     std::array<bool, wide_block> usable{};
     for (std::size_t lane = 0; lane < width; ++lane) {
-      // A last block that is not full repeats its first candidate.
+      // A block that is not full repeats its first candidate.
       candidate(lane < used ? first + lane : first, one);
       usable[lane] = std::ranges::all_of(one, [](double value) { return std::isfinite(value); });
       for (std::size_t p = 0; p < dimension; ++p) block[p * width + lane] = one[p];
     }
-    (width == wide_block ? code.wide : code.narrow)(block.data(), record, motion_.integration(), sums.data());
-    count_block(law(), motion_.integration(), width == wide_block ? Block::wide : Block::narrow, motion_.path());
+    {
+      KernelTimer const timer;
+      (width == wide_block ? code.wide : code.narrow)(block.data(), record, motion_.integration(), sums.data());
+    }
     for (std::size_t lane = 0; lane < used; ++lane)
       values[first + lane] = usable[lane] && std::isfinite(sums[lane]) ? sums[lane] : infinite;
     first += used;
@@ -268,8 +268,10 @@ void LawOnRecord::residual_rows(std::size_t count, std::function<void(std::size_
     std::vector<double> force(samples);
     for (std::size_t i = 0; i < count; ++i) {
       candidate(i, one);
-      law().evaluate(one, motion_.path(), motion_.integration(), force);
-      count_block(law(), motion_.integration(), Block::scalar, motion_.path());
+      {
+        KernelTimer const timer;
+        law().evaluate(one, motion_.path(), motion_.integration(), force);
+      }
       for (std::size_t j = 0; j < samples; ++j) rows[j * stride + i] = (measured_[j] - force[j]) / spread_;
     }
     for (std::size_t i = count; i < num::padded(count); ++i)
@@ -285,9 +287,9 @@ void LawOnRecord::residual_rows(std::size_t count, std::function<void(std::size_
       candidate(lane < used ? first + lane : first, one);
       for (std::size_t p = 0; p < dimension; ++p) block[p * width + lane] = one[p];
     }
+    KernelTimer const timer;
     (wide ? code.residuals : code.narrow_residuals)(block.data(), motion_.path(), motion_.integration(),
                                                     measured_.data(), 1.0 / spread_, rows.data() + first, stride);
-    count_block(law(), motion_.integration(), wide ? Block::residuals : Block::narrow_residuals, motion_.path());
     first += used;
   }
 }
@@ -306,8 +308,8 @@ double LawOnRecord::integration_shift(std::span<double const> parameters) const 
   std::vector<double> force;
   double const here = objective(parameters, force);
   auto const fine = motion_.path(shift_refinement * refinement());
+  KernelTimer const timer;
   law().evaluate(parameters, fine, laws::Integration::converged, force);
-  count_block(law(), laws::Integration::converged, Block::scalar, fine);
   return std::abs(misfit(force) - here);
 }
 

@@ -1,4 +1,4 @@
-// A law on one device's record: computed forces and the objective of Eq. (27).
+// A law on one device's record: its forces, its residuals, and the objective of Eq. (27) of Cucuzza et al. 2025.
 #pragma once
 
 #include <functional>
@@ -15,28 +15,29 @@
 
 namespace isolaw::fit {
 
-// A finer path that tells how far a result still moves when integrated more finely: this many times finer than its own.
+// integration_shift() compares with a path this many times finer.
 inline constexpr int shift_refinement = 20;
 
-// How far an objective, computed elsewhere from the same record and parameters, may differ, relative; and a force, of
-// the peak force. Compilers and processors round differently, and bring their own elementary functions: 6e-14 and
-// 1.2e-12 are the largest that `./isolaw.sh compilers` has shown (bouc-wen in x87 arithmetic; 9e-14 without it). The
-// rest is room for mathematical libraries and processors that were not at hand.
+// The relative difference that another machine's objective may have for the same record and parameters, and its forces
+// relative to the peak force. Compilers and processors round differently and bring their own elementary functions. The
+// largest differences that `./isolaw.sh compilers` has shown are 6e-14 and 1.2e-12 (bouc-wen in x87 arithmetic; 9e-14
+// without it). The rest is room for mathematical libraries and processors that were not at hand.
 inline constexpr double evaluation_tolerance = 1e-9;
 
-// Blocks use their own elementary functions and fused multiply-adds: largest seen 1e-12 (hwang-wu), 3e-14 for the other
-// laws. Larger only where an objective is beyond 1e6 or a Runge-Kutta step of `paper` too long to be stable.
+// The relative difference between a block's objective and the scalar one. Blocks use their own elementary functions and
+// fused multiply-adds; the largest difference seen is 1e-12 (hwang-wu), 3e-14 for the other laws. It may be larger for
+// an objective beyond 1e6, or if a Runge-Kutta step of `paper` is too long to be stable.
 inline constexpr double block_tolerance = 1e-11;
 
 // A law on a displacement history, whose force may be unknown.
 class LawOnMotion {
  public:
-  // Throws Error when the law needs velocities and the history has no time, and for one without samples. The history
-  // may be discarded afterwards. Every interval between samples is cut into `refinement` equal steps. A law that
-  // remembers its path follows the displacement with the record's dead band.
+  // Every interval between samples is cut into `refinement` equal steps. A law that remembers its path follows the
+  // displacement with the record's dead band. The history may be discarded afterwards. Throws Error for a history
+  // without samples, or without time if the law needs velocities.
   LawOnMotion(laws::LawEntry const& law, data::FitRecord const& motion, laws::Integration integration,
               laws::TurningPoints turning_points = laws::TurningPoints::as_sampled, int refinement = 1);
-  // The same law and history integrated in finer steps; `refinement` counts from the samples, not from this one's.
+  // The same law and history with `refinement` steps between samples.
   LawOnMotion refined(int refinement) const;
 
   laws::LawEntry const& law() const { return *law_; }
@@ -45,14 +46,14 @@ class LawOnMotion {
   laws::Path const& path() const { return path_; }
   laws::Path path(int refinement) const;
 
-  // The samples that show the loop's outline: all of those next to a reversal, and the fewer the farther from it.
+  // Indices of samples that outline the loop: all next to a reversal, and fewer the farther from one.
   std::vector<std::size_t> outline() const;
-  // The same law on these of the samples, in rising order. On a path that keeps its reversals a law that does not
-  // depend on the rate gives the same forces.
+  // The same law on a part of the samples, given in rising order. If they include the reversals, a law that does not
+  // depend on the rate gives the same forces there.
   LawOnMotion at(std::span<std::size_t const> samples) const;
 
-  // Computed force [kN] at every sample, into `force` of that length or as a new vector; not finite where the law gives
-  // none. `parameters` in the law's order and units. Thread-safe.
+  // Computed force [kN] at every sample; not finite if the law gives none. `parameters` are in the law's order and
+  // units; `force` has as many elements as there are samples. Thread-safe.
   void force_kN(std::span<double const> parameters, std::span<double> force) const;
   std::vector<double> force_kN(std::span<double const> parameters) const;
 
@@ -61,56 +62,56 @@ class LawOnMotion {
   laws::Integration integration_;
   laws::TurningPoints turning_points_;
   int refinement_ = 1;
-  std::vector<double> time_s_, x_, v_;  // law's units of length
+  std::vector<double> time_s_, x_, v_;  // x_ and v_ in the law's unit of length
   laws::Path path_;
 };
 
 class LawOnRecord {
  public:
-  // Throws Error when the law needs velocities and the record has no time, and for a record that Eq. (27) cannot judge
-  // by: fewer than two samples, no duration, a constant force. The record may be discarded afterwards.
-  // Every interval between samples is cut into `refinement` equal steps.
+  // Every interval between samples is cut into `refinement` equal steps. The record may be discarded afterwards. Throws
+  // Error if the law needs velocities and the record has no time, and if Eq. (27) is not defined for the record: fewer
+  // than two samples, no duration, a constant force.
   LawOnRecord(laws::LawEntry const& law, data::FitRecord const& record, laws::Integration integration,
               laws::TurningPoints turning_points = laws::TurningPoints::as_sampled, int refinement = 1);
-  // The same law and record integrated in finer steps; `refinement` counts from the samples, not from this one's.
+  // The same law and record with `refinement` steps between samples.
   LawOnRecord refined(int refinement) const;
-  // On the samples of the loop's outline, each with the weight of those it stands for; nullopt where that spares
-  // little, and where the integration's steps are the samples. Its objective is about this one's.
+  // The same law on the samples of the loop's outline only, each with the weight of those it stands for; its objective
+  // is close to this one's. nullopt if more than 3/4 of the samples remain or the integration steps are the samples.
   std::optional<LawOnRecord> outline() const;
-  // Shares of the outline's samples where those of all samples are these.
+  // Spreads shares of all samples over the samples of the outline.
   std::vector<double> on_outline(std::span<double const> shares) const;
 
   laws::LawEntry const& law() const { return motion_.law(); }
   int refinement() const { return motion_.refinement(); }
 
-  // OF = mean over time of |measured - computed| / standard deviation of the measured force; +infinity when a computed
-  // force is not finite. `parameters` in the law's order and units. Thread-safe; `work` is scratch, resized as needed.
+  // OF = mean over time of |measured - computed| / standard deviation of the measured force; +infinity if a computed
+  // force is not finite. `parameters` are in the law's order and units; `work` is scratch space. Thread-safe.
   double objective(std::span<double const> parameters, std::vector<double>& work) const;
 
-  // The same for many candidates, in blocks: `candidate(i, values)` writes the parameters of number i. Agrees with the
-  // scalar objective within block_tolerance (relative, where that is above 1e-3), whatever the place in a block.
+  // The same for `count` candidates, computed in blocks; candidate(i, values) writes the parameters of candidate i.
+  // Agrees with the scalar objective within block_tolerance (if that is above 1e-3) at every place in a block.
   void objectives(std::size_t count, std::function<void(std::size_t, std::span<double>)> const& candidate,
                   std::span<double> values, InstructionSet set = instruction_set()) const;
 
-  // (measured - computed force) / standard deviation of the measured force at every sample, for many candidates, one
-  // after another; not finite where a force is not. Agrees with the scalar path as `objectives` does.
+  // (measured - computed force) / standard deviation of the measured force: that of sample j and candidate i is
+  // values[i * samples() + j]. Not finite where a force is not. Agrees with the scalar path as objectives() does.
   void residuals(std::size_t count, std::function<void(std::size_t, std::span<double>)> const& candidate,
                  std::span<double> values, InstructionSet set = instruction_set()) const;
-  // The same side by side: of sample j and candidate i at rows[j * stride + i]. `stride` is num::padded(count) or more;
-  // what stands beside the last candidate is anything.
+  // The same with the candidates side by side: sample j of candidate i is rows[j * stride + i]. `stride` is at least
+  // num::padded(count); columns beyond the last candidate may hold any numbers.
   void residual_rows(std::size_t count, std::function<void(std::size_t, std::span<double>)> const& candidate,
                      std::size_t stride, std::span<double> rows, InstructionSet set = instruction_set()) const;
 
-  // Share of each sample in the objective, which is the sum of weight * |residual|.
+  // The weight of each sample; the objective is the sum of weight * |residual|.
   std::span<double const> residual_weights() const { return share_; }
   std::size_t samples() const { return measured_.size(); }
-  // Standard deviation of the measured force, which residuals are relative to.
+  // Standard deviation of the measured force.
   double spread_kN() const { return spread_ * law().info.force.in_record_units; }
 
-  // Computed force [kN] at every sample.
   std::vector<double> force_kN(std::span<double const> parameters) const { return motion_.force_kN(parameters); }
 
-  // |objective - objective of the converged integration on a path `shift_refinement` times finer than this one|.
+  // How far the objective moves when integrated more finely: its distance from that of the converged integration on a
+  // path `shift_refinement` times finer.
   double integration_shift(std::span<double const> parameters) const;
 
  private:
@@ -123,11 +124,11 @@ class LawOnRecord {
   double spread_ = 1.0;           // standard deviation of the measured force, law's unit
 };
 
-// Eq. (27) over some of the samples, those where `scored` is not 0: of the forces that a law gives over the whole
-// history. NaN where no two neighbours are among them or the force does not change there.
+// Eq. (27) over the samples where `scored` is not 0, for forces that a law gave over the whole history. NaN if no two
+// neighbours are scored or the measured force does not change there.
 double objective_on(data::FitRecord const& record, std::span<double const> force_kN, std::vector<double> scored);
 
-// The search of a law's free parameters on a record, in the unit box.
+// The search for a law's free parameters on a record as a problem in the unit box. Keeps references to both arguments.
 class IdentificationProblem final : public opt::DeviationProblem {
  public:
   IdentificationProblem(LawOnRecord const& model, SearchBox const& box);

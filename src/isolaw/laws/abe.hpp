@@ -1,9 +1,9 @@
-// Abe: elastic part that softens with the peak displacement, hysteretic part whose yield force grows with displacement,
-// hardening part.
+// Abe: the sum of an elastic part that softens with the peak displacement, a hysteretic part whose yield force grows
+// with displacement, and a hardening part.
 // Source: Cucuzza et al. 2025, Eqs. (15)-(21), after Abe, Yoshida and Fujino 2004; X_h, X_0, X_s of Table 4 are U_h,
-// U_0, U_s. Units kN, mm.  Step: with the yield force held at its mean over the step the hysteretic force follows the
-// exact flow of dF2/dx (saturating_flow.hpp), then the effect of its change is added; the growth of the yield
-// displacement with the peak is integrated exactly. `paper`: one classical Runge-Kutta step per sample.
+// U_0, U_s. Units kN, mm.  Step: first the hysteretic force follows the exact flow of dF2/dx (saturating_flow.hpp) with
+// the yield force held at its mean over the step; then the effect of the change of the yield force is added. The growth
+// of the yield displacement with the peak is integrated exactly. `paper`: one classical Runge-Kutta step per sample.
 #pragma once
 
 #include <algorithm>
@@ -17,21 +17,21 @@
 
 namespace isolaw::laws {
 
-// What `abe` and `abe-y0` share: their parameters, F1, F3, and the travel in yield displacements.
+// Shared by `abe` and `abe-y0`: their parameters, F1, F3, and the travel in yield displacements.
 namespace abe_parts {
 
-// What the two laws' parameters have in common, by the parameter's name.
 inline constexpr ParameterInfo K1_info =
     parameter("K1", "kN/mm", "initial elastic stiffness", any_value, Interval{5.0, 10.0}, {0.5, 20.0, stiffness});
 inline constexpr ParameterInfo alpha_info =
-    parameter("alpha", "mm", "peak displacement over which it decays", not_negative, Interval{0.0, 10.0},
-              {0.001, 1.0, disp}, Scale::logarithmic);
-inline constexpr ParameterInfo beta_info =
-    parameter("beta", "1", "share of it that remains", any_value, Interval{0.01, 1.0}, {0.01, 1.0, one});
+    parameter("alpha", "mm", "peak displacement over which the elastic stiffness decays", not_negative,
+              Interval{0.0, 10.0}, {0.001, 1.0, disp}, Scale::logarithmic);
+inline constexpr ParameterInfo beta_info = parameter("beta", "1", "share of the elastic stiffness that remains",
+                                                     any_value, Interval{0.01, 1.0}, {0.01, 1.0, one});
 inline constexpr ParameterInfo a_info = parameter("a", "kN", "force of the rounded step at zero displacement",
                                                   any_value, Interval{0.5, 1.0}, {0.0, 0.2, force});
-inline constexpr ParameterInfo b_info = parameter("b", "1/mm", "rate of that step", not_negative, Interval{5.0, 10.0},
-                                                  {2.0, 2000.0, per_disp}, Scale::logarithmic);
+inline constexpr ParameterInfo b_info =
+    parameter("b", "1/mm", "rate at which the rounded step grows with displacement", not_negative, Interval{5.0, 10.0},
+              {2.0, 2000.0, per_disp}, Scale::logarithmic);
 inline constexpr ParameterInfo n_info =
     parameter("n", "1", "sharpness of yielding", positive, Interval{0.01, 0.5}, {0.01, 1.0, one});
 inline constexpr ParameterInfo Y0_info =
@@ -42,9 +42,10 @@ inline constexpr ParameterInfo Uh_info =
 inline constexpr ParameterInfo U0_info =
     parameter("U0", "mm", "yield displacement", positive, Interval{2.0, 6.0}, {0.005, 0.3, disp}, Scale::logarithmic)
         .in_paper("X_0");
-inline constexpr ParameterInfo Us_info = parameter("Us", "mm", "peak displacement over which it grows", positive,
-                                                   Interval{5.0, 50.0}, {0.01, 3.0, disp}, Scale::logarithmic)
-                                             .in_paper("X_s");
+inline constexpr ParameterInfo Us_info =
+    parameter("Us", "mm", "peak displacement over which the yield displacement grows", positive, Interval{5.0, 50.0},
+              {0.01, 3.0, disp}, Scale::logarithmic)
+        .in_paper("X_s");
 inline constexpr ParameterInfo K2_info =
     parameter("K2", "kN/mm", "hardening stiffness", any_value, Interval{0.01, 0.5}, {0.0, 1.2, stiffness});
 inline constexpr ParameterInfo r_info =
@@ -56,14 +57,14 @@ template <class T>
 struct Constants {
   T log2_Uh = T(0.0);
   T inverse_U0 = T(0.0), Us_over_U0 = T(0.0);
-  T K1_now = T(0.0);      // K1 [beta + (1 - beta) exp(-Umax / alpha)], changes with the peak only
-  T inverse_Ut = T(0.0);  // 1 / Ut, likewise
+  T K1_now = T(0.0);      // K1 [beta + (1 - beta) exp(-Umax / alpha)]; it changes only with the peak
+  T inverse_Ut = T(0.0);  // 1 / Ut; it changes only with the peak
 };
 
 template <class T, class Params>
 void follow_peak(Params const& p, Constants<T>& c, double peak) {
   T const one(1.0), Umax(peak);
-  // alpha = 0: the softening part is gone as soon as there is a peak at all.
+  // For alpha = 0 the softening part is gone as soon as there is any peak.
   T const left =
       select(p.alpha <= T(0.0), T(peak > 0.0 ? 0.0 : 1.0), exp(-Umax / max(p.alpha, T(num::smallest_power_base))));
   c.K1_now = p.K1 * (p.beta + (one - p.beta) * left);
@@ -80,7 +81,7 @@ Constants<T> constants(Params const& p, Step const& first) {
   return c;
 }
 
-// A straight piece of a step (or the whole of it), with the peaks at its ends.
+// A whole step, or a straight piece of one, with the peaks at both ends.
 struct Piece {
   double x0, x1, length, direction, peak0, peak1;
   template <class Whole>
@@ -93,8 +94,8 @@ struct Piece {
         peak1(std::max(peak0, std::abs(to))) {}
 };
 
-// Integral of |dx| / Ut over the piece, the constants being those at its start. It first runs inside the earlier peak,
-// at constant Ut, then may extend it.
+// Integral of |dx| / Ut over the piece. `c` holds the constants of its start. The piece first runs inside the earlier
+// peak, at constant Ut, and may then extend the peak.
 template <class T, class Params>
 T travel(Params const& p, Constants<T> const& c, Piece const& piece) {
   double const growth = piece.peak1 - piece.peak0;
@@ -106,7 +107,7 @@ T travel(Params const& p, Constants<T> const& c, Piece const& piece) {
   return travelled;
 }
 
-// F1 + F3 at the end of the step; follow_peak has been called for it.
+// F1 + F3 at the end of the step. The caller has called follow_peak for that end.
 template <class T, class Params>
 T elastic_force(Params const& p, Constants<T> const& c, Step const& step) {
   if (step.x1 == 0.0) return T(0.0);
@@ -116,7 +117,7 @@ T elastic_force(Params const& p, Constants<T> const& c, Step const& step) {
   return F1 + F3;
 }
 
-// What dF2/dx of Eq. (18) needs of a point of the path: Yt, its inverse, and 1 / Ut.
+// The values that dF2/dx of Eq. (18) takes at a point of the path.
 template <class T>
 struct Point {
   T Yt, per_Yt, inverse_Ut;
@@ -127,7 +128,7 @@ T hysteretic_slope(T const& F2, Point<T> const& at, T const& n, T const& directi
   return at.Yt * at.inverse_Ut * (T(1.0) - select(direction * F2 < T(0.0), -ratio, ratio));
 }
 
-// 1 / Ut where the path is at x, the constants being those of peak0, the peak before the step.
+// 1 / Ut where the path is at x. `c` holds the constants of peak0, the peak before the step.
 template <class T, class Params>
 T inverse_Ut_at(Params const& p, Constants<T> const& c, double x, double peak0) {
   return std::abs(x) <= peak0 ? c.inverse_Ut : c.inverse_U0 / (T(1.0) + T(std::abs(x)) / p.Us);
@@ -151,7 +152,7 @@ struct Abe {
           "Yt = Y0 (1 + |x / Uh|^p),   Ut = U0 (1 + Umax / Us)\n"
           "F3 = K2 |x / Uh|^r x",
       .note =
-          "Eq. (19) as printed. The means of Table A.5 then give loops 49 to 76 % too stiff; without the growth of the yield force (law abe-y0) they agree with the other laws. What was run for the table is not known.",
+          "Eq. (19) as printed. With it, the means of Table A.5 give loops 49 to 76 % too stiff; without the growth of the yield force (law abe-y0) they agree with the other laws. The paper does not tell which form the authors ran for the table.",
       .set = LawSet::paper,
       .step_cost = 1379};
 
@@ -179,7 +180,7 @@ struct Abe {
   });
 
   static Canonical canonical(Params<double> const&) { return abe_parts::beyond_programs; }
-  static constexpr bool crowded = true;  // fit/kernels.cpp
+  static constexpr bool crowded = true;  // fewer lanes at once (fit/kernels.cpp)
 
   template <class T>
   struct State {
@@ -205,9 +206,9 @@ struct Abe {
   static T step(Params<T> const& p, State<T>& state, Step const& step) {
     auto& c = state.constants;
     if (step.length > 0.0) {
-      // Shorter pieces about x = 0, where |x|^p is not smooth.
+      // Near x = 0, where |x|^p is not smooth, pieces are shorter.
       double const nearest = step.x0 * step.x1 <= 0.0 ? 0.0 : std::min(std::abs(step.x0), std::abs(step.x1));
-      // Elsewhere no piece is longer than a sample of 200 per sine cycle. In this order infinite displacements give 64.
+      // No piece is longer than a sample of 200 per sine cycle. std::min gives 64 for an infinite displacement.
       int const smooth = static_cast<int>(std::ceil(std::min(64.0, step.length / (0.0317 * step.peak1))));
       int const pieces = std::max(nearest < 1.5 * step.length ? 5 : nearest < 4.0 * step.length ? 2 : 1, smooth);
       double x = step.x0;
@@ -248,18 +249,18 @@ struct Abe {
     return exp2(p.p * (T(std::log2(std::abs(x))) - c.log2_Uh));
   }
 
-  // F2 over a piece: the exact flow with the yield force held at its mean, then the effect of its relative change d
-  // over the piece, which makes the whole fourth order where all is smooth. For travel t and rates f0, f1 = du/dt at
-  // the ends, with Phi(F2, Y) = Y f(F2 / Y) the perturbation of the flow is, from the change itself (f - u f' = n + (1
-  // - n) f),
+  // Advances F2 over a piece: by the exact flow with the yield force held at its mean, then by the effect of the yield
+  // force's relative change d over the piece. Together they are of fourth order where all is smooth. For travel t and
+  // rates f0, f1 = du/dt at the ends, and with Phi(F2, Y) = Y f(F2 / Y), the flow is perturbed by the change itself (f
+  // - u f' = n + (1 - n) f) by
   //     n d t/12 (1 - f1 / f0)
-  // and from the curvature of Phi in Y (|u|^n = 1 - f with the sign of u)
+  // and by the curvature of Phi in Y (|u|^n = 1 - f with the sign of u) by
   //     n (1 - n) d^2 t/24 (1 - f).
-  // Over a long travel F2 ends at the yield force of the end, d/2 above the mean: the first term is carried over into
-  // that limit, the second fades. The mean of |x / Uh|^p over x is exact: its integral is x |x / Uh|^p / (p + 1); for
-  // pieces so short that the difference would lose its digits, the mean of the ends. The mean wanted is that over the
-  // travel: where the peak grows, and the travel per x with it falls by its growth over Us + peak, the covariance of two
-  // straight lines is added.
+  // Over a long travel F2 ends at the yield force of the end, d/2 above the mean: the first term is blended into that
+  // limit, the second fades. The mean of |x / Uh|^p over x is exact, since its integral is x |x / Uh|^p / (p + 1); a
+  // piece so short that this difference would lose its digits takes the mean of both ends. The flow needs the mean over
+  // the travel instead. Where the peak grows, the travel per x falls by the peak's growth over Us + peak, so the
+  // covariance of two straight lines is added.
   template <class T>
   static void advance(Params<T> const& p, State<T>& state, abe_parts::Piece const& piece) {
     T const one(1.0), direction(piece.direction), before = state.growth;
@@ -275,7 +276,7 @@ struct Abe {
     T const travel = abe_parts::travel(p, state.constants, piece);
     auto const moved = state.flow.advance(direction * state.F2 * state.per_Y0 * per_mean, travel);
     T const d = (after - before) * per_mean, relaxed = p.n * travel, some = T(1.0 / 12.0) * relaxed;
-    // relaxed (1 + some) fade is relaxed - relaxed^3 / 72 .. for short travel and 6 for long.
+    // relaxed (1 + some) fade is relaxed - relaxed^3 / 72 + ... for short travel and tends to 6 for long.
     T const fade = one / (one + some + T(2.0) * some * some), fade2 = fade * fade;
     T const first = d * (some + some * some) * fade * (one - moved.ratio);
     T const second = d * d * (some * (fade2 * fade2)) * (one - p.n) * (T(0.5) - T(0.25) * (moved.rate0 + moved.rate1));

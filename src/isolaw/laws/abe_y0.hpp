@@ -1,7 +1,7 @@
 // Abe with a constant yield force: Abe without the factor (1 + |x/Uh|^p) of Eq. (19).
-// Source: Cucuzza et al. 2025, Eqs. (15)-(21) with Yt = Y0. The closest reading of Table A.5's law 5, kept for
-// comparison with that table; what the authors ran is not known. Units kN, mm.  Step: exact between samples
-// (saturating_flow.hpp); `paper`: one classical Runge-Kutta step per sample.
+// Source: Cucuzza et al. 2025, Eqs. (15)-(21) with Yt = Y0. This is the closest reading of law 5 in Table A.5 and is
+// kept for comparison with that table; which form the authors ran is not known. Units kN, mm.  Step: exact between
+// samples (saturating_flow.hpp); `paper`: one classical Runge-Kutta step per sample.
 #pragma once
 
 #include "isolaw/laws/abe.hpp"
@@ -22,7 +22,8 @@ struct AbeY0 {
           "F1 = K1 (beta + (1 - beta) exp(-Umax / alpha)) x + a (1 - exp(-b |x|)) sgn(x)\n"
           "dF2 = (Y0 / Ut) (dx - |dx| |F2 / Y0|^n sgn(F2)),   Ut = U0 (1 + Umax / Us)\n"
           "F3 = K2 |x / Uh|^r x",
-      .note = "Closest reading of the published law 5: with Table A.5's means its loops agree with the other laws.",
+      .note =
+          "The closest reading of the published law 5: with the means of Table A.5 its loops agree with those of the other laws.",
       .set = LawSet::paper,
       .step_cost = 408};
 

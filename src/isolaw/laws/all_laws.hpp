@@ -1,4 +1,4 @@
-// The list of laws. Adding one: its header, its name and its file here.
+// The list of laws. To add a law, include its header and append its type to AllLaws.
 #pragma once
 
 #include <tuple>
@@ -28,7 +28,7 @@ using AllLaws = std::tuple<Bilinear, Jankowski, Vaiana, BoucWen, Abe, AbeY0, Hwa
                            KikuchiAiken, MenegottoPinto, Ozdemir, PowerMasing, PowerMasingViscous, PowerMasingWorn,
                            PowerScragging, RambergOsgood>;
 
-// Calls visit.template operator()<Law>() for every law, in order.
+// Calls visit.template operator()<Law>() for every law, in the order of AllLaws.
 template <class Visitor>
 void for_each_law(Visitor&& visit) {
   [&]<class... Law>(std::tuple<Law...>*) { (visit.template operator()<Law>(), ...); }(static_cast<AllLaws*>(nullptr));

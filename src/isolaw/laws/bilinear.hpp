@@ -1,5 +1,5 @@
 // Bilinear: elastic and post-elastic stiffness with kinematic hardening.
-// Source: Cucuzza et al. 2025, Eq. (1), the virgin branch; cyclic behaviour by Masing branches, that is an
+// Source: Cucuzza et al. 2025, Eq. (1), gives the virgin branch. The cyclic branches follow Masing's rules, that is an
 // elastic-perfectly-plastic part in parallel with K2.  Units kN, mm.  Step: exact along a straight path.
 #pragma once
 
@@ -22,7 +22,7 @@ struct Bilinear {
           "F = K2 x + z\n"
           "z -> z + (K1 - K2) dx, kept within +-(K1 - K2) xy",
       .note =
-          "The third parameter of Table 4 is printed F_y [mm]; it is read as the yield displacement xy of Eq. (1). Derived: characteristic strength Qd = (K1 - K2) xy, yield force K1 xy. As a yield force or a characteristic strength in kN the printed numbers would give other loops.",
+          "Table 4 prints the third parameter as F_y [mm]; it is read as the yield displacement xy of Eq. (1). From it follow the characteristic strength Qd = (K1 - K2) xy and the yield force K1 xy. Read as a yield force or a characteristic strength in kN, the printed numbers would give other loops.",
       .set = LawSet::paper,
       .step_cost = 22};
 
@@ -60,7 +60,7 @@ struct Bilinear {
   template <class T>
   static T step(Params<T> const& p, State<T>& state, Step const& step) {
     T const trial = state.z + (p.K1 - p.K2) * T(step.dx);
-    // In this order a strength that is not a number stays one.
+    // min and max return their first argument beside a NaN: a NaN strength stays NaN.
     state.z = min(state.strength, max(-state.strength, trial));
     return p.K2 * T(step.x1) + state.z;
   }

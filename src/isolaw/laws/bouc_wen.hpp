@@ -1,8 +1,8 @@
 // Bouc-Wen: smooth hysteresis with post-yield stiffness.
-// Source: Cucuzza et al. 2025, Eqs. (13)-(14), after Wen 1976; K_i and K_j of Eq. (13) are the one elastic stiffness
-// Ke. Units kN, mm.  Step: between reversals dz/dx depends on z alone, and its exact flow is a polynomial fitted
-// once per candidate (saturating_flow.hpp); `paper`: one classical Runge-Kutta step per sample, which blows up beyond
-// dx of about two yield displacements.
+// Source: Cucuzza et al. 2025, Eqs. (13)-(14), after Wen 1976; K_i and K_j of Eq. (13) are both the elastic stiffness
+// Ke. Units kN, mm.  Step: between reversals dz/dx depends on z alone, and its exact flow is a polynomial fitted once
+// per candidate (saturating_flow.hpp). `paper`: one classical Runge-Kutta step per sample, which blows up beyond dx of
+// about two yield displacements.
 #pragma once
 
 #include <limits>
@@ -28,7 +28,7 @@ struct BoucWen {
           "F = alpha Ke x + (1 - alpha) Ke z\n"
           "dz/dx = A - |z|^n (beta sgn(z dx) + gamma)",
       .note =
-          "A is redundant: (Ke, A, beta, gamma, alpha) can be rescaled without changing the force, so a calibration with A free has no unique answer. The upper bound of alpha is lost in Table 4; 0.3 is used. Parameters must keep beta > 0 and beta + gamma > 0; others have no bounded force and are rejected.",
+          "A is redundant: (Ke, A, beta, gamma, alpha) can be rescaled without changing the force, so a calibration with A free has no unique answer. The upper bound of alpha is illegible in Table 4; 0.3 is used. Parameters must keep beta > 0 and beta + gamma > 0; others have no bounded force and are rejected.",
       .set = LawSet::paper,
       .step_cost = 267};
 
@@ -53,7 +53,7 @@ struct BoucWen {
        parameter("gamma", "1/mm^n", "shape of the loop", any_value, Interval{0.025, 0.075}, {-20.0, 60.0, per_disp})},
   });
 
-  // The same forces with A = 1: z is measured in travel of its own first slope.
+  // Parameters of the same forces with A = 1, so that z leaves 0 with the slope 1.
   static constexpr std::string_view redundant = "A";
   static constexpr double redundant_value = 1.0;
   static constexpr std::array<std::string_view, 4> redundant_with{"alpha", "Ke", "beta", "gamma"};
@@ -78,7 +78,7 @@ struct BoucWen {
   template <class T>
   struct State {
     T z = T(0.0);
-    // Converged integration: u = z / z_max, time on the flow = A / z_max per unit of travel.
+    // For converged integration: u = z / z_max, and time on the flow passes at `rate` = A / z_max per unit of travel.
     T time = T(0.0), z_max = T(0.0), rate = T(0.0);
     SaturatingFlow<T> flow;
   };
@@ -87,7 +87,7 @@ struct BoucWen {
   static State<T> start(Params<T> const& p, Step const&, Integration integration) {
     State<T> state;
     T const both = p.beta + p.gamma;
-    // Without a bounded force there is none, whatever the integration makes of it before z runs away.
+    // These parameters bound no force. The law then gives NaN, whatever an integration gives before z runs away.
     state.z = select(min(p.beta, both) > T(0.0), T(0.0), T(std::numeric_limits<double>::quiet_NaN()));
     if (integration == Integration::paper) return state;
     state.z_max = exp2((log2(p.A) - log2(both)) / p.n);

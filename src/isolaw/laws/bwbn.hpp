@@ -1,10 +1,10 @@
 // Bouc-Wen-Baber-Noori: Bouc-Wen whose strength and stiffness degrade with the work of its hysteretic part, and which
 // slips about a small force (pinching).
 // Source: Baber and Noori 1986, Foliente 1995. Units kN, mm, in which p, psi and the others are those of the material
-// BWBN of OpenSees (Ao, zetas, Shi, deltaShi, lamda there), which has no degradation and a zu without A.  Step: z = zu
-// u follows u' = 1 - |u|^n (..), one curve between reversals (saturating_flow.hpp), at a pace that pinching and
-// degradation slow down. Place on the curve and e advance by classical Runge-Kutta steps, whose number the path alone
-// decides; zu is that of the middle of each. No step is unstable; without pinching and degradation all are exact.
+// BWBN of OpenSees (Ao, zetas, Shi, deltaShi, lamda there), which has no degradation and a zu without A.  Step: u = z /
+// zu follows one curve u' = 1 - |u|^n (..) between reversals (saturating_flow.hpp), at a pace that pinching and
+// degradation slow down. Classical Runge-Kutta steps advance the place on that curve and e; the path alone decides
+// their number, and each takes zu of its middle. No step is unstable; without pinching and degradation all are exact.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +33,7 @@ struct Bwbn {
           "h = 1 - z1 exp(-(z sgn(dx) - q zu)^2 / z2^2),   zu = (A / ((1 + dnu e) (beta + gamma)))^(1/n)\n"
           "z1 = zs (1 - exp(-p e)),   z2 = (psi + dpsi e) (lambda + z1)",
       .note =
-          "Made for timber joints and reinforced concrete. Rubber bearings show no pinching: zs, p, psi and dpsi are then not determined. zs, p, psi and lambda trade off; q and lambda are fixed unless freed. e is the work of z in kN mm. Degradation of A is left out. With zs near 1 a device hardly passes q zu again. BWBN of OpenSees takes one implicit Euler step for each of the analysis, from one guess of z whatever the state. Beyond the tests the force is bounded but for alpha ko x, and what further work takes is not known.",
+          "Made for timber joints and reinforced concrete. Rubber bearings show no pinching, so their tests do not determine zs, p, psi and dpsi. zs, p, psi and lambda trade off against one another; q and lambda are fixed unless freed. e is the work of z in kN mm. A does not degrade here. With zs near 1 a device hardly passes q zu again. OpenSees' own BWBN takes one implicit Euler step per step of the analysis and starts its iteration from the same guess of z in every state. Beyond the tests the force stays bounded except for alpha ko x, and the tests do not tell how much more work would degrade the device.",
       .step_cost = 5881};
 
   template <class T>
@@ -53,25 +53,25 @@ struct Bwbn {
       {&Params<T>::gamma,
        parameter("gamma", "1/mm^n", "shape of the loop", any_value, std::nullopt, {0.0, 60.0, per_disp})},
       {&Params<T>::n, parameter("n", "1", "sharpness of yielding", positive, std::nullopt, {0.5, 2.0, one})},
-      {&Params<T>::q, parameter("q", "1", "where it slips, over the largest z", not_negative, std::nullopt,
+      {&Params<T>::q, parameter("q", "1", "z at which the device slips, over the largest z", not_negative, std::nullopt,
                                 {0.0, 0.5, one}, Scale::linear, 0.25)},
-      {&Params<T>::zs, parameter("zs", "1", "share of the stiffness that slip takes in the end", Interval{0.0, 1.0},
+      {&Params<T>::zs, parameter("zs", "1", "share of the stiffness that slip finally takes", Interval{0.0, 1.0},
                                  std::nullopt, {0.0, 0.95, one})},
       {&Params<T>::p, parameter("p", "1/(kN mm)", "rate at which slip sets in with work", not_negative, std::nullopt,
                                 {0.1, 1000.0, per_work}, Scale::logarithmic)},
       {&Params<T>::psi,
        parameter("psi", "mm", "range of z that slips", positive, std::nullopt, {0.005, 0.5, disp}, Scale::logarithmic)},
       {&Params<T>::dpsi,
-       parameter("dpsi", "1/kN", "its growth with work", not_negative, std::nullopt, {0.0, 1.0, disp_per_work})},
-      {&Params<T>::lambda, parameter("lambda", "1", "share of that range before slip sets in", positive, std::nullopt,
-                                     {0.05, 0.8, one}, Scale::linear, 0.3)},
+       parameter("dpsi", "1/kN", "growth of psi with work", not_negative, std::nullopt, {0.0, 1.0, disp_per_work})},
+      {&Params<T>::lambda, parameter("lambda", "1", "share of the range psi before slip sets in", positive,
+                                     std::nullopt, {0.05, 0.8, one}, Scale::linear, 0.3)},
       {&Params<T>::dnu,
        parameter("dnu", "1/(kN mm)", "strength lost with work", not_negative, std::nullopt, {0.0, 2.0, per_work})},
       {&Params<T>::deta,
        parameter("deta", "1/(kN mm)", "stiffness lost with work", not_negative, std::nullopt, {0.0, 2.0, per_work})},
   });
 
-  // The same forces with A = 1, as for bouc-wen; psi and dpsi are lengths of z.
+  // Parameters of the same forces with A = 1, as for bouc-wen; psi and dpsi are lengths of z and scale with it.
   static constexpr std::string_view redundant = "A";
   static constexpr double redundant_value = 1.0;
   static constexpr std::array<std::string_view, 6> redundant_with{"alpha", "ko", "beta", "gamma", "psi", "dpsi"};
@@ -108,7 +108,7 @@ struct Bwbn {
   static State<T> start(Params<T> const& p, Step const&, Integration) {
     State<T> state;
     T const both = p.beta + p.gamma;
-    // Without a bounded force there is none.
+    // These parameters bound no force: the law gives NaN.
     state.z = select(min(p.beta, both) > T(0.0), T(0.0), T(std::numeric_limits<double>::quiet_NaN()));
     state.strength = exp2((log2(p.A) - log2(both)) / p.n);
     state.share = (T(1.0) - p.alpha) * p.ko;
@@ -119,7 +119,7 @@ struct Bwbn {
   template <class T>
   static T step(Params<T> const& p, State<T>& state, Step const& step) {
     if (step.length > 0.0) {
-      // In this order infinite displacements give the most that finite ones do.
+      // In this order an infinite displacement takes the largest number of pieces that a finite one can.
       int const pieces = static_cast<int>(
           std::ceil(std::min(2.0 * pieces_to_the_peak, pieces_to_the_peak * step.length / step.peak1)));
       for (int i = 0; i < pieces; ++i) advance(p, state, step.direction, step.length / pieces);
@@ -129,17 +129,18 @@ struct Bwbn {
 
  private:
   static constexpr double pieces_to_the_peak = 50.0;
-  static constexpr double end_of_curve = 1.0 - 1e-12;  // about as far as the flow counts time
+  static constexpr double end_of_curve = 1.0 - 1e-12;  // about the largest u for which the flow still counts time
 
   template <class T>
   static void advance(Params<T> const& p, State<T>& state, double towards, double way) {
     T const direction(towards), length(way), half(0.5 * way), one(1.0), none(0.0), z = direction * state.z;
     T const work = max(state.e + half * state.share * z, none);
     T const zu = state.strength * exp2(-log2(one + p.dnu * work) / p.n), pace = p.A / zu;
-    // A strength that falls leaves z above it, from where it comes down as exp(-n t): 1 - u^n next to u = 1.
+    // A falling strength leaves z above itself. From there z - zu decays as exp(-n t), the solution of u' = 1 - u^n
+    // near u = 1.
     T const inside = min(z / zu, T(end_of_curve)), beyond = z / zu - inside;
     T const begin = state.flow.time_at(inside);
-    // Of the place on the curve, per travel, at z and e.
+    // How fast the place on the curve advances per travel, at z and e.
     auto const speed = [&](T const& at, T const& e) -> T {
       T const done = max(e, none), z1 = p.zs * (one - exp(-p.p * done));
       T const z2 = (p.psi + p.dpsi * done) * (p.lambda + z1);

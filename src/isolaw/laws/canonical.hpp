@@ -1,6 +1,6 @@
-// Hysteretic laws as analysis programs know them: plain numbers, in the law's own units. A law that is one of them for
-// some or all of its parameters says so in its file, as canonical(params); how a program takes the numbers is told in
-// programs/.
+// Hysteretic laws as analysis programs know them: plain numbers, in the law's own units. A law that equals one of them,
+// for some or all of its parameters, returns it from canonical(params) in its file; programs/ maps the numbers to a
+// program's arguments.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace isolaw::laws {
 
-// F = K2 x + z, z elastic-perfectly plastic of stiffness K1 - K2, which yields at the displacement uy.
+// F = K2 x + z, where z is elastic-perfectly plastic with the stiffness K1 - K2 and yields at the displacement uy.
 struct BilinearForm {
   double K1, K2, uy;
 };
@@ -21,13 +21,13 @@ struct BoucWenForm {
   double z_max() const { return std::pow(beta + gamma, -1.0 / n); }  // the yield displacement
 };
 
-// F = b E x + (1 - b) z, the branches of Menegotto and Pinto between reversals; sharpness R0, less by cR1 and cR2.
+// F = b E x + (1 - b) z with the branches of Menegotto and Pinto between reversals. cR1 and cR2 lower the sharpness R0.
 struct MenegottoPintoForm {
   double E, Fy, b, R0, cR1, cR2;
 };
 
-// F approaches Kb x + f0 + beta1 (exp(beta2 x) - 1), with -f0 in unloading, as exp(-alpha |dx|); `sigmoid` is the size
-// of what the curve has besides.
+// F approaches Kb x + f0 + beta1 (exp(beta2 x) - 1), with -f0 in unloading, as exp(-alpha |dx|). `sigmoid` is the size
+// of the curve's further, sigmoidal term.
 struct LimitCurve {
   double Kb, f0, alpha, beta1, beta2, sigmoid;
 };
@@ -35,7 +35,7 @@ struct LimitCurvesForm {
   LimitCurve loading, unloading;
 };
 
-// None of them; what the law has that they lack, or nothing said.
+// The law is none of these forms. `lacking` names the part of it that they lack, or is empty.
 struct NoForm {
   std::string_view lacking = {};
 };

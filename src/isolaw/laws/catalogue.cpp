@@ -15,7 +15,7 @@
 namespace isolaw::laws {
 namespace {
 
-// The parameters that stand in the text as words of their own.
+// Indices of the parameters whose names stand in the text as whole words.
 std::vector<std::size_t> named_in(std::string_view text, std::vector<ParameterInfo> const& parameters) {
   auto const padded = fmt::format(" {} ", text);
   std::vector<std::size_t> named;
@@ -38,28 +38,28 @@ std::vector<JointLimitEntry> joint_limits(std::vector<ParameterInfo> const& para
 
 template <class Law>
 LawEntry entry() {
-  LawEntry made{.info = Law::info, .index = 0, .parameters = {}, .evaluate = nullptr};
+  LawEntry law{.info = Law::info, .index = 0, .parameters = {}, .evaluate = nullptr};
   if constexpr (requires(ParamsOf<Law, double> const& p) { Law::reduced(p); }) {
-    made.redundant = Law::redundant;
-    made.redundant_with.assign(Law::redundant_with.begin(), Law::redundant_with.end());
-    made.redundant_value = Law::redundant_value;
-    made.reduce = [](std::span<double> parameters) {
+    law.redundant = Law::redundant;
+    law.redundant_with.assign(Law::redundant_with.begin(), Law::redundant_with.end());
+    law.redundant_value = Law::redundant_value;
+    law.reduce = [](std::span<double> parameters) {
       auto const p = Law::reduced(unpack<Law, double>(parameters));
       for (std::size_t i = 0; i < parameters.size(); ++i) parameters[i] = p.*members<Law, double>[i];
     };
   }
-  for (auto const& row : Law::template rows<double>) made.parameters.push_back(row.info);
+  for (auto const& row : Law::template rows<double>) law.parameters.push_back(row.info);
   if constexpr (requires { Law::joint_limits; })
-    made.joint_limits = joint_limits<Law>(made.parameters, std::make_index_sequence<Law::joint_limits.size()>());
-  made.canonical = [](std::span<double const> parameters) -> Canonical {
+    law.joint_limits = joint_limits<Law>(law.parameters, std::make_index_sequence<Law::joint_limits.size()>());
+  law.canonical = [](std::span<double const> parameters) -> Canonical {
     if constexpr (requires { Law::canonical(unpack<Law, double>(parameters)); })
       return Law::canonical(unpack<Law, double>(parameters));
     return NoForm{};
   };
-  made.evaluate = [](std::span<double const> parameters, Path const& path, Integration integration,
-                     std::span<double> force) {
-    // A law may have a limit there (no yielding for an infinite yield displacement) or not meet the parameter on this
-    // path: either way a force would come out that nobody asked for.
+  law.evaluate = [](std::span<double const> parameters, Path const& path, Integration integration,
+                    std::span<double> force) {
+    // With an infinite parameter a law may still give a finite force, for example its limit of no yielding for an
+    // infinite yield displacement, or may never use it on this path. Neither is an answer.
     if (!std::ranges::all_of(parameters, [](double value) { return std::isfinite(value); })) {
       std::ranges::fill(force, std::numeric_limits<double>::quiet_NaN());
       return;
@@ -67,7 +67,7 @@ LawEntry entry() {
     run<Law, double>(unpack<Law, double>(parameters), path, integration,
                      [&](std::size_t i, double value) { force[i] = value; });
   };
-  return made;
+  return law;
 }
 
 }  // namespace
@@ -95,12 +95,12 @@ std::string_view memory_of(LawInfo const& law) {
 
 std::span<LawEntry const> catalogue() {
   static std::vector<LawEntry> const all = [] {
-    std::vector<LawEntry> made;
+    std::vector<LawEntry> entries;
     for_each_law([&]<class Law>() {
-      made.push_back(entry<Law>());
-      made.back().index = made.size() - 1;
+      entries.push_back(entry<Law>());
+      entries.back().index = entries.size() - 1;
     });
-    return made;
+    return entries;
   }();
   return all;
 }

@@ -1,4 +1,5 @@
-// The laws by name, for everything that is decided while running: command line, campaign, reports.
+// The laws by name, with their types erased, for everything that is decided at run time: command line, campaign,
+// reports.
 #pragma once
 
 #include <optional>
@@ -15,7 +16,7 @@ namespace isolaw::laws {
 
 struct JointLimitEntry {
   std::string_view statement;
-  std::vector<std::size_t> parameters;  // those that it names
+  std::vector<std::size_t> parameters;  // indices of the parameters that the statement names
   bool (*holds)(std::span<double const> parameters);
 };
 
@@ -23,15 +24,16 @@ struct LawEntry {
   LawInfo info;
   std::size_t index = 0;  // in the catalogue
   std::vector<ParameterInfo> parameters;
-  // Force [law's unit] at every sample of the path into `force` (path.samples() values). `parameters` in order.
-  // Values that overflow come out infinite or NaN, and so do all for a parameter that is not finite; nothing is thrown.
+  // Writes the force [law's unit] at each of path.samples() samples into `force`, for `parameters` in the law's order
+  // and units. A force that overflows is infinite or NaN; a parameter that is not finite makes all NaN. Throws nothing.
   void (*evaluate)(std::span<double const> parameters, Path const& path, Integration integration,
                    std::span<double> force);
 
-  // The law as analysis programs know it, its parameters in its own units.
+  // The law as analysis programs know it, for parameters in the law's order and units.
   Canonical (*canonical)(std::span<double const> parameters) = nullptr;
 
-  // What parameters must meet together, and the first of it that these do not: "K1 = 1, K2 = 2" with the statement.
+  // Conditions between several parameters. unmet() gives the first one that `parameters` break, for example found "K1 =
+  // 1, K2 = 2" and statement "K1 >= K2"; nullopt where they keep all.
   std::vector<JointLimitEntry> joint_limits = {};
   struct Unmet {
     std::string found;
@@ -39,34 +41,33 @@ struct LawEntry {
   };
   std::optional<Unmet> unmet(std::span<double const> parameters) const;
 
-  // Where parameters are redundant by the law's form: the name of the one that can be fixed without loss, those it
-  // trades off with, and the change to parameters of the same forces in which it has its fixed value. Empty and null
-  // elsewhere.
+  // For a law with a redundant parameter: its name, the parameters that it trades off with, and the value it is fixed
+  // at. `reduce` changes parameters in place to those of the same forces with that value. Empty and null elsewhere.
   std::string_view redundant = {};
   std::vector<std::string_view> redundant_with = {};
   double redundant_value = 0.0;
   void (*reduce)(std::span<double> parameters) = nullptr;
 
-  // Index of a parameter; throws Error that lists the law's parameters.
+  // Index of the parameter of this name. Throws an Error that lists the law's parameters.
   std::size_t index_of(std::string_view parameter) const;
 };
 
 std::span<LawEntry const> catalogue();
 
-// The words for several laws: the least of them that has a law is its own.
+// Words that name several laws at once. The sets nest: "all" holds "usual", which holds "paper".
 inline constexpr std::pair<std::string_view, LawSet> law_sets[]{
     {"paper", LawSet::paper}, {"usual", LawSet::usual}, {"all", LawSet::further}};
 inline std::string_view name(LawSet set) {
   return law_sets[static_cast<std::size_t>(set)].first;
 }
 
-// What a law remembers of its path, in words.
+// Says in words what a law remembers of its path, for example "turning points".
 std::string_view memory_of(LawInfo const& law);
 
-// Throws Error that lists the laws.
+// The law of this id. Throws an Error that lists the laws.
 LawEntry const& find_law(std::string_view id);
 
-// Its name among people; the id itself of a law that is not there.
+// The law's name for people, for example "Bouc-Wen" for "bouc-wen"; the id itself where no law has it.
 std::string_view called(std::string_view id);
 
 }  // namespace isolaw::laws

@@ -1,10 +1,10 @@
-// Gallardo: an elastic part that softens with the way of each side, and Bouc-Wen's hysteresis, whose strength each
-// branch takes from the turn before it.
+// Gallardo: an elastic part that softens with the travel on each side, and Bouc-Wen's hysteresis, where the turn before
+// a branch sets that branch's strength.
 // Source: Gallardo, de la Llera, Restrepo and Chen 2023, with the authors' programs; docs/laws.md. Strain there is x
 // over the height of the rubber, here x over 100 mm; uy is a displacement. Units kN, mm.  Step: exact. The states of
-// the elastic part are the displacement's alone (Memory). Between turns z runs along one curve for z dx < 0 and along
-// another for z dx > 0, each of one shape whatever phi: both are one flow's (saturating_flow.hpp), at their
-// own scales.
+// the elastic part depend on the displacement alone (Memory). Between turns z runs along one curve while z dx < 0 and
+// along another while z dx > 0. The shape of each does not depend on phi, so both are parts of one flow
+// (saturating_flow.hpp), each at its own scale.
 #pragma once
 
 #include "isolaw/laws/canonical.hpp"
@@ -15,13 +15,13 @@
 
 namespace isolaw::laws {
 
-// The coefficient of (x/100 mm)^power of a force that is the effective stiffness' at the largest displacement.
+// The coefficient of (x/100 mm)^power that gives stiffness times displacement at the largest displacement.
 template <int power>
 double coefficient_at_reference(RecordScales const& s) {
   return s.stiffness * reference_mm * std::pow(reference_mm / s.disp, power - 1);
 }
 
-// Of (x/100 mm)^p, p about 1/2, in an exponent.
+// The rate f for which f (x/100 mm)^p, with p about 1/2, is 1 at the largest displacement.
 inline double rate_at_reference(RecordScales const& s) {
   return std::sqrt(reference_mm / s.disp);
 }
@@ -42,7 +42,7 @@ struct Gallardo {
           "uy dz/dx = 1 - |z|^n (B s + 1 - B - phi (1 + s)),   s = sgn(z dx)\n"
           "phi = phimax (1 - exp(-pphi |xt - uy| / uy)) from where z passes 0, xt the last turn before; 0 until then",
       .note =
-          "Made for high damping rubber bearings. The published programs depend on the step, by .1 % of the peak force at a hundred steps a leg; this is what they tend to. One of them has the sign of a2 turned. A turn's |xt - uy| is as published: mirrored motions differ, most after turns within a few yield displacements. a2, whose k2 fades within the first motion, fs2, ps2 and B are fixed unless they are freed: all 17 may be. Where a record softens as a power of its amplitude, a1 and fs1 grow together as ps1 falls, and the box ends it. Beyond the tests the first push to a new amplitude grows with x^5: fitted to a bearing's 152 mm and 264 kN, it is 665 kN at twice and 3900 kN at five times that, where settled loops have 463 and 817 kN.",
+          "Made for high damping rubber bearings. The forces of the published programs depend on the step, by 0.1 % of the peak force at a hundred steps a leg; this law is their limit for small steps. One of the programs has the opposite sign of a2. |xt - uy| at a turn is as published: it makes mirrored motions differ, most after turns within a few yield displacements. a2 (whose k2 fades within the first motion), fs2, ps2 and B are fixed unless freed; all 17 parameters can be freed. On a record that softens as a power of its amplitude, a1 and fs1 grow together as ps1 falls, until the search box stops them. Beyond the tests the first push to a new amplitude grows with x^5: fitted to a bearing's 152 mm and 264 kN, the law gives 665 kN at twice and 3900 kN at five times that displacement, and 463 and 817 kN in settled loops.",
       .step_cost = 451};
 
   template <class T>
@@ -54,37 +54,37 @@ struct Gallardo {
   static constexpr auto rows = std::to_array<Row<T, Params<T>>>({
       {&Params<T>::a1, parameter("a1", "kN", "elastic force linear in x, at 100 mm", any_value, std::nullopt,
                                  {0.3, 15.0, coefficient_at_reference<1>}, Scale::logarithmic)},
-      {&Params<T>::a2, parameter("a2", "kN", "elastic force cubic in x, at 100 mm, taken off", any_value, std::nullopt,
-                                 {0.0, 5.0, coefficient_at_reference<3>}, Scale::linear, 0.0)},
+      {&Params<T>::a2, parameter("a2", "kN", "elastic force cubic in x, at 100 mm; it is subtracted", any_value,
+                                 std::nullopt, {0.0, 5.0, coefficient_at_reference<3>}, Scale::linear, 0.0)},
       {&Params<T>::a3, parameter("a3", "kN", "elastic force of the fifth power of x, at 100 mm", any_value,
                                  std::nullopt, {0.05, 500.0, coefficient_at_reference<5>}, Scale::logarithmic)},
-      {&Params<T>::fs1, parameter("fs1", "1", "softening of all of it with G", not_negative, std::nullopt,
+      {&Params<T>::fs1, parameter("fs1", "1", "softening of the whole elastic force with G", not_negative, std::nullopt,
                                   {0.05, 5.0, rate_at_reference}, Scale::logarithmic)},
-      {&Params<T>::ps1, parameter("ps1", "1", "exponent of that softening", positive, std::nullopt, {0.05, 1.5, one})},
+      {&Params<T>::ps1, parameter("ps1", "1", "exponent of fs1's softening", positive, std::nullopt, {0.05, 1.5, one})},
       {&Params<T>::fs2, parameter("fs2", "1", "further softening of the cubic part with G", not_negative, std::nullopt,
                                   {10.0, 40.0, rate_at_reference}, Scale::linear, 20.0)},
-      {&Params<T>::ps2, parameter("ps2", "1", "exponent of that softening", positive, std::nullopt, {0.1, 1.0, one},
+      {&Params<T>::ps2, parameter("ps2", "1", "exponent of fs2's softening", positive, std::nullopt, {0.1, 1.0, one},
                                   Scale::linear, 0.3)},
       {&Params<T>::fs3, parameter("fs3", "1", "further softening of the fifth power with G", not_negative, std::nullopt,
                                   {0.1, 10.0, rate_at_reference}, Scale::logarithmic)},
-      {&Params<T>::ps3, parameter("ps3", "1", "exponent of that softening", positive, std::nullopt, {0.05, 1.5, one})},
+      {&Params<T>::ps3, parameter("ps3", "1", "exponent of fs3's softening", positive, std::nullopt, {0.05, 1.5, one})},
       {&Params<T>::fm, parameter("fm", "1", "softening of the linear part with C", not_negative, std::nullopt,
                                  {0.005, 1.0, rate_at_reference}, Scale::logarithmic)},
-      {&Params<T>::pm, parameter("pm", "1", "exponent of that softening", positive, std::nullopt, {0.05, 1.5, one})},
+      {&Params<T>::pm, parameter("pm", "1", "exponent of fm's softening", positive, std::nullopt, {0.05, 1.5, one})},
       {&Params<T>::uy,
        parameter("uy", "mm", "yield displacement", positive, std::nullopt, {0.002, 0.2, disp}, Scale::logarithmic)},
       {&Params<T>::fy,
        parameter("fy", "kN", "hysteretic force at z = 1", not_negative, std::nullopt, {0.05, 2.0, strength})},
-      {&Params<T>::B, parameter("B", "1", "shape of the loop: unloading is stiffer than the first slope above 1/2",
+      {&Params<T>::B, parameter("B", "1", "shape of the loop: above 1/2 unloading is stiffer than the first slope",
                                 positive, std::nullopt, {0.6, 1.0, one}, Scale::linear, 1.0)},
       {&Params<T>::n, parameter("n", "1", "sharpness of yielding", positive, std::nullopt, {0.15, 1.0, one})},
       {&Params<T>::phimax,
        parameter("phimax", "1", "largest temporary hardening", Interval{0.0, 0.49}, std::nullopt, {0.0, 0.3, one})},
-      {&Params<T>::pphi, parameter("pphi", "1", "its growth with the turn before, in yield displacements", not_negative,
-                                   std::nullopt, {0.001, 0.2, one}, Scale::logarithmic)},
+      {&Params<T>::pphi, parameter("pphi", "1", "growth of the hardening with the last turn, in yield displacements",
+                                   not_negative, std::nullopt, {0.001, 0.2, one}, Scale::logarithmic)},
   });
 
-  // Unloading from the strongest branch would come to rest.
+  // Otherwise unloading from the strongest branch would come to rest before z passes 0.
   static constexpr std::array joint_limits{
       JointLimit<Params<double>>{"B > phimax", [](Params<double> const& p) { return p.B > p.phimax; }}};
 
@@ -92,7 +92,7 @@ struct Gallardo {
     return NoForm{"elastic part that softens with the way, nor its strength that each turn sets"};
   }
 
-  // What multiplies g, g^3, g^5 on one side; km besides on g.
+  // The factors of g, g^3 and g^5 on one side. km also multiplies the term of g.
   template <class T>
   struct Side {
     T linear, cubic, quintic, km = T(1.0);
@@ -103,12 +103,11 @@ struct Gallardo {
     std::array<Side<T>, 2> sides;
     T z = T(0.0);
     T per_uy;
-    // z, taken positive in the direction of motion, is strongest times the flow's u before it passes 0, and ahead times
-    // it after.
-    T strongest;                    // of all branches
+    // With the flow's u, z along the direction of motion is strongest u before it passes 0, and ahead u after.
+    T strongest;                    // the largest strength that any branch can have
     T here = T(1.0);                // strength of the branch that z was on at the last turn
-    T ahead = T(1.0);               // of the one that it is on once it has passed 0
-    T from = T(0.0), way = T(0.0);  // travel past that point at the last turn and now, in yield displacements
+    T ahead = T(1.0);               // strength of the branch that z is on once it has passed 0
+    T from = T(0.0), way = T(0.0);  // travel past z = 0 at the last turn and now, in yield displacements
     double turn_x = 0.0;
     T zero;  // the flow's time at u = 0
     SaturatingFlow<T> flow;
@@ -137,19 +136,19 @@ struct Gallardo {
   }
 
  private:
-  // Where dz/dx is 0.
+  // The z at which dz/dx is 0.
   template <class T>
   static T strength_at(Params<T> const& p, T const& phi) {
     return exp2(-log2(T(1.0) - T(2.0) * phi) / p.n);
   }
 
-  // At x, to go on in `direction`.
+  // The motion turns at x and goes on in `direction`.
   template <class T>
   static void turn(Params<T> const& p, State<T>& state, double x, double direction) {
     T const none(0.0), z = T(direction) * state.z;
     state.here = select(state.way > none, state.ahead, state.here);
     T const phi = p.phimax * (T(1.0) - exp(-p.pphi * abs(T(x) - p.uy) * state.per_uy));
-    // Turning back before it passed 0 leaves z on its branch.
+    // A turn before z has passed 0 leaves it on its branch.
     state.ahead = select(z > none, state.here, strength_at(p, phi));
     T const scale = select(z > none, state.here, state.strongest);
     state.from = scale * (state.flow.time_at(z / scale) - state.zero);

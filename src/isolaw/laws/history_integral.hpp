@@ -1,9 +1,8 @@
-// Deformation-history integral: a force that remembers the motion over a length, and an elastic one that the amplitude
-// softens. The integral of the motion with exponentially fading weights, q(L) = int exp(-(L - l)/D) dx(l) / D over the
-// way l gone, is q' = (dx - q |dx|)/D.
+// Deformation-history integral: a force that remembers the motion over a length, and an elastic force that softens with
+// the amplitude. The integral of the motion with exponentially fading weights, q(L) = int exp(-(L - l)/D) dx(l) / D
+// over the travel l so far, obeys dq = (dx - q |dx|)/D.
 // Source: Masaki et al., Kasai et al. for high damping rubber; the link of that name in commercial programs sums such
-// terms.
-// Units kN, mm. Step: exact along a straight path.
+// terms. Units kN, mm. Step: exact along a straight path.
 #pragma once
 
 #include "isolaw/laws/canonical.hpp"
@@ -26,7 +25,7 @@ struct HistoryIntegral {
           "F = K (M/100)^(g-1) x/100 + S ((1 - s) q1 + s q2),   M the largest |x| so far\n"
           "dq1 = (dx - q1 |dx|)/D,   dq2 = (dx - q2 |dx|)/(u D)",
       .note =
-          "Made for high damping rubber. How its programs soften it with amplitude is not published: the elastic force here is that of power-masing. One memory: s fixed at 0, then u says nothing; with g = 1 as well it is vaiana with straight limit curves, which programs have. The strength S does not grow with amplitude: at 2 and 5 times the tested one the hysteretic force is what it was, the elastic one 2^g and 5^g times. The force relaxes under tremor, which the dead band keeps out.",
+          "Made for high damping rubber. Commercial programs do not publish how they soften it with amplitude: the elastic force here is that of power-masing. For a single memory fix s at 0; u then has no effect. With g = 1 as well the law is vaiana with straight limit curves, which analysis programs have. The strength S does not grow with amplitude: at 2 and 5 times the tested amplitude the hysteretic force stays the same, while the elastic force is 2^g and 5^g times as large. Tremor relaxes the force; the dead band keeps tremor out.",
       .step_cost = 125};
 
   template <class T>
@@ -38,16 +37,16 @@ struct HistoryIntegral {
   static constexpr auto rows = std::to_array<Row<T, Params<T>>>({
       {&Params<T>::K,
        parameter("K", "kN", "elastic force at 100 mm", any_value, std::nullopt, {0.0, 1.5, force_at_reference})},
-      {&Params<T>::g,
-       parameter("g", "1", "exponent of its softening with amplitude", positive, std::nullopt, {0.05, 1.0, one})},
-      {&Params<T>::S, parameter("S", "kN", "strength, of both memories together", not_negative, std::nullopt,
+      {&Params<T>::g, parameter("g", "1", "exponent of the elastic force's softening with amplitude", positive,
+                                std::nullopt, {0.05, 1.0, one})},
+      {&Params<T>::S, parameter("S", "kN", "strength of both memories together", not_negative, std::nullopt,
                                 {0.3, 5.0, strength}, Scale::logarithmic)},
       {&Params<T>::D, parameter("D", "mm", "length of the slow memory", positive, std::nullopt, {0.01, 1.0, disp},
                                 Scale::logarithmic)},
       {&Params<T>::s,
        parameter("s", "1", "share of the quick memory", Interval{0.0, 1.0}, std::nullopt, {0.0, 0.8, one})},
-      {&Params<T>::u, parameter("u", "1", "length of the quick memory in that of the slow one", positive, std::nullopt,
-                                {0.005, 0.5, one}, Scale::logarithmic)},
+      {&Params<T>::u, parameter("u", "1", "length of the quick memory over that of the slow one", positive,
+                                std::nullopt, {0.005, 0.5, one}, Scale::logarithmic)},
   });
 
   static Canonical canonical(Params<double> const&) {
@@ -57,7 +56,7 @@ struct HistoryIntegral {
   template <class T>
   struct State {
     T slow = T(0.0), quick = T(0.0);          // q1, q2
-    T per_slow = T(0.0), per_quick = T(0.0);  // 1 / D and 1 / (u D), in powers of two
+    T per_slow = T(0.0), per_quick = T(0.0);  // log2(e) / D and log2(e) / (u D)
     T elastic = T(0.0);                       // K (M/100)^(g-1) / 100
   };
 
@@ -72,7 +71,7 @@ struct HistoryIntegral {
 
   template <class T>
   static T step(Params<T> const& p, State<T>& state, Step const& step, Memory const& memory) {
-    // The first sample is a motion from 0, which the step does not have.
+    // The first sample counts as a motion from 0. The step has no length there, but its memory has.
     double const way = memory.inside + (memory.peak - memory.peak0);
     if (way > 0.0) {
       T const towards(memory.direction), length(way);

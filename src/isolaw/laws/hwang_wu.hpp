@@ -1,11 +1,11 @@
-// Hwang-Wu: non-linear spring and dashpot that degrade with the work done on the device.
-// Source: Cucuzza et al. 2025, Eqs. (22)-(24), after Hwang et al. 2002. Units N, cm, s: Tables 4 and A.5 print none,
-// and only these give the stiffness and force of the other laws. Step: dW = F(x, v, W) dx by classical Runge-Kutta
-// steps, displacement and velocity linear between the samples; the same for both kinds of integration. At 200 samples
-// per cycle the error is 3e-7 of the peak force with the published means; it grows where a9 or a10 times the work of
-// one sample exceeds 1. Where damping or stiffness is negative somewhere up to the peak (the automatic box allows it),
-// the device may give out more work than it took in, and the exponentials of a negative W run away: no bounded force,
-// rejected.
+// Hwang-Wu: a non-linear spring and dashpot that degrade with the work done on the device.
+// Source: Cucuzza et al. 2025, Eqs. (22)-(24), after Hwang et al. 2002. Units N, cm, s: Tables 4 and A.5 print no
+// units, and only these give the stiffness and force of the other laws. Step: dW = F(x, v, W) dx by classical
+// Runge-Kutta steps, with displacement and velocity linear between the samples, for both kinds of integration. At 200
+// samples per cycle the error is 3e-7 of the peak force with the published means; it grows where a9 or a10 times the
+// work of one sample exceeds 1. The automatic box allows damping or stiffness to be negative somewhere up to the peak.
+// The device may then give out more work than it took in, and the exponentials of a negative W run away: such
+// candidates have no bounded force and are rejected.
 #pragma once
 
 #include "isolaw/laws/law.hpp"
@@ -28,7 +28,7 @@ struct HwangWu {
           "K = a1 + a2 x^2 + a3 x^4 + a4 exp(a9 W) / cosh^2(a5 v)\n"
           "C = (a6 + a7 x^2) / sqrt(a8^2 + v^2) (1 + exp(a10 W))",
       .note =
-          "W is all the work done since the start, elastic part included, in N cm; the authors' unit of W is open. The upper bound of a1 is lost in Table 4; 6e3 N/cm is used.",
+          "W is all the work done since the start, including the elastic part, in N cm; the paper gives no unit of W. The upper bound of a1 is illegible in Table 4; 6e3 N/cm is used.",
       .set = LawSet::paper,
       .step_cost = 870};
 
@@ -47,7 +47,7 @@ struct HwangWu {
                                  {-1.5, 1.5, stiffness_per_disp4})},
       {&Params<T>::a4, parameter("a4", "N/cm", "stiffness lost with work and velocity", any_value,
                                  Interval{20.75, 90.0}, {0.0, 2.0, stiffness})},
-      {&Params<T>::a5, parameter("a5", "s/cm", "its decay with velocity", not_negative, Interval{1e-3, 0.9},
+      {&Params<T>::a5, parameter("a5", "s/cm", "decay of a4 with velocity", not_negative, Interval{1e-3, 0.9},
                                  {0.05, 100.0, per_velocity}, Scale::logarithmic)},
       {&Params<T>::a6, parameter("a6", "N", "damping force", any_value, Interval{1e4, 1.5e5}, {0.0, 4.0, strength})},
       {&Params<T>::a7, parameter("a7", "N/cm^2", "damping growing with x^2", any_value, Interval{1.0, 8.0},
@@ -60,7 +60,7 @@ struct HwangWu {
                                   Interval{-2.925e-5, 0.0}, {-300.0, -1e-3, per_work}, Scale::logarithmic)},
   });
 
-  // What multiplies the two exponentials of the work, at one point of the path.
+  // The force of one point of the path, in the terms that the two exponentials of the work multiply.
   template <class T>
   struct Coefficients {
     T elastic = T(0.0);    // (a1 + a2 x^2 + a3 x^4) x
@@ -71,7 +71,7 @@ struct HwangWu {
   template <class T>
   struct State {
     T W = T(0.0);
-    T decay9 = T(0.0), decay10 = T(0.0);  // a9 and a10 in powers of two
+    T decay9 = T(0.0), decay10 = T(0.0);  // a9 and a10 times log2(e), for exp2
     Coefficients<T> now;
   };
 
@@ -103,7 +103,7 @@ struct HwangWu {
     Coefficients<T> c;
     c.elastic = rounded((p.a1 + x2 * (p.a2 + x2 * p.a3)) * x);
     c.softening = p.a4 * x * sech_squared(p.a5 * v);
-    // At rest nothing is damped, also for a8 = 0; likewise where the square of the velocity is lost.
+    // At rest, also where v^2 underflows, the damping force is 0, so that a8 = 0 does not give 0 / 0.
     c.damping = at_v * at_v < smallest_square ? T(0.0) : (p.a6 + p.a7 * x2) * v / sqrt(rounded(p.a8 * p.a8) + v * v);
     return c;
   }

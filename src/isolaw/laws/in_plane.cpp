@@ -27,10 +27,10 @@ class CoupledForm final : public InPlane::Form {
 
   std::unique_ptr<Form> copy() const override { return std::make_unique<CoupledForm>(*this); }
   InPlane::Force trial(plane::Vector<double> const& displacement, plane::Vector<double> const&, double dt) override {
-    auto const made = plane::force_and_tangent(Law(), params_, committed_, from_, displacement, dt);
-    trial_ = made.after;
+    auto const step = plane::force_and_tangent(Law(), params_, committed_, from_, displacement, dt);
+    trial_ = step.after;
     to_ = displacement;
-    return {made.force, made.tangent, {}};
+    return {step.force, step.tangent, {}};
   }
   void commit() override {
     committed_ = trial_;
@@ -102,13 +102,13 @@ InPlane InPlane::coupled(std::string_view law, std::span<double const> parameter
                   .advice = "springs, which every law can be"});
   };
   if (auto const why = no_coupled_form(law, parameters)) throw refuse(*why);
-  std::unique_ptr<Form> made;
+  std::unique_ptr<Form> form;
   visit_laws(softening, [&]<class Law>() {
     if (law == Law::info.id)
-      made = std::make_unique<CoupledForm<Law>>(unpack<typename Law::OneDirection, double>(parameters));
+      form = std::make_unique<CoupledForm<Law>>(unpack<typename Law::OneDirection, double>(parameters));
   });
-  if (!made) throw refuse("no peak softens this law");
-  return InPlane(std::move(made));
+  if (!form) throw refuse("no peak softens this law");
+  return InPlane(std::move(form));
 }
 
 InPlane InPlane::springs(Online const& law, int count) {

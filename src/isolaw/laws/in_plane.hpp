@@ -1,4 +1,4 @@
-// A law in two directions by name: coupled, where it has such a form (plane.hpp), or as springs around the circle.
+// A law in two directions, chosen by name: in its coupled form (plane.hpp), or as springs around the circle.
 #pragma once
 
 #include <array>
@@ -16,10 +16,11 @@ namespace isolaw::laws {
 
 enum class Bidirectional { coupled, springs };
 
-// In the law's units and seconds, virgin at the origin; trials from the last committed state. Copies go their own ways.
+// A device that starts virgin at the origin. Displacements and forces are in the law's units, times in seconds. Every
+// trial starts from the last committed state. Copies are independent of one another.
 class InPlane {
  public:
-  // Throws Error for a law, or parameters of it, without a coupled form; by_axis for one that no peak softens.
+  // Throws Error for a law or parameters without a coupled form, and for by_axis with a law that no peak softens.
   static InPlane coupled(std::string_view law, std::span<double const> parameters,
                          plane::Softening softening = plane::Softening::by_distance);
   static InPlane springs(Online const& law, int count = usual_springs);
@@ -41,9 +42,9 @@ class InPlane {
   std::unique_ptr<Form> form_;
 };
 
-// Why a law with these parameters has no coupled form; nullopt where it has one.
+// Says why a law with these parameters has no coupled form; nullopt where it has one.
 std::optional<std::string> no_coupled_form(std::string_view law, std::span<double const> parameters);
-// Whether a peak softens it, so that Softening matters.
+// Whether the peak so far softens the law's force, so that Softening matters for it.
 bool softens_with_the_peak(std::string_view law);
 
 }  // namespace isolaw::laws

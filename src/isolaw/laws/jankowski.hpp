@@ -1,4 +1,4 @@
-// Jankowski: non-linear spring and dashpot in displacement and velocity, no memory.
+// Jankowski: a non-linear spring and dashpot in displacement and velocity, without memory.
 // Source: Cucuzza et al. 2025, Eqs. (2)-(5), after Jankowski 2003; the product x'x' printed in Eq. (3) is read as one
 // x'. Units N, m, s.  Step: algebraic, exact at every sample.
 #pragma once
@@ -22,7 +22,7 @@ struct Jankowski {
           "K = a1 + a2 x^2 + a3 x^4 + a4 / cosh^2(a5 v) + a6 / (cosh(a7 v) cosh(a8 x))\n"
           "C = (a9 + a10 x^2) / sqrt(a11^2 + v^2)",
       .note =
-          "The velocity appears once in F = K x + C v (printed twice in Eq. 3). Without motion the damping force is 0, also for a11 = 0.",
+          "F = K x + C v has the velocity once, although Eq. (3) prints it twice. Without motion the damping force is 0, also for a11 = 0.",
       .set = LawSet::paper,
       .step_cost = 270};
 
@@ -41,13 +41,13 @@ struct Jankowski {
                                  {-1.0, 1.0, stiffness_per_disp4})},
       {&Params<T>::a4,
        parameter("a4", "N/m", "stiffness at rest", any_value, Interval{1e3, 1e5}, {-6.0, 6.0, stiffness})},
-      {&Params<T>::a5, parameter("a5", "s/m", "its decay with velocity", not_negative, Interval{1e3, 1e4},
+      {&Params<T>::a5, parameter("a5", "s/m", "decay of a4 with velocity", not_negative, Interval{1e3, 1e4},
                                  {1.0, 1e4, per_velocity}, Scale::logarithmic)},
       {&Params<T>::a6,
        parameter("a6", "N/m", "stiffness near the origin", any_value, Interval{1e5, 3.5e6}, {-10.0, 20.0, stiffness})},
-      {&Params<T>::a7,
-       parameter("a7", "s/m", "its decay with velocity", not_negative, Interval{0.0, 10.0}, {0.0, 40.0, per_velocity})},
-      {&Params<T>::a8, parameter("a8", "1/m", "its decay with displacement", not_negative, Interval{5.0, 20.0},
+      {&Params<T>::a7, parameter("a7", "s/m", "decay of a6 with velocity", not_negative, Interval{0.0, 10.0},
+                                 {0.0, 40.0, per_velocity})},
+      {&Params<T>::a8, parameter("a8", "1/m", "decay of a6 with displacement", not_negative, Interval{5.0, 20.0},
                                  {0.1, 40.0, per_disp}, Scale::logarithmic)},
       {&Params<T>::a9, parameter("a9", "N", "damping force", any_value, Interval{1e4, 1e5}, {0.0, 4.0, strength})},
       {&Params<T>::a10, parameter("a10", "N/m^2", "damping growing with x^2", any_value, Interval{1e4, 1e5},
@@ -67,15 +67,15 @@ struct Jankowski {
   template <class T>
   static T step(Params<T> const& p, State<T>&, Step const& step) {
     T const x(step.x1), v(step.v1), x2(step.x1 * step.x1);
-    // 1/cosh^2 u = 4 E / (1 + E)^2 and 1/cosh u = 2 e / (1 + e^2) with e = exp(-|u|), E = e^2: nothing overflows. Over
-    // one denominator, since a division costs as much as an exponential.
+    // 1/cosh^2 u = 4 E / (1 + E)^2 and 1/cosh u = 2 e / (1 + e^2) with e = exp(-|u|), E = e^2 cannot overflow. All
+    // terms share one denominator, since a division costs as much as an exponential.
     T const one(1.0), two(2.0);
     T const log2_e_v(num::log2_e * step.v1), log2_e_x(num::log2_e * step.x1);
     T const E5 = exp2(-two * abs(p.a5 * log2_e_v)), e7 = exp2(-abs(p.a7 * log2_e_v)), e8 = exp2(-abs(p.a8 * log2_e_x));
     T const square5 = (one + E5) * (one + E5), product78 = (one + e7 * e7) * (one + e8 * e8);
     T const peaks = T(4.0) * (p.a4 * E5 * product78 + rounded(p.a6 * e7 * e8 * square5)), below = square5 * product78;
     T const polynomial = p.a1 + x2 * (p.a2 + x2 * p.a3);
-    // Also where the square of the velocity is lost, which for a11 = 0 would leave v / 0.
+    // At rest, also where v^2 underflows, there is no damping: for a11 = 0 the quotient would be v / 0.
     if (step.v1 * step.v1 < smallest_square) return (polynomial + peaks / below) * x;
     T const speed = sqrt(rounded(p.a11 * p.a11) + v * v);
     return polynomial * x + (rounded(peaks * x * speed) + (p.a9 + p.a10 * x2) * v * below) / (below * speed);

@@ -1,11 +1,10 @@
-// Kikuchi-Aiken: loops between the peaks so far, with the secant stiffness, the damping and the shape that belong to
-// that amplitude, and inner branches by Masing's rules.
-// Source: Kikuchi and Aiken 1997; docs/laws.md. Units kN, mm. Step: exact; every sample depends on the turning points
-// and the peak of the displacement alone, which the record decides.
-// Departures. The published outer branch ends 2 exp(-2a) - 2 b exp(-2c) of the hysteretic force beside the peak that it
-// leads to (1e-6 to 5e-4 for the published compounds): what is missing is added with (s/2)^8, so that the force is
-// continuous. The cap of a and the strain above which b sets in are one rule, which is what the published compounds
-// have too.
+// Kikuchi-Aiken: loops between the peaks so far, with the secant stiffness, damping and shape of that amplitude, and
+// inner branches by Masing's rules.
+// Source: Kikuchi and Aiken 1997; docs/laws.md. Units kN, mm. Step: exact; every sample depends only on the turning
+// points and the peak of the displacement, which the record decides. Departures: the published outer branch misses the
+// peak that it leads to by 2 exp(-2a) - 2 b exp(-2c) of the hysteretic force (1e-6 to 5e-4 for the published
+// compounds). The missing force is added with (s/2)^8, so that the force is continuous. One rule sets both the cap of a
+// and the strain above which b sets in; this holds for the published compounds too.
 #pragma once
 
 #include <cmath>
@@ -21,14 +20,13 @@ namespace isolaw::laws {
 
 namespace kikuchi_aiken {
 
-// What belongs to the peak: the force there, the equivalent damping ratio, the hysteretic share of the force, and the
+// The functions of the peak: the force there, the equivalent damping ratio, the hysteretic share of the force, and the
 // exponent of the hardening part.
 template <class T>
 struct AtPeak {
   T force, damping, share, exponent;
 };
 
-// The loops for any functions of the peak.
 template <class T>
 class Loops {
  public:
@@ -39,7 +37,8 @@ class Loops {
         c_(c * T(num::log2_e)),
         twice_c2_(T(2.0) * c * c) {}
 
-  // At the end of a step. at_peak(m): AtPeak of the largest |x| so far. Called at every step.
+  // The force at the end of a step. at_peak(m) gives AtPeak of the largest |x| so far. The caller calls this at every
+  // step.
   template <class Functions>
   T force(Step const& step, Memory const& memory, Functions&& at_peak) {
     if (memory.kept != Memory::none) turn(memory.kept, step.x0);
@@ -63,11 +62,11 @@ class Loops {
  private:
   struct Turn {
     double x = 0.0;
-    bool bump = false;  // whether its branch has the term of b
+    bool bump = false;  // whether the branch from here has the term of b
     T force = T(0.0), scale = T(0.0);
   };
 
-  // (1 - exp(-2a))/a: what the exponential branches leave of the parallelogram of the loop.
+  // (1 - exp(-2a))/a: the share of the loop's parallelogram that the exponential branches cut off.
   static T area_left(T const& a) { return (T(1.0) - exp2(T(-2.0 * num::log2_e) * a)) / a; }
 
   void grow(double peak, AtPeak<T> const& now) {
@@ -76,10 +75,10 @@ class Loops {
     half_elastic_ = T(0.5) * (now.force - strength_);
     exponent_ = now.exponent;
     T const wanted = T(1.0) - T(0.5 * std::numbers::pi) * now.damping / now.share;
-    // In this order what is not a number stays so, here or in b.
+    // A NaN stays: max keeps it in its first argument, and b takes it from `wanted`.
     T const area = max(least_area_, wanted);
-    // area a - 1 + exp(-2a) = 0: falling on the root by Newton's rule from above, where the sum is convex. From 1/area
-    // five steps leave the rounding for any area up to 1.
+    // Solves area a - 1 + exp(-2a) = 0. The left side is convex, so Newton's method falls on the root from above. From
+    // 1/area five steps leave only rounding for any area up to 1.
     T a = T(1.0) / area;
     for (int i = 0; i < 5; ++i) {
       T const e = exp2(T(-2.0 * num::log2_e) * a);
@@ -91,7 +90,7 @@ class Loops {
     closing_ = T(2.0) - shape(2.0, true, true);
   }
 
-  // f of a branch that has gone s peaks.
+  // f(s) of a branch that has moved s peaks since its turning point.
   T shape(double s, bool outer, bool bump) const {
     T f = T(2.0) - T(2.0) * exp2(-a_ * T(s));
     if (bump) f = f + b_ * T(s) * exp2(-c_ * T(s));
@@ -100,8 +99,8 @@ class Loops {
     return f + closing_ * T(half4 * half4);
   }
 
-  // An inner branch is scaled to come back to where the one before it began. After a turn on the side of that one, or
-  // after a branch without it, the term of b is left out.
+  // An inner branch is scaled so that it comes back to where the branch before it began. It has no term of b where both
+  // turns are on one side, or where the branch before it has none.
   void turn(std::size_t place, double x) {
     Turn& now = turned_[place];
     now = {.x = x, .bump = true, .force = hysteretic_, .scale = T(1.0)};
@@ -116,9 +115,9 @@ class Loops {
   double peak_ = 0.0;
   T hysteretic_ = T(0.0);
   T strength_ = T(0.0), half_elastic_ = T(0.0), exponent_ = T(0.0);  // u Fm, (1 - u) Fm / 2, n
-  T a_ = T(0.0), b_ = T(0.0), closing_ = T(0.0);                     // a in powers of two
+  T a_ = T(0.0), b_ = T(0.0), closing_ = T(0.0);                     // a_ is a log2(e), for exp2
   std::vector<Turn> turned_;
-  T least_area_ = T(0.0), c_ = T(0.0), twice_c2_ = T(0.0);  // c in powers of two
+  T least_area_ = T(0.0), c_ = T(0.0), twice_c2_ = T(0.0);  // c_ is c log2(e), for exp2
 };
 
 }  // namespace kikuchi_aiken
@@ -141,7 +140,7 @@ struct KikuchiAiken {
           "Fm = G1 (m/100)^(1-p) (1 + s1 (m - xn)),   h = h0 + h1 m, not below 0,   U = u0 + u1 m within 0.05 to 1,\n"
           "n = 1 + n1 (m - xn),   both without m - xn below xn",
       .note =
-          "Made for high damping rubber. In millimetres, so that no height of rubber is needed: published functions of strain are for compounds, theirs are p, h0 and u0, and h1, u1, n1 and s1 times the height. A closed loop dissipates 2 pi h Fm m, to 1 % where a is above 2. b is left out after two turns on one side or after a branch without it. Beyond the tests Fm grows as m^(1-p), with s1 in the end as m^(2-p): at 2 and 5 times the amplitude 2^(1-p) and 5^(1-p) times, or up to 2 and 5 times more, while h, U and n follow straight lines to the ends that are given: five times the fitted amplitude is beyond what these can say, and where h has come to 0 there a new peak may give back more than the way to it took. A known material of this law is elastic below a strain of 0.05 and keeps the values and turning points of rejected trials; here the path alone decides them. A virgin device has no bounded slope at 0 where p is above 0.",
+          "Made for high damping rubber. The functions are of millimetres, so that no height of rubber is needed; a published compound's functions of strain have the same p, h0 and u0, and h1, u1, n1 and s1 times the height. A closed loop dissipates 2 pi h Fm m, to 1 % where a is above 2. b is left out after two turns on one side or after a branch without it. Beyond the tests Fm grows as m^(1-p), with s1 eventually as m^(2-p): at 2 and 5 times the amplitude it is 2^(1-p) and 5^(1-p) times as large, and with s1 up to 2 and 5 times more. h, U and n follow straight lines to their given ends. At five times the fitted amplitude these lines mean little, and where h has fallen to 0 a new peak may give back more work than the way to it took. A known material of this law is elastic below a strain of 0.05 and keeps the values and turning points of rejected trials; here only the path decides them. A virgin device has no bounded slope at 0 where p is above 0.",
       .step_cost = 272};
 
   template <class T>
@@ -157,22 +156,22 @@ struct KikuchiAiken {
                                 std::nullopt, {0.0, 0.7, one})},
       {&Params<T>::h0,
        parameter("h0", "1", "equivalent damping ratio of small loops", not_negative, std::nullopt, {0.08, 0.3, one})},
-      {&Params<T>::h1,
-       parameter("h1", "1/mm", "its change with the peak", any_value, std::nullopt, {-0.07, 0.05, per_disp})},
+      {&Params<T>::h1, parameter("h1", "1/mm", "change of the damping ratio with the peak", any_value, std::nullopt,
+                                 {-0.07, 0.05, per_disp})},
       {&Params<T>::u0, parameter("u0", "1", "hysteretic share of the force of small loops", Interval{0.0, 1.0},
                                  std::nullopt, {0.2, 0.6, one})},
-      {&Params<T>::u1,
-       parameter("u1", "1/mm", "its change with the peak", any_value, std::nullopt, {-0.3, 0.1, per_disp})},
+      {&Params<T>::u1, parameter("u1", "1/mm", "change of the hysteretic share with the peak", any_value, std::nullopt,
+                                 {-0.3, 0.1, per_disp})},
       {&Params<T>::n1, parameter("n1", "1/mm", "growth of the exponent of hardening with the peak", not_negative,
                                  std::nullopt, {0.0, 6.0, per_disp})},
       {&Params<T>::xn,
-       parameter("xn", "mm", "peak above which it and the force grow", not_negative, std::nullopt, {0.1, 0.9, disp})},
+       parameter("xn", "mm", "peak above which n1 and s1 act", not_negative, std::nullopt, {0.1, 0.9, disp})},
       {&Params<T>::s1, parameter("s1", "1/mm", "growth of the force at the peak above xn", not_negative, std::nullopt,
                                  {0.0, 1.0, per_disp})},
-      {&Params<T>::amax, parameter("amax", "1", "steepest exponential of a branch", Interval{1.0, infinity},
+      {&Params<T>::amax, parameter("amax", "1", "largest rate a of the branches' exponential", Interval{1.0, infinity},
                                    std::nullopt, {5.0, 20.0, one}, Scale::linear, 10.19171)},
-      {&Params<T>::c, parameter("c", "1", "decay of the overshoot where amax is not enough", not_negative, std::nullopt,
-                                {2.0, 50.0, one}, Scale::logarithmic)},
+      {&Params<T>::c, parameter("c", "1", "decay of the term b, which acts where a has reached amax", not_negative,
+                                std::nullopt, {2.0, 50.0, one}, Scale::logarithmic)},
   });
 
   static Canonical canonical(Params<double> const&) {

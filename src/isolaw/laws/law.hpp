@@ -1,24 +1,24 @@
-// The contract of a law: what its file says about it, the record as it sees it, and how one is run over a record.
+// The contract of a law: what the law's file declares, the record as the law sees it, and how a law runs over a record.
 //
 // A law is a struct with
-//   info                       LawInfo: id, name, title, source, units, traits, notes on how the source was read
+//   info                       LawInfo: id, name, title, source, units, traits, a note on how the source was read
 //   Params<T>                  its parameters, in the paper's symbols
-//   rows<T>                    one Row per parameter, in the order of reports: member, name, unit, meaning, limits,
-//                              boxes
-//   State<T>                   what it remembers from sample to sample, with constants derived from the parameters
+//   rows<T>                    one Row per parameter, in the order of reports: member, name, unit, meaning, limits, box
+//   State<T>                   its memory from sample to sample, and constants derived from the parameters
 //   start(params, first, how)  the virgin state at the first sample
 //   step(params, state, step)  advances the state over one step of the path, returns the force at its end
-//   or, for a law that reads what the path remembers (traits.remembers), start(params, path) and step(params, state,
-//   step, memory)
-// and, where it has them,
-//   step_paper(...)            the same by one classical Runge-Kutta step, where that differs
-//   crowded                    true: so much in flight that kernels take fewer lanes at once
-//   joint_limits               what parameters must meet together: a JointLimit each
-//   reduced(params)            parameters of the same forces in which `redundant`, which trades off with
-//                              `redundant_with`, has the value `redundant_value`: where one can be fixed without loss
+//   A law that reads the path's Memory (traits.remembers) has start(params, path), step(params, state, step, memory).
+// and, where they apply,
+//   step_paper(...)            the same step by one classical Runge-Kutta step, where that differs
+//   crowded                    true: a step holds so many values at once that kernels take fewer lanes
+//   joint_limits               one JointLimit for each condition between several parameters
+//   reduced(params)            for a law with a parameter that can be fixed without loss: parameters of the same forces
+//                              in which `redundant`, which trades off with `redundant_with`, is `redundant_value`
 //   canonical(params)          the law as analysis programs know it (canonical.hpp)
-// T is double, a derivative number or a batch of candidates. No allocation, exception or container in a step;
-// branching on what the record determines (Step) is free, on a candidate's values it is a select.
+// T is double, a derivative number or a batch of candidates. step() neither allocates nor throws. A law with turning
+// points sizes its stack of them in start(), from Path::deepest. (The forms for motions not known ahead, online.hpp,
+// cannot know that depth: there a turn may grow the stack and a trial copies it, and both allocate.) Branching on the
+// record (Step, Memory) is a plain `if`, branching on a candidate's values is a select.
 #pragma once
 
 #include <array>
@@ -55,14 +55,14 @@ struct Interval {
   double upper = 0.0;
 };
 
-// logarithmic: in log|value|; where the interval holds 0, down to a millionth of its larger end, linear in between.
+// How an interval is searched. logarithmic: in log|value|, but linearly closer to 0 than a millionth of its larger end.
 enum class Scale { linear, logarithmic };
 
-// The size of a record, in the units of the law that asks; boxes of unknown devices are scaled from it.
+// The size of a record, in the law's units. Search boxes of devices of any size are scaled from it.
 struct RecordScales {
   double disp = 0.0;       // largest |displacement|
   double force = 0.0;      // largest |force|
-  double stiffness = 0.0;  // effective, peak to peak
+  double stiffness = 0.0;  // effective stiffness, peak to peak
   double strength = 0.0;   // half the force span at zero displacement (characteristic strength)
   double velocity = 0.0;   // largest |velocity|; 0 without a time channel
   double work = 0.0;       // energy dissipated by the whole record
@@ -80,21 +80,21 @@ struct ParameterInfo {
   std::string_view name;
   std::string_view unit;
   std::string_view meaning;
-  Interval physical;                            // outside: refused
+  Interval physical;                            // a value outside is refused
   std::optional<Interval> published;            // the paper's search box (Table 4), always searched linearly
   ScaledInterval scaled;                        // the search box of a device of any size
   Scale scaled_search = Scale::linear;          // how the scaled box is searched
-  std::optional<double> fixed_by_default = {};  // the value of a parameter that is not calibrated unless freed
-  std::string_view paper_name = {};             // in its tables 4 and A.5, where that is another one
+  std::optional<double> fixed_by_default = {};  // the value of a parameter that is calibrated only where it is freed
+  std::string_view paper_name = {};             // the name in Tables 4 and A.5, where that is another one
 
   constexpr ParameterInfo in_paper(std::string_view other_name) const {
-    ParameterInfo made = *this;
-    made.paper_name = other_name;
-    return made;
+    ParameterInfo renamed = *this;
+    renamed.paper_name = other_name;
+    return renamed;
   }
 };
 
-// The same as a line of a law's table.
+// A ParameterInfo, written as one line of a law's table.
 constexpr ParameterInfo parameter(std::string_view name, std::string_view unit, std::string_view meaning,
                                   Interval physical, std::optional<Interval> published, ScaledInterval scaled,
                                   Scale scaled_search = Scale::linear, std::optional<double> fixed_by_default = {}) {
@@ -107,8 +107,8 @@ struct Row {
   ParameterInfo info;
 };
 
-// What the limits of single parameters cannot say. `statement` names the parameters as words of their own. Moving one
-// of them one way always helps or always harms: a box is outside where its corners are.
+// A condition between several parameters. `statement` has their names as whole words. The condition must be monotonic
+// in each parameter: then no point of a box meets it if no corner does.
 template <class Params>
 struct JointLimit {
   std::string_view statement;  // "K1 >= K2"
@@ -119,33 +119,34 @@ struct Traits {
   bool rate_independent = false;  // the velocity does not matter
   bool odd = false;               // F(-x) = -F(x) for the mirrored history
   bool path_integrated = false;   // a differential law: the integration method matters
-  bool remembers = false;         // its step reads what the path remembers (Memory)
-  bool masing = false;            // branches close where they began, small loops leave nothing behind
-  bool exact_flow = false;        // follows the curve of saturating_flow.hpp; its online form a table of it
+  bool remembers = false;         // its step reads the path's Memory
+  bool masing = false;            // branches close where they began; a small loop leaves no trace once it has closed
+  bool exact_flow = false;  // follows the curve of saturating_flow.hpp; its online form uses a table of that curve
 };
 
-// paper: of Cucuzza et al. 2025. usual: runs besides where nothing is said. further: runs where it is asked for.
+// paper: a law of Cucuzza et al. 2025. usual: runs by default beside those. further: runs only where it is asked for.
 enum class LawSet { paper, usual, further };
 
 struct LawInfo {
-  std::string_view id;     // what is typed, and what files hold
-  std::string_view name;   // what people say: a sentence, a figure
-  std::string_view title;  // what a catalogue says
+  std::string_view id;     // typed by users and stored in files
+  std::string_view name;   // for sentences and figures
+  std::string_view title;  // for the catalogue
   std::string_view source;
   Unit force, length;  // time is always in seconds
   Traits traits;
   std::string_view formula;    // lines of plain text with the parameters' names; x, v and F in the units above
   std::string_view note = "";  // how the source was read where it is incomplete, what the law was made for
   LawSet set = LawSet::further;
-  // One step of one candidate [0.01 ns], as `isolaw bench` measured it once with 512-bit lanes: puts runs in the order of
-  // what they cost where no clock may (campaign/deal.hpp), so that it need not follow the law's code.
+  // Time of one step of one candidate [0.01 ns], as `isolaw bench` measured it once with 512-bit lanes. It orders runs
+  // by cost where no clock may be read (campaign/deal.hpp), so it need not be measured again when the law's code
+  // changes.
   unsigned step_cost = 500;
 };
 
 enum class Integration { converged, paper };
-enum class TurningPoints { as_sampled, interpolated };  // whether the path turns at samples only, or between them too
+enum class TurningPoints { as_sampled, interpolated };  // whether the path turns only at samples, or also between them
 
-// One step of the path, from the sample before to this one, in the law's units. Depends on the record alone.
+// One step of the path, in the law's units. It depends on the record alone.
 struct Step {
   double x0, x1;                    // displacement before and after
   double v0, v1;                    // velocity before and after; 0 for a record without time
@@ -158,55 +159,55 @@ struct Step {
   double log2_abs_x0, log2_abs_x1;  // of |x| clamped to num::smallest_power_base
 };
 
-// What the displacement alone decides for a law that remembers turning points and the travel of each side, at the end
-// of a step (memory.cpp). The side of x is that of its sign. A first sample away from 0 is a motion from 0.
+// The path's memory at the end of a step: turning points, and peak and travel of each side, x >= 0 and x < 0. It
+// depends on the displacement alone (memory.cpp). A first sample away from 0 counts as a motion from 0.
 struct Memory {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::size_t kept = none;    // the step began at a turning point: the force there goes to this place of the stack
-  std::size_t branch = none;  // the turning point that the branch began at; none: on the skeleton
-  double branch_x = 0.0;      // its displacement
+  std::size_t kept = none;  // place of the stack that takes the force of the turning point at the step's begin, if any
+  std::size_t branch = none;  // place of the turning point that the branch began at; none: on the skeleton
+  double branch_x = 0.0;      // displacement of that turning point
   double direction = 0.0;     // +1, -1; 0 before the first motion
   double peak0 = 0.0;         // largest |x| before the step
-  double peak = 0.0;          // and after it
+  double peak = 0.0;          // largest |x| after the step
   double inside = 0.0;        // length of the step within peak0
-  double side_peak = 0.0;     // the same on the side of x
-  double travel = 0.0;        // N of that side: relative to its peak inside it, forgotten as the peak grows
-  double virgin = 1.0;        // (1 + N)^(-1/3)
-  double log2_worn = 0.0;     // log2(1 + N) of both sides together, relative to the largest |x|
-  double pushed = 0.0;        // how far the largest |x| has grown at x > 0, less how far at x < 0
-  double softening = 0.0;  // G of that side: half its way outwards and four times its way back, never beyond side_peak
-  double way_back = 0.0;   // C of that side: its way towards 0
-  double log2_softening = 0.0, log2_way_back = 0.0;  // of the two, clamped to num::smallest_power_base
+  double side_peak = 0.0;  // largest |x| on the side of x after the step; `travel` to `way_back` are of that side too
+  double travel = 0.0;     // N: travel relative to the side's peak, forgotten as that peak grows
+  double virgin = 1.0;     // (1 + N)^(-1/3)
+  double log2_worn = 0.0;  // log2(1 + N) of both sides together, relative to the largest |x|
+  double pushed = 0.0;     // how far the largest |x| has grown at x > 0, less how far at x < 0
+  double softening = 0.0;  // G: half the travel outwards and four times the travel back, never beyond side_peak
+  double way_back = 0.0;   // C: travel towards 0
+  double log2_softening = 0.0, log2_way_back = 0.0;  // of G and C, clamped to num::smallest_power_base
   std::size_t side = 0;                              // 0: x >= 0, 1: x < 0
-  bool softens = false, returns = false;             // G or C are not what they were at the last step that ended there
-  bool peak_grows = false, side_peak_grows = false;  // in this step
+  bool softens = false, returns = false;             // G, C have changed since the last step that ended on this side
+  bool peak_grows = false, side_peak_grows = false;  // whether the peak grows in this step
 };
 
-// The record as a piecewise linear path. The first step has no length: its force is that of the first sample.
+// The record as a piecewise linear path. The first step has no length; its force is that of the first sample.
 struct Path {
   std::vector<Step> steps;
   std::size_t sample_count = 0;
-  std::vector<Memory> memory = {};  // of every step; empty where it was not asked for
-  std::size_t deepest = 0;          // turning points remembered at once
+  std::vector<Memory> memory = {};  // one per step; empty where it was not asked for
+  std::size_t deepest = 0;          // the most turning points that are remembered at once
 
   std::size_t samples() const { return sample_count; }
 };
 
-// x and v in the law's units; v empty for a record without time. Needs at least one sample and refinement >= 1.
-// With `refinement` > 1 every interval is cut into that many equal steps, displacement and velocity interpolated.
+// x and v [samples] in the law's units; v is empty for a record without time. Needs at least one sample and refinement
+// >= 1. Every interval is cut into `refinement` equal steps, with displacement and velocity interpolated linearly.
 Path make_path(std::span<double const> x, std::span<double const> v, int refinement = 1, bool with_memory = true);
 
-// The same through the turning points as well, which lie between the samples: at each reversal the vertex of the
-// parabola through its three samples is inserted, at rest. For smooth records; on a noisy one it follows the noise.
-// `time` of the samples, increasing.
+// The same path, but also through the turning points between the samples: at each reversal it inserts the vertex of the
+// parabola through the three samples there, at rest. For smooth records; on a noisy one it follows the noise. `time`
+// [samples] increases.
 Path make_path_with_turning_points(std::span<double const> x, std::span<double const> v, std::span<double const> time,
                                    int refinement = 1, bool with_memory = true);
 
-// Fills in what the path remembers.
+// Fills in path.memory and path.deepest.
 void remember(Path& path);
 
-// The motion without what stays within `dead_band` to both sides, in the unit of x: after a turn it rests for twice the
-// band and catches up over the next four; elsewhere it is x.
+// The motion without its movements of less than `dead_band` (in the unit of x) to either side: after a turn of x it
+// rests while x moves two bands and catches up over the next four. Elsewhere it equals x.
 std::vector<double> followed(std::span<double const> x, double dead_band);
 
 template <class Law, class T>
@@ -215,13 +216,13 @@ using ParamsOf = typename Law::template Params<T>;
 template <class Law>
 inline constexpr std::size_t parameter_count = Law::template rows<double>.size();
 
-// The members of rows<T> alone: code for batches that held on to the rest would bring along a copy of the functions
-// named there, compiled for its instruction set.
+// Only the members of rows<T>: code for batches that used whole rows would carry a copy of the functions that the rows
+// name, compiled for its instruction set.
 template <class Law, class T>
 inline constexpr auto members = [] {
-  std::array<T ParamsOf<Law, T>::*, parameter_count<Law>> made{};
-  for (std::size_t i = 0; i < made.size(); ++i) made[i] = Law::template rows<T>[i].member;
-  return made;
+  std::array<T ParamsOf<Law, T>::*, parameter_count<Law>> pointers{};
+  for (std::size_t i = 0; i < pointers.size(); ++i) pointers[i] = Law::template rows<T>[i].member;
+  return pointers;
 }();
 
 template <class Law>
@@ -238,7 +239,7 @@ auto first_state(ParamsOf<Law, T> const& params, Path const& path, Integration i
     return Law::template start<T>(params, path.steps.front(), integration);
 }
 
-// Force at every sample of the path: force(i) is called with the sample's index and the force there.
+// Runs the law over the path and calls sink(i, force) for every sample i with the force there, in the law's unit.
 template <class Law, class T, class Sink>
 void run(ParamsOf<Law, T> const& params, Path const& path, Integration integration, Sink&& sink) {
   if (path.steps.empty()) return;

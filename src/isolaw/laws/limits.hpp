@@ -1,4 +1,4 @@
-// Physical limits that parameters share, and the sizes of a record that search boxes are scaled by.
+// Physical limits that many parameters share, and the sizes of a record that search boxes are scaled by.
 #pragma once
 
 #include <limits>
@@ -13,7 +13,7 @@ inline constexpr Interval not_negative{0.0, infinity};
 inline constexpr Interval not_positive{-infinity, 0.0};
 inline constexpr Interval positive{std::numeric_limits<double>::min(), infinity};
 
-// A speed whose square is smaller, 1e-146 in any unit, is rest: the square loses digits, then all of itself.
+// A speed below 1e-146, in any unit, counts as rest: its square would lose digits or underflow.
 inline constexpr double smallest_square = 1e-292;
 
 constexpr double one(RecordScales const&) {

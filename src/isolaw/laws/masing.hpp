@@ -1,5 +1,5 @@
-// Masing's rules: every branch is the skeleton at twice its size, from the turning point that it began at. Which that
-// is the displacement alone decides (Memory).
+// Masing's rules: every branch is the skeleton at twice its size, from the turning point that the branch began at. The
+// displacement alone decides which point that is (Memory).
 // Source: Masing 1926; docs/laws.md.
 #pragma once
 
@@ -15,7 +15,7 @@ class MasingBranches {
   MasingBranches() = default;
   explicit MasingBranches(Path const& path) : turned_(path.deepest, T(0.0)) {}
 
-  // At the end of a step. skeleton(x): the odd curve from the origin. Called at every step.
+  // The force at the end of a step. skeleton(x) is the odd curve from the origin. The caller calls this at every step.
   template <class Skeleton>
   T force(Step const& step, Memory const& memory, Skeleton&& skeleton) {
     if (memory.kept != Memory::none) turned_[memory.kept] = force_;

@@ -1,5 +1,5 @@
-// What a path remembers: turning points by Masing's rules, and of each side its peak and the travel since it grew,
-// what softens it and its way back.
+// Fills in the Memory of a path: turning points by Masing's rules, and for each side its peak, travel, softening and
+// way back.
 // Source: docs/laws.md, power-masing and gallardo.
 #include <algorithm>
 #include <cmath>
@@ -11,14 +11,13 @@
 namespace isolaw::laws {
 namespace {
 
-// Travel is forgotten with this power of the growth of the peak: dN = |dx|/m - 60 N dm/m, so that a first motion has
-// 1/60.
+// As the peak m grows, travel fades with this power of its growth: dN = |dx|/m - 60 N dm/m, so a first motion has 1/60.
 constexpr int forgetting = 60;
 
-// How much faster than x the motion that is followed moves after a turn, until it is x again.
+// Share by which the followed motion is faster than x after a turn, until it equals x again.
 constexpr double catching_up = 0.5;
 
-// What a side keeps of its way outwards and back.
+// Shares of the travel outwards and back that add to the softening G.
 constexpr double softening_outwards = 0.5, softening_back = 4.0;
 
 double travel_as_the_peak_grows(double travel, double from, double to) {
@@ -31,7 +30,7 @@ struct Side {
   double softening = 0.0, way_back = 0.0;
   double reported_softening = 0.0, reported_way_back = 0.0;
 
-  // From 0 or from anywhere on this side to `x` of it, |x0| before.
+  // Moves from x0 to x1, which are both on this side or 0.
   void move(double x0, double x1) {
     double const from = std::abs(x0), to = std::abs(x1);
     if (to > from)
@@ -45,7 +44,7 @@ struct Side {
   }
 
  private:
-  // A run is a motion one way on this side. All is measured from its begin: the number of steps does not matter.
+  // A run is a motion one way on this side. All is measured from its begin, so the number of steps does not matter.
   struct Run {
     bool goes_out = true;
     double at = 0.0, peak = 0.0, softening = 0.0, way_back = 0.0;
@@ -125,7 +124,8 @@ class Walk {
   }
 
  private:
-  // A branch that comes to where the one before it began closes with it; the last one, on the skeleton's other side.
+  // A branch that reaches the begin of the branch before it closes, and so does that one. The last branch closes where
+  // it meets the skeleton, opposite its begin.
   void close(double x) {
     auto const passes = [&](double target) { return direction_ * (x - target) >= 0.0; };
     while (turned_.size() >= 2 && passes(turned_[turned_.size() - 2])) turned_.resize(turned_.size() - 2);
@@ -140,16 +140,16 @@ class Walk {
 }  // namespace
 
 std::vector<double> followed(std::span<double const> x, double dead_band) {
-  std::vector<double> made;
-  made.reserve(x.size());
-  double behind = 0.0, lead = 0.0;  // a point that x pulls along, and how far ahead of it the motion is taken to be
+  std::vector<double> motion;
+  motion.reserve(x.size());
+  double behind = 0.0, lead = 0.0;  // a point that x pulls along, and how far ahead of it the followed motion is
   for (double const to : x) {
     double const before = std::exchange(behind, std::clamp(behind, to - dead_band, to + dead_band));
     double const moved = std::abs(behind - before);
     lead += std::clamp((behind > before ? dead_band : -dead_band) - lead, -catching_up * moved, catching_up * moved);
-    made.push_back(behind + lead);
+    motion.push_back(behind + lead);
   }
-  return made;
+  return motion;
 }
 
 void remember(Path& path) {

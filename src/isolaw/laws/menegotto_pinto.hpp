@@ -1,9 +1,9 @@
 // Menegotto-Pinto: a smooth curve from each reversal, tangent to the elastic line there, to the asymptote of the other
 // side.
-// Source: Menegotto and Pinto 1973 with the R of Filippou et al. 1983, without isotropic hardening. Written here
-// without the intersection (x0, F0): F = b E x + (1 - b) z, where z leaves its value zr at the reversal towards +-Fy, a
-// distance D, as (D^-R + t^-R)^(-1/R) of the elastic travel t = E |x - xr|; then E (x0 - xr) = +-D.  Units kN, mm.
-// Step: exact.
+// Source: Menegotto and Pinto 1973 with the R of Filippou et al. 1983, without isotropic hardening. This file does not
+// use the intersection (x0, F0) but F = b E x + (1 - b) z. From its value zr at the reversal z moves towards +-Fy,
+// which is a distance D away, by (D^-R + t^-R)^(-1/R), where t = E |x - xr| is the elastic travel; then E (x0 - xr) =
+// +-D.  Units kN, mm.  Step: exact.
 #pragma once
 
 #include "isolaw/laws/canonical.hpp"
@@ -26,7 +26,7 @@ struct MenegottoPinto {
           "(xr, Fr) the last reversal, (x0, F0) where its line of slope E meets b E x +- (1 - b) Fy, the side ahead\n"
           "R = R0 (1 - cR1 xi / (cR2 + xi)),   xi = |xm - x0| E / Fy,   xm the farthest reversal ahead, at least +-Fy / E",
       .note =
-          "Without isotropic hardening. A branch knows the last reversal alone: after a small unloading it does not return to the branch that it left, as a real device does, but starts anew from there and overshoots it.",
+          "Without isotropic hardening. A branch knows only the last reversal: after a small unloading it does not return to the branch that it left, as a real device does, but starts anew and overshoots that branch.",
       .step_cost = 360};
 
   template <class T>
@@ -43,9 +43,9 @@ struct MenegottoPinto {
                                 {0.05, 0.3, one})},
       {&Params<T>::R0, parameter("R0", "1", "sharpness of yielding of the first branch", positive, std::nullopt,
                                  {0.5, 20.0, one}, Scale::logarithmic)},
-      {&Params<T>::cR1, parameter("cR1", "1", "share of it that plastic excursions take", Interval{0.0, 1.0},
+      {&Params<T>::cR1, parameter("cR1", "1", "share of R0 that plastic excursions take away", Interval{0.0, 1.0},
                                   std::nullopt, {0.5, 0.99, one}, Scale::linear, 0.925)},
-      {&Params<T>::cR2, parameter("cR2", "1", "excursion, in yield displacements, that takes half of that share",
+      {&Params<T>::cR2, parameter("cR2", "1", "excursion, in yield displacements, that takes away half of cR1",
                                   positive, std::nullopt, {0.05, 0.5, one}, Scale::linear, 0.15)},
   });
 
@@ -54,7 +54,7 @@ struct MenegottoPinto {
   template <class T>
   struct State {
     T z = T(0.0);
-    T top = T(0.0), bottom = T(0.0);                           // E xm to both sides
+    T top = T(0.0), bottom = T(0.0);                           // E xm on either side
     T turn_z = T(0.0), distance = T(0.0), sharpness = T(0.0);  // zr, D and R of the branch
     double turn_x = 0.0;
   };
@@ -70,7 +70,7 @@ struct MenegottoPinto {
     if (step.reversal) turn(p, state, step);
     if (step.length > 0.0) {
       T const travel = p.E * T(step.direction * (step.x1 - state.turn_x));
-      // In this order what is not a number stays so.
+      // min and max return their first argument beside a NaN: a NaN distance stays NaN.
       T const less = min(state.distance, travel), more = max(state.distance, travel);
       T const ratio = less / max(more, T(num::smallest_power_base));
       T const rounding = exp2(-log2(T(1.0) + power(ratio, state.sharpness)) / state.sharpness);

@@ -23,20 +23,20 @@ namespace online_forms {
 namespace {
 
 template <class Law>
-struct Of {};
+struct LawTag {};
 
-// A form looks for the dead band among the parameters.
+// The files of online/ take the dead band from the same struct as the law's parameters.
 template <class Law>
-struct With : ParamsOf<Law, double> {
+struct ParametersWithBand : ParamsOf<Law, double> {
   double dead_band = 0.0;
 };
 
 template <class Law, class State, auto move, auto keep>
-class Held final : public Online::Form {
+class LawForm final : public Online::Form {
  public:
-  Held(std::shared_ptr<Law const> law, int parts) : law_(std::move(law)), parts_(parts) {}
+  LawForm(std::shared_ptr<Law const> law, int parts) : law_(std::move(law)), parts_(parts) {}
 
-  std::unique_ptr<Form> copy() const override { return std::make_unique<Held>(*this); }
+  std::unique_ptr<Form> copy() const override { return std::make_unique<LawForm>(*this); }
   Online::Force trial(double x, double v) override {
     move(*law_, committed_, x, v, parts_, trial_);
     return {trial_.force, trial_.tangent, trial_.damping};
@@ -105,8 +105,8 @@ class Held final : public Online::Form {
 #include "isolaw/laws/online_form.inc"
 
 template <class Law>
-constexpr bool has_form = requires(With<Law> const& parameters) {
-  made(Of<Law>(), parameters, 1);
+constexpr bool has_form = requires(ParametersWithBand<Law> const& parameters) {
+  new_form(LawTag<Law>(), parameters, 1);
 };
 
 }  // namespace
@@ -116,7 +116,7 @@ Online::Online(std::string_view law, std::span<double const> parameters, double 
   for_each_law([&]<class Law>() {
     if constexpr (online_forms::has_form<Law>)
       if (law == Law::info.id)
-        form_ = made(online_forms::Of<Law>(), {unpack<Law, double>(parameters), dead_band}, parts);
+        form_ = new_form(online_forms::LawTag<Law>(), {unpack<Law, double>(parameters), dead_band}, parts);
   });
   if (!form_)
     throw Error({.where = "law " + std::string(law),

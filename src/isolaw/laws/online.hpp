@@ -1,5 +1,5 @@
-// A law where the motion is not known ahead: trials from the last committed state, with tangents. The same forms that
-// exports hold (online/*.inc), compiled into the library; a test holds them to the laws.
+// A law for motions that are not known ahead: trials from the last committed state, with tangents. It compiles the same
+// forms that exports hold (online/*.inc) into the library; a test compares them with the laws.
 #pragma once
 
 #include <memory>
@@ -8,11 +8,11 @@
 
 namespace isolaw::laws {
 
-// In the law's units and seconds, virgin at 0. Copies go their own ways and share what does not change.
+// A device that starts virgin at 0, in the law's units and seconds. Copies are independent of one another.
 class Online {
  public:
-  // Parameters in the order of the catalogue. `dead_band`: of the record that a law which remembers was fitted to.
-  // Every trial is computed in `parts` equal ones. Throws Error for a law that has no such form.
+  // `parameters` in the law's order; `dead_band` [law's length] of the record that a law with memory was fitted to; a
+  // trial takes `parts` equal steps. Throws Error for a law without a form in online/.
   Online(std::string_view law, std::span<double const> parameters, double dead_band = 0.0, int parts = 1);
   ~Online();
   Online(Online const& other);
@@ -21,12 +21,12 @@ class Online {
   Online& operator=(Online&&) noexcept;
 
   struct Force {
-    double force, by_x, by_v;  // derivatives of the step as computed, by the displacement and velocity of its end
+    double force, by_x, by_v;  // and its derivatives by displacement and velocity at the end of the step, as computed
   };
-  // Of a motion from the committed state, however many trials there were before. Laws have no clock: a step's duration
-  // is not asked for.
+  // The force after a motion from the committed state to x, with the velocity v there; earlier trials do not matter.
+  // Laws have no clock, so a step has no duration.
   Force trial(double x, double v);
-  void commit();  // the last trial
+  void commit();  // makes the last trial the committed state
 
   struct Form;
 

@@ -1,11 +1,11 @@
-// Ozdemir: a force that follows a backstress; Graesser and Cozzarelli's term for alloys that return by themselves.
+// Ozdemir: a force that follows a backstress, with Graesser and Cozzarelli's term for alloys that return by themselves.
 // Source: Ozdemir 1976; Graesser and Cozzarelli 1991, F' = Ks (x' - |x'| |s/Ys|^n sgn(s)), s = F - b, with the
-// backstress b = Ks alpha (x - F/Ks + g(x)). Solved for F, with s' by itself:
+// backstress b = Ks alpha (x - F/Ks + g(x)). Solved for F and s':
 //     F = (Ks alpha (x + g) + s) / (1 + alpha),   s' = Ks (x' (1 - alpha g'(x)) - (1 + alpha) |x'| |s/Ys|^n sgn(s)).
-// Written here with z = s / (1 + alpha): F = alpha K (x + g) + z, K = Ks / (1 + alpha), Y = Ys (1 + alpha)^(-1 - 1/n),
-// and without -alpha g' in z', by which z follows one curve between reversals (saturating_flow.hpp). For g = 0 that is
-// the source. Otherwise a branch leaves a reversal with alpha K g' more than the source's slope and saturates at +-Y
-// instead of +-Y (1 - alpha g')^(1/n).  Units kN, mm.  Step: exact along a straight path.
+// This file uses z = s / (1 + alpha): F = alpha K (x + g) + z, K = Ks / (1 + alpha), Y = Ys (1 + alpha)^(-1 - 1/n). It
+// leaves out -alpha g' in z', so that z follows one curve between reversals (saturating_flow.hpp). For g = 0 that
+// equals the source. Otherwise a branch leaves a reversal with alpha K g' more than the source's slope, and saturates
+// at +-Y instead of +-Y (1 - alpha g')^(1/n).  Units kN, mm.  Step: exact along a straight path.
 #pragma once
 
 #include "isolaw/laws/canonical.hpp"
@@ -29,7 +29,7 @@ struct Ozdemir {
           "F = alpha K (x + fT |x/100|^c erf(a x)) + z\n"
           "dz = K (dx - |dx| |z/Y|^n sgn(z))",
       .note =
-          "Made for metals and, with fT, for alloys that return by themselves. The source's stiffness is (1 + alpha) K, its strength (1 + alpha)^(1 + 1/n) Y. With fT the source also takes alpha K times the slope of its term off that of z; here the term is elastic and no more. Without fT it is bouc-wen with gamma 0: unloading is as much steeper than K as loading is flatter. Beyond the tests the force grows as alpha K x. Loops of unloading and reloading do not close.",
+          "Made for metals and, with fT, for alloys that return by themselves. The source's stiffness is (1 + alpha) K, its strength (1 + alpha)^(1 + 1/n) Y. With fT the source also reduces the slope of z by alpha K times the slope of its term; here the term is only elastic. Without fT the law is bouc-wen with gamma 0: unloading is as much steeper than K as loading is flatter. Beyond the tests the force grows as alpha K x. Loops of unloading and reloading do not close.",
       .step_cost = 523};
 
   template <class T>
@@ -41,17 +41,17 @@ struct Ozdemir {
   static constexpr auto rows = std::to_array<Row<T, Params<T>>>({
       {&Params<T>::K, parameter("K", "kN/mm", "first stiffness of the hysteretic part", positive, std::nullopt,
                                 {0.5, 15.0, stiffness}, Scale::logarithmic)},
-      {&Params<T>::Y, parameter("Y", "kN", "force at which it saturates", positive, std::nullopt, {0.5, 5.0, strength},
-                                Scale::logarithmic)},
+      {&Params<T>::Y, parameter("Y", "kN", "force at which the hysteretic part saturates", positive, std::nullopt,
+                                {0.5, 5.0, strength}, Scale::logarithmic)},
       {&Params<T>::n,
        parameter("n", "1", "sharpness of yielding", positive, std::nullopt, {0.1, 3.0, one}, Scale::logarithmic)},
       {&Params<T>::alpha, parameter("alpha", "1", "stiffness of the elastic part over that of the hysteretic one",
                                     not_negative, std::nullopt, {0.01, 1.5, one}, Scale::logarithmic)},
-      {&Params<T>::fT, parameter("fT", "mm", "displacement that the elastic force is ahead by at 100 mm", any_value,
+      {&Params<T>::fT, parameter("fT", "mm", "displacement by which the elastic force is ahead at 100 mm", any_value,
                                  std::nullopt, {0.0, 2.0, disp}, Scale::linear, 0.0)},
-      {&Params<T>::c,
-       parameter("c", "1", "exponent of its growth", not_negative, std::nullopt, {0.0, 2.0, one}, Scale::linear, 0.0)},
-      {&Params<T>::a, parameter("a", "1/mm", "rate at which it sets in", not_negative, std::nullopt,
+      {&Params<T>::c, parameter("c", "1", "exponent of the growth of fT's term", not_negative, std::nullopt,
+                                {0.0, 2.0, one}, Scale::linear, 0.0)},
+      {&Params<T>::a, parameter("a", "1/mm", "rate at which fT's term sets in", not_negative, std::nullopt,
                                 {0.2, 20.0, per_disp}, Scale::logarithmic, 0.01)},
   });
 
@@ -69,7 +69,7 @@ struct Ozdemir {
   template <class T>
   struct State {
     T z = T(0.0);
-    T time = T(0.0), rate = T(0.0);  // of the flow; K/Y per unit of travel
+    T time = T(0.0), rate = T(0.0);  // time on the flow, and how much of it passes per unit of travel, K/Y
     SaturatingFlow<T> flow;
   };
 

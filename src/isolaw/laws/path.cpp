@@ -68,8 +68,8 @@ Point sample_at(std::span<double const> x, std::span<double const> v, std::size_
   return {x[i], v.empty() ? 0.0 : v[i], true};
 }
 
-// Where the parabola through three samples turns; its time is NaN unless that is between the outer ones and not at the
-// middle one itself.
+// The vertex of the parabola through three samples. Its time is NaN unless it lies between the outer samples and
+// differs from the middle one.
 struct Vertex {
   double time, x;
 };

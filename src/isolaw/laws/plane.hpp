@@ -1,11 +1,11 @@
-// Laws in two directions that take the parameters of a law of one, and give its force on any straight line through the
-// origin. A law of the plane is a struct with
-//   OneDirection                           that law; info and Params<T> are its own
-//   State<T>                               numbers T alone, so that a trial is a copy and one scalar becomes another
+// Laws in two directions. Each takes the parameters of a law in one direction and gives that law's force on any
+// straight line through the origin. A law of the plane is a struct with
+//   OneDirection                           the law in one direction, which gives info and Params<T>
+//   State<T>                               nothing but numbers T: a trial copies it, numbers_as() changes its scalar
 //   start<T>(params) -> State<T>           at rest at the origin
 //   step<T>(params, state, from, to, dt)   advances the state over the straight step between two displacements, returns
-//                                          the force at its end; the law's units, seconds
-//   joint_limits                           where it has them, what parameters must meet to have a form in the plane
+//                                          the force at its end; in the law's units, dt in seconds
+//   joint_limits                           where needed, conditions on the parameters for a form in the plane
 #pragma once
 
 #include <array>
@@ -24,24 +24,24 @@ namespace isolaw::laws::plane {
 
 using AllLaws = std::tuple<Bilinear, BoucWen, Abe, AbeY0, Vaiana, HistoryIntegral>;
 
-// Those with a force that the peak softens, by the other rule.
+// The laws with a force that the peak softens, here by the peak along each axis.
 using LawsByAxis = std::tuple<AbeOf<laws::Abe, Softening::by_axis>, AbeOf<laws::AbeY0, Softening::by_axis>,
                               HistoryIntegralOf<Softening::by_axis>>;
 
-// Parameters or a state as the same of another scalar.
+// Parameters or a state with every number changed by one(): to another scalar and back.
 template <class To, class From, class T = double, class U>
 To numbers_as(From const& from, U&& one) {
   std::array<T, sizeof(From) / sizeof(T)> const values = std::bit_cast<std::array<T, sizeof(From) / sizeof(T)>>(from);
-  std::array<decltype(one(values[0])), sizeof(From) / sizeof(T)> made;
-  for (std::size_t i = 0; i < made.size(); ++i) made[i] = one(values[i]);
-  return std::bit_cast<To>(made);
+  std::array<decltype(one(values[0])), sizeof(From) / sizeof(T)> changed;
+  for (std::size_t i = 0; i < changed.size(); ++i) changed[i] = one(values[i]);
+  return std::bit_cast<To>(changed);
 }
 
-// A trial: nothing of it stays but by taking `after` for the state.
+// The result of a trial. The caller accepts it by taking `after` as the state.
 template <class Law>
 struct Trial {
   Vector<double> force;
-  std::array<std::array<double, 2>, 2> tangent;  // d force (row) / d displacement (column), of the step as computed
+  std::array<std::array<double, 2>, 2> tangent;  // d force (row) / d displacement (column) of the step as computed
   typename Law::template State<double> after;
 };
 

@@ -1,7 +1,7 @@
-// Power-law Masing with scragging: branches of one power law by Masing's rules, an elastic force that the tests'
-// amplitude softens, hardening towards the peak, and a virgin stiffness that travel removes.
-// Source: this project; docs/laws.md. Units kN, mm. Step: exact, without integration; every sample depends on the
-// turning points and peaks of the displacement alone, which the record decides.
+// Power-law Masing with scragging: branches of one power law by Masing's rules, an elastic force that softens with the
+// amplitude of the tests, hardening towards the peak, and a virgin stiffness that travel removes.
+// Source: this project; docs/laws.md. Units kN, mm. Step: exact, without integration; every sample depends only on the
+// turning points and peaks of the displacement, which the record decides.
 #pragma once
 
 #include <utility>
@@ -29,7 +29,7 @@ struct PowerMasing {
           "w = (1 + sgn(x) Fh/sk(M))/2, M the largest |x| so far, m that of the side of x\n"
           "N: travel of that side over m, dN = |dx|/m, and dN = |dx|/m - 60 N dm/m while m grows",
       .note =
-          "The structure was found on one measured device; the exponents 6, 1/3 and 60 were chosen there and are flat. Between turning points |x|^g has no bounded slope where a side was never visited. Beyond the tests the force grows with x^2 through H.",
+          "The structure was found on one measured device, where the exponents 6, 1/3 and 60 were chosen too; the objective hardly depends on them. Between turning points |x|^g has no bounded slope on a side that was never visited. Beyond the tests the force grows with x^2 through H.",
       .set = LawSet::usual,
       .step_cost = 230};
 
@@ -52,13 +52,13 @@ struct PowerMasing {
       },
   });
 
-  // Of a law that adds to these parameters and is otherwise this one: these, then its own.
+  // The rows of a law that extends this one by further parameters: the rows of this law, then `added`.
   template <class T, class Extended, std::size_t Added>
   static constexpr auto rows_and(std::array<Row<T, Extended>, Added> const& added) {
-    std::array<Row<T, Extended>, rows<T>.size() + Added> made{};
-    for (std::size_t i = 0; i < rows<T>.size(); ++i) made[i] = {rows<T>[i].member, rows<T>[i].info};
-    for (std::size_t i = 0; i < Added; ++i) made[rows<T>.size() + i] = added[i];
-    return made;
+    std::array<Row<T, Extended>, rows<T>.size() + Added> all{};
+    for (std::size_t i = 0; i < rows<T>.size(); ++i) all[i] = {rows<T>[i].member, rows<T>[i].info};
+    for (std::size_t i = 0; i < Added; ++i) all[rows<T>.size() + i] = added[i];
+    return all;
   }
 
   template <class T>
@@ -79,7 +79,7 @@ struct PowerMasing {
     return hysteretic + elastic;
   }
 
-  // Fh, and what is beside it. Called at every step.
+  // The hysteretic force Fh and the elastic force beside it. The caller calls this at every step.
   template <class T>
   static std::pair<T, T> forces(Params<T> const& p, State<T>& state, Step const& step, Memory const& memory) {
     if (memory.peak <= 0.0) return {T(0.0), T(0.0)};

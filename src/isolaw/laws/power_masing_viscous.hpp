@@ -1,4 +1,4 @@
-// power-masing with a dashpot beside it, for tests whose velocity varies apart from their amplitude.
+// power-masing in parallel with a dashpot, for tests whose velocity varies independently of their amplitude.
 // Source: this project; docs/laws.md. Units kN, mm, s. Step: exact, as that of power-masing.
 #pragma once
 

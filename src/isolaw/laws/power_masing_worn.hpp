@@ -1,7 +1,7 @@
-// power-masing whose hysteretic force wears with travel, and which keeps a force from the side that its largest
-// displacement grew at: what is left between the two sides of a record, and between its first and last cycles.
-// Source: this project; docs/league.md has what it was chosen among. Units kN, mm. Step: exact, as that of
-// power-masing.
+// power-masing with a hysteretic force that wears with travel, and with a force that remains from the side on which the
+// largest displacement grew. These two terms describe the remaining differences between the two sides of a record, and
+// between its first and last cycles.
+// Source: this project; docs/league.md lists the candidates. Units kN, mm. Step: exact, as that of power-masing.
 #pragma once
 
 #include "isolaw/laws/law.hpp"
@@ -25,7 +25,7 @@ struct PowerMasingWorn : PowerMasing {
           "NT: travel over M, the largest |x| so far, dNT = |dx|/M, and dNT = |dx|/M - 60 NT dM/M while M grows\n"
           "q: how far M has grown at x > 0, less how far at x < 0",
       .note =
-          "Predicts the measured bearing's amplitudes and later cycles better than power-masing; on the building's four motions, beside it, it gains little. On a record whose every stage begins on one side, B is not told from an offset of the rig that grows with the amplitude. U is fixed: free, it follows the first samples of one stage and predicts the next worse. Beyond the tests as power-masing.",
+          "Predicts the measured bearing's amplitudes and later cycles better than power-masing; on the building's four motions it gains little over it. On a record whose every stage begins on the same side, B cannot be told from an offset of the rig that grows with the amplitude. U is fixed: a free U follows the first samples of one stage and predicts the next stage worse. Beyond the tests it behaves as power-masing.",
       .step_cost = 281};
 
   template <class T>
@@ -35,15 +35,15 @@ struct PowerMasingWorn : PowerMasing {
 
   template <class T>
   static constexpr auto rows = [] {
-    auto made = rows_and(std::to_array<Row<T, Params<T>>>({
+    auto all = rows_and(std::to_array<Row<T, Params<T>>>({
         {&Params<T>::B, parameter("B", "kN", "kept force at 100 mm of one-sided growth", any_value, std::nullopt,
                                   {-0.05, 0.15, force_at_reference})},
         {&Params<T>::r,
          parameter("r", "1", "exponent of wear with travel", not_negative, std::nullopt, {0.0, 0.2, one})},
     }));
-    for (auto& row : made)
+    for (auto& row : all)
       if (row.info.name == "U") row.info.fixed_by_default = 0.15;
-    return made;
+    return all;
   }();
 
   template <class T>

@@ -1,5 +1,5 @@
-// The smooth relative of power-masing: two fading memories of the motion in place of its turning points, for programs
-// whose materials keep none. It relaxes under tremor, and loops of unloading and reloading below 1 mm give out work:
+// The smooth relative of power-masing: two fading memories of the motion replace its turning points, for programs whose
+// materials cannot keep any. Tremor relaxes the force, and loops of unloading and reloading below 1 mm give out work:
 // prefer power-masing wherever turning points can be kept.
 // Source: this project; docs/laws.md. Units kN, mm. Step: exact along a straight path.
 #pragma once
@@ -25,7 +25,7 @@ struct PowerScragging {
           "dw1 = (dx - w1 |dx|) / (U (M/100)^h),   dw2 = (dx - w2 |dx|) / (u U (M/100)^h)\n"
           "M the largest |x| so far, m that of the side of x, N its travel as for power-masing",
       .note =
-          "The structure was found on one measured device. The force relaxes under tremor, and loops of unloading and reloading below 1 mm give out work.",
+          "The structure was found on one measured device. Tremor relaxes the force, and loops of unloading and reloading below 1 mm give out work.",
       .step_cost = 210};
 
   template <class T>
@@ -46,15 +46,16 @@ struct PowerScragging {
                                  {0.01, 1.0, disp}, Scale::logarithmic)
       },
       {
-        &Params<T>::h, parameter("h", "1", "how it grows with amplitude", not_negative, std::nullopt, {0.0, 1.6, one})
+        &Params<T>::h, parameter("h", "1", "exponent of the slow memory's growth with amplitude", not_negative,
+                                 std::nullopt, {0.0, 1.6, one})
       },
       {
         &Params<T>::s,
             parameter("s", "1", "share of the quick memory", Interval{0.0, 1.0}, std::nullopt, {0.0, 0.8, one})
       },
       {
-        &Params<T>::u, parameter("u", "1", "length of the quick memory in that of the slow one", positive, std::nullopt,
-                                 {0.005, 0.5, one}, Scale::logarithmic)
+        &Params<T>::u, parameter("u", "1", "length of the quick memory over that of the slow one", positive,
+                                 std::nullopt, {0.005, 0.5, one}, Scale::logarithmic)
       },
   });
 
@@ -62,7 +63,7 @@ struct PowerScragging {
   struct State {
     T slow = T(0.0), quick = T(0.0);  // w1, w2
     T strength = T(0.0);              // Y (M/100)^g
-    T per_length = T(0.0);            // 1 / (U (M/100)^h), in powers of two
+    T per_length = T(0.0);            // log2(e) / (U (M/100)^h)
     Scragging<T> scragging;
   };
 
@@ -89,15 +90,15 @@ struct PowerScragging {
   }
 
  private:
-  // The way along which M grows, in lengths of the slow memory: the integral of dM / (U (M/100)^h).
+  // The part of the step in which M grows, in lengths of the slow memory: the integral of dM / (U (M/100)^h).
   template <class T>
   static T growth(Params<T> const& p, Memory const& memory) {
     T const a = T(1.0) - p.h, after = power(T(memory.peak / reference_mm), a), lengths = T(reference_mm) / p.U;
-    // From 0 with h >= 1 there is no bound: all is forgotten after the first motion.
+    // From 0 with h >= 1 the integral has no bound: the first motion forgets everything before it.
     if (memory.peak0 <= 0.0) return select(a > T(0.0), lengths * after / max(a, T(1e-300)), T(1e3));
     double const ratio = std::log(memory.peak / memory.peak0);
     T const before = power(T(memory.peak0 / reference_mm), a), small = a * T(ratio);
-    // Near h = 1 the difference of the powers loses its digits; its series, to 1e-14 there.
+    // Near h = 1 the difference of the powers loses its digits. Its series is exact to 1e-14 there.
     T const series =
         T(ratio) * before *
         (T(1.0) + small * (T(1.0 / 2) + small * (T(1.0 / 6) + small * (T(1.0 / 24) + small * T(1.0 / 120)))));

@@ -1,4 +1,4 @@
-// Ramberg-Osgood with Masing's rules, and a spring beside it.
+// Ramberg-Osgood with Masing's rules, in parallel with a spring.
 // Source: Ramberg and Osgood 1943, Jennings 1964; docs/laws.md. Units kN, mm. Step: exact; the force on a branch solves
 // one equation of one unknown, to the last digits.
 #pragma once
@@ -21,7 +21,7 @@ struct RambergOsgood {
       .formula =
           "F = K2 x + sk(x) from the start, K2 x + fb + 2 sk((x - xb)/2) from a turning point (xb, fb)\n"
           "sk solves x = (sk/K) (1 + a |sk/Fy|^(r-1)); Masing's rules close branches",
-      .note = "Made for steel and soils. a and Fy say the same: a is fixed at 1 unless it is freed.",
+      .note = "Made for steel and soils. a and Fy are redundant: a is fixed at 1 unless it is freed.",
       .step_cost = 1421};
 
   template <class T>
@@ -33,13 +33,14 @@ struct RambergOsgood {
   static constexpr auto rows = std::to_array<Row<T, Params<T>>>({
       {&Params<T>::K, parameter("K", "kN/mm", "first stiffness of the hysteretic part", positive, std::nullopt,
                                 {0.5, 20.0, stiffness}, Scale::logarithmic)},
-      {&Params<T>::Fy, parameter("Fy", "kN", "its force where it moves by (1 + a) times Fy/K", positive, std::nullopt,
-                                 {0.01, 1.5, force}, Scale::logarithmic)},
-      {&Params<T>::a, parameter("a", "1", "share of the power in the displacement at Fy", positive, std::nullopt,
+      {&Params<T>::Fy, parameter("Fy", "kN", "hysteretic force at a displacement of (1 + a) Fy/K", positive,
+                                 std::nullopt, {0.01, 1.5, force}, Scale::logarithmic)},
+      {&Params<T>::a, parameter("a", "1", "displacement of the power term at Fy, over Fy/K", positive, std::nullopt,
                                 {0.1, 5.0, one}, Scale::linear, 1.0)},
-      {&Params<T>::r, parameter("r", "1", "exponent", Interval{1.0, infinity}, std::nullopt, {1.2, 12.0, one})},
+      {&Params<T>::r,
+       parameter("r", "1", "exponent of the power term", Interval{1.0, infinity}, std::nullopt, {1.2, 12.0, one})},
       {&Params<T>::K2,
-       parameter("K2", "kN/mm", "stiffness of the spring beside it", any_value, std::nullopt, {0.0, 1.0, stiffness})},
+       parameter("K2", "kN/mm", "stiffness of the parallel spring", any_value, std::nullopt, {0.0, 1.0, stiffness})},
   });
 
   static constexpr std::string_view redundant = "a";
@@ -68,8 +69,8 @@ struct RambergOsgood {
   }
 
  private:
-  // f + a f^r = u: falling on the root by Newton's rule from above, where the sum is convex. Both terms alone are
-  // above; the smaller is at most twice the root, from where six steps leave the rounding.
+  // Solves f + a f^r = u, whose left side is convex, so Newton's method falls on the root from above. It starts where
+  // one term alone is u: the smaller such f is at most twice the root, and six steps from there leave only rounding.
   template <class T>
   static T skeleton(Params<T> const& p, State<T> const& state, double x) {
     if (x == 0.0) return T(0.0);
@@ -77,7 +78,7 @@ struct RambergOsgood {
     T f = min(u, state.root * power(u, T(1.0) / p.r));
     for (int i = 0; i < 6; ++i) {
       T const steep = p.a * power(f, p.r - T(1.0));
-      // In this order what is not a number stays so.
+      // max returns its first argument beside a NaN: a NaN stays.
       f = max(f - (f * (T(1.0) + steep) - u) / (T(1.0) + p.r * steep), T(0.0));
     }
     return T(x < 0.0 ? -1.0 : 1.0) * p.Fy * f;

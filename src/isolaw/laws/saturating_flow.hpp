@@ -7,21 +7,21 @@
 // Every device history between reversals is a piece of one curve u(t), counted from u = 0. On either side of 0 one
 // polynomial gives |u|: no table to search, no gather, no power per sample, no step size, no stability limit.
 //
-// The variable keeps it short. With E = exp(-rate |t|) and x = (1 - E) / (1 + bend E):
+// A suitable variable keeps the polynomial short. With E = exp(-rate |t|) and x = (1 - E) / (1 + bend E):
 //   - u is analytic in exp(-n t) at saturation, so rate = n there, and n |kappa|^(1/n) where unloading tends to a rest;
 //     it is negative where unloading speeds up;
-//   - bend = 2^(n-1) - 1 takes away the pole that u has beyond saturation for n > 1 (exactly for n = 2, u = tanh t);
-//   - at 0, where u = t - t^(n+1) / (n + 1) ..., the variable is v = x^(1/5), in which u is 5 (1 + n) times
-//     differentiable.
-// So |u| = x G(v), and back x = |u| H(|u|^(1/5)), with G and H of degree 16. They are fitted once per candidate: travel
-// to 17 fixed places by quadrature, the pole of 1 / (1 - |u|^n) taken out in closed form; H by interpolation; G at 17
-// fixed v, found on H by Newton's method. All of that is arithmetic and fixed matrices, the same for all candidates.
-// Largest error in u over n in [0.01, 3], kappa in (-1, 3]: 1e-7 (abe's with n < 0.1: 3e-7), but for n > 2 with kappa >
-// 1, where it grows to 2e-5; near kappa = -1 the equation magnifies it by up to 1 / (1 + kappa) (tests/verification).
-// Elsewhere, and for abe beyond |u| = 3, a lane takes the table of tabulated_flow.hpp, error 1e-5. Rejected: that table
-// for all (its gathers made AVX2 as slow as SSE2); coefficients as polynomials of n and kappa (2,400 numbers still
-// leave 1e-6); Runge-Kutta with sub-steps (32 per sample still leave 3.8 % in the objective of abe near its optimum),
-// and an exponential step with frozen exponent (first order where n < 1 and u crosses 0).
+//   - bend = 2^(n-1) - 1 removes the pole that u has beyond saturation for n > 1 (exactly for n = 2, u = tanh t);
+//   - at 0, where u = t - t^(n+1) / (n + 1) ..., u is 5 (1 + n) times differentiable in v = x^(1/5).
+// So |u| = x G(v), and back x = |u| H(|u|^(1/5)), with G and H of degree 16. The fit happens once per candidate: the
+// travel to 17 fixed places comes from quadrature, with the pole of 1 / (1 - |u|^n) removed in closed form; H from
+// interpolation; G from its values at 17 fixed v, which Newton's method finds on H. All of this is arithmetic with
+// fixed matrices, the same for all candidates.
+// Largest error in u over n in [0.01, 3], kappa in (-1, 3]: 1e-7 (abe with n < 0.1: 3e-7). For n > 2 with kappa > 1 it
+// grows to 2e-5, and near kappa = -1 the equation magnifies it by up to 1 / (1 + kappa) (tests/verification).
+// Elsewhere, and for abe beyond |u| = 3, a lane takes the table of tabulated_flow.hpp, with an error of 1e-5. Rejected:
+// that table for all (its gathers made AVX2 as slow as SSE2); coefficients as polynomials of n and kappa (2,400 numbers
+// still leave 1e-6); Runge-Kutta with sub-steps (32 per sample still leave 3.8 % in the objective of abe near its
+// optimum); an exponential step with frozen exponent (first order where n < 1 and u crosses 0).
 #pragma once
 
 #include <array>
@@ -38,31 +38,32 @@ namespace flow_parts {
 
 inline constexpr std::size_t terms = 17, guesses = 6;
 
-// What the fit needs, the same for all candidates; made at the first call.
+// Numbers of the fit that are the same for all candidates. They are computed at the first call.
 struct Nodes {
   using Values = std::array<double, terms>;
-  Values place;  // v, or |u|^(1/5) over its largest, ascending in (0, 1)
-  Values fifth;  // its fifth power
+  Values place;  // v, or |u|^(1/5) over its largest value, ascending in (0, 1)
+  Values fifth;  // place^5
   Values log2_fifth;
   Values inverse_place;
-  std::array<Values, terms> mean;  // of a function of |u| from 0 to |u|, at each place, from its values at the places
-  // Of the Chebyshev polynomials T_k(y), y = 2 place - 1, from values at the places, and of y^k from these: at once the
-  // sums would lose six digits more.
+  std::array<Values, terms> mean;  // from values at the places to the mean over 0 to |u| at each place
+  // From values at the places to coefficients of the Chebyshev polynomials T_k(y), y = 2 place - 1, and from these to
+  // coefficients of y^k. One matrix for both would lose six digits more.
   std::array<Values, terms> chebyshev, power;
-  // The same through a few of the places alone, and T_k at all: what they leave is small, and rounds to less.
+  // The same from only a few of the places, and T_k at all places. The fit subtracts this rough polynomial first: what
+  // is left is small and has smaller rounding errors.
   static constexpr std::array<std::size_t, 7> few{0, 2, 5, 8, 11, 14, 16};
   std::array<std::array<double, few.size()>, few.size()> chebyshev_of_few;
   std::array<std::array<double, few.size()>, terms> at_places;
-  std::array<std::array<double, guesses>, terms> guess;  // of a smooth function from its values at the places above
+  std::array<std::array<double, guesses>, terms> guess;  // weights that extrapolate a function from the places above
 
   static Nodes const& get();
 };
 
-// Where the polynomials hold; beyond, the table does.
+// The polynomials are used within these ranges, the table beyond them.
 inline constexpr double least_n = 0.01, largest_kappa = 3.0;
-inline constexpr double sharp_n = 1.5;  // beyond, the curve bends so that G takes another pass
+inline constexpr double sharp_n = 1.5;  // above it the curve bends so sharply that G needs another Newton pass
 inline constexpr double least_rest = 0.05, least_rate = 0.05;
-inline constexpr double saturated = 1e-13;  // E below which t is no longer counted
+inline constexpr double saturated = 1e-13;  // below this E time is no longer counted
 
 }  // namespace flow_parts
 
@@ -75,11 +76,11 @@ class SaturatingFlow {
   using Coefficients = std::array<T, flow_parts::terms>;
 
  public:
-  // n > 0; kappa > -1, and 1 beyond saturation. Anything else gives values that are not finite.
+  // Needs n > 0 and kappa > -1; kappa = 1 for Reach::beyond_saturation. Other values give results that are not finite.
   void fit(T const& n, T const& kappa);
 
-  // The place of u on the curve, as a time, and the value at a time: value_at(time_at(u) + travel) is u a travel later.
-  // The two are inverse within rounding, so that repeated conversion does not drift.
+  // time_at gives the place of u on the curve as a time, value_at the u at a time: value_at(time_at(u) + travel) is u
+  // after that travel. The two are inverse within rounding, so that repeated conversion does not drift.
   T time_at(T const& u) const;
   T value_at(T const& time) const {
     static_assert(!beyond);
@@ -89,32 +90,32 @@ class SaturatingFlow {
     return value;
   }
 
-  // u after the given travel, also from beyond saturation, the rates du/dt before and after and what one is of the
-  // other, which is well defined where both vanish.
+  // u after the given travel, also from beyond saturation, with the rates du/dt before and after. ratio = rate1 / rate0
+  // is well defined even where both vanish.
   struct Advance {
     T u, rate0, rate1, ratio;
   };
   Advance advance(T const& u, T const& travel);
 
  private:
-  // |u| = x G(2 x^(1/5) - 1), x = w H(2 w^(1/5) - 1) with w = |u| / largest_u; x is 1 at largest_u (or saturation).
+  // One side of u = 0: |u| = x G(2 x^(1/5) - 1), x = w H(2 w^(1/5) - 1) with w = |u| / largest_u; x is 1 at largest_u.
   struct Side {
     Coefficients value, inverse;
     T rate, bend, end, per_end;  // end: (1 - E) / (1 + bend E) where x = 1
     void fit(T const& n, T const& kappa, T const& rest, bool bends);
   };
-  // A coefficient of either side, lane by lane; `mixed` says that there are lanes below.
+  // The coefficient of each lane's side of u = 0. `mixed`: there are lanes below 0.
   template <bool mixed>
-  static T of(Mask const& below, T const& above_zero, T const& below_zero) {
+  static T pick(Mask const& below, T const& above_zero, T const& below_zero) {
     if constexpr (mixed)
       return select(below, below_zero, above_zero);
     else
       return above_zero;
   }
-  // Even and odd powers apart: half the latency.
+  // Sums even and odd powers separately, which halves the latency.
   template <bool mixed>
   T polynomial(Coefficients Side::*c, Mask const& below, T const& y) const {
-    auto const at = [&](std::size_t i) { return of<mixed>(below, (rising_.*c)[i], (unloading_.*c)[i]); };
+    auto const at = [&](std::size_t i) { return pick<mixed>(below, (rising_.*c)[i], (unloading_.*c)[i]); };
     T const square = y * y;
     T even = at(flow_parts::terms - 1), odd = at(flow_parts::terms - 2);
     for (std::size_t i = flow_parts::terms - 1; i > 2; i -= 2) {
@@ -145,7 +146,7 @@ class SaturatingFlow {
   template <bool mixed>
   Slope value_of(Mask const& below, T const& x) const {
     T const v = rounded(fifth_root(x));
-    auto const g = with_slope([&](std::size_t i) { return of<mixed>(below, rising_.value[i], unloading_.value[i]); },
+    auto const g = with_slope([&](std::size_t i) { return pick<mixed>(below, rising_.value[i], unloading_.value[i]); },
                               v + v - T(1.0));
     return {rounded(x * g.value), rounded(g.value + T(0.4) * v * g.slope)};
   }
@@ -156,10 +157,10 @@ class SaturatingFlow {
 
   Side rising_, unloading_;
   T n_;
-  T first_time_, first_rate_;  // of unloading, at u = -1: beyond, the rate is frozen
-  T outside_;                  // 1 in lanes that the polynomials are not for
+  T first_time_, first_rate_;  // time and rate of unloading at u = -1; before it the rate is frozen
+  T outside_;                  // 1 in lanes that need the table
   bool bends_ = false, tabulated_ = false;
-  TabulatedFlow<T, reach> table_;  // made where a lane needs it
+  TabulatedFlow<T, reach> table_;  // filled where a lane needs it
   T kappa_, table_zero_;
 };
 
@@ -174,7 +175,7 @@ void SaturatingFlow<T, reach>::Side::fit(T const& n, T const& kappa, T const& re
     for (std::size_t k = 1; k < terms; ++k) sum = sum + T(matrix[row][k]) * values[k];
     return sum;
   };
-  // dt/d|u| without its pole at the rest.
+  // dt/d|u| without its pole where |u| comes to rest.
   Coefficients smooth, nodal;
   for (std::size_t i = 0; i < terms; ++i) {
     T const u(largest_u * nodes.fifth[i]);
@@ -213,7 +214,7 @@ void SaturatingFlow<T, reach>::Side::fit(T const& n, T const& kappa, T const& re
   for (std::size_t k = 1; k < terms; ++k) end = end + inverse[k];
   per_end = one / end;
   for (std::size_t k = 0; k < terms; ++k) inverse[k] = rounded(inverse[k] * per_end);
-  // Where v, which is place H^(1/5), has its fixed places: from above down, so that those before say where about.
+  // Finds where v = place H^(1/5) takes its fixed values, going downwards: places found before give the guess.
   bool const sharp = any(n > T(flow_parts::sharp_n));
   std::array<T, terms + 1> place;
   place[terms] = one;
@@ -246,7 +247,7 @@ void SaturatingFlow<T, reach>::fit(T const& n, T const& kappa) {
   T const one(1.0), zero(0.0);
   n_ = n;
   kappa_ = kappa;
-  // Written so that NaN is outside.
+  // Written so that NaN counts as outside.
   auto const within = [&](T const& x, double least, double largest) {
     return select(x < T(least), zero, select(x <= T(largest), one, zero));
   };
@@ -263,7 +264,7 @@ void SaturatingFlow<T, reach>::fit(T const& n, T const& kappa) {
     tabulated_ = false;
   } else {
     rising_.bend = select(n > T(1.3), exp2(n - one) - one, zero);
-    // Where |u| would come to rest, 1 / rest; 0 for none.
+    // |u| would come to rest at 1 / rest; rest = 0 where it would not.
     T const power = exp2(log2(max(-kappa, T(1e-300))) / n);
     T const rest = select(power > T(flow_parts::least_rest), power, zero), least = T(flow_parts::least_rate) * n;
     unloading_.rate = select(rest > zero, n * rest, -max(T(0.4) * n * kappa, least));
@@ -286,12 +287,12 @@ void SaturatingFlow<T, reach>::fit(T const& n, T const& kappa) {
 template <class T, Reach reach>
 template <bool mixed>
 T SaturatingFlow<T, reach>::value_at(T const& time, Mask const& below) const {
-  T const one(1.0), way = abs(time), rate = of<mixed>(below, rising_.rate, unloading_.rate);
+  T const one(1.0), way = abs(time), rate = pick<mixed>(below, rising_.rate, unloading_.rate);
   T inside = way;
   if constexpr (mixed) inside = select(below, min(way, first_time_), way);
   T x = rounded(-expm1(-rounded(rate * inside)));
-  if (bends_) x = x / (one + of<mixed>(below, rising_.bend, unloading_.bend) * (one - x));
-  x = rounded(x * of<mixed>(below, rising_.per_end, unloading_.per_end));
+  if (bends_) x = x / (one + pick<mixed>(below, rising_.bend, unloading_.bend) * (one - x));
+  x = rounded(x * pick<mixed>(below, rising_.per_end, unloading_.per_end));
   T const v = rounded(fifth_root(x)), u = rounded(x * polynomial<mixed>(&Side::value, below, v + v - one));
   if constexpr (mixed)
     return select(below, -(u + first_rate_ * (way - inside)), min(u, one));
@@ -313,15 +314,15 @@ T SaturatingFlow<T, reach>::time_at(T const& u, Mask const& below) const {
   constexpr double ln2 = 0.69314718055994530942;
   T const one(1.0), size = abs(u), w = min(size, one), root = rounded(fifth_root(w));
   T x = rounded(w * polynomial<mixed>(&Side::inverse, below, root + root - one));
-  // Newton's method from what H gives.
+  // Newton's method from the start that H gives.
   for (int pass = 0; pass < 2; ++pass) {
     auto const found = value_of<mixed>(below, x);
     x = x - (found.value - w) / found.slope;
   }
-  x = rounded(x * of<mixed>(below, rising_.end, unloading_.end));
+  x = rounded(x * pick<mixed>(below, rising_.end, unloading_.end));
   T E = one - x;
-  if (bends_) E = E / (one + of<mixed>(below, rising_.bend, unloading_.bend) * x);
-  T const way = -T(ln2) * log2(max(E, T(flow_parts::saturated))) / of<mixed>(below, rising_.rate, unloading_.rate);
+  if (bends_) E = E / (one + pick<mixed>(below, rising_.bend, unloading_.bend) * x);
+  T const way = -T(ln2) * log2(max(E, T(flow_parts::saturated))) / pick<mixed>(below, rising_.rate, unloading_.rate);
   if constexpr (mixed)
     return select(below, -(way + (size - w) / first_rate_), way);
   else
@@ -333,7 +334,7 @@ auto SaturatingFlow<T, reach>::advance(T const& u, T const& travel) -> Advance {
   static_assert(beyond);
   T const one(1.0), zero(0.0), size = abs(u), w = min(size, T(largest_u));
   T const less = expm1(-(n_ * travel));
-  // 1 - E, of either sign, and back.
+  // s = 1 - E, of either sign, with its x and the u and slope there.
   struct Start {
     T s, x;
     Slope u;
@@ -342,21 +343,21 @@ auto SaturatingFlow<T, reach>::advance(T const& u, T const& travel) -> Advance {
   auto const start = [&]<bool mixed>(Mask const& below, std::bool_constant<mixed>) -> Start {
     T const root = rounded(fifth_root(w * T(1.0 / largest_u)));
     T const x = w * T(1.0 / largest_u) * polynomial<mixed>(&Side::inverse, below, root + root - one);
-    return {x * of<mixed>(below, rising_.end, unloading_.end), x, value_of<mixed>(below, x),
-            of<mixed>(below, rising_.per_end, unloading_.per_end)};
+    return {x * pick<mixed>(below, rising_.end, unloading_.end), x, value_of<mixed>(below, x),
+            pick<mixed>(below, rising_.per_end, unloading_.per_end)};
   };
   Mask const below0 = u < zero;
   Start const a = any(below0) ? start(below0, std::true_type()) : start(below0, std::false_type());
   T const E0 = one - a.s, s = a.s - E0 * less;
   auto const finish = [&]<bool mixed>(Mask const& below, std::bool_constant<mixed>) -> Start {
-    T const per_end = of<mixed>(below, rising_.per_end, unloading_.per_end), x = min(s * per_end, one);
+    T const per_end = pick<mixed>(below, rising_.per_end, unloading_.per_end), x = min(s * per_end, one);
     return {s, x, value_of<mixed>(below, x), per_end};
   };
   Mask const below1 = s < zero;
   Start const b = any(below1) ? finish(below1, std::true_type()) : finish(below1, std::false_type());
   T const decay = one + less, slope0 = a.u.slope * abs(a.per_end), slope1 = b.u.slope * abs(b.per_end);
   T const rate = n_ * E0, ratio = decay * slope1 / slope0;
-  // By the difference from where the fit has u, so that what H errs does not add up.
+  // Corrects by the difference between u and its value on the fit, so that errors of H do not add up.
   T end = select(below1, -b.u.value, b.u.value) + (w - a.u.value) * select(below0, -ratio, ratio);
   end = select(u > one, max(end, one), min(end, one));
   Advance moved{end, rate * slope0, rate * decay * slope1, ratio};
@@ -370,7 +371,7 @@ auto SaturatingFlow<T, reach>::advance(T const& u, T const& travel) -> Advance {
     moved.u = select(outside, other.u, moved.u);
     moved.rate0 = select(outside, other.rate0, moved.rate0);
     moved.rate1 = select(outside, other.rate1, moved.rate1);
-    // Rates fall along the flow; close to saturation both are lost to rounding.
+    // Rates fall along the flow, so the ratio is at most 1; close to saturation both rates are lost to rounding.
     moved.ratio = select(outside, max(zero, min(other.rate1 / other.rate0, one)), moved.ratio);
   }
   return moved;

@@ -1,5 +1,5 @@
-// What power-masing and power-scragging share: the elastic force that the amplitude softens, its hardening towards the
-// peak, and the virgin stiffness that travel removes, each by side, with the rows of their parameters.
+// Shared by power-masing and power-scragging: the elastic force that softens with the amplitude, its hardening towards
+// the peak, and the virgin stiffness that travel removes. Each is kept per side. With the rows of their parameters.
 // Source: this project; docs/laws.md. Units kN, mm.
 #pragma once
 
@@ -10,8 +10,8 @@ namespace isolaw::laws {
 
 inline constexpr double reference_mm = 100.0;
 
-// The force at 100 mm of a device whose force grows with the power .4 of the amplitude, as high damping rubber's about
-// does.
+// The force at 100 mm of a device whose force grows with the power 0.4 of the amplitude, about that of high damping
+// rubber.
 inline double force_at_reference(RecordScales const& s) {
   return s.force * std::pow(reference_mm / s.disp, 0.4);
 }
@@ -19,8 +19,8 @@ inline double force_at_reference(RecordScales const& s) {
 template <class T>
 class Scragging {
  public:
-  // (x/100) (K (m/100)^(g-1) + w H (m/100) (|x|/m)^6 + w^2 C (1 + N)^(-1/3)), w = (1 + sgn(x) share)/2 with the
-  // hysteretic force's share of its strength, -1 to 1. Called at every step.
+  // (x/100) (K (m/100)^(g-1) + w H (m/100) (|x|/m)^6 + w^2 C (1 + N)^(-1/3)) with w = (1 + sgn(x) share)/2. `share` is
+  // the hysteretic force over its strength, -1 to 1. The caller calls this at every step.
   template <class Params>
   T force(Params const& p, Step const& step, Memory const& memory, T const& share) {
     double const x = step.x1 / reference_mm, m = memory.side_peak / reference_mm;
@@ -36,14 +36,14 @@ class Scragging {
   std::array<T, 2> elastic_ = {};  // K (m/100)^(g-1) of each side
 };
 
-// g, K, H, C of a law's Params.
+// The rows of g, K, H and C for a law's Params.
 template <class T, class Params>
 constexpr auto scragging_rows = std::to_array<Row<T, Params>>({
     {&Params::g, parameter("g", "1", "exponent of softening with amplitude", positive, std::nullopt, {0.05, 1.0, one})},
     {&Params::K,
      parameter("K", "kN", "elastic force at 100 mm", any_value, std::nullopt, {0.0, 1.5, force_at_reference})},
-    {&Params::H, parameter("H", "kN", "hardening towards the peak; below 0 reloading has negative slopes", any_value,
-                           std::nullopt, {0.0, 1.0, force_at_reference})},
+    {&Params::H, parameter("H", "kN", "hardening towards the peak; a negative value gives reloading negative slopes",
+                           any_value, std::nullopt, {0.0, 1.0, force_at_reference})},
     {&Params::C, parameter("C", "kN", "virgin stiffness that cycles remove", any_value, std::nullopt,
                            {0.0, 1.5, force_at_reference})},
 });

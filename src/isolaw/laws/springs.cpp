@@ -21,14 +21,14 @@ Springs::Springs(Online const& law, int count) : share_(spring_shares(count)) {
 Springs::Force Springs::trial(plane::Vector<double> const& displacement, plane::Vector<double> const& velocity) {
   Force sum{};
   for (auto& [n, law] : springs_) {
-    auto const of = law.trial(share_.way * plane::dot(displacement, n), share_.way * plane::dot(velocity, n));
-    sum.force = sum.force + (share_.force * of.force) * n;
+    auto const spring_force = law.trial(share_.way * plane::dot(displacement, n), share_.way * plane::dot(velocity, n));
+    sum.force = sum.force + (share_.force * spring_force.force) * n;
     double const along[] = {n.x, n.y};
     for (std::size_t i = 0; i < 2; ++i)
       for (std::size_t k = 0; k < 2; ++k) {
         double const both = share_.force * share_.way * along[i] * along[k];
-        sum.by_displacement[i][k] += both * of.by_x;
-        sum.by_velocity[i][k] += both * of.by_v;
+        sum.by_displacement[i][k] += both * spring_force.by_x;
+        sum.by_velocity[i][k] += both * spring_force.by_v;
       }
   }
   return sum;

@@ -1,8 +1,8 @@
-// Any law in two directions: springs around the circle, each with a history of its own.
-// Source: multiple shear springs (Wada and Hirose 1989; Yamamoto et al. 2012 for isolators). Of N springs at angles pi
-// i / N, each of force rf f(u rs / rf), rs = 2 / N keeps the stiffness of a push, rf = tan(pi / 2N) its strength. The
-// knee between them is not kept: a law for this is fitted as it is wrapped (`along`). Velocities are scaled as
-// displacements. Each spring keeps its own peak.
+// Any law in two directions: springs around the circle, each with a history and a peak of its own.
+// Source: multiple shear springs (Wada and Hirose 1989; Yamamoto et al. 2012 for isolators). N springs stand at the
+// angles pi i / N, each with the force rf f(u rs / rf). rs = 2 / N keeps the stiffness of a push, rf = tan(pi / 2N) its
+// strength. The knee between the two changes, so a law that is used this way is also fitted this way
+// (fit/as_springs.hpp). Velocities are scaled as displacements.
 #pragma once
 
 #include <array>
@@ -15,7 +15,8 @@ namespace isolaw::laws {
 
 inline constexpr int usual_springs = 16;
 
-// Of one spring: its force in that of the law, and its way in that of the device along it.
+// Factors of one spring: from the law's force to the spring's, and from the device's displacement along the spring to
+// the law's.
 struct SpringShares {
   double force, way;  // rf, rs / rf
 };
@@ -23,12 +24,12 @@ SpringShares spring_shares(int count);
 
 class Springs {
  public:
-  // `law`: virgin, in its own units, which displacements and forces here have too. At least two springs.
+  // `law` is virgin; displacements, velocities and forces are in its units. `count` is at least 2.
   explicit Springs(Online const& law, int count = usual_springs);
 
   struct Force {
     plane::Vector<double> force;
-    std::array<std::array<double, 2>, 2> by_displacement, by_velocity;  // d force (row), of the step as computed
+    std::array<std::array<double, 2>, 2> by_displacement, by_velocity;  // d force (row) / d (column), as computed
   };
   Force trial(plane::Vector<double> const& displacement, plane::Vector<double> const& velocity);
   void commit();

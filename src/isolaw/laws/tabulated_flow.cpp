@@ -1,5 +1,5 @@
-// The nodes of the flow's table. Here and not in the header, where every instruction set that kernels are compiled for
-// would bring along its own copy.
+// The nodes of the flow's table. They are not in the header because every instruction set that kernels are compiled for
+// would then have its own copy.
 #include "isolaw/laws/tabulated_flow.hpp"
 
 #include <cmath>
@@ -28,7 +28,8 @@ Point above_one(double w) {  // u = 1 + e^w
   return {1.0 + e, e, std::log1p(e) * num::log2_e};
 }
 
-// Appends the nodes of one grading, w from `first` to `last` (either way), to `nodes` from index `at` on.
+// Writes the nodes of one grading, with w from `first` up or down to `last`, into `nodes` from index `at` on. Returns
+// the next free index.
 template <std::size_t Count, class Grading>
 std::size_t append(Nodes<Count>& nodes, std::size_t at, Grading grading, double first, double last) {
   constexpr double inner = 0.27639320225002103;  // (1 - 1/sqrt(5)) / 2
@@ -53,7 +54,7 @@ std::size_t append(Nodes<Count>& nodes, std::size_t at, Grading grading, double 
 
 template <Reach reach>
 auto Layout<reach>::nodes() -> Nodes<count> const& {
-  static Nodes<count> const made = [] {
+  static Nodes<count> const table = [] {
     Nodes<count> n;
     auto const unloading = falls ? below_zero : above_minus_one;
     append(n, append(n, 0, unloading, start_w, smallest_w), below_one, smallest_w, largest_w);
@@ -61,7 +62,7 @@ auto Layout<reach>::nodes() -> Nodes<count> const& {
     for (std::size_t i = 0; i + 1 < count; ++i) n.inverse_rise[i] = 1.0 / (n.key[i + 1] - n.key[i]);
     return n;
   }();
-  return made;
+  return table;
 }
 
 template struct Layout<Reach::within_saturation>;

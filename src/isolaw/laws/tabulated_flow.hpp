@@ -1,21 +1,12 @@
-// The exact flow of the hysteretic laws between two reversals from a table, where saturating_flow.hpp has no
-// polynomial.
-//
-// Bouc-Wen's z and Abe's F2, divided by their saturation value and taken positive in the direction of motion, obey one
-// autonomous equation in dimensionless travel t:
-//     du/dt = 1 - u^n            for u >= 0  (from both sides towards saturation, u = 1)
-//     du/dt = 1 + kappa |u|^n    for u <  0  (unloading, u rises to 0)
-// Every device history between reversals is a piece of one curve u(t), so it is tabulated once per candidate and each
-// sample costs a lookup, however large the step: no step size, no stability limit, no power per sample.
+// The exact flow of the hysteretic laws between two reversals, from a table, where the polynomials of
+// saturating_flow.hpp do not hold. That file states the equation and the rejected alternatives. The curve u(t) is
+// tabulated once per candidate, which costs about 500 powers; each sample then costs a lookup, however large its step.
 //
 // Nodes are graded geometrically towards u = 0, where u^n is not smooth for n < 1, and towards saturation on both
-// sides; times between nodes by four-point Lobatto quadrature, u(t) within a cell by the quintic that takes value,
-// slope and curvature at both ends.
-// Largest error in u over n in [0.01, 3]: below 1e-5 for kappa in [-1/2, 3]; below 1e-5 / (2 (1 + kappa)) down to
-// kappa = -0.99, where the equation itself magnifies what happens near u = -1 (tests/verification).
-// The table costs about 500 powers.
-// Rejected: Runge-Kutta with sub-steps (32 per sample still leave 3.8 % in the objective of abe near its optimum), and
-// an exponential step with frozen exponent (first order where n < 1 and u crosses 0).
+// sides. Times between nodes come from four-point Lobatto quadrature; u(t) within a cell is the quintic with the value,
+// slope and curvature of both ends.
+// Largest error in u over n in [0.01, 3]: below 1e-5 for kappa in [-1/2, 3]; below 1e-5 / (2 (1 + kappa)) down to kappa
+// = -0.99, where the equation itself magnifies errors near u = -1 (tests/verification).
 #pragma once
 
 #include <array>
@@ -31,9 +22,8 @@ enum class Reach { within_saturation, beyond_saturation };
 
 namespace tabulated_flow_parts {
 
-// Fixed nodes and what the quadrature of each cell needs. `key` ascends with time along the curve: it is u itself on
-// the rising piece, and falling_origin - u on the piece that falls to saturation from above, so that one search serves
-// both.
+// Fixed nodes and the quadrature of each cell. `key` ascends with time along the curve: it is u itself on the rising
+// piece, and falling_origin - u on the piece that falls to saturation from above, so that one search serves both.
 template <std::size_t Count>
 struct Nodes {
   std::array<double, Count> key{};
@@ -47,15 +37,15 @@ struct Nodes {
   std::array<Cell, Count - 1> cells{};
 };
 
-inline constexpr double spacing = 1.0 / 3.0;  // of w, in all gradings
+inline constexpr double spacing = 1.0 / 3.0;  // between values of w, in all gradings
 inline constexpr double smallest_w = -12.0;   // |u| = 6e-6: between -6e-6 and 6e-6 the curve is a straight line
 inline constexpr double largest_w = 16.0;     // |1 - u| = 1e-7: closer to saturation u stays there
 inline constexpr double unloading_w = 14.0;   // |1 + u| = 8e-7: where unloading starts within saturation
-inline constexpr double reach_w = 4.0;        // |u| = 55: beyond, the rate is frozen at its value there
+inline constexpr double reach_w = 4.0;        // |u| = 55: beyond it the rate is frozen at its value there
 // Keys of the falling piece, 4.4 to 59, lie above those of the rising one.
 inline constexpr double falling_origin = 60.0;
 
-// Keeps what is saturated inside the last cell of its piece, where rounding would take it to the next.
+// Keeps a saturated u in the last cell of its piece; rounding would otherwise move it to the next.
 inline constexpr double just_below_one = 1.0 - 1e-15;
 
 constexpr std::size_t node_count(double first, double last) {
@@ -74,7 +64,7 @@ struct Layout {
   static constexpr std::size_t rising = negative + node_count(smallest_w, largest_w);
   static constexpr std::size_t count = rising + (falls ? node_count(reach_w, -largest_w) : 0);
 
-  static Nodes<count> const& nodes();  // made at the first call
+  static Nodes<count> const& nodes();  // computed at the first call
 };
 extern template struct Layout<Reach::within_saturation>;
 extern template struct Layout<Reach::beyond_saturation>;
@@ -87,11 +77,11 @@ class TabulatedFlow {
   static constexpr std::size_t count = Layout::count;
 
  public:
-  // Makes the table, in place: it is large. n > 0; kappa > -1. Anything else gives values that are not finite.
+  // Fills the table in place, because it is large. Needs n > 0 and kappa > -1; other values give results that are not
+  // finite.
   void tabulate(T const& exponent, T const& unloading);
 
-  // The place of u on the curve, as a time, and the value at a time: value_at(time_at(u) + travel) is u a travel later.
-  // The two are inverse within rounding, so that repeated conversion does not drift.
+  // As in SaturatingFlow: value_at(time_at(u) + travel) is u after that travel.
   T time_at(T const& u) const { return place_of(u).time(); }
   T value_at(T const& time) const { return value_of_key(place_at(time).key() + first_rate_ * min(time, T(0.0))); }
 
@@ -102,7 +92,7 @@ class TabulatedFlow {
   Advance advance(T const& u, T const& travel) const {
     Place const start = place_of(u);
     T time = start.time() + travel;
-    // Whoever rises stays below saturation, and must not run on into the falling piece of the table.
+    // A rising u stays below saturation: its time must not run on into the falling piece of the table.
     if constexpr (Layout::falls)
       time = select(u > T(1.0), time, min(time, time_[Layout::rising - 1] * T(tabulated_flow_parts::just_below_one)));
     Place const end = place_at(time);
@@ -111,7 +101,7 @@ class TabulatedFlow {
   }
 
  private:
-  // Value, slope and curvature of the key over time at a node.
+  // Slope and curvature of the key over time at a node.
   struct Motion {
     T rate, curvature;
   };
@@ -119,7 +109,8 @@ class TabulatedFlow {
   static T duration_of(std::size_t cell, T const& n, T const& kappa, T const& rate0, T const& rate1);
   void fit_cell(std::size_t i, T const& duration, Motion const& a, Motion const& b);
 
-  // In a cell the key is a polynomial of the time since its begin. In this order in the table.
+  // Within a cell the key is a polynomial of the time since the cell's begin. The table holds these values in this
+  // order.
   struct Cell {
     T begin, duration;
     std::array<T, 6> c;
@@ -135,11 +126,11 @@ class TabulatedFlow {
   struct Place {
     Cell cell;
     T t;
-    T before;  // time before the first node, 0 from there on
+    T before;  // for a point before the first node: the (negative) time from it; else 0
 
     T time() const { return cell.begin + t + before; }
     T key() const { return cell.value(t); }
-    T rate() const { return cell.rate(t); }  // of the key
+    T rate() const { return cell.rate(t); }  // d key / dt
   };
   Place place_of(T const& u) const;
   Place place_at(T const& time) const;
@@ -148,7 +139,7 @@ class TabulatedFlow {
     return key;
   }
 
-  std::array<T, count> time_;  // of the nodes
+  std::array<T, count> time_;  // when the curve passes each node
   num::Rows8<T, count - 1> cells_;
   T first_rate_;
 };
@@ -186,9 +177,9 @@ template <class T, Reach reach>
 T TabulatedFlow<T, reach>::duration_of(std::size_t i, T const& n, T const& kappa, T const& rate0, T const& rate1) {
   auto const& nodes = Layout::nodes();
   T const one(1.0);
-  if (i + 1 == Layout::rising) return one;  // between the pieces; never entered
+  if (i + 1 == Layout::rising) return one;  // the cell between the two pieces, which nothing enters
   if (i + 1 == Layout::negative) {
-    // Through zero: the mean of |u|^n over each half is 1 / (n + 1) of its value at the node.
+    // The cell through 0: the mean of |u|^n over each half is 1 / (n + 1) of its value at the node.
     T const mean0 = one - (one - rate0) / (n + one), mean1 = one - (one - rate1) / (n + one);
     return T(-nodes.key[i]) / mean0 + T(nodes.key[i + 1]) / mean1;
   }
@@ -211,7 +202,7 @@ void TabulatedFlow<T, reach>::fit_cell(std::size_t i, T const& h, Motion const& 
     cells_.set(i, {begin, h, key, mean, zero, zero, zero, zero});
     return;
   }
-  // Quintic Hermite: what is missing to the mean rate at both ends, and the curvatures.
+  // Quintic Hermite polynomial from each end's rate, relative to the mean rate, and curvature.
   T const d0 = a.rate - mean, d1 = b.rate - mean, c0 = a.curvature * h, c1 = b.curvature * h;
   T const third = T(-6.0) * d0 - T(4.0) * d1 - T(1.5) * c0 + T(0.5) * c1;
   T const fourth = T(8.0) * d0 + T(7.0) * d1 + T(1.5) * c0 - c1;
@@ -232,7 +223,7 @@ auto TabulatedFlow<T, reach>::place_of(T const& u) const -> Place {
   auto const& nodes = Layout::nodes();
   T const lowest(nodes.key.front());
   T key = u;
-  // Above the reach the falling piece starts at its first node: there the rate hardly changes over a step.
+  // A u above the reach starts at the first node of the falling piece, where the rate hardly changes over a step.
   if constexpr (Layout::falls)
     key = select(u > T(1.0), max(T(tabulated_flow_parts::falling_origin) - u, T(nodes.key[Layout::rising])),
                  min(u, T(nodes.key[Layout::rising - 1] * tabulated_flow_parts::just_below_one)));
@@ -240,7 +231,7 @@ auto TabulatedFlow<T, reach>::place_of(T const& u) const -> Place {
   T const inside = min(max(key, lowest), last);
   auto const index = cell_of(nodes.key, inside);
   Cell const cell(cells_.get(index));
-  // First guess: the cubic Hermite polynomial of the inverse function; then Newton.
+  // The cubic Hermite polynomial of the inverse function gives a guess, which Newton's method improves.
   T const one(1.0), inverse_rise(at(nodes.inverse_rise, index)), rise = one / inverse_rise;
   T const r = (inside - cell.c[0]) * inverse_rise, left = one - r;
   T const m0 = rise / cell.c[1], m1 = rise / cell.rate(cell.duration);

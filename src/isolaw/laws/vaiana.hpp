@@ -1,6 +1,6 @@
-// Vaiana (VRM+D class): transcendental, rate independent, different loading and unloading branches.
+// Vaiana (VRM+D class): transcendental and rate independent, with different loading and unloading branches.
 // Source: Cucuzza et al. 2025, Eqs. (6)-(12), after Vaiana et al. 2021, with the auxiliary length taken to infinity:
-// the branch starts from the reversal point (xP, fP) itself, so no internal variable and no logarithm is left. Units N,
+// the branch starts from the reversal point (xP, fP) itself and needs no internal variable and no logarithm. Units N,
 // m.  Step: exact; a branch continued from any of its points is the same branch, so every sample serves as (xP, fP).
 #pragma once
 

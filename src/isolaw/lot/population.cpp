@@ -17,12 +17,12 @@ using num::Matrix;
 using num::Vector;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-// Of the largest eigenvalue: below it a direction is rounding of the others.
+// An eigenvalue below this share of the largest is rounding error.
 constexpr double rounding = 1e-13;
-// Share of a direction's variance that must remain; what is left by S = C in exact arithmetic is rounding.
+// A direction has variance if more than this share of it remains; S = C would leave none in exact arithmetic.
 constexpr double least_remainder = 1e-10;
 
-std::size_t whole(Index i) {
+std::size_t as_size(Index i) {
   return static_cast<std::size_t>(i);
 }
 
@@ -40,7 +40,7 @@ Matrix matrix(SquareMatrix const& rows) {
   auto const n = static_cast<Index>(rows.size());
   Matrix m(n, n);
   for (Index i = 0; i < n; ++i)
-    for (Index j = 0; j < n; ++j) m(i, j) = rows[whole(i)][whole(j)];
+    for (Index j = 0; j < n; ++j) m(i, j) = rows[as_size(i)][as_size(j)];
   return m;
 }
 
@@ -91,19 +91,19 @@ struct Located {
 
 Located transformed(Population const& population, DeviceEstimate const& device) {
   auto const n = static_cast<Index>(device.values.size());
-  Located made{vector(device.values), Matrix::Zero(n, n)};
+  Located result{vector(device.values), Matrix::Zero(n, n)};
   if (!device.covariance.empty()) {
     Matrix const given = matrix(device.covariance);
-    made.error = 0.5 * given + 0.5 * given.transpose();
+    result.error = 0.5 * given + 0.5 * given.transpose();
   }
   for (Index i = 0; i < n; ++i) {
-    if (population.transforms[whole(i)] == Transform::identity) continue;
-    double const value = made.at[i];
-    made.error.row(i) /= value;
-    made.error.col(i) /= value;
-    made.at[i] = std::log(std::abs(value));
+    if (population.transforms[as_size(i)] == Transform::identity) continue;
+    double const value = result.at[i];
+    result.error.row(i) /= value;
+    result.error.col(i) /= value;
+    result.at[i] = std::log(std::abs(value));
   }
-  return made;
+  return result;
 }
 
 std::vector<double> physical(Population const& population, Vector const& at) {
@@ -113,13 +113,13 @@ std::vector<double> physical(Population const& population, Vector const& at) {
   return values;
 }
 
-// 1 in place of 0, for what is divided by.
+// Replaces 0 by 1, for a divisor.
 Vector or_one(Vector v) {
   for (double& x : v) x = x > 0.0 ? x : 1.0;
   return v;
 }
 
-// Each element by the factors of its row and its column.
+// Multiplies each element by the factors of its row and its column.
 Matrix scaled(Matrix const& m, Vector const& factors) {
   return factors.asDiagonal() * m * factors.asDiagonal();
 }
@@ -131,9 +131,9 @@ std::vector<double> unit_direction(Vector v) {
   return plain(Vector(v[largest] < 0.0 ? -v : v));
 }
 
-// S x = lambda C x as S x = m T x with T = S + C, m = lambda / (1 + lambda) between 0 and 1: C may then be singular or
-// zero, and S as well. In coordinates scaled by the diagonal of T, so that units do not matter, and within the range of
-// T: outside it estimates neither differ nor err. lambda - 1 of C is 2 m - 1 of T.
+// Sigma by S x = lambda C x, solved as S x = m T x with T = S + C and m = lambda / (1 + lambda) between 0 and 1, so
+// that C and S may be singular or zero. lambda - 1 times C is 2 m - 1 times T. Coordinates are scaled by the diagonal
+// of T, so that units do not matter. Directions outside the range of T have neither scatter nor error and are left out.
 Matrix between_devices(Matrix const& S, Matrix const& C, Population& population) {
   Vector const scale = or_one((S + C).diagonal().cwiseMax(0.0).cwiseSqrt());
   Vector const shrink = scale.cwiseInverse();
@@ -164,8 +164,7 @@ Matrix between_devices(Matrix const& S, Matrix const& C, Population& population)
   return scaled(sigma, scale);
 }
 
-// The variance that each error would have if all other parameters were known, 1 / (C^-1)_ii; near zero where C is
-// singular.
+// The variance of each error if all other parameters were known, 1 / (C^-1)_ii; near zero if C is singular.
 Vector alone(Matrix const& C) {
   Vector const scale = or_one(C.diagonal().cwiseMax(0.0).cwiseSqrt());
   auto const parts = num::symmetric_eigen(scaled(C, scale.cwiseInverse()));
@@ -173,7 +172,7 @@ Vector alone(Matrix const& C) {
   return num::apply(Matrix(parts.vectors.cwiseAbs2()), inverse).cwiseInverse().cwiseProduct(scale.cwiseAbs2());
 }
 
-// Takes those of `undetermined` out of S that do not act.
+// Takes those of `undetermined` out of S that have no effect, see estimate_population.
 void silence(Matrix& S, Matrix const& C, std::span<std::size_t const> undetermined) {
   Vector const error = alone(C);
   for (auto const parameter : undetermined) {
@@ -186,13 +185,13 @@ void silence(Matrix& S, Matrix const& C, std::span<std::size_t const> undetermin
 
 Matrix correlation_of(Matrix const& sigma) {
   Vector const spread = sigma.diagonal().cwiseSqrt();
-  Matrix made = Matrix::Identity(sigma.rows(), sigma.cols());
-  for (Index i = 0; i < made.rows(); ++i)
-    for (Index j = 0; j < made.cols(); ++j) {
+  Matrix correlation = Matrix::Identity(sigma.rows(), sigma.cols());
+  for (Index i = 0; i < correlation.rows(); ++i)
+    for (Index j = 0; j < correlation.cols(); ++j) {
       double const product = spread[i] * spread[j];
-      if (i != j) made(i, j) = product > 0.0 ? std::clamp(sigma(i, j) / product, -1.0, 1.0) : nan;
+      if (i != j) correlation(i, j) = product > 0.0 ? std::clamp(sigma(i, j) / product, -1.0, 1.0) : nan;
     }
-  return made;
+  return correlation;
 }
 
 std::string note_on_rank(Population const& population) {
@@ -217,7 +216,7 @@ void describe(Matrix const& sigma, Population& population) {
   population.note = note_on_rank(population);
 }
 
-// The symmetric root of Sigma, by way of the correlations so that units do not matter.
+// The symmetric root of Sigma, computed from the correlations so that units do not matter.
 Matrix symmetric_root(Population const& population) {
   Matrix const sigma = matrix(population.covariance);
   Vector const spread = sigma.diagonal().cwiseMax(0.0).cwiseSqrt(), scale = or_one(spread);
@@ -288,7 +287,7 @@ Population estimate_population(std::vector<std::string> const& names, std::span<
   auto const n = static_cast<Index>(names.size());
   auto const count = static_cast<double>(devices.size());
   Vector const first = transformed(population, devices.front()).at;
-  Vector mean = first;  // plus differences, so that equal devices have a scatter of zero
+  Vector mean = first;  // summed as differences from it, so that equal devices have exactly no scatter
   for (auto const& device : located) mean += (device.at - first) / count;
   population.mean = plain(mean);
   population.medians = physical(population, mean);
@@ -306,7 +305,7 @@ Population estimate_population(std::vector<std::string> const& names, std::span<
   population.uncertainty = plain(C);
   silence(S, C, undetermined);
   Matrix sigma = between_devices(S, C, population);
-  // What rounding leaves of a parameter without variance has no correlations.
+  // A variance that is only rounding error would give a parameter correlations.
   for (Index i = 0; i < n; ++i)
     if (sigma(i, i) <= 1e-12 * (S(i, i) + C(i, i))) {
       sigma.row(i).setZero();
@@ -321,7 +320,7 @@ Sample sample(Population const& population, std::size_t count, num::Stream const
   check_sampling(population, limits);
   Vector const mean = vector(population.mean);
   Matrix const root = symmetric_root(population);
-  Sample made;
+  Sample result;
   for (std::size_t i = 0; i < count; ++i) {
     Vector z(mean.size());
     std::vector<double> values;
@@ -331,18 +330,18 @@ Sample sample(Population const& population, std::size_t count, num::Stream const
       for (double& x : z) x = draws.normal();
       values = physical(population, mean + num::apply(root, z));
       found = inside(values, limits);
-      made.rejected += found ? 0 : 1;
+      result.rejected += found ? 0 : 1;
     }
-    if (!found) ++made.pulled_back;
+    if (!found) ++result.pulled_back;
     while (!found) {
       z *= 0.5;
-      // Halved until it no longer moves a median that lies on its limit.
+      // A median may lie on its limit: then z is halved until it no longer moves that median.
       values = z.norm() > 1e-12 ? physical(population, mean + num::apply(root, z)) : population.medians;
       found = inside(values, limits) || z.norm() <= 1e-12;
     }
-    made.values.push_back(std::move(values));
+    result.values.push_back(std::move(values));
   }
-  return made;
+  return result;
 }
 
 }  // namespace isolaw::lot

@@ -11,13 +11,13 @@
 namespace isolaw::lot {
 namespace {
 
-constexpr double near_zero = 1e-9;  // of the largest magnitude: sums of 10 to 1000 doubles err by less
+constexpr double near_zero = 1e-9;  // share of the largest magnitude; sums of 10 to 1000 doubles have smaller errors
 
 bool all_finite(std::span<double const> values) {
   return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
 }
 
-// The mean that differences are relative to; nullopt where they are undefined.
+// The mean that differences are relative to; nullopt if they are undefined.
 std::optional<double> reference_mean(std::span<double const> values) {
   if (values.empty() || !all_finite(values)) return std::nullopt;
   double largest = 0.0;

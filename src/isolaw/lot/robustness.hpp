@@ -1,8 +1,9 @@
-// How far a law's parameters hold for the whole lot (sections 5 and 6 of Cucuzza et al. 2025, Eqs. 28-31).
+// The robustness index: how far a law's parameters hold for the whole lot (Cucuzza et al. 2025, sections 5 and 6,
+// Eqs. 28-31).
 //
-// Each takes the means of a parameter over the runs, one per device. Differences are relative to the mean over the
-// devices, so nothing is defined where that mean is no larger than rounding: |mean| <= 1e-9 times the largest |value|.
-// Nor is anything where a device's mean is not finite: who computes it decides which devices take part.
+// The input is a parameter's mean over the runs, one for each device. Differences are relative to the mean over the
+// devices. They are undefined if that mean is only rounding error (|mean| <= 1e-9 times the largest |value|) or if a
+// device's mean is not finite: the caller decides which devices take part.
 #pragma once
 
 #include <optional>
@@ -12,21 +13,21 @@
 
 namespace isolaw::lot {
 
-// Percentage difference of each device's mean from the mean over devices, 100 (mu_d - mean) / mean as Eq. (30) has it:
-// positive means larger in magnitude. Empty when undefined.
+// The difference of each device's mean from the mean over devices in percent, 100 (mu_d - mean) / mean as in Eq. (30);
+// positive if it is larger in magnitude. Empty if undefined.
 std::vector<double> percent_differences(std::span<double const> device_means);
 
-// Delta_n of one parameter, Eq. (29)-(30): the largest |mu_d - mean| / |mean|. nullopt when undefined, which includes
+// Delta_n of one parameter, Eqs. (29)-(30): the largest |mu_d - mean| / |mean|. nullopt if undefined or if there are
 // fewer than two devices.
 std::optional<double> largest_relative_difference(std::span<double const> device_means);
 
 struct Robustness {
   std::optional<double> beta;  // Eq. (31); smaller is more robust
-  std::string note;            // why it is null: one device, a mean near zero (which parameters)
+  std::string note;            // why beta is undefined, for instance which parameters have a mean near zero
 };
 
-// names[n] and device_means[n][d] over the law's free parameters n and devices d. One parameter without a Delta_n
-// leaves beta undefined: a mean over the others would not be comparable between laws.
+// names[n] and device_means[n][d] for the law's free parameters n and devices d. A single parameter without a Delta_n
+// leaves beta undefined: a mean over the others could not be compared between laws.
 Robustness robustness_index(std::vector<std::string> const& names,
                             std::vector<std::vector<double>> const& device_means);
 

@@ -1,10 +1,10 @@
-// W doubles that behave like one: the population is the vector, a lane is a candidate. Lanes never mix.
+// A batch of W doubles that behaves like one double. Each lane holds one candidate of a population; lanes never mix.
 //
-// A batch is a few native vectors of the compiler (GCC and Clang, vector_size), so that a law's body compiled for an
-// instruction set runs in its registers, with several independent vectors in flight to hide the latency of each. The
-// types carry the instruction set in their name: objects compiled for different ones may be linked into one program
-// (fit/kernels.cpp), as long as all that they share are functions of these types.
-// Lanes agree with the double path within rounding: exp, exp2, log2 and power are those of elementary.hpp.
+// A batch consists of a few native vectors of the compiler (GCC and Clang, vector_size). A law's body thus runs in the
+// registers of the instruction set it is compiled for, and several independent vectors in flight hide each other's
+// latency. The names of the types contain the instruction set, so that objects compiled for different ones may be
+// linked into one program (fit/kernels.cpp), provided that they share only functions of these types.
+// Lanes agree with the double path within rounding; exp, exp2, log2 and power are those of elementary.hpp.
 #pragma once
 
 #include <array>
@@ -23,8 +23,7 @@
 #include "isolaw/num/elementary.hpp"
 #include "isolaw/num/scalar.hpp"
 
-// Every function here must disappear into its caller: a copy of its own could be linked into code for another
-// processor.
+// Every function here must be inlined: a separate copy could be linked into code for another processor.
 #define ISOLAW_INLINE inline __attribute__((always_inline))
 #define ISOLAW_LAMBDA __attribute__((always_inline))
 
@@ -52,7 +51,7 @@ typedef double Vector __attribute__((vector_size(vector_lanes * 8)));
 typedef std::int64_t VectorMask __attribute__((vector_size(vector_lanes * 8)));
 typedef std::uint64_t VectorBits __attribute__((vector_size(vector_lanes * 8)));
 
-// K values, made and visited by a constant index: unrolled by the front end, so that they live in registers.
+// K values visited by a constant index. The front end unrolls the loops, so that the values stay in registers.
 template <class V, std::size_t K>
 struct Pack {
   V part[K];
@@ -66,9 +65,9 @@ struct Pack {
   }
   template <class F>
   ISOLAW_INLINE static Pack make(F&& f) {
-    Pack made;
-    each([&](std::size_t i) ISOLAW_LAMBDA { made.part[i] = f(i); });
-    return made;
+    Pack pack;
+    each([&](std::size_t i) ISOLAW_LAMBDA { pack.part[i] = f(i); });
+    return pack;
   }
 };
 
@@ -76,7 +75,7 @@ template <std::size_t W>
 struct Mask : Pack<VectorMask, W / vector_lanes> {};
 template <std::size_t W>
 struct Bits : Pack<VectorBits, W / vector_lanes> {};
-// Of the cells of a table, one for each lane.
+// For each lane the index of a table's cell.
 template <std::size_t W>
 struct Indices : Pack<VectorMask, W / vector_lanes> {};
 
@@ -139,7 +138,7 @@ ISOLAW_OPERATOR(>>, int)
 
 }  // namespace ISOLAW_INSTRUCTION_SET
 
-// What elementary.hpp asks of a type of lanes.
+// The operations that elementary.hpp needs.
 template <std::size_t W>
 struct Lanes<Batch<W>> {
   using L = Lanes<Vector>;
@@ -196,7 +195,7 @@ ISOLAW_INLINE Batch<W> power(Batch<W> const& x, Batch<W> const& p) {
 }
 ISOLAW_INLINE Vector sqrt_of(Vector const& a) {
 #if defined(__AVX512F__)
-  return _mm512_maskz_sqrt_pd(0xff, a);  // the forms without a mask start from a value that GCC 12 warns of
+  return _mm512_maskz_sqrt_pd(0xff, a);  // GCC 12 warns that the form without a mask uses an uninitialised value
 #elif defined(__AVX__)
   return _mm256_sqrt_pd(a);
 #elif defined(__SSE2__)
@@ -217,7 +216,7 @@ template <std::size_t W>
 ISOLAW_INLINE Batch<W> select(Mask<W> const& condition, Batch<W> const& a, Batch<W> const& b) {
   return Lanes<Batch<W>>::select(condition, a, b);
 }
-// Whether it holds in any lane: to skip what no lane needs.
+// Whether the mask is set in any lane, so that code can skip what no lane needs.
 template <std::size_t W>
 ISOLAW_INLINE bool any(Mask<W> const& mask) {
   VectorMask all = mask.part[0];
@@ -236,7 +235,7 @@ ISOLAW_INLINE bool any(Mask<W> const& mask) {
   return bits != 0;
 #endif
 }
-// Branching on what the record determines is the same for all lanes.
+// A condition that depends on the record alone is the same for all lanes.
 template <std::size_t W>
 ISOLAW_INLINE Batch<W> select(bool condition, Batch<W> const& a, Batch<W> const& b) {
   return condition ? a : b;
@@ -250,8 +249,8 @@ ISOLAW_INLINE Batch<W> max(Batch<W> const& a, Batch<W> const& b) {
   return select(a < b, b, a);
 }
 
-// Where a compiler fuses, what it fuses in a sum of two products may depend on what it inlined: a lane would have other
-// bits in a block of another width. Costs no instruction.
+// Keeps the product `a` out of a fused multiply-add. Which product of a sum of two a compiler fuses may depend on what
+// it inlined, so that a lane would get other bits in a block of another width. Costs no instruction.
 template <std::size_t W>
 ISOLAW_INLINE Batch<W> rounded(Batch<W> a) {
   a.each([&]([[maybe_unused]] std::size_t i) ISOLAW_LAMBDA {
@@ -264,7 +263,7 @@ ISOLAW_INLINE Batch<W> rounded(Batch<W> a) {
   return a;
 }
 
-// The doubles at base[index] of each lane.
+// base[index] for each lane.
 ISOLAW_INLINE Vector gather(double const* base, VectorMask const& index) {
 #if defined(__AVX512F__)
   return _mm512_mask_i64gather_pd(_mm512_setzero_pd(), 0xff, std::bit_cast<__m512i>(index), base, 8);
@@ -276,7 +275,7 @@ ISOLAW_INLINE Vector gather(double const* base, VectorMask const& index) {
   return out;
 #endif
 }
-// 0, 1, 2 ... for the lanes of vector number `part`.
+// The numbers, counted through the whole batch, of the lanes of vector number `part`.
 ISOLAW_INLINE VectorMask lane_numbers(std::size_t part) {
   VectorMask numbers;
   for (std::size_t i = 0; i < vector_lanes; ++i) numbers[i] = static_cast<std::int64_t>(part * vector_lanes + i);
@@ -306,8 +305,8 @@ ISOLAW_INLINE Batch<W> as_batch(double node) {
   return Batch<W>(node);
 }
 
-// `cells` + 1 nodes. The first three halvings compare with seven nodes that are the same for all lanes: a gather costs
-// more than several comparisons.
+// Finds the cell of x among `cells` + 1 nodes. The first three halvings are replaced by comparisons with seven nodes
+// that are the same for all lanes, since one gather costs more than several comparisons.
 template <class Values, std::size_t W>
 ISOLAW_INLINE Indices<W> bisect(Values const& nodes, std::size_t cells, Batch<W> const& x) {
   Indices<W> first{Indices<W>::make([](std::size_t) ISOLAW_LAMBDA { return VectorMask{}; })};
@@ -320,7 +319,8 @@ ISOLAW_INLINE Indices<W> bisect(Values const& nodes, std::size_t cells, Batch<W>
         return first.part[i] + ((node.part[i] <= x.part[i]) & skip);
       })};
     }
-  // The last block holds the rest; the others may look beyond their end, where all nodes are greater.
+  // The last of the eight blocks may be longer. In another block the search may look past its end, where all nodes are
+  // greater than x.
   for (std::size_t length = cells - 7 * block; length > 1;) {
     std::size_t const half = length / 2;
     auto const step = static_cast<std::int64_t>(half);
@@ -343,7 +343,7 @@ ISOLAW_INLINE Indices<W> cell_of(std::array<double, Count> const& nodes, Batch<W
   return bisect(nodes, Count - 1, x);
 }
 
-// Rounds of exchanging one bit of the row's index with the same bit of the lane's: each is one instruction a vector.
+// A round of a transposition: exchanges a bit of the row's index with that bit of the lane's. One instruction a vector.
 template <std::size_t Bit, std::size_t... Lane>
 ISOLAW_INLINE void exchange(std::array<Vector, vector_lanes>& rows, std::index_sequence<Lane...>) {
   for (std::size_t i = 0; i < vector_lanes; ++i) {
@@ -353,7 +353,6 @@ ISOLAW_INLINE void exchange(std::array<Vector, vector_lanes>& rows, std::index_s
     rows[i + Bit] = __builtin_shufflevector(a, b, static_cast<int>(Lane & Bit ? vector_lanes + Lane : Lane + Bit)...);
   }
 }
-// A square of vector_lanes vectors, turned over its diagonal.
 ISOLAW_INLINE void transpose(std::array<Vector, vector_lanes>& rows) {
   constexpr std::make_index_sequence<vector_lanes> lanes;
   exchange<1>(rows, lanes);

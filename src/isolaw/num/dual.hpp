@@ -1,5 +1,5 @@
-// Forward-mode derivative number: a value and its derivatives with respect to N independent variables (the idea of
-// Ceres' Jet). Comparisons and selections look at the value; a derivative at a kink is that of the branch taken.
+// A number for forward-mode differentiation: a value and its derivatives with respect to N independent variables, after
+// Ceres' Jet. Comparisons and selections look at the value; at a kink the derivative is that of the branch taken.
 #pragma once
 
 #include <array>
@@ -17,10 +17,10 @@ struct Dual {
 
   Dual() = default;
   explicit Dual(double v) : value(v) {}
-  // The independent variable number i.
+  // Independent variable number i.
   Dual(double v, std::size_t i) : value(v) { slope[i] = 1.0; }
 
-  // A function of one argument: f(u) with f'(u).
+  // f(u) from its value and derivative.
   static Dual chain(Dual const& u, double f, double derivative) {
     Dual out(f);
     for (std::size_t i = 0; i < N; ++i) out.slope[i] = derivative * u.slope[i];
@@ -66,7 +66,7 @@ template <std::size_t N>
 Dual<N> expm1(Dual<N> const& u) {
   return Dual<N>::chain(u, std::expm1(u.value), std::exp(u.value));
 }
-// At 0 the root is as steep as can be: taken for level there.
+// The derivative at 0 is infinite; it is replaced by 0.
 template <std::size_t N>
 Dual<N> fifth_root(Dual<N> const& u) {
   double const f = fifth_root(u.value);
@@ -103,7 +103,7 @@ std::size_t cell_of(std::array<Dual<N>, Count> const& nodes, Dual<N> const& x) {
   }
   return first;
 }
-// Nodes that are constants of the method, not of the candidate.
+// For nodes that do not depend on the candidate.
 template <std::size_t N, std::size_t Count>
 std::size_t cell_of(std::array<double, Count> const& nodes, Dual<N> const& x) {
   return cell_of(nodes, x.value);

@@ -1,27 +1,26 @@
-// 2^x, e^x, e^x - 1, log2 x, |x|^p and x^(1/5) without branches, tables or library calls, for code that runs many lanes
-// at once: the body of a loop over doubles that a compiler turns into vector instructions, or the same body on vectors
-// themselves.
+// 2^x, e^x, e^x - 1, log2 x, |x|^p and x^(1/5) without branches, tables or library calls. They serve code that computes
+// many lanes at once: loops over doubles that a compiler vectorises, and the same bodies on vectors.
 //
-//   function           largest error (with / without fused multiply-add; pinned in tests/unit) and where it holds
+//   function           largest error (with / without fused multiply-add; tests/unit checks it) and where it holds
 //   fast_exp2(x)       0.9 / 1.2 ULP in [-1022, 1023.5); +inf from 1023.5 on; gradual down to -1022.5, 0 below
 //   fast_exp(x)        0.9 / 1.2 ULP in [-708.3, 709.4]; +inf from 709.44 on; 0 below -708.75
-//   fast_expm1(x)      relative error 4e-16; of x clamped to [-700, 700]
-//   fast_fifth_root(x) relative error 6e-14 for x = 0 and normal x > 0; without a division or a square root
+//   fast_expm1(x)      relative error 4e-16; x is clamped to [-700, 700] first
+//   fast_fifth_root(x) relative error 6e-14 for x = 0 and normal x > 0; uses no division and no square root
 //   fast_log2(x)       1.6 / 1.8 ULP for positive normal x; +inf for +inf; NaN for anything else
 //   fast_power(x, p)   |x|^p: relative error (2 + |p|) 2^-53, and without fused multiply-add |p log2 x| 2^-53 more; not
-//                      finite where x or p is not; range as fast_exp2's
-// NaN gives NaN. +inf thus comes up to a factor of sqrt(2) early, and 0 instead of the smallest subnormal numbers: to
-// end exactly where the format does would cost a second scaling.
+//                      finite where x or p is not; same range as fast_exp2
+// NaN gives NaN. +inf comes up to a factor of sqrt(2) early, and 0 replaces the smallest subnormal numbers: reaching
+// exactly to the ends of the format would cost a second scaling.
 //
 // Source: Cody and Waite 1980 (arguments reduced to half a binade around 1), fdlibm (log through s = (m-1) / (m+1)),
-// own coefficients (tools/elementary_coefficients.py). Departures: integers never become doubles by a conversion, which
-// SSE2 and AVX2 lack for 64 bits, but by adding 1.5 2^52.
-// Horner's scheme throughout: it has the fewest operations, and lanes in flight hide its latency. Rejected: splitting
-// even and odd powers (faster for one or two vectors, slower from four on), log2 without a division (twice the terms).
+// own coefficients (tools/elementary_coefficients.py). Departure: integers become doubles by adding 1.5 2^52, because
+// SSE2 and AVX2 cannot convert 64-bit integers.
+// Polynomials use Horner's scheme: it has the fewest operations, and lanes in flight hide its latency. Rejected: even
+// and odd powers apart (faster for one or two vectors, slower from four on), log2 without a division (twice the terms).
 //
-// Assumes round to nearest and IEEE NaN and infinity: never -ffast-math or -ffinite-math-only. -fno-trapping-math,
-// -fno-signed-zeros and -fno-math-errno do no harm. Vectors are fused by -ffp-contract=fast alone; every instruction
-// set with fused multiply-add gives the same bits then.
+// Assumes round to nearest and IEEE NaN and infinity: never compile with -ffast-math or -ffinite-math-only.
+// -fno-trapping-math, -fno-signed-zeros and -fno-math-errno do no harm. Vectors are fused only with -ffp-contract=fast;
+// then every instruction set with fused multiply-add gives the same bits.
 #pragma once
 
 #include <bit>
@@ -32,8 +31,8 @@
 
 namespace isolaw::num {
 
-// What the functions need of a type of lanes besides + - * / and comparisons. This one serves the vectors of GCC and
-// Clang, `double __attribute__((vector_size(N)))`; a type made of several of them specialises it.
+// The operations that the functions need of a type besides + - * / and comparisons. This template serves the vectors of
+// GCC and Clang, `double __attribute__((vector_size(N)))`; a type made of several of them specialises it.
 template <class T>
 struct Lanes {
   typedef std::uint64_t Bits __attribute__((vector_size(sizeof(T))));
@@ -85,11 +84,11 @@ inline constexpr double exp_terms[] = {0x1.0000000000000p+0,  0x1.0000000000000p
 inline constexpr double ln_terms[] = {0x1.5555555555594p-1, 0x1.999999997f77cp-2, 0x1.2492494235b74p-2,
                                       0x1.c71c51dbbbd75p-3, 0x1.746646d7fcebcp-3, 0x1.39a108cae2047p-3,
                                       0x1.2f0b96857276dp-3};
-// log2(1 + f) = s q(s^2), relative error 1.8e-16: enough for a factor of an exponent.
+// log2(1 + f) = s q(s^2), relative error 1.8e-16, which suffices inside an exponent.
 inline constexpr double power_log2_terms[] = {0x1.71547652b82ffp+1, 0x1.ec709dc39cd37p-1, 0x1.2776c5166ea8bp-1,
                                               0x1.a61756ae0f569p-2, 0x1.484f9fb17a412p-2, 0x1.0bb91613aa66ap-2,
                                               0x1.f1683d117925fp-3};
-// (e^f - 1) / f, the same polynomial without its first term.
+// (e^f - 1) / f: the polynomial of e^f without its first term.
 inline constexpr double expm1_terms[] = {0x1.0000000000000p+0,  0x1.000000000000bp-1,  0x1.555555555550fp-3,
                                          0x1.55555555502a0p-5,  0x1.1111111122b4ap-7,  0x1.6c16c1852c01cp-10,
                                          0x1.a01a014498ae6p-13, 0x1.a01997c656a0fp-16, 0x1.71deec62e8918p-19,
@@ -99,13 +98,13 @@ inline constexpr double fifth_root_terms[] = {0x1.ffffffffffe17p-1, 0x1.99999999
                                               0x1.58106251289e7p-1, 0x1.46dc5ad4239cfp-1, 0x1.39c94b1496699p-1,
                                               0x1.2f556f2eab700p-1, 0x1.26ab754546262p-1, 0x1.1ebe68daca01fp-1,
                                               0x1.184271bf2f816p-1, 0x1.2755d98415d35p-1, 0x1.23a77d79fff6cp-1};
-// The first 52 bits of x^(-1/5) are about this less a fifth of those of x, as whole numbers.
+// Taken as whole numbers, the first 52 bits of x^(-1/5) are about this constant minus a fifth of those of x.
 inline constexpr double fifth_root_guess = 0x1.7febced916873p+52;
 inline constexpr double log2_e = 0x1.71547652b82fep+0;
 inline constexpr double ln2_high = 0x1.62e42fee00000p-1;  // its product with an exponent is exact
 inline constexpr double ln2_low = 0x1.a39ef35793c76p-33;
 
-// Added to |x| < 2^51 it rounds x to an integer, and the sum's last bits hold that integer plus the bias of exponents.
+// Adding it to |x| < 2^51 rounds x to an integer; the sum's last bits hold that integer plus the bias of exponents.
 inline constexpr double shifter = 0x1.8p52 + 1023.0;
 inline constexpr double lowest_exponent = -1022.5, highest_exponent = 1023.5;
 
@@ -128,8 +127,8 @@ template <class T, std::size_t Count>
   return horner<T>(terms, x, std::make_index_sequence<Count - 1>());
 }
 
-// `mantissa` times 2 to the integer in `shifted`, for the exponent that was rounded to it; +inf and 0 outside the
-// range. Selecting at the end, not clamping at the start: GCC would follow a clamped value into code of its own.
+// `mantissa` times 2 to the integer that `shifted` holds (`exponent`, rounded); +inf and 0 outside the range. Rejected:
+// clamping the exponent first, for which GCC generates a separate branch.
 template <class T>
 [[gnu::always_inline]] inline T scale(T const& mantissa, T const& shifted, T const& exponent) {
   using L = Lanes<T>;
@@ -138,8 +137,8 @@ template <class T>
   return L::select(exponent >= L::all(highest_exponent), L::all(infinity), y);
 }
 
-// Positive normal x as 2^whole m with m from sqrt(1/2) to sqrt(2): bits that hold both, and each of them. Three
-// functions because GCC 12 copies lanes through memory when a struct returns several.
+// Splits a positive normal x into 2^whole m with m from sqrt(1/2) to sqrt(2): split() returns bits that hold both, the
+// next two extract each. A single function would return a struct, which GCC 12 copies through memory.
 template <class T>
 [[gnu::always_inline]] inline auto split(T const& x) {
   return Lanes<T>::bits(x) + (bits_of_one - bits_of_root_half);
@@ -188,14 +187,14 @@ template <class T>
   return L::multiply_add(power, rest * elementary::polynomial<T>(elementary::expm1_terms, rest), power - L::all(1.0));
 }
 
-// From a guess of x^(-1/5) by the bits of x, as far as it is off.
+// Guesses x^(-1/5) from the bits of x and corrects the root by a polynomial of the guess's error.
 template <class T>
 [[gnu::always_inline]] inline T fast_fifth_root(T const& x) {
   using L = Lanes<T>;
   T const bits = L::from_bits((L::bits(x) >> 12) | 0x4330'0000'0000'0000U);
   T const y = L::from_bits(L::bits(L::multiply_add(bits, L::all(-0.2), L::all(elementary::fifth_root_guess))) << 12);
   T const square = y * y, root = x * (square * square), off = L::all(1.0) - root * y, off2 = off * off;
-  // Even and odd powers apart: half the latency.
+  // Even and odd powers are summed apart, which halves the latency.
   constexpr auto const& c = elementary::fifth_root_terms;
   T even = L::all(c[10]), odd = L::all(c[11]);
   for (int i = 8; i >= 0; i -= 2) {
@@ -219,9 +218,8 @@ template <class T>
   return L::select(x < L::all(elementary::least_normal), L::all(elementary::not_a_number), finite);
 }
 
-// |x|^p as 2^(p log2 |x|), with log2 |x| kept in two parts so that nothing of it is lost in a large exponent. The floor
-// is added to |x| rather than compared with it, which is cheaper and the same from 1e-274 on and at 0: 0^p is 1e-290^p.
-// For |p| up to 1e20.
+// |x|^p as 2^(p log2 |x|) for |p| up to 1e20. log2 |x| is kept in two parts, so that a large exponent loses no digits.
+// The floor is added to |x|, which is cheaper than a maximum and the same at 0 and from 1e-274 on: 0^p is 1e-290^p.
 template <class T>
 [[gnu::always_inline]] inline T fast_power(T const& x, T const& p) {
   using L = Lanes<T>;
@@ -229,10 +227,10 @@ template <class T>
   auto const split = elementary::split<T>(base);
   T const whole = elementary::whole_of<T>(split), m = elementary::mantissa_of<T>(split);
   T const s = (m - L::all(1.0)) / (m + L::all(1.0));
-  // base - base is NaN where base is not finite, and 0 elsewhere. Not base * 0: with -fno-signed-zeros GCC 12 takes
-  // that for 0 in vectors, NaN or not.
+  // base - base is NaN if base is not finite, else 0. Rejected: base * 0, which GCC 12 takes for 0 in vectors with
+  // -fno-signed-zeros, NaN or not.
   T const fraction = s * elementary::polynomial<T>(elementary::power_log2_terms, s * s) + (base - base);
-  // Only rounded: what it lost comes back in the rest. Written so that there is one way to fuse it.
+  // Its rounding error returns in `rest`. The expression leaves the compiler only one way to fuse it.
   T const exponent = p * (whole + fraction);
   T const shifted = exponent + L::all(elementary::shifter);
   T const nearest = shifted - L::all(elementary::shifter);

@@ -1,7 +1,7 @@
-// erf(u) of doubles, derivative numbers and batches: below 4e-16 off, absolutely and, below 1/2, relatively; odd to the
-// last bit; NaN for NaN.
+// The error function erf(u) for doubles, derivative numbers and batches. Its error is below 4e-16, absolute, and for
+// |u| < 1/2 also relative. It is odd to the last bit and gives NaN for NaN.
 // Source: Cody 1969, the rational functions of his program calerf for |u| <= 0.46875 and up to 4. Departure: the second
-// one goes on to 6, where erf is 1 to the last bit; erfc there needs eight digits, which it has.
+// one is used up to 6, where erf is 1 to the last bit; erfc needs eight digits there, which it provides.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,7 @@ inline constexpr double outer_bottom[] = {1.0,
                                           3.43936767414372164e3,
                                           1.23033935480374942e3};
 
-// Into its caller, terms and all: tables would have a name of their own in code for one instruction set.
+// Inlined with its terms: a table would be a symbol of its own in code for one instruction set.
 template <class T, std::size_t Count, std::size_t... I>
 [[gnu::always_inline]] inline T horner(double const (&terms)[Count], T const& x, std::index_sequence<I...>) {
   T sum(terms[0]);
@@ -48,7 +48,7 @@ template <class T, std::size_t Count>
 template <class T>
 T erf(T const& u) {
   using namespace error_function;
-  // In this order what is not a number stays so.
+  // With the arguments in this order, min() keeps NaN.
   T const y = min(abs(u), T(6.0)), square = y * y;
   auto const inner = y < T(0.46875);
   T const top = select(inner, y * polynomial(inner_top, square), polynomial(outer_top, y));

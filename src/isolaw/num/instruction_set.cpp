@@ -26,8 +26,7 @@ bool always() {
 }
 
 #if defined(ISOLAW_X86_KERNELS)
-// Everything that -march=x86-64-v3 and -v4 let a compiler use, which is more than the vectors that the sets are named
-// by.
+// -march=x86-64-v3 and -v4 let a compiler use more than the vector instructions: all of it is checked here.
 #if defined(ISOLAW_CPU_LEVELS)
 bool has_x86_64_v3() {
   return __builtin_cpu_supports("x86-64-v3") != 0;
@@ -36,8 +35,8 @@ bool has_x86_64_v4() {
   return __builtin_cpu_supports("x86-64-v4") != 0;
 }
 #else
-// A compiler that knows no levels knows neither lzcnt, movbe and f16c nor cmpxchg16b and lahf. What avx2 builds on is
-// asked for too: a virtual machine may hide any of it by itself.
+// A compiler that does not know the levels does not know lzcnt, movbe, f16c, cmpxchg16b and lahf by name either. Older
+// extensions are checked too, since a virtual machine may hide any of them.
 bool has_x86_64_v3() {
   unsigned a = 0, b = 0, basic = 0, extended = 0, d = 0;
   __get_cpuid(1, &a, &b, &basic, &d);

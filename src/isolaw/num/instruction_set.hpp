@@ -1,5 +1,5 @@
-// Which code computes populations and sums over their residuals: what is compiled once per instruction set, and the
-// choice among it.
+// The choice of an instruction set. Code that computes populations, and sums over their residuals, is compiled once for
+// each of them.
 #pragma once
 
 #include <string_view>
@@ -7,17 +7,17 @@
 
 namespace isolaw::num {
 
-// `scalar` is the law on plain doubles, one candidate at a time, the same on every machine; it also gives every number
-// that is reported. The others agree with it within rounding. avx2 and avx512 give the same bits; sse2 (on other
-// processors: portable) lacks the fused multiply-add and differs from them in the last.
+// `scalar` computes a law on plain doubles, one candidate at a time, the same on every machine; every reported number
+// comes from it. The others agree with it within rounding. avx2 and avx512 give the same bits; `portable` (called sse2
+// on x86) lacks the fused multiply-add and differs from them in the last bits.
 enum class InstructionSet { scalar, portable, avx2, avx512 };
 std::string_view name(InstructionSet set);
 
-// What this program holds and this processor can run, slowest first.
+// The sets that this program contains and this processor can run, slowest first.
 std::vector<InstructionSet> available_instruction_sets();
 
-// The fastest of them, or the one that the environment variable ISOLAW_SIMD names; decided at the first call.
-// Throws Error: an unknown name, or one this processor lacks.
+// The fastest available set, or the one that the environment variable ISOLAW_SIMD names, chosen at the first call.
+// Throws Error for an unknown name or a set that this processor cannot run.
 InstructionSet instruction_set();
 InstructionSet parse_instruction_set(std::string_view text);
 

@@ -1,5 +1,5 @@
-// Vectors and matrices, and what of linear algebra takes long to compile: products of matrices and decompositions,
-// compiled once. Products are written out as one expression each, so that their sums are taken in one order everywhere.
+// Linear algebra on Eigen's vectors and matrices. Products and decompositions take long to compile, so they are
+// compiled once, here. That also fixes the order in which every product is summed.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,29 +14,26 @@ using VectorView = Eigen::Ref<Vector const>;
 
 Vector apply(MatrixView const& A, VectorView const& v);
 Matrix product(MatrixView const& A, MatrixView const& B);
-Vector apply_transposed(MatrixView const& A, VectorView const& v);    // Aᵀ v
-Matrix transposed_product(MatrixView const& A, MatrixView const& B);  // Aᵀ B
-// A diag(d) Bᵀ
-Matrix product_of_transposed(Matrix const& A, Vector const& d, Matrix const& B);
-// factor Jᵀ diag(weights) J
-Matrix weighted_gram(Matrix const& J, Vector const& weights, double factor = 1.0);
+Vector apply_transposed(MatrixView const& A, VectorView const& v);                  // Aᵀ v
+Matrix transposed_product(MatrixView const& A, MatrixView const& B);                // Aᵀ B
+Matrix product_of_transposed(Matrix const& A, Vector const& d, Matrix const& B);    // A diag(d) Bᵀ
+Matrix weighted_gram(Matrix const& J, Vector const& weights, double factor = 1.0);  // factor Jᵀ diag(weights) J
 
 struct Symmetric {
   Vector values;   // ascending
-  Matrix vectors;  // of unit length, one a column
+  Matrix vectors;  // columns, of unit length
 };
 Symmetric symmetric_eigen(Matrix const& A);
 
 struct Singular {
   Vector values;  // descending
-  Matrix right;   // one vector a column
+  Matrix right;   // columns: the right singular vectors
 };
 Singular singular_values(Matrix const& A);
 
-// Of least norm among those that leave the least of A x - b.
+// The x of least norm among those that minimise |A x - b|.
 Vector least_squares(Matrix const& A, Vector const& b);
 
-// A x = b for a symmetric A.
-Vector solve_symmetric(Matrix const& A, Vector const& b);
+Vector solve_symmetric(Matrix const& A, Vector const& b);  // A x = b for a symmetric A
 
 }  // namespace isolaw::num

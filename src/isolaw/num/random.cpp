@@ -29,8 +29,7 @@ std::array<std::uint32_t, 4> philox_4x32_10(std::array<std::uint32_t, 4> const& 
   return {words[0], words[1], words[2], words[3]};
 }
 
-// The generator is its own mixer: the child's key is a draw of the parent at a place (a, b) of all ones, which is
-// reserved for this.
+// The child's key is a draw of the parent at the place (a, b) of all ones, which is reserved for this.
 Stream Stream::split(std::uint64_t part) const {
   auto const words = philox_4x32_10({low_word(part), high_word(part), 0xffffffffu, 0xffffffffu}, key_);
   return Stream(join(words[0], words[1]));
@@ -57,7 +56,7 @@ double Draws::uniform() {
   return static_cast<double>(bits64() >> 11) * 0x1p-53;
 }
 
-// Rejection under the smallest mask that covers n - 1: exact for every n, fewer than two tries on average.
+// Rejection sampling with the smallest mask that covers n - 1: unbiased for every n, fewer than two tries on average.
 std::size_t Draws::below(std::size_t n) {
   assert(n > 0);
   auto const width = std::bit_width(n - 1);
@@ -68,8 +67,8 @@ std::size_t Draws::below(std::size_t n) {
   }
 }
 
-// Box and Muller 1958, the cosine alone: the second number is dropped so that every draw takes the same four words
-// whatever was drawn before it.
+// Box and Muller 1958. Only the cosine is used and the second number dropped, so that every draw takes the same four
+// words, whatever was drawn before it.
 double Draws::normal() {
   double const radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));  // 1 - u is never 0
   return radius * std::cos(2.0 * std::numbers::pi * uniform());

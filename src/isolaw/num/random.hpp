@@ -1,5 +1,5 @@
-// Counter-based random numbers (Philox 4x32-10, Salmon et al. 2011, through Random123): a draw depends only on the
-// stream's key and the draw's coordinates, so threads, order and interruption change nothing.
+// Counter-based random numbers (Philox 4x32-10, Salmon et al. 2011, through Random123). A draw depends only on the
+// stream's key and the draw's coordinates, so threads, order and interruptions do not change it.
 #pragma once
 
 #include <array>
@@ -8,17 +8,17 @@
 
 namespace isolaw::num {
 
-// The generator itself: a bijection of 128-bit counters for each 64-bit key. counter[0] and the low half of key come
-// first in Random123's order.
+// The generator itself: a bijection of 128-bit counters for each 64-bit key. counter[0] and the low half of `key` are
+// Random123's first words.
 std::array<std::uint32_t, 4> philox_4x32_10(std::array<std::uint32_t, 4> const& counter, std::uint64_t key);
 
-// A family of independent generators. The key says whose numbers they are (campaign seed, device, law, run).
+// A family of independent generators. The key identifies the user of the numbers (campaign seed, device, law, run).
 class Stream {
  public:
   Stream() = default;
   explicit Stream(std::uint64_t key) : key_(key) {}
-  // A stream of its own for each part of a name: Stream(seed).split(hash of device).split(hash of law).split(run).
-  // The order of the parts matters.
+  // A new stream for one part of a name: Stream(seed).split(hash of device).split(hash of law).split(run). The order of
+  // the parts matters.
   Stream split(std::uint64_t part) const;
   std::uint64_t key() const { return key_; }
 
@@ -26,9 +26,8 @@ class Stream {
   std::uint64_t key_ = 0;
 };
 
-// Sequential draws at one place (a, b) of a stream, for instance (generation, individual).
-// Satisfies UniformRandomBitGenerator; the conversions below are our own so that results do not depend on the
-// standard library's distributions.
+// Sequential draws at one place (a, b) of a stream, for instance (generation, individual). Satisfies
+// UniformRandomBitGenerator. It makes doubles and indices itself, since distributions of standard libraries differ.
 class Draws {
  public:
   using result_type = std::uint32_t;

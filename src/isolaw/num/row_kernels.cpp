@@ -1,4 +1,5 @@
-// Compiled once for every instruction set, with ISOLAW_ROW_KERNELS the name of what it defines; as fit/kernels.cpp.
+// Sums over tables of residuals. Compiled once for every instruction set, each time with another name,
+// ISOLAW_ROW_KERNELS, for the only object that it defines; the rules of fit/kernels.cpp apply.
 #include "isolaw/num/row_kernels.hpp"
 
 #include <algorithm>
@@ -25,7 +26,7 @@ void sizes(RowTable const& table, std::size_t columns, double delta, double* val
   }
 }
 
-// The differences of some rows, and these times their weights, small enough to stay close to the processor.
+// The differences of some rows, plain and weighted; few enough rows to stay in the processor's cache.
 constexpr std::size_t chunk = 32, tile = 4;
 struct Chunk {
   alignas(64) double difference[chunk * most_columns], cautious[chunk * most_columns], bold[chunk * most_columns];
@@ -52,7 +53,7 @@ void normal(RowTable const& table, std::size_t columns, double delta, double cau
   std::fill_n(sums.cautious, columns * columns, 0.0);
   std::fill_n(sums.bold, columns * columns, 0.0);
   double value = 0.0;
-  Chunk some;
+  Chunk part;
   for (std::size_t begin = 0; begin < rows; begin += chunk) {
     std::size_t const count = std::min(chunk, rows - begin);
     for (std::size_t j = 0; j < count; ++j) {
@@ -64,17 +65,17 @@ void normal(RowTable const& table, std::size_t columns, double delta, double cau
       for (std::size_t c = 0; c < columns; c += row_lanes) {
         std::size_t const at = j * columns + c;
         T const d = T::load(row + c) - T(r);
-        d.store(some.difference + at);
-        (T(above) * d).store(some.cautious + at);
-        (T(both) * d).store(some.bold + at);
+        d.store(part.difference + at);
+        (T(above) * d).store(part.cautious + at);
+        (T(both) * d).store(part.bold + at);
         (T::load(sums.gradient + c) + T(above * r) * d).store(sums.gradient + c);
       }
     }
     for (std::size_t i = 0; i < columns; i += tile)
       for (std::size_t c = 0; c <= i; c += row_lanes) {
         std::size_t const at = i * columns + c;
-        add_products<T>(some.cautious + i, some.difference + c, count, columns, sums.cautious + at);
-        add_products<T>(some.bold + i, some.difference + c, count, columns, sums.bold + at);
+        add_products<T>(part.cautious + i, part.difference + c, count, columns, sums.cautious + at);
+        add_products<T>(part.bold + i, part.difference + c, count, columns, sums.bold + at);
       }
   }
   *sums.value = value;

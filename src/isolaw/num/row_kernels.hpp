@@ -1,5 +1,5 @@
-// Sums over tables of residuals: one row for each of them, one column for each candidate. What a descent spends its
-// time on beside the law itself, compiled once for every instruction set.
+// Sums over tables of residuals, with a row for each residual and a column for each candidate. Besides the law itself,
+// these take most of a descent's time, so they are compiled once for every instruction set.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 
 namespace isolaw::num {
 
-// Columns that are computed together: the stride of a table is a multiple of it, and columns beyond the last candidate
-// hold anything that can be computed with.
+// The number of columns that are computed together. A table's stride is a multiple of it; columns beyond the last
+// candidate may hold any numbers.
 inline constexpr std::size_t row_lanes = 8;
 constexpr std::size_t padded(std::size_t columns) {
   return (columns + row_lanes - 1) / row_lanes * row_lanes;
@@ -19,30 +19,32 @@ constexpr std::size_t padded(std::size_t columns) {
 struct RowTable {
   double const* values;
   std::size_t stride;
-  std::span<double const> weights;  // of each row
+  std::span<double const> weights;  // one for each row
 };
 
-// What a step from the point of column 0 needs of a table whose other columns are its neighbours: sums over the rows of
-// weight * differences of the columns from column 0, by the curvatures of sqrt(r^2 + delta^2), r being column 0's.
-// Where a column is not finite, all sums that it has a part in are not.
+// The sums for a Newton step from column 0 of a table whose other columns are its neighbours. In each row r is the
+// value of column 0, size = sqrt(r^2 + delta^2), and a column's difference is its value minus r. A column that is not
+// finite makes all sums that it enters not finite.
 struct NormalSums {
-  double* gradient;         // [columns] of difference * r / size, size being that root
-  double *cautious, *bold;  // [columns][columns], lower triangle, of products of two differences
+  double* gradient;         // [columns]: sum of weight * difference * r / size
+  double *cautious, *bold;  // [columns][columns], lower triangle: sums of curvature * product of two differences
   double* value;            // sum of weight * size
 };
 
 struct RowKernels {
-  // values[c] = sum of weight * |r|, rounded[c] = sum of weight * sqrt(r^2 + delta^2), for padded(columns) of them.
+  // values[c] = sum of weight * |r|, rounded[c] = sum of weight * sqrt(r^2 + delta^2), where r is column c's value;
+  // both have padded(columns) elements.
   void (*sizes)(RowTable const& table, std::size_t columns, double delta, double* values, double* rounded);
 
-  // `cautious` by weight / size, the parabola that lies above; `bold` by cautious_share of that and bold_share of the
-  // curvature itself, weight * delta^2 / size^3. Columns up to padded(columns); at most most_columns.
+  // The curvature of `cautious` is weight / size, that of the parabola that touches `size` from above. The curvature of
+  // `bold` is cautious_share of that plus bold_share of the true one, weight * delta^2 / size^3. The arrays of `sums`
+  // are for padded(columns) columns, at most most_columns.
   void (*normal)(RowTable const& table, std::size_t columns, double delta, double cautious_share, double bold_share,
                  NormalSums const& sums);
 };
 inline constexpr std::size_t most_columns = 64;
 
-// Of the instruction set in use; `scalar` takes the portable ones.
+// The kernels of the instruction set in use; `scalar` uses the portable ones.
 RowKernels const& row_kernels();
 
 }  // namespace isolaw::num

@@ -1,15 +1,15 @@
-// The operations a law's step may use, for plain doubles. Dual and Batch offer the same set, so that one body runs on
-// all of them: laws call these names unqualified (law.hpp brings the double overloads in, the others come by ADL).
+// The operations that a law's step may use, here for plain doubles. Dual and Batch offer the same set, so one body runs
+// on all three. Laws call the names unqualified: law.hpp brings the double overloads in, ADL finds the others.
 //
 //   abs exp exp2 log2 sqrt min max        as in <cmath>
 //   expm1(x), fifth_root(x)               e^x - 1 and, for x >= 0, x^(1/5)
 //   any(condition)                        whether it is true in any lane
 //   select(condition, a, b)               a where true, b elsewhere, lane by lane; both are evaluated
-//   rounded(x)                            x, but a product is rounded before it goes into a sum: in a sum of two
-//                                         products it says which of them is not fused
+//   rounded(x)                            x; in a sum of two products it marks the one that is rounded before the sum,
+//                                         so that the compiler may fuse only the other
 //   cell_of(nodes, x)                     index i of the cell nodes[i] <= x < nodes[i+1], clamped to 0 .. count-2
 //   at(values, index)                     values[index], lane by lane
-//   Rows8                                 a table of rows of eight values, read by an index as cell_of gives it
+//   Rows8                                 a table of rows of eight values, read with an index from cell_of
 #pragma once
 
 #include <array>
@@ -33,7 +33,7 @@ inline double expm1(double x) {
   return std::expm1(x);
 }
 inline double fifth_root(double x) {
-  return fast_fifth_root(x);  // as lanes compute it
+  return fast_fifth_root(x);  // so that doubles and lanes use the same function
 }
 inline bool any(bool condition) {
   return condition;
@@ -58,7 +58,7 @@ T const& rounded(T const& x) {
   return x;
 }
 
-// Branch-free bisection: the trip count depends on the size of the table alone.
+// Bisection without branches: the number of rounds depends only on the size of the table.
 template <std::size_t Count>
 std::size_t cell_of(std::array<double, Count> const& nodes, double x) {
   static_assert(Count >= 2);
@@ -76,7 +76,7 @@ T const& at(std::array<T, Count> const& values, std::size_t index) {
   return values[index];
 }
 
-// A table of rows of eight values that are always read together: a row of one lane is one cache line.
+// A table of rows of eight values that are always read together. A row of doubles fills one cache line.
 template <class T, std::size_t Count>
 class Rows8 {
  public:
@@ -87,7 +87,7 @@ class Rows8 {
   std::array<std::array<T, 8>, Count> rows_;
 };
 
-// |x|^p for x >= 0, as 2^(p log2 x): 0 for x = 0 (p > 0), never the special cases of pow.
+// x^p for x >= 0 as 2^(p log2 x), without the special cases of pow. 0 counts as smallest_power_base.
 inline constexpr double smallest_power_base = 1e-290;
 inline constexpr double log2_e = 1.44269504088896340736;
 template <class T>
@@ -95,7 +95,7 @@ T power(T const& x, T const& p) {
   return exp2(p * log2(max(x, T(smallest_power_base))));
 }
 
-// 1 / cosh^2(u), through exp(-2|u|): tends to 0 without overflow.
+// 1 / cosh^2(u), computed from exp(-2|u|), which cannot overflow.
 template <class T>
 T sech_squared(T const& u) {
   T const e = exp(T(-2.0) * abs(u));

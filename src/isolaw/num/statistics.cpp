@@ -8,15 +8,15 @@ namespace isolaw::num {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double mad_to_std = 1.4826;  // of a normal distribution
+constexpr double mad_to_std = 1.4826;  // for a normal distribution
 
 struct Deviations {
   double mean = nan;
   double sum_of_squares = nan;  // about the mean
 };
 
-// Corrected two-pass algorithm (Chan, Golub, LeVeque 1983): the sum of the deviations, zero but for rounding, measures
-// the error of the first pass's mean and is taken out of both results.
+// Corrected two-pass algorithm (Chan, Golub, LeVeque 1983). The deviations from the first pass's mean would sum to zero
+// if that mean were exact; their sum corrects both results.
 Deviations deviations(std::span<double const> values) {
   if (values.empty()) return {};
   auto const n = static_cast<double>(values.size());
@@ -29,7 +29,7 @@ Deviations deviations(std::span<double const> values) {
     residual += d;
     squares += d * d;
   }
-  // By Cauchy's inequality the correction is at most `squares`; rounding alone could make the difference negative.
+  // By Cauchy's inequality the correction is at most `squares`; only rounding could make the difference negative.
   double const corrected = squares - residual * residual / n;
   return {first_mean + residual / n, corrected < 0.0 ? 0.0 : corrected};
 }
@@ -55,12 +55,12 @@ double median(std::span<double const> values) {
 }
 
 ModifiedScores modified_scores(std::span<double const> values, double least_scale) {
-  ModifiedScores made{.median = median(values), .scores = {}};
+  ModifiedScores result{.median = median(values), .scores = {}};
   std::vector<double> distances;
-  for (double const value : values) distances.push_back(std::abs(value - made.median));
-  double const scale = std::max(mad_to_std * median(distances), least_scale * std::abs(made.median));
-  for (double const value : values) made.scores.push_back(scale > 0.0 ? (value - made.median) / scale : 0.0);
-  return made;
+  for (double const value : values) distances.push_back(std::abs(value - result.median));
+  double const scale = std::max(mad_to_std * median(distances), least_scale * std::abs(result.median));
+  for (double const value : values) result.scores.push_back(scale > 0.0 ? (value - result.median) / scale : 0.0);
+  return result;
 }
 
 }  // namespace isolaw::num

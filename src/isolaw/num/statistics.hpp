@@ -1,5 +1,4 @@
-// Descriptive statistics as the method uses them. A value that is not finite makes the result not finite; nothing is
-// left out silently.
+// The method's descriptive statistics. None leaves a value out: one that is not finite makes the result not finite.
 #pragma once
 
 #include <cstddef>
@@ -12,16 +11,16 @@ namespace isolaw::num {
 struct Moments {
   std::size_t count = 0;
   double mean = 0.0;  // NaN when count is 0
-  double std = 0.0;   // sample form (n - 1); 0 when count is 1, NaN when 0
+  double std = 0.0;   // divides by n - 1; 0 when count is 1, NaN when it is 0
 };
 
-// Two-pass, so that a small spread about a large mean keeps its digits.
+// Computed in two passes, so that a small spread about a large mean keeps its digits.
 Moments moments(std::span<double const> values);
 
-// Divides by n; used by the objective's normalisation. NaN when there are no values.
+// Standard deviation that divides by n; the objective is relative to it. NaN when there are no values.
 double population_std(std::span<double const> values);
 
-// The middle value, the mean of the two middle ones for an even count. NaN when there are no values, or one is NaN.
+// The middle value, or the mean of the two middle ones. NaN when there are no values or one of them is NaN.
 double median(std::span<double const> values);
 template <class Items, class Property>
 double median_over(Items const& items, Property property) {
@@ -30,10 +29,10 @@ double median_over(Items const& items, Property property) {
   return median(values);
 }
 
-// Distance of each value from the median in standard deviations estimated from the median absolute deviation, signed:
-// (x - median) / max(1.4826 MAD, least_scale * |median|) (Iglewicz and Hoaglin 1993, where it is 0.6745 (x - median) /
-// MAD; an outlier is one beyond outlying_score). Neither is moved by the outliers themselves. `least_scale`, the
-// relative error of a value, keeps nearly equal values from naming one another. All 0 where there is no scale.
+// The signed distance of each value from the median in standard deviations estimated from the median absolute deviation
+// (MAD): (x - median) / max(1.4826 MAD, least_scale * |median|). Outliers move neither median nor MAD. Source: Iglewicz
+// and Hoaglin 1993, there 0.6745 (x - median) / MAD; a value beyond outlying_score is an outlier. `least_scale` is the
+// relative error of a value, so that nearly equal values are no outliers. All scores are 0 if the divisor is 0.
 struct ModifiedScores {
   double median = 0.0;
   std::vector<double> scores;

@@ -12,7 +12,7 @@
 namespace isolaw::opt {
 namespace {
 
-// The sort key of a value: every kind of failure ranks behind every number.
+// The sort key of a value. Failures, whatever their kind, rank behind all numbers.
 double rank_key(double value) {
   return std::isfinite(value) ? value : infinity;
 }
@@ -22,7 +22,7 @@ struct Population {
   std::vector<double> values;
 };
 
-// Where the random numbers of an individual or pair of a generation are.
+// The random numbers of one individual or pair of a generation.
 num::Draws draws_at(num::Stream const& stream, int generation, std::size_t index) {
   return {stream, static_cast<std::uint32_t>(generation), static_cast<std::uint32_t>(index)};
 }
@@ -51,7 +51,7 @@ Points breed(Population const& parents, num::Stream const& stream, int generatio
   return children;
 }
 
-// The best `size` of both, best first.
+// The best `size` of parents and children, best first.
 Population select(Population const& parents, Population const& children, std::size_t size) {
   Population next{Points(children.points.dimension, size), std::vector<double>(size)};
   auto const kept = survivors(parents.values, children.values, size);
@@ -65,13 +65,13 @@ Population select(Population const& parents, Population const& children, std::si
   return next;
 }
 
-// Counts the generations without improvement. Measured from the last improvement, not from the generation before: slow
-// steady progress is progress.
+// Counts the generations since the last improvement. Gains are summed from there, not taken from one generation to the
+// next, so that slow steady progress counts.
 class Progress {
  public:
   explicit Progress(GeneticOptions const& options) : options_(options) {}
 
-  // True when the search stagnates with this generation.
+  // Whether the search has stagnated with this generation, whose best value is given.
   bool stagnates(double best) {
     bool const first = generation_++ == 0;
     if (first || best < at_improvement_ - options_.stagnation_tolerance * std::abs(at_improvement_)) {
@@ -114,7 +114,7 @@ SearchResult minimise_genetic(Problem const& problem, num::Stream const& stream,
     result.outcome = outcome;
     return result;
   };
-  Population parents;  // empty at first: all of the initial population survives generation 1
+  Population parents;  // empty at first, so that all of generation 1 survives
   Progress progress(options);
   for (int generation = 1; generation <= options.generations; ++generation) {
     if (interrupted && interrupted()) return ended(Outcome::interrupted);
@@ -147,7 +147,7 @@ std::vector<double> roulette_weights(std::span<double const> values, double pres
     best = std::min(best, value);
     worst = std::max(worst, value);
   }
-  // Halved, so that the distance between two huge values of opposite sign stays finite.
+  // All values are halved, so that the distance between two huge values of opposite sign stays finite.
   double const origin = std::min(0.0, 0.5 * best);
   double const range = 0.5 * worst - origin;
   std::vector<double> weights(values.size(), 0.0);
@@ -166,8 +166,8 @@ RouletteWheel::RouletteWheel(std::span<double const> weights) : cumulative_(weig
 std::size_t RouletteWheel::spin(num::Draws& draws) const {
   double const total = cumulative_.back();
   double const target = draws.uniform() * total;
-  // The first sum above the target: a weight of zero leaves its sum equal to the one before and is never first.
-  // Where rounding lifts the target to the total, the last positive weight is the first to reach it.
+  // Finds the first sum above the target. An index of weight zero has the same sum as the one before it and is never
+  // found. If rounding lifts the target to the total, the index of the last positive weight is taken.
   auto const found =
       target < total ? std::ranges::upper_bound(cumulative_, target) : std::ranges::lower_bound(cumulative_, total);
   return static_cast<std::size_t>(found - cumulative_.begin());
@@ -175,7 +175,7 @@ std::size_t RouletteWheel::spin(num::Draws& draws) const {
 
 Cuts draw_cuts(std::size_t dimension, num::Draws& draws) {
   assert(dimension >= 2);
-  for (;;) {  // at least 4 of 9 tries succeed (dimension 2)
+  for (;;) {  // in dimension 2, the worst case, 4 of 9 tries succeed
     auto const i = draws.below(dimension + 1), j = draws.below(dimension + 1);
     Cuts const cuts{std::min(i, j), std::max(i, j)};
     if (cuts.first != cuts.second && cuts.second - cuts.first != dimension) return cuts;

@@ -1,7 +1,7 @@
 // The genetic algorithm of Cucuzza et al. 2025 (section 4.1, Table 3): real-coded, roulette wheel, double-point
-// crossover, uniform mutation. Where the paper is silent the choices are those of docs/method.md: a wheel defined for
-// minimisation, crossover always, survivors chosen among parents and children together, and the initial population
-// counted as the first generation, so that 50 generations of 100 are 5,000 evaluations.
+// crossover, uniform mutation. The paper leaves some choices open; docs/method.md explains ours: the wheel is defined
+// for minimisation, every pair crosses over, survivors are chosen among parents and children together, and the initial
+// population counts as the first generation, so that 50 generations of 100 take 5,000 evaluations.
 #pragma once
 
 #include <cstddef>
@@ -14,40 +14,39 @@
 
 namespace isolaw::opt {
 
-// What each may be says campaign::setting_table().
+// campaign::setting_table() holds the limits of each option.
 struct GeneticOptions {
   int population = 100;             // even, at least 4
-  int generations = 50;             // at most this many; the initial population is generation 1
+  int generations = 50;             // at most; the initial population is generation 1
   double mutation_rate = 0.01;      // probability per gene
-  int stagnation = 20;              // generations without improvement before stopping
-  double stagnation_tolerance = 0;  // relative improvement that counts as none
+  int stagnation = 20;              // the search stops after so many generations without improvement
+  double stagnation_tolerance = 0;  // a relative gain up to this is no improvement
   double selection_pressure = 8;    // roulette weight exp(-pressure * value / worst finite value)
 };
 
-// Outcomes: all_generations, also when the last generation is the one that stagnates; stagnated; no_finite_value where
-// the whole initial population failed and left nothing to breed from; interrupted, with a best point if a generation
-// was finished. Evaluations: population x generations done.
-// Deterministic for a given stream: random numbers depend on (stream, generation, individual or pair) alone.
-// Values that are not finite mark failed points; they survive only where nothing better exists. Best over values >= 0;
-// see roulette_weights for others.
-// `interrupted`, when given, is asked once per generation, before it. A generation counts as without improvement when
-// the best value is not below (1 - tolerance) times the best at the last improvement (for positive values); a flat
-// problem thus stops after 1 + stagnation generations.
+// Outcomes: all_generations, also if the search stagnates with the last one; stagnated; no_finite_value if the whole
+// initial population failed and left nothing to breed from; interrupted, with a best point if a generation was done.
+// Evaluations: population x generations done.
+// Deterministic for a given stream: random numbers depend only on (stream, generation, individual or pair).
+// A value that is not finite marks a failed point, which survives only if nothing better exists. The method suits
+// values >= 0; see roulette_weights for others. `interrupted`, if given, is called before each generation.
+// A generation brings no improvement if its best value is not below (1 - tolerance) times the best at the last
+// improvement (for positive values), so that a flat problem stops after 1 + stagnation generations.
 // Throws Error for a problem without dimensions.
 SearchResult minimise_genetic(Problem const& problem, num::Stream const& stream, GeneticOptions const& options = {},
                               std::function<bool()> const& interrupted = {});
 
-// How a search whose best values after each generation are `history` ended under these options; interrupted: not yet.
+// How a search ended whose best value after each generation is in `history`; interrupted if it would have gone on.
 Outcome outcome_of(std::span<double const> history, GeneticOptions const& options);
 
-// The operators, each usable and tested alone -------------------------------------------------------------------
+// --- the operators, each usable and tested alone ---------------------------------------------------------------------
 
-// Roulette weights of `values`: exp(-pressure v / worst finite v); 0 for values that are not finite. When the worst is
-// 0 all finite weights are 1. Values below zero have no such ratio: all are then counted from the smallest.
+// Roulette weights exp(-pressure v / worst finite v) of the values v; 0 for values that are not finite, and 1 for all
+// others if the worst is 0. If there are values below zero, all are measured from the smallest.
 std::vector<double> roulette_weights(std::span<double const> values, double pressure);
 
-// Draws indices with probabilities proportional to weights, with replacement, so a point may be paired with itself.
-// Weights: finite, not negative, at least one positive.
+// Draws indices with probabilities proportional to their weights and with replacement, so that a point may be paired
+// with itself. Weights must be finite and not negative, at least one of them positive.
 class RouletteWheel {
  public:
   explicit RouletteWheel(std::span<double const> weights);
@@ -57,21 +56,21 @@ class RouletteWheel {
   std::vector<double> cumulative_;
 };
 
-// Two cut points 0 <= first < second <= dimension, every admissible pair equally likely. The pair (0, dimension),
-// which would only exchange the parents' names, is not admissible. dimension >= 2.
+// Two cut points 0 <= first < second <= dimension, every allowed pair equally likely. (0, dimension) is not allowed,
+// since it would swap the whole parents. dimension >= 2.
 struct Cuts {
   std::size_t first = 0, second = 0;
 };
 Cuts draw_cuts(std::size_t dimension, num::Draws& draws);
 
-// Double-point crossover: exchanges the genes between two drawn cut points. A single gene offers no cut: unchanged.
+// Double-point crossover: exchanges the genes between two drawn cut points. Points of a single gene stay as they are.
 void crossover(std::span<double> a, std::span<double> b, num::Draws& draws);
 
-// Replaces each gene, with probability `rate`, by a new one uniform in [0, 1).
+// Replaces each gene with probability `rate` by a new one, uniform in [0, 1).
 void mutate(std::span<double> point, double rate, num::Draws& draws);
 
-// The `count` smallest of parents and children together, best first: indices into parents followed by children.
-// Values that are not finite come last; equal values keep parents before children, then the order given.
+// The `count` smallest values of parents and children together, best first, as indices into the parents followed by the
+// children. Values that are not finite come last; equal values keep their order, so that parents come before children.
 // count <= parents + children.
 std::vector<std::size_t> survivors(std::span<double const> parents, std::span<double const> children,
                                    std::size_t count);

@@ -16,82 +16,82 @@
 namespace isolaw::opt {
 namespace {
 
-// What the search is tuned by, with the reason of each. "Logged": chosen by playing rules back on logged descents, with
-// the numbers in docs/performance.md, "The optimum". Gains and distances of values are relative, coordinates those of
-// the unit box.
+// The constants of the search and their reasons. "Logged": chosen by playing rules back on logged descents (numbers in
+// docs/performance.md, "The optimum"). Gains and distances of values are relative; coordinates are the unit box's.
 namespace tuning {
 
 // --- a descent -------------------------------------------------------------------------------------------------------
 
-// A stage ends with this delta, as a share of the mean residual, or after so many iterations at the latest.
+// A stage lowers delta to `smoothing` times the mean residual and ends if it gains little there or after `iterations`.
 struct Stage {
   double smoothing;
   int iterations;
-  double least_gain = 0.0;   // over `patience` iterations at the last delta
-  std::size_t patience = 4;  // single iterations stutter where a residual crosses zero
+  double least_gain = 0.0;   // over `patience` iterations at the last delta; below it the stage ends
+  std::size_t patience = 4;  // more than one, since iterations stutter where a residual crosses zero
 };
-// Half the residuals' size: the corner of the absolute value is still rounded off, and the outline's third of the
-// residuals tells the same valley as all of them (logged).
+// At half the residuals' size the corner of the absolute value is still rounded off, and the outline's third of the
+// residuals finds the same valley as all of them (logged).
 constexpr Stage approach{.smoothing = 0.5, .iterations = 25};
-// To the tolerance of a hit, 5e-4, and no further: the end is only counted. Its least gain is below that tolerance.
+// Goes only as far as the tolerance of a hit, 5e-4, since the end is only counted. The least gain is below it.
 constexpr Stage settle{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4};
-// The same from the outline's floor, which lies so close to that of all residuals that little is left to do.
+// Starts at the outline's minimum, which lies so close to that of all residuals that little is left to do.
 constexpr Stage finish{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4, .patience = 3};
-// To about a ten-thousandth of the value: of many descents none is reported by itself.
+// Reaches about a ten-thousandth of the value, for many descents of which none is reported by itself.
 constexpr Stage finish_briefly{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4, .patience = 2};
-constexpr double rounding_after_outline = 0.03;  // the first delta there, as a share of the value
+constexpr double rounding_after_outline = 0.03;  // delta after the outline's minimum, as a share of the value
 // For the digits that are reported.
 constexpr Stage polish{.smoothing = 0.003, .iterations = 60};
 
-constexpr double gain_worth_staying = 3e-3;  // at a delta that is not the stage's last: less, and delta falls
-// About half a decade: the floor of the next delta lies within a few steps of this one's.
+constexpr double gain_worth_staying = 3e-3;  // with a smaller gain, a delta that is not the stage's last is lowered
+// About half a decade, so that the minimum for the next delta lies within a few steps of this one's.
 constexpr double fall_of_delta = 0.3;
-constexpr double noise_of_gain = 1e-6;  // of one-sided differences: smaller gains are none
+constexpr double noise_of_gain = 1e-6;  // error of one-sided differences; a smaller gain counts as none
 
-// Curvature across a step is some 1e-6 of the slope, rounding 1e-9 of it: both far below what the damping takes off.
+// Over such a step, curvature changes the slope by some 1e-6 and rounding by 1e-9: far less than damping does.
 constexpr double difference_step = 1e-6;
-// Of the two curvatures in the bold steps: the bold one alone is zero where no residual is near zero.
+// Shares of the two curvatures in the bold steps; the bold one alone would be zero if no residual is near zero.
 constexpr double bold_share = 0.9, cautious_share = 0.1;
 
-// Steps of an iteration: a block of candidates, which is as dear half empty (docs/performance.md).
+// Trial steps of an iteration: one block of candidates. Half a block would cost as much (docs/performance.md).
 constexpr std::size_t tried = 8;
-constexpr double damping_ratio = 20.0;  // between trial steps: with the larger two a decade and more beyond the usual
-constexpr double damping_rise = 1e4;    // when all of them were in vain: past the largest of them
-constexpr int rises = 4;                // from the usual damping to the most
+constexpr double damping_ratio = 20.0;  // the trial steps use 1/20, 1, 20 and 400 times the present damping
+constexpr double damping_rise = 1e4;    // after all trial steps failed; beyond the largest of their dampings
+constexpr int rises = 4;                // attempts of an iteration, leading from the usual damping beyond the largest
 constexpr double usual_damping = 1e-2;
-constexpr double most_damping = 1e8;                        // a step along the gradient, of no length to speak of
-constexpr double least_carried = 1e-9, most_carried = 1e6;  // to the next iteration: a few rises from being undone
-constexpr double least_curvature = 1e-9;  // of the largest: keeps directions solvable that no residual feels
+constexpr double most_damping = 1e8;                        // steps are along the gradient, and very short
+constexpr double least_carried = 1e-9, most_carried = 1e6;  // into the next iteration; a few rises undo them
+constexpr double least_curvature = 1e-9;  // relative to the largest; for directions that change no residual
 
 // --- a search --------------------------------------------------------------------------------------------------------
 
-constexpr double one_valley = 0.75;       // so many of the scattered ends at the best value leave no room for another
-constexpr std::ptrdiff_t many_hits = 12;  // with the next share: missed the best valley in 1 of 380 logged searches
-constexpr double agreeing = 0.4;          // of the scattered ends; three in ten of all ends missed it in 6 (logged)
-constexpr std::ptrdiff_t part_when_agreed = 3;  // of the starts: 24 of 72
-// Half of the scattered ends within ten tolerances of the best value, and few at it: a ragged floor, whose best part 8
-// of 300 searches of abe on the measured bearing missed with 72 starts, 2 with 96 (logged).
+constexpr double one_valley = 0.75;  // with this share of hits among scattered ends another valley is unlikely
+// Both together missed the best valley in 1 of 380 logged searches; 0.3 of all ends instead missed it in 6.
+constexpr std::ptrdiff_t many_hits = 12;
+constexpr double agreeing = 0.4;                // share of hits among the scattered ends
+constexpr std::ptrdiff_t part_when_agreed = 3;  // a third of the starts: 24 instead of 72
+// If half of the scattered ends are within ten tolerances of the best value but few hit it, the valley's floor is
+// ragged. On the measured bearing 8 of 300 searches of abe missed its best part with 72 starts, 2 with 96 (logged).
 constexpr double close = 10.0;  // tolerances of a hit
 constexpr double ragged = 0.5;
 constexpr std::ptrdiff_t more_when_ragged = 3;  // a third more starts
-// In so many dimensions hops find a better valley at a quarter of a scattered start's cost, and both seldom (logged).
+// In more dimensions hops find a better valley at a quarter of a scattered start's cost; both seldom do (logged).
 constexpr std::size_t wide = 14;
-constexpr double more_when_wide = 2.5;  // as many starts, every other a hop: 180 of 72
-// Ends of the approach farther off are not settled: settling gains some tenths, not half.
+constexpr double more_when_wide = 2.5;  // times the starts, half of them hops: 180 instead of 72
+// An approach that ends farther above the best value is not settled: settling gains a few tenths, not half.
 constexpr double promising = 1.5;
-constexpr double least_power_of_hop = -1.5, most_power_of_hop = -0.3;  // 0.03 to half the box: out of the valley
-constexpr double least_power_of_last_hop = -2.0, most_power_of_last_hop = -0.5;  // 0.01 to 0.3: along its floor
+constexpr double least_power_of_hop = -1.5, most_power_of_hop = -0.3;  // 0.03 to half the box: leaves the valley
+constexpr double least_power_of_last_hop = -2.0, most_power_of_last_hop = -0.5;  // 0.01 to 0.3: stays on its floor
 
-// --- its last digits -------------------------------------------------------------------------------------------------
+// --- the last digits of a search -------------------------------------------------------------------------------------
 
-constexpr double sharp = 0.2;  // of a hit's tolerance: so close to one another lie the ends on a smooth floor
-// Ends, where the floor is ragged; the best one alone stopped 0.1 % above it in 3 of 29 searches (logged).
+constexpr double sharp = 0.2;  // tolerances of a hit; on a smooth floor the ends lie within this of each other
+// Ends polished on a ragged floor; polishing only the best stopped 0.1 % too high in 3 of 29 searches (logged).
 constexpr std::size_t polished = 6;
-constexpr double near_enough = 2.0;                    // of a hit's tolerance: ends beyond are of another floor
-constexpr double worth_polishing = 1.01;               // times the best, after the approach
-constexpr int hops_in_vain = 10, most_last_hops = 40;  // without gain in a row; in all
-constexpr double gain_of_last_hop = 0.1;               // of a hit's tolerance
-constexpr double absolute_tolerance = 1e-9;            // where the best is zero
+constexpr double near_enough = 2.0;                    // tolerances of a hit; ends beyond belong to another floor
+constexpr double worth_polishing = 1.01;               // largest value after the approach, as a multiple of the best
+constexpr int hops_in_vain = 10, most_last_hops = 40;  // the most in a row without gain, and in all
+constexpr double gain_of_last_hop = 0.1;               // tolerances of a hit; less counts as no gain
+constexpr double absolute_tolerance = 1e-9;            // for a best value of zero
 
 }  // namespace tuning
 
@@ -99,7 +99,7 @@ using num::Index;
 using num::Matrix;
 using num::Vector;
 
-// Residuals that were computed, and those of points that failed.
+// The number of residuals that were computed, and of those that belong to failed points.
 struct Cost {
   std::size_t computed = 0, failed = 0;
   Cost& operator+=(Cost const& other) {
@@ -108,14 +108,16 @@ struct Cost {
     return *this;
   }
 };
-void say(Cost const& cost, DeviationProblem const& problem, Found& result) {
-  std::size_t const each = problem.weights().size();
-  auto const in_points = [&](std::size_t residuals) { return static_cast<int>((residuals + each - 1) / each); };
+void write_cost(Cost const& cost, DeviationProblem const& problem, Found& result) {
+  std::size_t const per_point = problem.weights().size();
+  auto const in_points = [&](std::size_t residuals) {
+    return static_cast<int>((residuals + per_point - 1) / per_point);
+  };
   result.evaluations = in_points(cost.computed);
   result.failed_evaluations = in_points(cost.failed);
 }
 
-// The problem, or its outline, with what it has cost.
+// The problem or its outline, whichever is in use, and the cost so far.
 class Counting {
  public:
   explicit Counting(DeviationProblem const& problem) : problem_(&problem), whole_(problem) {}
@@ -126,20 +128,20 @@ class Counting {
 
   std::size_t dimension() const { return problem_->dimension(); }
 
-  // Of each point: sum of weight * |residual|, and of weight * sqrt(residual^2 + delta^2); infinite where it failed.
+  // For each point the sums of weight * |residual| and of weight * sqrt(residual^2 + delta^2); infinite if it failed.
   struct Sizes {
     std::vector<double> value, rounded;
   };
   Sizes sizes(Points const& points, double delta) {
     compute(points);
-    Sizes made{.value = std::vector<double>(stride_), .rounded = std::vector<double>(stride_)};
-    num::row_kernels().sizes(table(), points.size(), delta, made.value.data(), made.rounded.data());
-    for (auto* sums : {&made.value, &made.rounded})
+    Sizes result{.value = std::vector<double>(stride_), .rounded = std::vector<double>(stride_)};
+    num::row_kernels().sizes(table(), points.size(), delta, result.value.data(), result.rounded.data());
+    for (auto* sums : {&result.value, &result.rounded})
       for (double& sum : *sums) sum = std::isfinite(sum) ? sum : infinity;
-    for (std::size_t i = 0; i < points.size(); ++i) count_failure(!std::isfinite(made.value[i]));
-    return made;
+    for (std::size_t i = 0; i < points.size(); ++i) count_failure(!std::isfinite(result.value[i]));
+    return result;
   }
-  // Residuals alone, for `table`.
+  // Computes the residuals that table() then shows.
   void compute(Points const& points) {
     auto const weights = problem_->weights();
     stride_ = num::padded(points.size());
@@ -165,8 +167,8 @@ struct Located {
   double value = infinity;  // sum of weight * |residual|
 };
 
-// A descent from one point. Three stages: `approach` finds the valley, by the problem's outline where it has one,
-// `settle` its floor, `polish` the last digits.
+// A descent from one point in three stages: approach() finds the valley, by the problem's outline if it has one;
+// settle() finds the valley's floor; polish() the last digits.
 class Descent {
  public:
   Descent(DeviationProblem const& problem, std::span<double const> start, double rounding = 1.0)
@@ -181,7 +183,7 @@ class Descent {
   Cost const& cost() const { return problem_.cost(); }
 
   void approach() { problem_.has_outline() ? by_outline(tuning::approach) : go(tuning::approach); }
-  // By the outline first, where there is one, and from its floor by all residuals.
+  // Goes to the outline's minimum first, if there is an outline, and from there on with all residuals.
   void settle(tuning::Stage const& finish = tuning::finish) { floor_of_outline() ? go(finish) : go(tuning::settle); }
   void polish() { go(tuning::polish); }
 
@@ -236,10 +238,10 @@ class Descent {
     if (here_.value < best_.value) best_ = here_;
   }
 
-  // Slope and curvatures of the rounded sum here, from one-sided differences into the box; zero along a coordinate whose
-  // neighbour has no value. Curvature of the rounded absolute value: of the parabola that touches it here and lies above
-  // it elsewhere, and its own, which is that of the residuals near zero alone. The former steps too shortly, the latter
-  // too far.
+  // Gradient and curvatures of the rounded sum here, from one-sided differences into the box; zero along a coordinate
+  // whose neighbour has no value. The cautious curvature is that of the parabola which touches the rounded absolute
+  // value here and lies above it elsewhere: its steps are too short. The bold one is nearly the true curvature, which
+  // only residuals near zero have: its steps are too long.
   struct Slopes {
     Vector gradient;
     Matrix cautious, bold;
@@ -254,29 +256,29 @@ class Descent {
     std::size_t const columns = problem_.columns();
     std::vector<double> gradient(columns), cautious(columns * columns), bold(columns * columns);
     auto const n = static_cast<Index>(n_);
-    Slopes made{.gradient = Vector::Zero(n), .cautious = Matrix::Zero(n, n), .bold = Matrix::Zero(n, n)};
+    Slopes result{.gradient = Vector::Zero(n), .cautious = Matrix::Zero(n, n), .bold = Matrix::Zero(n, n)};
     num::row_kernels().normal(problem_.table(), n_ + 1, delta_, tuning::cautious_share, tuning::bold_share,
-                              {gradient.data(), cautious.data(), bold.data(), &made.value});
+                              {gradient.data(), cautious.data(), bold.data(), &result.value});
     auto const failed = [&](std::size_t column) { return !std::isfinite(cautious[column * columns + column]); };
     auto const per_step = [&](std::size_t k) { return 1.0 / (points[k + 1][k] - here_.x[k]); };
     for (std::size_t a = 0; a < n_; ++a) {
       problem_.count_failure(failed(a + 1));
       if (failed(a + 1)) continue;
       auto const row = static_cast<Index>(a);
-      made.gradient[row] = gradient[a + 1] * per_step(a);
+      result.gradient[row] = gradient[a + 1] * per_step(a);
       for (std::size_t b = 0; b <= a; ++b) {
         if (failed(b + 1)) continue;
         auto const column = static_cast<Index>(b);
         auto const at = (a + 1) * columns + b + 1;
         double const scale = per_step(a) * per_step(b);
-        made.cautious(row, column) = made.cautious(column, row) = cautious[at] * scale;
-        made.bold(row, column) = made.bold(column, row) = bold[at] * scale;
+        result.cautious(row, column) = result.cautious(column, row) = cautious[at] * scale;
+        result.bold(row, column) = result.bold(column, row) = bold[at] * scale;
       }
     }
-    return made;
+    return result;
   }
 
-  // The rounded sum before and after; the same when no step was an improvement.
+  // Returns the rounded sum before and after; they are equal if no step improved it.
   std::pair<double, double> iterate() {
     using namespace tuning;
     auto const here = slopes();
@@ -299,7 +301,7 @@ class Descent {
     return {here.value, here.value};
   }
 
-  // here + the damped Newton step, inside the box. A coordinate at an edge that the step would leave stays there.
+  // The point after a damped Newton step inside the box. A coordinate on an edge stays there if the step would leave.
   void propose(Matrix const& H, Vector const& g, double damping, std::span<double> point) const {
     std::ranges::copy(here_.x, point.begin());
     std::vector<Index> free;
@@ -310,7 +312,7 @@ class Descent {
     }
     double const floor = tuning::least_curvature * H.diagonal().maxCoeff() + 1e-300;
     Vector moved = Vector::Zero(g.size());
-    // Coordinates whose step ends at an edge are held there, and the others computed again.
+    // Coordinates whose step would cross an edge are held on it, and the others are computed again.
     for (int pass = 0; pass < 3 && !free.empty(); ++pass) {
       Vector held = moved;
       held(free).setZero();
@@ -338,7 +340,7 @@ class Descent {
   double damping_ = tuning::usual_damping;
 };
 
-// One point in each of `count` slices of every coordinate.
+// Along each coordinate, each of `count` equal slices holds one point.
 Points latin_hypercube(std::size_t dimension, std::size_t count, num::Draws& draws) {
   Points points(dimension, count);
   std::vector<std::size_t> slice(count);
@@ -351,8 +353,8 @@ Points latin_hypercube(std::size_t dimension, std::size_t count, num::Draws& dra
   return points;
 }
 
-// A point in the surroundings of another: some coordinates moved by a normally distributed length, of a size between
-// two powers of ten, or two drawn anew.
+// A copy of a point with about half of its coordinates moved by normally distributed lengths; their standard deviation
+// lies between two powers of ten.
 std::vector<double> disturbed(std::vector<double> x, double least_power, double most_power, num::Draws& draws) {
   double const size = std::pow(10.0, least_power + (most_power - least_power) * draws.uniform());
   for (double& coordinate : x)
@@ -364,14 +366,14 @@ std::vector<double> with_two_drawn_anew(std::vector<double> x, num::Draws& draws
   return x;
 }
 
-// A descent to be counted: where it has come to after the approach, and where to after settling, if it was settled.
-struct Descended {
+// A finished descent: its end after the approach and after settling, if it was settled.
+struct FinishedDescent {
   Located approached, settled;
   Cost to_approach, to_settle;
   bool usable = false;
 };
 
-// One search: its descents so far, and when they are enough.
+// One search: its descents so far, and the rule that decides when they are enough.
 class Search {
  public:
   Search(DeviationProblem const& problem, num::Stream const& stream, MultistartOptions const& options)
@@ -382,21 +384,21 @@ class Search {
       if (result_.evaluations >= options_.most_evaluations) return ended(Outcome::budget_spent);
       num::Draws draws(stream_, round, 0);
       auto const points = latin_hypercube(problem_.dimension(), static_cast<std::size_t>(options_.scattered), draws);
-      std::vector<Descended> made(points.size());
-      Ahead descents(points.size(), [&](std::size_t i) { made[i] = descended(points[i]); });
+      std::vector<FinishedDescent> results(points.size());
+      WorkAhead descents(points.size(), [&](std::size_t i) { results[i] = descent_from(points[i]); });
       for (std::size_t i = 0; i < points.size() && !enough(); ++i) {
         if (interrupted && interrupted()) return ended(Outcome::interrupted);
         descents.need(i);
-        scattered_.push_back(count_in(made[i]));
+        scattered_.push_back(count_in(results[i]));
       }
       if (!result_.usable()) return ended(Outcome::no_finite_value);
       int const hops = is_wide() ? options_.scattered : options_.hops;
       for (int hop = 1; hop <= hops && !enough(); ++hop) {
         if (interrupted && interrupted()) return ended(Outcome::interrupted);
-        num::Draws wind(stream_, round, static_cast<std::uint32_t>(hop));
-        count_in(descended(hop % 2 != 0
-                               ? with_two_drawn_anew(result_.best, wind)
-                               : disturbed(result_.best, tuning::least_power_of_hop, tuning::most_power_of_hop, wind)));
+        num::Draws hop_draws(stream_, round, static_cast<std::uint32_t>(hop));
+        count_in(descent_from(
+            hop % 2 != 0 ? with_two_drawn_anew(result_.best, hop_draws)
+                         : disturbed(result_.best, tuning::least_power_of_hop, tuning::most_power_of_hop, hop_draws)));
       }
     }
     refine(interrupted);
@@ -415,8 +417,8 @@ class Search {
     return hits >= options_.hits && std::ssize(ends_) >= starts_for(hits, near);
   }
 
-  // The rarer the best value among the ends, the likelier it is that a better one was missed. Hops come back to the
-  // valley they left, so that only scattered starts speak for it.
+  // The fewer descents end at the best value, the likelier it is that a better one was missed. Hops tend to return to
+  // the valley that they left, so only the ends of scattered starts count as evidence.
   std::ptrdiff_t starts_for(std::ptrdiff_t hits, double near) const {
     std::ptrdiff_t const least = options_.least_starts, starts = options_.starts;
     auto const scattered_hits = count(scattered_, near);
@@ -440,26 +442,26 @@ class Search {
   }
   void add(Cost const& cost) {
     cost_ += cost;
-    say(cost_, problem_, result_);
+    write_cost(cost_, problem_, result_);
   }
 
-  // Also ahead of its turn: settled where it is promising by the best value that is known then, which is not below that
-  // of its turn.
-  Descended descended(std::span<double const> start) const {
-    Descended made;
+  // May run ahead of its turn on another thread. Whether to settle depends on the best value known by then, which is
+  // not below the one in its turn: every descent that will be needed settled is.
+  FinishedDescent descent_from(std::span<double const> start) const {
+    FinishedDescent result;
     Descent descent(problem_, start);
-    made.usable = descent.usable();
-    if (made.usable) descent.approach();
-    made.approached = descent.best();
-    made.to_approach = descent.cost();
-    if (made.usable && descent.value() < tuning::promising * best_so_far_) descent.settle();
-    made.settled = descent.best();
-    made.to_settle = descent.cost();
-    return made;
+    result.usable = descent.usable();
+    if (result.usable) descent.approach();
+    result.approached = descent.best();
+    result.to_approach = descent.cost();
+    if (result.usable && descent.value() < tuning::promising * best_so_far_) descent.settle();
+    result.settled = descent.best();
+    result.to_settle = descent.cost();
+    return result;
   }
 
-  // In its turn.
-  double count_in(Descended const& descent) {
+  // Takes a descent into account, in the order of the starts.
+  double count_in(FinishedDescent const& descent) {
     bool const settled = descent.approached.value < tuning::promising * result_.best_value;
     auto const& end = settled ? descent.settled : descent.approached;
     add(settled ? descent.to_settle : descent.to_approach);
@@ -470,8 +472,8 @@ class Search {
     return end.value;
   }
 
-  // The last digits. Where the ends at the best value scatter, its valley's floor is ragged: the next best ends are
-  // taken further too, and small hops follow until several in a row gain nothing.
+  // Finds the last digits. If the hits scatter, the valley's floor is ragged: the next best ends are polished too, and
+  // small hops follow until several in a row gain nothing.
   void refine(std::function<bool()> const& interrupted) {
     auto const polish = [&](std::vector<double> const& start) {
       Descent descent(problem_, start);
@@ -495,9 +497,9 @@ class Search {
     int without_gain = 0;
     for (std::uint32_t hop = 0; !sharp && without_gain < tuning::hops_in_vain && hop < tuning::most_last_hops; ++hop) {
       if (interrupted && interrupted()) break;
-      num::Draws wind(stream_, std::numeric_limits<std::uint32_t>::max(), hop);
+      num::Draws hop_draws(stream_, std::numeric_limits<std::uint32_t>::max(), hop);
       double const before = result_.best_value;
-      polish(disturbed(result_.best, tuning::least_power_of_last_hop, tuning::most_power_of_last_hop, wind));
+      polish(disturbed(result_.best, tuning::least_power_of_last_hop, tuning::most_power_of_last_hop, hop_draws));
       bool const gained = result_.best_value < before * (1.0 - tuning::gain_of_last_hop * options_.hit_tolerance);
       without_gain = gained ? 0 : without_gain + 1;
     }
@@ -516,9 +518,9 @@ class Search {
   num::Stream stream_;
   MultistartResult result_;
   Cost cost_;
-  std::atomic<double> best_so_far_ = infinity;   // result_'s, for whoever descends ahead
-  std::vector<double> ends_, scattered_;         // values at which descents ended: all, and those from scattered points
-  std::vector<std::vector<double>> end_points_;  // of all
+  std::atomic<double> best_so_far_ = infinity;   // result_.best_value, for threads that descend ahead
+  std::vector<double> ends_, scattered_;         // final values of all descents, and of those from scattered points
+  std::vector<std::vector<double>> end_points_;  // final points of all descents
 };
 
 void require_dimension(DeviationProblem const& problem) {
@@ -544,7 +546,7 @@ Found descend(DeviationProblem const& problem, std::span<double const> start, do
     descent.floor_of_outline();
     descent.polish();
   }
-  say(descent.cost(), problem, result);
+  write_cost(descent.cost(), problem, result);
   if (!descent.usable()) return result;
   result.best = descent.best().x;
   result.best_value = descent.value();

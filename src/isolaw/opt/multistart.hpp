@@ -1,16 +1,17 @@
-// The smallest sum of absolute residuals over the unit box, sought by descents from many starts.
+// Minimises a sum of absolute residuals over the unit box by descents from many starts.
 //
-// Starts are scattered over the box (Latin hypercube); in between, the best point found is disturbed and descended from
-// again (basin hopping). A descent is a Levenberg-Marquardt iteration with bounds on sum w sqrt(r^2 + delta^2), the
-// absolute value rounded off at its corner; delta falls from the size of the residuals, where the sum behaves as a sum
-// of squares, to a hundredth of it. The Jacobian comes from differences, all of it in one batch, and every iteration
-// tries several steps at once. It goes by the problem's outline, where there is one, down to the outline's floor: a
-// third of the residuals find the same valleys; the last iterations are by all of them. The search ends when enough
-// descents have ended at the best value: soon where nearly all of the scattered ones do, later where there are other
-// valleys, and after all its starts where few have, a third more where many ended close to it. In more than fourteen
-// dimensions as many hops as scattered starts are made, and two and a half times as many descents.
+// A round descends from points scattered over the box (Latin hypercube), then from disturbed copies of the best point
+// (hops, as in basin hopping). A descent is a Levenberg-Marquardt iteration with bounds. It minimises
+// sum w sqrt(r^2 + delta^2), which rounds off the corner of the absolute value; delta falls from the size of the
+// residuals, where the sum behaves like a sum of squares, to a hundredth of it. The Jacobian comes from finite
+// differences in one batch, and every iteration tries several steps at once. If the problem has an outline, the descent
+// follows that to its minimum (a third of the residuals find the same valleys); only the last steps use all residuals.
+// The search ends when enough descents have ended at the best value: early if nearly all scattered ones did, later if
+// there are other valleys, after all starts if few descents ended there, and after a third more if many ended close to
+// it. In more than fourteen dimensions a round makes as many hops as scattered starts, and the search two and a half
+// times as many descents.
 //
-// Points are not screened by their value before a descent: in the laws' boxes the low ones lie in the wrong valleys.
+// Rejected: descending only from starts of low value. In the laws' boxes those lie in the wrong valleys.
 #pragma once
 
 #include <functional>
@@ -21,37 +22,37 @@
 
 namespace isolaw::opt {
 
-// What each may be says campaign::setting_table().
+// campaign::setting_table() holds the limits of each option. A hit is a descent that ended at the best value.
 struct MultistartOptions {
-  int least_starts = 16;  // descents, where three quarters of the scattered ones end at the best value
-  // Elsewhere; a third of these where a dozen ended there, among them two fifths of the scattered; a third more where
-  // half of the scattered ones ended within ten tolerances of it.
+  int least_starts = 16;  // descents that suffice if three quarters of the scattered ones are hits
+  // Descents otherwise. A third of them suffices with a dozen hits, if two fifths of the scattered ones are hits; a
+  // third more is made if half of the scattered ones ended within ten tolerances of the best value.
   int starts = 72;
-  int hits = 3;                    // descents that must have ended at the best value
-  double hit_tolerance = 5e-4;     // relative
-  int most_evaluations = 200'000;  // no round begins after these
-  int scattered = 12;              // starts of a round, over the box
-  int hops = 4;                    // of a round, about the best point
+  int hits = 3;                    // the search goes on until there are so many
+  double hit_tolerance = 5e-4;     // relative distance from the best value
+  int most_evaluations = 200'000;  // after these no round begins
+  int scattered = 12;              // scattered starts in a round
+  int hops = 4;                    // hops in a round
 };
 
 struct MultistartResult : SearchResult {
-  int starts = 0;  // descents
-  int hits = 0;    // of them, those that ended within the tolerance of the best value
+  int starts = 0;  // descents made
+  int hits = 0;    // those of them that ended within the tolerance of the best value
 };
 
-// Outcomes: confirmed; budget_spent; interrupted; no_finite_value where none of the first scattered points had a value.
-// Evaluations by the outline count as its share of the residuals; the history ends with the value after the last
-// refinement. Deterministic for a given stream, however many threads help (base/ahead.hpp). `interrupted`, when given,
-// is asked before each start.
+// Outcomes: confirmed by enough hits; budget_spent after most_evaluations; interrupted; no_finite_value if no scattered
+// point of the first round had a value. An evaluation of the outline counts as its share of the residuals. The history
+// ends with the value after the final refinement. Deterministic for a given stream, however many threads help
+// (base/ahead.hpp). `interrupted`, if given, is called before each start.
 // Throws Error for a problem without dimensions.
 MultistartResult minimise_multistart(DeviationProblem const& problem, num::Stream const& stream,
                                      MultistartOptions const& options = {},
                                      std::function<bool()> const& interrupted = {});
 
-// One descent from a point near a minimum, to its last digits: after the problem has changed a little. Nothing usable
-// when the start has no value, and never a value above its. `rounding` is the first delta, as a share of the value at
-// the start: small keeps the descent in its valley. `brief`: to about a ten-thousandth of the value, for many descents
-// of which none is reported by itself. Throws Error for a problem without dimensions.
+// One descent to the last digits from a point near a minimum, for a problem that has changed a little. The result is
+// never above the value at the start, and not usable if the start has no value. `rounding` is the first delta, as a
+// share of the value at the start; a small one keeps the descent in its valley. `brief` stops at about a ten-thousandth
+// of the value, for many descents of which none is reported by itself. Throws Error for a problem without dimensions.
 Found descend(DeviationProblem const& problem, std::span<double const> start, double rounding = 0.3,
               bool brief = false);
 

@@ -1,4 +1,4 @@
-// Non-dominated points of two objectives, both minimised.
+// The non-dominated points (Pareto front) of two objectives, both minimised.
 #pragma once
 
 #include <span>
@@ -6,9 +6,9 @@
 
 namespace isolaw::opt {
 
-// on_front[i] is true where no other point is at least as small in both objectives and smaller in one; equal points
-// do not dominate each other, so duplicates are on the front together.
-// A point with a value that is not finite is never on the front and dominates nothing. a and b: equal length.
+// Element i is true if no other point is at least as small in both objectives and smaller in one. Equal points do not
+// dominate each other. A point with a value that is not finite is never on the front and dominates nothing.
+// a and b hold one objective each, for the same points.
 std::vector<bool> non_dominated(std::span<double const> a, std::span<double const> b);
 
 }  // namespace isolaw::opt

@@ -1,5 +1,5 @@
-// The contract between an optimiser and what it minimises: a box and the evaluation of a batch of points; what it
-// finds.
+// The contract between an optimiser and the problem it minimises (a box, and the evaluation of a batch of points), and
+// the result of a search.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace isolaw::opt {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// A set of points of equal dimension, stored one after another: point i is values[i * dimension .. + dimension).
+// Points of equal dimension, stored one after another: coordinate k of point i is values[i * dimension + k].
 struct Points {
   std::size_t dimension = 0;
   std::vector<double> values;
@@ -27,8 +27,8 @@ struct Points {
   }
 };
 
-// Minimisation over the unit box [0, 1]^dimension; whoever states the problem maps the box to physical parameters,
-// so that every algorithm sees the same scales. `evaluate` writes one value per point; +infinity marks a failed point.
+// Minimisation over the unit box [0, 1]^dimension. The problem maps the box to its physical parameters, so that every
+// algorithm sees the same scales. evaluate() writes one value per point; +infinity marks a failed point.
 class Problem {
  public:
   virtual ~Problem() = default;
@@ -36,33 +36,33 @@ class Problem {
   virtual void evaluate(Points const& points, std::span<double> values) const = 0;
 };
 
-// A problem whose value is a weighted sum of absolute residuals: sum of weights()[j] * |residual j|. What descends by
-// the residuals needs one evaluation where a value alone needs many.
+// A problem whose value is a weighted sum of absolute residuals: sum of weights()[j] * |residual j|. With the residuals
+// a descent needs far fewer evaluations than with the value alone.
 class DeviationProblem : public Problem {
  public:
-  virtual std::span<double const> weights() const = 0;  // of each residual; 0 or more, with a sum of 1
-  // Residuals of each point, one point after another. Not finite where a point failed.
+  virtual std::span<double const> weights() const = 0;  // one for each residual, >= 0; their sum is 1
+  // Residual j of point i is values[i * weights().size() + j]. Not finite if the point failed.
   virtual void residuals(Points const& points, std::span<double> values) const = 0;
-  // The same side by side: residual j of point i is rows[j * stride + i]; stride: num::padded(points.size()) or more.
-  // What stands beside the last point is anything.
+  // The same with the points side by side: residual j of point i is rows[j * stride + i]. The stride is at least
+  // num::padded(points.size()); columns beyond the last point may hold any numbers.
   virtual void residual_rows(Points const& points, std::size_t stride, std::span<double> rows) const;
-  // The same problem by fewer residuals, good enough to find a valley by; null where there is none.
+  // The same problem with fewer residuals, good enough to find the right valley; null if there is no such problem.
   virtual DeviationProblem const* outline() const { return nullptr; }
-  // Weights of the outline's residuals that stand for these of all; for a problem that has an outline.
+  // Spreads weights of all residuals over the residuals of the outline. For a problem that has an outline.
   virtual std::vector<double> on_outline(std::span<double const> weights) const;
 };
 
-// The best point found, and what it cost.
+// The best point found, and the number of evaluations it took.
 struct Found {
   std::vector<double> best;  // in the unit box; empty when no point was finite
   double best_value = std::numeric_limits<double>::infinity();
   int evaluations = 0;         // points that were computed
-  int failed_evaluations = 0;  // of them, those whose value was not finite
+  int failed_evaluations = 0;  // those of them whose value was not finite
 
   bool usable() const { return !best.empty(); }
 };
 
-// How a search ended. interrupted: best is the best so far. The others are said with the search that ends so.
+// How a search ended; genetic.hpp and multistart.hpp explain all but `interrupted`, where `best` is the best so far.
 enum class Outcome { confirmed, budget_spent, all_generations, stagnated, no_finite_value, interrupted };
 
 struct SearchResult : Found {

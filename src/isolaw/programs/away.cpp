@@ -40,10 +40,10 @@ Cycle second_of(History const& history, std::vector<double> const& force) {
 History cycles_at(Subject const& subject, double amplitude_share, double rate_share,
                   int steps_per_cycle = protocol_steps) {
   double const amplitude = amplitude_share * subject.tested.disp_mm;
-  auto made = two_cycles(amplitude, amplitude, rate_share * subject.frequency_Hz, steps_per_cycle);
-  made.refinement = subject.refinement;
-  made.dead_band_mm = subject.dead_band_mm;
-  return made;
+  auto history = two_cycles(amplitude, amplitude, rate_share * subject.frequency_Hz, steps_per_cycle);
+  history.refinement = subject.refinement;
+  history.dead_band_mm = subject.dead_band_mm;
+  return history;
 }
 
 std::vector<double> own_force(Subject const& subject, History const& history) {
@@ -66,18 +66,18 @@ double OtherCycle::largest() const {
 }
 
 std::vector<OtherCycle> other_cycles(Subject const& subject, ForceOf const& stand_in) {
-  std::vector<OtherCycle> made;
+  std::vector<OtherCycle> cycles;
   auto const compare = [&](double amplitude_share, double rate_share) {
     auto const history = cycles_at(subject, amplitude_share, rate_share);
     auto const law = second_of(history, own_force(subject, history)), other = second_of(history, stand_in(history));
-    made.push_back({.amplitude_share = amplitude_share,
-                    .rate_share = rate_share,
-                    .energy = percent_of(work(other.x, other.f), work(law.x, law.f)),
-                    .peak = percent_of(peak(other.f), peak(law.f))});
+    cycles.push_back({.amplitude_share = amplitude_share,
+                      .rate_share = rate_share,
+                      .energy = percent_of(work(other.x, other.f), work(law.x, law.f)),
+                      .peak = percent_of(peak(other.f), peak(law.f))});
   };
   for (double const share : {0.25, 0.5, 0.75, 1.0}) compare(share, 1.0);
   if (!subject.law->info.traits.rate_independent) compare(1.0, 0.5);
-  return made;
+  return cycles;
 }
 
 std::string text(std::vector<OtherCycle> const& cycles) {
@@ -100,17 +100,17 @@ std::vector<std::string> beyond_the_tests(Subject const& subject, UnitSystem con
   auto const tested_cycle = second_of(tested, own_force(subject, tested));
   double const tested_peak = peak(tested_cycle.f);
   auto const kN = [&](double force) { return fmt::format("{:.4g} {}", units.from_kN(force), units.force.symbol); };
-  std::vector<std::string> made;
+  std::vector<std::string> sentences;
   for (double const times : beyond_times) {
     auto const history = cycles_at(subject, times, 1.0);
     auto const [x, f] = second_of(history, own_force(subject, history));
     double const most = peak(f);
     auto const at = fmt::format("at {:.4g} times the tested displacement ", times);
     if (!std::isfinite(most)) {
-      made.push_back(at + "there is no finite force");
+      sentences.push_back(at + "there is no finite force");
       continue;
     }
-    // A slope below zero where the displacement grows, on the way to a peak and beyond what was tested.
+    // Look for a falling force only where the displacement grows beyond what was tested.
     double steepest_fall = 0.0, fall_at = 0.0;
     for (std::size_t i = 1; i < x.size(); ++i) {
       bool const outwards = std::abs(x[i]) > std::abs(x[i - 1]);
@@ -119,18 +119,18 @@ std::vector<std::string> beyond_the_tests(Subject const& subject, UnitSystem con
       if (slope < steepest_fall) steepest_fall = slope, fall_at = x[i];
     }
     if (most < 0.999 * tested_peak)
-      made.push_back(
+      sentences.push_back(
           fmt::format("{}the peak force is {}, less than the {} at the tested one", at, kN(most), kN(tested_peak)));
     else if (most > times * times * tested_peak)
-      made.push_back(fmt::format("{}the peak force is {}, {:.3g} times the {} at the tested one", at, kN(most),
-                                 most / tested_peak, kN(tested_peak)));
+      sentences.push_back(fmt::format("{}the peak force is {}, {:.3g} times the {} at the tested one", at, kN(most),
+                                      most / tested_peak, kN(tested_peak)));
     if (steepest_fall < -1e-3 * tested_peak / subject.tested.disp_mm)
-      made.push_back(fmt::format("{}the stiffness is below zero, {:.3g} {}/{} at {:.4g} {}", at,
-                                 units.convert(steepest_fall, 1, -1), units.force.symbol, units.length.symbol,
-                                 units.from_mm(fall_at), units.length.symbol));
-    if (work(x, f) < 0.0) made.push_back(at + "a cycle gives energy back");
+      sentences.push_back(fmt::format("{}the stiffness is below zero, {:.3g} {}/{} at {:.4g} {}", at,
+                                      units.convert(steepest_fall, 1, -1), units.force.symbol, units.length.symbol,
+                                      units.from_mm(fall_at), units.length.symbol));
+    if (work(x, f) < 0.0) sentences.push_back(at + "a cycle gives energy back");
   }
-  return made;
+  return sentences;
 }
 
 std::optional<StepsNeeded> steps_needed(Subject const& subject, Form const& form) {
@@ -144,7 +144,7 @@ std::optional<StepsNeeded> steps_needed(Subject const& subject, Form const& form
   if (!(energy > 0.0)) return std::nullopt;
   for (int steps = 20; 2 * steps <= finest; steps *= 2) {
     auto const [x, f] = replayed(steps);
-    // At the same points: what the sum over few points leaves out is no error of the force.
+    // Integrate both over the same points: what a sum over few points leaves out is no error of the force.
     std::vector<double> there;
     for (std::size_t i = 0; i < fine.f.size(); i += static_cast<std::size_t>(finest / steps))
       there.push_back(fine.f[i]);
@@ -155,7 +155,7 @@ std::optional<StepsNeeded> steps_needed(Subject const& subject, Form const& form
 }
 
 std::optional<TwoSprings> two_springs(Subject const& subject) {
-  // One comes from rest to the circle along its axis, then both follow it; the second turn is looked at.
+  // One spring moves from rest along its axis to the circle, then both follow it twice; the second turn counts.
   double const amplitude = subject.tested.disp_mm;
   constexpr int steps = protocol_steps, quarter = steps / 4;
   auto const along_x = cycles_at(subject, 1.0, 1.0);
@@ -178,16 +178,16 @@ std::optional<TwoSprings> two_springs(Subject const& subject) {
   }
   auto const fx = own_force(subject, x), fy = own_force(subject, y);
   auto const one = second_of(along_x, own_force(subject, along_x));
-  TwoSprings made;
+  TwoSprings springs;
   std::size_t const from = quarter + steps;
-  for (std::size_t i = from; i < fx.size(); ++i) made.force = std::max(made.force, std::hypot(fx[i], fy[i]));
+  for (std::size_t i = from; i < fx.size(); ++i) springs.force = std::max(springs.force, std::hypot(fx[i], fy[i]));
   auto const turn = [&](std::vector<double> const& v) { return std::span(v).subspan(from); };
-  made.energy = work(turn(x.disp_mm), turn(fx)) + work(turn(y.disp_mm), turn(fy));
+  springs.energy = work(turn(x.disp_mm), turn(fx)) + work(turn(y.disp_mm), turn(fy));
   double const force = peak(one.f), energy = 0.5 * std::numbers::pi * work(one.x, one.f);
-  if (!(force > 0.0) || !(energy > 0.0) || !std::isfinite(made.force)) return std::nullopt;
-  made.force /= force;
-  made.energy /= energy;
-  return made;
+  if (!(force > 0.0) || !(energy > 0.0) || !std::isfinite(springs.force)) return std::nullopt;
+  springs.force /= force;
+  springs.energy /= energy;
+  return springs;
 }
 
 }  // namespace isolaw::programs

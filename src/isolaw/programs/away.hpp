@@ -1,6 +1,6 @@
-// Away from the cycle that was tested: a stand-in at smaller amplitudes and at another rate, the law beyond the tests,
-// the step that a program needs, and two springs in place of one bearing. All on cycles from rest, the second of two at
-// the same amplitude.
+// Checks away from the tested cycle: a stand-in at smaller amplitudes and at another rate, the law beyond the tests,
+// the step that a program needs, and two springs in place of one bearing. Each looks at the second of two equal cycles
+// from rest.
 #pragma once
 
 #include <functional>
@@ -16,28 +16,29 @@ namespace isolaw::programs {
 // Force [kN] at the points of a history.
 using ForceOf = std::function<std::vector<double>(History const&)>;
 
-// A stand-in against the law, in percent of the law's: energy of the cycle and peak force. Empty: the law has none.
+// How far a stand-in's cycle energy and peak force are from the law's, in percent. Empty: the law's own value is not
+// above 0 or not finite.
 struct OtherCycle {
   double amplitude_share = 1.0, rate_share = 1.0;  // of what was tested
   std::optional<double> energy, peak;
   double largest() const;  // magnitude, in percent
 };
-// At a quarter, half, three quarters and the whole amplitude, and at the whole at half the rate where the law depends
-// on it. A force that is no number gives infinity.
+// Compares at a quarter, half, three quarters and the whole of the tested amplitude, and where the law depends on the
+// rate also at the whole amplitude and half the rate. A force that is no number gives infinity.
 std::vector<OtherCycle> other_cycles(Subject const& subject, ForceOf const& stand_in);
 std::string text(std::vector<OtherCycle> const& cycles);
 
-// A re-fit that errs by more at one of them is marked, and one that errs by more than the second is far off.
+// A re-fit that errs by more than the first limit at one of these cycles is marked, by more than the second far off.
 inline constexpr double marked_percent = 10.0, other_cycle_far_off_percent = 30.0;
 bool marked(std::vector<OtherCycle> const& cycles);
 
-// What the law does at 1.25 and 1.5 times the tested displacement that an analysis should not meet: a peak force that
-// falls, a stiffness below zero, a force that grows faster than the square, no force. A sentence each.
+// One sentence for each thing that an analysis should not meet at 1.25 or 1.5 times the tested displacement: a peak
+// force that falls or grows faster than the square, a stiffness below zero, a cycle that gives energy back, no force.
 inline constexpr double beyond_times[] = {1.25, 1.5};
 std::vector<std::string> beyond_the_tests(Subject const& subject, UnitSystem const& units);
 
-// The fewest steps a cycle at which a form's energy is within so many percent of its own in steps of a 2,560th, of 20,
-// 40, ..., 1280; and that energy's error. Empty: none of them.
+// The smallest of 20, 40, ..., 1280 steps a cycle whose energy is within step_energy_percent of that of the same form
+// in 2560 steps, and the error of that energy in percent. Empty: none of them is.
 inline constexpr double step_energy_percent = 1.0;
 struct StepsNeeded {
   int per_cycle = 0;
@@ -45,9 +46,9 @@ struct StepsNeeded {
 };
 std::optional<StepsNeeded> steps_needed(Subject const& subject, Form const& form);
 
-// Two springs at right angles on a circle of the tested amplitude: the largest force of both together over that of one
-// along its axis, and the energy of a turn over pi/2 of one's cycle, which is what a coupled bearing of constant
-// strength dissipates.
+// Two springs at right angles on a circle of the tested amplitude. `force`: their largest joint force over the peak
+// force of one spring along its axis. `energy`: that of a turn over pi/2 times that of one spring's cycle, which is
+// what a coupled bearing of constant strength dissipates.
 struct TwoSprings {
   double force = 0.0, energy = 0.0;
 };

@@ -10,11 +10,11 @@
 namespace isolaw::programs {
 namespace {
 
-// "Kb+" is Kb_p.
+// "Kb+" becomes Kb_p.
 std::string member(std::string_view name) {
-  std::string made;
-  for (char const c : name) made += c == '+' ? std::string("_p") : c == '-' ? std::string("_m") : std::string(1, c);
-  return made;
+  std::string plain;
+  for (char const c : name) plain += c == '+' ? std::string("_p") : c == '-' ? std::string("_m") : std::string(1, c);
+  return plain;
 }
 
 std::string parameters_struct(Subject const& subject) {
@@ -49,8 +49,8 @@ std::string constants(Subject const& subject, UnitSystem const& units) {
   return text;
 }
 
-// How far a sound form may be from its law, of the peak force: the two of the exact flow are within 1e-7 of one another
-// but where unloading comes close to a rest (kappa near -1), which magnifies.
+// Largest difference between a sound C++ form and its law, as a share of the peak force. The two ways of computing the
+// exact flow agree within 1e-7, except where unloading comes close to a rest (kappa near -1), which magnifies errors.
 double allowed(laws::LawInfo const& law) {
   return law.traits.exact_flow ? 1e-4 : 1e-6;
 }

@@ -1,4 +1,4 @@
-// What the exports in C++ share: the law in a namespace, in C++17 that needs the standard library alone, and its check.
+// Shared by the exports in C++: the law in a namespace, as C++17 that needs only the standard library, and its check.
 #pragma once
 
 #include <string>
@@ -9,12 +9,12 @@
 
 namespace isolaw::programs {
 
-// What every export states, as comments.
+// The facts of every export, as comment lines.
 std::string cpp_facts(Subject const& subject, UnitSystem const& units, std::string_view program);
-// What it includes, then namespace identifier(subject), with Parameters and Material. Throws Error for a law that has
-// no such form.
+// The includes, then namespace identifier(subject) with Parameters and Material. Throws Error for a law without a C++
+// form.
 std::string cpp_law(Subject const& subject, UnitSystem const& units);
-// With ISOLAW_SELF_CHECK: a program that drives `material`, a type of that namespace with trial(disp, velocity) and
+// A main() under ISOLAW_SELF_CHECK that drives `material`, a type of that namespace with trial(disp, velocity) and
 // commit(), along the protocol.
 std::string cpp_check(Subject const& subject, UnitSystem const& units, std::string_view material);
 

@@ -1,5 +1,5 @@
-// Abaqus/Standard, the law itself: UEL in C++ around the exported law, a spring between two nodes. All that an element
-// remembers is in SVARS, so that an increment may be tried again from where it began.
+// Abaqus/Standard, the law itself: UEL in C++ around the exported law, a spring between two nodes. An element keeps all
+// its state in SVARS, so that Abaqus may repeat an increment from its start.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace isolaw::programs {
 namespace {
 
-// SVARS for the largest state without turning points, and for as many of those as free vibration leaves behind.
+// SVARS for the largest state without turning points, and for the turning points that free vibration leaves behind.
 constexpr int fixed_variables = 32, turning_variables = 1000;
 
 int variables_of(laws::LawEntry const& law) {

@@ -1,4 +1,5 @@
-// C++17: a header that needs the standard library alone, with the law itself as a material of trial, commit and revert.
+// C++17: a header that needs only the standard library, with the law itself as a material that is tried, committed and
+// reverted.
 #include <fmt/format.h>
 
 #include <cctype>

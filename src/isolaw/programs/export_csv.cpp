@@ -1,4 +1,4 @@
-// CSV, for a program that has no target of its own: the check protocol and the force that the law has along it.
+// CSV, for a program without a target of its own: the path of the check and the law's force along it.
 #include <fmt/format.h>
 
 #include "isolaw/programs/exports.hpp"
@@ -7,7 +7,6 @@
 namespace isolaw::programs {
 namespace {
 
-// As many digits as the checks of the other targets have.
 std::string cell(double value) {
   return fmt::format("{:.10g}", value);
 }

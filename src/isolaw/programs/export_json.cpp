@@ -1,4 +1,4 @@
-// JSON: everything an export knows, for machines.
+// JSON: everything that an export knows, for machines.
 #include "isolaw/base/json.hpp"
 #include "isolaw/programs/exports.hpp"
 #include "isolaw/programs/self_check.hpp"
@@ -131,8 +131,11 @@ std::string export_json(Subject const& subject, Realisation const& realisation, 
     write_parameters(out, "substitute_parameters", laws::find_law(realisation.substitute),
                      realisation.substitute_parameters);
   write_validity(out, subject);
-  out.member("prediction", subject.doubts.prediction).member("objection", subject.doubts.objection);
-  out.member("warnings", subject.doubts.warnings).member("beyond_the_tests", subject.beyond);
+  auto const& doubts = subject.doubts;
+  out.member("prediction", wording::remark(doubts.prediction));
+  out.member("objection", doubts.objection ? wording::remark(*doubts.objection) : std::string());
+  out.member("warnings", wording::sentences(doubts.findings, wording::with_law));
+  out.member("beyond_the_tests", subject.beyond);
   out.key("bounds").begin_object();
   write_factors(out, "lower", subject.bounds.lower);
   write_factors(out, "upper", subject.bounds.upper);

@@ -1,5 +1,5 @@
-// OpenSees, Tcl: a namespace of procedures that make the material or the bearing, and check it. Sourcing the file makes
-// nothing; the check is a static analysis of a model of its own.
+// OpenSees, Tcl: a namespace of procedures that make the material or the bearing, and check it. Sourcing the file
+// creates nothing in the model; the check is a static analysis of a model of its own.
 #include <fmt/format.h>
 
 #include <ranges>
@@ -160,7 +160,7 @@ std::string opensees_script(Subject const& subject, Realisation const& realisati
       space, check.forms.front().function, addition.usage);
   for (auto const& form : check.forms) text += procedure(form);
   text += check_procedure(check) + addition.procedures + "}\n\n";
-  // The program itself ends with 0 after an error in a script.
+  // OpenSees exits with 0 after an error in a script, so the script sets the exit code.
   text += fmt::format(
       "if {{[info exists argv0] && [info script] eq $argv0 && [info exists argv] && [lindex $argv 0] eq \"check\"}} {{\n"
       "  if {{[catch {{ {}::self_check }} all]}} {{\n    puts stderr $::errorInfo\n    exit 1\n  }}\n"

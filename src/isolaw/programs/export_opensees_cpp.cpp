@@ -1,5 +1,5 @@
 // OpenSees, the law itself: a UniaxialMaterial in C++ around the exported law, which the program loads by its name.
-// What is asked of it was read in the program's own headers and in its search for libraries (3.8.0).
+// Source of the interface: the headers of OpenSees 3.8.0 and its search for libraries.
 #include <fmt/format.h>
 
 #include <array>
@@ -14,20 +14,20 @@
 namespace isolaw::programs {
 namespace {
 
-// The factors that a script may name.
+// Factors that a script may name: rows of a C++ table, and a list for people.
 struct Variants {
   std::string table = "{\"nominal\", nominal}", names = "nominal";
 };
 
 Variants variants_of(Subject const& subject) {
-  Variants made;
+  Variants variants;
   auto const add = [&](std::string const& name) {
-    made.table += fmt::format(", {{\"{0}\", {0}}}", name);
-    made.names += ", " + name;
+    variants.table += fmt::format(", {{\"{0}\", {0}}}", name);
+    variants.names += ", " + name;
   };
   if (subject.bounds.lower) add("lower");
   if (subject.bounds.upper) add("upper");
-  return made;
+  return variants;
 }
 
 }  // namespace

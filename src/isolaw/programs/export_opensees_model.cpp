@@ -1,5 +1,5 @@
-// OpenSees, Tcl: the script of the law with a building on it: procedures that build, load and shake it, and write what
-// its isolators did.
+// OpenSees, Tcl: the script of the law with a building on it. Its procedures build, load and shake the building and
+// write the motion and the forces of its isolators.
 #include <fmt/format.h>
 
 #include "isolaw/base/words.hpp"
@@ -20,12 +20,12 @@ std::string tcl_bearings(ModelNumbers const& numbers) {
 
 std::string tcl_data(ModelNumbers const& n, UnitSystem const& units) {
   std::string text = fmt::format(
-      "  # The model. Of each isolator: name, x, y, angle [rad], load, vertical stiffness, mass above it.\n"
+      "  # A row for each isolator: name, x, y, angle [rad], load, vertical stiffness, mass above it.\n"
       "  variable bearings {{\n{}  }}\n"
-      "  # What is carried, its centre, and the mass's moment of inertia about it.\n"
+      "  # The carried weight, its mass, its centre, and the mass's moment of inertia about that.\n"
       "  variable weight {}\n  variable mass {}\n  variable inertia {}\n  variable centre_x {}\n  variable centre_y {}\n"
       "  variable held {}\n"
-      "  # Newton's rule ends where a displacement changes by less; the isolators were tested up to.\n"
+      "  # Newton's iteration ends when displacements change by less than the tolerance. Largest displacement tested.\n"
       "  variable tolerance {}\n  variable tested {}\n"
       "  variable cases {{{}}}\n"
       "  # The ground: seconds between its samples, steps of the analysis to each, accelerations [{}/s2].\n"
@@ -50,7 +50,7 @@ std::string tcl_isolator(ModelNumbers const& n) {
                    n.function);
 }
 
-constexpr std::string_view tcl_build_head = R"tcl(  # Of the law: which of its variants isolator number i has in a case.
+constexpr std::string_view tcl_build_head = R"tcl(  # The variant of the law that isolator number i has in a case.
   proc variant {case i} {
     return [expr {[string match draw_* $case] ? "${case}_$i" : $case}]
   }
@@ -86,7 +86,7 @@ constexpr std::string_view tcl_build_head = R"tcl(  # Of the law: which of its v
 )tcl";
 
 constexpr std::string_view tcl_rest = R"tcl(    }
-    # The program takes no rigid diaphragm whose turning is held.
+    # OpenSees accepts no rigid diaphragm whose rotation is fixed.
     if {$held} { equalDOF $slab {*}$tops 1 2 } else { rigidDiaphragm 3 $slab {*}$tops }
   }
 
@@ -99,7 +99,7 @@ constexpr std::string_view tcl_rest = R"tcl(    }
     algorithm Newton
   }
 
-  # The loads, which stay.
+  # Applies the vertical loads and keeps them constant.
   proc gravity {} {
     variable bearings
     variable weight
@@ -120,7 +120,7 @@ constexpr std::string_view tcl_rest = R"tcl(    }
     wipeAnalysis
   }
 
-  # One step; where Newton's rule does not end, in ten parts, each with another rule where it must be. 0: done.
+  # One step. Where Newton's rule does not converge it is cut into ten, each with KrylovNewton if needed. 0: done.
   proc step {dt} {
     if {[analyze 1 $dt] == 0} { return 0 }
     for {set k 0} {$k < 10} {incr k} {
@@ -133,8 +133,9 @@ constexpr std::string_view tcl_rest = R"tcl(    }
     return 0
   }
 
-  # Shakes the model of one case; writes what it did to folder/case. Returns largest displacement, its isolator, that of
-  # the slab's centre, largest shear along x and y and of both, turning, what is left, and lines of the isolators' peaks.
+  # Shakes the model of one case and writes its motion to folder/case. Returns the largest displacement of an isolator,
+  # that isolator, the slab centre's, the largest shear along x, y and together, the largest rotation, the displacement
+  # that is left, and lines of the isolators' peaks.
   proc shake {case folder} {
     foreach name {bearings acceleration_x acceleration_y sample_s pieces slab_header units} { variable $name }
     build $case
@@ -219,7 +220,7 @@ constexpr std::string_view tcl_rest = R"tcl(    }
     return [list $far($worst) [lindex $bearings [expr {$worst - 1}] 0] $most_slab $most_x $most_y $most $most_turn [expr {hypot($ux, $uy)}] $lines]
   }
 
-  # Every case, or those named; prints the largest values of each and writes them to folder/peaks.csv.
+  # Runs the named cases, or all; prints the largest values of each and writes them to folder/peaks.csv.
   proc run {folder which} {
     foreach name {cases weight tested peaks_header units} { variable $name }
     foreach case $which {
@@ -269,18 +270,18 @@ constexpr std::string_view tcl_rest = R"tcl(    }
 std::string opensees_model(Subject const& subject, Realisation const& realisation, UnitSystem const& units) {
   auto const numbers = model_numbers(subject, realisation, units);
   auto const space = identifier(subject);
-  ScriptAddition made;
-  made.facts = model_facts(subject, realisation, units);
-  made.usage = run_usage("OpenSees this-file", space + "_results", numbers);
-  made.procedures =
+  ScriptAddition addition;
+  addition.facts = model_facts(subject, realisation, units);
+  addition.usage = run_usage("OpenSees this-file", space + "_results", numbers);
+  addition.procedures =
       tcl_data(numbers, units) + std::string(tcl_build_head) + tcl_isolator(numbers) + std::string(tcl_rest);
-  made.dispatch = fmt::format(
+  addition.dispatch = fmt::format(
       "if {{[info exists argv0] && [info script] eq $argv0 && [info exists argv] && [lindex $argv 0] eq \"run\"}} {{\n"
       "  set folder [expr {{[llength $argv] > 1 ? [lindex $argv 1] : \"{0}_results\"}}]\n"
       "  if {{[catch {{ {0}::run $folder [lrange $argv 2 end] }} message]}} {{\n    puts stderr \"isolaw: $message\"\n    exit 1\n  }}\n"
       "  exit 0\n}}\n",
       space);
-  return opensees_script(subject, realisation, units, made);
+  return opensees_script(subject, realisation, units, addition);
 }
 
 }  // namespace isolaw::programs

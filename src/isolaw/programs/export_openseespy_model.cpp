@@ -1,4 +1,4 @@
-// OpenSeesPy: the module of the law with a building on it, as the Tcl export has it.
+// OpenSeesPy: the module of the law with a building on it; the same model as in Tcl.
 #include <fmt/format.h>
 
 #include "isolaw/base/words.hpp"
@@ -16,12 +16,12 @@ std::string python_data(ModelNumbers const& n, UnitSystem const& units) {
                             exactly(b.angle_rad), exactly(b.load), exactly(b.K_v), exactly(b.mass));
   for (auto const& each : n.cases) cases += (cases.empty() ? "\"" : ", \"") + each + "\"";
   std::string text = fmt::format(
-      "# The model. Of each isolator: name, x, y, angle [rad], load, vertical stiffness, mass above it.\n"
+      "# A row for each isolator: name, x, y, angle [rad], load, vertical stiffness, mass above it.\n"
       "BEARINGS = [\n{}]\n"
-      "# What is carried, its centre, and the mass's moment of inertia about it.\n"
+      "# The carried weight, its mass, the mass's moment of inertia about the centre, and the centre.\n"
       "WEIGHT, MASS, INERTIA, CENTRE = {}, {}, {}, ({}, {})\n"
       "HELD = {}\n"
-      "# Newton's rule ends where a displacement changes by less; the isolators were tested up to.\n"
+      "# Newton's iteration ends when displacements change by less than the tolerance. Largest displacement tested.\n"
       "TOLERANCE, TESTED = {}, {}\n"
       "CASES = [{}]\n"
       "# The ground: seconds between its samples, steps of the analysis to each, accelerations [{}/s2].\n"
@@ -46,7 +46,7 @@ std::string python_isolator(ModelNumbers const& n) {
 }
 
 constexpr std::string_view python_build_head = R"python(def variant(case, i):
-    """Of the law: which of its variants isolator number i has in a case."""
+    """The variant of the law that isolator number i has in a case."""
     return f"{case}_{i}" if case.startswith("draw_") else case
 
 
@@ -72,7 +72,7 @@ def build(case):
         c, s = math.cos(angle), math.sin(angle)
 )python";
 
-constexpr std::string_view python_rest = R"python(    # The program takes no rigid diaphragm whose turning is held.
+constexpr std::string_view python_rest = R"python(    # OpenSees accepts no rigid diaphragm whose rotation is fixed.
     if HELD:
         ops.equalDOF(slab, n + 1, 1, 2)
     else:
@@ -92,7 +92,7 @@ def vertical(i):
 
 
 def gravity():
-    """The loads, which stay."""
+    """Applies the vertical loads and keeps them constant."""
     n = len(BEARINGS)
     ops.timeSeries("Linear", 1)
     ops.pattern("Plain", 1, 1)
@@ -111,7 +111,7 @@ def gravity():
 
 
 def step(dt):
-    """One step; where Newton's rule does not end, in ten parts, each with another rule where it must be. 0: done."""
+    """One step. Where Newton's rule does not converge it is cut into ten, each with KrylovNewton if needed. 0: done."""
     if ops.analyze(1, dt) == 0:
         return 0
     for _ in range(10):
@@ -130,8 +130,9 @@ def opened(*names):
 
 
 def shake(case, folder):
-    """Shakes the model of one case; writes what it did to folder/case. Returns largest displacement, its isolator, that
-    of the slab's centre, largest shear along x and y and of both, turning, what is left, lines of the isolators' peaks."""
+    """Shakes the model of one case and writes its motion to folder/case. Returns the largest displacement of an isolator,
+    that isolator, the slab centre's, the largest shear along x, y and together, the largest rotation, the displacement
+    that is left, lines of the isolators' peaks."""
     build(case)
     gravity()
     for tag, values in enumerate(ACCELERATIONS, 2):
@@ -189,7 +190,7 @@ def table_row(*cells):
 
 
 def run(folder, which=()):
-    """Every case, or those named; prints the largest values of each and writes them to folder/peaks.csv."""
+    """Runs the named cases, or all; prints the largest values of each and writes them to folder/peaks.csv."""
     for case in which:
         if case not in CASES:
             raise ValueError(f"no case {case}; there is: {' '.join(CASES)}")
@@ -219,7 +220,7 @@ def run(folder, which=()):
 
 
 def main(arguments):
-    """Exit code: of the analyses with run, else of the check."""
+    """Runs the analyses if asked to `run`, else the check; returns the exit code."""
     if not arguments or arguments[0] != "run":
         return 0 if self_check() else 1
     try:
@@ -237,16 +238,16 @@ def main(arguments):
 std::string openseespy_model(Subject const& subject, Realisation const& realisation, UnitSystem const& units) {
   auto const numbers = model_numbers(subject, realisation, units);
   auto const folder = identifier(subject) + "_results";
-  ScriptAddition made;
-  made.facts = model_facts(subject, realisation, units);
-  made.usage = run_usage("python3 this-file", folder, numbers);
+  ScriptAddition addition;
+  addition.facts = model_facts(subject, realisation, units);
+  addition.usage = run_usage("python3 this-file", folder, numbers);
   auto rest = std::string(python_rest);
   constexpr std::string_view place = "FOLDER\"";
   rest.replace(rest.find(place), place.size(), folder + "\"");
-  made.procedures = "import math\nimport os\nimport sys\n\n" + python_data(numbers, units) +
-                    std::string(python_build_head) + python_isolator(numbers) + rest;
-  made.dispatch = "sys.exit(main(sys.argv[1:]))\n";
-  return openseespy_script(subject, realisation, units, made);
+  addition.procedures = "import math\nimport os\nimport sys\n\n" + python_data(numbers, units) +
+                        std::string(python_build_head) + python_isolator(numbers) + rest;
+  addition.dispatch = "sys.exit(main(sys.argv[1:]))\n";
+  return openseespy_script(subject, realisation, units, addition);
 }
 
 }  // namespace isolaw::programs

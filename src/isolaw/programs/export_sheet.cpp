@@ -1,10 +1,10 @@
-// A page of values for programs whose input cannot be tried here: each program's own symbols, where its model is the
-// law and where it is the nearest one, with what that costs.
+// A page of values for programs whose input could not be tried: each program's own symbols, whether its model is the
+// law or only the nearest one, and how far off that is.
 //
-// Force laws, as their manuals give them. SAP2000 and ETABS, Plastic (Wen): f = r k d + (1 - r) Fy z with dz = (k / Fy)
-// dd (1 - |z|^exp) where dd z > 0, else (k / Fy) dd: Bouc-Wen with beta = gamma. Rubber Isolator: the same with exp =
-// 2, coupled in its plane. MIDAS, Hysteretic System: as Plastic (Wen) with two free shares PA + PB = 1. SeismoStruct:
-// the arguments of the OpenSees bearing. Abaqus: connector elasticity with plasticity and linear kinematic hardening.
+// The force laws are those of the programs' manuals. SAP2000 and ETABS, Plastic (Wen): f = r k d + (1 - r) Fy z with
+// dz = (k / Fy) dd (1 - |z|^exp) where dd z > 0, else (k / Fy) dd: Bouc-Wen with beta = gamma. Rubber Isolator: the
+// same with exp = 2, coupled in its plane. MIDAS, Hysteretic System: as Plastic (Wen) with two free shares PA + PB = 1.
+// SeismoStruct: the arguments of the OpenSees bearing. Abaqus: connector elasticity with linear kinematic hardening.
 #include <fmt/format.h>
 
 #include <cctype>
@@ -20,24 +20,24 @@ namespace {
 using Wen = laws::BoucWenForm;
 using Corner = laws::BilinearForm;
 
-// A substitute with the values of its three variants.
+// A program's model of the law with the values of its three variants.
 template <class Values>
 struct Set {
   std::string how;      // "exact", or what was fitted and its error
-  bool is_near = true;  // to the law
+  bool is_near = true;  // false: far off the law
   Values nominal;
   std::optional<Values> lower, upper;
 };
 
 template <class Values>
 Set<Values> with_bounds(Subject const& subject, Values const& nominal, std::string how, bool is_near = true) {
-  Set<Values> made{std::move(how), is_near, nominal, {}, {}};
-  if (subject.bounds.lower) made.lower = scaled(nominal, *subject.bounds.lower);
-  if (subject.bounds.upper) made.upper = scaled(nominal, *subject.bounds.upper);
-  return made;
+  Set<Values> variants{std::move(how), is_near, nominal, {}, {}};
+  if (subject.bounds.lower) variants.lower = scaled(nominal, *subject.bounds.lower);
+  if (subject.bounds.upper) variants.upper = scaled(nominal, *subject.bounds.upper);
+  return variants;
 }
 
-// How far a law in the law's place is from it.
+// How far a substitute is from the law.
 struct Errors {
   Deviation on_records;
   std::vector<OtherCycle> on_other_cycles;
@@ -48,7 +48,6 @@ Errors errors_of(Subject const& subject, laws::LawEntry const& law, std::span<do
           other_cycles(subject, [&](History const& history) { return law_force(law, parameters, history); })};
 }
 
-// Values that were fitted in the law's place, with how far they are from it.
 template <class Values>
 Set<Values> fitted_set(Subject const& subject, Values const& nominal, std::string_view what, Errors const& errors) {
   bool const far = far_off(errors.on_records) || far_off(errors.on_other_cycles);
@@ -70,16 +69,16 @@ std::vector<double> parameters_of(Wen const& v) {
   return p;
 }
 
-constexpr double sharpest = 20.0;  // exponent of a corner
+constexpr double sharpest = 20.0;  // the exponent that stands for a corner
 
-// Bouc-Wen that stands for a bilinear loop.
+// Bouc-Wen in place of a bilinear loop.
 Wen sharp(Corner const& v) {
   double const half = 0.5 * std::pow(v.uy, -sharpest);
   return {.alpha = v.K2 / v.K1, .Ke = v.K1, .beta = half, .gamma = half, .n = sharpest};
 }
 
 std::optional<Wen> fitted_bouc_wen(Subject const& subject, std::vector<fit::Override> const& overrides, Errors& error) {
-  auto const found = fit_in_place(subject, smooth_law, overrides);
+  auto const found = fit_substitute(subject, smooth_law, overrides);
   if (found.law == nullptr) return std::nullopt;
   error = errors_of(subject, *found.law, found.parameters);
   return bouc_wen_values(*found.law, found.parameters);
@@ -95,7 +94,7 @@ fit::Override tie_gamma() {
 using WenSet = std::optional<Set<Wen>>;
 using CornerSet = std::optional<Set<Corner>>;
 
-// With beta = gamma and an exponent of 1 to 20.
+// Bouc-Wen with beta = gamma and an exponent of 1 to 20.
 WenSet plastic_wen(Subject const& subject) {
   if (auto const v = bilinear_values(*subject.law, subject.parameters)) {
     auto const s = sharp(*v);
@@ -123,7 +122,7 @@ WenSet rubber_isolator(Subject const& subject) {
   return fitted_set(subject, *found, "re-fitted with exponent 2 and beta = gamma; from the law", error);
 }
 
-// With beta and gamma free.
+// Bouc-Wen with beta and gamma free.
 WenSet free_bouc_wen(Subject const& subject, WenSet const& wen) {
   if (bilinear_values(*subject.law, subject.parameters)) return wen;
   if (auto const v = bouc_wen_values(*subject.law, subject.parameters))
@@ -136,14 +135,11 @@ WenSet free_bouc_wen(Subject const& subject, WenSet const& wen) {
 
 CornerSet bilinear(Subject const& subject) {
   if (auto const v = bilinear_values(*subject.law, subject.parameters)) return with_bounds(subject, *v, "exact");
-  auto const found = fit_in_place(subject, corner_law);
+  auto const found = fit_substitute(subject, corner_law);
   if (found.law == nullptr) return std::nullopt;
   auto const error = errors_of(subject, *found.law, found.parameters);
   return fitted_set(subject, *bilinear_values(*found.law, found.parameters), "re-fitted; from the law", error);
 }
-
-// --- the page
-// ----------------------------------------------------------------------------------------------------------
 
 class Page {
  public:
@@ -159,7 +155,7 @@ class Page {
     text_ += "|---|---|---:|";
     text_ += std::string(subject_.bounds.lower ? "---:|" : "") + (subject_.bounds.upper ? "---:|" : "") + "---|\n";
   }
-  // `get`, a member or a function of a variant's values, is a number in kN^force mm^length.
+  // `get`, a member or a function of a variant's values, gives a number in kN^force mm^length.
   template <class Values, class Get>
   void row(std::string_view symbol, double force, double length, Set<Values> const& set, Get&& get,
            std::string_view note = {}) {
@@ -299,8 +295,8 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units, Remarks
                  (subject.title.empty() ? "" : ", lot " + subject.title));
   fact("Parameters", parameter_text(*subject.law, subject.parameters));
   for (auto const& f : measured_facts(subject)) fact(f.label, f.text);
-  fact("Prediction", subject.doubts.prediction);
-  for (auto const& warning : subject.doubts.warnings) fact("Warning", warning);
+  fact("Prediction", wording::remark(subject.doubts.prediction));
+  for (auto const& warning : wording::sentences(subject.doubts.findings, wording::with_law)) fact("Warning", warning);
   for (auto const& f : validity(subject, units)) fact(f.label, f.text);
   for (auto const& f : away_facts(subject, {})) fact(f.label, f.text);
   for (auto const& f : bound_facts(subject, false)) fact(f.label, f.text);
@@ -310,6 +306,7 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units, Remarks
   fact("The law itself", "not here: --to abaqus and --to opensees-cpp write it, in C++ for those programs");
   fact("Text input",
        "none; written from values, because the syntax of .s2k and of LS-DYNA's cards could not be verified");
+  fact("Licence", fmt::format("{}: {}", export_licence, export_licence_text));
   for (auto const& note : subject.notes) fact("Note", note);
   if (!law.traits.rate_independent)
     fact("Rate", "no model below depends on the rate; they hold for the frequency tested");

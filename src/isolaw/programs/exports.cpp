@@ -18,36 +18,35 @@ namespace {
 
 constexpr std::string_view the_law_itself = "--to opensees-cpp, abaqus or cpp, the law itself";
 
-// Where the program's materials can give the law, or one near to it.
+// Throws Error where the program's materials can give neither the law nor a substitute.
 Realisation realised(Subject const& subject, Remarks& remarks) {
-  auto made = realise(subject);
-  if (made.forms.empty())
+  auto realisation = realise(subject);
+  if (realisation.forms.empty())
     throw Error({.where = "law " + std::string(subject.law->info.id),
-                 .found = made.explanation,
+                 .found = realisation.explanation,
                  .allowed = "a law that the program's materials can give",
                  .advice = std::string(the_law_itself)});
-  if (auto const& form = made.forms.front(); far_off(form.from_law))
+  if (auto const& form = realisation.forms.front(); far_off(form.from_law))
     remarks.objections.push_back(
         fmt::format("{}, the nearest there is, is far off: {}", form.nominal.title, deviation_text(form.from_law)));
   else if (far_off(form.other_cycles))
     remarks.objections.push_back(
         fmt::format("{}, the nearest there is, is more than {:.0f} % off away from the tests: {}", form.nominal.title,
                     other_cycle_far_off_percent, text(form.other_cycles)));
-  else if (made.fidelity == Fidelity::refitted)
+  else if (realisation.fidelity == Fidelity::refitted)
     remarks.cautions.push_back(
         fmt::format("{} stands in for the law, off by: {}{}", form.nominal.title, deviation_text(form.from_law),
                     marked(form.other_cycles) ? "; at other amplitudes: " + text(form.other_cycles) : std::string()));
-  return made;
+  return realisation;
 }
 
-// With the form of every isolator of every draw.
 Realisation realised_model(Subject const& subject, Remarks& remarks) {
-  auto made = realised(subject, remarks);
-  auto const worst = add_draws(made, subject);
-  if (far_off(worst) && !far_off(made.forms.front().from_law))
+  auto realisation = realised(subject, remarks);
+  auto const worst = add_draws(realisation, subject);
+  if (far_off(worst) && !far_off(realisation.forms.front().from_law))
     remarks.objections.push_back(
         fmt::format("of the draws, the worst is far off its own law: {}", deviation_text(worst)));
-  return made;
+  return realisation;
 }
 
 constexpr std::array all{
@@ -69,7 +68,7 @@ constexpr std::array all{
     Target{"opensees-cpp",
            [](Subject const& s, UnitSystem const& units, Remarks&) { return opensees_material(s, units); }},
     Target{"abaqus", [](Subject const& s, UnitSystem const& units, Remarks&) { return abaqus_element(s, units); }},
-    // It holds the law itself, and says of each form how far off it is.
+    // JSON holds the law itself and the error of each form, so that no form speaks against it.
     Target{"json",
            [](Subject const& s, UnitSystem const& units, Remarks&) { return export_json(s, realise(s), units); }},
     Target{"sheet", value_sheet},
@@ -82,10 +81,10 @@ std::span<Target const> targets() {
 }
 
 std::vector<std::string_view> model_targets() {
-  std::vector<std::string_view> made;
+  std::vector<std::string_view> names;
   for (auto const& target : all)
-    if (target.of_model) made.push_back(target.name);
-  return made;
+    if (target.of_model) names.push_back(target.name);
+  return names;
 }
 
 Target const& find_target(std::string_view name) {
@@ -96,7 +95,7 @@ Target const& find_target(std::string_view name) {
 }
 
 Export write_export(Subject const& subject, Target const& target, UnitSystem const& units, bool anyway) {
-  Export made;
+  Export result;
   auto const where =
       study::whose(subject.law->info.id, subject.lot ? std::nullopt : std::optional<std::string_view>(subject.device));
   study::require_taken(subject.doubts, where, anyway);
@@ -105,17 +104,17 @@ Export write_export(Subject const& subject, Target const& target, UnitSystem con
                  .found = "a law without a model",
                  .allowed = "a layout of isolators, their mass and the motion of the ground"});
   Remarks remarks;
-  made.text = target.write(subject, units, remarks);
+  result.text = target.write(subject, units, remarks);
   auto& to_form = remarks.objections;
-  made.cautions = std::move(remarks.cautions);
+  result.cautions = std::move(remarks.cautions);
   if (!to_form.empty() && !anyway)
     throw Error({.where = where,
                  .found = joined(to_form, "; "),
                  .allowed = "a form that is near to the law",
                  .advice = fmt::format("{}; or --anyway", the_law_itself)});
-  if (!subject.doubts.objection.empty()) made.let_through.push_back(subject.doubts.objection);
-  std::ranges::move(to_form, std::back_inserter(made.let_through));
-  return made;
+  if (subject.doubts.objection) result.let_through.push_back(wording::remark(*subject.doubts.objection));
+  std::ranges::move(to_form, std::back_inserter(result.let_through));
+  return result;
 }
 
 }  // namespace isolaw::programs

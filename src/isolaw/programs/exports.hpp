@@ -1,4 +1,4 @@
-// The exported texts, one function per target. Each throws Error where the target cannot express the law at all.
+// The exported texts, one function per target. Each throws Error where the target cannot express the law.
 #pragma once
 
 #include <span>
@@ -13,34 +13,33 @@
 
 namespace isolaw::programs {
 
-// What speaks against taking the law, or the form of it that a target has.
+// Collected while a target writes its form of the law.
 struct Remarks {
-  std::vector<std::string> objections;  // what speaks against taking the form for the law
-  std::vector<std::string> cautions;    // what must be known of it
+  std::vector<std::string> objections;  // reasons not to take the form for the law; refused unless asked for anyway
+  std::vector<std::string> cautions;    // warnings that go with it
 };
 
 struct Target {
   std::string_view name;
   std::string (*write)(Subject const& subject, UnitSystem const& units, Remarks& remarks);
-  bool of_model = false;  // of a whole building: the subject needs its Model
+  bool of_model = false;  // writes a whole building: the subject needs its Model
 };
 std::span<Target const> targets();
-std::vector<std::string_view> model_targets();     // names of those that write a whole building
+std::vector<std::string_view> model_targets();     // names of the targets that write a whole building
 Target const& find_target(std::string_view name);  // throws Error that lists them
 
 struct Export {
   std::string text;
   std::vector<std::string> let_through, cautions;
 };
-// Throws Error where something speaks against it (a prediction that is unusable, a substitute that is far off) and it
-// is not asked for `anyway`.
+// Throws Error for an unusable prediction or a substitute that is far off, unless `anyway`; then `let_through` says so.
 Export write_export(Subject const& subject, Target const& target, UnitSystem const& units, bool anyway);
 
 std::string opensees_script(Subject const& subject, Realisation const& realisation, UnitSystem const& units,
                             ScriptAddition const& addition = {});
 std::string openseespy_script(Subject const& subject, Realisation const& realisation, UnitSystem const& units,
                               ScriptAddition const& addition = {});
-// The same with the subject's model; its draws are already among the realisation's forms.
+// The same followed by the subject's model, whose draws are already among the realisation's forms.
 std::string opensees_model(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::string openseespy_model(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::string cpp_header(Subject const& subject, UnitSystem const& units);

@@ -1,4 +1,4 @@
-// The pieces that exported C++ headers are put together from; the files of laws/online/.
+// Pieces of exported C++ headers: the embedded files of laws/online/.
 #pragma once
 
 #include <string_view>
@@ -6,11 +6,11 @@
 
 namespace isolaw::programs {
 
-// Those of a law before its material, in order; empty for a law that has none.
+// A law's pieces in order, to stand before header_material(); empty for a law without an online form.
 std::vector<std::string_view> header_parts(std::string_view law);
 std::string_view header_numbers();
-std::vector<std::string_view> header_material();  // what stands around it
-// Whether its state grows with what the motion left open.
+std::vector<std::string_view> header_material();
+// True if the law's state grows with the number of turning points that are still open.
 bool remembers_turning_points(std::string_view law);
 
 }  // namespace isolaw::programs

@@ -1,4 +1,4 @@
-// What exported C++ has around the law for one program: the files of interface/, with the marks @mark@ replaced.
+// The program's side of exported C++ (OpenSees, Abaqus): the files of interface/, with their @marks@ replaced.
 #pragma once
 
 #include <span>

@@ -18,12 +18,11 @@
 namespace isolaw::programs {
 namespace {
 
-// A column of a layout: what it may be called, the first of them in messages; its unit in ours.
 struct LayoutColumn {
-  std::vector<std::string_view> names;
-  std::string units;  // what is accepted; "" for text
+  std::vector<std::string_view> names;  // messages use the first
+  std::string units;                    // what is accepted; "" for text
   std::optional<double> (*in_ours)(std::string_view unit);
-  void (*set)(Place& place, double value);
+  void (*set)(LayoutRow& place, double value);
   bool required = false, above_zero = false;
 };
 
@@ -49,31 +48,31 @@ std::vector<LayoutColumn> const& layout_columns() {
       {.names = {"x"},
        .units = known_units(Dimension::length),
        .in_ours = length_in_mm,
-       .set = [](Place& place, double value) { place.x_mm = value; },
+       .set = [](LayoutRow& place, double value) { place.x_mm = value; },
        .required = true},
       {.names = {"y"},
        .units = known_units(Dimension::length),
        .in_ours = length_in_mm,
-       .set = [](Place& place, double value) { place.y_mm = value; },
+       .set = [](LayoutRow& place, double value) { place.y_mm = value; },
        .required = true},
       {.names = {"load", "vertical load", "weight", "n"},
        .units = known_units(Dimension::force),
        .in_ours = force_in_kN,
-       .set = [](Place& place, double value) { place.load_kN = value; },
+       .set = [](LayoutRow& place, double value) { place.load_kN = value; },
        .above_zero = true},
       {.names = {"K_v", "kv", "axial"},
        .units = "kN/mm, kN/m, N/m and the like",
        .in_ours = parse_stiffness,
-       .set = [](Place& place, double value) { place.K_v_kN_per_mm = value; },
+       .set = [](LayoutRow& place, double value) { place.K_v_kN_per_mm = value; },
        .above_zero = true},
       {.names = {"angle", "orientation"},
        .units = "deg, rad",
        .in_ours = angle_in_deg,
-       .set = [](Place& place, double value) { place.angle_deg = value; }}};
+       .set = [](LayoutRow& place, double value) { place.angle_deg = value; }}};
   return known;
 }
 
-// "load [kN]", "load (kN)": what stands in the brackets is the unit, of whatever kind.
+// "load [kN]" and "load (kN)" give "load" and "kN".
 std::pair<std::string_view, std::string_view> name_and_unit(std::string_view cell) {
   auto const open = cell.find_first_of("[(");
   if (open == std::string_view::npos) return {trimmed(cell), {}};
@@ -92,7 +91,7 @@ struct FoundColumn {
 
 std::vector<FoundColumn> found_columns(std::vector<std::string_view> const& header, std::string const& where,
                                        std::vector<Complaint>& complaints) {
-  std::vector<FoundColumn> made;
+  std::vector<FoundColumn> columns;
   for (auto const cell : header) {
     auto const [base, unit] = name_and_unit(cell);
     auto const named = [wanted = lower(base)](LayoutColumn const& column) {
@@ -103,10 +102,10 @@ std::vector<FoundColumn> found_columns(std::vector<std::string_view> const& head
     if (column == known.end()) {
       complaints.push_back(
           {.where = where, .found = fmt::format("column {}", data::in_quotes(cell)), .allowed = columns_text()});
-      made.push_back({});
+      columns.push_back({});
       continue;
     }
-    if (std::ranges::find(made, &*column, &FoundColumn::column) != made.end())
+    if (std::ranges::find(columns, &*column, &FoundColumn::column) != columns.end())
       complaints.push_back(
           {.where = where, .found = fmt::format("column {} twice", column->names.front()), .allowed = "one of them"});
     FoundColumn one{.column = &*column};
@@ -120,16 +119,16 @@ std::vector<FoundColumn> found_columns(std::vector<std::string_view> const& head
              .allowed = fmt::format("'{} [UNIT]', the unit one of {}", column->names.front(), column->units)});
       one.unit = size.value_or(1.0);
     }
-    made.push_back(one);
+    columns.push_back(one);
   }
   for (auto const& column : layout_columns())
-    if (column.required && std::ranges::find(made, &column, &FoundColumn::column) == made.end())
+    if (column.required && std::ranges::find(columns, &column, &FoundColumn::column) == columns.end())
       complaints.push_back(
           {.where = where, .found = fmt::format("no column {}", column.names.front()), .allowed = columns_text()});
-  return made;
+  return columns;
 }
 
-void check_together(std::vector<Place> const& places, std::string const& file, std::vector<Complaint>& complaints) {
+void check_together(std::vector<LayoutRow> const& places, std::string const& file, std::vector<Complaint>& complaints) {
   constexpr double apart_mm = 1.0;
   for (std::size_t i = 0; i < places.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
@@ -164,11 +163,11 @@ std::optional<double> parse_stiffness(std::string_view unit) {
   return force && length ? std::optional(*force / *length) : std::nullopt;
 }
 
-std::vector<Place> read_layout(std::filesystem::path const& file) {
+std::vector<LayoutRow> read_layout(std::filesystem::path const& file) {
   return read_layout_text(data::load_text(file), file.generic_string());
 }
 
-std::vector<Place> read_layout_text(std::string_view bytes, std::string const& name) {
+std::vector<LayoutRow> read_layout_text(std::string_view bytes, std::string const& name) {
   data::check_text(name, bytes);
   auto const lines = data::split_lines(bytes).lines;
   std::optional<std::size_t> header_line;
@@ -184,11 +183,10 @@ std::vector<Place> read_layout_text(std::string_view bytes, std::string const& n
     return Error({.where = name, .found = "no bearings", .allowed = "a row for each, under " + columns_text()});
   };
   if (!header_line || below == 0) throw nothing();
-  // By the header, as a table of one or two bearings has little else to tell it by.
+  // The header decides: a table of one or two bearings has too few rows to recognise a delimiter from.
   auto const& head = lines[*header_line];
   auto const has = [&](char c) { return head.find(c) != std::string_view::npos; };
   char const delimiter = has(';') ? ';' : has('\t') ? '\t' : has(',') ? ',' : ' ';
-  // Decimal commas stand beside another delimiter than the comma.
   auto const dialect = data::recognise_dialect(lines);
   char const decimal = delimiter != ',' && dialect && dialect->decimal == ',' ? ',' : '.';
   std::vector<std::string_view> cells;
@@ -196,7 +194,7 @@ std::vector<Place> read_layout_text(std::string_view bytes, std::string const& n
   std::vector<Complaint> complaints;
   auto const columns = found_columns(cells, fmt::format("{}:{}", name, *header_line + 1), complaints);
   if (!complaints.empty()) throw Error(std::move(complaints));
-  std::vector<Place> made;
+  std::vector<LayoutRow> places;
   for (auto i = *header_line + 1; i < lines.size(); ++i) {
     if (data::is_comment(lines[i]) || data::is_blank(lines[i], delimiter)) continue;
     auto const where = fmt::format("{}:{}", name, i + 1);
@@ -207,8 +205,8 @@ std::vector<Place> read_layout_text(std::string_view bytes, std::string const& n
                             .allowed = fmt::format("{}, as the header has", columns.size())});
       continue;
     }
-    Place place;
-    place.name = fmt::format("b{}", made.size() + 1);
+    LayoutRow place;
+    place.name = fmt::format("b{}", places.size() + 1);
     for (std::size_t k = 0; k < cells.size(); ++k) {
       auto const& [column, unit] = columns[k];
       if (column->in_ours == nullptr) {
@@ -226,16 +224,16 @@ std::vector<Place> read_layout_text(std::string_view bytes, std::string const& n
                                   cells[k].empty() ? std::string("missing") : data::in_quotes(cells[k])),
              .allowed = column->above_zero ? "a number above 0" : "a finite number"});
     }
-    made.push_back(std::move(place));
+    places.push_back(std::move(place));
   }
   if (!complaints.empty()) throw Error(std::move(complaints));
-  if (made.empty()) throw nothing();
-  if (made.size() > most_places)
+  if (places.empty()) throw nothing();
+  if (places.size() > most_rows)
     throw Error(
-        {.where = name, .found = counted(made.size(), "bearing"), .allowed = fmt::format("1 to {}", most_places)});
-  check_together(made, name, complaints);
+        {.where = name, .found = counted(places.size(), "bearing"), .allowed = fmt::format("1 to {}", most_rows)});
+  check_together(places, name, complaints);
   if (!complaints.empty()) throw Error(std::move(complaints));
-  return made;
+  return places;
 }
 
 }  // namespace isolaw::programs

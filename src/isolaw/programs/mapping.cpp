@@ -45,7 +45,7 @@ Form steel02(laws::MenegottoPintoForm const& v) {
                          {"cR2", v.cR2, 0, 0}}}}};
 }
 
-// gamma before beta, and z a length: beta and gamma are in 1/length^n.
+// This command takes gamma before beta, and its z is a length, so that both are in 1/length^n.
 Form bouc_wen(laws::BoucWenForm const& v) {
   return {.id = "material",
           .title = "uniaxialMaterial BoucWen",
@@ -64,7 +64,7 @@ Form bouc_wen(laws::BoucWenForm const& v) {
                          {"maxIter", 100.0, 0, 0}}}}};
 }
 
-// beta before gamma, z without dimension: z = 1 at the yield displacement, here that of saturation.
+// This command takes beta before gamma, and its z has no dimension: 1 at the yield displacement, where it saturates.
 Form bouc_wen_original(laws::BoucWenForm const& v) {
   double const uy = v.z_max(), scale = std::pow(uy, v.n);
   return {.id = "material_original",
@@ -101,14 +101,14 @@ Form bearing_bouc_wen(laws::BoucWenForm const& v) {
 }
 
 std::vector<Form> bouc_wen_forms(laws::BoucWenForm const& v) {
-  std::vector<Form> made{bouc_wen(v), bouc_wen_original(v), bearing_bouc_wen(v)};
-  // |z|^n has an infinite slope at 0 then, which Newton's iteration of the program meets and bisection here does not.
+  std::vector<Form> forms{bouc_wen(v), bouc_wen_original(v), bearing_bouc_wen(v)};
+  // With n < 1 the slope of |z|^n is infinite at 0, where Newton's iteration may fail.
   if (v.n < 1.0)
-    for (auto& form : made)
+    for (auto& form : forms)
       form.condition +=
           std::string(form.condition.empty() ? "" : "; ") +
           "where the program's iteration converges: with n below 1 it may fail as z passes 0, see the self-check";
-  return made;
+  return forms;
 }
 
 // The law's canonical form in kN and mm.
@@ -138,7 +138,7 @@ laws::Canonical canonical(laws::LawEntry const& law, std::span<double const> par
   return form;
 }
 
-// What keeps limit curves from being one set that a material has; "" where nothing does.
+// Why no material of OpenSees has these limit curves; "" where one has.
 std::string no_material_of(laws::LawEntry const& law, laws::LimitCurvesForm const& v) {
   auto const &up = v.loading, &down = v.unloading;
   if (up.sigmoid != 0.0 || down.sigmoid != 0.0)
@@ -161,13 +161,13 @@ std::string no_material_of(laws::LawEntry const& law, laws::LimitCurvesForm cons
   return {};
 }
 
-// The travel in one direction beyond which the distance to the limit curve, f0 exp(-alpha travel), may be lost to the
-// rounding of the forces that it is computed from. These are at a displacement of so many times the travel: all of it
-// from rest, half of it from one side to the other.
+// Along a branch the distance to the limit curve falls as f0 exp(-alpha travel). Returns the travel in one direction
+// beyond which it may be lost to the rounding of the forces it is computed from. Those forces belong to a displacement
+// of `reach` times the travel: 1 from rest, 0.5 from one side to the other.
 double longest_travel(laws::LimitCurve const& v, double reach) {
   constexpr double roundings = 16.0 * std::numeric_limits<double>::epsilon();
   double travel = 0.0;
-  // The force that is lost grows with the travel, and so each estimate lies on the other side of the one before.
+  // Bisection: the rounding error grows with the travel, the distance falls.
   for (double low = 0.0, high = 60.0 / v.alpha; high - low > 1e-4 * high;) {
     travel = 0.5 * (low + high);
     double const disp = reach * travel, hardening = std::abs(v.beta2) * disp;
@@ -178,12 +178,12 @@ double longest_travel(laws::LimitCurve const& v, double reach) {
   return travel;
 }
 
-// Where a curve softens instead (beta1 < 0) the hysteretic part, linear in ka, kb and fo, is split: 1.1 times it
-// without the curve beside -0.1 times it with the curve, so that every argument is one that the program takes.
+// Where the curve softens (beta1 < 0) HystereticAsym would refuse its arguments. Its hysteretic part is linear in ka,
+// kb and fo, so it is split: 1.1 times the part without the curve beside -0.1 times the part with the curve.
 constexpr double surplus = 0.1;
 
-// The hardening's coefficient in HystereticAsym is one unit of force, whatever the units: written in units of its own
-// size and multiplied by it, the law does not change with the unit system. Without hardening there is no such trap.
+// The hardening term of HystereticAsym has the coefficient 1, one unit of force whatever the unit system. So the
+// material is written in units of the term's own size, inside a Multiplier by that size; without hardening, plainly.
 Form hysteretic_asym(laws::LimitCurve const& v) {
   Form form{.id = "material",
             .title = "uniaxialMaterial HystereticAsym",
@@ -194,7 +194,7 @@ Form hysteretic_asym(laws::LimitCurve const& v) {
             .longest_travel_mm = longest_travel(v, 1.0),
             .longest_swing_mm = longest_travel(v, 0.5),
             .since = "3.5.0"};
-  // Of a factor times the hysteretic part and the curve exp(b1 u) - 1 - b1 u of one unit of force.
+  // One HystereticAsym; its curve is exp(b1 u) - 1 - b1 u, of one unit of force.
   auto const part = [&](double kb, double f0, double b1, double force_power) {
     form.commands.push_back({"HystereticAsym",
                              {{"ka", kb + 2.0 * v.alpha * f0, force_power, -1},
@@ -227,7 +227,6 @@ laws::BoucWenForm without_hardening(laws::LimitCurve const& v) {
   return {.alpha = v.Kb / Ke, .Ke = Ke, .beta = v.alpha, .gamma = 0.0, .n = 1.0};
 }
 
-// The forms of each canonical form, and why there are none.
 struct ToForms {
   laws::LawEntry const& law;
   BoundFactors const& scale;
@@ -253,14 +252,14 @@ struct ToForms {
     v.Kb *= scale.stiffness;
     v.f0 *= scale.strength;
     v.beta1 *= scale.stiffness;
-    Mapping made{.forms = {hysteretic_asym(v)}, .why = {}};
-    if (v.beta1 != 0.0) return made;
-    // Without hardening the branches are those of Bouc-Wen with n = 1, beta = alpha and gamma = 0, which knows no NaN.
+    Mapping mapping{.forms = {hysteretic_asym(v)}, .why = {}};
+    if (v.beta1 != 0.0) return mapping;
+    // Without hardening it is Bouc-Wen with n = 1, beta = alpha and gamma = 0, whose force never turns into NaN.
     for (auto& form : bouc_wen_forms(without_hardening(v))) {
       if (form.id == "material") form.id = "material_bouc_wen";
-      made.forms.push_back(std::move(form));
+      mapping.forms.push_back(std::move(form));
     }
-    return made;
+    return mapping;
   }
   Mapping operator()(laws::NoForm const& none) const {
     if (!law.info.traits.rate_independent)
@@ -291,13 +290,13 @@ laws::MenegottoPintoForm scaled(laws::MenegottoPintoForm v, BoundFactors const& 
 }
 
 std::vector<Command> in_units(Form const& form, UnitSystem const& units) {
-  std::vector<Command> made;
+  std::vector<Command> commands;
   for (auto const& command : form.commands) {
-    auto& converted = made.emplace_back(Command{.name = command.name, .arguments = {}});
+    auto& converted = commands.emplace_back(Command{.name = command.name, .arguments = {}});
     for (auto const& a : command.arguments)
       converted.arguments.push_back(units.convert(a.value, a.force_power, a.length_power));
   }
-  return made;
+  return commands;
 }
 
 std::optional<laws::BilinearForm> bilinear_values(laws::LawEntry const& law, std::span<double const> parameters) {

@@ -1,5 +1,5 @@
-// From a law's parameters to the commands of OpenSees that give the same force: argument orders, normalisations and
-// units. What is mapped is not yet believed: realise.hpp replays it on the calibration record.
+// From a law's parameters to the OpenSees commands that give the same force: argument orders, normalisations and
+// units. realise.hpp replays the result on the calibration record before it is believed.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace isolaw::programs {
 
-// A value in kN^force_power mm^length_power, as it is converted to another unit system.
+// `value` is in kN^force_power mm^length_power.
 struct Argument {
   std::string name;  // as in the program's manual
   double value = 0.0;
@@ -24,37 +24,38 @@ struct MappedCommand {
   std::vector<Argument> arguments;
 };
 
-// How exact a form can be at best: algebraic ones are so at every step, others as the step goes to zero.
+// The best that a form can be: algebraic forms are exact at every step, integrated ones as the step goes to zero.
 enum class Exactness { every_step, small_steps };
 
-// One way to realise a law: commands one after another, the last of them the one to be used.
+// One way to give a law in a program: commands in order, of which the last makes the material or element to use.
 struct Form {
   std::string id;  // "material", "material_original", "bearing"
   std::string title;
   Exactness exactness = Exactness::every_step;
   std::vector<MappedCommand> commands;
   std::string condition = {};  // where it holds, beyond the records; "" for everywhere
-  // The longest travel in one direction that it stands, from rest and between two sides alike, in mm; empty: any.
+  // The longest travel in one direction, in mm, before the force is lost: from rest, and from side to side. Empty: any.
   std::optional<double> longest_travel_mm = {}, longest_swing_mm = {};
-  std::string since = {};  // the first version of the program that has it; "" where any has
+  std::string since = {};  // the first version of the program that has it; "": all have
 };
 
 std::vector<Command> in_units(Form const& form, UnitSystem const& units);
 
 struct Mapping {
-  std::vector<Form> forms;  // the first is the one to use; empty: none is exact
-  std::string why;          // why there is none
+  std::vector<Form> forms;  // the first is the one to use; empty: no exact one
+  std::string why;          // why there is no form
 };
 
-// The exact forms of a law, its parameters in its own units. `scale` multiplies the part of the force that grows with
-// displacement and the hysteretic part; laws whose parameters cannot tell them apart take `stiffness` for all.
+// The exact forms of a law; `parameters` are in the law's units. `scale` multiplies the part of the force that grows
+// with displacement by `stiffness`, the hysteretic part by `strength`.
 Mapping map_law(laws::LawEntry const& law, std::span<double const> parameters, BoundFactors const& scale = {});
 
 laws::BilinearForm scaled(laws::BilinearForm values, BoundFactors const& scale);
 laws::BoucWenForm scaled(laws::BoucWenForm values, BoundFactors const& scale);
 laws::MenegottoPintoForm scaled(laws::MenegottoPintoForm values, BoundFactors const& scale);
 
-// The numbers of a law that has the form by itself, in kN and mm; Bouc-Wen's also where limit curves are those of it.
+// The law's own bilinear or Bouc-Wen form in kN and mm, if it has one; one set of limit curves without hardening is
+// Bouc-Wen's with n = 1.
 std::optional<laws::BilinearForm> bilinear_values(laws::LawEntry const& law, std::span<double const> parameters);
 std::optional<laws::BoucWenForm> bouc_wen_values(laws::LawEntry const& law, std::span<double const> parameters);
 

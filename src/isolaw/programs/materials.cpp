@@ -17,7 +17,7 @@ double sign(double x) {
   return x < 0.0 ? -1.0 : 1.0;
 }
 
-// Fy E0 b: elastic increments, held between two lines of slope b E0.
+// Arguments Fy E0 b. Elastic increments, held between two lines of slope b E0.
 class Steel01 final : public Material {
  public:
   explicit Steel01(std::span<double const> a) : Fy_(a[0]), E0_(a[1]), b_(a[2]) {}
@@ -32,8 +32,8 @@ class Steel01 final : public Material {
   double Fy_, E0_, b_, x_ = 0.0, force_ = 0.0;
 };
 
-// Fy E0 b R0 cR1 cR2: a curve from each reversal (xr, fr) to the point (x0, f0) where its elastic line meets the
-// asymptote.
+// Arguments Fy E0 b R0 cR1 cR2. A curve from each reversal (xr, fr) to the point (x0, f0) where the elastic line meets
+// the asymptote.
 class Steel02 final : public Material {
  public:
   explicit Steel02(std::span<double const> a)
@@ -65,7 +65,7 @@ class Steel02 final : public Material {
   double x_ = 0.0, f_ = 0.0, direction_ = 0.0, xr_ = 0.0, fr_ = 0.0, x0_ = 0.0, f0_ = 0.0, R_ = 0.0;
 };
 
-// kInit qd alpha1 alpha2 mu, in one direction: an elastic-plastic part beside a spring and a hardening one.
+// Arguments kInit qd alpha1 alpha2 mu, in one direction. An elastic-plastic part, a spring and a hardening spring.
 class BearingPlasticity final : public Material {
  public:
   explicit BearingPlasticity(std::span<double const> a)
@@ -80,14 +80,14 @@ class BearingPlasticity final : public Material {
   double k_, qd_, alpha1_, alpha2_, mu_, plastic_ = 0.0;
 };
 
-// How a program looks for z: Newton's rule from a start, so many times at most, to a change below the tolerance.
+// How a program finds z by Newton's rule; the defaults are the program's.
 struct Iteration {
-  double tolerance = 1e-8;
-  int most = 20;
+  double tolerance = 1e-8;  // on the change of z
+  int most = 20;            // iterations
 };
 
-// z after a step of backward Euler: z = z0 + dx (A - |z|^n (gamma + beta sgn(dx z))). No number where the program's
-// iteration does not come to an end: its force is then a chance's.
+// z after a step of backward Euler: z = z0 + dx (A - |z|^n (gamma + beta sgn(dx z))). NaN where the iteration does not
+// converge, since the program's force is then arbitrary.
 double implicit_z(double z0, double dx, double A, double beta, double gamma, double n, double start,
                   Iteration const& iteration) {
   if (dx == 0.0) return z0;
@@ -104,7 +104,7 @@ double implicit_z(double z0, double dx, double A, double beta, double gamma, dou
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-// alpha ko n gamma beta Ao deltaA deltaNu deltaEta [tol maxIter]: z is a length.
+// Arguments alpha ko n gamma beta Ao deltaA deltaNu deltaEta [tol maxIter]. z is a length.
 class BoucWen final : public Material {
  public:
   explicit BoucWen(std::span<double const> a) : alpha_(a[0]), k_(a[1]), n_(a[2]), gamma_(a[3]), beta_(a[4]), A_(a[5]) {
@@ -124,7 +124,7 @@ class BoucWen final : public Material {
   Iteration iteration_;
 };
 
-// z of 1 at the yield displacement uy.
+// z has no dimension: 1 at the yield displacement uy.
 class DimensionlessBoucWen final : public Material {
  public:
   struct Parameters {
@@ -171,8 +171,8 @@ DimensionlessBoucWen::Parameters bearing_bouc_wen(std::span<double const> a) {
                     {.tolerance = bearing_tolerance, .most = bearing_iterations});
 }
 
-// ka kb fo b1 b2 gamma. Nothing keeps the logarithm's argument positive: on a long branch the distance to the limit
-// curve is lost to rounding and the force is no number from there on.
+// Arguments ka kb fo b1 b2 gamma. Nothing keeps the logarithm's argument positive: on a long branch the distance to the
+// limit curve is lost to rounding, and from there on the force is NaN.
 class HystereticAsym final : public Material {
  public:
   explicit HystereticAsym(std::span<double const> a)
@@ -213,7 +213,7 @@ class Parallel final : public Material {
   std::unique_ptr<Material> one_, other_;
 };
 
-// How many materials a command stands on.
+// How many materials a command is built on.
 std::size_t inner_count(std::string_view name) {
   return name == "Multiplier" ? 1 : name == "Parallel" ? 2 : 0;
 }
@@ -248,10 +248,10 @@ std::unique_ptr<Material> make_one(Command const& command, std::vector<std::uniq
 }  // namespace
 
 std::vector<Tags> tags_of(std::span<Command const> commands) {
-  std::vector<Tags> made;
+  std::vector<Tags> all_tags;
   std::vector<std::size_t> free;  // tags that nothing has taken
   for (std::size_t i = 0; i < commands.size(); ++i) {
-    auto& tags = made.emplace_back(Tags{.own = i + 1 == commands.size() ? 0 : i + 1, .inner = {}});
+    auto& tags = all_tags.emplace_back(Tags{.own = i + 1 == commands.size() ? 0 : i + 1, .inner = {}});
     auto const wanted = inner_count(commands[i].name);
     if (free.size() < wanted)
       throw Error({.where = commands[i].name,
@@ -265,7 +265,7 @@ std::vector<Tags> tags_of(std::span<Command const> commands) {
     throw Error({.where = "material",
                  .found = fmt::format("{} that nothing stands on", free.size()),
                  .allowed = "one: the last command"});
-  return made;
+  return all_tags;
 }
 
 std::string refused_by_program(std::span<Command const> commands) {
@@ -281,13 +281,13 @@ std::string refused_by_program(std::span<Command const> commands) {
 
 std::unique_ptr<Material> make_material(std::span<Command const> commands) {
   auto const tags = tags_of(commands);
-  std::vector<std::unique_ptr<Material>> made(commands.size());  // by their own tag
+  std::vector<std::unique_ptr<Material>> materials(commands.size());  // by their own tag
   for (std::size_t i = 0; i < commands.size(); ++i) {
     std::vector<std::unique_ptr<Material>> inner;
-    for (auto const tag : tags[i].inner) inner.push_back(std::move(made[tag]));
-    made[tags[i].own] = make_one(commands[i], std::move(inner));
+    for (auto const tag : tags[i].inner) inner.push_back(std::move(materials[tag]));
+    materials[tags[i].own] = make_one(commands[i], std::move(inner));
   }
-  return std::move(made.front());
+  return std::move(materials.front());
 }
 
 std::vector<double> replay(std::span<Command const> commands, std::span<double const> disp) {

@@ -15,12 +15,12 @@ namespace isolaw::programs {
 namespace {
 
 Option<ModelOptions> words(std::string_view key, std::string help, std::optional<std::string> ModelOptions::*place) {
-  return {{.key = key, .help = std::move(help)},
+  return {{.key = key, .help = std::move(help), .heading = Heading::model},
           [place](ModelOptions const& from) { return or_null(from.*place); },
           [place](ModelOptions& to, Json const& value) { to.*place = text_in(value); }};
 }
 
-// A quantity above zero, "2400 kN", by what its unit comes to.
+// Value of "2400 kN" in the units of records; throws Error unless it is above zero with a unit that `in_ours` knows.
 double quantity(std::string const& text, std::string_view where, std::string_view allowed,
                 std::optional<double> (*in_ours)(std::string_view)) {
   auto const parts = number_and_unit(text);
@@ -39,14 +39,14 @@ std::optional<double> as_length(std::string_view text) {
   return unit && unit->dimension == Dimension::length ? std::optional(unit->in_record_units) : std::nullopt;
 }
 
-void add_bearings(Model& model, std::vector<Place> const& places) {
+void add_bearings(Model& model, std::vector<LayoutRow> const& places) {
   for (auto const& place : places)
     model.bearings.push_back(
         {.name = place.name, .x_mm = place.x_mm, .y_mm = place.y_mm, .angle_deg = place.angle_deg});
 }
 
-// What is carried, shared as the layout's loads are, or equally.
-void add_weight(Model& model, ModelOptions const& options, std::vector<Place> const& places) {
+// Shares the carried weight as the layout's loads are, or equally without loads.
+void add_weight(Model& model, ModelOptions const& options, std::vector<LayoutRow> const& places) {
   bool const loads = places.front().load_kN.has_value();
   double sum = 0.0;
   for (auto const& place : places) sum += place.load_kN.value_or(0.0);
@@ -55,7 +55,7 @@ void add_weight(Model& model, ModelOptions const& options, std::vector<Place> co
                  .found = "is not given, and the layout has no column of loads",
                  .allowed = "the mass that the isolators carry, or its weight: 1200t, 12000kN",
                  .advice = "--mass 1200t, or a column 'load [kN]' in the layout"});
-  // A mass in tonnes or kilograms weighs as many tonne- or kilogram-force.
+  // The units t and kg are read as tonne-force and kilogram-force: a mass weighs that much.
   model.weight_kN = options.mass ? quantity(*options.mass, "--mass",
                                             fmt::format("a number above 0 and a unit of mass or weight (t, kg, {})",
                                                         known_units(Dimension::force)),
@@ -83,11 +83,11 @@ void add_weight(Model& model, ModelOptions const& options, std::vector<Place> co
   auto const [low, high] = std::ranges::minmax(model.bearings, {}, &ModelBearing::y_mm);
   model.gyration_mm = std::hypot(right.x_mm - left.x_mm, high.y_mm - low.y_mm) / std::sqrt(12.0);
   model.gyration_from = "of a uniform rectangle around the bearings";
-  // One bearing has no rectangle, and turns not at all.
+  // One bearing spans no rectangle; the model holds it against turning, so that any value does.
   if (model.bearings.size() == 1) model.gyration_mm = 1000.0;
 }
 
-void add_vertical_stiffness(Model& model, ModelOptions const& options, std::vector<Place> const& places,
+void add_vertical_stiffness(Model& model, ModelOptions const& options, std::vector<LayoutRow> const& places,
                             study::Summary const& summary, std::string_view device, bool lot) {
   bool const column = places.front().K_v_kN_per_mm.has_value();
   if (column && options.axial)
@@ -160,29 +160,26 @@ void add_draws(Model& model, ModelOptions const& options, campaign::Contents con
 
 std::vector<Option<ModelOptions>> const& model_table() {
   static std::vector<Option<ModelOptions>> const table{
-      words("layout",
-            "of a model: table of the isolators, columns x and y, also name, load, K_v, angle, units in its header",
+      words("layout", "table of the isolators: columns x and y, optionally name, load, K_v, angle; units in the header",
             &ModelOptions::layout),
-      words(
-          "mass",
-          "of a model: what the isolators carry, as a mass or a weight: 1200t, 12000kN (the sum of the layout's loads)",
-          &ModelOptions::mass),
-      words("gyration", "of a model: radius of gyration of that mass, 8.5m (of a rectangle around the bearings)",
+      words("mass", "what the isolators carry, as mass or weight: 1200t or 12000kN (default: the layout's loads)",
+            &ModelOptions::mass),
+      words("gyration", "radius of gyration of that mass, such as 8.5m (default: of a rectangle around the bearings)",
             &ModelOptions::gyration),
-      words("axial",
-            "of a model: vertical stiffness of a bearing, 1200kN/mm (the layout's K_v, or of the compression tests)",
+      words("axial", "vertical stiffness of a bearing, 1200kN/mm (default: from the layout or compression tests)",
             &ModelOptions::axial),
-      words("ground-motion", "of a model: acceleration of the ground along x: an AT2 file, or columns with units",
+      words("ground-motion", "ground acceleration along x: an AT2 file, or columns with units",
             &ModelOptions::ground_motion),
-      words("ground-motion-y", "of a model: the same along y", &ModelOptions::ground_motion_y),
-      number<ModelOptions>("ground-motion-dt", "of a model: seconds between samples, for a file without time,",
-                           at(&ModelOptions::ground_motion_dt), {.least = 1e-6, .most = 10.0}),
-      number<ModelOptions>("scale", "of a model: factor on the acceleration,", at(&ModelOptions::scale),
-                           {.least = 1e-6, .most = 1e6}),
-      number<ModelOptions>(
-          "draws",
-          "of a model: in place of the bounds, so many draws of the lot's population, each bearing one of its own;",
-          at(&ModelOptions::draws), {.least = 0, .most = most_drawn_sets})};
+      words("ground-motion-y", "ground acceleration along y", &ModelOptions::ground_motion_y),
+      number<ModelOptions>("ground-motion-dt", "seconds between samples, for files without time",
+                           at(&ModelOptions::ground_motion_dt), {.least = 1e-6, .most = 10.0})
+          .under(Heading::model),
+      number<ModelOptions>("scale", "factor on the ground acceleration", at(&ModelOptions::scale),
+                           {.least = 1e-6, .most = 1e6})
+          .under(Heading::model),
+      number<ModelOptions>("draws", "draw every bearing from the lot this many times, instead of the bounds",
+                           at(&ModelOptions::draws), {.least = 0, .most = most_drawn_sets})
+          .under(Heading::model)};
   return table;
 }
 

@@ -1,6 +1,6 @@
 // A building on isolators, as the targets opensees-model and openseespy-model write it: bearings under a slab that is
-// rigid in its plane, their loads and vertical springs, the slab's mass, the motion of the ground, and what is varied
-// from one analysis to the next. All in kN, mm and s.
+// rigid in its plane, their loads and vertical springs, the slab's mass, the motion of the ground, and the bounds or
+// draws that differ between analyses. All in kN, mm and s.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@
 
 namespace isolaw::programs {
 
-// As the user gives it; a row each in model_table().
+// Options as the user gives them; each is a row of model_table().
 struct ModelOptions {
   std::optional<std::string> layout, mass, gyration, axial, ground_motion, ground_motion_y;
   std::optional<double> ground_motion_dt;
@@ -38,17 +38,17 @@ struct Model {
   std::string weight_from, centre_from, gyration_from, K_v_from;      // in words
   std::vector<data::GroundMotion> motions;                            // along x, and along y where there are two
   double scale = 1.0;
-  // Of the law, for each draw one vector for each bearing; empty: the analyses are of the bounds.
+  // Parameters of the law by draw and bearing; empty: the analyses are those of the bounds.
   std::vector<std::vector<std::vector<double>>> draws;
   std::uint64_t seed = 0;
   std::vector<std::string> draws_said;
 };
 
-// Sets of parameters that one file holds at most, a material and a check for each.
+// The most sets of parameters that one file holds; each has a material and a check.
 inline constexpr int most_drawn_sets = 2000;
 
-// `device` as the command line has it, a name or "lot": whose compression tests give K_v. Throws one Error of what
-// lacks: a layout, a motion, mass, K_v; motions of two lengths; a law without a population where draws are asked for.
+// `device` is a name or "lot", as on the command line; its compression tests may give K_v. Throws one Error that lists
+// what is missing (layout, motion, mass, K_v), motions of two lengths, and draws of a law without a population.
 Model make_model(ModelOptions const& options, campaign::Contents const& contents, study::Summary const& summary,
                  std::string_view law, std::string_view device, std::uint64_t seed);
 

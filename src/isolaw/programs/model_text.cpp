@@ -14,9 +14,9 @@ namespace {
 
 constexpr std::string_view coupled_form = "bearing";
 
-// An analysis takes no longer steps than these: half a hundredth of a second follows what ground motions hold.
+// Upper limit of an analysis step: short enough for the frequencies that ground motions hold.
 constexpr double longest_model_step_s = 0.005;
-// Where the law's own step is not known.
+// Used where no number of steps tried was enough for the form.
 constexpr double careful_model_step_s = 0.001;
 
 Form const* with_id(Mapping const& mapping, std::string_view id) {
@@ -41,7 +41,7 @@ std::string range_text(double low, double high) {
   return low == high ? fmt::format("{:.4g}", low) : fmt::format("{:.4g} to {:.4g}", low, high);
 }
 
-// Whether the form's force changes by more than its sign where its displacement does.
+// True where mirroring the displacement does more than change the force's sign.
 bool is_one_sided(Form const& form, Subject const& subject) {
   auto mirrored = subject.protocol.disp_mm;
   for (double& x : mirrored) x = -x;
@@ -57,10 +57,10 @@ bool is_one_sided(Form const& form, Subject const& subject) {
 }
 
 std::string shown_name(std::string const& name) {
-  auto made = harmless(name);
-  // A cell of the results.
-  std::ranges::replace(made, ',', '_');
-  return made;
+  auto shown = harmless(name);
+  // The name becomes a cell of CSV files.
+  std::ranges::replace(shown, ',', '_');
+  return shown;
 }
 
 }  // namespace
@@ -100,7 +100,7 @@ Deviation add_draws(Realisation& realisation, Subject const& subject) {
       auto const* law = one.law;
       auto parameters = one.parameters;
       if (!realisation.substitute.empty()) {
-        auto fitted = fit_in_place(one, realisation.substitute);
+        auto fitted = fit_substitute(one, realisation.substitute);
         if (fitted.law == nullptr) throw fails(draw, bearing, "no " + realisation.substitute + " law could be fitted");
         law = fitted.law;
         parameters = std::move(fitted.parameters);
@@ -110,7 +110,7 @@ Deviation add_draws(Realisation& realisation, Subject const& subject) {
       if (form == nullptr) throw fails(draw, bearing, mapping.why.empty() ? "it has another form" : mapping.why);
       Realised realised;
       auto const failure = failure_of(*form, one, realised);
-      // A stand-in is not the law, and is told by how far it is off.
+      // A stand-in cannot pass as the law; it only needs a force, and its distance is reported.
       bool const has_force = std::isfinite(realised.from_law.largest);
       if (!failure.empty() && (realisation.substitute.empty() || !has_force)) throw fails(draw, bearing, failure);
       keep_worst(worst, realised.from_law);
@@ -123,48 +123,48 @@ Deviation add_draws(Realisation& realisation, Subject const& subject) {
 ModelNumbers model_numbers(Subject const& subject, Realisation const& realisation, UnitSystem const& units) {
   auto const& model = *subject.model;
   auto const& form = form_of_model(realisation);
-  ModelNumbers made;
-  made.function = form.nominal.id;
-  made.coupled = made.function == coupled_form;
-  made.gravity = units.from_mm(data::gravity_mm_s2);
-  made.weight = units.from_kN(model.weight_kN);
-  made.mass = made.weight / made.gravity;
+  ModelNumbers numbers;
+  numbers.function = form.nominal.id;
+  numbers.coupled = numbers.function == coupled_form;
+  numbers.gravity = units.from_mm(data::gravity_mm_s2);
+  numbers.weight = units.from_kN(model.weight_kN);
+  numbers.mass = numbers.weight / numbers.gravity;
   auto const gyration = units.from_mm(model.gyration_mm);
-  made.inertia = made.mass * gyration * gyration;
-  made.x = units.from_mm(model.x_mm);
-  made.y = units.from_mm(model.y_mm);
+  numbers.inertia = numbers.mass * gyration * gyration;
+  numbers.x = units.from_mm(model.x_mm);
+  numbers.y = units.from_mm(model.y_mm);
   for (auto const& b : model.bearings) {
     auto const load = units.from_kN(b.load_kN);
-    made.bearings.push_back({.name = shown_name(b.name),
-                             .x = units.from_mm(b.x_mm),
-                             .y = units.from_mm(b.y_mm),
-                             .angle_rad = b.angle_deg * std::numbers::pi / 180.0,
-                             .load = load,
-                             .K_v = units.convert(b.K_v_kN_per_mm, 1, -1),
-                             .mass = load / made.gravity});
+    numbers.bearings.push_back({.name = shown_name(b.name),
+                                .x = units.from_mm(b.x_mm),
+                                .y = units.from_mm(b.y_mm),
+                                .angle_rad = b.angle_deg * std::numbers::pi / 180.0,
+                                .load = load,
+                                .K_v = units.convert(b.K_v_kN_per_mm, 1, -1),
+                                .mass = load / numbers.gravity});
   }
-  made.motion_step_s = model.motions.front().step_s;
-  made.pieces = static_cast<int>(std::ceil(made.motion_step_s / step_asked_s(subject, form) - 1e-9));
+  numbers.motion_step_s = model.motions.front().step_s;
+  numbers.pieces = static_cast<int>(std::ceil(numbers.motion_step_s / step_asked_s(subject, form) - 1e-9));
   for (auto const& motion : model.motions) {
-    auto& values = made.motions.emplace_back();
+    auto& values = numbers.motions.emplace_back();
     for (double const a : motion.acceleration_mm_s2) values.push_back(units.from_mm(model.scale * a));
   }
-  made.tolerance = units.from_mm(1e-8);
-  made.tested = units.from_mm(subject.tested.disp_mm);
+  numbers.tolerance = units.from_mm(1e-8);
+  numbers.tested = units.from_mm(subject.tested.disp_mm);
   if (!model.draws.empty()) {
-    made.cases = {"nominal"};
-    for (std::size_t i = 1; i <= model.draws.size(); ++i) made.cases.push_back(fmt::format("draw_{}", i));
+    numbers.cases = {"nominal"};
+    for (std::size_t i = 1; i <= model.draws.size(); ++i) numbers.cases.push_back(fmt::format("draw_{}", i));
   } else {
-    if (form.lower) made.cases.emplace_back("lower");
-    made.cases.emplace_back("nominal");
-    if (form.upper) made.cases.emplace_back("upper");
+    if (form.lower) numbers.cases.emplace_back("lower");
+    numbers.cases.emplace_back("nominal");
+    if (form.upper) numbers.cases.emplace_back("upper");
   }
-  made.held = model.bearings.size() == 1;
-  return made;
+  numbers.held = model.bearings.size() == 1;
+  return numbers;
 }
 
 std::vector<std::string> model_cautions(Subject const& subject, UnitSystem const& units) {
-  // Laboratories hold the load within so much.
+  // Laboratories keep the load of a test within about this share.
   constexpr double held_within = 0.2;
   auto const &low = subject.tested.load_min_kN, &high = subject.tested.load_max_kN;
   if (!low || !high) return {};
@@ -183,45 +183,46 @@ std::vector<Fact> model_facts(Subject const& subject, Realisation const& realisa
     auto const [low, high] = std::ranges::minmax(numbers.bearings, {}, place);
     return fmt::format("{:.5g} to {:.5g}", low.*place, high.*place);
   };
-  std::vector<Fact> made;
-  made.push_back(
+  std::vector<Fact> facts;
+  facts.push_back(
       {"Model", fmt::format("{} under a slab that is rigid in its plane, above fixed ground; x and y in plan, z up",
                             counted(numbers.bearings.size(), "isolator"))});
-  made.push_back({"Layout", fmt::format("{}: x {}, y {} {}", model.layout, extent(&ModelNumbers::One::x),
-                                        extent(&ModelNumbers::One::y), length)});
-  made.push_back(
+  facts.push_back({"Layout", fmt::format("{}: x {}, y {} {}", model.layout, extent(&ModelNumbers::One::x),
+                                         extent(&ModelNumbers::One::y), length)});
+  facts.push_back(
       {"Weight carried", fmt::format("{:.6g} {} ({}), a mass of {:.6g} {} s2/{} with g = {:.6g} {}/s2", numbers.weight,
                                      force, model.weight_from, numbers.mass, force, length, numbers.gravity, length)});
-  made.push_back({"Its centre", fmt::format("x = {:.5g}, y = {:.5g} {}, {}; no accidental eccentricity", numbers.x,
-                                            numbers.y, length, model.centre_from)});
-  made.push_back({"Turning in plan", numbers.held
-                                         ? std::string("held: one isolator gives a slab no stiffness against it")
-                                         : fmt::format("radius of gyration {:.5g} {}, {}",
-                                                       units.from_mm(model.gyration_mm), length, model.gyration_from)});
+  facts.push_back({"Its centre", fmt::format("x = {:.5g}, y = {:.5g} {}, {}; no accidental eccentricity", numbers.x,
+                                             numbers.y, length, model.centre_from)});
+  facts.push_back(
+      {"Turning in plan", numbers.held ? std::string("held: one isolator gives a slab no stiffness against it")
+                                       : fmt::format("radius of gyration {:.5g} {}, {}",
+                                                     units.from_mm(model.gyration_mm), length, model.gyration_from)});
   auto const [least, most] = std::ranges::minmax(numbers.bearings, {}, &ModelNumbers::One::load);
-  made.push_back({"Load on an isolator", fmt::format("{} {}", range_text(least.load, most.load), force)});
-  for (auto const& caution : model_cautions(subject, units)) made.push_back({"Warning", caution});
+  facts.push_back({"Load on an isolator", fmt::format("{} {}", range_text(least.load, most.load), force)});
+  for (auto const& caution : model_cautions(subject, units)) facts.push_back({"Warning", caution});
   auto const [softest, stiffest] = std::ranges::minmax(numbers.bearings, {}, &ModelNumbers::One::K_v);
-  made.push_back(
+  facts.push_back(
       {"Vertical springs", fmt::format("{} {}/{}, {}; elastic, tension as compression",
                                        range_text(softest.K_v, stiffest.K_v), force, length, model.K_v_from)});
-  made.push_back(
+  facts.push_back(
       {"Isolators",
        numbers.coupled
            ? std::string("an element that couples the two directions in plan")
            : std::string("two springs at right angles, along the axes of its angle: they do not know of each other")});
   if (is_one_sided(form_of_model(realisation).nominal, subject))
-    made.push_back(
+    facts.push_back(
         {"  their sides",
          "the law is not the same in both directions: what is positive in the tests is here along the axes of an isolator's angle"});
-  made.push_back({"Rotations",
-                  "the slab and the ground hold both ends of an isolator level; its own stiffness against twist is 0"});
-  made.push_back(
+  facts.push_back(
+      {"Rotations",
+       "the slab and the ground hold both ends of an isolator level; its own stiffness against twist is 0"});
+  facts.push_back(
       {"Not in the model",
        "the structure above; damping beside that of the law; what the vertical load does to the law, P-delta, uplift, tilting and vertical motion of the slab"});
   if (subject.K_eff_kN_per_mm) {
     auto const total = *subject.K_eff_kN_per_mm * static_cast<double>(numbers.bearings.size());
-    made.push_back(
+    facts.push_back(
         {"Period", fmt::format("{:.3g} s with the measured K_eff at {:.4g} {}",
                                2.0 * std::numbers::pi * std::sqrt(model.weight_kN / data::gravity_mm_s2 / total),
                                units.from_mm(subject.design_disp_mm), length)});
@@ -230,26 +231,26 @@ std::vector<Fact> model_facts(Subject const& subject, Realisation const& realisa
     auto const& motion = model.motions[i];
     double peak = 0.0;
     for (double const a : motion.acceleration_mm_s2) peak = std::max(peak, std::abs(a));
-    made.push_back({i == 0 ? "Ground motion along x" : "Ground motion along y",
-                    fmt::format("{}: {}; peak {:.4g} g{}", motion.file, motion.recognised,
-                                model.scale * peak / data::gravity_mm_s2,
-                                model.scale == 1.0
-                                    ? std::string()
-                                    : fmt::format(" with the factor {:g} that is in its numbers here", model.scale))});
+    facts.push_back({i == 0 ? "Ground motion along x" : "Ground motion along y",
+                     fmt::format("{}: {}; peak {:.4g} g{}", motion.file, motion.recognised,
+                                 model.scale * peak / data::gravity_mm_s2,
+                                 model.scale == 1.0
+                                     ? std::string()
+                                     : fmt::format(" with the factor {:g} that is in its numbers here", model.scale))});
   }
-  made.push_back({"Step of the analysis",
-                  fmt::format("{:.4g} s, {} to a sample of the motion; Newmark's rule (0.5, 0.25), Newton's",
-                              numbers.motion_step_s / numbers.pieces, numbers.pieces)});
-  made.push_back({"Analyses", model.draws.empty()
-                                  ? joined(numbers.cases)
-                                  : fmt::format("nominal, and {} draws, seed {}, each isolator with a law of its own",
-                                                model.draws.size(), model.seed)});
-  for (auto const& sentence : model.draws_said) made.push_back({"  draws", sentence});
+  facts.push_back({"Step of the analysis",
+                   fmt::format("{:.4g} s, {} to a sample of the motion; Newmark's rule (0.5, 0.25), Newton's",
+                               numbers.motion_step_s / numbers.pieces, numbers.pieces)});
+  facts.push_back({"Analyses", model.draws.empty()
+                                   ? joined(numbers.cases)
+                                   : fmt::format("nominal, and {} draws, seed {}, each isolator with a law of its own",
+                                                 model.draws.size(), model.seed)});
+  for (auto const& sentence : model.draws_said) facts.push_back({"  draws", sentence});
   if (auto const& worst = realisation.draws_from_law)
-    made.push_back(
+    facts.push_back(
         {"  draws against their own laws",
          fmt::format("the worst, on the record of {}: {}", subject.histories.front().device, deviation_text(*worst))});
-  return made;
+  return facts;
 }
 
 std::string run_usage(std::string_view command, std::string const& folder, ModelNumbers const& numbers) {

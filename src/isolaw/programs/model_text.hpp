@@ -1,5 +1,5 @@
-// What the Tcl and the Python text of a model share: which form carries the bearings, its steps in time, tags, cases,
-// and what is said of it.
+// Shared by the Tcl and the Python text of a model: the form that carries the bearings, steps in time, tags, cases and
+// the facts in the file's head.
 #pragma once
 
 #include <string>
@@ -10,17 +10,17 @@
 
 namespace isolaw::programs {
 
-// The form that a model is made of: the bearing that couples its two directions where there is one, else springs.
+// The form that the model uses: the bearing element that couples both directions if there is one, else springs.
 Realised& form_of_model(Realisation& realisation);
 Realised const& form_of_model(Realisation const& realisation);
 
-// A form for every bearing of every draw, as further variants of the model's form. What stands in for the law does for
-// them too, fitted to each. Throws Error that names the first draw and bearing whose law the program cannot give.
-// Returns the worst deviation of them from their own law.
+// Adds a variant of the model's form for every bearing of every draw; a law that stands in is fitted to each of them.
+// Throws Error that names the first draw and bearing whose law the program cannot give. Returns the worst deviation of
+// a drawn form from its own law.
 Deviation add_draws(Realisation& realisation, Subject const& subject);
 std::string drawn_variant(std::size_t draw, std::size_t bearing);  // both from 1: "draw_3_12"
 
-// In the units of the file.
+// All in the units of the file.
 struct ModelNumbers {
   bool coupled = false;
   std::string function;  // "bearing", "material"
@@ -33,22 +33,22 @@ struct ModelNumbers {
   double motion_step_s = 0.0;
   int pieces = 1;  // steps of the analysis to one of the motion
   std::vector<std::vector<double>> motions;
-  double tolerance = 0.0;          // of Newton's rule, a displacement
-  double tested = 0.0;             // displacement
+  double tolerance = 0.0;          // of Newton's rule, on displacements
+  double tested = 0.0;             // largest tested displacement
   std::vector<std::string> cases;  // "lower", "nominal", ...; "nominal", "draw_1", ...
-  bool held = false;               // against turning: of one bearing
+  bool held = false;               // against turning, where there is only one bearing
 };
 ModelNumbers model_numbers(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 
-// What of the model lies outside the tests, a sentence each.
+// One sentence for each thing in the model that lies outside the tests.
 std::vector<std::string> model_cautions(Subject const& subject, UnitSystem const& units);
 
 std::vector<Fact> model_facts(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 
-// Lines of comment: how the analyses are run.
+// Comment lines that tell how to run the analyses.
 std::string run_usage(std::string_view command, std::string const& folder, ModelNumbers const& numbers);
 
-// What the files of results are headed with.
+// First lines of the result files.
 std::string slab_header(UnitSystem const& units);
 std::string peaks_header(UnitSystem const& units);
 

@@ -27,25 +27,25 @@ double peak_of(std::span<double const> force) {
 }
 
 std::vector<double> refined(std::span<double const> x, int pieces) {
-  std::vector<double> made{x.front()};
+  std::vector<double> points{x.front()};
   for (std::size_t i = 1; i < x.size(); ++i)
-    for (int k = 1; k <= pieces; ++k) made.push_back(k == pieces ? x[i] : x[i - 1] + (x[i] - x[i - 1]) * k / pieces);
-  return made;
+    for (int k = 1; k <= pieces; ++k) points.push_back(k == pieces ? x[i] : x[i - 1] + (x[i] - x[i - 1]) * k / pieces);
+  return points;
 }
 
 std::vector<double> every(std::span<double const> values, int step) {
-  std::vector<double> made;
-  for (std::size_t i = 0; i < values.size(); i += static_cast<std::size_t>(step)) made.push_back(values[i]);
-  return made;
+  std::vector<double> kept;
+  for (std::size_t i = 0; i < values.size(); i += static_cast<std::size_t>(step)) kept.push_back(values[i]);
+  return kept;
 }
 
-// Of the record, not the way to its first sample or a turning point between two; a protocol is its own samples.
+// False on the way to the first sample and at a turning point between two; every point of a protocol is a sample.
 bool is_sample(History const& history, std::size_t i) {
   return history.measured_kN.empty() || std::isfinite(history.measured_kN[i]);
 }
 
-// Stiffness and energy of the cycle that is reported of the law's own loop.
-void compare_properties(Deviation& made, History const& history, std::span<double const> force,
+// Errors of stiffness and energy in the cycle that is reported for the reference force.
+void compare_properties(Deviation& result, History const& history, std::span<double const> force,
                         std::span<double const> other) {
   std::vector<double> x, f, reference, time;
   for (std::size_t i = 0; i < other.size(); ++i) {
@@ -65,8 +65,8 @@ void compare_properties(Deviation& made, History const& history, std::span<doubl
   auto const percent = [](double value, double truth) {
     return truth != 0.0 ? std::optional(100.0 * (value - truth) / truth) : std::nullopt;
   };
-  made.K_eff = percent(cycle.K_eff_kN_per_mm, properties.reported->K_eff_kN_per_mm);
-  made.energy = percent(cycle.energy_kN_mm, properties.reported->energy_kN_mm);
+  result.K_eff = percent(cycle.K_eff_kN_per_mm, properties.reported->K_eff_kN_per_mm);
+  result.energy = percent(cycle.energy_kN_mm, properties.reported->energy_kN_mm);
 }
 
 double longest_travel(History const& history) {
@@ -86,7 +86,7 @@ double longest_step(History const& history) {
   return longest;
 }
 
-// Of the check's path, in every unit system: an iteration of the program begins at a number without a unit.
+// Checks the self-check's path in every unit system: a program's iteration begins at a number without a unit.
 bool has_a_force(Form const& form, Subject const& subject) {
   return std::ranges::all_of(unit_systems, [&](UnitSystem const& units) {
     return std::ranges::all_of(replay_kN(form, units, subject.protocol.disp_mm),
@@ -95,32 +95,32 @@ bool has_a_force(Form const& form, Subject const& subject) {
 }
 
 Realised replayed(Form const& form, Subject const& subject) {
-  Realised made{.nominal = form,
-                .lower = {},
-                .upper = {},
-                .draws = {},
-                .from_law = {},
-                .finer = {},
-                .from_measured = {},
-                .other_cycles = {},
-                .steps = {}};
+  Realised realised{.nominal = form,
+                    .lower = {},
+                    .upper = {},
+                    .draws = {},
+                    .from_law = {},
+                    .finer = {},
+                    .from_measured = {},
+                    .other_cycles = {},
+                    .steps = {}};
   for (auto const& history : subject.histories) {
     auto const force = replay_kN(form, record_units, history.disp_mm);
-    keep_worst(made.from_law, deviation(history, force, history.law_kN));
-    if (!made.from_measured) made.from_measured.emplace();
-    keep_worst(*made.from_measured, deviation(history, force, history.measured_kN));
-    made.longest_travel_mm = std::max(made.longest_travel_mm, longest_travel(history));
-    made.longest_step_mm = std::max(made.longest_step_mm, longest_step(history));
+    keep_worst(realised.from_law, deviation(history, force, history.law_kN));
+    if (!realised.from_measured) realised.from_measured.emplace();
+    keep_worst(*realised.from_measured, deviation(history, force, history.measured_kN));
+    realised.longest_travel_mm = std::max(realised.longest_travel_mm, longest_travel(history));
+    realised.longest_step_mm = std::max(realised.longest_step_mm, longest_step(history));
     if (form.exactness != Exactness::small_steps) continue;
-    if (!made.finer) made.finer.emplace();
+    if (!realised.finer) realised.finer.emplace();
     auto const fine = replay_kN(form, record_units, refined(history.disp_mm, finer_steps));
-    keep_worst(*made.finer, deviation(history, every(fine, finer_steps), history.law_kN));
+    keep_worst(*realised.finer, deviation(history, every(fine, finer_steps), history.law_kN));
   }
-  if (form.exactness == Exactness::small_steps) made.steps = steps_needed(subject, form);
-  return made;
+  if (form.exactness == Exactness::small_steps) realised.steps = steps_needed(subject, form);
+  return realised;
 }
 
-// Tried, and computed where the form says how much travel it stands: rounding decides there, and may spare one record.
+// A form that states its longest swing is judged by that too: rounding decides whether the replay itself breaks.
 bool breaks_beyond_the_test(Form const& form, Subject const& subject, double travel_mm) {
   if (form.longest_swing_mm && *form.longest_swing_mm < overtravel * travel_mm) return true;
   for (auto const& history : subject.histories) {
@@ -132,7 +132,7 @@ bool breaks_beyond_the_test(Form const& form, Subject const& subject, double tra
   return false;
 }
 
-// Bounds by their forms; a factor on a law whose parts cannot be told apart acts on all of it.
+// Maps the law again with each bound's factors and takes the form with the same id, else the one at the same place.
 void add_bounds(Realised& realised, std::size_t index, laws::LawEntry const& law, std::span<double const> parameters,
                 Bounds const& bounds) {
   auto const form = [&](std::optional<BoundFactors> const& factors) -> std::optional<Form> {
@@ -146,20 +146,20 @@ void add_bounds(Realised& realised, std::size_t index, laws::LawEntry const& law
   realised.upper = form(bounds.upper);
 }
 
-// The laws that may stand in, the nearest first.
-std::vector<InPlace> stand_ins(Subject const& subject) {
-  std::vector<InPlace> made;
+// Candidates in the law's place, the nearest first.
+std::vector<Substitute> stand_ins(Subject const& subject) {
+  std::vector<Substitute> fitted;
   for (std::string_view const id : {corner_law, smooth_law})
-    if (auto found = fit_in_place(subject, id); found.law != nullptr) made.push_back(std::move(found));
-  std::ranges::stable_sort(made, {}, &InPlace::objective);
-  return made;
+    if (auto found = fit_substitute(subject, id); found.law != nullptr) fitted.push_back(std::move(found));
+  std::ranges::stable_sort(fitted, {}, &Substitute::objective);
+  return fitted;
 }
 
-Realisation refit(Subject const& subject, Realisation made) {
+Realisation refit(Subject const& subject, Realisation realisation) {
   auto const fitted = stand_ins(subject);
   if (fitted.empty()) {
-    made.explanation += fmt::format("; neither {} nor {} could be fitted in its place", corner_law, smooth_law);
-    return made;
+    realisation.explanation += fmt::format("; neither {} nor {} could be fitted in its place", corner_law, smooth_law);
+    return realisation;
   }
   for (auto const& one : fitted) {
     auto const mapping = map_law(*one.law, one.parameters);
@@ -170,22 +170,22 @@ Realisation refit(Subject const& subject, Realisation made) {
       realised.other_cycles =
           other_cycles(subject, [&](History const& h) { return replay_kN(form, record_units, h.disp_mm); });
       add_bounds(realised, i, *one.law, one.parameters, subject.bounds);
-      made.forms.push_back(std::move(realised));
+      realisation.forms.push_back(std::move(realised));
     }
-    if (made.forms.empty()) continue;
-    made.fidelity = Fidelity::refitted;
-    made.substitute = std::string(one.law->info.id);
-    made.substitute_parameters = one.parameters;
-    made.explanation += fmt::format(
-        "; in its place the nearest {} law{}, fitted to this law's force on the record of {}", made.substitute,
+    if (realisation.forms.empty()) continue;
+    realisation.fidelity = Fidelity::refitted;
+    realisation.substitute = std::string(one.law->info.id);
+    realisation.substitute_parameters = one.parameters;
+    realisation.explanation += fmt::format(
+        "; in its place the nearest {} law{}, fitted to this law's force on the record of {}", realisation.substitute,
         &one == fitted.data() ? "" : ", the nearest whose force the program finds", subject.histories.front().device);
     if (!subject.law->info.traits.rate_independent)
-      made.explanation += ", at the rate of that record: other rates are not represented";
-    return made;
+      realisation.explanation += ", at the rate of that record: other rates are not represented";
+    return realisation;
   }
-  made.explanation +=
+  realisation.explanation +=
       fmt::format("; the force of {} or {} in its place is one that the program does not find", corner_law, smooth_law);
-  return made;
+  return realisation;
 }
 
 }  // namespace
@@ -204,7 +204,6 @@ bool far_off(std::vector<OtherCycle> const& cycles) {
 }
 
 std::string_view name(Fidelity fidelity) {
-  // In the order of Fidelity.
   static constexpr std::array<std::string_view, 4> names{"exact", "exact as the step goes to zero", "re-fitted",
                                                          "not available"};
   return names.at(static_cast<std::size_t>(fidelity));
@@ -212,20 +211,20 @@ std::string_view name(Fidelity fidelity) {
 
 Deviation deviation(History const& history, std::span<double const> force, std::span<double const> other) {
   double const peak = peak_of(other);
-  Deviation made;
+  Deviation result;
   double largest = 0.0, squares = 0.0;
   std::size_t count = 0, sample = 0;
   auto const at = [&](std::size_t i) {
-    if (history.timed) made.at_s = history.time_s[i];
-    made.at_sample = std::max<std::size_t>(sample, 1);
+    if (history.timed) result.at_s = history.time_s[i];
+    result.at_sample = std::max<std::size_t>(sample, 1);
   };
   for (std::size_t i = 0; i < other.size(); ++i) {
     if (is_sample(history, i)) ++sample;
     if (!std::isfinite(other[i])) continue;
     if (!std::isfinite(force[i])) {
       at(i);
-      made.largest = made.rms = infinite;
-      return made;
+      result.largest = result.rms = infinite;
+      return result;
     }
     double const d = force[i] - other[i];
     if (std::abs(d) > largest) at(i);
@@ -234,11 +233,11 @@ Deviation deviation(History const& history, std::span<double const> force, std::
     squares += d * d;
     ++count;
   }
-  if (count == 0 || peak == 0.0) return made;
-  made.largest = 100.0 * largest / peak;
-  made.rms = 100.0 * std::sqrt(squares / static_cast<double>(count)) / peak;
-  compare_properties(made, history, force, other);
-  return made;
+  if (count == 0 || peak == 0.0) return result;
+  result.largest = 100.0 * largest / peak;
+  result.rms = 100.0 * std::sqrt(squares / static_cast<double>(count)) / peak;
+  compare_properties(result, history, force, other);
+  return result;
 }
 
 void keep_worst(Deviation& worst, Deviation const& other) {
@@ -290,12 +289,13 @@ std::string failure_of(Form const& form, Subject const& subject, Realised& reali
       found.largest, finer_steps, realised.finer->largest);
 }
 
-// Not to the measured force: the export is of this law, and its distance from the measurement is reported beside.
-InPlace fit_in_place(Subject const& subject, std::string_view id, std::vector<fit::Override> const& asked) {
+// Fits to the law's force, not to the measured one: the export stands for this law, whose distance from the measurement
+// is reported beside it.
+Substitute fit_substitute(Subject const& subject, std::string_view id, std::vector<fit::Override> const& asked) {
   auto const& history = subject.histories.front();
   data::FitRecord record;
   for (std::size_t i = 0; i < history.disp_mm.size(); ++i) {
-    // The way from zero displacement to the first sample takes no time; a record needs times that increase.
+    // The way from zero displacement to the first sample takes no time, but a record's times must increase.
     if (!record.time_s.empty() && history.time_s[i] <= record.time_s.back()) record.time_s.back() -= 1e-9;
     record.time_s.push_back(history.time_s[i]);
     record.disp_mm.push_back(history.disp_mm[i]);
@@ -313,9 +313,10 @@ InPlace fit_in_place(Subject const& subject, std::string_view id, std::vector<fi
   num::Stream const stream = num::Stream(subject.seed).split(stable_hash("export")).split(stable_hash(id));
   auto const found = opt::minimise_multistart(problem, stream);
   if (!found.usable()) return {};
-  InPlace made{.law = &law, .parameters = std::vector<double>(law.parameters.size()), .objective = found.best_value};
-  box.expand(found.best, made.parameters);
-  return made;
+  Substitute fitted{
+      .law = &law, .parameters = std::vector<double>(law.parameters.size()), .objective = found.best_value};
+  box.expand(found.best, fitted.parameters);
+  return fitted;
 }
 
 Deviation deviation_of_law(Subject const& subject, laws::LawEntry const& law, std::span<double const> parameters) {
@@ -326,29 +327,30 @@ Deviation deviation_of_law(Subject const& subject, laws::LawEntry const& law, st
 }
 
 Realisation realise(Subject const& subject) {
-  Realisation made;
+  Realisation realisation;
   auto const mapping = map_law(*subject.law, subject.parameters);
-  made.explanation = mapping.why;
+  realisation.explanation = mapping.why;
   for (std::size_t i = 0; i < mapping.forms.size(); ++i) {
     Realised realised;
     auto const failure = failure_of(mapping.forms[i], subject, realised);
     if (!failure.empty()) {
-      made.refused.push_back(mapping.forms[i].title + ": " + failure);
+      realisation.refused.push_back(mapping.forms[i].title + ": " + failure);
       continue;
     }
     add_bounds(realised, i, *subject.law, subject.parameters, subject.bounds);
-    made.forms.push_back(std::move(realised));
+    realisation.forms.push_back(std::move(realised));
   }
-  if (made.forms.empty()) {
-    if (made.explanation.empty()) made.explanation = "no exact form is kept: " + made.refused.front();
-    return refit(subject, std::move(made));
+  if (realisation.forms.empty()) {
+    if (realisation.explanation.empty())
+      realisation.explanation = "no exact form is kept: " + realisation.refused.front();
+    return refit(subject, std::move(realisation));
   }
-  bool const limit = made.forms.front().nominal.exactness == Exactness::small_steps;
-  made.fidelity = limit ? Fidelity::exact_in_limit : Fidelity::exact;
-  made.explanation =
+  bool const limit = realisation.forms.front().nominal.exactness == Exactness::small_steps;
+  realisation.fidelity = limit ? Fidelity::exact_in_limit : Fidelity::exact;
+  realisation.explanation =
       limit ? "the program integrates the hysteretic variable by backward Euler, one step per analysis step"
             : "algebraic between reversals: no step is too large";
-  return made;
+  return realisation;
 }
 
 }  // namespace isolaw::programs

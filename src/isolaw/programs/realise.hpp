@@ -1,5 +1,5 @@
-// From a law to what a program can compute: the exact forms where their replay agrees with the law, else the nearest
-// available law, fitted again, with its error.
+// From a law to commands that a program can compute: the exact forms where their replay agrees with the law, else the
+// nearest law that the program has, fitted to this one's force, with its error.
 #pragma once
 
 #include <optional>
@@ -23,29 +23,30 @@ enum class Fidelity {
 };
 std::string_view name(Fidelity fidelity);
 
-// How far a force is from another over a history, in percent.
+// How far a force is from a reference over a history, in percent.
 struct Deviation {
-  double largest = 0.0;                 // of the other's peak
-  std::optional<double> at_s;           // when; empty without time
-  std::size_t at_sample = 0;            // the same as a sample of the record, from 1
-  double rms = 0.0;                     // root mean square over the samples, of the other's peak
-  std::optional<double> K_eff, energy;  // of the reported cycle; without one, empty
+  double largest = 0.0;                 // in percent of the reference's peak
+  std::optional<double> at_s;           // time of the largest; empty without time
+  std::size_t at_sample = 0;            // its sample of the record, from 1
+  double rms = 0.0;                     // root mean square over the samples, in percent of the reference's peak
+  std::optional<double> K_eff, energy;  // relative errors in the reported cycle; empty without one
 };
-// `other` is the reference; values that are not numbers in it are left out. A force that is no number gives infinity.
+// `other` is the reference; points where it is no number are left out. A force that is no number gives infinity.
 Deviation deviation(History const& history, std::span<double const> force_kN, std::span<double const> other_kN);
 void keep_worst(Deviation& worst, Deviation const& other);
 
-// A form with what its replay came to.
+// A form and the results of its replay.
 struct Realised {
   Form nominal;
   std::optional<Form> lower, upper;
-  std::vector<std::pair<std::string, Form>> draws = {};  // by name, of a model's isolators (model_text.hpp)
-  Deviation from_law;                                    // the worst over the histories, at the sampling of the records
-  std::optional<Deviation> finer;                        // with steps finer_steps times smaller, where that matters
-  std::optional<Deviation> from_measured;                // of a device's record
-  std::vector<OtherCycle> other_cycles;                  // of a re-fit
-  std::optional<StepsNeeded> steps;  // of a form that is exact as the step goes to zero; empty: none of those tried
-  double longest_travel_mm = 0.0, longest_step_mm = 0.0;  // of the records: in one direction, and between samples
+  std::vector<std::pair<std::string, Form>> draws =
+      {};                                  // a model's drawn isolators, by drawn_variant() (model_text.hpp)
+  Deviation from_law;                      // the worst over the histories, at the records' sampling
+  std::optional<Deviation> finer;          // the same in finer_steps times smaller steps, small_steps only
+  std::optional<Deviation> from_measured;  // from the measured force
+  std::vector<OtherCycle> other_cycles;    // re-fits only
+  std::optional<StepsNeeded> steps;        // small_steps only; empty also where no number tried was enough
+  double longest_travel_mm = 0.0, longest_step_mm = 0.0;  // in the records: in one direction, and between samples
 };
 inline constexpr int finer_steps = 16;
 
@@ -53,44 +54,45 @@ struct Realisation {
   Fidelity fidelity = Fidelity::not_available;
   std::string explanation;      // one sentence: what is exact, or why it is not
   std::vector<Realised> forms;  // the first is the one to use
-  std::string substitute;       // the law that was fitted in its place
+  std::string substitute;       // id of the law that was fitted in its place; empty for an exact form
   std::vector<double> substitute_parameters;
-  std::vector<std::string> refused;         // forms whose replay failed, and how
-  std::optional<Deviation> draws_from_law;  // the worst of a model's draws against its own law, on the first history
+  std::vector<std::string> refused;         // "form: how its replay failed"
+  std::optional<Deviation> draws_from_law;  // the worst draw against its own law, on the first history
 };
 
-// Largest deviation from the law, in percent of the peak force, of a form that is called exact; and of one that is
-// exact as the step goes to zero, with steps finer_steps times smaller than the records'.
+// Largest deviation from the law, in percent of the peak force, for a form to be called exact; and, in steps
+// finer_steps times smaller than the records', for one to be called exact as the step goes to zero.
 inline constexpr double exact_percent = 1e-7, limit_percent = 0.5;
-// A history this much longer than the tested one must still give a force.
+// Where the isolator moves this many times as far as in the tests the form must still give a force.
 inline constexpr double overtravel = 1.5;
 
-// The laws that stand in where a program lacks one: that of a loop with a corner, and a smooth one.
+// The laws that stand in for one that a program lacks: one whose loop has a corner, and a smooth one.
 inline constexpr std::string_view corner_law = "bilinear", smooth_law = "bouc-wen";
 
-// A substitute that differs by more than this from the law at some sample or in the root mean square, in percent of the
-// peak force, or misses its stiffness or energy by more than an adequate law may (study/adequacy.hpp), is far off.
+// A substitute is far off if it differs from the law by more than these, in percent of the peak force, at one sample or
+// in the root mean square, or misses its stiffness or energy by more than an adequate law may (study/adequacy.hpp).
 inline constexpr double far_off_percent = 50.0, far_off_rms_percent = 10.0;
 bool far_off(Deviation const& from_law);
 bool far_off(std::vector<OtherCycle> const& cycles);
 
-// The nearest parameters of another law to this law's force on the first history.
-struct InPlace {
+// Another law, with the parameters that bring it nearest to the subject's force on the first history.
+struct Substitute {
   laws::LawEntry const* law = nullptr;  // null: none gave a force
   std::vector<double> parameters;
   double objective = 0.0;
 };
-InPlace fit_in_place(Subject const& subject, std::string_view law, std::vector<fit::Override> const& overrides = {});
+Substitute fit_substitute(Subject const& subject, std::string_view law,
+                          std::vector<fit::Override> const& overrides = {});
 
-// How far a law with these parameters is from the subject's, the worst over the histories.
+// How far a law with these parameters is from the subject's; the worst over the histories.
 Deviation deviation_of_law(Subject const& subject, laws::LawEntry const& law, std::span<double const> parameters);
 
 Realisation realise(Subject const& subject);
 
-// Force of a form [kN] over displacements in mm, run in a unit system.
+// Force of a form [kN] over displacements in mm, computed in the given unit system as the program would.
 std::vector<double> replay_kN(Form const& form, UnitSystem const& units, std::span<double const> disp_mm);
 
-// Refuses a form whose replay is not the law: "" where it agrees, else how it fails.
+// Replays a form into `realised` and returns how it fails to be the law; "" where it agrees.
 std::string failure_of(Form const& form, Subject const& subject, Realised& realised);
 
 }  // namespace isolaw::programs

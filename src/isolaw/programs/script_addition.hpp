@@ -1,4 +1,4 @@
-// What a target puts into the script of another: a model into that of the law it is made of.
+// Text that one target adds to another's script: a model to the script of the law that it uses.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ struct ScriptAddition {
   std::vector<Fact> facts;
   std::string usage;       // lines of comment
   std::string procedures;  // of the namespace or the module
-  std::string dispatch;    // what the arguments of the program ask for, in Tcl after that of the check
+  std::string dispatch;    // reads the program's arguments; in Tcl it follows the check's
 };
 
 }  // namespace isolaw::programs

@@ -20,18 +20,18 @@ std::string tags_text(Form const& form) {
 }
 
 SelfCheck self_check(Subject const& subject, Realisation const& realisation, UnitSystem const& units) {
-  SelfCheck made;
-  for (double const x : subject.protocol.disp_mm) made.disp.push_back(units.from_mm(x));
-  made.disp = as_written(std::move(made.disp));
-  for (double const f : subject.protocol.law_kN) made.law.push_back(units.from_kN(f));
+  SelfCheck check;
+  for (double const x : subject.protocol.disp_mm) check.disp.push_back(units.from_mm(x));
+  check.disp = as_written(std::move(check.disp));
+  for (double const f : subject.protocol.law_kN) check.law.push_back(units.from_kN(f));
   for (auto const& realised : realisation.forms) {
     CheckedForm form{.form = &realised.nominal, .function = realised.nominal.id, .is_element = false, .variants = {}};
     form.is_element = form.function == "bearing";
-    // What iterates ends within its own tolerance, step after step.
+    // An iteration ends within its own tolerance, and such errors add up over the steps.
     if (realised.nominal.exactness == Exactness::small_steps) form.tolerance = 1e-5;
     auto const add = [&](std::string name, Form const& variant) {
       auto commands = in_units(variant, units);
-      auto force = replay(commands, made.disp);
+      auto force = replay(commands, check.disp);
       auto tags = tags_of(commands);
       form.variants.push_back({std::move(name), std::move(commands), std::move(tags), std::move(force)});
     };
@@ -39,9 +39,9 @@ SelfCheck self_check(Subject const& subject, Realisation const& realisation, Uni
     if (realised.lower) add("lower", *realised.lower);
     if (realised.upper) add("upper", *realised.upper);
     for (auto const& [name, drawn] : realised.draws) add(name, drawn);
-    made.forms.push_back(std::move(form));
+    check.forms.push_back(std::move(form));
   }
-  return made;
+  return check;
 }
 
 std::string number_lines(std::vector<double> const& values, std::string_view separator, std::string_view indent) {

@@ -1,5 +1,5 @@
-// The displacement-driven self-check that every script carries: a path, the law's force along it, and the force that
-// the program's algorithm must give there.
+// The self-check that every script carries: a path of displacements, the law's force along it, and the force that the
+// program's algorithm must give there.
 #pragma once
 
 #include <string>
@@ -30,7 +30,7 @@ struct SelfCheck {
   std::vector<CheckedForm> forms;
 };
 
-// What a function of a script takes beside its tag: "uses tags 2 and 3 above it too"; "" where nothing.
+// Tells which further tags a script's function uses: "uses the tag after the given one too"; "" for none.
 std::string tags_text(Form const& form);
 
 SelfCheck self_check(Subject const& subject, Realisation const& realisation, UnitSystem const& units);

@@ -19,21 +19,21 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// What a program is driven through: the samples and, where the laws turned between them, the turning points.
+// The motion that replays follow: the samples and, where the law was turned between samples, the turning points.
 History history_of(campaign::Device const& device, laws::TurningPoints turning_points) {
   auto const& record = device.record;
   auto const path = turning_points == laws::TurningPoints::interpolated
                         ? laws::make_path_with_turning_points(record.disp_mm, record.vel_mm_s, record.time_s)
                         : laws::make_path(record.disp_mm, record.vel_mm_s);
-  History made;
-  made.device = device.name;
-  made.timed = record.has_time();
-  made.dead_band_mm = record.dead_band_mm;
+  History history;
+  history.device = device.name;
+  history.timed = record.has_time();
+  history.dead_band_mm = record.dead_band_mm;
   auto const add = [&](double t, double x, double v, double force) {
-    made.time_s.push_back(t);
-    made.disp_mm.push_back(x);
-    made.vel_mm_s.push_back(v);
-    made.measured_kN.push_back(force);
+    history.time_s.push_back(t);
+    history.disp_mm.push_back(x);
+    history.vel_mm_s.push_back(v);
+    history.measured_kN.push_back(force);
   };
   if (record.disp_mm.front() != 0.0)
     add(record.time_s.front(), 0.0, record.has_time() ? record.vel_mm_s.front() : 0.0, nan);
@@ -43,7 +43,7 @@ History history_of(campaign::Device const& device, laws::TurningPoints turning_p
     add(t, step.x1, step.v1, step.sample ? record.force_kN[sample] : nan);
     if (step.sample) ++sample;
   }
-  return made;
+  return history;
 }
 
 void widen(std::optional<double>& least, std::optional<double>& most, std::optional<double> low,
@@ -73,7 +73,7 @@ rules::LotQuantity const* quantity_of(study::Summary const& summary, rules::Quan
   return nullptr;
 }
 
-// The property that the factors are relative to: of the device in the cycle that counts, or the mean of the lot.
+// The property that the factors are relative to: the device's in the cycle that counts, or the lot's mean.
 std::optional<double> own_value(study::Summary const& summary, Subject const& subject, rules::LotQuantity const& view) {
   if (subject.lot) return view.mean;
   auto const device = std::ranges::find(summary.devices, subject.device, &study::DeviceResult::name);
@@ -113,22 +113,22 @@ std::optional<PropertyBounds> ruled_bounds(study::Summary const& summary, Subjec
   auto const* bound = chosen_bound(*view);
   auto const own = own_value(summary, subject, *view);
   if (bound == nullptr || !own || !(*own > 0.0)) return std::nullopt;
-  PropertyBounds made;
-  made.own = *own;
-  if (std::isfinite(bound->lower) && bound->lower > 0.0) made.lower = bound->lower / *own;
-  if (std::isfinite(bound->upper)) made.upper = bound->upper / *own;
+  PropertyBounds bounds;
+  bounds.own = *own;
+  if (std::isfinite(bound->lower) && bound->lower > 0.0) bounds.lower = bound->lower / *own;
+  if (std::isfinite(bound->upper)) bounds.upper = bound->upper / *own;
   bool const stiffness = quantity != rules::Quantity::Q_d;
   auto const text = [&](double value) { return number(units.convert(value, 1, stiffness ? -1 : 0)); };
   auto const unit = std::string(units.force.symbol) + (stiffness ? "/" + std::string(units.length.symbol) : "");
-  made.text = fmt::format(
+  bounds.text = fmt::format(
       "{} {}: lower {}, upper {} {} (lambda {} and {} on {} {}, {}{}), this one's {}", bound->source,
-      rules::name(quantity), made.lower ? text(bound->lower) : "none", made.upper ? text(bound->upper) : "none", unit,
-      made.lower ? number(bound->combined.min) : "none", number(bound->combined.max),
+      rules::name(quantity), bounds.lower ? text(bound->lower) : "none", bounds.upper ? text(bound->upper) : "none",
+      unit, bounds.lower ? number(bound->combined.min) : "none", number(bound->combined.max),
       view->nominal ? "the design value" : "the lot's mean", text(view->nominal ? *view->nominal : *view->mean),
       bound->note,
       bound->combined.max_is_default || bound->combined.min_is_default ? ", the set's own limits of lambda taken" : "",
       text(*own));
-  return made;
+  return bounds;
 }
 
 BoundFactors whole(double factor) {
@@ -159,8 +159,8 @@ Bounds bounds_of(study::Summary const& summary, Subject const& subject, UnitSyst
   if (!K_d || !Q_d)
     return spread_of_the_lot(summary, subject, units,
                              "rule set " + rules.id + " has no factors of K_d and Q_d for this lot");
-  Bounds made;
-  // Of the whole force at the amplitude of the cycle that counts: its parts by their shares of it there.
+  Bounds bounds;
+  // The overall factor weights both by their parts' shares of the force at the amplitude of the cycle that counts.
   double const spring = K_d->own * subject.design_disp_mm, both = spring + Q_d->own;
   auto const factors = [&](std::optional<double> stiffness, std::optional<double> strength) {
     return stiffness && strength
@@ -170,11 +170,11 @@ Bounds bounds_of(study::Summary const& summary, Subject const& subject, UnitSyst
                                             .separate = true})
                : std::nullopt;
   };
-  made.lower = factors(K_d->lower, Q_d->lower);
-  made.upper = factors(K_d->upper, Q_d->upper);
-  made.source = fmt::format("rule set {} ({}): {}; {}", rules.id, rules.verified() ? "verified" : "not verified",
-                            K_d->text, Q_d->text);
-  return made;
+  bounds.lower = factors(K_d->lower, Q_d->lower);
+  bounds.upper = factors(K_d->upper, Q_d->upper);
+  bounds.source = fmt::format("rule set {} ({}): {}; {}", rules.id, rules.verified() ? "verified" : "not verified",
+                              K_d->text, Q_d->text);
+  return bounds;
 }
 
 void add_device_parameters(Subject& subject, campaign::Contents const& contents, std::size_t device,
@@ -222,7 +222,7 @@ void add_lot_parameters(Subject& subject, campaign::Contents const& contents, st
   std::ranges::stable_sort(subject.histories, std::ranges::greater{}, reach);
 }
 
-// A law may have fitted a record that begins elsewhere and still have no force on the way there from zero.
+// A law fitted to a record that begins off zero may still have no finite force on the way there from zero.
 void require_finite(Subject const& subject, std::string const& where) {
   auto const finite = [](History const& history) {
     return std::ranges::all_of(history.law_kN, [](double f) { return std::isfinite(f); });
@@ -265,30 +265,30 @@ void add_measured(Subject& subject, study::Summary const& summary) {
 }  // namespace
 
 History two_cycles(double first_mm, double second_mm, double frequency_Hz, int steps_per_cycle) {
-  History made;
+  History history;
   auto const omega = 2.0 * std::numbers::pi * frequency_Hz;
   for (int i = 0; i <= 2 * steps_per_cycle; ++i) {
     double const phase = 2.0 * std::numbers::pi * i / steps_per_cycle;
     double const size = i <= steps_per_cycle ? first_mm : second_mm;
-    made.time_s.push_back(i / (steps_per_cycle * frequency_Hz));
-    // Exactly zero there, whatever sin makes of pi.
-    made.disp_mm.push_back(i % (steps_per_cycle / 2) == 0 ? 0.0 : size * std::sin(phase));
-    made.vel_mm_s.push_back(size * omega * std::cos(phase));
+    history.time_s.push_back(i / (steps_per_cycle * frequency_Hz));
+    // sin of a multiple of pi is not exactly zero in floating point.
+    history.disp_mm.push_back(i % (steps_per_cycle / 2) == 0 ? 0.0 : size * std::sin(phase));
+    history.vel_mm_s.push_back(size * omega * std::cos(phase));
   }
-  return made;
+  return history;
 }
 
 std::string plain_name(std::string_view name) {
   constexpr std::size_t longest = 40;
-  std::string made;
+  std::string plain;
   for (char const c : name) {
     bool const kept = static_cast<unsigned char>(c) < 128 && std::isalnum(static_cast<unsigned char>(c)) != 0;
-    // C++ keeps names with two underscores in a row for itself.
-    if (kept || (!made.empty() && !made.ends_with('_'))) made += kept ? c : '_';
-    if (made.size() == longest) break;
+    // C++ reserves names with two underscores in a row.
+    if (kept || (!plain.empty() && !plain.ends_with('_'))) plain += kept ? c : '_';
+    if (plain.size() == longest) break;
   }
-  while (made.ends_with('_')) made.pop_back();
-  return made;
+  while (plain.ends_with('_')) plain.pop_back();
+  return plain;
 }
 
 std::vector<double> law_force(laws::LawEntry const& law, std::span<double const> parameters, History const& history) {

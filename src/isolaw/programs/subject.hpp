@@ -1,6 +1,6 @@
-// What is exported: one law of a campaign with the parameters of a device or of the lot, the histories it was
-// calibrated on, how far the tests went, and the factors of its upper and lower bounds. Read from a campaign's contents
-// alone.
+// The subject of an export: one law of a campaign with the parameters of a device or of the lot, the histories it was
+// calibrated on, how far the tests went, and the factors of its upper and lower bounds. Everything comes from the
+// campaign's contents.
 #pragma once
 
 #include <optional>
@@ -15,12 +15,13 @@
 #include "isolaw/study/doubts.hpp"
 #include "isolaw/study/ranges.hpp"
 #include "isolaw/study/summary.hpp"
+#include "isolaw/wording/table.hpp"
 
 namespace isolaw::programs {
 
-// Displacement, velocity and force after another; the first point is at zero displacement, from where programs start.
+// A motion, point by point, with its forces. The first point is at zero displacement, where programs start.
 struct History {
-  std::string device;  // empty: a protocol of ours
+  std::string device;  // empty: the protocol of the self-check
   std::vector<double> time_s, disp_mm, vel_mm_s;
   std::vector<double> measured_kN;  // empty for a protocol; NaN at points that are no samples
   std::vector<double> law_kN;       // the law from the virgin state at the first point
@@ -37,13 +38,12 @@ struct Tested : study::Range {
   std::optional<double> temperature_min_C, temperature_max_C;
 };
 
-// What of the tests the law was fitted to.
 struct Fitted : study::Range {
   std::string part;  // "block 1", ...; empty: all of them
 };
 
-// Factors on the part of the force that grows with displacement (K_d) and on the hysteretic part (Q_d); equal where one
-// factor on the whole force is all there is.
+// Factors on the part of the force that grows with displacement (K_d) and on the hysteretic part (Q_d). Both are equal
+// where only one factor on the whole force is known.
 struct BoundFactors {
   double stiffness = 1.0, strength = 1.0;
   double overall = 1.0;  // on the whole force, for laws and programs that cannot tell the parts apart
@@ -62,11 +62,10 @@ struct Subject {
   laws::LawEntry const* law = nullptr;
   bool lot = false;
   std::string device;  // its name; "lot" for the law of the lot
-  // Where another name of the campaign has the same letters and digits: which of its devices this is, from 1; 0
-  // elsewhere.
+  // Number of the device in the campaign, from 1, where another device's plain_name() is the same; else 0.
   std::size_t number_among_alike = 0;
   std::vector<double> parameters;  // in the law's units and order
-  // Of the device; for a lot, of every device that takes part, the largest amplitude first.
+  // One for a device; for a lot one for each device that takes part, the largest amplitude first.
   std::vector<History> histories;
   History protocol;           // two cycles, at half and at the whole tested amplitude
   double frequency_Hz = 0.0;  // of the protocol
@@ -85,16 +84,15 @@ struct Subject {
   std::optional<Model> model;  // of the targets that write a whole building
 };
 
-// Two cycles from rest, of sines, the second from half the points on; the force is left empty.
+// Two sine cycles from rest, the second beginning at the middle point; without forces.
 inline constexpr int protocol_steps = 80;
 History two_cycles(double first_mm, double second_mm, double frequency_Hz, int steps_per_cycle = protocol_steps);
 
-// A name as programs take names: each run of other characters than letters and digits becomes one underscore.
+// A name that programs accept: at most 40 characters, each run of others than letters and digits as one underscore.
 std::string plain_name(std::string_view name);
 
-// Throws Error: no such law or device in the campaign (says what there is), a law without a result there, a lot without
-// its one law.
-// The units are those that the source of the bounds is told in.
+// Throws Error where the campaign has no such law or device (it lists them), where the law has no result on the device
+// and where the lot has no law of its own. `units` are those of the numbers in Bounds::source and `beyond`.
 Subject make_subject(campaign::Contents const& contents, study::Summary const& summary, std::string_view law,
                      std::string_view device, UnitSystem const& units = unit_systems[0]);
 

@@ -13,14 +13,14 @@
 namespace isolaw::programs {
 namespace {
 
-// Besides control characters: what begins a substitution or joins lines in Tcl, Python or C++.
+// These begin a substitution or join lines in Tcl, Python or C++.
 constexpr std::string_view acted_on = "\\\"`$[]{}";
 
 std::string replaced(std::string_view text, std::string_view unwanted) {
-  auto made = printable(text);
-  for (char& c : made)
+  auto result = printable(text);
+  for (char& c : result)
     if (unwanted.find(c) != std::string_view::npos) c = '_';
-  return made;
+  return result;
 }
 
 std::string percent(double value) {
@@ -33,36 +33,36 @@ std::string range_of(std::optional<double> low, std::optional<double> high, std:
   return fmt::format("{:.4g} to {:.4g} {}", *low, *high, unit);
 }
 
-// Forms of one equation agree to rounding and are told of together.
+// Forms of the same equation agree to rounding; one fact covers them all.
 bool same(Deviation const& a, Deviation const& b) {
   return std::abs(a.largest - b.largest) <= 1e-6 * a.largest + 1e-9;
 }
 
 std::vector<Fact> replay_facts(Subject const& subject, Realisation const& realisation, UnitSystem const& units) {
   auto const& forms = realisation.forms;
-  std::vector<Fact> made;
+  std::vector<Fact> facts;
   for (std::size_t first = 0, next = 0; first < forms.size(); first = next) {
     std::vector<std::string> titles;
     for (next = first; next < forms.size() && same(forms[first].from_law, forms[next].from_law); ++next)
       titles.push_back(forms[next].nominal.title);
     auto const& form = forms[first];
     if (far_off(form.from_law))
-      made.push_back({"Far off", joined(titles) + ": not to be taken for the law without a look at what follows"});
-    made.push_back(
+      facts.push_back({"Far off", joined(titles) + ": not to be taken for the law without a look at what follows"});
+    facts.push_back(
         {joined(titles), fmt::format("replayed on the calibration record{}, steps up to {:.3g} {}, against the law: {}",
                                      subject.lot ? "s (the worst of them)" : "", units.from_mm(form.longest_step_mm),
                                      units.length.symbol, deviation_text(form.from_law))});
     if (form.finer)
-      made.push_back({fmt::format("  in steps {} times smaller", finer_steps), deviation_text(*form.finer)});
+      facts.push_back({fmt::format("  in steps {} times smaller", finer_steps), deviation_text(*form.finer)});
     if (form.from_measured && first == 0)
-      made.push_back({"  against the measured force", deviation_text(*form.from_measured)});
+      facts.push_back({"  against the measured force", deviation_text(*form.from_measured)});
     if (!form.other_cycles.empty())
-      made.push_back(
+      facts.push_back(
           {"  at other amplitudes",
            text(form.other_cycles) +
                (marked(form.other_cycles) ? fmt::format("; MORE THAN {:.0f} % OFF", marked_percent) : std::string())});
     if (form.nominal.exactness == Exactness::small_steps)
-      made.push_back(
+      facts.push_back(
           {"  time step",
            form.steps
                ? fmt::format(
@@ -73,16 +73,16 @@ std::vector<Fact> replay_facts(Subject const& subject, Realisation const& realis
     for (std::size_t i = first; i < next; ++i) {
       auto const& one = forms[i].nominal;
       if (!one.since.empty())
-        made.push_back({"  " + one.title.substr(one.title.find(' ') + 1), "in OpenSees from " + one.since + " on"});
+        facts.push_back({"  " + one.title.substr(one.title.find(' ') + 1), "in OpenSees from " + one.since + " on"});
       if (one.condition.empty()) continue;
-      made.push_back(
+      facts.push_back(
           {"  " + one.title.substr(one.title.find(' ') + 1),
            one.condition + (one.longest_travel_mm
                                 ? fmt::format(": {:.4g} {}", units.from_mm(*one.longest_travel_mm), units.length.symbol)
                                 : std::string())});
     }
   }
-  return made;
+  return facts;
 }
 
 std::string factor_text(BoundFactors const& factors, bool one_factor) {
@@ -102,15 +102,15 @@ std::string harmless_markdown(std::string_view text) {
 }
 
 std::string identifier(Subject const& subject) {
-  auto made = "isolaw_" + plain_name(subject.law->info.id);
-  if (auto const device = plain_name(subject.device); !device.empty()) made += "_" + device;
-  if (subject.number_among_alike > 0) made += fmt::format("_{}", subject.number_among_alike);
-  return made;
+  auto name = "isolaw_" + plain_name(subject.law->info.id);
+  if (auto const device = plain_name(subject.device); !device.empty()) name += "_" + device;
+  if (subject.number_among_alike > 0) name += fmt::format("_{}", subject.number_among_alike);
+  return name;
 }
 
 std::string exactly(double value) {
   auto text = fmt::format("{}", value);
-  // A whole number would be an integer to a script, and integers divide otherwise.
+  // Scripts read a whole number as an integer, which divides differently.
   if (text.find_first_of(".en") == std::string::npos) text += ".0";
   return text;
 }
@@ -153,7 +153,7 @@ std::string parameter_text(laws::LawEntry const& law, std::span<double const> pa
 }
 
 std::string deviation_text(Deviation const& d) {
-  // Of an exact replay no place is the worst.
+  // An exact replay has no worst place.
   auto const place = d.largest > 0.0 ? fmt::format(" (at {})", d.at_s ? fmt::format("{:.4g} s", *d.at_s)
                                                                       : fmt::format("sample {}", d.at_sample))
                                      : std::string();
@@ -187,32 +187,32 @@ std::vector<Fact> validity(Subject const& subject, UnitSystem const& units) {
 }
 
 std::vector<Fact> measured_facts(Subject const& subject) {
-  std::vector<Fact> made;
+  std::vector<Fact> facts;
   if (subject.objective)
-    made.push_back({"Fitted to the tests with",
-                    fmt::format("objective {:.4g}{} (mean deviation over the standard deviation of the force)",
-                                *subject.objective, subject.lot ? ", mean of the devices" : "")});
+    facts.push_back({"Fitted to the tests with",
+                     fmt::format("objective {:.4g}{} (mean deviation over the standard deviation of the force)",
+                                 *subject.objective, subject.lot ? ", mean of the devices" : "")});
   Deviation worst;
   for (auto const& history : subject.histories)
     if (!history.measured_kN.empty()) keep_worst(worst, deviation(history, history.law_kN, history.measured_kN));
   if (worst.largest > 0.0)
-    made.push_back({fmt::format("The law against the measured force{}", subject.lot ? "s (the worst of them)" : ""),
-                    deviation_text(worst)});
-  return made;
+    facts.push_back({fmt::format("The law against the measured force{}", subject.lot ? "s (the worst of them)" : ""),
+                     deviation_text(worst)});
+  return facts;
 }
 
 std::vector<Fact> away_facts(Subject const& subject, Realisation const& realisation) {
-  std::vector<Fact> made;
-  for (auto const& sentence : subject.beyond) made.push_back({"Beyond the tests", sentence});
+  std::vector<Fact> facts;
+  for (auto const& sentence : subject.beyond) facts.push_back({"Beyond the tests", sentence});
   bool const coupled =
       std::ranges::any_of(realisation.forms, [](Realised const& form) { return form.nominal.id == "bearing"; });
   if (auto const springs = coupled ? std::nullopt : two_springs(subject))
-    made.push_back(
+    facts.push_back(
         {"Two directions",
          fmt::format(
              "no coupled element has this law; two springs at right angles, on a circle of the tested amplitude, give up to {:.3g} times the peak force of one and {:.3g} times the energy that a coupled bearing of constant strength would have",
              springs->force, springs->energy)});
-  return made;
+  return facts;
 }
 
 std::vector<Fact> bound_facts(Subject const& subject, bool one_factor) {
@@ -223,20 +223,22 @@ std::vector<Fact> bound_facts(Subject const& subject, bool one_factor) {
     return factor_text(*factors, one_factor) +
            (own ? ", the nominal itself: this one stands at that end of the lot" : "");
   };
-  std::vector<Fact> made{
+  std::vector<Fact> facts{
       {"Lower bound", text(bounds.lower)}, {"Upper bound", text(bounds.upper)}, {"Bounds from", bounds.source}};
   auto const separate = [](auto const& factors) { return factors && factors->separate; };
   if (one_factor && (separate(bounds.lower) || separate(bounds.upper)))
-    made.push_back(
+    facts.push_back(
         {"Bounds act",
          "as one factor on the whole force, which at the amplitude of the cycle that counts is that of K_d and Q_d together; the law's parameters do not tell the two apart"});
-  return made;
+  return facts;
 }
 
 std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, UnitSystem const& units,
-                        std::string_view program) {
+                        std::string_view program, bool one_factor) {
   auto const& law = subject.law->info;
-  std::vector<Fact> made{
+  std::vector<Fact> result{
+      {"SPDX-License-Identifier", std::string(export_licence)},
+      {"Licence", std::string(export_licence_text)},
       {"Export", fmt::format("isolaw {}, for {}", subject.version, program)},
       {"Calibrated by", "isolaw " + subject.makers},
       {"Law", fmt::format("{}: {} ({})", law.id, law.title, law.source)},
@@ -245,28 +247,29 @@ std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, 
            (subject.title.empty() ? "" : ", lot " + subject.title)},
       {"Parameters", fmt::format("{} (units of the law: {}, {}, s)", parameter_text(*subject.law, subject.parameters),
                                  law.force.symbol, law.length.symbol)}};
-  for (auto& fact : measured_facts(subject)) made.push_back(std::move(fact));
-  made.push_back({"Prediction", subject.doubts.prediction});
-  for (auto const& warning : subject.doubts.warnings) made.push_back({"Warning", warning});
-  made.push_back({"Units of this file", fmt::format("{}, {}, s", units.force.symbol, units.length.symbol)});
-  made.push_back({"Fidelity", fmt::format("{}: {}", name(realisation.fidelity), realisation.explanation)});
+  for (auto& fact : measured_facts(subject)) result.push_back(std::move(fact));
+  result.push_back({"Prediction", wording::remark(subject.doubts.prediction)});
+  for (auto& warning : wording::sentences(subject.doubts.findings, wording::with_law))
+    result.push_back({"Warning", std::move(warning)});
+  result.push_back({"Units of this file", fmt::format("{}, {}, s", units.force.symbol, units.length.symbol)});
+  result.push_back({"Fidelity", fmt::format("{}: {}", name(realisation.fidelity), realisation.explanation)});
   if (!realisation.substitute.empty())
-    made.push_back({"Fitted in its place", fmt::format("{}: {}", realisation.substitute,
-                                                       parameter_text(laws::find_law(realisation.substitute),
-                                                                      realisation.substitute_parameters))});
+    result.push_back({"Fitted in its place", fmt::format("{}: {}", realisation.substitute,
+                                                         parameter_text(laws::find_law(realisation.substitute),
+                                                                        realisation.substitute_parameters))});
   if (!realisation.substitute.empty() && !header_parts(law.id).empty())
-    made.push_back({"The law itself", "--to opensees-cpp writes it as a material of OpenSees, to compile"});
-  for (auto& fact : replay_facts(subject, realisation, units)) made.push_back(std::move(fact));
-  for (auto const& refused : realisation.refused) made.push_back({"Refused", refused});
-  for (auto& fact : validity(subject, units)) made.push_back(std::move(fact));
-  made.push_back({"Beyond these",
-                  subject.fitted.part.empty()
-                      ? "nothing was tested, and the law is an extrapolation"
-                      : "of what it was fitted to the law is a prediction, and beyond the tests an extrapolation"});
-  for (auto& fact : away_facts(subject, realisation)) made.push_back(std::move(fact));
-  for (auto& fact : bound_facts(subject, false)) made.push_back(std::move(fact));
-  for (auto const& note : subject.notes) made.push_back({"Note", note});
-  return made;
+    result.push_back({"The law itself", "--to opensees-cpp writes it as a material of OpenSees, to compile"});
+  for (auto& fact : replay_facts(subject, realisation, units)) result.push_back(std::move(fact));
+  for (auto const& refused : realisation.refused) result.push_back({"Refused", refused});
+  for (auto& fact : validity(subject, units)) result.push_back(std::move(fact));
+  result.push_back({"Beyond these",
+                    subject.fitted.part.empty()
+                        ? "nothing was tested, and the law is an extrapolation"
+                        : "of what it was fitted to the law is a prediction, and beyond the tests an extrapolation"});
+  for (auto& fact : away_facts(subject, realisation)) result.push_back(std::move(fact));
+  for (auto& fact : bound_facts(subject, one_factor)) result.push_back(std::move(fact));
+  for (auto const& note : subject.notes) result.push_back({"Note", note});
+  return result;
 }
 
 std::vector<Fact> facts_of_the_law(Subject const& subject, UnitSystem const& units, std::string_view program,
@@ -274,12 +277,7 @@ std::vector<Fact> facts_of_the_law(Subject const& subject, UnitSystem const& uni
   Realisation itself;
   itself.fidelity = Fidelity::exact;
   itself.explanation = std::move(explanation);
-  auto made = facts(subject, itself, units, program);
-  std::erase_if(made, [](Fact const& fact) {
-    return fact.label == "Lower bound" || fact.label == "Upper bound" || fact.label == "Bounds from";
-  });
-  for (auto& fact : bound_facts(subject, true)) made.push_back(std::move(fact));
-  return made;
+  return facts(subject, itself, units, program, true);
 }
 
 std::vector<std::string> fact_lines(std::vector<Fact> const& facts) {
@@ -294,7 +292,7 @@ std::vector<std::string> fact_lines(std::vector<Fact> const& facts) {
       if (cut > room) {
         cut = rest.rfind(' ', room);
         if (cut == std::string::npos || cut < room / 2) cut = room;
-        // Not within a character of several bytes.
+        // Never cut inside a UTF-8 character.
         while (cut < rest.size() && (static_cast<unsigned char>(rest[cut]) & 0xC0U) == 0x80U) ++cut;
       }
       lines.push_back((first ? "" : "    ") + rest.substr(0, cut));

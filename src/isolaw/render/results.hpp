@@ -1,4 +1,4 @@
-// What every renderer draws: the results of a study, called by their own names.
+// The results of a study, which every renderer shows, under their own names in isolaw::render.
 #pragma once
 
 #include "isolaw/study/summary.hpp"

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What a campaign leaves, beside its store and figures.
+// The files of a campaign, besides its store and figures.
 struct Output {
   char const* name;
   std::string (*text)(Summary const&);
@@ -47,7 +47,7 @@ constexpr Output outputs[] = {
     {"report.html", html},
 };
 
-// And a study of a building.
+// The files of a study of a building, besides its figures.
 struct BuildingOutput {
   char const* name;
   std::string (*text)(building::Study const&, building::Answers const&);

@@ -11,7 +11,7 @@
 namespace isolaw::rules {
 namespace {
 
-constexpr double slack = 1e-12;  // of the bound: a thousand times the rounding of a product
+constexpr double slack = 1e-12;  // relative to the bound: a thousand times the rounding of a product
 
 bool is_at_least(double value, double bound) {
   return value >= bound - slack * std::abs(bound);
@@ -25,23 +25,25 @@ std::string missing_design(Quantity quantity) {
 }
 
 Assessment compared(DerivedValue const& derived, Quantity quantity, Design const& design) {
-  Assessment made;
-  made.quantity = derived.label;
-  made.formula = derived.formula;
-  made.value = derived.value;
-  made.unit = unit(quantity);
-  made.nominal = design.of(quantity);
-  if (made.value && made.nominal) made.deviation_percent = 100.0 * (*made.value - *made.nominal) / *made.nominal;
-  return made;
+  Assessment result;
+  result.quantity = derived.label;
+  result.property = quantity;
+  result.side = derived.side;
+  result.formula = derived.formula;
+  result.value = derived.value;
+  result.unit = unit(quantity);
+  result.nominal = design.of(quantity);
+  if (result.value && result.nominal) result.deviation_percent = 100.0 * (*result.value - *result.nominal) / *result.nominal;
+  return result;
 }
 
 void assess_limit(RuleSet const& rules, Limit const& limit, BlockValues const& block, Design const& design,
                   std::vector<std::string> const& unmet, std::vector<Assessment>& out) {
   for (auto const& derived : derive(rules, limit.quantity, block)) {
-    auto made = compared(derived, limit.quantity, design);
-    // The conditions are those of the shear test.
-    hold_to(made, rules, limit, derived.reason, limit.quantity == Quantity::K_v ? std::vector<std::string>() : unmet);
-    out.push_back(std::move(made));
+    auto result = compared(derived, limit.quantity, design);
+    // `unmet` is about the conditions of the shear test, which do not concern K_v.
+    hold_to(result, rules, limit, derived.reason, limit.quantity == Quantity::K_v ? std::vector<std::string>() : unmet);
+    out.push_back(std::move(result));
   }
 }
 
@@ -52,7 +54,7 @@ std::string_view measure_text(Measure measure) {
   return texts.at(static_cast<std::size_t>(measure));
 }
 
-// nullopt where a cycle is missing or no positive number.
+// nullopt where a cycle is missing or its value is not positive.
 std::optional<double> measured(StabilityLimit const& limit, BlockValues const& block) {
   double first = 0.0, lowest = 0.0, highest = 0.0;
   for (int number = limit.first; number <= limit.last; ++number) {
@@ -71,56 +73,60 @@ std::optional<double> measured(StabilityLimit const& limit, BlockValues const& b
 Assessment assess_stability(RuleSet const& rules, StabilityLimit const& limit, BlockValues const& block,
                             std::vector<std::string> const& unmet) {
   bool const is_ratio = limit.measure == Measure::min_over_max;
-  Assessment made;
-  made.quantity = fmt::format("{} over cycles", name(limit.quantity));
-  made.clause = limit.clause;
-  made.formula = fmt::format("{} of cycles {} to {}", measure_text(limit.measure), limit.first, limit.last);
-  made.unit = is_ratio ? "" : "%";
-  made.limit = is_ratio ? fmt::format("{:g} or more", limit.bound) : fmt::format("{:g} % or less", limit.bound);
-  made.value = measured(limit, block);
-  if (made.value)
-    give_verdict(made, rules, is_ratio ? is_at_least(*made.value, limit.bound) : is_at_most(*made.value, limit.bound),
+  Assessment result;
+  result.quantity = fmt::format("{} over cycles", name(limit.quantity));
+  result.property = limit.quantity;
+  result.subject = Subject::cycles;
+  result.clause = limit.clause;
+  result.formula = fmt::format("{} of cycles {} to {}", measure_text(limit.measure), limit.first, limit.last);
+  result.unit = is_ratio ? "" : "%";
+  result.limit = is_ratio ? fmt::format("{:g} or more", limit.bound) : fmt::format("{:g} % or less", limit.bound);
+  result.value = measured(limit, block);
+  if (result.value)
+    give_verdict(result, rules, is_ratio ? is_at_least(*result.value, limit.bound) : is_at_most(*result.value, limit.bound),
                  unmet);
   else
-    made.reason = fmt::format("cycles {} to {} needed; block {} holds {} counted", limit.first, limit.last,
-                              block.number, block.cycles.size());
-  return made;
+    result.reason = fmt::format("cycles {} to {} needed; block {} holds {} counted", limit.first, limit.last,
+                                block.number, block.cycles.size());
+  return result;
 }
 
 void assess_load(RuleSet const& rules, LoadVariation const& limit, Design const& design,
                  std::optional<LoadPair> const& loads, std::vector<std::string> const& unmet,
                  std::vector<Assessment>& out) {
   for (auto const quantity : {Quantity::K_eff, Quantity::damping}) {
-    Assessment made;
-    made.quantity = fmt::format("{} over vertical load", name(quantity));
-    made.clause = limit.clause;
-    made.formula = "(value at the largest load - value at the smallest)/design value";
-    made.unit = "%";
-    made.limit = fmt::format("{:g} % or less", limit.largest_percent);
+    Assessment result;
+    result.quantity = fmt::format("{} over vertical load", name(quantity));
+    result.property = quantity;
+    result.subject = Subject::loads;
+    result.clause = limit.clause;
+    result.formula = "(value at the largest load - value at the smallest)/design value";
+    result.unit = "%";
+    result.limit = fmt::format("{:g} % or less", limit.largest_percent);
     auto const nominal = design.of(quantity);
     auto const at_largest = loads ? device_value(rules, quantity, loads->largest) : std::nullopt;
     auto const at_smallest = loads ? device_value(rules, quantity, loads->smallest) : std::nullopt;
     if (!loads) {
-      made.reason = "needs the same test at the largest and at the smallest vertical load";
+      result.reason = "needs the same test at the largest and at the smallest vertical load";
     } else if (!at_largest || !at_smallest) {
-      made.reason = "the cycles that count are missing at one of the loads";
+      result.reason = "the cycles that count are missing at one of the loads";
     } else if (!nominal) {
-      made.reason = missing_design(quantity);
+      result.reason = missing_design(quantity);
     } else {
-      made.value = 100.0 * std::abs(*at_largest - *at_smallest) / *nominal;
-      give_verdict(made, rules, is_at_most(*made.value, limit.largest_percent), unmet);
+      result.value = 100.0 * std::abs(*at_largest - *at_smallest) / *nominal;
+      give_verdict(result, rules, is_at_most(*result.value, limit.largest_percent), unmet);
     }
-    out.push_back(std::move(made));
+    out.push_back(std::move(result));
   }
 }
 
-// Ratios of cycles need no design value, so neither the displacement that it holds at.
+// Ratios of cycles need no design value, so the amplitude need not be the one that the design value holds at.
 std::vector<std::string> unmet_of_ratios(RuleSet rules, BlockValues const& block, Design const& design) {
   rules.test.displacement_tolerance_percent.reset();
   return unmet_conditions(rules, block, design);
 }
 
-// The mean vertical load differs from the design load by intent in those tests.
+// These tests run at other vertical loads than the design load on purpose.
 std::vector<std::string> unmet_of_pair(RuleSet rules, LoadPair const& loads, Design const& design) {
   rules.test.load_tolerance_percent.reset();
   auto unmet = unmet_conditions(rules, loads.largest, design);
@@ -142,7 +148,7 @@ std::string_view name(Verdict verdict) {
 }
 
 bool is_within(double value, double nominal, std::optional<double> lower_percent, std::optional<double> upper_percent) {
-  // (100 + 20)/100 is nearer to 1.2 than 1 + 20/100 in binary; either way the slack covers the difference.
+  // In binary (100 + 20)/100 is nearer to 1.2 than 1 + 20/100; the slack covers the difference either way.
   auto const bound = [&](double percent) { return nominal * (100.0 + percent) / 100.0; };
   if (!std::isfinite(value)) return false;
   if (lower_percent && !is_at_least(value, bound(*lower_percent))) return false;
@@ -157,7 +163,7 @@ std::string limit_text(std::optional<double> lower_percent, std::optional<double
 
 std::string deviation_text(double deviation_percent, std::optional<double> lower_percent,
                            std::optional<double> upper_percent) {
-  // Decimal by decimal, the text is compared as it reads; what passes by the slack alone is on the limit itself.
+  // Adds decimals until the printed number is on the value's side of the limit; within the slack, a value is on it.
   auto const on_this_side = [&](double shown, std::optional<double> bound, double sign) {
     if (!bound) return true;
     double const over = sign * (deviation_percent - *bound);
@@ -172,6 +178,16 @@ std::string deviation_text(double deviation_percent, std::optional<double> lower
   }
 }
 
+std::string_view name(Subject subject) {
+  // In the order of Subject.
+  static constexpr std::array<std::string_view, 5> names{"device", "cycles", "loads", "lot", "sample"};
+  return names.at(static_cast<std::size_t>(subject));
+}
+
+bool is_of(Assessment const& assessment, Quantity property) {
+  return assessment.property == property && assessment.subject == Subject::device;
+}
+
 std::string same_record_as(std::string_view device) {
   return fmt::format("the same record as {}", device);
 }
@@ -179,7 +195,7 @@ std::string same_record_as(std::string_view device) {
 void withhold_verdicts(std::vector<Assessment>& assessments, std::string_view copy_of) {
   for (auto& a : assessments) {
     bool const judged = a.verdict == Verdict::pass || a.verdict == Verdict::fail;
-    if (!judged || a.quantity == name(Quantity::K_v)) continue;  // K_v has a test of its own
+    if (!judged || a.property == Quantity::K_v) continue;  // K_v has a test of its own
     a.verdict = Verdict::not_assessed;
     a.reason = same_record_as(copy_of);
   }
@@ -227,15 +243,15 @@ std::vector<Assessment> assess(RuleSet const& rules, BlockValues const& block, D
   std::vector<Quantity> without_limit(measured_quantities().begin(), measured_quantities().end());
   without_limit.push_back(Quantity::K_v);
   for (auto const quantity : without_limit) {
-    // K_v is said to be open where nobody asks for it, too.
+    // K_v is listed as open even where nobody asks for it.
     bool const asked = design.of(quantity) || quantity == Quantity::K_v;
     if (has_limit(rules, quantity) || !asked) continue;
     for (auto const& derived : derive(rules, quantity, block)) {
-      auto made = compared(derived, quantity, design);
-      if (made.deviation_percent) made.deviation = deviation_text(*made.deviation_percent, {}, {});
-      made.verdict = derived.value ? Verdict::information : Verdict::not_assessed;
-      made.reason = derived.value ? fmt::format("{} has no limit for a device", rules.id) : derived.reason;
-      out.push_back(std::move(made));
+      auto result = compared(derived, quantity, design);
+      if (result.deviation_percent) result.deviation = deviation_text(*result.deviation_percent, {}, {});
+      result.verdict = derived.value ? Verdict::information : Verdict::not_assessed;
+      result.reason = derived.value ? fmt::format("{} has no limit for a device", rules.id) : derived.reason;
+      out.push_back(std::move(result));
     }
   }
   return out;

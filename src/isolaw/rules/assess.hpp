@@ -1,9 +1,10 @@
-// One device against a rule set: every limit that concerns one device, with the measured value, its deviation from the
-// design value and a verdict.
+// One device against a rule set: every limit on a single device, with the measured value, its deviation from the design
+// value and a verdict.
 //
-// A verdict is given only by a set that somebody verified, under conditions the set asks for; everything else is
-// information, or not assessed with the reason. Limits belong to what passes: values are compared as measured, never
-// rounded, and 1e-12 of the bound is granted, since 1.2 times a design value is rarely 20 % in binary to the last bit.
+// Only a set that somebody verified gives a pass or a fail, and only under the conditions that it asks for; everything
+// else is information, or not assessed with a reason. A value on the limit passes. Values are compared as measured,
+// never rounded, with a slack of 1e-12 of the bound, since 1.2 times a design value is rarely 20 % in binary to the
+// last bit.
 #pragma once
 
 #include <optional>
@@ -19,53 +20,64 @@ namespace isolaw::rules {
 enum class Verdict { pass, fail, information, not_assessed };
 std::string_view name(Verdict verdict);  // "pass", "fail", "information", "not assessed"
 
+// What is held to a limit: a property of one device, its change from cycle to cycle or between vertical loads, its mean
+// over the lot, or how many devices were tested.
+enum class Subject { device, cycles, loads, lot, sample };
+std::string_view name(Subject subject);  // "device", "cycles", "loads", "lot", "sample"
+
 struct Assessment {
-  std::string quantity;  // "K_eff, positive side", "K_eff over cycles", "sample size"
+  std::string quantity;              // in words: "K_eff, positive side", "K_eff over cycles", "sample size"
+  std::optional<Quantity> property;  // of these; none of a sample
+  Subject subject = Subject::device;
+  Side side = Side::both;
   std::string clause, formula;
   std::optional<double> value;
   std::string unit;
   std::optional<double> nominal;
   std::optional<double> deviation_percent;             // 100 (value - nominal)/nominal
-  std::string deviation;                               // the same as text, see deviation_text()
+  std::string deviation;                               // deviation_percent as text, see deviation_text()
   std::string limit;                                   // "from -20 % to +20 %"; empty where the set has none
-  std::optional<double> lower_percent, upper_percent;  // of deviation_percent, where that is what is limited
+  std::optional<double> lower_percent, upper_percent;  // limits of deviation_percent, where the rule limits that
   Verdict verdict = Verdict::not_assessed;
   std::string reason;  // why there is no verdict
 };
+
+// Whether it holds that property of a device, one side of it or both, to a limit or its design value.
+bool is_of(Assessment const& assessment, Quantity property);
 
 // Properties of one device at the largest and smallest vertical load, for the limit on that variation.
 struct LoadPair {
   BlockValues largest, smallest;
 };
 
-// In the order of the set: limits of each device, stability, vertical load; quantities with a design value but without
-// a limit as information; K_v always.
+// All assessments of a device in the order of the set: limits on each device, stability, vertical load. Then, as
+// information, quantities with a design value but no limit, and always K_v.
 std::vector<Assessment> assess(RuleSet const& rules, BlockValues const& block, Design const& design,
                                std::optional<LoadPair> const& loads = std::nullopt);
 
-// What stands of a device whose record is another's: "the same record as D01".
+// The text for a device whose record is a copy of another device's: "the same record as D01".
 std::string same_record_as(std::string_view device);
 
-// Such a device was not tested by it: lines that its record was held to have no verdict.
+// Takes the verdicts away from a device whose record is a copy: that record does not test it.
 void withhold_verdicts(std::vector<Assessment>& assessments, std::string_view copy_of);
 
-// Whether nominal x (1 + lower/100) <= value <= nominal x (1 + upper/100), with the relative slack said above.
+// Whether nominal (1 + lower/100) <= value <= nominal (1 + upper/100), with the slack of 1e-12.
 bool is_within(double value, double nominal, std::optional<double> lower_percent, std::optional<double> upper_percent);
 
-// "from -20 % to +20 %", "at least -25 %", "at most +10 %": a word first, since a spreadsheet takes a sign for a
-// formula.
+// "from -20 % to +20 %", "at least -25 %", "at most +10 %". A word comes first: spreadsheets take a sign for a formula.
 std::string limit_text(std::optional<double> lower_percent, std::optional<double> upper_percent);
 
-// "+19.9 %": one decimal, or as many as it takes for the text to lie on the same side of the limit as the value.
-// Printed as +20.0 % a value 20.04 % above would seem to be within 20 %.
+// "+19.9 %": one decimal, or as many as it takes for the text to lie on the same side of the limit as the value. With
+// one decimal, a deviation of 20.04 % would read as +20.0 %, which seems to be within 20 %.
 std::string deviation_text(double deviation_percent, std::optional<double> lower_percent,
                            std::optional<double> upper_percent);
 
-// Verdict and reason of a comparison that was made: pass or fail of a verified set whose conditions are met, else
+// Sets verdict and reason after a comparison: pass or fail where the set is verified and its conditions are met, else
 // information or not assessed with the reason.
 void give_verdict(Assessment& assessment, RuleSet const& rules, bool holds, std::vector<std::string> const& unmet);
 
-// The same of value and design value held to a limit, with its clause and texts; `without` says why there is no value.
+// Compares value and design value with a limit and sets verdict, reason, clause and texts. `without` says why there is
+// no value.
 void hold_to(Assessment& assessment, RuleSet const& rules, Limit const& limit, std::string_view without,
              std::vector<std::string> const& unmet);
 

@@ -1,4 +1,4 @@
-// The files of rules/, embedded when the library is built.
+// The files of rules/, which the build embeds into the library.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,12 +17,12 @@ std::span<Embedded const> files();
 
 namespace {
 
-// Named without the extension.
+// The embedded files, named without their extension.
 std::vector<Embedded> const& texts() {
   static std::vector<Embedded> const all = [] {
-    std::vector<Embedded> made;
-    for (auto const& file : files()) made.push_back({file.name.substr(0, file.name.rfind('.')), file.text});
-    return made;
+    std::vector<Embedded> named;
+    for (auto const& file : files()) named.push_back({file.name.substr(0, file.name.rfind('.')), file.text});
+    return named;
   }();
   return all;
 }
@@ -58,7 +58,7 @@ std::string load_rule_text(std::string_view name_or_file) {
                  .allowed = allowed,
                  .when_too_large = "a rule file holds one set of limits, not data",
                  .when_missing = "isolaw rules lists the sets, isolaw rules template prints a file to start from"});
-  // A campaign that is held to nothing has an empty text.
+  // An empty file is refused, because a campaign without a rule set stores an empty text.
   if (text.empty())
     throw Error({.where = std::string(name_or_file),
                  .found = "an empty file",

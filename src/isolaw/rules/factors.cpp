@@ -26,34 +26,34 @@ std::optional<TestFactors> test_factors(Quantity quantity, BlockValues const& bl
     if (cycle == nullptr) return std::nullopt;
     mean += cycle->of(quantity) / 3.0;
   }
-  TestFactors made{.min = std::numeric_limits<double>::infinity(), .max = 0.0};
+  TestFactors factors{.min = std::numeric_limits<double>::infinity(), .max = 0.0};
   for (auto const& cycle : block.cycles) {
     double const factor = cycle.of(quantity) / mean;
     if (!(cycle.of(quantity) > 0.0) || !std::isfinite(factor)) return std::nullopt;
-    if (factor > made.max) made.max = factor, made.max_cycle = cycle.number;
-    if (factor <= made.min) made.min = factor, made.min_cycle = cycle.number;
+    if (factor > factors.max) factors.max = factor, factors.max_cycle = cycle.number;
+    if (factor <= factors.min) factors.min = factor, factors.min_cycle = cycle.number;
   }
-  return made;
+  return factors;
 }
 
 CombinedFactors combine(FactorRule const& rule, FactorPair const& environment, FactorPair const& test,
                         FactorPair const& spec) {
-  CombinedFactors made{.min = (1.0 - rule.system_factor * (1.0 - environment.min)) * test.min * spec.min,
-                       .max = (1.0 + rule.system_factor * (environment.max - 1.0)) * test.max * spec.max};
-  if (rule.max_not_below && made.max < *rule.max_not_below) {
-    made.max = *rule.max_not_below;
-    made.max_is_default = true;
+  CombinedFactors combined{.min = (1.0 - rule.system_factor * (1.0 - environment.min)) * test.min * spec.min,
+                           .max = (1.0 + rule.system_factor * (environment.max - 1.0)) * test.max * spec.max};
+  if (rule.max_not_below && combined.max < *rule.max_not_below) {
+    combined.max = *rule.max_not_below;
+    combined.max_is_default = true;
   }
-  if (rule.min_not_above && made.min > *rule.min_not_above) {
-    made.min = *rule.min_not_above;
-    made.min_is_default = true;
+  if (rule.min_not_above && combined.min > *rule.min_not_above) {
+    combined.min = *rule.min_not_above;
+    combined.min_is_default = true;
   }
-  return made;
+  return combined;
 }
 
 double system_half_width_percent(double cov_percent, int installed, int tested) {
   auto const N = static_cast<double>(installed), n = static_cast<double>(std::min(tested, installed));
-  // With none tested the devices are drawn from the production at large, which has no end.
+  // With no tested device, the lot counts as drawn from an unlimited production.
   double const finite = installed > 1 ? std::min(1.0, std::sqrt((N - n) / (N - 1.0))) : (tested > 0 ? 0.0 : 1.0);
   return normal_97_5 * cov_percent / std::sqrt(N) * finite;
 }

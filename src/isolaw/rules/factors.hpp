@@ -1,9 +1,9 @@
-// Property modification factors lambda: what the properties of a lot may be, as multiples of their design value, and
-// how the factors of ageing and environment, of the test and of the supply combine (ASCE/SEI 7, chapter 17; the
-// combination of other standards is the same with other numbers, which the rule set holds).
+// Property modification factors lambda: the possible properties of a lot as multiples of their design value, and how
+// the factors of ageing and environment, of the test and of the supply combine (ASCE/SEI 7, chapter 17; other standards
+// combine them the same way with other numbers, which the rule set holds).
 //
-// The scatter between devices and that of the whole isolation system are kept apart: the system is the sum of its
-// devices, and sums scatter less. Taking the spread of single devices for the system overstates its bounds manyfold.
+// The scatter between devices is kept apart from that of the whole isolation system. The system is the sum of its
+// devices, and a sum scatters less: the spread of single devices would overstate the system's bounds several times.
 #pragma once
 
 #include <optional>
@@ -17,10 +17,10 @@ struct FactorPair {
   double min = 1.0, max = 1.0;
 };
 
-// lambda_test of one device: the largest and the smallest of its counted cycles over mean(P_1..P_3). Where a property
-// falls from cycle to cycle these are P_1 and P_n, as ASCE/SEI 7 has it; where it does not, the first or the last alone
-// would leave out what was measured. Of equal cycles the first is the largest and the last the smallest. nullopt
-// without the first three cycles or where a value is no positive number.
+// lambda_test of one device: the largest and the smallest value of its counted cycles over mean(P_1..P_3). Where a
+// property falls from cycle to cycle these are P_1 and P_n, as in ASCE/SEI 7; elsewhere P_1 and P_n would miss larger
+// or smaller values that were measured. Among equal cycles the first counts as the largest and the last as the
+// smallest. nullopt without the first three cycles, or where a value is not positive.
 struct TestFactors {
   double min = 1.0, max = 1.0;
   int min_cycle = 0, max_cycle = 0;
@@ -31,24 +31,24 @@ std::optional<TestFactors> test_factors(Quantity quantity, BlockValues const& bl
 
 struct CombinedFactors {
   double min = 1.0, max = 1.0;
-  bool max_is_default = false, min_is_default = false;  // the rule's least upper or largest lower factor took over
+  bool max_is_default = false, min_is_default = false;  // max is the rule's max_not_below, min its min_not_above
 };
 
 // max = (1 + f (environment.max - 1)) test.max spec.max, not below max_not_below; min = (1 - f (1 - environment.min))
-// test.min spec.min, not above min_not_above; f the rule's system factor.
+// test.min spec.min, not above min_not_above; f is the rule's system factor.
 CombinedFactors combine(FactorRule const& rule, FactorPair const& environment, FactorPair const& test,
                         FactorPair const& spec);
 
-// Half widths in percent of the mean, two-sided 95 % of the normal distribution (1.960 standard deviations), for a
-// known coefficient of variation `cov_percent` between devices.
-//   The mean over all `installed` devices: the mean of N independent ones scatters by CoV/sqrt(N). N = 28, CoV 7 %:
-//   2.6 %. Where `tested` of them were measured, only the others are still unknown, which the factor of a finite
-//   population, sqrt((N - n)/(N - 1)), takes into account: 2.3 % with 6 tested, nothing with all.
-//   The mean and the CoV count as known; prediction_half_width_percent() does without that.
+// Half width of the 95 % interval of the mean over all `installed` devices, in percent of that mean, for a known
+// coefficient of variation `cov_percent` between devices: 1.960 standard deviations of the normal distribution,
+// two-sided. The mean of N independent devices scatters by CoV/sqrt(N): 2.6 % for N = 28 and CoV 7 %. Where n of them
+// are `tested`, only the others are unknown; the factor of a finite population, sqrt((N - n)/(N - 1)), gives 2.3 % for
+// 6 tested devices and 0 for all. The lot's mean and CoV count as known; prediction_half_width_percent() does not
+// assume that.
 double system_half_width_percent(double cov_percent, int installed, int tested);
-//   The same about the mean of the `tested` devices, whose own mean and CoV are estimates: t(0.975, n - 1) CoV
-//   sqrt(1/n - 1/N), the prediction of a finite population's mean (Cochran 1977, 2.8). N = 28, n = 6, CoV 7 %: 6.5 %.
-//   NaN for fewer than two tested.
+// The same half width about the mean of the `tested` devices, where mean and CoV are estimates: t(0.975, n - 1) CoV
+// sqrt(1/n - 1/N), the prediction of a finite population's mean (Cochran 1977, 2.8). N = 28, n = 6, CoV 7 %: 6.5 %. NaN
+// for fewer than two tested devices.
 double prediction_half_width_percent(double cov_percent, int installed, int tested);
 
 }  // namespace isolaw::rules

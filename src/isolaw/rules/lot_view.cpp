@@ -17,13 +17,13 @@ namespace isolaw::rules {
 namespace {
 
 constexpr double normal_95 = 1.6448536269514722;  // one-sided
-constexpr double property_error = 0.005;          // relative, of a property from one record
+constexpr double property_error = 0.005;          // relative error of a property from one record
 
 struct Values {
   std::vector<std::string> names;
   std::vector<double> values;
   std::vector<std::string> without;
-  std::size_t tested = 0;  // of the values, without copies
+  std::size_t tested = 0;  // number of values whose record is not a copy
 };
 
 std::size_t without_copies(std::span<DeviceValues const> devices) {
@@ -31,23 +31,31 @@ std::size_t without_copies(std::span<DeviceValues const> devices) {
 }
 
 Values collect(RuleSet const& rules, Quantity quantity, std::span<DeviceValues const> devices) {
-  Values made;
+  Values collected;
   for (auto const& device : devices) {
     if (auto const value = device_value(rules, quantity, device.block)) {
-      made.names.push_back(device.name);
-      made.values.push_back(*value);
-      made.tested += quantity == Quantity::K_v || device.copy_of.empty() ? 1u : 0u;  // K_v has a test of its own
+      collected.names.push_back(device.name);
+      collected.values.push_back(*value);
+      collected.tested += quantity == Quantity::K_v || device.copy_of.empty() ? 1u : 0u;  // K_v comes from another test
     } else {
-      made.without.push_back(device.name);
+      collected.without.push_back(device.name);
     }
   }
-  return made;
+  return collected;
 }
 
 std::string no_lower_bound(double half_width_percent) {
   return fmt::format("too few devices for a lower bound: {:.0f} % of the mean below it is no positive value",
                      half_width_percent);
 }
+
+}  // namespace
+
+std::string_view name(Spread spread) {
+  return spread == Spread::contract ? "contract" : spread == Spread::device ? "device" : "system";
+}
+
+namespace {
 
 void describe_spread(Values const& found, LotQuantity& view) {
   auto const moments = num::moments(found.values);
@@ -62,7 +70,7 @@ void describe_spread(Values const& found, LotQuantity& view) {
   view.largest_from_mean_percent = 100.0 * std::max(*high / moments.mean - 1.0, 1.0 - *low / moments.mean);
   view.std = moments.std;
   view.cov_percent = 100.0 * moments.std / moments.mean;
-  // Below zero there is no bound of a quantity that is positive.
+  // The quantity is positive, so a bound below 0 is none.
   auto const below_mean = [&](double factor) -> std::optional<double> {
     double const value = moments.mean - factor * moments.std;
     if (value > 0.0) return value;
@@ -87,7 +95,7 @@ void compare_with_design(Design const& design, LotQuantity& view) {
   view.worst_device = below ? view.min_device : view.max_device;
 }
 
-// What the sample rule lacks; empty where it is kept, or the set has none.
+// Says how the sample rule is not kept; empty where it is kept or the set has none.
 std::string unmet_sample(RuleSet const& rules, LotView const& lot, LotQuantity const& view) {
   if (rules.sample && !lot.required) return "size of the lot not known: give it, so that the sample can be judged";
   if (lot.required && view.tested < static_cast<std::size_t>(*lot.required))
@@ -95,21 +103,21 @@ std::string unmet_sample(RuleSet const& rules, LotView const& lot, LotQuantity c
   return {};
 }
 
-// What stands in the way of a verdict on the lot: a sample too small, devices without the value, other conditions.
+// Reasons against a verdict on the lot: a small sample, devices without the value, other test conditions.
 std::vector<std::string> unmet_of_lot(RuleSet const& rules, LotView const& lot, LotQuantity const& view,
                                       std::span<DeviceValues const> devices, Design const& design) {
   std::vector<std::string> unmet;
   if (!lot.note.empty()) unmet.push_back(lot.note);
   if (auto sample = unmet_sample(rules, lot, view); !sample.empty()) unmet.push_back(std::move(sample));
   if (!view.without.empty()) unmet.push_back(fmt::format("no value of {}", fmt::join(view.without, ", ")));
-  if (view.quantity == Quantity::K_v) return unmet;  // the conditions are those of the shear test
+  if (view.quantity == Quantity::K_v) return unmet;  // the other conditions concern the shear test
   for (auto const& device : devices)
     if (!device.copy_of.empty())
       unmet.push_back(fmt::format("{}: {}, counted in the mean", device.name, same_record_as(device.copy_of)));
   for (auto const& device : devices)
     for (auto const& text : unmet_conditions(rules, device.block, design)) {
       unmet.push_back(fmt::format("{}: {}", device.name, text));
-      return unmet;  // one device says it; a lot of hundreds would say it hundreds of times
+      return unmet;  // one device is enough as an example in a lot of hundreds
     }
   return unmet;
 }
@@ -118,15 +126,17 @@ void assess_mean(RuleSet const& rules, LotView const& lot, std::span<DeviceValue
                  LotQuantity& view) {
   for (auto const& limit : rules.limits) {
     if (limit.quantity != view.quantity || limit.scope != Scope::mean) continue;
-    Assessment made;
-    made.quantity = fmt::format("{}, mean of {} devices", name(view.quantity), view.count);
-    made.formula = "mean over the devices";
-    made.value = view.mean;
-    made.unit = view.unit;
-    made.nominal = view.nominal;
-    made.deviation_percent = view.mean_deviation_percent;
-    hold_to(made, rules, limit, "no device has a value", unmet_of_lot(rules, lot, view, devices, design));
-    view.mean_limits.push_back(std::move(made));
+    Assessment assessment;
+    assessment.quantity = fmt::format("{}, mean of {} devices", name(view.quantity), view.count);
+    assessment.property = view.quantity;
+    assessment.subject = Subject::lot;
+    assessment.formula = "mean over the devices";
+    assessment.value = view.mean;
+    assessment.unit = view.unit;
+    assessment.nominal = view.nominal;
+    assessment.deviation_percent = view.mean_deviation_percent;
+    hold_to(assessment, rules, limit, "no device has a value", unmet_of_lot(rules, lot, view, devices, design));
+    view.mean_limits.push_back(std::move(assessment));
   }
 }
 
@@ -156,17 +166,18 @@ void add_test_factors(std::span<DeviceValues const> devices, LotQuantity& view) 
     }
 }
 
-// The labelled sources of lambda_spec. All but the contract's are about the devices' mean, relative to the base value.
+// Adds the bounds of each source of lambda_spec. All but the contract's are about the devices' mean, as factors on the base
+// value.
 void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& view) {
   if (!view.mean) return;
   double const base = view.nominal.value_or(*view.mean);
   auto const* given = rules.factors_of(view.quantity);
   FactorPair const environment =
       given == nullptr ? FactorPair{} : FactorPair{.min = given->environment_min, .max = given->environment_max};
-  // Defaults that stand for all effects together are about the properties the set names, not about the others.
+  // The rule's defaults stand for all effects together, and only for the properties that the set names.
   auto const rule = given == nullptr ? FactorRule{} : rules.factors;
   auto const test = view.test_factors.value_or(TestFactors{}).pair();
-  auto const add = [&](std::string source, FactorPair spec, std::string note) {
+  auto const add = [&](std::string source, Spread spread, FactorPair spec, std::string note) {
     std::string no_lower;
     if (spec.min <= 0.0) {
       no_lower = no_lower_bound(100.0 * (1.0 - spec.min * base / *view.mean));
@@ -174,6 +185,7 @@ void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& 
     }
     auto const combined = combine(rule, environment, test, spec);
     view.bounds.push_back({.source = std::move(source),
+                           .spread = spread,
                            .spec = spec,
                            .combined = combined,
                            .lower = base * combined.min,
@@ -187,24 +199,28 @@ void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& 
                       .max = centre * (1.0 + half_width_percent / 100.0)};
   };
   if (given != nullptr && given->spec_min)
-    add("contract band", {.min = *given->spec_min, .max = *given->spec_max}, "as agreed in the rule set");
+    add("contract band", Spread::contract, {.min = *given->spec_min, .max = *given->spec_max},
+        "as agreed in the rule set");
   if (!view.cov_percent) return;  // one device is no lot
-  add("observed", {.min = *view.min / base, .max = *view.max / base}, "lowest and highest device tested");
-  add("statistical, each device", about_mean(*view.tolerance_factor * *view.cov_percent),
+  add("observed", Spread::device, {.min = *view.min / base, .max = *view.max / base},
+      "lowest and highest device tested");
+  add("statistical, each device", Spread::device, about_mean(*view.tolerance_factor * *view.cov_percent),
       fmt::format("holds 95 % of the devices with confidence 95 %, k = {:.4g}; not for the system",
                   *view.tolerance_factor));
   if (!lot_size) return;
   auto const tested = static_cast<int>(view.tested);
-  add("statistical, system", about_mean(system_half_width_percent(*view.cov_percent, *lot_size, tested)),
+  add("statistical, system", Spread::system,
+      about_mean(system_half_width_percent(*view.cov_percent, *lot_size, tested)),
       fmt::format("mean of {} devices, {} of them tested, 95 %; the lot's mean and CoV taken as known", *lot_size,
                   tested));
-  add("statistical, system predicted", about_mean(prediction_half_width_percent(*view.cov_percent, *lot_size, tested)),
+  add("statistical, system predicted", Spread::system,
+      about_mean(prediction_half_width_percent(*view.cov_percent, *lot_size, tested)),
       fmt::format("mean of {} devices predicted from {} tested, 95 %; mean and CoV estimated", *lot_size, tested));
 }
 
-// Devices too far from the mean forbid it, however few they are; to permit it takes the sample that the set asks for.
+// Two devices too far from the mean forbid the analysis; permission needs the sample that the set asks for.
 void judge_mean_analysis(RuleSet const& rules, LotView const& lot, LotQuantity& view) {
-  if (view.quantity == Quantity::K_v) return;  // the analysis is of the response to shear
+  if (view.quantity == Quantity::K_v) return;  // the analysis is about the response to shear
   if (!rules.verified() || !rules.mean_analysis || view.tested < 2) return;
   double const within = rules.mean_analysis->within_percent;
   bool const close =
@@ -237,24 +253,25 @@ LotQuantity quantity_view(RuleSet const& rules, LotView const& lot, Quantity qua
 }
 
 Assessment assess_sample(RuleSet const& rules, LotView const& lot) {
-  Assessment made;
-  made.quantity = "sample size";
-  made.formula = "devices tested";
-  made.value = static_cast<double>(lot.devices);
-  made.unit = "devices";
+  Assessment assessment;
+  assessment.quantity = "sample size";
+  assessment.subject = Subject::sample;
+  assessment.formula = "devices tested";
+  assessment.value = static_cast<double>(lot.devices);
+  assessment.unit = "devices";
   if (!rules.sample) {
-    made.reason =
+    assessment.reason =
         rules.id.empty() ? "no rule set was asked for" : fmt::format("{} has no rule for the sample", rules.id);
-    return made;
+    return assessment;
   }
-  made.clause = rules.sample->clause;
+  assessment.clause = rules.sample->clause;
   if (!lot.required) {
-    made.reason = "size of the lot not known: give it, so that the sample can be judged";
-    return made;
+    assessment.reason = "size of the lot not known: give it, so that the sample can be judged";
+    return assessment;
   }
-  made.limit = fmt::format("{} or more of {}", *lot.required, *lot.lot_size);
-  give_verdict(made, rules, lot.devices >= static_cast<std::size_t>(*lot.required), {});
-  return made;
+  assessment.limit = fmt::format("{} or more of {}", *lot.required, *lot.lot_size);
+  give_verdict(assessment, rules, lot.devices >= static_cast<std::size_t>(*lot.required), {});
+  return assessment;
 }
 
 }  // namespace

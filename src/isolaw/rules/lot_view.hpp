@@ -1,5 +1,5 @@
-// A production lot against a rule set: spread of each property over the devices, sample size, outliers, limits on the
-// lot's mean, and property modification factors with the bounds they give.
+// A production lot against a rule set: the spread of each property over the devices, sample size, outliers, limits on
+// the lot's mean, and property modification factors with the bounds that they give.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +16,8 @@ namespace isolaw::rules {
 struct DeviceValues {
   std::string name;
   BlockValues block;  // the block that counts, the same for every device
-  // Of another device here, whose record this one is: means count it as they do every device, but one test is not that
-  // of two.
+  // Name of another device here whose record this device's record copies. The device counts in means, but not as
+  // tested.
   std::string copy_of = {};
 };
 
@@ -28,20 +28,25 @@ struct Outlier {
   std::string reason;  // "K_eff 1.9 kN/mm is 58 % above the median 1.2: modified z 12.1, above 3.5"
 };
 
-// By the modified z score |x - median| / max(1.4826 MAD, 0.5 % of |median|), above 3.5 (Iglewicz, Hoaglin 1993); median
-// and median absolute deviation are not moved by the outliers themselves. The floor of 0.5 %, the error of a property
-// from one record, keeps nearly identical devices from naming one another. From five values up.
+// Values with a modified z score |x - median| / max(1.4826 MAD, 0.5 % of |median|) above 3.5 (Iglewicz, Hoaglin 1993);
+// outliers do not move the median and the median absolute deviation. The floor of 0.5 %, the error of a property from
+// one record, keeps nearly identical devices from being outliers of one another. Empty for fewer than five values.
 std::vector<Outlier> find_outliers(std::string_view quantity, std::string_view unit_text,
                                    std::span<std::string const> names, std::span<double const> values);
 inline constexpr std::size_t fewest_for_outliers = 5;
 
+// Bounds hold for any device as the contract says, for one device, or for the mean of all devices of the system.
+enum class Spread { contract, device, system };
+std::string_view name(Spread spread);  // "contract", "device", "system"
+
 // Factors on the design value (on the lot's mean where there is none), and the property they give.
 struct Bound {
-  std::string source;        // "contract band", "observed", "statistical, each device", "statistical, system", ...
+  std::string source;  // "contract band", "observed", "statistical, each device", "statistical, system", ...
+  Spread spread = Spread::device;
   FactorPair spec;           // lambda_spec of this source; min NaN where it gives no lower bound, and so all lower ones
   CombinedFactors combined;  // with the defaults of the set where it has a [[factor]] of the property
   double lower = 0.0, upper = 0.0;  // base value x combined, in the quantity's unit
-  std::string note;                 // what the source means
+  std::string note;                 // explains the source
   std::string no_lower;             // why there is no lower bound
 };
 
@@ -49,45 +54,45 @@ struct LotQuantity {
   Quantity quantity = Quantity::K_eff;
   std::string unit;
   std::size_t count = 0;             // devices with a value
-  std::size_t tested = 0;            // without copies: what the sample and bounds by statistics stand on
+  std::size_t tested = 0;            // count without copies; the sample rule and statistical bounds use it
   std::vector<std::string> without;  // devices without one
   std::optional<double> mean, min, max;
   std::string min_device, max_device;
-  std::optional<double> std, cov_percent;         // sample form; from two tested up
+  std::optional<double> std, cov_percent;         // of the sample; for two tested devices or more
   std::optional<double> nominal;                  // design value
-  std::optional<double> mean_deviation_percent;   // from the design value
-  std::optional<double> worst_deviation_percent;  // of the device that deviates most
+  std::optional<double> mean_deviation_percent;   // of the mean from the design value
+  std::optional<double> worst_deviation_percent;  // of the device that deviates most from the design value
   std::string worst_device;
   std::optional<double> fractile_5, fractile_95;        // mean +- 1.645 std
-  std::optional<double> tolerance_factor;               // exact, two-sided 95 % with confidence 95 %
+  std::optional<double> tolerance_factor;               // two-sided, exact: 95 % of devices with confidence 95 %
   std::optional<double> tolerance_low, tolerance_high;  // mean +- factor x std
   std::string no_lower;                                 // why fractile_5 or tolerance_low is not there
   std::vector<Outlier> outliers;
-  std::string outlier_note;                            // why none could be named: too few devices
-  std::string limit_individual;                        // limit on every single device, of the rule set
-  std::optional<double> lower_percent, upper_percent;  // of deviations from nominal
-  std::vector<Assessment> mean_limits;                 // limits on the lot's mean, of the rule set
+  std::string outlier_note;                            // says that there are too few devices to name outliers
+  std::string limit_individual;                        // the rule set's limit on every single device
+  std::optional<double> lower_percent, upper_percent;  // that limit as deviations from nominal
+  std::vector<Assessment> mean_limits;                 // the rule set's limits on the lot's mean
   std::optional<TestFactors> test_factors;             // extremes of lambda_test over the devices
   std::string test_min_device, test_max_device;
   std::vector<Bound> bounds;
-  // Largest deviation of a device from the lot's mean, in percent, and whether a verified set lets an analysis use mean
-  // properties as far as the variability within the supply goes; what the other effects add is not in the records.
-  std::optional<double> largest_from_mean_percent;  // from two tested up
+  // Largest deviation of a device from the lot's mean, and whether a verified set permits an analysis with mean
+  // properties as far as the variability within the supply is concerned; the records do not show the other effects.
+  std::optional<double> largest_from_mean_percent;  // for two tested devices or more
   std::optional<bool> mean_analysis_permitted;
-  std::string mean_analysis_open;  // why it cannot be said, though the deviations are small enough
+  std::string mean_analysis_open;  // why this stays open although the deviations are small enough
 };
 
 struct LotView {
   std::size_t devices = 0;  // tested, without copies
   std::optional<int> lot_size;
-  std::optional<int> required;  // by the set's sample rule, when the lot's size is known
-  Assessment sample;            // devices tested against those required
-  std::string note;             // that one device is no lot
+  std::optional<int> required;  // devices that the set's sample rule requires, where the lot's size is known
+  Assessment sample;            // tested devices against required ones
+  std::string note;             // says that one device is no lot
   std::vector<LotQuantity> quantities;
 };
 
-// `lot_size` is the number of devices installed or produced, tested ones included. Throws Error when it is smaller than
-// the number of devices.
+// `lot_size` is the number of devices installed or produced, including tested ones. Throws Error where it is smaller
+// than the number of `devices`.
 LotView lot_view(RuleSet const& rules, std::span<DeviceValues const> devices, Design const& design,
                  std::optional<int> lot_size = std::nullopt);
 

@@ -17,15 +17,13 @@
 namespace isolaw::rules {
 namespace {
 
-enum class Side { both, positive, negative };
-
 double stiffness(CycleValues const& cycle, Side side) {
   if (side == Side::positive) return cycle.F_plus_kN / cycle.d_plus_mm;
   if (side == Side::negative) return cycle.F_minus_kN / cycle.d_minus_mm;
   return cycle.K_eff_kN_per_mm;
 }
 
-// E/(2 pi F d) in percent; force and displacement of a side have one sign.
+// E/(2 pi F d) in percent. Force and displacement of a side have the same sign.
 double damping(CycleValues const& cycle, Side side) {
   if (side == Side::both) return cycle.damping_percent;
   double const work = side == Side::positive ? cycle.F_plus_kN * cycle.d_plus_mm : cycle.F_minus_kN * cycle.d_minus_mm;
@@ -73,7 +71,7 @@ std::string cycles_text(CountingCycles const& cycles) {
   return fmt::format("cycles {} to {}", cycles.first, cycles.last);
 }
 
-// The cycles that count are not all there: the reason; empty when they are.
+// Says that the cycles that count are not all there; empty where they are.
 std::string missing_cycles(CountingCycles const& counting, BlockValues const& block) {
   for (int number = counting.first; number <= counting.last; ++number)
     if (block.find(number) == nullptr)
@@ -87,17 +85,17 @@ struct Reduced {
 };
 
 Reduced reduce(RuleSet const& rules, Quantity quantity, Side side, BlockValues const& block) {
-  Reduced made;
+  Reduced reduced;
   for (int number = rules.cycles.first; number <= rules.cycles.last; ++number) {
     double const value = value_of(*block.find(number), quantity, side);
-    made.mean += value / (rules.cycles.last - rules.cycles.first + 1);
-    made.lowest = std::min(made.lowest, value);
-    made.highest = std::max(made.highest, value);
+    reduced.mean += value / (rules.cycles.last - rules.cycles.first + 1);
+    reduced.lowest = std::min(reduced.lowest, value);
+    reduced.highest = std::max(reduced.highest, value);
   }
-  return made;
+  return reduced;
 }
 
-// A value that is no positive number cannot be held to a limit: where a side was not reached, or the cut is no cycle.
+// A value that is not positive cannot be compared with a limit: one side was not reached, or the cut is no cycle.
 void set_value(DerivedValue& derived, double value) {
   if (std::isfinite(value) && value > 0.0)
     derived.value = value;
@@ -182,6 +180,10 @@ Design parse_design(std::string_view text) {
   return design;
 }
 
+std::string_view name(Side side) {
+  return side == Side::both ? "both" : side == Side::positive ? "positive" : "negative";
+}
+
 std::vector<DerivedValue> derive(RuleSet const& rules, Quantity quantity, BlockValues const& block) {
   if (quantity == Quantity::K_v)
     return {{.label = "K_v",
@@ -197,6 +199,7 @@ std::vector<DerivedValue> derive(RuleSet const& rules, Quantity quantity, BlockV
     auto const cycles = cycles_text(rules.cycles);
     auto const add = [&](std::string const& extreme, std::string const& how, double Reduced::*member) {
       values.push_back({.label = label + extreme,
+                        .side = side,
                         .formula = fmt::format("{}, {}{}", formula, how, cycles),
                         .value = {},
                         .reason = missing});

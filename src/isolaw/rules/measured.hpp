@@ -1,4 +1,4 @@
-// What rules need of a test: plain values of the counted cycles of one block, and the design values they are held to.
+// The input of rules: plain values of the counted cycles of one block, and the design values to compare them with.
 #pragma once
 
 #include <optional>
@@ -13,16 +13,16 @@ namespace isolaw::rules {
 struct CycleValues {
   int number = 0;                            // nominal cycle of its block, from 1
   double d_plus_mm = 0.0, d_minus_mm = 0.0;  // largest and smallest displacement
-  double F_plus_kN = 0.0, F_minus_kN = 0.0;  // force at these
+  double F_plus_kN = 0.0, F_minus_kN = 0.0;  // force at these displacements
   double K_eff_kN_per_mm = 0.0;              // peak to peak
-  double damping_percent = 0.0;              // with that stiffness
+  double damping_percent = 0.0;              // with the peak to peak stiffness
   double energy_kN_mm = 0.0;
   double Q_d_kN = 0.0, K_d_kN_per_mm = 0.0;
 
   double of(Quantity quantity) const;  // peak to peak; NaN for K_v
 };
 
-// The vertical stiffness of a device, from a test of its own.
+// The vertical stiffness of a device, from its compression test.
 struct VerticalValue {
   std::optional<double> K_v_kN_per_mm;
   std::string formula = "F_v/d_v";
@@ -30,43 +30,48 @@ struct VerticalValue {
 };
 
 struct BlockValues {
-  int number = 0;  // block of its record, from 1; for messages
+  int number = 0;  // number of the block in its record, from 1; for messages
   double amplitude_mm = 0.0;
   std::optional<double> frequency_Hz, shear_strain_percent, load_mean_kN;
-  std::vector<CycleValues> cycles;  // counted ones, in order
-  VerticalValue vertical = {};      // of the device, whatever the block
+  std::vector<CycleValues> cycles;  // the counted cycles, in order
+  VerticalValue vertical = {};      // of the device, the same for every block
 
   CycleValues const* find(int cycle) const;
 };
 
-// The values the devices were designed with. All are positive.
+// Design values of the devices. All are positive.
 struct Design {
   std::optional<double> K_eff_kN_per_mm, damping_percent, energy_kN_mm, Q_d_kN, K_d_kN_per_mm, K_v_kN_per_mm;
-  std::optional<double> disp_mm;       // displacement they hold at
-  std::optional<double> frequency_Hz;  // frequency they hold at
-  std::optional<double> load_kN;       // vertical load they hold under
+  std::optional<double> disp_mm;       // displacement at which they hold
+  std::optional<double> frequency_Hz;  // frequency at which they hold
+  std::optional<double> load_kN;       // vertical load under which they hold
 
   std::optional<double> of(Quantity quantity) const;
 };
 
-// "K_eff=1.2,damping=15,disp=150": K_eff, K_d and K_v in kN/mm, damping in percent, energy in kN mm, Q_d and load in
-// kN, disp in mm, frequency in Hz. Throws Error: unknown or repeated names, what is no positive number.
+// Reads "K_eff=1.2,damping=15,disp=150": K_eff, K_d and K_v in kN/mm, damping in percent, energy in kN mm, Q_d and load
+// in kN, disp in mm, frequency in Hz. Throws Error for unknown or repeated names and for values that are not positive.
 Design parse_design(std::string_view text);
+
+// The side of the loop that a value is taken from; both: peak to peak, or a value that has no sides.
+enum class Side { both, positive, negative };
+std::string_view name(Side side);  // "both", "positive", "negative"
 
 // One value that a rule set derives from the counting cycles; both sides, or both extremes, are values of their own.
 struct DerivedValue {
-  std::string label;            // "K_eff, positive side"
+  std::string label;  // "K_eff, positive side"
+  Side side = Side::both;
   std::string formula;          // "F+/d+, cycle 3"
-  std::optional<double> value;  // none where the reason says why
+  std::optional<double> value;  // nullopt for the reason below
   std::string reason;
 };
 std::vector<DerivedValue> derive(RuleSet const& rules, Quantity quantity, BlockValues const& block);
 
-// The one value of a device for statistics over a lot: the mean over the counting cycles and, per side, over both
-// sides. Not there where a counting cycle is missing.
+// The value of a device for statistics over a lot: the mean over the counting cycles and, for a per-side formula, over
+// both sides. nullopt where a counting cycle is missing or the mean is not positive.
 std::optional<double> device_value(RuleSet const& rules, Quantity quantity, BlockValues const& block);
 
-// Conditions of the shear test that differ from those the limits hold under, or are not known, one sentence each.
+// One sentence for each condition of the shear test that is unknown or differs from the set's conditions.
 std::vector<std::string> unmet_conditions(RuleSet const& rules, BlockValues const& block, Design const& design);
 
 }  // namespace isolaw::rules

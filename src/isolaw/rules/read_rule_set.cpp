@@ -1,4 +1,4 @@
-// From the text of a rule file to a RuleSet.
+// Reads the text of a rule file into a RuleSet.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -79,7 +79,7 @@ class RuleTable : public TomlTable {
         target.push_back(found);
       });
   }
-  // Two whole numbers, first and last cycle.
+  // Reads two whole numbers, the first and the last cycle. Returns whether they are there and right.
   bool cycles(std::string_view key, int& first, int& last) {
     auto const* node = find(key);
     if (node == nullptr) return false;
@@ -106,7 +106,7 @@ class RuleTable : public TomlTable {
       throw Error({.where = "", .found = in_quotes(found), .allowed = joined(choices | std::views::transform(quoted))});
     });
   }
-  // Each table of [[key]].
+  // Calls take() for each table of [[key]].
   template <class Take>
   void tables(std::string_view key, Take&& take) {
     auto const* node = find(key);
@@ -214,7 +214,7 @@ class Reader {
     table.number("load_tolerance_percent", percent, test.load_tolerance_percent);
     if (table.has("strains_percent") != table.has("strain_tolerance_percent"))
       table.complain("strains without their tolerance, or the reverse", "strains_percent and strain_tolerance_percent");
-    // The tolerance alone also holds between the test's frequency and the design's.
+    // A tolerance without frequencies is right: it also applies between the test's and the design's frequency.
     if (table.has("frequencies_Hz") && !table.has("frequency_tolerance_percent"))
       table.complain("frequencies without their tolerance", "frequencies_Hz and frequency_tolerance_percent");
   }
@@ -251,14 +251,14 @@ class Reader {
   }
 
   void limit(RuleTable& table) {
-    Limit made;
+    Limit rule;
     std::optional<double> within;
-    table.choice("quantity", quantities(), made.quantity);
-    table.choice("applies_to", {{"each", Scope::each}, {"mean", Scope::mean}}, made.scope);
+    table.choice("quantity", quantities(), rule.quantity);
+    table.choice("applies_to", {{"each", Scope::each}, {"mean", Scope::mean}}, rule.scope);
     table.number("within_percent", percent, within);
-    table.number("lower_percent", deviation, made.lower_percent);
-    table.number("upper_percent", deviation, made.upper_percent);
-    table.text("clause", made.clause, longest_note);
+    table.number("lower_percent", deviation, rule.lower_percent);
+    table.number("upper_percent", deviation, rule.upper_percent);
+    table.text("clause", rule.clause, longest_note);
     table.require("quantity", "quantity");
     table.require("applies_to", "\"each\" device or the \"mean\" of the lot");
     bool const both_ways = table.has("lower_percent") || table.has("upper_percent");
@@ -266,52 +266,52 @@ class Reader {
       table.complain(both_ways ? "within_percent beside lower_percent or upper_percent" : "a limit without a bound",
                      "within_percent = 20, or lower_percent = -25, upper_percent = 10, or one of them");
     if (within) {
-      made.lower_percent = -*within;
-      made.upper_percent = *within;
+      rule.lower_percent = -*within;
+      rule.upper_percent = *within;
     }
-    if (made.lower_percent.value_or(0.0) > 0.0 || made.upper_percent.value_or(0.0) < 0.0)
+    if (rule.lower_percent.value_or(0.0) > 0.0 || rule.upper_percent.value_or(0.0) < 0.0)
       table.complain("the design value itself is outside the limit", "lower_percent <= 0 <= upper_percent");
     for (auto const& other : set_.limits)
-      if (other.quantity == made.quantity && other.scope == made.scope)
-        table.complain(fmt::format("a second limit of {} for {}", name(made.quantity),
-                                   made.scope == Scope::each ? "each device" : "the mean"),
+      if (other.quantity == rule.quantity && other.scope == rule.scope)
+        table.complain(fmt::format("a second limit of {} for {}", name(rule.quantity),
+                                   rule.scope == Scope::each ? "each device" : "the mean"),
                        "one limit, with both ends where it has two");
-    set_.limits.push_back(std::move(made));
+    set_.limits.push_back(std::move(rule));
   }
 
   void stability(RuleTable& table) {
-    StabilityLimit made;
-    table.choice("quantity", quantities(), made.quantity);
+    StabilityLimit rule;
+    table.choice("quantity", quantities(), rule.quantity);
     table.choice("measure",
                  {{"min_over_max", Measure::min_over_max},
                   {"change_from_first", Measure::change_from_first},
                   {"loss_from_first", Measure::loss_from_first}},
-                 made.measure);
-    table.cycles("cycles", made.first, made.last);
-    bool const is_ratio = made.measure == Measure::min_over_max;
+                 rule.measure);
+    table.cycles("cycles", rule.first, rule.last);
+    bool const is_ratio = rule.measure == Measure::min_over_max;
     std::string_view const key = is_ratio ? "at_least" : "at_most_percent";
-    table.number(key, is_ratio ? ratio : percent, made.bound);
-    table.text("clause", made.clause, longest_note);
+    table.number(key, is_ratio ? ratio : percent, rule.bound);
+    table.text("clause", rule.clause, longest_note);
     for (auto const needed : {"quantity", "measure", "cycles"}) table.require(needed, "quantity, measure and cycles");
     table.require(key, "at_least for min_over_max, at_most_percent for the others");
-    if (made.quantity == Quantity::K_v) table.complain("K_v is not measured in cycles", "another quantity");
-    set_.stability.push_back(std::move(made));
+    if (rule.quantity == Quantity::K_v) table.complain("K_v is not measured in cycles", "another quantity");
+    set_.stability.push_back(std::move(rule));
   }
 
   void property_factors(RuleTable& table) {
-    PropertyFactors made;
+    PropertyFactors given;
     Range const below{factor.lower, 1.0}, above{1.0, factor.upper};
-    table.choice("quantity", quantities(), made.quantity);
-    table.number("environment_min", below, made.environment_min);
-    table.number("environment_max", above, made.environment_max);
-    table.number("spec_min", below, made.spec_min);
-    table.number("spec_max", above, made.spec_max);
+    table.choice("quantity", quantities(), given.quantity);
+    table.number("environment_min", below, given.environment_min);
+    table.number("environment_max", above, given.environment_max);
+    table.number("spec_min", below, given.spec_min);
+    table.number("spec_max", above, given.spec_max);
     table.require("quantity", "quantity");
     if (table.has("spec_min") != table.has("spec_max"))
       table.complain("half a contract band", "spec_min and spec_max, or neither");
-    if (set_.factors_of(made.quantity) != nullptr)
-      table.complain(fmt::format("a second [[factor]] of {}", name(made.quantity)), "one for each quantity");
-    set_.factors.properties.push_back(made);
+    if (set_.factors_of(given.quantity) != nullptr)
+      table.complain(fmt::format("a second [[factor]] of {}", name(given.quantity)), "one for each quantity");
+    set_.factors.properties.push_back(given);
   }
 
   std::string file_;

@@ -1,9 +1,9 @@
-// A rule set: what a standard or a contract asks of cyclic shear tests, as data read from TOML. It says how the
+// A rule set: the requirements of a standard or a contract on cyclic shear tests, as data read from TOML. It says how
 // properties are computed, at which cycles, under which conditions, within which limits, on how many devices, and with
-// which property modification factors; nothing of a standard is written into the program itself.
+// which property modification factors. The program itself contains no number of a standard.
 //
-// Whoever compared a set with the text it speaks for signs in `verified_by`. A set that nobody signed never leads to a
-// pass or a fail (assess.hpp). docs/rules.md explains the file, rules/template.toml is a commented one.
+// A person who has compared a set with the text of its standard signs in `verified_by`. A set that nobody signed never
+// leads to a pass or a fail (assess.hpp). docs/rules.md explains the file, rules/template.toml is a commented example.
 #pragma once
 
 #include <optional>
@@ -14,14 +14,14 @@
 
 namespace isolaw::rules {
 
-// Properties a limit can be about. K_v is of a test of its own.
+// Properties that a limit can be about. K_v comes from a separate compression test.
 enum class Quantity { K_eff, damping, energy, Q_d, K_d, K_v };
 std::string_view name(Quantity quantity);  // as in rule files: "K_eff"
 std::string_view unit(Quantity quantity);  // "kN/mm", "%", "kN mm", "kN"
-// Those measured in every cycle, in order of reports: all but K_v.
+// The properties measured in every cycle, in the order of reports: all but K_v.
 std::vector<Quantity> const& measured_quantities();
 
-// Which force and displacement stiffness and damping are computed from.
+// The force and displacement that stiffness and damping are computed from.
 enum class Formula {
   peak_to_peak,  // (F+ - F-)/(d+ - d-); E/(2 pi K D^2) with that K and D = (d+ - d-)/2
   per_side,      // F/d of each side by itself; E/(2 pi F d)
@@ -34,11 +34,11 @@ struct CountingCycles {
   int last = 3;
 };
 
-// Conditions under which the limits hold. What is not given is not compared. Tolerances are relative, in percent.
+// Conditions under which the limits hold. A condition that is not given is not checked. Tolerances are in percent.
 struct TestConditions {
-  std::vector<double> strains_percent;  // any of them
+  std::vector<double> strains_percent;  // any of these is right
   std::optional<double> strain_tolerance_percent;
-  std::vector<double> frequencies_Hz;  // any of them
+  std::vector<double> frequencies_Hz;  // any of these is right
   std::optional<double> frequency_tolerance_percent;
   std::optional<double> displacement_tolerance_percent;  // of the amplitude, from the design displacement
   std::optional<double> load_tolerance_percent;          // of the mean vertical load, from the design load
@@ -46,7 +46,7 @@ struct TestConditions {
 
 enum class Scope { each, mean };  // every device by itself; the mean over the devices of the lot
 
-// Deviation from the design value, both ends included; without one end the limit is one-sided.
+// A limit on the deviation from the design value. Both ends pass; a limit with one end only is one-sided.
 struct Limit {
   Quantity quantity = Quantity::K_eff;
   Scope scope = Scope::each;
@@ -60,30 +60,30 @@ enum class Measure {
   loss_from_first,    // largest 1 - value/first
 };
 
-// Stability of a property over a range of cycles of one block. Stiffness and damping are peak to peak here, whatever
-// the formula of the limits: they are compared with themselves.
+// Stability of a property over a range of cycles of one block. Stiffness and damping are always peak to peak here,
+// since they are only compared with themselves.
 struct StabilityLimit {
   Quantity quantity = Quantity::K_eff;
   Measure measure = Measure::min_over_max;
   int first = 1, last = 3;
-  double bound = 0.0;  // min_over_max: at least this ratio; otherwise at most so many percent
+  double bound = 0.0;  // the smallest ratio allowed for min_over_max, else the largest percentage
   std::string clause;
 };
 
-// Devices to be tested: the share of the lot, rounded up, no fewer than `least` and no more than there are.
+// Number of devices to test: the share of the lot, rounded up, at least `least` and at most the whole lot.
 struct SampleRule {
   double share_percent = 100.0;
   int least = 1;
   std::string clause;
 };
 
-// A property at the largest less that at the smallest vertical load, in percent of its design value.
+// Limit on a property's difference between the largest and the smallest vertical load, in percent of its design value.
 struct LoadVariation {
   double largest_percent = 0.0;
   std::string clause;
 };
 
-// Factors of one property on its design value, from a table or the contract; 1 where the set gives none.
+// Factors on the design value of one property, from a table or the contract; 1 where the set gives none.
 struct PropertyFactors {
   Quantity quantity = Quantity::K_d;
   double environment_min = 1.0, environment_max = 1.0;  // lambda_ae: ageing, temperature, contamination
@@ -92,13 +92,13 @@ struct PropertyFactors {
 
 // How the factors of a property combine (combine() in factors.hpp).
 struct FactorRule {
-  double system_factor = 1.0;  // share of (lambda_ae - 1) that is taken; f_a, psi
+  double system_factor = 1.0;  // share of (lambda_ae - 1) that counts; f_a or psi in standards
   std::optional<double> max_not_below, min_not_above;
   std::string clause;
   std::vector<PropertyFactors> properties;
 };
 
-// Extreme properties within this much of the mean permit an analysis with mean properties.
+// An analysis may use mean properties where the extremes differ from the mean by no more than this.
 struct MeanAnalysisRule {
   double within_percent = 0.0;
   std::string clause;
@@ -125,26 +125,28 @@ struct RuleSet {
 
 inline constexpr std::size_t largest_rule_file = 256 << 10;  // bytes
 
-// The text of a rule file; `file` is its name, for messages and as origin. Throws one Error with every problem and its
-// line: syntax, unknown keys, wrong types, values out of range, what is missing, limits that contradict one another.
+// Reads the text of a rule file; `file` is its name for messages and RuleSet::origin. Throws one Error with every
+// problem and its line: syntax, unknown or missing keys, wrong types, values out of range, limits that contradict one
+// another.
 RuleSet read_rule_text(std::string_view text, std::string const& file);
 
-// The sets that come with the program, in alphabetical order. The template is not one of them.
+// The sets that come with the program, in alphabetical order, without the template.
 std::span<RuleSet const> built_in_rule_sets();
 
 bool is_built_in(std::string_view name);
 
-// The TOML of a built-in set by its name, else of the file of that name, unread.
+// The text of the built-in set of this name, else of the file of this name, not yet checked. Throws Error for a file
+// that cannot be read or is empty.
 std::string load_rule_text(std::string_view name_or_file);
 
-// A built-in set by its name, else the file of that name. Throws Error as read_rule_text, and for a file that is not
-// there, with the names of the built-in sets.
+// The built-in set of this name, else the one in the file of this name. Throws Error as read_rule_text() does and, with
+// the names of the built-in sets, for a file that is not there.
 RuleSet find_rule_set(std::string_view name_or_file);
 
-// The TOML of a built-in set or of "template", comments included. Throws Error with the allowed names.
+// The text of a built-in set or of "template", with comments. Throws Error with the allowed names.
 std::string_view rule_set_text(std::string_view name);
 
-// Devices that must be tested of a lot of `lot_size`: min(N, max(least, ceil(share N))). 0 for an empty lot.
+// Number of devices to test in a lot of N = `lot_size`: min(N, max(least, ceil(share N))). 0 for an empty lot.
 int required_sample(SampleRule const& rule, int lot_size);
 
 }  // namespace isolaw::rules

@@ -1,5 +1,5 @@
-// The tests of a lot against a rule set: which block of each record counts, what the set says of every device and of
-// the lot. Without a set the statistics of the third cycles are given, and no verdict.
+// Assesses the tests of a lot against a rule set: which block of each record counts, and whether every device and the
+// lot keep the limits. Without a rule set there are statistics of the third cycles and no verdict.
 #pragma once
 
 #include <optional>
@@ -12,24 +12,24 @@
 
 namespace isolaw::study {
 
-// What a device is assessed by.
+// The test of one device, as assess_lot() takes it.
 struct AssessedTest {
   std::string device;
   data::Properties const* properties = nullptr;
   std::optional<double> rubber_thickness_mm, rubber_area_mm2;
   rules::VerticalValue vertical = {};
-  std::string copy_of = {};  // the device that this record is assessed for, where that is another
+  std::string copy_of = {};  // the other device that holds the same record and is assessed by it; else empty
 };
 
 struct DeviceAcceptance {
   std::optional<int> block;  // the block that counts; empty where the record has no cyclic properties
-  std::string choice;        // why this block
-  std::string copy_of;       // the device that this record is assessed for; empty where that is this one
+  std::string choice;        // why this block counts
+  std::string copy_of;       // as in AssessedTest
   std::vector<rules::Assessment> assessments;
 };
 
 struct LotAcceptance {
-  rules::RuleSet rules;  // id is empty when none was asked for
+  rules::RuleSet rules;  // its id is empty when no rule set was asked for
   rules::Design design;
   rules::LotView lot;
 
@@ -37,20 +37,20 @@ struct LotAcceptance {
 };
 
 bool any_failed(std::vector<rules::Assessment> const& assessments);
-// Some limit of a verified set is not kept by the lot.
+// True where the sample size or a mean over the lot does not keep a limit of a verified rule set.
 bool lot_failed(LotAcceptance const& acceptance);
 
-// The third cycle of that block that counts, or its last where there are fewer; nullptr where there is none.
+// The third counted cycle of the block, or the last where fewer count; nullptr where none counts.
 data::Cycle const* counting_cycle(data::Properties const& properties, std::optional<int> block);
 
-// Over the counted cycles; none without a load channel.
+// Mean vertical load over the counted cycles; nullopt without a load channel.
 std::optional<double> mean_load_kN(data::Block const& block);
 
-// `devices` receives one entry for each test. Throws Error: the lot is smaller than the number of devices.
+// Fills `devices` with one entry for each test. Throws Error where `lot_size` is below the number of devices.
 LotAcceptance assess_lot(rules::RuleSet const& rules, rules::Design const& design, std::optional<int> lot_size,
                          std::vector<AssessedTest> const& tests, std::vector<DeviceAcceptance>& devices);
 
-// The design values that were given, in the order of reports.
+// A design value that the user gave; design_values() lists them in the order in which reports print them.
 struct DesignValue {
   std::string name;
   double value = 0.0;
@@ -58,9 +58,9 @@ struct DesignValue {
 };
 std::vector<DesignValue> design_values(rules::Design const& design);
 
-// Whether the analysis may use mean properties, as far as the scatter of the lot goes: every quantity's answer in one.
+// Whether the scatter of the lot permits an analysis with mean properties: the answers of all quantities joined.
 struct MeanAnalysis {
-  std::optional<bool> permitted;  // empty: no verified set says
+  std::optional<bool> permitted;  // empty: no verified rule set says, or a quantity is not judged
   std::string sentence;
 };
 MeanAnalysis mean_analysis(rules::LotView const& lot);

@@ -1,6 +1,5 @@
-// What a rule set says of a device and of the lot as results: inspection.json, the data of the page and
-// tables/tests.csv, lot.csv and lambda.csv are written from these rows; docs/inspection-json.md is checked against
-// them.
+// The assessments of the devices and the lot as results: inspection.json, the data of the page and tables/tests.csv,
+// lot.csv and lambda.csv are written from these rows. docs/inspection-json.md is checked against them.
 #pragma once
 
 #include "isolaw/study/acceptance.hpp"
@@ -9,91 +8,96 @@
 
 namespace isolaw::study {
 
-// An assessment and the block that it is of.
+// An assessment and the block of the record that it judges.
 struct AssessmentOf {
   rules::Assessment const& assessment;
   std::optional<int> block;
 };
 
 template <auto member>
-Value of_assessment(AssessmentOf const& of) {
-  return get<member>(of.assessment);
+Value of_assessment(AssessmentOf const& row) {
+  return get<member>(row.assessment);
 }
 
 inline constexpr Result<AssessmentOf> assessment_results[]{
     {"quantity", "", "quantity", "what was assessed: `\"K_eff, positive side\"`",
      of_assessment<&rules::Assessment::quantity>},
+    {"property", "", "", "whose value it is", of_assessment<&rules::Assessment::property>},
+    {"subject", "", "",
+     "what is held to the limit: the property of one `\"device\"`, its change over `\"cycles\"` or vertical `\"loads\"`, its mean over the `\"lot\"`, or the size of the `\"sample\"`",
+     of_assessment<&rules::Assessment::subject>},
+    {"side", "", "", "`\"both\"`, `\"positive\"` or `\"negative\"`", of_assessment<&rules::Assessment::side>},
     {"block", "", "block", "the block of the record", get<&AssessmentOf::block>},
-    {"clause", "", "clause", "of the rule set's text", of_assessment<&rules::Assessment::clause>},
-    {"formula", "", "formula", "with the cycles it takes: `\"F+/d+, cycle 3\"`",
+    {"clause", "", "clause", "clause of the rule set's text", of_assessment<&rules::Assessment::clause>},
+    {"formula", "", "formula", "formula and the cycles it takes: `\"F+/d+, cycle 3\"`",
      of_assessment<&rules::Assessment::formula>},
-    {"value", own_unit, "value", "measured", of_assessment<&rules::Assessment::value>},
-    {"unit", "", "unit", "of `value` and `nominal`", of_assessment<&rules::Assessment::unit>},
+    {"value", own_unit, "value", "measured value", of_assessment<&rules::Assessment::value>},
+    {"unit", "", "unit", "unit of `value` and `nominal`", of_assessment<&rules::Assessment::unit>},
     {"nominal", own_unit, "design value", "design value", of_assessment<&rules::Assessment::nominal>},
-    {"deviation_percent", "%", "deviation", "of `value` from `nominal`",
+    {"deviation_percent", "%", "deviation", "deviation of `value` from `nominal`",
      of_assessment<&rules::Assessment::deviation_percent>},
     {"deviation", "", "",
-     "the same as reports print it, with as many decimals as show on which side of the limit it lies",
+     "the same as reports print it, with enough decimals to show on which side of the limit it lies",
      of_assessment<&rules::Assessment::deviation>},
-    {"limit", "", "limit", "empty where there is none", of_assessment<&rules::Assessment::limit>},
-    {"lower_percent", "%", "", "the least that it allows `deviation_percent` to be",
+    {"limit", "", "limit", "limit in words; empty where there is none", of_assessment<&rules::Assessment::limit>},
+    {"lower_percent", "%", "", "the least `deviation_percent` within the limit",
      of_assessment<&rules::Assessment::lower_percent>},
-    {"upper_percent", "%", "", "the largest", of_assessment<&rules::Assessment::upper_percent>},
-    {"verdict", "", "verdict", "pass and fail only of a verified rule set: [rules.md](rules.md)",
+    {"upper_percent", "%", "", "the largest within it", of_assessment<&rules::Assessment::upper_percent>},
+    {"verdict", "", "verdict", "only a verified rule set gives pass or fail: [rules.md](rules.md)",
      of_assessment<&rules::Assessment::verdict>},
     {"reason", "", "reason", "why there is no pass or fail; empty otherwise",
      of_assessment<&rules::Assessment::reason>},
 };
 
 inline constexpr Result<rules::LotQuantity> quantity_results[]{
-    {"quantity", "", "quantity", "a property of the devices", get<&rules::LotQuantity::quantity>},
-    {"unit", "", "unit", "of its values", get<&rules::LotQuantity::unit>},
-    {"n", "", "with a value", "devices with a value", get<&rules::LotQuantity::count>},
-    {"without", "", "", "devices without", get<&rules::LotQuantity::without>},
-    {"mean", own_unit, "mean", "over these devices", get<&rules::LotQuantity::mean>},
+    {"quantity", "", "quantity", "property of the devices", get<&rules::LotQuantity::quantity>},
+    {"unit", "", "unit", "unit of its values", get<&rules::LotQuantity::unit>},
+    {"n", "", "with a value", "number of devices with a value", get<&rules::LotQuantity::count>},
+    {"without", "", "", "devices without a value", get<&rules::LotQuantity::without>},
+    {"mean", own_unit, "mean", "mean over the devices with a value", get<&rules::LotQuantity::mean>},
     {"sd", own_unit, "std", "standard deviation, sample form (n - 1)", get<&rules::LotQuantity::std>},
-    {"cov_percent", "%", "CoV", "the same, relative to the mean", get<&rules::LotQuantity::cov_percent>},
-    {"min", own_unit, "min", "the smallest", get<&rules::LotQuantity::min>},
-    {"min_device", "", "min device", "whose it is; empty where there is none", get<&rules::LotQuantity::min_device>},
-    {"max", own_unit, "max", "the largest", get<&rules::LotQuantity::max>},
-    {"max_device", "", "max device", "whose it is; empty where there is none", get<&rules::LotQuantity::max_device>},
+    {"cov_percent", "%", "CoV", "the same relative to the mean", get<&rules::LotQuantity::cov_percent>},
+    {"min", own_unit, "min", "smallest value", get<&rules::LotQuantity::min>},
+    {"min_device", "", "min device", "its device; empty where there is none", get<&rules::LotQuantity::min_device>},
+    {"max", own_unit, "max", "largest value", get<&rules::LotQuantity::max>},
+    {"max_device", "", "max device", "its device; empty where there is none", get<&rules::LotQuantity::max_device>},
     {"nominal", own_unit, "design value", "design value", get<&rules::LotQuantity::nominal>},
-    {"deviation_of_mean_percent", "%", "deviation of the mean", "from the design value",
+    {"deviation_of_mean_percent", "%", "deviation of the mean", "deviation of the mean from the design value",
      get<&rules::LotQuantity::mean_deviation_percent>},
-    {"worst_deviation_percent", "%", "worst deviation", "of the device farthest from the design value",
+    {"worst_deviation_percent", "%", "worst deviation", "deviation of the device farthest from the design value",
      get<&rules::LotQuantity::worst_deviation_percent>},
-    {"worst_device", "", "worst device", "which one that is; empty where there is none",
+    {"worst_device", "", "worst device", "that device; empty where there is none",
      get<&rules::LotQuantity::worst_device>},
-    {"fractile_5", own_unit, "5 % fractile", "mean less 1.645 standard deviations",
+    {"fractile_5", own_unit, "5 % fractile", "mean minus 1.645 standard deviations",
      get<&rules::LotQuantity::fractile_5>},
-    {"fractile_95", own_unit, "95 % fractile", "mean and 1.645 standard deviations",
+    {"fractile_95", own_unit, "95 % fractile", "mean plus 1.645 standard deviations",
      get<&rules::LotQuantity::fractile_95>},
     {"tolerance_k", "", "tolerance factor k 95/95",
-     "of the interval of 95 % of the devices with confidence 95 %: mean less and plus so many standard deviations",
+     "k: mean ± k standard deviations holds 95 % of the devices, with confidence 95 %",
      get<&rules::LotQuantity::tolerance_factor>},
-    {"tolerance_lower", own_unit, "tolerance low", "where it begins", get<&rules::LotQuantity::tolerance_low>},
-    {"tolerance_upper", own_unit, "tolerance high", "where it ends", get<&rules::LotQuantity::tolerance_high>},
+    {"tolerance_lower", own_unit, "tolerance low", "mean minus k sd", get<&rules::LotQuantity::tolerance_low>},
+    {"tolerance_upper", own_unit, "tolerance high", "mean plus k sd", get<&rules::LotQuantity::tolerance_high>},
     {"no_lower_bound", "", "no lower bound",
-     "why `fractile_5` or `tolerance_lower` is not there, which would not be above zero; empty otherwise",
+     "why `fractile_5` or `tolerance_lower` is missing (it would not be above zero); empty otherwise",
      get<&rules::LotQuantity::no_lower>},
     {"lambda_test", "", "",
-     "`min`, `max`: extremes over the devices; `min_cycle`, `min_device`, `max_cycle`, `max_device`: where they were measured",
+     "`min`, `max`: extremes over the devices; `min_cycle`, `min_device`, `max_cycle`, `max_device`: where each was measured",
      nested<rules::LotQuantity>},
     {"limit_individual", "", "limit of a device", "the set's limit for every single device; empty where there is none",
      get<&rules::LotQuantity::limit_individual>},
-    {"lower_percent", "%", "", "the least deviation from `nominal` that it allows",
+    {"lower_percent", "%", "", "least deviation from `nominal` that the limit allows",
      get<&rules::LotQuantity::lower_percent>},
-    {"upper_percent", "%", "", "the largest", get<&rules::LotQuantity::upper_percent>},
+    {"upper_percent", "%", "", "largest deviation that it allows", get<&rules::LotQuantity::upper_percent>},
     {"mean_limits", "", "", "assessments of the lot's mean", nested<rules::LotQuantity>},
     {"outlier_note", "", "", "why no outliers are named; empty otherwise", get<&rules::LotQuantity::outlier_note>},
 };
 
 template <auto member>
-Value of_test(rules::LotQuantity const& of) {
-  return of.test_factors ? get<member>(*of.test_factors) : Value();
+Value of_test(rules::LotQuantity const& quantity) {
+  return quantity.test_factors ? get<member>(*quantity.test_factors) : Value();
 }
 
-// Extremes of lambda_test: members of `lambda_test` above.
+// The members of `lambda_test` above.
 inline constexpr Result<rules::LotQuantity> test_factor_results[]{
     {"min", "", "lambda_test min", "the smallest", of_test<&rules::TestFactors::min>},
     {"min_cycle", "", "min cycle", "where it was measured", of_test<&rules::TestFactors::min_cycle>},
@@ -103,17 +107,16 @@ inline constexpr Result<rules::LotQuantity> test_factor_results[]{
     {"max_device", "", "", "on which device", get<&rules::LotQuantity::test_max_device>},
 };
 
-// The verdict of the whole.
 inline constexpr Result<OverallVerdict> verdict_results[]{
     {"word", "", "verdict", "`\"PASS\"`, `\"FAIL\"` or `\"INCOMPLETE\"`", word<&OverallVerdict::word>},
-    {"sentence", "", "", "what it stands on, or why there is none", get<&OverallVerdict::sentence>},
-    {"failing", "", "", "`device` (null: the lot itself) and `remark`, what of it fails", nested<OverallVerdict>},
-    {"not_assessed", "", "", "`device` without a verdict and `remark`, why", nested<OverallVerdict>},
+    {"sentence", "", "", "the reasons of the verdict, or why there is none", get<&OverallVerdict::sentence>},
+    {"failing", "", "", "`device` (null: the lot itself) and `remark`, which says what fails", nested<OverallVerdict>},
+    {"not_assessed", "", "", "`device` without a verdict and `remark`, which says why", nested<OverallVerdict>},
     {"requirements", "", "",
-     "what the set asks for, each once: `name` and `verdict`, a pass where every device and side passes",
+     "each requirement of the set once: `name` and `verdict`, a pass where every device and side passes",
      nested<OverallVerdict>},
-    {"mark", "", "", "what stands across a certificate that is not to be signed", word<&OverallVerdict::mark>},
-    {"mark_is_red", "", "", "for what fails or is incomplete; else it is grey", get<&OverallVerdict::is_red>},
+    {"mark", "", "", "words across a certificate that must not be signed", word<&OverallVerdict::mark>},
+    {"mark_is_red", "", "", "red where tests fail or are incomplete, else grey", get<&OverallVerdict::is_red>},
 };
 inline constexpr Result<DeviceRemark> remark_results[]{
     {"device", "", "", "", word<&DeviceRemark::device>},
@@ -124,52 +127,55 @@ inline constexpr Result<Requirement> requirement_results[]{
     {"verdict", "", "", "", get<&Requirement::verdict>},
 };
 
-// A device that stands apart, and the quantity by which it does.
+// An outlying device and the quantity that sets it apart.
 struct OutlierOf {
   rules::LotQuantity const& quantity;
   rules::Outlier const& outlier;
 };
 
 inline constexpr Result<OutlierOf> lot_outlier_results[]{
-    {"device", "", "device", "its name", [](OutlierOf const& of) { return value_of(of.outlier.device); }},
-    {"quantity", "", "quantity", "by which it stands apart",
-     [](OutlierOf const& of) { return value_of(of.quantity.quantity); }},
-    {"value", own_unit, "value", "of the device", [](OutlierOf const& of) { return value_of(of.outlier.value); }},
-    {"unit", "", "unit", "of `value`", [](OutlierOf const& of) { return value_of(of.quantity.unit); }},
-    {"why", "", "why", "in words", [](OutlierOf const& of) { return value_of(of.outlier.reason); }},
+    {"device", "", "device", "name of the device", [](OutlierOf const& row) { return value_of(row.outlier.device); }},
+    {"quantity", "", "quantity", "property by which it stands apart",
+     [](OutlierOf const& row) { return value_of(row.quantity.quantity); }},
+    {"value", own_unit, "value", "its value", [](OutlierOf const& row) { return value_of(row.outlier.value); }},
+    {"unit", "", "unit", "unit of `value`", [](OutlierOf const& row) { return value_of(row.quantity.unit); }},
+    {"why", "", "why", "the reason in words", [](OutlierOf const& row) { return value_of(row.outlier.reason); }},
 };
 
-// Factors of one source and the quantity that they are of.
+// The factors lambda from one source, and the quantity that they multiply.
 struct FactorOf {
   rules::LotQuantity const& quantity;
   rules::Bound const& bound;
 };
 
 template <auto... members>
-Value of_bound(FactorOf const& of) {
-  return get<members...>(of.bound);
+Value of_bound(FactorOf const& row) {
+  return get<members...>(row.bound);
 }
 template <auto member>
-Value of_quantity(FactorOf const& of) {
-  return get<member>(of.quantity);
+Value of_quantity(FactorOf const& row) {
+  return get<member>(row.quantity);
 }
 
 inline constexpr Result<FactorOf> factor_results[]{
-    {"property", "", "property", "of the device", of_quantity<&rules::LotQuantity::quantity>},
+    {"property", "", "property", "property of the devices", of_quantity<&rules::LotQuantity::quantity>},
     {"source", "", "source",
      "`\"contract band\"`, `\"observed\"`, `\"statistical, each device\"`, `\"statistical, system\"`, `\"statistical, system predicted\"`",
      of_bound<&rules::Bound::source>},
+    {"spread", "", "",
+     "what the bounds hold for: one `\"device\"`, the mean of the `\"system\"`, or what the `\"contract\"` says",
+     of_bound<&rules::Bound::spread>},
     {"spec_min", "", "lambda_spec min", "lambda_spec, of the supply alone",
      of_bound<&rules::Bound::spec, &rules::FactorPair::min>},
-    {"spec_max", "", "lambda_spec max", "the same", of_bound<&rules::Bound::spec, &rules::FactorPair::max>},
-    {"lambda_min", "", "lambda min", "with test history and environment",
+    {"spec_max", "", "lambda_spec max", "its largest value", of_bound<&rules::Bound::spec, &rules::FactorPair::max>},
+    {"lambda_min", "", "lambda min", "lambda with test history and environment",
      of_bound<&rules::Bound::combined, &rules::CombinedFactors::min>},
-    {"lambda_max", "", "lambda max", "the same", of_bound<&rules::Bound::combined, &rules::CombinedFactors::max>},
+    {"lambda_max", "", "lambda max", "the largest", of_bound<&rules::Bound::combined, &rules::CombinedFactors::max>},
     {"lower", own_unit, "lower bound", "`lambda_min` times the design value, or the lot's mean",
      of_bound<&rules::Bound::lower>},
-    {"upper", own_unit, "upper bound", "the same of `lambda_max`", of_bound<&rules::Bound::upper>},
-    {"unit", "", "unit", "of `lower` and `upper`", of_quantity<&rules::LotQuantity::unit>},
-    {"note", "", "note", "what the source holds for", of_bound<&rules::Bound::note>},
+    {"upper", own_unit, "upper bound", "the same with `lambda_max`", of_bound<&rules::Bound::upper>},
+    {"unit", "", "unit", "unit of `lower` and `upper`", of_quantity<&rules::LotQuantity::unit>},
+    {"note", "", "note", "what these factors hold for", of_bound<&rules::Bound::note>},
     {"no_lower_bound", "", "no lower bound", "why there is no lower bound; empty otherwise",
      of_bound<&rules::Bound::no_lower>},
 };

@@ -1,30 +1,33 @@
-// Whether a law describes the tested devices at all, and whether its parameters agree between them by themselves: what
-// a law must be before it is compared with others. docs/decision.md has the reasons.
+// Two questions before a law is compared with others: does it describe the tested devices at all, and do its parameters
+// agree between the devices without the help of the search box? docs/decision.md has the reasons.
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
+#include "isolaw/base/finding.hpp"
 #include "isolaw/study/summary.hpp"
 
 namespace isolaw::study {
 
-// Means over the devices: of the objective, and of the magnitudes of the errors on the compared cycle.
+// A law is adequate up to these means over the devices: of the objective, and of the errors on the compared cycle.
 inline constexpr double adequate_objective = 0.3;
 inline constexpr double adequate_K_eff_percent = 15.0, adequate_energy_percent = 30.0;
 
-// "misses the measured force by 7.9 % of its standard deviation on average", of a law that was identified.
-std::string miss_text(LawResult const& law);
+// The errors by which the law exceeds these limits (FindingKind::law_inadequate); nullopt for an adequate law and for
+// one that was not identified.
+std::optional<Finding> inadequacy(LawResult const& law);
+inline bool is_adequate(LawResult const& law) {
+  return !inadequacy(law);
+}
 
-// Why the law does not describe the devices, as the end of a sentence about it; empty where it does.
-std::string inadequacy(LawResult const& law);
-
-// Parameters that lie at a bound on half of the devices or more agree because the box does. One device agrees with
-// itself whatever the box is: it has none.
+// Counts the calibrated parameters that lie at a bound on half of the devices or more: these agree because the search
+// box makes them agree. With one device both counts are 0, since it agrees with itself whatever the box is.
 struct Pinned {
   std::size_t count = 0, calibrated = 0;
-  bool decides() const { return 3 * count >= calibrated && count > 0; }  // a third of them: the law is not robust
-  std::string text() const;  // "2 of its 5 parameters lie at a bound on half of the devices or more"
+  bool decides() const { return 3 * count >= calibrated && count > 0; }  // from a third on, the law is not robust
+  Finding finding(std::string const& law) const;                         // FindingKind::held_by_box
 };
 Pinned pinned(LawResult const& law);
 

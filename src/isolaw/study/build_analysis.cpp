@@ -23,7 +23,7 @@ namespace {
 
 constexpr double no_value = std::numeric_limits<double>::infinity();
 
-// The least objective of a search's runs and of its analysis.
+// The least objective that the runs of a search and its analysis found.
 double least_objective(campaign::Contents const& contents, campaign::Search const& search) {
   double least = no_value;
   if (auto const* best = contents.best_run(search.device, search.law)) least = best->objective;
@@ -32,7 +32,7 @@ double least_objective(campaign::Contents const& contents, campaign::Search cons
   return least;
 }
 
-void add_success(DeviceFit& made, campaign::Contents const& contents, campaign::Search const& search) {
+void add_success(DeviceFit& fit, campaign::Contents const& contents, campaign::Search const& search) {
   double const least = least_objective(contents, search);
   int usable = 0, found = 0;
   for (auto const& run : contents.runs) {
@@ -40,14 +40,14 @@ void add_success(DeviceFit& made, campaign::Contents const& contents, campaign::
     ++usable;
     found += run.objective <= least * (1.0 + found_within) + 1e-9 ? 1 : 0;
   }
-  // One run that is compared with itself alone has found nothing.
+  // A single run, compared with itself alone, would always count as found.
   if (usable < 2) return;
-  made.success_share = static_cast<double>(found) / usable;
-  made.success_reference = "best of this campaign";
+  fit.success_share = static_cast<double>(found) / usable;
+  fit.success_reference = "best of this campaign";
 }
 
-void add_blocks(DeviceFit& made, data::FitRecord const& record) {
-  if (record.block.empty() || made.force_kN.empty()) return;
+void add_blocks(DeviceFit& fit, data::FitRecord const& record) {
+  if (record.block.empty() || fit.force_kN.empty()) return;
   std::map<int, std::vector<double>> members;
   std::map<int, bool> fitted;
   for (std::size_t i = 0; i < record.size(); ++i) {
@@ -58,16 +58,16 @@ void add_blocks(DeviceFit& made, data::FitRecord const& record) {
     fitted[block] = fitted[block] || record.is_scored(i);
   }
   for (auto& [block, mask] : members) {
-    // Of a fitted block only what the law was judged by.
+    // In a fitted block only the scored samples count.
     if (fitted[block])
       for (std::size_t i = 0; i < mask.size(); ++i) mask[i] *= record.is_scored(i) ? 1.0 : 0.0;
-    double const objective = fit::objective_on(record, made.force_kN, std::move(mask));
-    if (!std::isnan(objective)) made.blocks.push_back({block, fitted[block], objective});
+    double const objective = fit::objective_on(record, fit.force_kN, std::move(mask));
+    if (!std::isnan(objective)) fit.blocks.push_back({block, fitted[block], objective});
   }
 }
 
-// Values of the free parameters over the devices that were examined, as [parameter][device], in the reduced form where
-// the redundant parameter was free; without those that most tests leave undetermined or whose box decides.
+// The free parameters' values as [parameter][device] over the examined devices, in the reduced form where the redundant
+// parameter was free. Parameters that most tests leave undetermined or at a bound are in `left_out` instead.
 struct Examined {
   std::vector<std::string> names, left_out;
   std::vector<std::vector<double>> values;
@@ -75,34 +75,35 @@ struct Examined {
 };
 
 Examined examined(std::vector<DeviceFit const*> const& fits, laws::LawEntry const& entry) {
-  Examined made;
+  Examined result;
   auto const& parameters = fits.front()->parameters;
   auto const is_redundant = [&](auto const& p) { return !entry.redundant.empty() && p.name == entry.redundant; };
-  made.reduced = std::ranges::any_of(parameters, [&](auto const& p) { return p.free && is_redundant(p); });
+  result.reduced = std::ranges::any_of(parameters, [&](auto const& p) { return p.free && is_redundant(p); });
   std::vector<std::vector<double>> all;
   for (auto const* fit : fits) {
     auto& values = all.emplace_back();
     for (auto const& p : fit->parameters) values.push_back(p.analysis ? p.analysis->optimum : *p.value.best);
-    if (made.reduced) entry.reduce(values);
+    if (result.reduced) entry.reduce(values);
   }
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     auto const& p = parameters[i];
-    if (!p.free || (made.reduced && is_redundant(p))) continue;
+    if (!p.free || (result.reduced && is_redundant(p))) continue;
     bool const in_reduction =
-        made.reduced && std::ranges::find(entry.redundant_with, p.name) != entry.redundant_with.end();
+        result.reduced && std::ranges::find(entry.redundant_with, p.name) != entry.redundant_with.end();
     auto const blind = std::ranges::count_if(fits, [&](DeviceFit const* fit) {
       auto const& a = fit->parameters[i].analysis;
-      return a && (a->identifiability == "at its bound" || (a->identifiability == "undetermined" && !in_reduction));
+      return a && (a->identifiability == analysis::Verdict::at_bound ||
+                   (a->identifiability == analysis::Verdict::undetermined && !in_reduction));
     });
     if (2 * blind > std::ssize(fits)) {
-      made.left_out.push_back(p.name);
+      result.left_out.push_back(p.name);
       continue;
     }
-    made.names.push_back(p.name);
-    auto& values = made.values.emplace_back();
-    for (auto const& of_device : all) values.push_back(of_device[i]);
+    result.names.push_back(p.name);
+    auto& values = result.values.emplace_back();
+    for (auto const& on_device : all) values.push_back(on_device[i]);
   }
-  return made;
+  return result;
 }
 
 void add_converged_beta(LawResult& law, laws::LawEntry const& entry) {
@@ -136,25 +137,26 @@ std::vector<fit::SearchParameter> parameters_of_search(campaign::Contents const&
   return {};
 }
 
-// How uncertain the estimates of one device are, [parameter][parameter] over the free ones: by linearisation; where the
-// test does not determine a parameter that lies at its bound, no value in the box scatters more; never less than
-// rounding.
+// Covariance of one device's estimates by linearisation, [parameter][parameter] over the free ones. A parameter at its
+// bound that the test does not determine gets the largest variance that a box permits, a quarter of its squared width.
+// Rounding is added to every variance.
 lot::SquareMatrix uncertainty(DeviceFit const& fit, campaign::DeviceAnalysis const& analysis) {
   constexpr double rounding = 1e-6;
   auto const& intervals = analysis.intervals;
   auto const n = intervals.parameters.size();
-  lot::SquareMatrix made(n, std::vector<double>(n, 0.0));
+  lot::SquareMatrix covariance(n, std::vector<double>(n, 0.0));
   for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j) made[i][j] = intervals.covariance[i * n + j];
+    for (std::size_t j = 0; j < n; ++j) covariance[i][j] = intervals.covariance[i * n + j];
     auto const& p = fit.parameters[intervals.parameters[i].parameter];
     double const width = p.upper - p.lower;
-    if (made[i][i] == 0.0 && p.analysis->identifiability == "undetermined") made[i][i] = width * width / 4.0;
-    made[i][i] += std::pow(rounding * std::max(std::abs(p.analysis->optimum), 1e-3 * width), 2);
+    if (covariance[i][i] == 0.0 && p.analysis->identifiability == analysis::Verdict::undetermined)
+      covariance[i][i] = width * width / 4.0;
+    covariance[i][i] += std::pow(rounding * std::max(std::abs(p.analysis->optimum), 1e-3 * width), 2);
   }
-  return made;
+  return covariance;
 }
 
-// The estimate in the form without the redundant parameter, and what the free ones' covariance becomes, to first order.
+// Converts an estimate to the form without the redundant parameter, and its covariance to first order.
 lot::DeviceEstimate reduced(laws::LawEntry const& entry, std::vector<double> const& values,
                             std::vector<std::size_t> const& free, lot::SquareMatrix const& covariance,
                             std::vector<std::size_t> const& kept) {
@@ -173,25 +175,25 @@ lot::DeviceEstimate reduced(laws::LawEntry const& entry, std::vector<double> con
     auto& row = slopes.emplace_back();
     for (auto const i : kept) row.push_back((there[i] - here[i]) / size);
   }
-  lot::DeviceEstimate made;
-  for (auto const i : kept) made.values.push_back(here[i]);
-  made.covariance.assign(kept.size(), std::vector<double>(kept.size(), 0.0));
+  lot::DeviceEstimate estimate;
+  for (auto const i : kept) estimate.values.push_back(here[i]);
+  estimate.covariance.assign(kept.size(), std::vector<double>(kept.size(), 0.0));
   for (std::size_t a = 0; a < free.size(); ++a)
     for (std::size_t b = 0; b < free.size(); ++b)
       for (std::size_t i = 0; i < kept.size(); ++i)
         for (std::size_t j = 0; j < kept.size(); ++j)
-          made.covariance[i][j] += slopes[a][i] * covariance[a][b] * slopes[b][j];
-  return made;
+          estimate.covariance[i][j] += slopes[a][i] * covariance[a][b] * slopes[b][j];
+  return estimate;
 }
 
-// Of `names`, those that the test of no device determines; their places.
+// Places in `names` of the parameters that no device's test determines.
 std::vector<std::size_t> undetermined_everywhere(LawResult const& law, std::vector<std::string> const& names) {
   std::vector<std::size_t> found;
   for (std::size_t n = 0; n < names.size(); ++n)
     if (std::ranges::all_of(law.devices, [&](DeviceFit const& fit) {
           auto const p = std::ranges::find(fit.parameters, names[n], &ParameterFit::name);
-          bool const examined = p != fit.parameters.end() && p->analysis;  // not where the law was refused
-          return !examined || p->analysis->identifiability == "undetermined";
+          bool const examined = p != fit.parameters.end() && p->analysis;  // false where the law was refused
+          return !examined || p->analysis->identifiability == analysis::Verdict::undetermined;
         }))
       found.push_back(n);
   return found;
@@ -258,13 +260,13 @@ void add_prediction(LawResult& law) {
 
 void add_outliers(Summary& summary) {
   std::vector<std::string> names, units, laws;
-  std::vector<std::vector<double>> values;  // [property][device]; NaN: it has none
-  auto const add = [&](std::string name, std::string unit, std::string law, auto const& of) {
+  std::vector<std::vector<double>> values;  // [property][device]; NaN where the device has none
+  auto const add = [&](std::string name, std::string unit, std::string law, auto const& value_on) {
     names.push_back(std::move(name));
     units.push_back(std::move(unit));
     laws.push_back(std::move(law));
     auto& row = values.emplace_back();
-    for (auto const& device : summary.devices) row.push_back(of(device).value_or(std::nan("")));
+    for (auto const& device : summary.devices) row.push_back(value_on(device).value_or(std::nan("")));
   };
   auto const reported = [](double data::Cycle::*member) {
     return [member](DeviceResult const& device) {
@@ -288,7 +290,7 @@ void add_outliers(Summary& summary) {
   }
   for (auto const& found : lot::find_outliers(names, values)) {
     auto const& unit = units[found.property];
-    // A misfit below the others' is no fault of a device.
+    // A device is not suspect where laws fit it better than the others.
     if (unit.empty() && found.score < 0.0) continue;
     summary.outliers.push_back({.device = summary.devices[found.device].name,
                                 .property = names[found.property],
@@ -303,55 +305,57 @@ void add_outliers(Summary& summary) {
 
 }  // namespace
 
-std::string collapse(double fitted_objective, double predicted_objective, double worst_predicted) {
-  if (!(worst_predicted <= collapsed_objective))
-    return "one of them is missed by more than its force's standard deviation, as by a constant force";
-  if (predicted_objective < collapsed_least || predicted_objective <= collapsed_ratio * fitted_objective) return {};
-  return fitted_objective > 0.0 ? fmt::format("they are missed {} times as far as those it was fitted to",
-                                              with_decimals(predicted_objective / fitted_objective, 0))
-                                : std::string("they are missed, and those it was fitted to are not");
+std::string_view name(Collapse collapse) {
+  constexpr std::string_view names[]{"no", "constant", "far"};
+  return names[static_cast<std::size_t>(collapse)];
+}
+
+Collapse collapse(double fitted_objective, double predicted_objective, double worst_predicted) {
+  if (!(worst_predicted <= collapsed_objective)) return Collapse::constant;
+  bool const near = predicted_objective < collapsed_least || predicted_objective <= collapsed_ratio * fitted_objective;
+  return near ? Collapse::no : Collapse::far;
 }
 
 PredictionGrade graded(double fitted_objective, double predicted_objective, double worst_predicted) {
-  bool const collapses = !collapse(fitted_objective, predicted_objective, worst_predicted).empty();
+  bool const collapses = collapse(fitted_objective, predicted_objective, worst_predicted) != Collapse::no;
   if (collapses || !(predicted_objective <= poor_prediction)) return PredictionGrade::unusable;
   if (predicted_objective > fair_prediction) return PredictionGrade::poor;
   return predicted_objective > good_prediction ? PredictionGrade::fair : PredictionGrade::good;
 }
 
-void add_analysis(DeviceFit& made, campaign::Contents const& contents, campaign::Search const& search) {
-  add_success(made, contents, search);
-  add_blocks(made, contents.devices[search.device].record);
+void add_analysis(DeviceFit& fit, campaign::Contents const& contents, campaign::Search const& search) {
+  add_success(fit, contents, search);
+  add_blocks(fit, contents.devices[search.device].record);
   auto const* found = contents.analysis_of(search.device, search.law);
   if (found == nullptr) return;
   auto const& determination = found->determination;
   auto const& intervals = found->intervals;
-  made.optimum = determination.objective;
-  made.rise = determination.rise;
+  fit.optimum = determination.objective;
+  fit.rise = determination.rise;
   if (found->springs) {
-    made.springs_objective = found->springs->fitted;
-    made.springs_given_objective = found->springs->given;
+    fit.springs_objective = found->springs->fitted;
+    fit.springs_given_objective = found->springs->given;
   }
-  for (auto const& trade_off : determination.trade_offs) made.trade_offs.push_back(trade_off.sentence);
-  made.interval_level = intervals.level;
-  made.interval_samples = intervals.samples;
-  made.interval_block = intervals.block;
-  made.interval_replicates = intervals.replicates;
+  for (auto const& trade_off : determination.trade_offs) fit.trade_offs.push_back(trade_off.sentence);
+  fit.interval_level = intervals.level;
+  fit.interval_samples = intervals.samples;
+  fit.interval_block = intervals.block;
+  fit.interval_replicates = intervals.replicates;
   for (std::size_t i = 0; i < determination.parameters.size(); ++i) {
     auto const& p = determination.parameters[i];
     auto const& interval = intervals.parameters[i];
-    made.parameters[p.parameter].analysis = ParameterAnalysis{.optimum = determination.optimum[p.parameter],
-                                                              .identifiability = std::string(analysis::name(p.verdict)),
-                                                              .open_lower = p.lower,
-                                                              .open_upper = p.upper,
-                                                              .open_below = p.open_below,
-                                                              .open_above = p.open_above,
-                                                              .linear_lower = interval.linear_lower,
-                                                              .linear_upper = interval.linear_upper,
-                                                              .bootstrap_lower = interval.bootstrap_lower,
-                                                              .bootstrap_upper = interval.bootstrap_upper,
-                                                              .profile_value = p.profile.value,
-                                                              .profile_objective = p.profile.objective};
+    fit.parameters[p.parameter].analysis = ParameterAnalysis{.optimum = determination.optimum[p.parameter],
+                                                             .identifiability = p.verdict,
+                                                             .open_lower = p.lower,
+                                                             .open_upper = p.upper,
+                                                             .open_below = p.open_below,
+                                                             .open_above = p.open_above,
+                                                             .linear_lower = interval.linear_lower,
+                                                             .linear_upper = interval.linear_upper,
+                                                             .bootstrap_lower = interval.bootstrap_lower,
+                                                             .bootstrap_upper = interval.bootstrap_upper,
+                                                             .profile_value = p.profile.value,
+                                                             .profile_objective = p.profile.objective};
   }
 }
 
@@ -397,25 +401,25 @@ void add_lot_analysis(LawResult& law, campaign::Contents const& contents) {
   };
   auto const lot = std::ranges::find(contents.lot_analyses, law.id, &campaign::LotAnalysis::law);
   if (lot != contents.lot_analyses.end() && !lot->mean.parameters.empty()) {
-    LotLaw made{.parameters = lot->mean.parameters,
-                .worst_parameters = lot->worst.law.parameters,
-                .mean = lot->mean.mean,
-                .worst = lot->mean.worst,
-                .worst_device = {},
-                .least_worst = lot->worst.law.worst,
-                .least_worst_bound = lot->worst.bound,
-                .at_bound = {}};
+    LotLaw lot_law{.parameters = lot->mean.parameters,
+                   .worst_parameters = lot->worst.law.parameters,
+                   .mean = lot->mean.mean,
+                   .worst = lot->mean.worst,
+                   .worst_device = {},
+                   .least_worst = lot->worst.law.worst,
+                   .least_worst_bound = lot->worst.bound,
+                   .at_bound = {}};
     for (std::size_t i = 0; i < lot->devices.size(); ++i) {
       auto const fit = on_device(lot->devices[i]);
       fit->lot_objective = lot->mean.objectives[i];
       fit->worst_objective = lot->worst.law.objectives[i];
-      if (lot->mean.objectives[i] == lot->mean.worst) made.worst_device = fit->device;
+      if (lot->mean.objectives[i] == lot->mean.worst) lot_law.worst_device = fit->device;
     }
     auto const box = campaign::box_of_lot(contents, law.id);
-    for (std::size_t n = 0; n < made.parameters.size(); ++n)
-      if (auto const bound = fit::at_bound(box.parameters[n], made.parameters[n]); bound != fit::AtBound::no)
-        made.at_bound.push_back(fmt::format("{} at its {} bound", box.parameters[n].name, name(bound)));
-    law.lot = std::move(made);
+    for (std::size_t n = 0; n < lot_law.parameters.size(); ++n)
+      if (auto const bound = fit::at_bound(box.parameters[n], lot_law.parameters[n]); bound != fit::AtBound::no)
+        lot_law.at_bound.emplace_back(box.parameters[n].name, bound);
+    law.lot = std::move(lot_law);
   }
   double sum = 0.0;
   std::size_t count = 0;
@@ -436,7 +440,7 @@ void add_lot_analysis(LawResult& law, campaign::Contents const& contents) {
 
 void add_converged_views(Summary& summary) {
   if (summary.missing_runs() > 0 || summary.missing_analyses() > 0)
-    return;  // laws would be compared on different devices
+    return;  // else laws would be compared on different devices
   auto const accurate = [](LawResult const& law) { return law.objective_converged; };
   mark_front(
       summary.laws, [](auto const& law) { return law.beta_converged; }, accurate, &LawResult::on_front_converged);

@@ -115,7 +115,7 @@ ParameterFit parameter_fit(fit::SearchParameter const& searched, std::size_t ind
   made.value = statistic(collect(usable, [&](campaign::Run const& run) { return run.parameters[index]; }));
   if (best == nullptr) return made;
   made.value.best = best->parameters[index];
-  made.at_bound = name(fit::at_bound(searched, *made.value.best));
+  made.at_bound = fit::at_bound(searched, *made.value.best);
   return made;
 }
 

@@ -16,21 +16,21 @@ namespace isolaw::study {
 
 namespace {
 
-std::vector<std::string> doubts_of(Summary const& summary, std::string_view law,
-                                   std::vector<building::BearingPlace> const& bearings) {
-  std::vector<std::string> made;
-  auto const add = [&](Doubts const& doubts, std::string const& of) {
-    auto sentences = doubts.warnings;
-    if (!doubts.objection.empty()) sentences.push_back(doubts.objection);
-    for (auto const& sentence : sentences)
-      if (auto text = of + sentence; std::ranges::find(made, text) == made.end()) made.push_back(std::move(text));
+// The findings against the law of the lot, and against the law of each tested device that stands in the building.
+std::vector<Finding> doubts_of(Summary const& summary, std::string_view law,
+                               std::vector<building::BearingPlace> const& bearings) {
+  std::vector<Finding> all;
+  auto const add = [&](Doubts doubts) {
+    if (doubts.objection) doubts.findings.push_back(std::move(*doubts.objection));
+    for (auto& finding : doubts.findings)
+      if (std::ranges::find(all, finding) == all.end()) all.push_back(std::move(finding));
   };
-  add(doubts(summary, law, std::nullopt), "");
+  add(doubts(summary, law, std::nullopt));
   for (auto const& bearing : bearings)
     if (bearing.stands == building::Stands::device &&
         std::ranges::find(summary.devices, bearing.device, &DeviceResult::name) != summary.devices.end())
-      add(doubts(summary, law, bearing.device), bearing.device + ": ");
-  return made;
+      add(doubts(summary, law, bearing.device));
+  return all;
 }
 
 building::LawSource source_of(campaign::Contents const& contents, Summary const& summary, std::string_view law_id,
@@ -40,46 +40,48 @@ building::LawSource source_of(campaign::Contents const& contents, Summary const&
   auto const law = std::ranges::find(summary.laws, law_id, &LawResult::id);
   if (law == summary.laws.end())
     throw Error({.where = where, .found = "the law is not in this campaign", .allowed = "one of its laws"});
-  building::LawSource made{.law = std::string(law_id),
-                           .lot = {},
-                           .devices = {},
-                           .population = {},
-                           .place = {},
-                           .median = {},
-                           .limits = {},
-                           .tested_mm = 0.0};
+  building::LawSource source{.law = std::string(law_id),
+                             .lot = {},
+                             .devices = {},
+                             .population = {},
+                             .place = {},
+                             .median = {},
+                             .limits = {},
+                             .tested_mm = 0.0};
   for (std::size_t d = 0; d < contents.devices.size(); ++d)
     if (auto const* analysis = contents.analysis_of(d, law_id); analysis != nullptr) {
-      for (double const x : contents.devices[d].record.disp_mm) made.tested_mm = std::max(made.tested_mm, std::abs(x));
-      made.devices.emplace(contents.devices[d].name, analysis->determination.optimum);
+      for (double const x : contents.devices[d].record.disp_mm)
+        source.tested_mm = std::max(source.tested_mm, std::abs(x));
+      source.devices.emplace(contents.devices[d].name, analysis->determination.optimum);
     }
-  // A lot of one device is that device.
+  // A single device stands for its lot.
   if (law->lot)
-    made.lot = law->lot->parameters;
-  else if (made.devices.size() == 1)
-    made.lot = made.devices.begin()->second;
-  if (made.lot.empty())
+    source.lot = law->lot->parameters;
+  else if (source.devices.size() == 1)
+    source.lot = source.devices.begin()->second;
+  if (source.lot.empty())
     throw Error({.where = where,
                  .found = "no analysis was made",
                  .allowed = "a law that was analysed",
                  .advice = "isolaw calibrate ... --analysis full"});
-  made.place.assign(made.lot.size(), std::nullopt);
-  made.median = made.lot;
+  source.place.assign(source.lot.size(), std::nullopt);
+  source.median = source.lot;
   if (!law->population || !law->population->has_covariance()) {
-    if (law->population) made.population.note = law->population->note;
-    return made;
+    if (law->population) source.population.note = law->population->note;
+    return source;
   }
-  made.population = *law->population;
+  source.population = *law->population;
   auto const columns = columns_of(*law, entry);
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    made.place[i] = columns[i].place;
-    made.median[i] = columns[i].place ? made.population.medians[*columns[i].place] : columns[i].value;
+    source.place[i] = columns[i].place;
+    source.median[i] = columns[i].place ? source.population.medians[*columns[i].place] : columns[i].value;
   }
-  made.limits = limits_of(made.population, entry);
-  return made;
+  source.limits = limits_of(source.population, entry);
+  return source;
 }
 
-// The campaign with a law's springs in place of the law; nullopt: they were not fitted on every device and the lot.
+// The campaign with the parameters of the law's springs in place of the law's own; nullopt where the springs were not
+// fitted on every device and the lot.
 std::optional<campaign::Contents> with_springs_of(campaign::Contents contents, std::string_view law) {
   bool any = false;
   for (auto& analysis : contents.device_analyses) {
@@ -100,14 +102,14 @@ std::optional<campaign::Contents> with_springs_of(campaign::Contents contents, s
 
 building::LawSource law_source(campaign::Contents const& contents, Summary const& summary, std::string_view law,
                                std::string_view where, building::BuildingFile const& file) {
-  auto made = source_of(contents, summary, law, where);
-  if (building::coupling_in(file, made) == building::Coupling::springs)
+  auto source = source_of(contents, summary, law, where);
+  if (building::coupling_in(file, source) == building::Coupling::springs)
     if (auto const springs = with_springs_of(contents, law)) {
-      made = source_of(*springs, build_summary(*springs), law, where);
-      made.as_springs = true;
+      source = source_of(*springs, build_summary(*springs), law, where);
+      source.as_springs = true;
     }
-  made.doubts = doubts_of(summary, law, file.bearings);
-  return made;
+  source.doubts = doubts_of(summary, law, file.bearings);
+  return source;
 }
 
 std::string recommended_law(Summary const& summary, std::string_view where) {

@@ -1,4 +1,4 @@
-// What a building takes of a campaign: of each law the lot's, the tested devices and the population that they are of.
+// Takes from a campaign what a building needs of a law: the parameters of lot and tested devices, and their population.
 #pragma once
 
 #include <string>
@@ -10,13 +10,13 @@
 
 namespace isolaw::study {
 
-// What the file's building takes of a law: of one that goes into the plane as springs, the values that were fitted as
-// such, where they were; and what is known against the lot's law and against that of every device that stands there.
-// Throws Error: the law is not of this campaign, or was not analysed.
+// The parameters of one law for the building of `file`, and the findings against the law on the lot and on the devices
+// that stand there. A law that acts in plan as springs comes with the parameters fitted to springs, if there are any.
+// Throws Error where the law is not of this campaign or was not analysed.
 building::LawSource law_source(campaign::Contents const& contents, Summary const& summary, std::string_view law,
                                std::string_view where, building::BuildingFile const& file);
 
-// The law that the campaign recommends for a device not tested; throws Error where there is none.
+// The law that the campaign recommends for a device not tested; throws Error where it recommends none.
 std::string recommended_law(Summary const& summary, std::string_view where);
 
 }  // namespace isolaw::study

@@ -10,21 +10,24 @@
 namespace isolaw::study {
 namespace {
 
-// As a device is named without a lot file; its name is part of its seed.
+// True for the name that a device gets without a lot file; another name would change its seed.
 bool is_named_by_its_file(DeviceResult const& device) {
   return device.name == campaign::name_of_file(device.file);
 }
 
 }  // namespace
 
+bool takes_lot_file(Summary const& summary) {
+  return !std::ranges::all_of(summary.devices, is_named_by_its_file);
+}
+
 std::string command_again(Summary const& summary) {
   if (summary.laws.empty()) return {};
   std::vector<std::string> words{"isolaw", "calibrate"};
-  if (std::ranges::all_of(summary.devices, is_named_by_its_file)) {
-    for (auto const& device : summary.devices) words.push_back(device.file);
-  } else {
+  if (takes_lot_file(summary))
     words.push_back("LOT.toml");
-  }
+  else
+    for (auto const& device : summary.devices) words.push_back(device.file);
   auto const add = [&](OptionInfo const& option, Json const& value) {
     for (auto& word : words_of(option, value)) words.push_back(std::move(word));
   };

@@ -3,86 +3,51 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <utility>
 
 #include "isolaw/base/error.hpp"
-#include "isolaw/base/number_text.hpp"
 #include "isolaw/study/build_analysis.hpp"
 #include "isolaw/study/findings.hpp"
 #include "isolaw/study/verdict.hpp"
+#include "isolaw/wording/table.hpp"
 
 namespace isolaw::study {
-namespace {
 
-// The summary of this law and these devices alone; of records no more than warnings are made from that are not made
-// from the whole.
-Summary part_of(Summary const& summary, LawResult const& law, std::optional<std::string_view> device) {
-  Summary part;
-  part.runs = summary.runs;
-  part.expected_runs = summary.expected_runs;
-  part.analyses = summary.analyses;
-  part.expected_analyses = summary.expected_analyses;
-  part.settings = summary.settings;
-  part.laws.push_back(law);
-  auto& own = part.laws.front();
-  if (device) {
-    own.lot.reset();
-    std::erase_if(own.devices, [&](DeviceFit const& fit) { return fit.device != *device; });
-    if (!own.devices.empty()) {
-      own.success_share = own.devices.front().success_share;
-      own.success_reference = own.devices.front().success_reference;
-    }
+Finding prediction_of(Summary const& summary, LawResult const& law) {
+  if (!law.prediction_grade) return {.kind = FindingKind::prediction_unknown, .law = law.id};
+  constexpr FindingKind kinds[]{FindingKind::prediction_good, FindingKind::prediction_fair,
+                                FindingKind::prediction_poor, FindingKind::prediction_unusable};
+  Finding finding{.kind = kinds[static_cast<std::size_t>(*law.prediction_grade)],
+                  .law = law.id,
+                  .numbers = {{"predicted_objective", *law.predicted_objective},
+                              {"worst_predicted", *law.worst_predicted},
+                              {"fitted_objective", *law.fitted_objective}}};
+  if (!law.prediction_unusable()) return finding;
+  auto const how = collapse(*law.fitted_objective, *law.predicted_objective, *law.worst_predicted);
+  bool const exact = how == Collapse::far && !(*law.fitted_objective > 0.0);
+  finding.words = {{"collapse", exact ? "far_from_exact" : std::string(name(how))}};
+  if (!exact) finding.numbers.push_back({"times_as_far", *law.predicted_objective / *law.fitted_objective});
+  if (auto const mm = largest_displacement(summary, law)) finding.numbers.push_back({"fitted_to_mm", *mm});
+  return finding;
+}
+
+Doubts doubts(Summary const& summary, std::string_view law_id, std::optional<std::string_view> device) {
+  auto const& law = *std::ranges::find(summary.laws, law_id, &LawResult::id);
+  Doubts result{.findings = {}, .prediction = prediction_of(summary, law), .objection = {}};
+  if (auto against = verdict_against(summary, device)) result.findings.push_back(std::move(*against));
+  if (!device) {
+    Finding left_out{.kind = FindingKind::devices_not_in_lot_law,
+                     .numbers = {{"lot_devices", static_cast<double>(summary.devices.size())}}};
+    for (auto const& one : summary.devices)
+      if (one.status != "ok") left_out.devices.push_back(one.name);
+    if (!left_out.devices.empty()) result.findings.push_back(std::move(left_out));
   }
-  for (auto const& fit : own.devices) {
-    auto const& whole = *std::ranges::find(summary.devices, fit.device, &DeviceResult::name);
-    auto& brief = part.devices.emplace_back();
-    brief.name = whole.name;
-    brief.status = whole.status;
-    brief.message = whole.message;
-    brief.properties = whole.properties;
-    brief.raw.warnings = whole.raw.warnings;
-    for (auto const& outlier : summary.outliers)
-      if (outlier.device == fit.device && (outlier.law.empty() || outlier.law == law.id))
-        part.outliers.push_back(outlier);
+  for (auto& warning : warnings(summary, {.law = law_id, .device = device})) {
+    // Refused devices have no part in the law, and devices_not_in_lot_law names them.
+    if (warning.kind != FindingKind::device_refused) result.findings.push_back(std::move(warning));
   }
-  return part;
-}
-
-std::string prediction_of(LawResult const& law) {
-  if (!law.prediction_grade) return "not asked for: no block of the tests was kept from the fit";
-  auto const why = collapse(*law.fitted_objective, *law.predicted_objective, *law.worst_predicted);
-  return fmt::format("{}: objective {} on the blocks it was not fitted to ({} at worst), {} on those it was{}",
-                     name(*law.prediction_grade), number_text(*law.predicted_objective, 3),
-                     number_text(*law.worst_predicted, 3), number_text(*law.fitted_objective, 3),
-                     why.empty() ? "" : "; it collapses: " + why);
-}
-
-// Devices whose records say nothing to the law of the lot.
-std::string left_out_of_lot(Summary const& summary) {
-  std::vector<std::string> names;
-  for (auto const& device : summary.devices)
-    if (device.status != "ok") names.push_back(device.name);
-  if (names.empty()) return {};
-  return fmt::format("{} of the lot's {} devices {} refused, and no part of its law: {}", names.size(),
-                     summary.devices.size(), names.size() == 1 ? "is" : "are", enumerate(names));
-}
-
-}  // namespace
-
-Doubts doubts(Summary const& summary, std::string_view law, std::optional<std::string_view> device) {
-  auto const& whole = *std::ranges::find(summary.laws, law, &LawResult::id);
-  // How the search went on its way there says nothing against what it found.
-  constexpr std::array<std::string_view, 1> passed_over{"failed evaluations"};
-  Doubts made;
-  if (auto against = verdict_against(summary, device); !against.empty()) made.warnings.push_back(std::move(against));
-  if (!device)
-    if (auto left_out = left_out_of_lot(summary); !left_out.empty()) made.warnings.push_back(std::move(left_out));
-  for (auto& warning : warnings(summary, part_of(summary, whole, device)))
-    if (std::ranges::find(passed_over, warning.topic) == passed_over.end())
-      made.warnings.push_back(std::move(warning.sentence));
-  made.prediction = prediction_of(whole);
-  if (whole.prediction_unusable()) made.objection = "its prediction is " + made.prediction;
-  return made;
+  if (law.prediction_unusable()) result.objection = result.prediction;
+  return result;
 }
 
 std::string whose(std::string_view law, std::optional<std::string_view> device) {
@@ -90,15 +55,15 @@ std::string whose(std::string_view law, std::optional<std::string_view> device) 
 }
 
 void require_taken(Doubts const& doubts, std::string const& where, bool anyway) {
-  if (!doubts.objection.empty() && !anyway)
+  if (doubts.objection && !anyway)
     throw Error({.where = where,
-                 .found = doubts.objection,
+                 .found = wording::remark(*doubts.objection),
                  .allowed = "a law that predicts",
                  .advice = "another law, or --anyway"});
 }
 
 std::string let_through(std::string_view objection) {
-  return fmt::format("let through: {}", objection);
+  return fmt::format("taken because of --anyway, although {}", objection);
 }
 
 std::string part_text(std::string_view part) {

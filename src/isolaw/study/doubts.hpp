@@ -1,4 +1,4 @@
-// What is known against one law of a campaign, for whoever takes it from there: exports and `simulate` say it.
+// Collects the findings against one law of a campaign for those who use it: exports, `simulate` and `building`.
 #pragma once
 
 #include <optional>
@@ -6,32 +6,34 @@
 #include <string_view>
 #include <vector>
 
-#include "isolaw/study/summary.hpp"
+#include "isolaw/study/warnings.hpp"
 
 namespace isolaw::study {
 
+// How well the law predicts the blocks that it was not fitted to: FindingKind::prediction_good to prediction_unusable,
+// or prediction_unknown where no block was kept from the fit.
+Finding prediction_of(Summary const& summary, LawResult const& law);
+
 struct Doubts {
-  // What of its rule set the device, or the lot, does not keep; which devices the law of the lot says nothing of; and
-  // the warnings of findings.hpp that concern the law on the device: the campaign, the search, the parameters, the
-  // prediction, the record.
-  std::vector<std::string> warnings;
-  // "good: objective .03 on the blocks it was not fitted to (...)", or that it was not asked for.
-  std::string prediction;
-  std::string objection;  // why it should not be taken at all; empty otherwise
+  // The limits of the rule set that the device or the lot does not keep, the devices that the lot's law leaves out, and
+  // the warnings about the law on the device.
+  std::vector<Finding> findings;
+  Finding prediction;
+  std::optional<Finding> objection;  // why the law should not be taken at all
 };
 
-// Of the law on one device; without a device, of the one law of the lot.
+// The doubts about the law on one device or, without a device, about the one law of the lot.
 Doubts doubts(Summary const& summary, std::string_view law, std::optional<std::string_view> device);
 
-// "law bouc-wen, device 'a'", "law bouc-wen, the lot": whose parameters are taken.
+// "law bouc-wen, device 'a'" or "law bouc-wen, the lot", by which messages name the place of a law's parameters.
 std::string whose(std::string_view law, std::optional<std::string_view> device);
 
-// Throws Error where there is an objection and the law is not taken anyway; `where` is whose().
+// Throws Error where there is an objection, unless `anyway` overrules it; `where` is whose().
 void require_taken(Doubts const& doubts, std::string const& where, bool anyway);
-// How each of them is said where it is.
+// The line that tells of an objection that --anyway has overruled.
 std::string let_through(std::string_view objection);
 
-// What of the tests a law was fitted to, in words: `part` is that of data::Selection, empty for all.
+// The part of the tests that a law was fitted to, in words: `part` is that of data::Selection, empty for all.
 std::string part_text(std::string_view part);
 
 }  // namespace isolaw::study

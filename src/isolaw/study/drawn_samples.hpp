@@ -1,4 +1,4 @@
-// Which samples of a long series are shown.
+// Thins a long series of samples for figures and the page.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 
 namespace isolaw::study {
 
-// Indices of the samples shown of `samples`: all, or evenly thinned to at most `most`, first and last kept.
+// Indices of the samples to show: all, or evenly thinned to at most `most`, and the last besides; `most` 0 keeps all.
 std::vector<std::size_t> drawn_samples(std::size_t samples, std::size_t most);
 
 }  // namespace isolaw::study

@@ -12,25 +12,25 @@
 namespace isolaw::study {
 
 std::vector<Column> columns_of(LawResult const& law, laws::LawEntry const& entry) {
-  std::vector<Column> made;
+  std::vector<Column> columns;
   for (auto const& p : parameters_of(law)) {
     auto const source = p.tied_to.empty() ? p.name : p.tied_to;
     if (auto const at = place_of(*law.population, source))
-      made.push_back({.place = at});
+      columns.push_back({.place = at});
     else
-      made.push_back(
+      columns.push_back(
           {.place = {}, .value = law.reduced && source == entry.redundant ? entry.redundant_value : *p.value.best});
   }
-  return made;
+  return columns;
 }
 
 std::vector<lot::Limits> limits_of(lot::Population const& population, laws::LawEntry const& entry) {
-  std::vector<lot::Limits> made;
+  std::vector<lot::Limits> limits;
   for (auto const& name : population.names) {
     auto const& physical = entry.parameters[entry.index_of(name)].physical;
-    made.push_back({physical.lower, physical.upper});
+    limits.push_back({physical.lower, physical.upper});
   }
-  return made;
+  return limits;
 }
 
 Draws draw_devices(campaign::Contents const& contents, Summary const& summary, std::string_view law_id,
@@ -52,30 +52,30 @@ Draws draw_devices(campaign::Contents const& contents, Summary const& summary, s
   num::Stream const stream(seed);
   auto const drawn =
       lot::sample(population, count, stream.split(stable_hash("population")).split(stable_hash(law_id)), limits);
-  Draws made{.parameters = &parameters_of(*law),
-             .values = {},
-             .population = &population,
-             .rejected = drawn.rejected,
-             .pulled_back = drawn.pulled_back};
+  Draws draws{.parameters = &parameters_of(*law),
+              .values = {},
+              .population = &population,
+              .rejected = drawn.rejected,
+              .pulled_back = drawn.pulled_back};
   auto const columns = columns_of(*law, entry);
   for (auto const& values : drawn.values) {
-    auto& device = made.values.emplace_back();
+    auto& device = draws.values.emplace_back();
     for (auto const& column : columns) device.push_back(column.place ? values[*column.place] : column.value);
   }
-  return made;
+  return draws;
 }
 
 std::vector<std::string> sentences(Draws const& draws) {
   auto const& population = *draws.population;
-  std::vector<std::string> made{
+  std::vector<std::string> texts{
       fmt::format("{} devices of a population estimated from {}; {} of {} directions have scatter", draws.values.size(),
                   population.devices, population.directions, population.names.size())};
   if (draws.rejected > 0)
-    made.push_back(fmt::format(
+    texts.push_back(fmt::format(
         "{} draws outside the physical limits were drawn again, {} pulled back to the median: the limits shape the sample",
         draws.rejected, draws.pulled_back));
-  if (!population.note.empty()) made.push_back(population.note);
-  return made;
+  if (!population.note.empty()) texts.push_back(population.note);
+  return texts;
 }
 
 }  // namespace isolaw::study

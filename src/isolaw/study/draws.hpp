@@ -1,4 +1,4 @@
-// Devices of a lot's population, drawn whole: what `isolaw sample` prints, and a model of several bearings is made of.
+// Draws whole devices from a lot's population: `isolaw sample` prints them, and models of several bearings use them.
 #pragma once
 
 #include <cstddef>
@@ -14,28 +14,28 @@
 namespace isolaw::study {
 
 struct Draws {
-  std::vector<ParameterFit> const* parameters = nullptr;  // names and units of the columns, of the summary
+  std::vector<ParameterFit> const* parameters = nullptr;  // names and units of the columns; points into the summary
   std::vector<std::vector<double>> values;                // [device][parameter], in the law's order
   lot::Population const* population = nullptr;
-  std::size_t rejected = 0, pulled_back = 0;  // as lot::Sample
+  std::size_t rejected = 0, pulled_back = 0;  // as in lot::Sample
 };
 
-// Of each parameter of the law where its value comes from: a place in the population, or a value that holds for all.
+// The source of a parameter's value: a place in the population, or a value that holds for all devices.
 struct Column {
   std::optional<std::size_t> place;
   double value = 0.0;
 };
-// Of a law with a population.
+// A column for each parameter of a law, which must have a population.
 std::vector<Column> columns_of(LawResult const& law, laws::LawEntry const& entry);
-// What the population's parameters may be.
+// The physical limits of the population's parameters.
 std::vector<lot::Limits> limits_of(lot::Population const& population, laws::LawEntry const& entry);
 
-// `count` devices; number i depends on seed, law and i alone. `where` begins the messages. Throws Error: the law is not
-// of this campaign, or has no population.
+// Draws `count` devices; device i depends on seed, law and i alone. `where` begins the messages. Throws Error where the
+// law is not of this campaign or has no population.
 Draws draw_devices(campaign::Contents const& contents, Summary const& summary, std::string_view law, std::size_t count,
                    std::uint64_t seed, std::string_view where);
 
-// What is to be said of how they were drawn.
+// Sentences on the population, and on the draws that the physical limits changed.
 std::vector<std::string> sentences(Draws const& draws);
 
 }  // namespace isolaw::study

@@ -1,5 +1,5 @@
-// How the energy of a cycle falls through a block: what a device loses by heat, wear and damage, and what a law has of
-// it. From the third counted cycle on, for what goes before is scragging, which laws without wear may follow.
+// How the energy of a cycle falls through a block: on the device by heat, wear and damage, and by a law. It counts from
+// the third counted cycle on, since the loss before that is scragging, which laws without wear may follow.
 #pragma once
 
 #include <optional>
@@ -11,12 +11,12 @@
 
 namespace isolaw::study {
 
-// Of the block where most is lost, of those of eight counted cycles or more; nullopt where none loses a tenth steadily:
-// a quarter of it or more in either half of the cycles. `force_kN` is the law's at the record's samples.
+// The fall in the block that loses most, among blocks of eight or more counted cycles. nullopt where no block loses a
+// tenth steadily, a quarter of that or more in either half. `force_kN` is the law's force at the record's samples.
 std::optional<EnergyFall> energy_fall(data::Properties const& measured, data::FitRecord const& record,
                                       std::vector<double> const& force_kN);
 
-// Whether a law has half of it or more.
+// True where the law loses half as much as the device, or more.
 bool follows(EnergyFall const& fall);
 
 }  // namespace isolaw::study

@@ -1,7 +1,5 @@
 #include "isolaw/study/findings.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,16 +9,11 @@
 #include "isolaw/study/adequacy.hpp"
 #include "isolaw/study/analysis_findings.hpp"
 #include "isolaw/study/build_analysis.hpp"
+#include "isolaw/study/doubts.hpp"
 #include "isolaw/study/ranges.hpp"
-#include "isolaw/study/spoken.hpp"
 
 namespace isolaw::study {
 namespace {
-
-// Objectives differ in their third digit, so they keep one decimal.
-std::string error_percent(LawResult const& law) {
-  return with_decimals(100.0 * *law.objective.mean, 1) + " %";
-}
 
 bool ranked(LawResult const& law) {
   return law.objective.mean && law.beta;
@@ -31,57 +24,55 @@ bool dominates(LawResult const& a, LawResult const& b) {
   return no_worse && (*a.objective.mean < *b.objective.mean || *a.beta < *b.beta);
 }
 
-// What beta says of a law, in words; miss_text() is what the objective says.
-std::string scatter(LawResult const& law) {
-  return fmt::format("parameters lie up to {} from the lot's mean, averaged over the parameters", percent(*law.beta));
+// Whoever is told of a law as a choice must know where its box or its prediction speaks against it.
+void add_cautions(std::vector<Finding>& findings, Summary const& summary, LawResult const& law) {
+  if (auto const held = pinned(law); held.decides()) findings.push_back(held.finding(law.id));
+  if (!law.prediction_holds()) findings.push_back(prediction_of(summary, law));
 }
 
-// Whoever is told to take a law must know that it holds only where it was fitted.
-std::string caution(LawResult const& law) {
-  std::string text;
-  if (auto const held = pinned(law); held.decides())
-    text += fmt::format(" {}: there the box keeps them together, not the devices.", held.text());
-  if (!law.prediction_holds())
-    text += fmt::format(" Its prediction is {}: only for the blocks it was fitted to.", name(*law.prediction_grade));
-  return text;
-}
-
-// Whether a law may be taken at all, and is compared with the others: identified, and near enough to the devices.
+// True for a law that was identified and is near enough to the devices: no other is compared or recommended.
 bool describes(LawResult const& law) {
-  return law.objective.mean && inadequacy(law).empty();
+  return law.objective.mean && is_adequate(law);
 }
 
-// What "the most accurate law" and the like are said of, where others are no choice.
-std::string_view among(Summary const& summary) {
-  bool const all = std::ranges::all_of(summary.laws, [](auto const& law) { return inadequacy(law).empty(); });
-  return all ? "" : " of those that describe the devices";
+// The laws that a comparison covers: "all", or "adequate" where some do not describe the devices.
+std::string among(Summary const& summary) {
+  return std::ranges::all_of(summary.laws, is_adequate) ? "all" : "adequate";
 }
 
-// The front of the laws that describe the devices: one that does not is no choice, whatever it beats.
+// A finding that compares a law with the others, with its error and beta where it has them.
+Finding beside_others(Summary const& summary, FindingKind kind, LawResult const& law) {
+  Finding finding{.kind = kind, .law = law.id, .words = {{"among", among(summary)}}};
+  if (law.objective.mean) finding.numbers.push_back({"misfit", *law.objective.mean});
+  if (law.beta) finding.numbers.push_back({"beta", *law.beta});
+  return finding;
+}
+
+// The front of the laws that describe the devices: any other law is no choice, whatever it beats.
 std::vector<bool> front_among_adequate(Summary const& summary) {
   return front_of(
       summary.laws, [](auto const& law) { return describes(law) ? law.beta : std::nullopt; },
       [](auto const& law) { return law.objective.mean; });
 }
 
-// The same without the optimiser's noise.
+// The same front without the optimiser's noise.
 std::vector<bool> converged_among_adequate(Summary const& summary) {
   return front_of(
       summary.laws, [](auto const& law) { return describes(law) ? law.beta_converged : std::nullopt; },
       [](auto const& law) { return law.objective_converged; });
 }
 
-// The place of the front's robust end: its last law that is not held together by its box. Where all but the most
-// accurate one are, that one's, and the front has no robust end.
+// The place of the front's robust end: the last law that its box does not hold together. Place 0 means that the front
+// has no robust end: the box holds all laws but perhaps the most accurate one.
 std::size_t robust_end(Summary const& summary, std::vector<std::size_t> const& front) {
   for (std::size_t place = front.size(); place-- > 1;)
     if (!pinned(summary.laws[front[place]]).decides()) return place;
   return 0;
 }
 
-// Of the laws between the ends of the front, the place of the one nearest to having the best of both, each measured by
-// the front's extent; the front's size where there is none. No compromise is a law whose prediction does not hold, that
-// its box holds together, or that leaves the front with the optimiser's noise.
+// The place of the law between the front's ends that is nearest to the best of both, measured by the front's extent, or
+// the front's size where there is none. A law is no compromise where its prediction does not hold, its box holds it
+// together, or it leaves the front once the optimiser's noise is removed.
 std::size_t compromise(Summary const& summary, std::vector<std::size_t> const& front) {
   auto const& laws = summary.laws;
   bool const analysed = std::ranges::any_of(laws, &LawResult::on_front_converged);
@@ -106,109 +97,100 @@ std::size_t compromise(Summary const& summary, std::vector<std::size_t> const& f
 LawVerdict front_verdict(Summary const& summary, std::vector<std::size_t> const& front, std::size_t place) {
   auto const& laws = summary.laws;
   auto const& law = laws[front[place]];
+  bool const held = pinned(law).decides();
   LawVerdict verdict{front[place], Role::between, {}, {}};
-  if (place > 0 && pinned(law).decides()) {
+  auto finding = beside_others(summary, FindingKind::role_alone, law);
+  if (place > 0 && held) {
     verdict.role = Role::held_by_box;
-    verdict.sentence = fmt::format("{}; its {}.", capitalised(miss_text(law)), scatter(law));
-  } else if (front.size() == 1 && !pinned(law).decides()) {
+  } else if (front.size() == 1 && !held) {
     verdict.role = Role::best_of_both;
-    verdict.sentence = fmt::format("No law{} is more accurate and none is more robust: it {}, and its {}.",
-                                   among(summary), miss_text(law), scatter(law));
+    finding.kind = FindingKind::role_best_of_both;
   } else if (place == 0) {
     verdict.role = Role::most_accurate;
-    verdict.sentence = fmt::format("{}; its {}.", capitalised(miss_text(law)), scatter(law));
   } else if (place == robust_end(summary, front)) {
     auto const& accurate = laws[front.front()];
     verdict.role = Role::most_robust;
-    verdict.sentence = fmt::format("Its {}, the least {}; the price is an error of {} against {} for {}.", scatter(law),
-                                   place + 1 < front.size() ? "that no box keeps so"
-                                   : among(summary).empty() ? "of all"
-                                                            : among(summary).substr(1),
-                                   error_percent(law), error_percent(accurate), called(accurate));
+    finding.kind = FindingKind::role_most_robust;
+    finding.other_laws = {accurate.id};
+    finding.numbers.push_back({"other_misfit", *accurate.objective.mean});
+    finding.words = {{"least", place + 1 < front.size() ? "unboxed" : among(summary)}};
   } else {
-    auto const& accurate = laws[front[place - 1]];
-    auto const& robust = laws[front[place + 1]];
+    auto const &accurate = laws[front[place - 1]], &robust = laws[front[place + 1]];
     if (place == compromise(summary, front)) verdict.role = Role::compromise;
-    verdict.sentence = fmt::format("Scatters less than {} ({} against {}) and errs less than {} ({} against {}).",
-                                   called(accurate), percent(*law.beta), percent(*accurate.beta), called(robust),
-                                   error_percent(law), error_percent(robust));
+    finding.kind = FindingKind::role_between;
+    finding.words = {{"accurate", accurate.id}, {"robust", robust.id}};
+    finding.numbers.push_back({"accurate_beta", *accurate.beta});
+    finding.numbers.push_back({"robust_misfit", *robust.objective.mean});
   }
-  verdict.sentence += caution(law);
+  verdict.findings.push_back(std::move(finding));
+  add_cautions(verdict.findings, summary, law);
   return verdict;
 }
 
 LawVerdict dominated_verdict(Summary const& summary, std::vector<std::size_t> const& front, std::size_t index) {
   auto const& law = summary.laws[index];
   LawVerdict verdict{index, Role::dominated, {}, {}};
-  std::vector<std::string> dominating;
   for (std::size_t const other : front)
-    if (dominates(summary.laws[other], law)) {
-      verdict.dominated_by.push_back(summary.laws[other].id);
-      dominating.push_back(called(summary.laws[other]));
-    }
-  auto const numbers = fmt::format("error {}, scatter {}", error_percent(law), percent(*law.beta));
-  verdict.sentence = verdict.dominated_by.empty()
-                         ? fmt::format("is not on the front ({}).", numbers)
-                         : fmt::format("is dominated by {} ({}).", enumerate(dominating), numbers);
+    if (dominates(summary.laws[other], law)) verdict.dominated_by.push_back(summary.laws[other].id);
+  auto const kind = verdict.dominated_by.empty() ? FindingKind::role_not_on_front : FindingKind::role_dominated;
+  verdict.findings.push_back(beside_others(summary, kind, law));
+  verdict.findings.back().other_laws = verdict.dominated_by;
   return verdict;
 }
 
 LawVerdict unranked_verdict(Summary const& summary, std::size_t index, LawResult const& best) {
   auto const& law = summary.laws[index];
   LawVerdict verdict{index, Role::unranked, {}, {}};
+  auto finding = beside_others(summary, FindingKind::role_behind, law);
+  bool const is_best = &law == &best;
   if (!law.objective.mean) {
-    verdict.sentence = "was not identified on any device.";
-  } else if (&law == &best && !compares_laws(summary)) {
-    verdict.sentence = fmt::format("{}.{}", miss_text(law), caution(law));
-  } else if (&law == &best) {
-    verdict.sentence = fmt::format("{}, the least {}.{}", miss_text(law),
-                                   among(summary).empty() ? "of all" : among(summary).substr(1), caution(law));
+    finding.kind = FindingKind::role_not_identified;
+  } else if (is_best) {
+    finding.kind = FindingKind::role_least_error;
+    if (compares_laws(summary)) finding.words = {{"least", among(summary)}};
   } else {
-    verdict.sentence = fmt::format("has a mean error of {}, {} times that of {}.", error_percent(law),
-                                   with_decimals(*law.objective.mean / *best.objective.mean, 2), called(best));
+    finding.other_laws = {best.id};
+    finding.numbers.push_back({"times", *law.objective.mean / *best.objective.mean});
   }
+  verdict.findings.push_back(std::move(finding));
+  if (is_best && law.objective.mean) add_cautions(verdict.findings, summary, law);
   return verdict;
 }
 
-// `best`: the most accurate law that describes the devices; the laws' number where there is none.
-std::string headline(Summary const& summary, std::vector<std::size_t> const& front, std::size_t best) {
+// `best` is the index of the most accurate law that describes the devices, or the number of laws without one.
+std::vector<Finding> headline(Summary const& summary, std::vector<std::size_t> const& front, std::size_t best) {
   auto const& laws = summary.laws;
-  auto const flagged = [&](std::size_t index) {
-    auto const& law = laws[index];
-    return called(law) +
-           (law.prediction_holds() ? "" : fmt::format(", whose prediction is {}", name(*law.prediction_grade))) +
-           (pinned(law).decides() ? ", which its box holds together" : "");
+  auto const about = [&](FindingKind kind, std::size_t index) {
+    std::vector<Finding> findings{beside_others(summary, kind, laws[index])};
+    add_cautions(findings, summary, laws[index]);
+    return findings;
   };
-  if (best < laws.size() && !compares_laws(summary))
-    return fmt::format("{} is the only law that was identified.{}", called(laws[best]), caution(laws[best]));
-  if (front.size() == 1 && pinned(laws[front[0]]).decides())
-    return fmt::format("{} is the most accurate law{}; how robust it is cannot be said.{}", called(laws[front[0]]),
-                       among(summary), caution(laws[front[0]]));
+  if (best < laws.size() && !compares_laws(summary)) return about(FindingKind::headline_only_law, best);
   if (front.size() == 1)
-    return fmt::format("{} is both the most accurate and the most robust law{}.{}", called(laws[front[0]]),
-                       among(summary), caution(laws[front[0]]));
+    return about(
+        pinned(laws[front[0]]).decides() ? FindingKind::headline_most_accurate : FindingKind::headline_best_of_both,
+        front[0]);
   if (front.size() > 1) {
     auto const middle = compromise(summary, front), end = robust_end(summary, front);
-    if (end == 0)
-      return fmt::format("{} is the most accurate law{}; what scatters less is held together by its box.{}",
-                         called(laws[front[0]]), among(summary), caution(laws[front[0]]));
+    if (end == 0) return about(FindingKind::headline_scatter_by_box, front[0]);
     auto const held = std::ranges::count_if(
         front, [&](std::size_t law) { return law != front[0] && law != front[end] && pinned(laws[law]).decides(); });
-    return fmt::format(
-        "{} of {} laws are worth considering: the choice lies between accuracy ({}) and robustness ({}){}.",
-        front.size() - static_cast<std::size_t>(held), laws.size(), flagged(front.front()), flagged(front[end]),
-        middle < front.size() ? fmt::format("; the best compromise is {}", called(laws[front[middle]]))
-        : end > 1
-            ? "; none between them holds up (off the front without the optimiser's noise, held by its box, or its prediction does not hold)"
-            : "");
+    auto findings = about(FindingKind::headline_choice, front[0]);
+    auto& choice = findings.front();
+    bool const between = middle < front.size();
+    choice.words.push_back({"robust", laws[front[end]].id});
+    if (between) choice.words.push_back({"compromise", laws[front[middle]].id});
+    choice.words.push_back({"none_between", !between && end > 1 ? "yes" : "no"});
+    choice.numbers.push_back({"considered", static_cast<double>(front.size()) - static_cast<double>(held)});
+    choice.numbers.push_back({"compared", static_cast<double>(laws.size())});
+    add_cautions(findings, summary, laws[front[end]]);
+    return findings;
   }
-  if (best < laws.size())
-    return fmt::format("{} is the most accurate law{}; how robust it is cannot be said.{}", called(laws[best]),
-                       among(summary), caution(laws[best]));
+  if (best < laws.size()) return about(FindingKind::headline_most_accurate, best);
   auto const ranking = by_objective(summary);
-  if (ranking.empty() || !laws[ranking.front()].objective.mean) return "No law could be identified.";
+  if (ranking.empty() || !laws[ranking.front()].objective.mean) return {{.kind = FindingKind::none_identified}};
   auto const& nearest = laws[ranking.front()];
-  return fmt::format("No law describes these devices: {}, the nearest, {}.", called(nearest), inadequacy(nearest));
+  return {beside_others(summary, FindingKind::headline_nearest, nearest), *inadequacy(nearest)};
 }
 
 std::string note_on_beta(Summary const& summary) {
@@ -241,28 +223,26 @@ Findings findings(Summary const& summary) {
   std::vector<std::size_t> front, dominated, inadequate, unranked;
   for (std::size_t const index : ranking) {
     auto const& law = summary.laws[index];
-    (!inadequacy(law).empty() ? inadequate
-     : !ranked(law)           ? unranked
-     : on_front[index]        ? front
-                              : dominated)
-        .push_back(index);
+    (!is_adequate(law) ? inadequate : !ranked(law) ? unranked : on_front[index] ? front : dominated).push_back(index);
   }
   Findings all;
   all.recommendations = recommendations(summary);
-  all.verdict = verdict_sentence(all.recommendations);
+  all.verdict = verdict(all.recommendations);
   all.headline = headline(summary, front, best);
   for (std::size_t place = 0; place < front.size(); ++place)
     all.verdicts.push_back(front_verdict(summary, front, place));
   for (std::size_t const index : dominated) all.verdicts.push_back(dominated_verdict(summary, front, index));
   for (std::size_t const index : inadequate)
-    all.verdicts.push_back({index, Role::inadequate, inadequacy(summary.laws[index]) + ".", {}});
+    all.verdicts.push_back({index, Role::inadequate, {*inadequacy(summary.laws[index])}, {}});
   for (std::size_t const index : unranked) {
     auto verdict = unranked_verdict(summary, index, summary.laws[best < summary.laws.size() ? best : ranking.front()]);
     auto const& note = summary.laws[index].beta_note;
-    if (!front.empty() && !note.empty()) verdict.sentence += fmt::format(" No beta: {}.", note);
+    if (!front.empty() && !note.empty())
+      verdict.findings.push_back(
+          {.kind = FindingKind::role_no_beta, .law = summary.laws[index].id, .words = {{"note", note}}});
     all.verdicts.push_back(std::move(verdict));
   }
-  all.converged = converged_sentences(summary);
+  all.converged = converged_findings(summary);
   all.warnings = warnings(summary);
   all.beta_note = note_on_beta(summary);
   return all;
@@ -318,6 +298,23 @@ std::vector<std::vector<DeviceResult const*>> devices_of_one_record(Summary cons
   return groups;
 }
 
+std::vector<std::vector<DeviceResult const*>> devices_of_one_compression(Summary const& summary) {
+  std::vector<std::vector<DeviceResult const*>> groups;
+  for (auto const& device : summary.devices) {
+    auto const& test = device.vertical_test;
+    if (test.load_kN.empty()) continue;
+    auto const same = [&](auto const& group) {
+      auto const& other = group.front()->vertical_test;
+      return other.load_kN == test.load_kN && other.disp_mm == test.disp_mm;
+    };
+    auto found = std::ranges::find_if(groups, same);
+    if (found == groups.end()) found = groups.insert(groups.end(), {{}});
+    found->push_back(&device);
+  }
+  std::erase_if(groups, [](auto const& group) { return group.size() < 2; });
+  return groups;
+}
+
 std::vector<std::size_t> by_objective(Summary const& summary) {
   std::vector<std::size_t> order(summary.laws.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -350,17 +347,6 @@ std::optional<std::size_t> place_of(lot::Population const& population, std::stri
   auto const found = std::ranges::find(population.names, parameter);
   if (found == population.names.end()) return std::nullopt;
   return static_cast<std::size_t>(found - population.names.begin());
-}
-
-std::string enumerate(std::vector<std::string> const& names, std::size_t most) {
-  std::string text;
-  std::size_t const shown = names.size() <= most ? names.size() : std::max<std::size_t>(most, 2) - 1;
-  for (std::size_t i = 0; i < shown; ++i) {
-    if (i > 0) text += i + 1 == names.size() ? " and " : ", ";
-    text += names[i];
-  }
-  if (shown < names.size()) text += fmt::format(" and {} more", names.size() - shown);
-  return text;
 }
 
 }  // namespace isolaw::study

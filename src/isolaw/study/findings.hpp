@@ -1,5 +1,5 @@
-// What the numbers of a campaign mean, in sentences: which law to take and why, how the laws compare, and what to take
-// care of. The page and the terminal print the same findings.
+// Turns a campaign's numbers into findings: which law to take and why, how the laws compare, and the warnings. Every
+// renderer prints these; wording/table.hpp makes the sentences.
 #pragma once
 
 #include <cstddef>
@@ -16,14 +16,14 @@ namespace isolaw::study {
 
 enum class Role {
   best_of_both,   // the only law on the front
-  most_accurate,  // the front's end of smallest objective
-  most_robust,    // the front's end of smallest beta
-  compromise,     // between them, nearest to the best of both in terms of the front's extent
-  between,        // also between them
-  held_by_box,    // on the front, but its parameters lie at bounds: not robust by itself
+  most_accurate,  // the law of smallest objective on the front
+  most_robust,    // the law of smallest beta on the front that its box does not hold
+  compromise,     // between these two, nearest to the best of both, measured by the front's extent
+  between,        // another law between the two
+  held_by_box,    // on the front, but not robust by itself, since its parameters lie at bounds
   dominated,
-  inadequate,  // does not describe the devices, however it compares: adequacy.hpp
-  unranked     // without beta, or never identified
+  inadequate,  // does not describe the devices (adequacy.hpp), so it is not compared
+  unranked     // has no beta, or was never identified
 };
 
 std::string_view name(Role role);  // "most accurate", "dominated", ...
@@ -31,38 +31,40 @@ std::string_view name(Role role);  // "most accurate", "dominated", ...
 struct LawVerdict {
   std::size_t law = 0;  // index into Summary::laws
   Role role = Role::unranked;
-  std::string sentence;                   // starts in lower case when it continues after the law's name
+  std::vector<Finding> findings;          // one sentence each, in this order
   std::vector<std::string> dominated_by;  // ids of laws on the front
 };
 
 struct Findings {
-  std::string verdict;  // the answer in one sentence; "" for an inspection
+  std::optional<Finding> verdict;  // the answer; none for an inspection
   std::vector<Recommendation> recommendations;
-  std::string headline;                // the choice between accuracy and robustness
-  std::vector<LawVerdict> verdicts;    // the front from accurate to robust, then dominated, inadequate, unranked laws
-  std::vector<Warning> warnings;       // most serious topic first
-  std::vector<std::string> converged;  // what changes without the optimiser's noise, and what an engineer meets
-  std::string beta_note;               // why no law has a beta; "" when one has
+  std::vector<Finding> headline;     // the choice between accuracy and robustness
+  std::vector<LawVerdict> verdicts;  // the front from accurate to robust, then dominated, inadequate, unranked laws
+  std::vector<Finding> warnings;     // most serious first
+  std::vector<Finding> converged;    // what the analyses tell: analysis_findings.hpp
+  std::string beta_note;             // why no law has a beta; "" where one has
 };
 
 Findings findings(Summary const& summary);
-// Delta_n of the law's n-th parameter over the devices, as a fraction; empty when undefined or not calibrated.
+// Delta_n, the largest relative difference of a device's parameter from the lot's; empty when undefined or fixed.
 std::optional<double> largest_difference(LawResult const& law, std::size_t parameter);
 
-// Mean over devices of the magnitude of an error, `error` being a member such as &DeviceFit::K_eff_error_percent.
+// Mean over the devices of the magnitude of an error; `error` is a member such as &DeviceFit::K_eff_error_percent.
 std::optional<double> mean_magnitude(LawResult const& law, std::optional<double> DeviceFit::*error);
 
-// The largest displacement at which a law was shown to hold: of what was fitted, and of what it predicts where it does.
-// Empty where it was identified on no device.
+// The largest displacement in mm at which a law was shown to hold: in the whole tests where its prediction holds, else
+// in the part that it was fitted to. Empty where it was identified on no device.
 std::optional<double> largest_displacement(Summary const& summary, LawResult const& law);
 
-// Devices that hold the same record, by two or more. Of one that takes no part its file says so, of others the samples.
+// Groups of two or more devices with the same record: the same samples or, where both were refused, the same file.
 std::vector<std::vector<DeviceResult const*>> devices_of_one_record(Summary const& summary);
+// Groups of two or more devices with the same compression test.
+std::vector<std::vector<DeviceResult const*>> devices_of_one_compression(Summary const& summary);
 
 // Indices of the laws by rising mean objective; laws without one come last, in their order.
 std::vector<std::size_t> by_objective(Summary const& summary);
 
-// Devices that were read, in the order of the summary.
+// Names of the devices that were read, in the order of the summary.
 std::vector<std::string> device_names(Summary const& summary);
 
 // nullptr where the law was not tried on the device.
@@ -71,11 +73,8 @@ DeviceFit const* fit_of(LawResult const& law, std::string_view device);
 // A law's parameters as its first identified device lists them; empty when there is none.
 std::vector<ParameterFit> const& parameters_of(LawResult const& law);
 
-// Where a parameter stands in the vectors of a population; nullopt for one that it does not hold: fixed, tied, or
-// redundant where it is of the form without it. A law's own order is another one.
+// Where a parameter stands in the vectors of a population, which is not its place in the law; nullopt for one that they
+// do not hold: fixed, tied, or redundant where the form is the reduced one.
 std::optional<std::size_t> place_of(lot::Population const& population, std::string_view parameter);
-
-// "A, B and C"; beyond `most` names "A, B and 5 more".
-std::string enumerate(std::vector<std::string> const& names, std::size_t most = 5);
 
 }  // namespace isolaw::study

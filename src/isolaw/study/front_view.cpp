@@ -42,7 +42,7 @@ std::vector<FrontPoint> front_points(Summary const& summary, FrontView view) {
                           : view == FrontView::converged ? law.on_front_converged
                                                          : law.on_front_loo;
     if (x && y && std::isfinite(*x) && std::isfinite(*y))
-      points.push_back({law.id, *x, *y, on_front, false, inadequacy(law).empty()});
+      points.push_back({law.id, *x, *y, on_front, false, is_adequate(law)});
   }
   for (auto& point : points) point.stands = stands_among(points, point);
   return points;

@@ -1,4 +1,4 @@
-// Where the laws lie in the plane of accuracy and robustness, in the three ways that figures and tables show.
+// Places the laws in the plane of accuracy and robustness, in the three ways that figures and tables show.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace isolaw::study {
 
-// Fig. 14 of Cucuzza et al. 2025, of the mean of the runs; of the least objectives; against the objective on devices
-// left out.
+// runs: means over the runs, as in Fig. 14 of Cucuzza et al. 2025; converged: least objectives; left_out: least
+// objectives against those on devices left out.
 enum class FrontView { runs, converged, left_out };
 inline constexpr FrontView front_views[]{FrontView::runs, FrontView::converged, FrontView::left_out};
 
@@ -19,16 +19,16 @@ std::string_view key(FrontView view);   // "runs", "converged", "left-out"
 
 struct FrontPoint {
   std::string law;
-  double x = 0.0, y = 0.0;  // robustness, or the objective on devices left out; accuracy
+  double x = 0.0, y = 0.0;  // x: beta, or the objective on devices left out; y: objective
   bool on_front = false;
-  // On the front among the laws that describe the devices, where others beat it too; and whether it is one of these.
+  // is_adequate: the law describes the devices; stands: it does, and no other such law beats it.
   bool stands = false, is_adequate = true;
 };
 
-// Of the laws that have both, in the order of the summary.
+// A point for each law that has both numbers, in the order of the summary.
 std::vector<FrontPoint> front_points(Summary const& summary, FrontView view);
 
-// Ids of the laws on the front that are no worse in both and better in one; none for a law on it.
+// Ids of the laws on the front that beat the point: no worse in both numbers, better in one. None for a law on it.
 std::vector<std::string> dominating(std::vector<FrontPoint> const& points, FrontPoint const& point);
 
 }  // namespace isolaw::study

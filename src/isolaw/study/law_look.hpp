@@ -1,5 +1,5 @@
-// How a law is drawn, wherever it is: on the page and in figures for print. Colours that colour-blind readers tell
-// apart (after Okabe, Ito 2008), each with its fellow for a dark screen, and markers that grey print keeps.
+// How each law is drawn on the page and in figures for print: in colours that colour-blind readers tell apart (after
+// Okabe, Ito 2008), each with a variant for a dark screen, and with markers that stay distinct in grey print.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@ inline constexpr LawLook law_looks[]{
 };
 inline constexpr std::size_t law_look_count = std::size(law_looks);
 
-// Of a law by its place in the summary; they return after so many laws, with hollow markers.
+// Index of a law's look by its place in the summary. After law_look_count laws the looks repeat with hollow markers.
 constexpr std::size_t look_of(std::size_t law) {
   return law % law_look_count;
 }
@@ -34,8 +34,8 @@ constexpr bool is_hollow(std::size_t law) {
   return law >= law_look_count;
 }
 
-// Where a law stands in accuracy against robustness: filled on the front, hollow where it is beaten, a cross where it
-// does not describe the devices.
+// gnuplot's markers in the plot of accuracy against robustness: filled on the front, hollow for a law that is beaten, a
+// cross for one that does not describe the devices.
 inline constexpr int front_point = 7, beaten_point = 12, inadequate_point = 2;
 
 }  // namespace isolaw::study

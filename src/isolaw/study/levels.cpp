@@ -7,8 +7,7 @@ namespace isolaw::study {
 std::vector<Level> levels_of(DeviceResult const& device) {
   auto const& properties = device.properties;
   auto const* reference = counting_cycle(properties, device.acceptance.block);
-  // Of nothing there is no ratio.
-  auto const ratio = [](double value, double of) { return of != 0.0 ? std::optional(value / of) : std::nullopt; };
+  auto const ratio = [](double value, double base) { return base != 0.0 ? std::optional(value / base) : std::nullopt; };
   std::vector<Level> levels;
   for (auto const& block : properties.blocks) {
     auto const* cycle = counting_cycle(properties, block.number);

@@ -13,6 +13,7 @@
 #include "isolaw/opt/pareto.hpp"
 #include "isolaw/study/build_analysis.hpp"
 #include "isolaw/study/findings.hpp"
+#include "isolaw/study/spoken.hpp"
 #include "isolaw/study/table_a5.hpp"
 
 namespace isolaw::study {
@@ -40,13 +41,13 @@ double number_of(ByNumber const& laws, int number, Compared quantity) {
 
 PublishedNumbers numbers_of(std::vector<double> const& device_means, std::vector<double> const& run_stds,
                             std::optional<double> const& beta) {
-  PublishedNumbers made;
+  PublishedNumbers numbers;
   auto const means = num::moments(device_means);
-  if (means.count > 0) made.objective = means.mean;
-  if (means.count > 1) made.std_over_devices = means.std;
-  if (!run_stds.empty()) made.std_over_runs = num::moments(run_stds).mean;
-  made.beta = beta;
-  return made;
+  if (means.count > 0) numbers.objective = means.mean;
+  if (means.count > 1) numbers.std_over_devices = means.std;
+  if (!run_stds.empty()) numbers.std_over_runs = num::moments(run_stds).mean;
+  numbers.beta = beta;
+  return numbers;
 }
 
 template <class Values>
@@ -96,7 +97,7 @@ std::string values_text(ByNumber const& laws, int number, Compared quantity) {
   return quantity == &PublishedNumbers::beta ? fmt::format("{:.3f}", shown) : fmt::format("{:.3g}", shown);
 }
 
-// What is missing, or the values of the laws by one quantity, in their order.
+// The laws with their values of one quantity, the smallest first.
 std::string ordered(ByNumber const& laws, Numbers numbers, Compared quantity) {
   std::ranges::stable_sort(numbers, {}, [&](int number) { return number_of(laws, number, quantity); });
   std::vector<std::string> texts;
@@ -106,10 +107,10 @@ std::string ordered(ByNumber const& laws, Numbers numbers, Compared quantity) {
 }
 
 Numbers lacking(ByNumber const& laws, Numbers const& numbers, Compared quantity) {
-  Numbers made;
+  Numbers missing;
   for (int const number : numbers)
-    if (!has_number(laws, number, quantity)) made.push_back(number);
-  return made;
+    if (!has_number(laws, number, quantity)) missing.push_back(number);
+  return missing;
 }
 
 std::optional<Judged> not_judged(ByNumber const& laws, Numbers const& numbers,
@@ -129,9 +130,9 @@ std::optional<Judged> not_judged(ByNumber const& laws, Numbers const& numbers,
 }
 
 Numbers all_numbers() {
-  Numbers made;
-  for (auto const& law : table_a5::laws) made.push_back(law.number);
-  return made;
+  Numbers numbers;
+  for (auto const& law : table_a5::laws) numbers.push_back(law.number);
+  return numbers;
 }
 
 bool is_rising(ByNumber const& laws, Numbers const& numbers, Compared quantity) {
@@ -140,7 +141,7 @@ bool is_rising(ByNumber const& laws, Numbers const& numbers, Compared quantity) 
          }) == numbers.end();
 }
 
-// Of all that have the quantity, `first` have the smallest values, in whatever order. Needs another one beside them.
+// Whether the laws `first` have the smallest values, in any order among themselves. Open without any other law.
 Judged have_smallest(ByNumber const& laws, Numbers const& first, Compared quantity) {
   if (auto const open = not_judged(laws, first, {quantity})) return *open;
   Numbers there;
@@ -165,7 +166,7 @@ Judged rising(ByNumber const& laws, Numbers const& numbers, Compared quantity) {
 
 constexpr Compared of_accuracy = &PublishedNumbers::objective, of_beta = &PublishedNumbers::beta;
 
-// Where the runs of every law end at one place there is no scatter to compare, only that of arithmetic.
+// Where the runs of every law end at one place, only rounding would be compared, not scatter.
 Judged law_3_scatters_least(ByNumber const& laws) {
   auto const ends_at_one_place = [](Named const& law) {
     auto const& numbers = law.numbers;
@@ -250,31 +251,31 @@ constexpr Statement stated[]{
     {"Fig. 14", "Laws 1, 2, 3 and 5 are not dominated, laws 4 and 6 are.", published_front},
 };
 
-std::string verdict_of(std::vector<PublishedStatement> const& made) {
+std::string verdict_of(std::vector<PublishedStatement> const& statements) {
   auto const count = [&](std::optional<bool> here) {
-    return std::ranges::count(made, here, &PublishedStatement::here);
+    return std::ranges::count(statements, here, &PublishedStatement::here);
   };
   auto const holds = count(true), fails = count(false), open = count(std::nullopt);
-  auto text = fmt::format("{} of {} statements of the published study hold here, {} do{} not", holds, made.size(),
+  auto text = fmt::format("{} of {} statements of the published study hold here, {} do{} not", holds, statements.size(),
                           fails, fails == 1 ? "es" : "");
   if (open > 0) text += fmt::format(", {} cannot be judged", open);
-  auto const in_table = std::ranges::count(made, true, &PublishedStatement::in_table);
+  auto const in_table = std::ranges::count(statements, true, &PublishedStatement::in_table);
   return text + fmt::format("; {} hold in its own Table A.5.", in_table);
 }
 
 // --- laws of the study in the campaign -------------------------------------------------------------------------------
 
-// The readings of a law of the table, the closest first.
+// Ids of the readings of a law in the table, the closest to its printed values first.
 std::vector<std::string> readings(table_a5::Law const& law) {
-  std::vector<std::string> made{std::string(law.id)};
-  if (!law.other_reading.empty()) made.emplace_back(law.other_reading);
-  return made;
+  std::vector<std::string> ids{std::string(law.id)};
+  if (!law.other_reading.empty()) ids.emplace_back(law.other_reading);
+  return ids;
 }
 
 }  // namespace
 
 std::optional<Published> published(Summary const& summary) {
-  Published made;
+  Published comparison;
   ByNumber printed, here;
   for (auto const& law : table_a5::laws) {
     auto const place = static_cast<std::size_t>(law.number - 1);
@@ -284,31 +285,31 @@ std::optional<Published> published(Summary const& summary) {
     for (auto const& name : names) {
       auto const result = std::ranges::find(summary.laws, name, &LawResult::id);
       if (result == summary.laws.end() || !result->objective.mean) continue;
-      made.laws.push_back({law.number, name, !found, {}, numbers_here(*result)});
-      if (!found) here[place] = {name, made.laws.back().here};
+      comparison.laws.push_back({law.number, name, !found, {}, numbers_here(*result)});
+      if (!found) here[place] = {name, comparison.laws.back().here};
       found = true;
     }
-    if (!found) made.laws.push_back({law.number, names.front(), false, {}, {}});
+    if (!found) comparison.laws.push_back({law.number, names.front(), false, {}, {}});
   }
-  if (std::ranges::count(made.laws, true, &PublishedLaw::compared) < 2) return std::nullopt;
+  if (std::ranges::count(comparison.laws, true, &PublishedLaw::compared) < 2) return std::nullopt;
 
   mark_front_of(printed);
   mark_front_of(here);
-  for (auto& law : made.laws) {
+  for (auto& law : comparison.laws) {
     auto const place = static_cast<std::size_t>(law.number - 1);
     law.printed = printed[place].numbers;
     if (law.compared) law.here.on_front = here[place].numbers.on_front;
   }
   for (auto const& [where, text, judge] : stated) {
     auto const [holds, found] = judge(here);
-    made.statements.push_back(
+    comparison.statements.push_back(
         {std::string(where), std::string(text), judge(printed).holds.value_or(false), holds, found});
   }
-  made.source =
+  comparison.source =
       "Cucuzza, Londono Lopez, Domaneschi, Greco, Marano: High Damping Rubber Bearings: Optimal models evaluation "
       "considering production variability. Structures 73 (2025) 108355";
-  made.verdict = verdict_of(made.statements);
-  return made;
+  comparison.verdict = verdict_of(comparison.statements);
+  return comparison;
 }
 
 }  // namespace isolaw::study

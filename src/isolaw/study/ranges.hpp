@@ -1,5 +1,5 @@
-// How far the tests of a law went and how far it was fitted, over the samples of the records that laws are fitted to:
-// what exports state and `simulate` holds a motion to.
+// How far a law was tested and how far it was fitted, over the samples of the records that laws are fitted to. Exports
+// state these ranges, and `simulate` compares a motion with them.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ struct Ranges {
   void add(data::FitRecord const& record) {
     widen(
         tested, record, [](std::size_t) { return true; }, [](std::size_t) { return true; });
-    // A velocity is of the samples on both sides too: at the edge of what was fitted it is another block's as well.
+    // A velocity depends on the samples on both sides: at the edge of the fitted part it depends on another block too.
     auto const last = record.size() - 1;
     auto const scored = [&](std::size_t i) { return record.is_scored(i); };
     widen(fitted, record, scored, [&](std::size_t i) {

@@ -1,36 +1,31 @@
 #include "isolaw/study/recommendation.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <ranges>
 #include <utility>
 
-#include "isolaw/base/number_text.hpp"
-#include "isolaw/base/words.hpp"
 #include "isolaw/study/adequacy.hpp"
 #include "isolaw/study/build_analysis.hpp"
 #include "isolaw/study/findings.hpp"
-#include "isolaw/study/spoken.hpp"
 
 namespace isolaw::study {
 namespace {
 
 using Names = std::vector<std::string>;
 
-// What is known of a law for a purpose: its error, and the error on every device.
+// The error of a law for a purpose, and its errors on the devices.
 struct Known {
   double error = 0.0;
   std::vector<std::pair<std::string_view, double>> of_devices;
 };
 
-template <class Of>
-Known over_devices(LawResult const& law, double error, Of of) {
+template <class ErrorOn>
+Known over_devices(LawResult const& law, double error, ErrorOn error_on) {
   Known known{.error = error, .of_devices = {}};
   for (auto const& fit : law.devices)
-    if (auto const value = of(fit)) known.of_devices.emplace_back(fit.device, *value);
+    if (auto const value = error_on(fit)) known.of_devices.emplace_back(fit.device, *value);
   return known;
 }
 
@@ -45,7 +40,7 @@ std::optional<double> predicted_of(DeviceFit const& fit) {
   return count > 0 ? std::optional(sum / count) : std::nullopt;
 }
 
-// The worse of what is known: on blocks and on devices that the law was not fitted to.
+// The larger error on what the law was not fitted to: blocks, or devices left out.
 std::optional<Known> known_for_untested(LawResult const& law) {
   auto const& loo = law.loo_objective;
   auto const& predicted = law.predicted_objective;
@@ -54,7 +49,7 @@ std::optional<Known> known_for_untested(LawResult const& law) {
   return over_devices(law, *loo, [](DeviceFit const& fit) { return fit.left_out_objective; });
 }
 
-// Without the optimiser's noise where there is an analysis.
+// The error on the tests, without the optimiser's noise where there is an analysis.
 std::optional<Known> known_of_tests(LawResult const& law) {
   if (law.objective_converged)
     return over_devices(law, *law.objective_converged, [](DeviceFit const& fit) { return fit.optimum; });
@@ -72,14 +67,14 @@ std::size_t calibrated(LawResult const& law) {
   return static_cast<std::size_t>(std::ranges::count_if(parameters, &ParameterFit::free));
 }
 
-// Of the parameters that were examined on the devices, those that the tests do not determine; empty without analysis.
+// The share of the examined parameters that the tests do not determine, over all devices; empty without analysis.
 std::optional<double> share_open(LawResult const& law) {
   int examined = 0, open = 0;
   for (auto const& fit : law.devices)
     for (auto const& parameter : fit.parameters) {
       if (!parameter.analysis) continue;
       ++examined;
-      open += parameter.analysis->identifiability == "undetermined" ? 1 : 0;
+      open += parameter.analysis->identifiability == analysis::Verdict::undetermined ? 1 : 0;
     }
   return examined > 0 ? std::optional(static_cast<double>(open) / examined) : std::nullopt;
 }
@@ -89,18 +84,18 @@ struct Candidate {
   LawResult const* law = nullptr;
   Known known;
   std::size_t parameters = 0;
-  Names weak = {};  // why a choice of it is not a sure one
+  std::vector<Finding> weak = {};  // why choosing it is not sure
 };
 
-// A law that may be taken at all, on every device that takes part.
+// True for a law that may be taken: identified on every device, adequate, and not refuted by its prediction.
 bool may_be_taken(Summary const& summary, LawResult const& law) {
   auto const usable = device_names(summary).size();
   auto const identified = static_cast<std::size_t>(
       std::ranges::count_if(law.devices, [](auto const& fit) { return fit_status(fit) == "ok"; }));
-  return law.objective.mean && identified == usable && inadequacy(law).empty() && law.prediction_holds();
+  return law.objective.mean && identified == usable && is_adequate(law) && law.prediction_holds();
 }
 
-// Means differ by no more than chance makes of the devices.
+// True where the mean errors differ by no more than their scatter over the devices explains.
 bool tie(Known const& best, Known const& other) {
   std::vector<double> differences;
   for (auto const& [device, error] : best.of_devices) {
@@ -115,27 +110,39 @@ bool tie(Known const& best, Known const& other) {
   return mean <= tie_errors * std::sqrt(squares / (count - 1.0) / count);
 }
 
-Names weaknesses(Summary const& summary, Candidate const& candidate, Purpose purpose) {
+std::string grade_of_error(double error) {
+  return std::string(name(graded(error, error, error)));
+}
+
+std::vector<Finding> weaknesses(Summary const& summary, Candidate const& candidate, Purpose purpose) {
   auto const& law = *candidate.law;
-  Names found;
-  auto const grade = graded(candidate.known.error, candidate.known.error, candidate.known.error);
+  double const error = candidate.known.error;
+  std::vector<Finding> found;
   if (law.prediction_grade == PredictionGrade::fair)
-    found.push_back("its prediction of blocks it was not fitted to is fair");
-  else if (grade > PredictionGrade::good)
-    found.push_back(fmt::format("an error of {} is no more than {}", percent(candidate.known.error), name(grade)));
-  if (!compares_laws(summary)) found.emplace_back("no other law was identified to compare it with");
-  if (summary.missing_runs() > 0 || summary.missing_analyses() > 0) found.emplace_back("the campaign is not complete");
+    found.push_back({.kind = FindingKind::weak_prediction_fair, .law = law.id});
+  else if (graded(error, error, error) > PredictionGrade::good)
+    found.push_back({.kind = FindingKind::weak_error,
+                     .law = law.id,
+                     .numbers = {{"error", error}},
+                     .words = {{"grade", grade_of_error(error)}}});
+  if (!compares_laws(summary)) found.push_back({.kind = FindingKind::weak_only_law, .law = law.id});
+  if (summary.missing_runs() > 0 || summary.missing_analyses() > 0)
+    found.push_back({.kind = FindingKind::weak_incomplete});
   if (law.success_share && *law.success_share < found_share)
-    found.push_back(fmt::format("{} of its searches ended near its least objective", percent(*law.success_share)));
-  if (auto const held = pinned(law); held.decides()) found.push_back(held.text());
+    found.push_back({.kind = FindingKind::weak_search, .law = law.id, .numbers = {{"share", *law.success_share}}});
+  if (auto const held = pinned(law); held.decides()) {
+    found.push_back(held.finding(law.id));
+    found.back().kind = FindingKind::weak_bounds;
+  }
   // A prediction that holds has shown that what the tests leave open does not matter there.
   if (purpose == Purpose::untested_device && !law.prediction_grade)
     if (auto const share = share_open(law); share && *share > open_share)
-      found.push_back(fmt::format("the tests do not determine {} of its parameters", percent(*share)));
+      found.push_back({.kind = FindingKind::weak_open, .law = law.id, .numbers = {{"share", *share}}});
   return found;
 }
 
-// Of laws that tie: what nothing speaks against, then fewer parameters, then a material in analysis programs.
+// Among laws that tie, one that nothing speaks against comes first, then one with fewer parameters, then one that
+// analysis programs have.
 bool preferred(Candidate const& a, Candidate const& b) {
   if (a.weak.empty() != b.weak.empty()) return a.weak.empty();
   if (a.parameters != b.parameters) return a.parameters < b.parameters;
@@ -147,41 +154,38 @@ bool predicts_blocks(Summary const& summary) {
   return std::ranges::any_of(summary.laws, [](auto const& law) { return law.predicted_objective.has_value(); });
 }
 
-// What an error is of.
+// Says where the error of a law was found.
 std::string measure_of(bool untested, LawResult const& law) {
   if (!untested) return "fitted to each device";
   bool const of_blocks =
       law.predicted_objective && (!law.loo_objective || *law.predicted_objective >= *law.loo_objective);
-  return of_blocks ? "on blocks it was not fitted to" : "on a device left out";
+  return of_blocks ? "on blocks it was not fitted to" : "on a device it was not fitted to";
 }
 
-// The tests that would tell more.
-std::string test_that_decides(Summary const& summary, Purpose purpose, bool open) {
+// Tests and commands that would make the answer surer.
+std::vector<Finding> what_would_decide(Summary const& summary, Purpose purpose, bool open) {
   constexpr std::size_t few = 5;
   auto const devices = device_names(summary).size();
-  Names tests;
-  if (summary.missing_runs() > 0 || summary.missing_analyses() > 0)
-    tests.emplace_back("the rest of the campaign, which the same command computes");
-  if (open && !compares_laws(summary)) tests.emplace_back("--laws, others to compare it with");
+  std::vector<Finding> steps;
+  auto const add = [&](FindingKind kind) { steps.push_back({.kind = kind}); };
+  if (summary.missing_runs() > 0 || summary.missing_analyses() > 0) add(FindingKind::surer_finish);
+  if (open && !compares_laws(summary)) add(FindingKind::surer_other_laws);
   bool const elsewhere = purpose != Purpose::these_tests;
   if (elsewhere && !predicts_blocks(summary) && (open || purpose == Purpose::untested_device)) {
     bool const several = std::ranges::any_of(summary.devices, [](auto const& device) {
       return device.status == "ok" && device.properties.blocks.size() > 1;
     });
-    tests.emplace_back(several ? "--fit-blocks, an amplitude or rate kept from the fit"
-                               : "another amplitude or rate, kept from the fit");
+    add(several ? FindingKind::surer_fit_blocks : FindingKind::surer_other_amplitude);
   }
-  if (elsewhere && open && predicts_blocks(summary))
-    tests.emplace_back("a further test, kept from a fit to every block");
-  if (elsewhere && devices == 1)
-    tests.emplace_back("more devices");
-  else if (elsewhere && open && devices < few)
-    tests.push_back(fmt::format("more than these {} devices", devices));
-  if (open && tests.empty()) tests.emplace_back("an amplitude between those there");
-  return joined(tests, "; ");
+  if (elsewhere && open && predicts_blocks(summary)) add(FindingKind::surer_further_test);
+  if (elsewhere && (devices == 1 || (open && devices < few)))
+    steps.push_back(
+        {.kind = FindingKind::surer_more_devices, .numbers = {{"devices_tested", static_cast<double>(devices)}}});
+  if (open && steps.empty()) add(FindingKind::surer_amplitude_between);
+  return steps;
 }
 
-// What was not tested and is judged: nobody knows of the rest.
+// The title names only what the errors are known for: devices left out, blocks, or both.
 std::string title_of(Summary const& summary, Purpose purpose) {
   if (purpose == Purpose::these_tests) return "For these tests";
   if (purpose == Purpose::simplest) return "Simplest that serves";
@@ -190,92 +194,96 @@ std::string title_of(Summary const& summary, Purpose purpose) {
   return devices ? "For a device not tested" : "For what was not tested";
 }
 
-std::string_view object_of(Purpose purpose) {
-  constexpr std::string_view names[]{"devices and amplitudes that were not tested", "these tests", "simplicity"};
-  return names[static_cast<std::size_t>(purpose)];
-}
-
-Recommendation none(Summary const& summary, Purpose purpose, std::string why) {
-  Recommendation made;
-  made.purpose = purpose;
-  made.why = capitalised(std::move(why)) + ".";
-  made.answer = fmt::format("No law can be recommended for {}.", object_of(purpose));
-  made.would_decide = test_that_decides(summary, purpose, true);
-  return made;
-}
-
-// Why no law is left, as a person asks.
-std::string why_none(Summary const& summary, Purpose purpose) {
+// Why no law is left to recommend.
+std::vector<Finding> why_none(Summary const& summary, Purpose purpose) {
   auto const identified =
       std::ranges::count_if(summary.laws, [](auto const& law) { return law.objective.mean.has_value(); });
-  if (identified == 0) return "no law could be identified";
+  if (identified == 0) return {{.kind = FindingKind::none_identified}};
   Names far, failing, partial;
   for (auto const& law : summary.laws) {
     if (!law.objective.mean) continue;
-    if (!inadequacy(law).empty())
-      far.push_back(called(law));
+    if (!is_adequate(law))
+      far.push_back(law.id);
     else if (!law.prediction_holds())
-      failing.push_back(fmt::format("{} ({})", called(law), name(*law.prediction_grade)));
+      failing.push_back(law.id);
     else if (!may_be_taken(summary, law))
-      partial.push_back(called(law));
+      partial.push_back(law.id);
   }
-  Names parts;
-  if (!far.empty())
-    parts.push_back(fmt::format("{} {} not describe the devices", enumerate(far), far.size() == 1 ? "does" : "do"));
-  if (!failing.empty()) parts.push_back(fmt::format("the prediction of {} does not hold", enumerate(failing)));
-  if (!partial.empty()) parts.push_back(fmt::format("{} was not identified on every device", enumerate(partial)));
-  if (!parts.empty()) return joined(parts, "; ");
-  if (purpose != Purpose::untested_device) return "no law has an error to compare";
-  return device_names(summary).size() > 1
-             ? "every block was fitted, and no device was left out of the lot's law (--analysis full does that)"
-             : "one device was tested and every block fitted: nothing says how a law holds elsewhere";
+  std::vector<Finding> reasons;
+  auto const add = [&](FindingKind kind, Names laws) {
+    if (!laws.empty()) reasons.push_back({.kind = kind, .other_laws = std::move(laws)});
+  };
+  add(FindingKind::none_describes, std::move(far));
+  add(FindingKind::none_predicts, std::move(failing));
+  add(FindingKind::none_on_every_device, std::move(partial));
+  if (!reasons.empty()) return reasons;
+  if (purpose != Purpose::untested_device) return {{.kind = FindingKind::none_has_error}};
+  return {
+      {.kind = device_names(summary).size() > 1 ? FindingKind::none_left_out : FindingKind::none_beside_one_device}};
 }
 
-// Why a law may not be taken; empty where it may.
-std::string ruled_out(Summary const& summary, LawResult const& law, bool known, double error) {
-  if (!law.objective.mean) return "was not identified";
-  if (!inadequacy(law).empty()) return "does not describe the devices";
-  if (!law.prediction_holds()) return fmt::format("its prediction is {}", name(*law.prediction_grade));
-  if (!may_be_taken(summary, law)) return "was not identified on every device";
-  if (!known) return "nothing shows how it holds elsewhere";
-  return error > fair_prediction ? fmt::format("its error is {}", name(graded(error, error, error))) : std::string();
+Recommendation none(Summary const& summary, Purpose purpose) {
+  Recommendation answer;
+  answer.purpose = purpose;
+  answer.why = why_none(summary, purpose);
+  answer.answer = {.kind = FindingKind::no_law_recommended, .words = {{"purpose", std::string(name(purpose))}}};
+  answer.surer = what_would_decide(summary, purpose, true);
+  return answer;
 }
 
-// Of every law, the chosen ones first, in their order.
+// Why a law may not be taken; nullopt where it may.
+std::optional<Finding> ruled_out(Summary const& summary, LawResult const& law, bool known, double error) {
+  auto const because = [&](FindingKind kind, std::string_view grade = {}) {
+    Finding reason{.kind = kind, .law = law.id};
+    if (!grade.empty()) reason.words = {{"grade", std::string(grade)}};
+    return std::optional(std::move(reason));
+  };
+  if (!law.objective.mean) return because(FindingKind::out_not_identified);
+  if (!is_adequate(law)) return because(FindingKind::out_inadequate);
+  if (!law.prediction_holds()) return because(FindingKind::out_prediction, name(*law.prediction_grade));
+  if (!may_be_taken(summary, law)) return because(FindingKind::out_partial);
+  if (!known) return because(FindingKind::out_unknown);
+  return error > fair_prediction ? because(FindingKind::out_error, grade_of_error(error)) : std::nullopt;
+}
+
+// The standing of every law: the chosen ones first, in their order.
 std::vector<Standing> standings_of(Summary const& summary, bool untested, std::vector<Candidate> const& chosen) {
-  std::vector<Standing> made, out;
-  for (auto const& c : chosen) made.push_back({c.index, made.empty() ? Place::taken : Place::tied, c.known.error, {}});
-  auto const first_behind = static_cast<std::ptrdiff_t>(made.size());
+  std::vector<Standing> standings, out;
+  for (auto const& c : chosen)
+    standings.push_back({c.index, standings.empty() ? Rank::taken : Rank::tied, c.known.error, {}});
+  auto const first_behind = static_cast<std::ptrdiff_t>(standings.size());
   for (std::size_t i = 0; i < summary.laws.size(); ++i) {
     if (std::ranges::find(chosen, i, &Candidate::index) != chosen.end()) continue;
     auto const& law = summary.laws[i];
     auto const known = untested ? known_for_untested(law) : known_of_tests(law);
     auto const error = known ? std::optional(known->error) : std::nullopt;
     auto reason = ruled_out(summary, law, known.has_value(), error.value_or(0.0));
-    auto& to = reason.empty() ? made : out;
-    to.push_back({i, reason.empty() ? Place::behind : Place::ruled_out, error, std::move(reason)});
+    auto& list = reason ? out : standings;
+    list.push_back({i, reason ? Rank::ruled_out : Rank::behind, error, std::move(reason)});
   }
   auto const by_error = [](Standing const& s) { return s.error.value_or(std::numeric_limits<double>::infinity()); };
-  std::ranges::stable_sort(made.begin() + first_behind, made.end(), {}, by_error);
+  std::ranges::stable_sort(standings.begin() + first_behind, standings.end(), {}, by_error);
   std::ranges::stable_sort(out, {}, by_error);
-  made.insert(made.end(), out.begin(), out.end());
-  return made;
+  standings.insert(standings.end(), out.begin(), out.end());
+  return standings;
 }
 
-// A law that follows the tests more closely and may not be taken is asked after.
-std::string closer_but_refused(Summary const& summary, Candidate const& taken, Purpose purpose) {
-  if (purpose != Purpose::these_tests) return {};
+// The law that follows the tests most closely but does not predict: readers ask why it was not taken.
+std::optional<Finding> closer_but_refused(Summary const& summary, Candidate const& taken, Purpose purpose) {
+  if (purpose != Purpose::these_tests) return std::nullopt;
   LawResult const* closest = nullptr;
   double least = taken.known.error;
   for (auto const& law : summary.laws) {
     auto const known = known_of_tests(law);
-    if (!known || known->error >= least || law.prediction_holds() || !inadequacy(law).empty()) continue;
+    if (!known || known->error >= least || law.prediction_holds() || !is_adequate(law)) continue;
     closest = &law;
     least = known->error;
   }
-  return closest == nullptr ? std::string()
-                            : fmt::format("; {} is nearer ({}), but its prediction is {}", called(*closest),
-                                          percent(least), name(*closest->prediction_grade));
+  if (closest == nullptr) return std::nullopt;
+  return Finding{.kind = FindingKind::why_closer_refused,
+                 .law = closest->id,
+                 .numbers = {{"error", least}},
+                 .words = {{"grade", std::string(name(*closest->prediction_grade))}}};
 }
 
 Recommendation recommend(Summary const& summary, Purpose purpose) {
@@ -292,14 +300,14 @@ Recommendation recommend(Summary const& summary, Purpose purpose) {
     candidates.push_back({.index = i, .law = &law, .known = *known, .parameters = calibrated(law)});
   }
   if (candidates.empty()) {
-    auto made = none(summary, purpose, why_none(summary, purpose));
-    made.standings = standings_of(summary, untested, {});
-    return made;
+    auto advice = none(summary, purpose);
+    advice.standings = standings_of(summary, untested, {});
+    return advice;
   }
   std::ranges::stable_sort(candidates, {}, [](auto const& c) { return c.known.error; });
   auto const& best = candidates.front();
 
-  std::vector<Candidate> chosen;  // that cannot be told apart for the purpose
+  std::vector<Candidate> chosen;  // the laws that cannot be told apart for the purpose
   if (purpose == Purpose::simplest) {
     double const most = best.known.error + std::max(simple_share * best.known.error, simple_error);
     auto fewest = best.parameters;
@@ -314,7 +322,7 @@ Recommendation recommend(Summary const& summary, Purpose purpose) {
     for (auto const& c : candidates)
       if (&c == &best || tie(best.known, c.known)) chosen.push_back(c);
   }
-  // A grade outranks an error: a law whose prediction is good comes before one whose is fair.
+  // A grade outranks an error: a law that predicts well comes before one that predicts fairly.
   auto const grade_of = [](Candidate const& c) { return c.law->prediction_grade.value_or(PredictionGrade::good); };
   auto const least_grade = std::ranges::min(chosen | std::views::transform(grade_of));
   std::erase_if(chosen, [&](auto const& c) { return grade_of(c) != least_grade; });
@@ -322,44 +330,52 @@ Recommendation recommend(Summary const& summary, Purpose purpose) {
   std::ranges::stable_sort(chosen, preferred);
 
   auto const& taken = chosen.front();
-  Recommendation made;
-  made.purpose = purpose;
-  made.law = taken.index;
-  made.error = taken.known.error;
-  made.measure = measure_of(untested, *taken.law);
-  made.standings = standings_of(summary, untested, chosen);
+  Recommendation advice;
+  advice.purpose = purpose;
+  advice.law = taken.index;
+  advice.error = taken.known.error;
+  advice.measure = measure_of(untested, *taken.law);
+  advice.standings = standings_of(summary, untested, chosen);
   Names tied;
   for (auto const& c : chosen | std::views::drop(1)) {
-    made.ties.push_back(c.index);
-    tied.push_back(called(*c.law));
+    advice.ties.push_back(c.index);
+    tied.push_back(c.law->id);
   }
-  auto const& weak = taken.weak;
-  made.sure = !weak.empty() ? Sure::weak : !made.ties.empty() ? Sure::tie : Sure::clear;
+  advice.weak = taken.weak;
+  advice.sure = !advice.weak.empty() ? Sure::weak : !advice.ties.empty() ? Sure::tie : Sure::clear;
 
-  made.why = fmt::format("Errs by {} {}", percent(taken.known.error), made.measure);
-  if (purpose == Purpose::simplest) made.why += fmt::format(", with {}", counted(taken.parameters, "parameter"));
+  Finding error{.kind = FindingKind::why_error,
+                .law = taken.law->id,
+                .numbers = {{"error", taken.known.error}},
+                .words = {{"measure", advice.measure}}};
+  if (purpose == Purpose::simplest) error.numbers.push_back({"parameters", static_cast<double>(taken.parameters)});
+  advice.why.push_back(std::move(error));
   if (purpose == Purpose::simplest && taken.index != best.index)
-    made.why += fmt::format("; {} by {}, with {}", called(*best.law), percent(best.known.error), best.parameters);
-  if (!tied.empty())
-    made.why +=
-        fmt::format("; {} {} with it within {}", enumerate(tied), tied.size() == 1 ? "ties" : "tie",
-                    device_names(summary).size() > 1 ? "the scatter over the devices" : "what one device can tell");
-  else if (purpose != Purpose::simplest && candidates.size() > 1) {
+    advice.why.push_back(
+        {.kind = FindingKind::why_simpler,
+         .law = best.law->id,
+         .numbers = {{"error", best.known.error}, {"parameters", static_cast<double>(best.parameters)}}});
+  if (!tied.empty()) {
+    advice.why.push_back({.kind = FindingKind::why_ties,
+                          .law = taken.law->id,
+                          .other_laws = tied,
+                          .words = {{"tie", device_names(summary).size() > 1 ? "lot" : "device"}}});
+  } else if (purpose != Purpose::simplest && candidates.size() > 1) {
     auto const& next = candidates[best.index == taken.index ? 1 : 0];
-    made.why += fmt::format("; {} by {}", called(*next.law), percent(next.known.error));
+    advice.why.push_back(
+        {.kind = FindingKind::why_next, .law = next.law->id, .numbers = {{"error", next.known.error}}});
   }
-  made.why += closer_but_refused(summary, taken, purpose);
-  made.why += ".";
-  if (!weak.empty()) made.why += fmt::format(" Weak: {}.", joined(weak, "; "));
-  auto laws = called(*taken.law);
-  for (auto const& id : tied) laws += " or " + id;
-  made.answer = fmt::format("Take {}{}{}: {} off {}.", laws, tied.empty() ? "" : ", which tie",
-                            made.sure == Sure::weak ? ", with care" : "", percent(taken.known.error), made.measure);
-  made.would_decide = test_that_decides(summary, purpose, made.sure != Sure::clear);
-  if (auto const mm = largest_displacement(summary, *taken.law))
-    made.valid = fmt::format("up to {} mm", number_text(*mm, 3));
-  if (!taken.law->in_programs) made.programs = "Not in OpenSees: export --to opensees-cpp";
-  return made;
+  if (auto closer = closer_but_refused(summary, taken, purpose)) advice.why.push_back(std::move(*closer));
+  advice.answer = {
+      .kind = FindingKind::law_recommended,
+      .law = taken.law->id,
+      .other_laws = tied,
+      .numbers = {{"error", taken.known.error}},
+      .words = {{"measure", advice.measure}, {"sure", std::string(name(advice.sure))}, {"elsewhere", "yes"}}};
+  advice.surer = what_would_decide(summary, purpose, advice.sure != Sure::clear);
+  advice.valid_mm = largest_displacement(summary, *taken.law);
+  if (!taken.law->in_programs) advice.programs = Finding{.kind = FindingKind::not_in_opensees, .law = taken.law->id};
+  return advice;
 }
 
 }  // namespace
@@ -369,7 +385,7 @@ std::string_view name(Purpose purpose) {
   return names[static_cast<std::size_t>(purpose)];
 }
 
-std::string_view name(Place place) {
+std::string_view name(Rank place) {
   constexpr std::string_view names[]{"taken", "ties", "behind", "ruled out"};
   return names[static_cast<std::size_t>(place)];
 }
@@ -384,28 +400,26 @@ bool compares_laws(Summary const& summary) {
 }
 
 std::vector<Recommendation> recommendations(Summary const& summary) {
-  std::vector<Recommendation> made;
-  if (summary.laws.empty()) return made;
+  std::vector<Recommendation> answers;
+  if (summary.laws.empty()) return answers;
   for (auto const purpose : {Purpose::untested_device, Purpose::these_tests, Purpose::simplest}) {
-    made.push_back(recommend(summary, purpose));
-    made.back().title = title_of(summary, purpose);
+    answers.push_back(recommend(summary, purpose));
+    answers.back().title = title_of(summary, purpose);
   }
-  // What a law is not shown for stands in the sentence that names it.
-  if (made.front().law) return made;
-  for (auto& each : made | std::views::drop(1)) {
-    if (!each.law) continue;
-    if (each.purpose == Purpose::these_tests) each.answer = "For these tests t" + each.answer.substr(1);
-    each.answer.pop_back();  // its full stop
-    each.answer += "; for other devices or amplitudes no law can be recommended.";
-  }
-  return made;
+  // Where no law is known for untested devices, the other answers say that theirs is not shown to hold elsewhere.
+  if (answers.front().law) return answers;
+  for (auto& each : answers | std::views::drop(1))
+    if (each.law) {
+      std::ranges::find(each.answer.words, "elsewhere", &FindingWord::name)->text = "no";
+      each.answer.words.push_back({"others", "none"});
+    }
+  return answers;
 }
 
-std::string verdict_sentence(std::vector<Recommendation> const& made) {
-  if (made.empty()) return {};
-  auto const &design = made[0], &tests = made[1];
-  if (design.law) return design.answer;
-  return tests.law ? tests.answer : "No law can be recommended. " + tests.why;
+std::optional<Finding> verdict(std::vector<Recommendation> const& recommendations) {
+  if (recommendations.empty()) return std::nullopt;
+  auto const &design = recommendations[0], &tests = recommendations[1];
+  return design.law || !tests.law ? design.answer : tests.answer;
 }
 
 }  // namespace isolaw::study

@@ -1,5 +1,5 @@
-// Which law to take, for what: one answer from everything that a campaign tells of its laws. docs/decision.md has the
-// rule and what outranks what.
+// Recommends a law for each purpose: one answer from everything that a campaign tells about its laws.
+// docs/decision.md explains the rule.
 #pragma once
 
 #include <cstddef>
@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "isolaw/base/finding.hpp"
 #include "isolaw/study/summary.hpp"
 
 namespace isolaw::study {
@@ -22,49 +23,50 @@ std::string_view name(Purpose purpose);  // "untested-device", "these-tests", "s
 enum class Sure { clear, tie, weak };
 std::string_view name(Sure sure);
 
-// Where a law stands for a purpose.
-enum class Place { taken, tied, behind, ruled_out };
-std::string_view name(Place place);  // "taken", "ties", "behind", "ruled out"
+// How a law compares with the others for a purpose.
+enum class Rank { taken, tied, behind, ruled_out };
+std::string_view name(Rank place);  // "taken", "ties", "behind", "ruled out"
 struct Standing {
   std::size_t law = 0;  // index into Summary::laws
-  Place place = Place::behind;
-  std::optional<double> error;  // as the purpose measures it
-  std::string reason;           // why it is ruled out, as the end of a sentence about it
+  Rank place = Rank::behind;
+  std::optional<double> error;    // as the purpose measures it
+  std::optional<Finding> reason;  // why it is ruled out
 };
 
 struct Recommendation {
   Purpose purpose = Purpose::untested_device;
-  std::string title;                // "For a device not tested": of what there is an error for
+  std::string title;                // "For a device not tested"
   std::optional<std::size_t> law;   // index into Summary::laws; empty: none can be recommended
-  Sure sure = Sure::weak;           // what makes a choice weak outranks that it ties
-  std::optional<double> error;      // of that law, as the purpose measures it; 0 is perfect
-  std::string measure;              // what that error is of
-  std::vector<std::size_t> ties;    // the laws that cannot be told from it, best first, without it
-  std::vector<Standing> standings;  // of every law, best first, those ruled out last
-  std::string answer;               // one sentence: take this law, or none
-  std::string why;                  // one sentence or two
-  std::string would_decide;         // the test that would; "" where nothing is open
-  std::string valid;                // where it was shown to hold: "up to 230 mm"; "" without a law
-  std::string programs;             // what an analysis takes it by where programs lack it; "" where they have it
+  Sure sure = Sure::weak;           // a choice with a weakness is weak even where it ties
+  std::optional<double> error;      // error of that law, as the purpose measures it; 0 is perfect
+  std::string measure;              // where that error was found: "fitted to each device"
+  std::vector<std::size_t> ties;    // the other laws that cannot be told from it, best first
+  std::vector<Standing> standings;  // every law, best first, those ruled out last
+  Finding answer;                   // take this law, or none
+  std::vector<Finding> why;
+  std::vector<Finding> weak;        // why the choice is not sure
+  std::vector<Finding> surer;       // what would make it surer; empty where nothing is open
+  std::optional<double> valid_mm;   // the largest displacement at which the law was shown to hold
+  std::optional<Finding> programs;  // how an analysis gets the law where programs lack it
 };
 
-// Two laws or more were identified: the only one was chosen from nothing.
+// True where two laws or more were identified; a single one was not chosen among others.
 bool compares_laws(Summary const& summary);
 
-// Of every purpose, in their order; none for an inspection.
+// One for each purpose, in the order of Purpose; none for an inspection.
 std::vector<Recommendation> recommendations(Summary const& summary);
 
-// The answer in one sentence: what the page and the terminal open with.
-std::string verdict_sentence(std::vector<Recommendation> const& made);
+// The answer that the page and the terminal open with; none for an inspection.
+std::optional<Finding> verdict(std::vector<Recommendation> const& recommendations);
 
-// Two laws tie where their mean difference over the devices is within this many standard errors of it, or, of one
-// device, which has no scatter, within this share of the smaller error.
+// Two laws tie where the mean difference of their errors over the devices is within this many of its standard errors. A
+// single device has no scatter: there they tie within this share of the smaller error.
 inline constexpr double tie_errors = 2.0, tie_share = 0.15;
-// What the simplest law may lose against the best: this share of its error, or this much.
+// The simplest law's error may exceed the best law's by the larger of this share of it and this much.
 inline constexpr double simple_share = 0.5, simple_error = 0.02;
-// A search of which fewer runs than this end near the least objective is no sure one.
+// A choice is weak where less than this share of the law's runs ends near the least objective.
 inline constexpr double found_share = 0.5;
-// And of a law the tests should leave no larger share of the parameters open, where nothing shows that it predicts.
+// It is weak too where the tests leave more than this share of the parameters open and no prediction was made.
 inline constexpr double open_share = 0.5;
 
 }  // namespace isolaw::study

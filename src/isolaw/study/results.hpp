@@ -1,4 +1,4 @@
-// Every result under one name: its key in JSON, its unit, its heading in tables, what it means. summary.json, the data
+// Every result under one name: its key in JSON, its unit, its heading in tables and its meaning. summary.json, the data
 // of the page and the tables are written from these rows, in their order; docs/summary-json.md is checked against them.
 #pragma once
 
@@ -43,29 +43,29 @@ Value value_of(T const& from) {
     return from;
 }
 
-// Through members, or functions of the object: get<&ParameterFit::value, &Statistic::mean>.
-template <auto first, auto... rest, class Of>
-Value get(Of const& of) {
+// Reads a member or calls a function of the object, and so on: get<&ParameterFit::value, &Statistic::mean>.
+template <auto first, auto... rest, class Object>
+Value get(Object const& object) {
   if constexpr (sizeof...(rest) > 0)
-    return get<rest...>(std::invoke(first, of));
+    return get<rest...>(std::invoke(first, object));
   else
-    return value_of(std::invoke(first, of));
+    return value_of(std::invoke(first, object));
 }
-template <auto lower, auto upper, class Of>
-Value ends(Of const& of) {
-  return Ends{of.*lower, of.*upper};
+template <auto lower, auto upper, class Object>
+Value ends(Object const& object) {
+  return Ends{object.*lower, object.*upper};
 }
-// A word that is undefined where it is empty.
-template <auto member, class Of>
-Value word(Of const& of) {
-  return (of.*member).empty() ? Value() : value_of(of.*member);
+// A text that is undefined where it is empty.
+template <auto member, class Object>
+Value word(Object const& object) {
+  return (object.*member).empty() ? Value() : value_of(object.*member);
 }
-template <class Of>
-Value nested(Of const&) {
+template <class Object>
+Value nested(Object const&) {
   return Nested{};
 }
 
-// Of a parameter: stated beside it.
+// Marks a number whose unit differs from object to object and stands beside it, as that of a parameter.
 inline constexpr std::string_view own_unit = "its own";
 
 // How the page's tables print a number.
@@ -79,13 +79,13 @@ constexpr Printed significant(int count) {
   return {.decimals = {}, .significant = count};
 }
 
-template <class Of>
+template <class Object>
 struct Result {
-  // unit: "-" of a number without one, "" of what is none; heading: "" of what no table holds, the page's among them.
+  // unit: "-" for a number without one, "" for what is no number; heading: "" for what no table and no page shows.
   std::string_view key, unit, heading, meaning;
-  Value (*of)(Of const&) = nullptr;
+  Value (*of)(Object const&) = nullptr;
   Printed printed{};
-  int digits = 9;  // significant ones in the page's data, where numbers are drawn rather than computed with
+  int digits = 9;  // significant digits in the page's data, where numbers are only drawn
 };
 
 inline std::string_view fit_message(DeviceFit const& fit) {
@@ -102,133 +102,133 @@ inline std::optional<double> energy_fall_of_law(DeviceFit const& fit) {
 inline constexpr Result<LawResult> law_results[]{
     {"id", "", "law", "short name, as on the command line", get<&LawResult::id>},
     {"objective", "-", "OF",
-     "`mean`: of the device means; `std`, `best`: standard deviation and smallest value over devices and runs",
+     "`mean`: mean of the device means; `std`, `best`: standard deviation and smallest value over all devices and runs",
      get<&LawResult::objective>},
     {"beta", "-", "beta",
      "robustness index, Eq. (31) of Cucuzza et al. 2025: mean over the calibrated parameters of the largest relative difference of a device from the lot's mean; smaller is more robust",
      get<&LawResult::beta>},
     {"on_front", "", "on front",
-     "no other law is at least as good in both `objective.mean` and `beta` and better in one",
+     "true: no other law is at least as good in both `objective.mean` and `beta`, and better in one",
      get<&LawResult::on_front>},
-    {"devices", "", "", "the fits, one object per device the law was tried on", nested<LawResult>},
+    {"devices", "", "", "the fits: one object for each device the law was tried on", nested<LawResult>},
     {"beta_note", "", "note", "why `beta` is null; empty otherwise", get<&LawResult::beta_note>},
-    {"name", "", "", "as people call the law: `\"Abe (constant yield)\"`",
+    {"name", "", "", "common name: `\"Abe (constant yield)\"`",
      [](LawResult const& law) { return value_of(laws::called(law.id)); }},
-    {"title", "", "", "of the law", get<&LawResult::title>},
-    {"notes", "", "", "how its source was read where it is incomplete", get<&LawResult::notes>},
+    {"title", "", "", "longer name that says what kind of law it is", get<&LawResult::title>},
+    {"notes", "", "", "how isolaw reads the law's source where the source is incomplete", get<&LawResult::notes>},
     {"success_share", "-", "success share",
-     "usable runs that ended within 0.1 % of the least objective of the campaign (of its runs and their analysis), 0 to 1",
+     "share (0 to 1) of the usable runs that ended within 0.1 % of the least objective that the campaign found, in runs or analysis",
      get<&LawResult::success_share>},
     {"success_reference", "", "success refers to",
-     "whose objective that is: best of this campaign; empty where `success_share` is null",
+     "where that least objective comes from: best of this campaign; empty where `success_share` is null",
      get<&LawResult::success_reference>},
-    {"objective_converged", "-", "mean least OF", "mean over devices of the least objectives (`optimum`)",
+    {"objective_converged", "-", "mean least OF", "mean over the devices of their least objectives (`optimum`)",
      get<&LawResult::objective_converged>},
-    {"beta_converged", "-", "beta, converged",
-     "`beta` from the least objectives, without what the tests do not determine", get<&LawResult::beta_converged>},
+    {"beta_converged", "-", "beta, converged", "`beta` from the least objectives; undetermined parameters are left out",
+     get<&LawResult::beta_converged>},
     {"beta_converged_note", "", "note", "why `beta_converged` is null; empty otherwise",
      get<&LawResult::beta_converged_note>},
     {"left_out_of_beta", "", "left out of beta", "parameters that most devices leave undetermined or whose box decides",
      get<&LawResult::left_out_of_beta>},
-    {"reduced", "", "", "`beta_converged` is of the form without the redundant parameter", get<&LawResult::reduced>},
-    {"on_front_converged", "", "on front, converged", "front of `objective_converged` against `beta_converged`",
-     get<&LawResult::on_front_converged>},
+    {"reduced", "", "", "`beta_converged` was computed without the redundant parameter", get<&LawResult::reduced>},
+    {"on_front_converged", "", "on front, converged",
+     "the law is on the front of `objective_converged` against `beta_converged`", get<&LawResult::on_front_converged>},
     {"loo_objective", "-", "OF, device left out",
-     "objective on a device by the law of all others: mean over the devices", get<&LawResult::loo_objective>},
-    {"loo_worst", "-", "OF, worst device left out", "the largest of these", get<&LawResult::loo_worst>},
-    {"loo_worst_device", "", "worst device left out", "where it is", get<&LawResult::loo_worst_device>},
-    {"on_front_loo", "", "on front, left out", "front of `objective_converged` against `loo_objective`",
-     get<&LawResult::on_front_loo>},
-    {"lot", "", "", "one parameter vector for all devices", nested<LawResult>},
-    {"population", "", "", "that the devices were drawn from", nested<LawResult>},
-    {"fitted_objective", "-", "OF, blocks fitted", "mean over the blocks the law was fitted to and the devices",
+     "objective on a device with the law fitted to all others, mean over the devices", get<&LawResult::loo_objective>},
+    {"loo_worst", "-", "OF, worst device left out", "the largest of these objectives", get<&LawResult::loo_worst>},
+    {"loo_worst_device", "", "worst device left out", "the device that has it", get<&LawResult::loo_worst_device>},
+    {"on_front_loo", "", "on front, left out",
+     "the law is on the front of `objective_converged` against `loo_objective`", get<&LawResult::on_front_loo>},
+    {"lot", "", "", "the law of the lot: one parameter vector for all devices", nested<LawResult>},
+    {"population", "", "", "the population that the devices come from, as estimated", nested<LawResult>},
+    {"fitted_objective", "-", "OF, blocks fitted", "objective on the blocks fitted, mean over blocks and devices",
      get<&LawResult::fitted_objective>},
-    {"predicted_objective", "-", "OF, blocks predicted", "mean over the blocks it was not fitted to and the devices",
-     get<&LawResult::predicted_objective>},
-    {"worst_predicted", "-", "", "the largest of these", get<&LawResult::worst_predicted>},
-    {"prediction_collapses", "", "", "`prediction_grade` is unusable", get<&LawResult::prediction_unusable>},
+    {"predicted_objective", "-", "OF, blocks predicted",
+     "objective on the blocks predicted, mean over blocks and devices", get<&LawResult::predicted_objective>},
+    {"worst_predicted", "-", "", "the largest objective on a predicted block", get<&LawResult::worst_predicted>},
+    {"prediction_collapses", "", "", "`prediction_grade` is `unusable`", get<&LawResult::prediction_unusable>},
     {"prediction_grade", "", "prediction",
-     "`good`, `fair`, `poor` or `unusable`, by `predicted_objective` and the worst block: [decision](decision.md)",
+     "`good`, `fair`, `poor` or `unusable`, from `predicted_objective` and the worst block: [decision](decision.md)",
      get<&LawResult::prediction_grade>},
     {"reduced_form", "", "",
-     "the `--set` that searches the form without the redundant parameter; empty where there is none",
+     "the `--set` that fits the form without the redundant parameter; empty where there is none to offer",
      get<&LawResult::reduced_form>},
 };
 
 inline constexpr Result<LotLaw> lot_law_results[]{
-    {"parameters", "", "", "by name", nested<LotLaw>},
-    {"mean_objective", "-", "OF, law of the lot", "mean over the devices: the least there is", get<&LotLaw::mean>},
-    {"worst_objective", "-", "OF, law of the lot, worst device", "the largest", get<&LotLaw::worst>},
-    {"worst_device", "", "worst device", "where it is", get<&LotLaw::worst_device>},
-    {"least_worst_parameters", "", "", "of the law that is least bad for the worst device", nested<LotLaw>},
-    {"least_worst_objective", "-", "least OF of the worst device", "with it, on the worst device",
+    {"parameters", "", "", "their values by name", nested<LotLaw>},
+    {"mean_objective", "-", "OF, law of the lot", "least mean objective over the devices", get<&LotLaw::mean>},
+    {"worst_objective", "-", "OF, law of the lot, worst device", "largest of any device", get<&LotLaw::worst>},
+    {"worst_device", "", "worst device", "that device", get<&LotLaw::worst_device>},
+    {"least_worst_parameters", "", "", "values of the law that is least bad for the worst device", nested<LotLaw>},
+    {"least_worst_objective", "-", "least OF of the worst device", "objective of that law on the worst device",
      get<&LotLaw::least_worst>},
-    {"least_worst_bound", "-", "least possible where descents are global", "below which no law can go",
-     get<&LotLaw::least_worst_bound>},
+    {"least_worst_bound", "-", "least possible where descents are global",
+     "lower limit: no parameters give less on the worst device", get<&LotLaw::least_worst_bound>},
 };
 
 inline constexpr Result<DeviceFit> fit_results[]{
-    {"name", "", "device", "of the device", get<&DeviceFit::device>},
-    {"objective", "-", "OF", "over the usable runs", get<&DeviceFit::objective>},
+    {"name", "", "device", "name of the device", get<&DeviceFit::device>},
+    {"objective", "-", "OF", "statistics over the usable runs", get<&DeviceFit::objective>},
     {"K_eff_error_percent", "%", "K_eff error",
-     "effective stiffness of the best fit less that of the record it was fitted to, relative to the latter, on the reported cycle; where laws are judged by a part of the record (`fit-blocks`, `fit-cycles`), on the third counted cycle within that part, or its last, of the block of largest amplitude",
+     "error of the effective stiffness: that of the best fit less that of the record it was fitted to, relative to the record, on the reported cycle; where part of the record is scored (`fit-blocks`, `fit-cycles`), on that part's third counted cycle, or its last, in the block of largest amplitude",
      get<&DeviceFit::K_eff_error_percent>},
-    {"energy_error_percent", "%", "energy error", "the same for the dissipated energy",
+    {"energy_error_percent", "%", "energy error", "the same error for the dissipated energy",
      get<&DeviceFit::energy_error_percent>},
-    {"damping_error_percent", "%", "damping error", "the same for the equivalent viscous damping",
+    {"damping_error_percent", "%", "damping error", "the same error for the equivalent viscous damping",
      get<&DeviceFit::damping_error_percent>},
     {"integration_shift", "-", "integration shift of OF",
      "estimate of how far a finer integration step would still move the best objective",
      get<&DeviceFit::integration_shift>},
-    {"parameters", "", "", "by name, in the law's order; empty when there is no fit", nested<DeviceFit>},
+    {"parameters", "", "", "the parameters by name, in the law's order; empty when there is no fit", nested<DeviceFit>},
     {"status", "", "status",
-     "refused: the law does not apply to the record; failed: it was tried, and no run was usable", get<fit_status>},
+     "refused: the law does not apply to the record; failed: it was tried, but no run was usable", get<fit_status>},
     {"message", "", "message",
      "why it was refused, the reason of the first failed run, or that no run has finished yet; empty otherwise",
      get<fit_message>},
     {"runs", "", "runs", "independent searches that have finished", get<&DeviceFit::runs>},
-    {"failed_runs", "", "failed runs", "those without a usable result", get<&DeviceFit::failed_runs>},
+    {"failed_runs", "", "failed runs", "searches without a usable result", get<&DeviceFit::failed_runs>},
     {"evaluations", "", "evaluations",
      "parameter sets tried in all runs; one tried on a share of the samples counts as that share",
      get<&DeviceFit::evaluations>},
     {"failed_evaluations", "", "failed evaluations",
-     "those that gave no finite force (the law has none there, or it overflowed) and were passed over",
+     "parameter sets that were passed over, since they gave no finite force (the law has none there, or it overflowed)",
      get<&DeviceFit::failed_evaluations>},
     {"refinement", "", "", "integration steps per sample of the best run", get<&DeviceFit::refinement>},
-    {"success_share", "-", "success share", "as of the law", get<&DeviceFit::success_share>},
-    {"success_reference", "", "", "as of the law", get<&DeviceFit::success_reference>},
-    {"optimum", "-", "least OF", "least objective", get<&DeviceFit::optimum>},
-    {"rise", "-", "", "of the objective, by which open ranges are judged", get<&DeviceFit::rise>},
+    {"success_share", "-", "success share", "as for the law", get<&DeviceFit::success_share>},
+    {"success_reference", "", "", "as for the law", get<&DeviceFit::success_reference>},
+    {"optimum", "-", "least OF", "least objective of runs and analysis", get<&DeviceFit::optimum>},
+    {"rise", "-", "", "how far the objective may rise within an open range", get<&DeviceFit::rise>},
     {"trade_offs", "", "", "parameters that can change together without the loop showing it",
      get<&DeviceFit::trade_offs>},
-    {"intervals", "", "", "`level`, `samples`, `block` (length in samples), `replicates`", nested<DeviceFit>},
-    {"lot_objective", "-", "the lot, least mean", "on this device by the lot's law of least mean",
+    {"intervals", "", "", "`level`, scored `samples`, `block` (in samples), bootstrap `replicates`", nested<DeviceFit>},
+    {"lot_objective", "-", "the lot, least mean", "objective on this device with the lot's law of least mean",
      get<&DeviceFit::lot_objective>},
-    {"worst_objective", "-", "the lot, least worst", "on this device by the lot's law that is least bad for the worst",
-     get<&DeviceFit::worst_objective>},
-    {"left_out_objective", "-", "all other devices", "on this device by the law of all others",
+    {"worst_objective", "-", "the lot, least worst",
+     "objective on this device with the lot's law that is least bad for the worst", get<&DeviceFit::worst_objective>},
+    {"left_out_objective", "-", "all other devices", "objective on this device with the law fitted to all others",
      get<&DeviceFit::left_out_objective>},
     {"springs_objective", "-", "as springs",
-     "as springs around the circle, fitted as such (`bidirectional`), along the test; buildings take them",
+     "objective along the test of springs around the circle, fitted as such (`bidirectional`); buildings use these springs",
      get<&DeviceFit::springs_objective>},
-    {"springs_given_objective", "-", "as springs, given", "the same with the parameters of the law",
+    {"springs_given_objective", "-", "as springs, given", "the same for springs that have the law's own parameters",
      get<&DeviceFit::springs_given_objective>},
     {"blocks", "", "", "`block`, `fitted` (false: predicted), `objective`; only where blocks are predicted",
      nested<DeviceFit>},
     {"measured_energy_fall_percent", "%", "energy lost, measured",
-     "of the energy of a cycle, from the third counted to the last of the block that loses most, where it falls steadily by a tenth or more through eight cycles or more",
+     "measured loss of energy per cycle, from the third counted cycle to the last, in the block that loses most; only where it falls steadily by a tenth or more through eight cycles or more",
      get<measured_energy_fall>},
-    {"energy_fall_percent", "%", "energy lost, law", "the same of the law's energy", get<energy_fall_of_law>},
+    {"energy_fall_percent", "%", "energy lost, law", "the same loss by the law", get<energy_fall_of_law>},
 };
 
-// What `blocks` of a fit holds.
+// The members of an object in `blocks` of a fit.
 inline constexpr Result<BlockScore> score_results[]{
     {"block", "", "block", "by its number", get<&BlockScore::block>},
     {"fitted", "", "fitted", "false: predicted", get<&BlockScore::fitted>},
     {"objective", "-", "OF", "on this block", get<&BlockScore::objective>},
 };
 
-// What `intervals` of a fit holds.
+// The members of `intervals` of a fit.
 inline constexpr Result<DeviceFit> interval_results[]{
     {"level", "-", "", "confidence", get<&DeviceFit::interval_level>},
     {"samples", "", "", "that were judged", get<&DeviceFit::interval_samples>},
@@ -237,80 +237,80 @@ inline constexpr Result<DeviceFit> interval_results[]{
 };
 
 inline constexpr Result<ParameterFit> parameter_results[]{
-    {"unit", "", "unit", "of `mean`, `std`, `best`, `lower`, `upper`: the unit system of the law's source",
+    {"unit", "", "unit", "unit of `mean`, `std`, `best`, `lower`, `upper`, in the unit system of the law's source",
      get<&ParameterFit::unit>},
-    {"mean", own_unit, "mean", "over the usable runs", get<&ParameterFit::value, &Statistic::mean>},
-    {"std", own_unit, "std", "over the usable runs, sample form; 0 for a fixed parameter",
+    {"mean", own_unit, "mean", "mean over the usable runs", get<&ParameterFit::value, &Statistic::mean>},
+    {"std", own_unit, "std", "standard deviation over the usable runs, sample form; 0 for a fixed parameter",
      get<&ParameterFit::value, &Statistic::std>},
-    {"best", own_unit, "best", "of the run with the smallest objective", get<&ParameterFit::value, &Statistic::best>},
+    {"best", own_unit, "best", "value in the run of least objective", get<&ParameterFit::value, &Statistic::best>},
     {"at_bound", "", "at bound",
-     "`best` lies within 0.1 % of the search box's width of that bound: the box, not the record, decided the value",
-     word<&ParameterFit::at_bound>},
+     "`best` lies within 0.1 % of the search box's width of this bound: the box, not the record, decided the value",
+     [](ParameterFit const& fit) { return fit.at_bound == fit::AtBound::no ? Value() : value_of(fit.at_bound); }},
     {"free", "", "calibrated", "false: fixed by default or by the user, not calibrated", get<&ParameterFit::free>},
-    {"lower", own_unit, "lower bound", "of the search box; the value of a fixed parameter, or as the law declares it",
+    {"lower", own_unit, "lower bound", "lower end of the box; of a fixed parameter its value, or as declared",
      get<&ParameterFit::lower>},
-    {"upper", own_unit, "upper bound", "the same", get<&ParameterFit::upper>},
+    {"upper", own_unit, "upper bound", "upper end, likewise", get<&ParameterFit::upper>},
     {"percent_of_lot", "%", "difference from lot",
-     "difference of `mean` from the mean of the device means, relative to the magnitude `beta` uses",
+     "difference of `mean` from the mean of the device means, relative to the magnitude that `beta` uses",
      get<&ParameterFit::percent_of_lot>},
-    {"tied_to", "", "", "the parameter whose value it takes", word<&ParameterFit::tied_to>},
+    {"tied_to", "", "", "the parameter whose value this one takes", word<&ParameterFit::tied_to>},
     {"paper_name", "", "in the paper", "its name in Tables 4 and A.5 of Cucuzza et al. 2025",
      word<&ParameterFit::paper_name>},
 };
 
-// Beside those of a parameter that an analysis has examined.
+// Further members of a parameter that an analysis has examined.
 inline constexpr Result<ParameterAnalysis> analysis_results[]{
-    {"identifiability", "", "identifiability", "the keys below stand only beside it",
+    {"identifiability", "", "identifiability", "the verdict; without it the keys below are absent",
      get<&ParameterAnalysis::identifiability>},
-    {"optimum", own_unit, "optimum", "at the least objective", get<&ParameterAnalysis::optimum>},
+    {"optimum", own_unit, "optimum", "value at the least objective", get<&ParameterAnalysis::optimum>},
     {"open_range",
      own_unit,
      "open range",
-     "where the objective, all others fitted again, stays within `rise`",
+     "values at which the objective, all others fitted again, rises by no more than `rise`",
      ends<&ParameterAnalysis::open_lower, &ParameterAnalysis::open_upper>,
      {},
      6},
-    {"open_below", "", "range ends at the box below", "that range ends at the box",
+    {"open_below", "", "range ends at the box below", "the range reaches the lower end of the box",
      get<&ParameterAnalysis::open_below>},
-    {"open_above", "", "range ends at the box above", "the same above", get<&ParameterAnalysis::open_above>},
+    {"open_above", "", "range ends at the box above", "and its upper end", get<&ParameterAnalysis::open_above>},
     {"linear_interval",
      own_unit,
      "linear interval",
-     "of `intervals.level`; at its bound: that one value",
+     "linearised interval of `intervals.level`; of a parameter at its bound that one value",
      ends<&ParameterAnalysis::linear_lower, &ParameterAnalysis::linear_upper>,
      {},
      6},
     {"bootstrap_interval",
      own_unit,
      "bootstrap interval",
-     "the same",
+     "the same by the bootstrap",
      ends<&ParameterAnalysis::bootstrap_lower, &ParameterAnalysis::bootstrap_upper>,
      {},
      6},
     {"profile",
      "",
      "",
-     "`value`, `objective`: least objective with the parameter held",
+     "`value`, `objective`: least objective with the parameter held at each value",
      nested<ParameterAnalysis>,
      {},
      6},
 };
 
 inline constexpr Result<OutlyingDevice> outlier_results[]{
-    {"device", "", "device", "its name", get<&OutlyingDevice::device>},
-    {"property", "", "property", "by which it stands apart", get<&OutlyingDevice::property>},
-    {"unit", "", "unit", "of `value` and `median`", get<&OutlyingDevice::unit>},
-    {"value", own_unit, "value", "of the device", get<&OutlyingDevice::value>},
-    {"median", own_unit, "median", "over the devices", get<&OutlyingDevice::median>},
-    {"score", "-", "score", "modified z", get<&OutlyingDevice::score>},
+    {"device", "", "device", "name of the device", get<&OutlyingDevice::device>},
+    {"property", "", "property", "the property by which it stands apart", get<&OutlyingDevice::property>},
+    {"unit", "", "unit", "unit of `value` and `median`", get<&OutlyingDevice::unit>},
+    {"value", own_unit, "value", "value on this device", get<&OutlyingDevice::value>},
+    {"median", own_unit, "median", "median over the devices", get<&OutlyingDevice::median>},
+    {"score", "-", "score", "modified z-score", get<&OutlyingDevice::score>},
     {"percent", "%", "difference", "difference from the median", get<&OutlyingDevice::percent>},
 };
 
-// The rows of some keys, in their order; "key: heading" gives one another heading. A key that is not there does not
-// compile.
-template <class Of, std::size_t all, std::size_t count>
-consteval std::array<Result<Of>, count> columns(Result<Of> const (&rows)[all], std::string_view const (&keys)[count]) {
-  std::array<Result<Of>, count> chosen;
+// Picks rows in the order of the keys; "key: heading" also changes the heading. An unknown key does not compile.
+template <class Object, std::size_t all, std::size_t count>
+consteval std::array<Result<Object>, count> columns(Result<Object> const (&rows)[all],
+                                                    std::string_view const (&keys)[count]) {
+  std::array<Result<Object>, count> chosen;
   for (std::size_t i = 0; i < count; ++i) {
     auto const colon = keys[i].find(": ");
     std::size_t row = 0;
@@ -321,16 +321,16 @@ consteval std::array<Result<Of>, count> columns(Result<Of> const (&rows)[all], s
   return chosen;
 }
 
-// What stands above a row in a table: one for each cell that its value takes.
+// The heading of one cell. A row has one for each cell that its value takes: three for a Statistic.
 struct Heading {
-  std::string title, unit;   // unit: empty of what has none of its own
-  std::string text() const;  // with the unit
+  std::string title, unit;   // unit: empty where the row has no fixed one
+  std::string text() const;  // "title [unit]"
 };
-std::vector<Heading> headings(std::string_view heading, std::string_view unit, Value const& of_kind);
-template <class Of>
-std::vector<Heading> headings(Result<Of> const& row) {
-  if constexpr (std::default_initializable<Of>)
-    return headings(row.heading, row.unit, row.of(Of{}));
+std::vector<Heading> headings(std::string_view heading, std::string_view unit, Value const& example);
+template <class Object>
+std::vector<Heading> headings(Result<Object> const& row) {
+  if constexpr (std::default_initializable<Object>)
+    return headings(row.heading, row.unit, row.of(Object{}));
   else
     return headings(row.heading, row.unit, {});
 }

@@ -1,5 +1,5 @@
-// The campaign in numbers: everything that summary.json, the tables, the page and the terminal print. Plain data;
-// who prints it decides nothing.
+// The campaign in numbers: everything that summary.json, the tables, the page and the terminal print. It is plain data,
+// and renderers decide nothing about it.
 #pragma once
 
 #include <cstddef>
@@ -7,13 +7,16 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "isolaw/analysis/determination.hpp"
 #include "isolaw/campaign/contents.hpp"
 #include "isolaw/data/error_budget.hpp"
 #include "isolaw/data/properties.hpp"
 #include "isolaw/data/record.hpp"
 #include "isolaw/data/vertical.hpp"
+#include "isolaw/fit/box.hpp"
 #include "isolaw/lot/population.hpp"
 #include "isolaw/study/acceptance.hpp"
 
@@ -23,25 +26,26 @@ struct Statistic {
   std::optional<double> mean, std, best;  // empty: no usable run (std is empty below two runs)
 };
 
-// What the test of one device determines of a parameter, about the least objective.
+// How far the test of one device determines a parameter, around the least objective.
 struct ParameterAnalysis {
   double optimum = 0.0;
-  std::string identifiability;                  // "determined", "weakly determined", "undetermined", "at its bound"
-  double open_lower = 0.0, open_upper = 0.0;    // where the objective, all others fitted again, stays within the rise
-  bool open_below = false, open_above = false;  // that range ends at the box
+  analysis::Verdict identifiability = analysis::Verdict::determined;
+  // The range in which the objective, with all other parameters fitted again, stays within the rise.
+  double open_lower = 0.0, open_upper = 0.0;
+  bool open_below = false, open_above = false;  // the range ends at the box
   double linear_lower = 0.0, linear_upper = 0.0;
   std::optional<double> bootstrap_lower, bootstrap_upper;
   std::vector<double> profile_value, profile_objective;
 };
 
-// A law on one block of a device's record.
+// The objective of a law on one block of a device's record.
 struct BlockScore {
   int block = 0;
   bool fitted = false;  // false: predicted
   double objective = 0.0;
 };
 
-// How the energy of a cycle falls through a block that loses it steadily, and by how much a law's does.
+// How the energy of a cycle falls through a block that loses it steadily, as measured and by a law (`percent`).
 struct EnergyFall {
   int block = 0, first_cycle = 0, last_cycle = 0;
   double measured_percent = 0.0, percent = 0.0;
@@ -53,57 +57,57 @@ struct ParameterFit {
   bool free = true;  // false: fixed by default or by the user; then mean = best = the value, std = 0
   double lower = 0.0, upper = 0.0;
   Statistic value;
-  std::optional<double> percent_of_lot;  // difference of the mean from the mean over devices, percent
-  std::string at_bound;                  // "", "lower" or "upper": of the best run
-  std::string tied_to;                   // the parameter whose value it takes; "" for none
-  std::string paper_name;                // in the tables of Cucuzza et al. 2025, where it is another one; else ""
+  std::optional<double> percent_of_lot;      // difference of the mean from the mean over devices, percent
+  fit::AtBound at_bound = fit::AtBound::no;  // of the best run
+  std::string tied_to;                       // the parameter whose value this one takes; "" for none
+  std::string paper_name;  // its name in the tables of Cucuzza et al. 2025, where that differs; else ""
   std::optional<ParameterAnalysis> analysis;
 };
 
-// One law on one device.
+// The fit of one law to one device.
 struct DeviceFit {
   std::string device;
   std::string refusal;  // why the law was not identified here ("" when it was)
   int runs = 0, failed_runs = 0, missing_runs = 0;
   std::string failure;                                    // reason of the first failed run
-  std::uint64_t evaluations = 0, failed_evaluations = 0;  // parameter sets tried; of them, without a finite force
+  std::uint64_t evaluations = 0, failed_evaluations = 0;  // parameter sets tried, and those without a finite force
   Statistic objective;
   std::optional<double> K_eff_error_percent, energy_error_percent, damping_error_percent;
   std::optional<double> integration_shift;
   int refinement = 1;                   // integration steps per sample, of the best run
-  std::optional<double> success_share;  // of the usable runs: within 0.1 % of the least objective of the campaign
-  std::string success_reference;        // whose objective that is
+  std::optional<double> success_share;  // share of usable runs within 0.1 % of the campaign's least objective
+  std::string success_reference;        // where that least objective comes from
   std::optional<double> optimum;        // least objective of the analysis
-  std::optional<double> rise;           // of the objective, by which ranges of parameters are judged
+  std::optional<double> rise;           // how far the objective may rise within a parameter's range
   std::vector<std::string> trade_offs;  // sentences
   std::optional<double> interval_level;
   std::size_t interval_samples = 0, interval_block = 0;
   int interval_replicates = 0;
-  std::optional<double> lot_objective;       // with the one law of the lot, of least mean objective
+  std::optional<double> lot_objective;       // with the law of the lot, of least mean objective
   std::optional<double> worst_objective;     // with the law that is least bad for the worst device
-  std::optional<double> left_out_objective;  // with the law of all other devices
-  // As springs around the circle, along the test: fitted as such, and with the parameters of the law.
+  std::optional<double> left_out_objective;  // with the law fitted to all other devices
+  // With springs around the circle, along the test direction: fitted as springs, and with the law's parameters.
   std::optional<double> springs_objective, springs_given_objective;
   std::vector<BlockScore> blocks;
   std::optional<EnergyFall> energy_fall;       // empty where the device does not lose energy steadily
   std::vector<ParameterFit> parameters;        // in the law's order
-  std::vector<double> force_kN;                // computed by the best run at the samples of the device's FitRecord
-  std::vector<std::vector<double>> histories;  // per run: best objective after each generation
+  std::vector<double> force_kN;                // force of the best run at the samples of the device's FitRecord
+  std::vector<std::vector<double>> histories;  // for each run the best objective after each generation
 };
 
-// "ok", "refused" (the law does not apply to the device) or "failed" (it was tried, and no run was usable).
+// "ok", "refused" (the law does not apply to the device) or "failed" (the law was tried, and no run was usable).
 inline std::string_view fit_status(DeviceFit const& fit) {
   if (!fit.refusal.empty()) return "refused";
   return fit.objective.mean ? "ok" : "failed";
 }
 
-// One parameter vector for all devices, all of the law's parameters in its order.
+// One vector of all parameters, in the law's order, for all devices: of least mean and of least worst objective.
 struct LotLaw {
   std::vector<double> parameters, worst_parameters;
-  double mean = 0.0, worst = 0.0;  // objective with the former
+  double mean = 0.0, worst = 0.0;  // mean and largest objective with `parameters`
   std::string worst_device;
-  double least_worst = 0.0, least_worst_bound = 0.0;  // of the latter, and what no law can go below
-  std::vector<std::string> at_bound;                  // "K1 at its upper bound", of the former
+  double least_worst = 0.0, least_worst_bound = 0.0;  // largest objective with `worst_parameters`, and its lower limit
+  std::vector<std::pair<std::string, fit::AtBound>> at_bound;  // entries of `parameters` that lie at a bound
 };
 
 // How well a law predicts blocks that it was not fitted to; docs/decision.md.
@@ -115,31 +119,31 @@ constexpr std::string_view name(PredictionGrade grade) {
 
 struct LawResult {
   std::string id, title;
-  Statistic objective;  // mean and best over devices and runs
+  Statistic objective;  // mean of the devices' means; std and best over all devices and runs
   std::optional<double> beta;
   std::string beta_note;  // why beta is empty
   bool on_front = false;
-  // Without the optimiser's noise: of the least objectives, see docs/method.md.
+  // From the least objectives, so without the optimiser's noise: docs/method.md.
   std::optional<double> success_share;
   std::string success_reference;
   std::optional<double> objective_converged, beta_converged;
-  std::string beta_converged_note;            // why it is empty
-  std::vector<std::string> left_out_of_beta;  // parameters that most tests do not determine
-  bool reduced = false;                       // beta_converged is of the form without the redundant parameter
+  std::string beta_converged_note;            // why beta_converged is empty
+  std::vector<std::string> left_out_of_beta;  // parameters that most tests leave undetermined or at a bound
+  bool reduced = false;                       // beta_converged belongs to the form without the redundant parameter
   bool on_front_converged = false;
   std::optional<LotLaw> lot;
-  std::optional<double> loo_objective, loo_worst;  // mean and largest over the devices left out
+  std::optional<double> loo_objective, loo_worst;  // mean and largest objective over the devices left out
   std::string loo_worst_device;
-  bool on_front_loo = false;  // in accuracy against loo_objective
+  bool on_front_loo = false;  // the front of objective_converged against loo_objective
   std::optional<lot::Population> population;
-  std::optional<double> fitted_objective, predicted_objective, worst_predicted;  // over blocks, then devices
+  std::optional<double> fitted_objective, predicted_objective, worst_predicted;  // over blocks, then over devices
   std::optional<PredictionGrade> prediction_grade;                               // where blocks are predicted
-  bool in_programs = false;  // analysis programs have its form for these parameters, bounds and records aside
-  std::string reduced_form;  // how to search the form without the redundant parameter; "" where there is none to offer
-  std::vector<std::string> notes;  // how the law was read where the source is ambiguous
+  bool in_programs = false;  // analysis programs have this law with such parameters, whatever bounds and records are
+  std::string reduced_form;  // the `--set` that fits the form without the redundant parameter; "" where none is offered
+  std::vector<std::string> notes;  // how isolaw reads the law where its source is ambiguous
   std::vector<DeviceFit> devices;
 
-  // False where blocks are predicted, and worse than fairly.
+  // False where blocks are predicted with a grade worse than fair.
   bool prediction_holds() const { return !prediction_grade || *prediction_grade <= PredictionGrade::fair; }
   bool prediction_unusable() const { return prediction_grade == PredictionGrade::unusable; }
 };
@@ -153,49 +157,49 @@ struct DeviceResult {
   data::TestRecord raw;                             // empty when refused
   data::FitRecord record;                           // what the laws were fitted to
   data::Properties properties;                      // from raw values
-  data::VerticalTest vertical_test;                 // with the reason where it gives no stiffness
+  data::VerticalTest vertical_test;                 // with the reason where the test gives no stiffness
   std::optional<data::VerticalStiffness> vertical;  // from raw values
-  std::vector<Finding> notes;  // numbers of the error budget that are worth knowing, beside the record's warnings
-  std::vector<data::Effect> effects;  // all of the error budget, for machines
+  std::vector<Finding> notes;         // numbers of the error budget worth knowing, besides the record's warnings
+  std::vector<data::Effect> effects;  // the whole error budget, for machines
   DeviceAcceptance acceptance;
 };
 
-// A device that stands apart from its lot, and by what.
+// A device that stands apart from its lot, and the property by which it does.
 struct OutlyingDevice {
   std::string device, property, unit;
-  std::string law;  // whose misfit the property is; empty: it is the device's own
+  std::string law;  // the law whose misfit is the property; empty: the property is the device's own
   double value = 0.0, median = 0.0, score = 0.0, percent = 0.0;
 };
 
 struct Setting {
   std::string key;
-  std::string json;  // its value as JSON text
+  std::string json;  // the value as JSON text
 };
 
 struct Summary {
-  std::string version;                  // of this program
-  std::vector<campaign::Maker> makers;  // the builds that computed the campaign
+  std::string version;                  // the isolaw that made the summary
+  std::vector<campaign::Maker> makers;  // the builds of isolaw that computed the campaign
   std::string title;                    // of the lot
   std::uint64_t seed = 0;
   std::vector<Setting> settings;
   std::vector<DeviceResult> devices;
   std::vector<LawResult> laws;  // in the order asked for; none for an inspection
-  campaign::Acceptance asked;   // what `acceptance` was made from
+  campaign::Acceptance asked;   // the options that `acceptance` follows
   LotAcceptance acceptance;
   std::vector<OutlyingDevice> outliers;
   std::size_t analyses = 0, expected_analyses = 0;
-  std::size_t runs = 0, expected_runs = 0;  // stored, and of a campaign that is complete
-  std::optional<campaign::Part> part;       // that alone is there; nullopt: all of it
+  std::size_t runs = 0, expected_runs = 0;  // stored, and in the complete campaign
+  std::optional<campaign::Part> part;       // the only part that is there; nullopt: all of it
   std::size_t expected_here = 0;            // runs of this part
 
   std::size_t missing_runs() const { return expected_runs > runs ? expected_runs - runs : 0; }
   std::size_t missing_analyses() const { return expected_analyses > analyses ? expected_analyses - analyses : 0; }
 };
 
-// Some limit of a verified rule set is not kept, by a device or by the lot.
+// True where a device or the lot does not keep some limit of a verified rule set.
 bool acceptance_failed(Summary const& summary);
 
-// Fills in what rules and statistics say of the devices. Throws Error: the lot is smaller than the number of devices.
+// Assesses the devices and the lot. Throws Error where the lot is smaller than the number of devices.
 void add_acceptance(Summary& summary, rules::RuleSet const& rules, rules::Design const& design,
                     std::optional<int> lot_size);
 

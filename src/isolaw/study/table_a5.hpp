@@ -1,10 +1,10 @@
 // Table A.5 of Cucuzza, Londono Lopez, Domaneschi, Greco, Marano: "High Damping Rubber Bearings: Optimal models
-// evaluation considering production variability", Structures 73 (2025) 108355, as printed: of every law on ten devices
-// means and sample standard deviations over 20 runs. In the units of the laws, under their parameters' names (the
-// paper's own: laws::ParameterInfo::paper_name). The search boxes of its Table 4 stand in the laws' files.
+// evaluation considering production variability", Structures 73 (2025) 108355, as printed. For every law it gives means
+// and sample standard deviations over 20 runs on ten devices, in the laws' units and under isolaw's parameter names
+// (laws::ParameterInfo::paper_name is the paper's). The search boxes of its Table 4 stand in the laws' files.
 //
-// The values are printed to two to four digits. gamma (law 4) and a3 (law 6) are printed as constants, so what is
-// computed from them is exact arithmetic on the print, not on what the authors had.
+// The values are printed to two to four digits, and gamma (law 4) and a3 (law 6) as constants. What is computed from
+// them is therefore exact arithmetic on the print, not on the numbers that the authors had.
 #pragma once
 
 #include <array>
@@ -25,13 +25,13 @@ struct Parameter {
 
 struct Law {
   int number;
-  std::string_view id;  // of isolaw; abe-y0 is the variant of docs/source.md that the printed values are closest to
+  std::string_view id;  // isolaw's; abe-y0 is the variant of docs/source.md that the printed values are closest to
   PerDevice objective_mean, objective_std;
   std::span<Parameter const> parameters;
-  std::string_view other_reading = {};  // of isolaw too; empty: there is one
+  std::string_view other_reading = {};  // isolaw's id of a second reading; empty: there is none
 };
 
-// Per parameter: name; means; standard deviations.
+// For each parameter its name, the means and the standard deviations.
 // clang-format off
 inline constexpr std::array bilinear{
     Parameter{"K1",

@@ -1,4 +1,4 @@
-// The device that stands for its lot where one alone is shown.
+// Chooses the device that stands for its lot where only one is shown.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace isolaw::study {
 
-// Index of the device that lies nearest to the mean of the lot: in effective stiffness of the reported cycle and in the
-// objective of each law, relative to their means. Among those that were not refused; the first of equals.
+// Index of the device nearest to the lot's means of effective stiffness (in the reported cycle) and of each law's
+// objective, in relative terms. Refused devices are passed over; the first of equals counts.
 std::optional<std::size_t> typical_device(Summary const& summary);
 
 }  // namespace isolaw::study

@@ -13,6 +13,7 @@
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/study/findings.hpp"
+#include "isolaw/study/spoken.hpp"
 #include "isolaw/study/value_doubts.hpp"
 #include "isolaw/wording/table.hpp"
 
@@ -25,7 +26,7 @@ void add_once(std::vector<std::string>& names, std::string const& name) {
   if (std::ranges::find(names, name) == names.end()) names.push_back(name);
 }
 
-// "K_eff" of "K_eff, positive side".
+// "K_eff, positive side" gives "K_eff".
 std::string property_of(rules::Assessment const& a) {
   return printable(a.quantity.substr(0, a.quantity.find(',')));
 }
@@ -36,12 +37,12 @@ std::string failure(rules::Assessment const& a) {
   return fmt::format("{} {}{}{}", property_of(a), number_text(*a.value), a.unit.empty() ? "" : " ", a.unit);
 }
 
-// The part of a set's title that people call it by: "NTC 2018" of "NTC 2018, elastomeric isolators: ...".
+// "NTC 2018, elastomeric isolators: ..." gives "NTC 2018", as people call the set.
 std::string short_title(rules::RuleSet const& rules) {
   return printable(rules.title.substr(0, rules.title.find_first_of(",:")));
 }
 
-// One that fails on one device fails, one that is open on one is open.
+// A requirement that fails on one device fails; else one that is open on a device is open.
 void add(std::vector<Requirement>& requirements, std::string const& name, Verdict verdict) {
   auto found = std::ranges::find(requirements, name, &Requirement::name);
   if (found == requirements.end()) {
@@ -52,59 +53,59 @@ void add(std::vector<Requirement>& requirements, std::string const& name, Verdic
   found->verdict = verdict;
 }
 
-void add_lot(OverallVerdict& made, LotAcceptance const& acceptance) {
+void add_lot(OverallVerdict& overall, LotAcceptance const& acceptance) {
   auto const& lot = acceptance.lot;
-  auto const of_lot = [&](std::string const& name, rules::Assessment const& a) {
-    add(made.requirements, name, a.verdict);
+  auto const add_line = [&](std::string const& name, rules::Assessment const& a) {
+    add(overall.requirements, name, a.verdict);
     if (a.verdict == Verdict::fail)
-      made.failing.push_back(
+      overall.failing.push_back(
           {.device = {},
            .remark = fmt::format("{}, limit {}", a.deviation.empty() ? failure(a) : a.quantity + " " + a.deviation,
                                  printable(a.limit))});
   };
-  if (acceptance.rules.sample) of_lot(lot.sample.quantity, lot.sample);
+  if (acceptance.rules.sample) add_line(lot.sample.quantity, lot.sample);
   for (auto const& quantity : lot.quantities)
-    for (auto const& limit : quantity.mean_limits) of_lot(fmt::format("mean {}", name(quantity.quantity)), limit);
+    for (auto const& limit : quantity.mean_limits) add_line(fmt::format("mean {}", name(quantity.quantity)), limit);
 }
 
-void add_device(OverallVerdict& made, DeviceResult const& device) {
+void add_device(OverallVerdict& overall, DeviceResult const& device) {
   auto const& lines = device.acceptance.assessments;
   auto const name = printable(device.name);
   if (device.status != "ok" || lines.empty()) {
     auto const why = device.status != "ok" ? device.message : wording::reasons(device.properties.refusal);
-    made.not_assessed.push_back({.device = name, .remark = printable(on_one_line(why))});
+    overall.not_assessed.push_back({.device = name, .remark = printable(on_one_line(why))});
     return;
   }
-  // One test is not that of two devices: what it shows of one is not known of the other.
+  // A record that two devices share tests only the first: nothing is known of the other.
   auto const& copy_of = device.acceptance.copy_of;
   if (!copy_of.empty())
-    made.not_assessed.push_back({.device = name, .remark = rules::same_record_as(printable(copy_of))});
+    overall.not_assessed.push_back({.device = name, .remark = rules::same_record_as(printable(copy_of))});
   for (auto const& a : lines)
     if (!a.limit.empty() && (copy_of.empty() || property_of(a) == rules::name(rules::Quantity::K_v)))
-      add(made.requirements, property_of(a), a.verdict);
+      add(overall.requirements, property_of(a), a.verdict);
   auto const own = device_verdict(device.acceptance);
   if (own.verdict == Verdict::fail)
-    made.failing.push_back({.device = name, .remark = own.failures_text(" and ")});
+    overall.failing.push_back({.device = name, .remark = own.failures_text(" and ")});
   else if (copy_of.empty() && own.verdict != Verdict::pass && own.not_assessed.empty() && !own.passed.empty())
-    made.not_assessed.push_back({.device = name, .remark = "a compression test alone is no pass"});
+    overall.not_assessed.push_back({.device = name, .remark = "a compression test alone is no pass"});
 }
 
 // "2 of 10 devices fail: D03 K_eff +23.0 %, D07 damping -16.2 %; the lot fails: sample size ..."
-void say_failures(OverallVerdict const& made, std::size_t devices, std::vector<std::string>& parts) {
-  std::vector<std::string> of_devices, of_lot;
-  for (auto const& [device, remark] : made.failing)
-    device.empty() ? of_lot.push_back(remark) : of_devices.push_back(device + " " + remark);
-  if (auto const count = of_devices.size(); count > 0) {
+void say_failures(OverallVerdict const& overall, std::size_t devices, std::vector<std::string>& parts) {
+  std::vector<std::string> device_failures, lot_failures;
+  for (auto const& [device, remark] : overall.failing)
+    device.empty() ? lot_failures.push_back(remark) : device_failures.push_back(device + " " + remark);
+  if (auto const count = device_failures.size(); count > 0) {
     constexpr std::size_t shown = 10;
-    of_devices.resize(std::min(count, shown));
+    device_failures.resize(std::min(count, shown));
     parts.push_back(fmt::format("{} of {} fail{}: {}{}", count, counted(devices, "device"), count == 1 ? "s" : "",
-                                fmt::join(of_devices, ", "),
+                                fmt::join(device_failures, ", "),
                                 count > shown ? fmt::format(" and {} more", count - shown) : ""));
   }
-  if (!of_lot.empty()) parts.push_back(fmt::format("the lot fails: {}", fmt::join(of_lot, "; ")));
+  if (!lot_failures.empty()) parts.push_back(fmt::format("the lot fails: {}", fmt::join(lot_failures, "; ")));
 }
 
-// Design values that were stated and that nothing of the set is compared with.
+// Names the design values that were stated but that no requirement or condition of the set uses.
 std::string not_compared(LotAcceptance const& acceptance, std::vector<Requirement> const& requirements) {
   auto const& test = acceptance.rules.test;
   std::vector<std::string> names;
@@ -113,13 +114,13 @@ std::string not_compared(LotAcceptance const& acceptance, std::vector<Requiremen
                               (name == "frequency" && test.frequency_tolerance_percent) ||
                               (name == "load" && test.load_tolerance_percent);
     bool const is_required = std::ranges::any_of(
-        requirements, [&, &of = name](auto const& one) { return one.name == of || one.name == "mean " + of; });
+        requirements, [&, &key = name](auto const& one) { return one.name == key || one.name == "mean " + key; });
     if (!is_condition && !is_required) names.push_back(name);
   }
   return names.empty() ? std::string() : "stated and not compared: " + joined(names);
 }
 
-// Values that are kept as measured and would not be kept otherwise.
+// Names the quantities that pass as measured and would fail if a doubt of value_doubts.hpp is right.
 std::string in_doubt(Summary const& summary) {
   struct Lost {
     std::string quantity, condition;
@@ -135,10 +136,10 @@ std::string in_doubt(Summary const& summary) {
         return (a.lower_percent && percent < *a.lower_percent) || (a.upper_percent && percent > *a.upper_percent);
       });
       if (!lost) continue;
-      auto const of = [&](auto const& one) {
+      auto const same = [&](auto const& one) {
         return one.quantity == doubt.quantity && one.condition == doubt.condition;
       };
-      auto at = std::ranges::find_if(found, of);
+      auto at = std::ranges::find_if(found, same);
       if (at == found.end()) at = found.insert(found.end(), {doubt.quantity, doubt.condition, 0});
       ++at->devices;
     }
@@ -148,26 +149,26 @@ std::string in_doubt(Summary const& summary) {
   return parts.empty() ? std::string() : "would not be kept: " + joined(parts, "; ");
 }
 
-std::string sentence_of(OverallVerdict const& made, std::size_t devices) {
+std::string sentence_of(OverallVerdict const& overall, std::size_t devices) {
   std::vector<std::string> parts, open, without;
-  say_failures(made, devices, parts);
+  say_failures(overall, devices, parts);
   std::size_t passed = 0;
-  for (auto const& [name, verdict] : made.requirements) {
+  for (auto const& [name, verdict] : overall.requirements) {
     passed += verdict == Verdict::pass ? 1u : 0u;
     if (verdict == Verdict::not_assessed) open.push_back(name);
   }
-  auto const all = made.requirements.size();
-  if (made.word == "PASS")
+  auto const all = overall.requirements.size();
+  if (overall.word == "PASS")
     parts.push_back(fmt::format("{} {} {} requirement{}", counted(devices, "device"), devices == 1 ? "keeps" : "keep",
                                 all == 1 ? std::string("the") : fmt::format("all {}", all), all == 1 ? "" : "s"));
   else if (all > 0)
-    parts.push_back(
-        fmt::format("pass on {} of {}{}{}", passed, counted(all, "requirement"),
-                    made.not_assessed.empty() || devices == 1
-                        ? std::string()
-                        : fmt::format(" with {} of {}", devices - made.not_assessed.size(), counted(devices, "device")),
-                    open.empty() ? "" : fmt::format("; not assessed: {}", fmt::join(open, ", "))));
-  for (auto const& [device, remark] : made.not_assessed) without.push_back(device);
+    parts.push_back(fmt::format(
+        "pass on {} of {}{}{}", passed, counted(all, "requirement"),
+        overall.not_assessed.empty() || devices == 1
+            ? std::string()
+            : fmt::format(" with {} of {}", devices - overall.not_assessed.size(), counted(devices, "device")),
+        open.empty() ? "" : fmt::format("; not assessed: {}", fmt::join(open, ", "))));
+  for (auto const& [device, remark] : overall.not_assessed) without.push_back(device);
   if (!without.empty()) parts.push_back(fmt::format("without a verdict: {}", enumerate(without)));
   return fmt::format("{}", fmt::join(parts, "; "));
 }
@@ -196,23 +197,23 @@ std::string DeviceVerdict::failures_text(std::string_view between) const {
 
 DeviceVerdict device_verdict(DeviceAcceptance const& acceptance) {
   auto const& assessments = acceptance.assessments;
-  DeviceVerdict made;
-  made.copy_of = printable(acceptance.copy_of);
+  DeviceVerdict result;
+  result.copy_of = printable(acceptance.copy_of);
   struct Farthest {
     double off = 0.0;
     std::string name, text;
   };
-  std::vector<Farthest> off;  // of each quantity
+  std::vector<Farthest> off;  // one for each quantity
   bool limits = false, information = false;
   for (auto const& a : assessments) {
     // A quantity without a limit asks for nothing.
     if (a.limit.empty()) continue;
     limits = true;
     information = information || a.verdict == Verdict::information;
-    if (a.verdict == Verdict::pass) add_once(made.passed, property_of(a));
-    if (a.verdict == Verdict::not_assessed) add_once(made.not_assessed, property_of(a));
+    if (a.verdict == Verdict::pass) add_once(result.passed, property_of(a));
+    if (a.verdict == Verdict::not_assessed) add_once(result.not_assessed, property_of(a));
     if (a.verdict != Verdict::fail) continue;
-    add_once(made.failed, property_of(a));
+    add_once(result.failed, property_of(a));
     Farthest const line{.off = std::abs(a.deviation_percent.value_or(0.0)), .name = property_of(a), .text = failure(a)};
     auto const same = std::ranges::find(off, line.name, &Farthest::name);
     if (same == off.end())
@@ -221,21 +222,21 @@ DeviceVerdict device_verdict(DeviceAcceptance const& acceptance) {
       *same = line;
   }
   std::ranges::stable_sort(off, std::ranges::greater(), &Farthest::off);
-  for (auto& line : off) made.failures.push_back(std::move(line.text));
+  for (auto& line : off) result.failures.push_back(std::move(line.text));
   if (!limits)
     information = std::ranges::any_of(assessments, [](auto const& a) { return a.verdict == Verdict::information; });
-  // Of a quantity with two sides, one of which could not be compared, none is said to pass.
-  std::erase_if(made.passed, [&](auto const& name) {
-    return std::ranges::find(made.not_assessed, name) != made.not_assessed.end();
+  // A quantity with two sides, one of which could not be compared, does not pass.
+  std::erase_if(result.passed, [&](auto const& name) {
+    return std::ranges::find(result.not_assessed, name) != result.not_assessed.end();
   });
-  // Of a device that is tested in shear a compression test alone says too little to pass.
+  // A compression test alone says too little for a device to pass.
   bool const in_shear =
-      std::ranges::any_of(made.passed, [](auto const& name) { return name != rules::name(rules::Quantity::K_v); });
-  made.verdict = !made.failed.empty() ? Verdict::fail
-                 : in_shear           ? Verdict::pass
-                 : information        ? Verdict::information
-                                      : Verdict::not_assessed;
-  return made;
+      std::ranges::any_of(result.passed, [](auto const& name) { return name != rules::name(rules::Quantity::K_v); });
+  result.verdict = !result.failed.empty() ? Verdict::fail
+                   : in_shear             ? Verdict::pass
+                   : information          ? Verdict::information
+                                          : Verdict::not_assessed;
+  return result;
 }
 
 std::optional<Verdict> verdict_on(LotAcceptance const& lot, DeviceResult const& device) {
@@ -245,55 +246,59 @@ std::optional<Verdict> verdict_on(LotAcceptance const& lot, DeviceResult const& 
 }
 
 OverallVerdict overall_verdict(Summary const& summary) {
-  OverallVerdict made;
+  OverallVerdict overall;
   auto const& acceptance = summary.acceptance;
   auto const title = short_title(acceptance.rules);
   if (!acceptance.has_rules()) {
-    made.sentence = "no verdict: no rule set";
+    overall.sentence = "no verdict: no rule set";
   } else if (!acceptance.rules.verified()) {
-    made.sentence = fmt::format("{}: no verdict, the limits of this set are not verified", title);
-    made.mark = "LIMITS NOT VERIFIED";
+    overall.sentence = fmt::format("{}: no verdict, the limits of this set are not verified", title);
+    overall.mark = "LIMITS NOT VERIFIED";
   } else {
-    for (auto const& device : summary.devices) add_device(made, device);
-    add_lot(made, acceptance);
-    bool const open = !made.not_assessed.empty() || std::ranges::find(made.requirements, Verdict::not_assessed,
-                                                                      &Requirement::verdict) != made.requirements.end();
-    bool const nothing = made.requirements.empty() && made.not_assessed.empty();
-    if (!nothing) made.word = !made.failing.empty() ? "FAIL" : open ? "INCOMPLETE" : "PASS";
-    made.sentence = nothing ? fmt::format("{}: no verdict, the set limits nothing of these tests", title)
-                            : fmt::format("{}: {}", title, sentence_of(made, summary.devices.size()));
-    for (auto const& more : {not_compared(acceptance, made.requirements), in_doubt(summary)})
-      if (!nothing && !more.empty()) made.sentence += "; " + more;
-    if (made.word != "PASS") made.mark = made.word, made.is_red = !nothing;
+    for (auto const& device : summary.devices) add_device(overall, device);
+    add_lot(overall, acceptance);
+    bool const open = !overall.not_assessed.empty() ||
+                      std::ranges::find(overall.requirements, Verdict::not_assessed, &Requirement::verdict) !=
+                          overall.requirements.end();
+    bool const nothing = overall.requirements.empty() && overall.not_assessed.empty();
+    if (!nothing) overall.word = !overall.failing.empty() ? "FAIL" : open ? "INCOMPLETE" : "PASS";
+    overall.sentence = nothing ? fmt::format("{}: no verdict, the set limits nothing of these tests", title)
+                               : fmt::format("{}: {}", title, sentence_of(overall, summary.devices.size()));
+    for (auto const& more : {not_compared(acceptance, overall.requirements), in_doubt(summary)})
+      if (!nothing && !more.empty()) overall.sentence += "; " + more;
+    if (overall.word != "PASS") overall.mark = overall.word, overall.is_red = !nothing;
   }
-  // Of what was not measured nothing is shown of devices, whatever the limits say.
+  // Data that were not measured show nothing of devices, whatever the limits say.
   if (summary.title.find(not_measured) != std::string::npos) {
-    made.mark = "NOT MEASURED";
-    made.is_red = false;
-    made.sentence += "; not measured";
+    overall.mark = "NOT MEASURED";
+    overall.is_red = false;
+    overall.sentence += "; not measured";
   }
-  return made;
+  return overall;
 }
 
 std::string verdict_summary(Summary const& summary) {
   return summary.acceptance.has_rules() ? overall_verdict(summary).text() + "\n" : std::string();
 }
 
-std::string verdict_against(Summary const& summary, std::optional<std::string_view> device) {
+std::optional<Finding> verdict_against(Summary const& summary, std::optional<std::string_view> device) {
   auto const& rules = summary.acceptance.rules;
-  if (!summary.acceptance.has_rules() || !rules.verified()) return {};
-  if (device) {
-    auto found = std::ranges::find(summary.devices, *device, &DeviceResult::name);
-    // Of a record under two names the first device has the verdict.
-    if (found != summary.devices.end() && !found->acceptance.copy_of.empty())
-      found = std::ranges::find(summary.devices, found->acceptance.copy_of, &DeviceResult::name);
-    if (found == summary.devices.end()) return {};
-    auto const verdict = device_verdict(found->acceptance);
-    if (verdict.verdict != Verdict::fail) return {};
-    return fmt::format("{} fails {}: {}", printable(found->name), short_title(rules), verdict.failures_text());
-  }
-  if (!acceptance_failed(summary)) return {};
-  return "the lot does not keep its rule set: " + overall_verdict(summary).sentence;
+  if (!summary.acceptance.has_rules() || !rules.verified()) return std::nullopt;
+  if (!device)
+    return acceptance_failed(summary)
+               ? std::optional(Finding{.kind = FindingKind::rule_set_not_kept_by_lot,
+                                       .words = {{"verdict", overall_verdict(summary).sentence}}})
+               : std::nullopt;
+  auto found = std::ranges::find(summary.devices, *device, &DeviceResult::name);
+  // Where two devices share a record, the first one has the verdict.
+  if (found != summary.devices.end() && !found->acceptance.copy_of.empty())
+    found = std::ranges::find(summary.devices, found->acceptance.copy_of, &DeviceResult::name);
+  if (found == summary.devices.end()) return std::nullopt;
+  auto const verdict = device_verdict(found->acceptance);
+  if (verdict.verdict != Verdict::fail) return std::nullopt;
+  return Finding{.kind = FindingKind::rule_set_not_kept_by_device,
+                 .devices = {found->name},
+                 .words = {{"rules", short_title(rules)}, {"failures", verdict.failures_text()}}};
 }
 
 }  // namespace isolaw::study

@@ -1,402 +1,309 @@
 #include "isolaw/study/warnings.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <iterator>
+#include <string>
 #include <utility>
 
-#include "isolaw/base/printable.hpp"
-#include "isolaw/base/words.hpp"
 #include "isolaw/study/adequacy.hpp"
-#include "isolaw/study/analysis_findings.hpp"
+#include "isolaw/study/doubts.hpp"
 #include "isolaw/study/energy_fall.hpp"
 #include "isolaw/study/findings.hpp"
-#include "isolaw/study/spoken.hpp"
-#include "isolaw/wording/table.hpp"
 
 namespace isolaw::study {
 namespace {
 
 using Names = std::vector<std::string>;
+using enum FindingKind;
 
-Warning of_devices(std::string topic, Names devices, std::string remark) {
-  auto sentence = fmt::format("{}: {}", enumerate(devices), remark);
-  return {std::move(topic), std::move(sentence), std::move(devices), std::move(remark)};
-}
-
-void warn_of_missing_runs(Summary const& summary, std::vector<Warning>& warnings) {
-  if (summary.missing_runs() > 0)
-    warnings.push_back(
-        {"not complete",
-         fmt::format("not complete: {}{} of {} runs are there; every number and the choice of a law may still change",
-                     summary.part ? fmt::format("part {} alone of {}: ", summary.part->number, summary.part->of) : "",
-                     summary.runs, summary.expected_runs)});
-  else if (summary.missing_analyses() > 0)
-    warnings.push_back({"not complete", fmt::format("not complete: {} of {} analyses are there", summary.analyses,
-                                                    summary.expected_analyses)});
-}
-
-// A record under two names counts twice, and makes parameters look less scattered than they are. Those that a device of
-// `part` is among.
-void warn_of_copies(Summary const& summary, Summary const& part, std::vector<Warning>& warnings) {
-  for (auto const& group : devices_of_one_record(summary)) {
-    Names names;
-    for (auto const* device : group) names.push_back(device->name);
-    if (std::ranges::none_of(part.devices,
-                             [&](auto const& device) { return std::ranges::find(names, device.name) != names.end(); }))
-      continue;
-    warnings.push_back(
-        {"copies", fmt::format("{} hold the same record{}", enumerate(names),
-                               group.front()->raw.size() == 0
-                                   ? std::string()
-                                   : fmt::format(", which counts {} times in every mean and spread over the devices",
-                                                 group.size()))});
+// Collects the findings of a campaign within a scope.
+class Collector {
+ public:
+  Collector(Summary const& summary, Scope const& scope) : summary_(summary), scope_(scope) {
+    for (auto const& law : summary.laws)
+      if (scope.covers(law)) laws_.push_back(&law);
+    for (auto const& device : summary.devices)
+      if (scope.covers_device(device.name)) devices_.push_back(&device);
   }
-}
 
-// Devices that hold the same compression test, by two or more.
-std::vector<std::vector<DeviceResult const*>> devices_of_one_compression(Summary const& summary) {
-  std::vector<std::vector<DeviceResult const*>> groups;
-  for (auto const& device : summary.devices) {
-    auto const& test = device.vertical_test;
-    if (test.load_kN.empty()) continue;
-    auto const same = [&](auto const& group) {
-      auto const& other = group.front()->vertical_test;
-      return other.load_kN == test.load_kN && other.disp_mm == test.disp_mm;
+  std::vector<Finding> collect() && {
+    missing();
+    refused_devices();
+    copies();
+    degradation();
+    for (auto const* law : laws_) {
+      refusals(*law);
+      failures(*law);
+      if (auto unfit = inadequacy(*law)) add(std::move(*unfit));
+      held(*law);
+      prediction(*law);
+      search(*law);
+      parameters(*law);
+      integration(*law);
+    }
+    prediction_not_asked();
+    outliers();
+    records();
+    std::ranges::stable_sort(all_, {}, &Finding::kind);
+    return std::move(all_);
+  }
+
+ private:
+  void add(Finding finding) { all_.push_back(std::move(finding)); }
+
+  std::vector<DeviceFit const*> fits(LawResult const& law) const {
+    std::vector<DeviceFit const*> found;
+    for (auto const& fit : law.devices)
+      if (scope_.covers_device(fit.device)) found.push_back(&fit);
+    return found;
+  }
+
+  void missing() {
+    if (summary_.missing_runs() > 0) {
+      Finding finding{.kind = runs_missing,
+                      .numbers = {{"runs", static_cast<double>(summary_.runs)},
+                                  {"expected_runs", static_cast<double>(summary_.expected_runs)}}};
+      if (summary_.part) {
+        finding.numbers.push_back({"part", static_cast<double>(summary_.part->number)});
+        finding.numbers.push_back({"parts", static_cast<double>(summary_.part->of)});
+      }
+      add(std::move(finding));
+    } else if (summary_.missing_analyses() > 0) {
+      add({.kind = analyses_missing,
+           .numbers = {{"analyses", static_cast<double>(summary_.analyses)},
+                       {"expected_analyses", static_cast<double>(summary_.expected_analyses)}}});
+    }
+  }
+
+  void refused_devices() {
+    for (auto const* device : devices_)
+      if (device->status != "ok")
+        add({.kind = device_refused, .devices = {device->name}, .words = {{"reason", device->message}}});
+  }
+
+  void copies() {
+    for (auto& finding : shared_records(summary_))
+      if (std::ranges::any_of(finding.devices, [&](auto const& name) { return scope_.covers_device(name); }))
+        add(std::move(finding));
+  }
+
+  bool is_given(std::string_view setting) const {
+    auto const found = std::ranges::find(summary_.settings, setting, &Setting::key);
+    return found != summary_.settings.end() && found->json != "\"all\"" && found->json != "\"\"";
+  }
+
+  // Warns where a device loses energy from cycle to cycle and no law in scope follows: the laws then hold for a mean of
+  // its cycles.
+  void degradation() {
+    for (auto const* device : devices_) {
+      EnergyFall const* nearest = nullptr;
+      LawResult const* nearest_law = nullptr;
+      bool followed = false;
+      for (auto const* law : laws_) {
+        auto const* fit = fit_of(*law, device->name);
+        if (fit == nullptr || !fit->energy_fall) continue;
+        followed = followed || follows(*fit->energy_fall);
+        if (nearest != nullptr && fit->energy_fall->percent <= nearest->percent) continue;
+        nearest = &*fit->energy_fall;
+        nearest_law = law;
+      }
+      if (nearest == nullptr || followed) continue;
+      add({.kind = energy_falls,
+           .law = nearest_law->id,
+           .devices = {device->name},
+           .blocks = {nearest->block},
+           .numbers = {{"measured_percent", nearest->measured_percent},
+                       {"law_percent", std::max(0.0, nearest->percent)},
+                       {"first_cycle", static_cast<double>(nearest->first_cycle)},
+                       {"last_cycle", static_cast<double>(nearest->last_cycle)}},
+           .words = {{laws_.size() == 1 ? "only_law" : "several_laws", "yes"},
+                     {"fit_cycles", is_given("fit-cycles") ? "" : "open"}}});
+    }
+  }
+
+  void refusals(LawResult const& law) {
+    for (auto const* fit : fits(law)) {
+      if (fit->refusal.empty()) continue;
+      Finding finding{
+          .kind = law_refused, .law = law.id, .devices = {fit->device}, .words = {{"reason", fit->refusal}}};
+      finding.numbers = {{"others", static_cast<double>(std::ranges::count(law.devices, "ok", fit_status))}};
+      add(std::move(finding));
+    }
+  }
+
+  void failures(LawResult const& law) {
+    double runs = 0.0, tried = 0.0, failed = 0.0;
+    for (auto const* fit : fits(law)) {
+      runs += fit->runs;
+      tried += static_cast<double>(fit->evaluations);
+      failed += static_cast<double>(fit->failed_evaluations);
+    }
+    for (auto const* fit : fits(law))
+      if (fit->failed_runs > 0)
+        add({.kind = runs_failed,
+             .law = law.id,
+             .devices = {fit->device},
+             .numbers = {{"failed", static_cast<double>(fit->failed_runs)}, {"runs_of_law", runs}},
+             .words = {{"reason", fit->failure}}});
+    if (failed > 0.0)
+      add({.kind = evaluations_failed,
+           .law = law.id,
+           .numbers = {{"failed", failed}, {"tried", tried}, {"share", failed / tried}}});
+  }
+
+  void held(LawResult const& law) {
+    if (scope_.device) return;
+    if (auto const bounds = pinned(law); bounds.decides()) add(bounds.finding(law.id));
+  }
+
+  void prediction(LawResult const& law) {
+    if (!law.prediction_holds()) add(prediction_of(summary_, law));
+  }
+
+  void search(LawResult const& law) {
+    auto share = law.success_share;
+    if (auto const found = fits(law); scope_.device && !found.empty()) share = found.front()->success_share;
+    constexpr double enough_runs = 0.5;
+    if (share && *share < enough_runs) add({.kind = searches_disagree, .law = law.id, .numbers = {{"share", *share}}});
+  }
+
+  void parameters(LawResult const& law) {
+    double fitted = 0.0, examined = 0.0;
+    std::vector<Finding> open, bounds;
+    // Finds the finding on this parameter and side, or adds it.
+    auto const about = [&](std::vector<Finding>& list, FindingKind kind, std::string const& parameter,
+                           std::vector<FindingWord> const& words) -> Finding& {
+      auto const found = std::ranges::find_if(
+          list, [&](Finding const& other) { return other.parameters.front() == parameter && other.words == words; });
+      if (found != list.end()) return *found;
+      return list.emplace_back(Finding{.kind = kind, .law = law.id, .parameters = {parameter}, .words = words});
     };
-    auto found = std::ranges::find_if(groups, same);
-    if (found == groups.end()) found = groups.insert(groups.end(), {{}});
-    found->push_back(&device);
-  }
-  std::erase_if(groups, [](auto const& group) { return group.size() < 2; });
-  return groups;
-}
-
-// One compression test cannot be that of two devices.
-void warn_of_vertical_copies(Summary const& summary, Summary const& part, std::vector<Warning>& warnings) {
-  for (auto const& group : devices_of_one_compression(summary)) {
-    bool const concerned = std::ranges::any_of(group, [&](auto const* device) {
-      return std::ranges::find(part.devices, device->name, &DeviceResult::name) != part.devices.end();
-    });
-    if (!concerned) continue;
-    Names names;
-    for (auto const* device : group) names.push_back(device->name);
-    warnings.push_back({"copies", fmt::format("{} hold the same compression test, whose K_v counts {} times",
-                                              enumerate(names), group.size())});
-  }
-}
-
-void warn_of_devices(Summary const& summary, std::vector<Warning>& warnings) {
-  for (auto const& device : summary.devices)
-    if (device.status != "ok")
-      warnings.push_back({"refused", fmt::format("{} was refused: {}", device.name, on_one_line(device.message))});
-}
-
-// What is done already is no advice.
-bool is_given(Summary const& summary, std::string_view setting) {
-  auto const found = std::ranges::find(summary.settings, setting, &Setting::key);
-  return found != summary.settings.end() && found->json != "\"all\"" && found->json != "\"\"";
-}
-
-// A device that loses energy from cycle to cycle while no law does: the laws hold for a mean of its cycles. Of a law
-// alone that is said whatever others do.
-void warn_of_degradation(Summary const& summary, std::vector<Warning>& warnings) {
-  for (auto const& device : summary.devices) {
-    EnergyFall const* nearest = nullptr;
-    LawResult const* of = nullptr;
-    bool followed = false;
-    for (auto const& law : summary.laws) {
-      auto const* fit = fit_of(law, device.name);
-      if (fit == nullptr || !fit->energy_fall) continue;
-      followed = followed || follows(*fit->energy_fall);
-      if (nearest != nullptr && fit->energy_fall->percent <= nearest->percent) continue;
-      nearest = &*fit->energy_fall;
-      of = &law;
+    for (auto const* fit : fits(law)) {
+      fitted += fit_status(*fit) == "ok" ? 1.0 : 0.0;
+      examined += fit->optimum ? 1.0 : 0.0;
+      for (auto const& parameter : fit->parameters) {
+        if (parameter.analysis && parameter.analysis->identifiability == analysis::Verdict::undetermined)
+          about(open, not_determined, parameter.name, {{"reduced_form", law.reduced_form}})
+              .devices.push_back(fit->device);
+        if (parameter.at_bound != fit::AtBound::no)
+          about(bounds, at_bound, parameter.name, {{"side", std::string(name(parameter.at_bound))}})
+              .devices.push_back(fit->device);
+      }
     }
-    if (nearest == nullptr || followed) continue;
-    auto const own = percent(std::max(0.0, nearest->percent) / 100.0);
-    auto const who =
-        summary.laws.size() == 1
-            ? fmt::format("{} does not follow this degradation over cycles (its own falls by {}): it is right", of->id,
-                          own)
-            : fmt::format("no law follows this degradation over cycles ({} comes nearest, with {}): each is right",
-                          of->id, own);
-    warnings.push_back(of_devices(
-        "degradation", {device.name},
-        fmt::format("the energy of a cycle falls by {} from cycle {} to {} of block {}, and {} for "
-                    "some cycles in between{}",
-                    percent(nearest->measured_percent / 100.0), nearest->first_cycle, nearest->last_cycle,
-                    nearest->block, who,
-                    is_given(summary, "fit-cycles") ? "" : "; --fit-cycles fits to the first or to the last ones")));
+    for (auto& finding : open) {
+      auto const affected = static_cast<double>(finding.devices.size());
+      if (affected < examined) finding.numbers = {{"affected", affected}, {"examined", examined}};
+      add(std::move(finding));
+    }
+    for (auto& finding : bounds) {
+      bool const all = fitted > 1.0 && static_cast<double>(finding.devices.size()) == fitted;
+      if (all)
+        finding.numbers = {{"all_devices", fitted}};
+      else
+        finding.words.push_back({"some", "yes"});
+      add(std::move(finding));
+    }
+    if (law.lot && !scope_.device)
+      for (auto const& [parameter, side] : law.lot->at_bound)
+        add({.kind = lot_law_at_bound,
+             .law = law.id,
+             .parameters = {parameter},
+             .words = {{"side", std::string(name(side))}}});
   }
-}
 
-void warn_of_refused_laws(LawResult const& law, std::vector<Warning>& warnings) {
-  std::vector<std::pair<std::string, Names>> reasons;  // in order of first appearance
-  for (auto const& fit : law.devices)
-    if (!fit.refusal.empty()) beside(reasons, fit.refusal).push_back(fit.device);
-  for (auto const& [reason, devices] : reasons) {
-    auto text = fmt::format("{} was not identified on {}: {}", called(law), enumerate(devices), on_one_line(reason));
-    if (law.objective.mean) text += fmt::format("; its mean and beta cover the other devices only");
-    warnings.push_back({"law not identified", std::move(text)});
-  }
-}
-
-void warn_of_failed_runs(LawResult const& law, std::vector<Warning>& warnings) {
-  int failed = 0, runs = 0;
-  std::string first;
-  for (auto const& fit : law.devices) {
-    runs += fit.runs;
-    failed += fit.failed_runs;
-    if (first.empty() && fit.failed_runs > 0) first = fmt::format("{}: {}", fit.device, fit.failure);
-  }
-  if (failed > 0)
-    warnings.push_back(
-        {"failed runs", fmt::format("{}: {} of {} runs failed, the first on {}", called(law), failed, runs, first)});
-}
-
-// What an optimiser tried in vain is no fault of the result, but it belongs to how the result was found.
-void warn_of_failed_evaluations(LawResult const& law, std::vector<Warning>& warnings) {
-  std::uint64_t failed = 0, evaluations = 0;
-  for (auto const& fit : law.devices) {
-    evaluations += fit.evaluations;
-    failed += fit.failed_evaluations;
-  }
-  if (failed > 0)
-    warnings.push_back(
-        {"failed evaluations",
-         fmt::format("{}: {} of {} parameter sets tried ({}) gave no finite force and were passed over", called(law),
-                     failed, evaluations, percent(static_cast<double>(failed) / static_cast<double>(evaluations)))});
-}
-
-void warn_of_bounds(LawResult const& law, std::vector<Warning>& warnings) {
-  std::size_t fitted = 0;
-  std::vector<std::pair<std::pair<std::string, std::string>, Names>> at_bound;  // (parameter, side) and its devices
-  for (auto const& fit : law.devices) {
-    if (fit_status(fit) == "ok") ++fitted;
-    for (auto const& parameter : fit.parameters)
-      if (!parameter.at_bound.empty())
-        beside(at_bound, std::pair(parameter.name, parameter.at_bound)).push_back(fit.device);
-  }
-  if (law.lot && !law.lot->at_bound.empty())
-    warnings.push_back(
-        {"at bound", fmt::format("{}: of the one law for all {}", called(law), enumerate(law.lot->at_bound, 6))});
-  if (at_bound.empty()) return;
-  Names parts;
-  for (auto const& [edge, devices] : at_bound) {
-    auto const where = devices.size() == fitted && fitted > 1 ? fmt::format("all {} devices", fitted)
-                       : devices.size() > 3                   ? fmt::format("{} of {} devices", devices.size(), fitted)
-                                                              : enumerate(devices);
-    parts.push_back(fmt::format("{} at its {} bound on {}", edge.first, edge.second, where));
-  }
-  constexpr std::size_t most = 6;
-  if (auto const more = parts.size(); more > most) {
-    parts.resize(most);
-    parts.push_back(fmt::format("and {} more", more - most));
-  }
-  warnings.push_back({"at bound", fmt::format("{}: {}", called(law), fmt::join(parts, "; "))});
-}
-
-void warn_of_adequacy(LawResult const& law, std::vector<Warning>& warnings) {
-  if (auto const why = inadequacy(law); !why.empty())
-    warnings.push_back({"not adequate", fmt::format("{} does not describe the devices: it {}", called(law), why)});
-}
-
-void warn_of_held(LawResult const& law, std::vector<Warning>& warnings) {
-  if (auto const held = pinned(law); held.decides())
-    warnings.push_back(
-        {"at bound", fmt::format("{}: {}, so that its beta is no robustness", called(law), held.text())});
-}
-
-void warn_of_integration(LawResult const& law, std::vector<Warning>& warnings) {
-  Names devices;
-  double largest = 0.0;
-  for (auto const& fit : law.devices) {
-    if (std::abs(fit.integration_shift.value_or(0.0)) <= large_integration_shift) continue;
-    devices.push_back(fit.device);
-    largest = std::max(largest, std::abs(*fit.integration_shift));
-  }
-  if (!devices.empty())
-    warnings.push_back(
-        {"integration",
-         std::isfinite(largest)
-             ? fmt::format("{}: a finer integration step would move the objective by up to {:.2g} on {}", called(law),
-                           largest, enumerate(devices))
-             : fmt::format(
-                   "{}: its force is not finite in finer integration steps on {}: the result is of the steps, not of the law",
-                   called(law), enumerate(devices))});
-}
-
-// What several records have in common is said once.
-void warn_of_records(Summary const& summary, std::vector<Warning>& warnings) {
-  std::vector<Finding> all;
-  for (auto const& device : summary.devices) {
-    if (device.status != "ok") continue;
-    auto found = device.raw.warnings;
-    // Reading the record may have found already why it has no cyclic properties.
-    for (auto const& reason : device.properties.refusal)
-      if (std::ranges::find(found, reason) == found.end()) found.push_back(reason);
-    for (auto& finding : found) {
-      finding.devices = {device.name};
-      all.push_back(std::move(finding));
+  void integration(LawResult const& law) {
+    for (auto const* fit : fits(law)) {
+      double const shift = std::abs(fit->integration_shift.value_or(0.0));
+      if (shift <= large_integration_shift) continue;
+      if (std::isfinite(shift))
+        add({.kind = integration_coarse, .law = law.id, .devices = {fit->device}, .numbers = {{"shift", shift}}});
+      else
+        add({.kind = integration_not_finite, .law = law.id, .devices = {fit->device}});
     }
   }
-  for (auto const& group : wording::grouped(all)) warnings.push_back({"record", wording::sentence(group)});
-}
 
-// A text cut at its numbers: what stands between them, and they.
-struct Cut {
-  std::vector<std::string> between;  // one more than numbers
-  std::vector<std::string> numbers;
+  void prediction_not_asked() {
+    if (laws_.empty()) return;
+    bool const several_blocks = std::ranges::any_of(
+        devices_, [](auto const* device) { return device->status == "ok" && device->properties.blocks.size() > 1; });
+    bool const predicted =
+        std::ranges::any_of(laws_, [](auto const* law) { return law->predicted_objective.has_value(); });
+    if (several_blocks && !predicted) add({.kind = FindingKind::prediction_not_asked});
+  }
+
+  void outliers() {
+    for (auto const& outlier : summary_.outliers) {
+      bool const on_other_law = scope_.law && !outlier.law.empty() && outlier.law != *scope_.law;
+      if (on_other_law || !scope_.covers_device(outlier.device)) continue;
+      add({.kind = FindingKind::outlier,
+           .law = outlier.law,
+           .devices = {outlier.device},
+           .numbers = {{"value", outlier.value}, {"median", outlier.median}, {"percent", outlier.percent}},
+           .words = {{"property", outlier.property}, {"unit", outlier.unit}}});
+    }
+  }
+
+  void records() {
+    for (auto const* device : devices_)
+      if (device->status == "ok")
+        for (auto& finding : record_findings(*device)) add(std::move(finding));
+  }
+
+  static std::vector<Finding> record_findings(DeviceResult const& device);
+  static std::vector<Finding> shared_records(Summary const& summary);
+  friend std::vector<std::vector<Finding>> isolaw::study::device_warnings(Summary const& summary);
+
+  Summary const& summary_;
+  Scope const& scope_;
+  std::vector<LawResult const*> laws_;
+  std::vector<DeviceResult const*> devices_;
+  std::vector<Finding> all_;
 };
 
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
+// Reading the record may have found already why it has no cyclic properties.
+std::vector<Finding> Collector::record_findings(DeviceResult const& device) {
+  auto found = device.raw.warnings;
+  for (auto const& reason : device.properties.refusal)
+    if (std::ranges::find(found, reason) == found.end()) found.push_back(reason);
+  for (auto& finding : found) finding.devices = {device.name};
+  return found;
 }
 
-// Digits with a sign or a point; not those of a name or of an option's value ("--skew-ms 4" has one, "F2" none).
-Cut cut_at_numbers(std::string const& text) {
-  Cut made{.between = {""}, .numbers = {}};
-  for (std::size_t i = 0; i < text.size();) {
-    bool const in_word = i > 0 && (std::isalnum(static_cast<unsigned char>(text[i - 1])) != 0 || text[i - 1] == '_');
-    bool const is_signed = (text[i] == '-' || text[i] == '+') && (i == 0 || text[i - 1] == ' ');
-    std::size_t const first = i + (is_signed ? 1 : 0);
-    if (in_word || first >= text.size() || !is_digit(text[first])) {
-      made.between.back() += text[i++];
-      continue;
-    }
-    std::size_t end = first;
-    auto const digits = [&] {
-      while (end < text.size() && is_digit(text[end])) ++end;
-    };
-    digits();
-    if (end + 1 < text.size() && text[end] == '.' && is_digit(text[end + 1])) ++end, digits();
-    if (end + 2 < text.size() && text[end] == 'e' && (text[end + 1] == '-' || text[end + 1] == '+') &&
-        is_digit(text[end + 2]))
-      end += 2, digits();
-    made.numbers.push_back(text.substr(i, end - i));
-    made.between.emplace_back();
-    i = end;
+// A record under two names counts twice and makes parameters look less scattered than they are. One compression test
+// cannot belong to two devices.
+std::vector<Finding> Collector::shared_records(Summary const& summary) {
+  std::vector<Finding> found;
+  auto const names_of = [](auto const& group) {
+    Names names;
+    for (auto const* device : group) names.push_back(device->name);
+    return names;
+  };
+  for (auto const& group : devices_of_one_record(summary)) {
+    auto& finding = found.emplace_back(Finding{.kind = same_record, .devices = names_of(group)});
+    if (group.front()->raw.size() > 0) finding.numbers = {{"times", static_cast<double>(group.size())}};
   }
-  return made;
-}
-
-// The least and the largest as they were written, where they differ.
-std::string span_of(std::vector<std::string> const& numbers) {
-  auto const value = [](std::string const& text) { return number_in<double>(text).value_or(0.0); };
-  auto const [least, largest] = std::ranges::minmax(numbers, {}, value);
-  return value(least) == value(largest) ? least : fmt::format("{} to {}", least, largest);
-}
-
-std::string merged(std::vector<Cut> const& cuts) {
-  std::string text = cuts.front().between.front();
-  for (std::size_t k = 0; k < cuts.front().numbers.size(); ++k) {
-    std::vector<std::string> numbers;
-    for (auto const& cut : cuts) numbers.push_back(cut.numbers[k]);
-    text += span_of(numbers) + cuts.front().between[k + 1];
-  }
-  return text;
+  for (auto const& group : devices_of_one_compression(summary))
+    found.push_back({.kind = same_compression_test,
+                     .devices = names_of(group),
+                     .numbers = {{"times", static_cast<double>(group.size())}}});
+  return found;
 }
 
 }  // namespace
 
-std::string_view action(Warning const& warning) {
-  struct Row {
-    std::string_view topic, action;
-  };
-  static constexpr std::string_view records = "Look at the records", laws = "Do not lean on these laws",
-                                    search = "Search longer or in finer steps",
-                                    parameters = "Fix parameters, widen their boxes, or test more";
-  static constexpr Row rows[]{{"not complete", "Continue the campaign"},
-                              {"refused", records},
-                              {"copies", records},
-                              {"degradation", records},
-                              {"record", records},
-                              {"outlier", records},
-                              {"law not identified", laws},
-                              {"not adequate", laws},
-                              {"prediction", laws},
-                              {"not predicted", "Keep blocks of the tests from the fit"},
-                              {"failed runs", search},
-                              {"failed evaluations", search},
-                              {"search", search},
-                              {"integration", search},
-                              {"undetermined", parameters},
-                              {"at bound", parameters}};
-  auto const found = std::ranges::find(rows, warning.topic, &Row::topic);
-  return found == std::end(rows) ? "Take care" : found->action;
+std::vector<Finding> warnings(Summary const& summary, Scope const& scope) {
+  return Collector(summary, scope).collect();
 }
 
-std::vector<Warning> warnings(Summary const& whole, Summary const& summary) {
-  std::vector<Warning> all;
-  warn_of_missing_runs(summary, all);
-  warn_of_devices(summary, all);
-  warn_of_copies(whole, summary, all);
-  warn_of_vertical_copies(whole, summary, all);
-  warn_of_degradation(summary, all);
-  for (auto const warn : {warn_of_refused_laws, warn_of_failed_runs, warn_of_failed_evaluations})
-    for (auto const& law : summary.laws) warn(law, all);
-  for (auto const& law : whole.laws)
-    if (std::ranges::find(summary.laws, law.id, &LawResult::id) != summary.laws.end()) warn_of_adequacy(law, all);
-  for (auto const& law : summary.laws) warn_of_held(law, all);
-  warn_of_analysis(summary, all);
-  for (auto const warn : {warn_of_bounds, warn_of_integration})
-    for (auto const& law : summary.laws) warn(law, all);
-  warn_of_records(summary, all);
-  return all;
-}
-
-std::vector<std::vector<std::string>> device_warnings(Summary const& summary) {
-  std::vector<Names> all;
-  for (auto const& device : summary.devices) all.push_back(wording::remarks(device.raw.warnings));
-  auto const add = [&](auto const& groups, auto say) {
-    for (auto const& group : groups)
-      for (auto const* device : group) {
-        Names others;
-        for (auto const* other : group)
-          if (other != device) others.push_back(other->name);
-        all[static_cast<std::size_t>(device - summary.devices.data())].push_back(say(enumerate(others)));
-      }
-  };
-  add(devices_of_one_record(summary), rules::same_record_as);
-  add(devices_of_one_compression(summary),
-      [](std::string const& others) { return "the same compression test as " + others; });
-  return all;
-}
-
-std::vector<Warning> in_few_lines(std::vector<Warning> const& warnings) {
-  struct Kind {
-    std::string topic;
-    std::vector<Cut> cuts;
-    std::size_t place = 0;  // of its line
-  };
-  std::vector<Kind> kinds;
-  std::vector<Warning> lines;
-  for (auto const& warning : warnings) {
-    auto const cut = cut_at_numbers(warning.remark);
-    auto const same = std::ranges::find_if(kinds, [&](Kind const& kind) {
-      return kind.topic == warning.topic && kind.cuts.front().between == cut.between;
-    });
-    if (warning.devices.empty() || same == kinds.end()) {
-      if (!warning.devices.empty()) kinds.push_back({warning.topic, {cut}, lines.size()});
-      lines.push_back(warning);
-      continue;
-    }
-    same->cuts.push_back(cut);
-    auto& line = lines[same->place];
-    for (auto const& name : warning.devices)
-      if (std::ranges::find(line.devices, name) == line.devices.end()) line.devices.push_back(name);
-    line.remark = merged(same->cuts);
-    line.sentence = fmt::format("{}: {}", enumerate(line.devices, 3), line.remark);
+std::vector<std::vector<Finding>> device_warnings(Summary const& summary) {
+  auto const shared = Collector::shared_records(summary);
+  std::vector<std::vector<Finding>> all;
+  for (auto const& device : summary.devices) {
+    auto& own = all.emplace_back(Collector::record_findings(device));
+    for (auto const& finding : shared)
+      if (std::ranges::find(finding.devices, device.name) != finding.devices.end()) own.push_back(finding);
   }
-  return lines;
-}
-
-std::vector<Warning> warnings(Summary const& summary) {
-  return warnings(summary, summary);
+  return all;
 }
 
 }  // namespace isolaw::study

@@ -1,42 +1,32 @@
-// What a careful reader must know before trusting a campaign or an inspection, and what to do about it.
+// Collects the findings that a careful reader must know before trusting a campaign or an inspection. Each is computed
+// once, as fields; wording/table.hpp says what to do about it and makes the sentence.
 #pragma once
 
-#include <string>
+#include <optional>
 #include <string_view>
 #include <vector>
 
+#include "isolaw/base/finding.hpp"
 #include "isolaw/study/summary.hpp"
 
 namespace isolaw::study {
 
-// A finer integration step moving the objective by more than this is worth a warning.
+// A finer integration step that moves the objective by more than this is worth a warning.
 inline constexpr double large_integration_shift = 1e-3;
 
-struct Warning {
-  // "not complete", "refused", "copies", "degradation", "law not identified", "failed runs", "failed evaluations",
-  // "not adequate", "prediction", "not predicted", "search", "undetermined", "outlier", "at bound", "integration",
-  // "record"
-  std::string topic;
-  std::string sentence;
-  // Of single devices: which, and what of them; the sentence holds both.
-  std::vector<std::string> devices = {};
-  std::string remark = {};
+// The part of a campaign that findings are wanted for: one law or all, on one device or all.
+struct Scope {
+  std::optional<std::string_view> law = {}, device = {};
+
+  bool covers(LawResult const& one) const { return !law || *law == one.id; }
+  bool covers_device(std::string_view name) const { return !device || *device == name; }
 };
-// What a reader does about a warning: "Look at the records", ...; those of one action stand together on the page.
-std::string_view action(Warning const& warning);
 
-// Of a campaign or an inspection, the most serious topic first.
-std::vector<Warning> warnings(Summary const& summary);
-// Of some of its laws and devices alone; what only the whole can tell, copies and whether a law describes the devices,
-// is taken from there.
-std::vector<Warning> warnings(Summary const& whole, Summary const& part);
+// Findings within the scope. Whether a law describes the devices, and which devices share a record, is judged on the
+// whole campaign whatever the scope.
+std::vector<Finding> warnings(Summary const& summary, Scope const& scope = {});
 
-// What a reader of one device alone is told, of each in the order of the summary: the warnings of its record, and which
-// other devices have the same one. Of those together `warnings` says it.
-std::vector<std::vector<std::string>> device_warnings(Summary const& summary);
-
-// For a terminal: remarks of one topic that differ in their numbers alone as one, "D01, D02 and 3 more: noise of 0.1 to
-// 0.3 mm ..."; each in full stands in JSON and on the page.
-std::vector<Warning> in_few_lines(std::vector<Warning> const& warnings);
+// For each device, in the order of the summary: the findings on its record and on sharing it with other devices.
+std::vector<std::vector<Finding>> device_warnings(Summary const& summary);
 
 }  // namespace isolaw::study

@@ -15,8 +15,6 @@ namespace {
 using Json = nlohmann::ordered_json;  // numbers and words keep their order
 
 Json json_of(Finding const& finding) {
-  // As it was read: a store that was not changed is written the same.
-  if (finding.kind == FindingKind::stated_by_older_store) return finding.word("text");
   Json object{{"kind", row(finding.kind).key}};
   auto const add = [&](char const* key, auto const& value) {
     if (!value.empty()) object[key] = value;
@@ -35,8 +33,6 @@ Json json_of(Finding const& finding) {
 }
 
 Finding finding_of(Json const& object) {
-  if (object.is_string())
-    return {.kind = FindingKind::stated_by_older_store, .words = {{"text", object.get<std::string>()}}};
   Finding finding;
   for (auto const& [key, value] : object.items()) {
     if (key == "kind") {

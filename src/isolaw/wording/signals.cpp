@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "isolaw/base/number_text.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/wording/sentences.hpp"
 #include "isolaw/wording/words.hpp"
 
@@ -20,13 +21,6 @@ double in_unit(Finding const& finding, std::string_view name) {
 }
 std::string signed_text(double value) {
   return (value < 0.0 ? "" : "+") + number_text(value, 3);
-}
-std::string percents(Group group, std::string_view name) {
-  return range(group, name, [](double value) { return number_text(value, 2); }) + " %";
-}
-std::string cycle_of(Finding const& finding) {
-  return fmt::format("cycle {} of block {}", finding.number("cycle"),
-                     finding.blocks.empty() ? 0 : finding.blocks.front());
 }
 
 // "1.5 s (sample 151) and 4.2 s (sample 421)", or "sample 151 and sample 421" of a record without time.
@@ -65,48 +59,12 @@ std::string_view without_jump(Group group) {
   return group.front().word("without_jump") == "yes" ? ", its jump there taken off" : "";
 }
 
-std::string per_cycle(Group group) {
-  return fmt::format("{} samples per cycle: energy comes out {} too small, and a peak up to {}.",
-                     range(group, "samples", [](double value) { return with_decimals(value, 1); }),
-                     percents(group, "energy_percent"), percents(group, "peak_percent"));
-}
-
-std::string jump(Group group) {
-  auto const friction = range(group, "friction_kN");
-  return fmt::format(
-      "force drops by {} kN at once where motion reverses, as friction of {} kN does. If that is the rig's friction, it adds {} points of damping; --rig-friction{} takes it off.",
-      range(group, "jump_kN"), friction, range(group, "damping_points", 2), group.size() == 1 ? " " + friction : "");
-}
-
-std::string speed(Group group) {
-  auto const& f = group.front();
-  return fmt::format(
-      "the largest speed is {}; a {} of this amplitude and frequency has {} mm/s ({} f D). {}.",
-      each(group,
-           [](Finding const& finding) {
-             return fmt::format("{} mm/s in block {}, {} % off", number_text(finding.number("v_max_mm_s")),
-                                finding.blocks.front(), signed_text(finding.number("percent")));
-           }),
-      f.word("of"), range(group, "expected_mm_s", 4), f.word("of") == "triangle" ? "4" : "2 pi",
-      f.word("waveform") == "other" ? "The motion is neither a sine nor a triangle" : "The motion has that form");
-}
-
-std::string average(Group group) {
-  return fmt::format(
-      "the moving average over {} samples, of {} in a cycle, takes {} from the motion at the test's frequency and {} from its third harmonic. That concerns the laws; properties are computed from raw values.",
-      range(group, "window_samples"), range(group, "samples_per_cycle"), percents(group, "percent"),
-      percents(group, "third_harmonic_percent"));
-}
-
 }  // namespace
-
-std::string no_cyclic_properties(Group group) {
-  return fmt::format("no cyclic properties: {}", group.front().word("reason"));
-}
 
 std::string signal_clipped(Group group) {
   return standing(group, "clipped");
 }
+
 std::string signal_stuck(Group group) {
   return standing(group, "stuck");
 }
@@ -147,30 +105,6 @@ std::string signal_spike(Group group) {
       first.word("channel"), spikes, where);
 }
 
-std::string cycle_gives_energy(Group group) {
-  return fmt::format("{}, and no device does that. Is a channel late, without its sign, or exchanged with the other?",
-                     each(group, [](Finding const& f) {
-                       return fmt::format("{} gives back {} kN mm of energy", cycle_of(f),
-                                          number_text(f.number("energy_kN_mm")));
-                     }));
-}
-
-std::string cycle_not_stiff(Group group) {
-  return fmt::format(
-      "{}, and no device does that. Does the force wrap around, or is it late, exchanged or of the other sign?",
-      each(group, [](Finding const& f) {
-        return fmt::format("{} has an effective stiffness of {} kN/mm", cycle_of(f),
-                           number_text(f.number("K_eff_kN_per_mm")));
-      }));
-}
-
-std::string not_cyclic(Group group) {
-  return fmt::format(
-      "the motion is not cyclic: {} of {} swings to and fro repeat an amplitude or are symmetric within 5 %, which is {} % of the travel; a cyclic test has {} % or more. Amplitudes go from {} to {} mm.",
-      range(group, "regular_swings"), range(group, "swings"), range(group, "travel_percent", 2),
-      range(group, "needed_percent"), range(group, "least_mm"), range(group, "largest_mm"));
-}
-
 std::string no_complete_cycle(Group group) {
   auto const& f = group.front();
   if (!f.has_number("least_mm")) return "there are no samples.";
@@ -180,24 +114,6 @@ std::string no_complete_cycle(Group group) {
       range(group, "least_mm", 4), range(group, "largest_mm", 4),
       at_zero ? std::string("zero") : fmt::format("its centre at {} mm", range(group, "centre_mm", 4)),
       range(group, "crossings"), range(group, "noise_mm"));
-}
-
-std::string no_cycle_counts(Group) {
-  return "no cycle counts: none has the amplitude and period of its block.";
-}
-
-std::string samples_too_few(Group group) {
-  return fmt::format("{} samples per cycle, fewer than the {} that stiffness and energy need.",
-                     range(group, "samples", [](double value) { return with_decimals(value, 1); }),
-                     range(group, "needed"));
-}
-
-std::string cycle_unlike_neighbours(Group group) {
-  return fmt::format(
-      "the force at a peak is {} that of the cycles beside it. A channel may have dropped out or changed its range there, and the values of that cycle are wrong.",
-      each(group, [](Finding const& f) {
-        return fmt::format("in {} {} % of", cycle_of(f), number_text(f.number("percent"), 3));
-      }));
 }
 
 std::string force_late(Group group) {
@@ -218,142 +134,62 @@ std::string force_early(Group group) {
       range(group, "damping_points", 2));
 }
 
-std::string friction_in_force(Group group) {
-  return jump(group);
-}
 std::string jump_of_force(Group group) {
-  return jump(group);
-}
-
-std::string samples_few(Group group) {
-  return per_cycle(group) + fmt::format(" {} or more are wanted.", range(group, "wanted"));
-}
-std::string samples_per_cycle(Group group) {
-  return per_cycle(group);
-}
-
-std::string time_uneven(Group group) {
-  double least = group.front().number("least_s"), largest = group.front().number("largest_s");
-  for (auto const& f : group) {
-    least = std::min(least, f.number("least_s"));
-    largest = std::max(largest, f.number("largest_s"));
-  }
-  return fmt::format("sampling is not uniform: intervals from {} to {} s, {} s on average.", number_text(least, 6),
-                     number_text(largest, 6), range(group, "mean_s", 6));
-}
-
-std::string time_jumps(Group group) {
-  auto const jump = [](Finding const& f) {
-    auto const count = f.number("count");
-    return fmt::format("{}{} s after sample {} ({} s), of which {} s are taken for the motion",
-                       count == 1.0 ? "by " : fmt::format("{} times, most by ", count),
-                       number_text(f.number("length_s")), f.number("sample"), number_text(f.number("time_s"), 6),
-                       number_text(f.number("taken_s")));
-  };
+  auto const friction = range(group, "friction_kN");
   return fmt::format(
-      "time jumps {}. How long the motion took is estimated from its speed before and after; periods and frequency leave out the rest.",
-      each(group, jump));
+      "force drops by {} kN at once where motion reverses, as friction of {} kN does. If that is the rig's friction, it adds {} points of damping; --rig-friction{} takes it off.",
+      range(group, "jump_kN"), friction, range(group, "damping_points", 2), group.size() == 1 ? " " + friction : "");
 }
 
-std::string noise(Group group) {
-  return fmt::format(
-      "noise of {} mm in displacement ({} of the amplitude) and of {} kN in force ({}). The extremes of a cycle lie about {} too far out and K_eff comes out at least as much too small; besides, K_eff of one cycle is uncertain by {} (one standard deviation).",
-      range(group, "disp_mm", 2), percents(group, "disp_percent"), range(group, "force_kN", 2),
-      percents(group, "force_percent"), percents(group, "beyond_percent"), percents(group, "scatter_percent"));
-}
-
-std::string drift(Group group) {
-  auto const moved = [](Finding const& f) {
-    return fmt::format("{} {} through block {}", number_text(in_unit(f, "drift"), 3), f.word("unit"), f.blocks.front());
-  };
-  return fmt::format("{} drifts: the middle of its cycles moves by {}, {} of the whole travel (limit {} %).",
-                     group.front().word("channel"), each(group, moved), percents(group, "percent"),
-                     range(group, "limit_percent"));
-}
-
-std::string loop_open(Group group) {
-  return fmt::format("{}, {} of the whole travel (limit {} %). Energy may be wrong by the force times that, {} kN mm.",
-                     each(group,
-                          [](Finding const& f) {
-                            return fmt::format("{} ends {} mm from where it starts", cycle_of(f),
-                                               number_text(f.number("closure_mm"), 3));
-                          }),
-                     percents(group, "percent"), range(group, "limit_percent"), range(group, "energy_kN_mm"));
-}
-
-std::string speed_off(Group group) {
-  return speed(group);
-}
 std::string largest_speed(Group group) {
-  return speed(group);
-}
-
-std::string off_centre(Group group) {
+  auto const& f = group.front();
   return fmt::format(
-      "{} is off centre by {}, {} of its amplitude. Stiffness from peak to peak and energy do not feel that; F/d of one side and the laws do. `isolaw calibrate --center` takes it off.",
-      group.front().word("channel"),
+      "the largest speed is {}; a {} of this amplitude and frequency has {} mm/s ({} f D). {}.",
       each(group,
-           [](Finding const& f) {
-             return fmt::format("{} {} in {}", number_text(in_unit(f, "offset")), f.word("unit"), cycle_of(f));
+           [](Finding const& finding) {
+             return fmt::format("{} mm/s in block {}, {} % off", number_text(finding.number("v_max_mm_s")),
+                                finding.blocks.front(), signed_text(finding.number("percent")));
            }),
-      percents(group, "percent"));
+      f.word("of"), range(group, "expected_mm_s", 4), f.word("of") == "triangle" ? "4" : "2 pi",
+      f.word("waveform") == "other" ? "The motion is neither a sine nor a triangle" : "The motion has that form");
 }
 
-std::string starts_off_zero(Group group) {
-  return fmt::format("the first sample is at {} mm, {} of the half range of {} mm; laws start at rest at zero.",
-                     range(group, "disp_mm", 4), percents(group, "percent"), range(group, "half_range_mm", 4));
-}
-
-std::string several_amplitudes(Group group) {
-  double least = group.front().number("least_mm"), largest = group.front().number("largest_mm");
-  for (auto const& f : group) {
-    least = std::min(least, f.number("least_mm"));
-    largest = std::max(largest, f.number("largest_mm"));
+std::string spikes_repaired(Group group) {
+  auto const& f = group.front();
+  auto const channel = f.word("channel"), unit = f.word("unit");
+  double const count = f.number("count");
+  if (count == 0.0) return fmt::format("no spikes of {} to repair", channel);
+  std::vector<std::string> samples;
+  for (int k = 1; f.has_number(k == 1 ? "sample" : fmt::format("sample_{}", k)); ++k) {
+    auto const which = k == 1 ? std::string() : fmt::format("_{}", k);
+    auto const of = [&](std::string_view name) { return f.number(fmt::format("{}_{}{}", name, unit, which)); };
+    samples.push_back(fmt::format(
+        "sample {}{} from {} to {} {}", f.number("sample" + which),
+        f.has_number("time_s" + which) ? fmt::format(" ({} s)", number_text(f.number("time_s" + which), 6)) : "",
+        number_text(of("from"), 5), number_text(of("to"), 5), unit));
   }
-  return fmt::format("cycles of several amplitudes, {} to {} mm: stiffness, energy and damping are those of {}.",
-                     number_text(least), number_text(largest), each(group, [](Finding const& f) {
-                       return fmt::format("{} at {} mm", cycle_of(f), number_text(f.number("amplitude_mm")));
-                     }));
+  auto const left = count - static_cast<double>(samples.size());
+  if (left > 0.0) samples.push_back(fmt::format("and {} more", left));
+  return fmt::format("{} of {} repaired by what the neighbours say: {}",
+                     count == 1.0 ? "a spike" : fmt::format("{} spikes", count), channel, joined(samples));
 }
 
-std::string damping_undefined(Group) {
-  return "equivalent damping is not defined: it relates the loop's energy to an effective stiffness, and hardly any of this device's force is stiffness.";
-}
-
-std::string average_too_wide(Group group) {
-  return average(group) + " A smaller --smooth takes less.";
-}
-std::string average_over_samples(Group group) {
-  return average(group);
-}
-
-std::string rig_friction(Group group) {
+std::string skew_removed(Group group) {
+  auto const& f = group.front();
+  bool const back = f.number("skew_ms") > 0.0;
+  auto const dropped = f.number("dropped_samples");
   return fmt::format(
-      "if the rig's friction were 0.5 % of the vertical load of {} kN, it would be {} kN and add {} points of damping (2 F_f / (pi K D)).",
-      range(group, "load_kN", 4), range(group, "friction_kN"), range(group, "damping_points", 2));
+      "force moved {} by {} ms, between samples by interpolation; {} sample{} without a force dropped at the {}",
+      back ? "back" : "forward", number_text(back ? f.number("skew_ms") : -f.number("skew_ms"), 6), dropped,
+      dropped == 1.0 ? "" : "s", back ? "end" : "start");
 }
 
-std::string moving_mass(Group group) {
-  return fmt::format(
-      "each tonne that moves between the device and the load cell takes {} kN/mm from the stiffness at {} Hz, {} of it (m w^2).",
-      range(group, "stiffness_kN_per_mm", 2), range(group, "frequency_Hz"), percents(group, "percent"));
-}
-
-std::string stands_still(Group group) {
-  auto const rest = [](Finding const& f) {
-    double const others = f.number("others");
-    return fmt::format(
-        "for {} s in {}, longer than its period{}", number_text(f.number("still_s"), 3), cycle_of(f),
-        others > 0.0 ? fmt::format(", and so in {} more cycle{}", others, others == 1.0 ? "" : "s") : "");
-  };
-  return fmt::format(
-      "the device stands still {}. Period, frequency and samples per cycle leave that out, but rubber recovers and cools meanwhile.",
-      each(group, rest));
-}
-
-std::string cut_off_zero(Group group) {
-  return fmt::format("cycles are cut where displacement passes {} mm, the centre of the motion.",
-                     range(group, "centre_mm", 4));
+std::string all_samples_kept(Group group) {
+  auto const& f = group.front();
+  if (!f.word("option").empty()) return "all samples kept, as asked for";
+  if (!f.has_number("wanted")) return "all samples kept: without cycles there is nothing to thin by";
+  return fmt::format("all samples kept: {} per cycle is less than twice the {} asked for",
+                     with_decimals(f.number("samples_per_cycle"), 1), f.number("wanted"));
 }
 
 }  // namespace isolaw::wording

@@ -45,7 +45,8 @@ struct Row {
   unsigned grouping;
   unsigned appears;
   Subject subject;
-  std::string (*text)(Group);  // the sentence without its subject
+  std::string_view text;  // the sentence without its subject, with fields in braces (wording/fill.hpp)
+  std::string (*compose)(Group) = nullptr;  // makes it instead, where a text cannot
 };
 
 std::span<Row const> rows();
@@ -66,6 +67,10 @@ std::string reasons(std::vector<Finding> const& findings);
 std::vector<std::vector<Finding>> grouped(std::vector<Finding> const& findings, unsigned place = in_report);
 // One sentence for each group.
 std::vector<std::string> sentences(std::vector<Finding> const& findings, unsigned place = in_report);
+
+// Sentences one after the other, in the order given and each for itself, joined by `between`; without their subjects
+// where the place names it already.
+std::string paragraph(std::vector<Finding> const& findings, std::string_view between = " ", bool with_subject = true);
 
 // Devices, parameters or blocks of all findings of a group, each once, in the order of their first appearance.
 std::vector<std::string> devices_of(Group group);

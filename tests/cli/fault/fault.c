@@ -1,4 +1,4 @@
-// Loaded before the C library (LD_PRELOAD): counts what changes files below one directory, and lets it go wrong.
+// Loaded before the C library (LD_PRELOAD): counts operations that change files below a directory and makes them fail.
 //
 //   ISOLAW_FAULT_DIR   the directory; everything elsewhere is left alone
 //   ISOLAW_FAULT_MODE  count  nothing goes wrong
@@ -56,7 +56,7 @@ static int watched_file(int file) {
 
 enum what { succeed, fail, tear };
 
-// Counts one operation; errno is set when it is to fail.
+// Counts one operation, and sets errno if this one is to fail.
 static enum what next_operation(int can_tear) {
   long const number = ++operations, at = atol(setting("ISOLAW_FAULT_AT"));
   const char* mode = setting("ISOLAW_FAULT_MODE");
@@ -80,7 +80,7 @@ __attribute__((destructor)) static void report_count(void) {
   fclose(file);
 }
 
-// A full disk still lets a file be removed, or cut.
+// On a full disk files can still be removed or truncated.
 static int frees_space_fails(void) {
   return next_operation(0) == fail && errno != ENOSPC;
 }
@@ -143,7 +143,7 @@ static int opening_fails(const char* path, int flags) {
   int const changes = (flags & O_ACCMODE) != O_RDONLY || (flags & (O_CREAT | O_TRUNC)) != 0;
   if (!changes || !watched_path(path)) return 0;
   int const makes = (flags & O_CREAT) != 0 && access(path, F_OK) != 0;
-  // On a full disk a file that is there can still be opened.
+  // On a full disk existing files can still be opened.
   return makes ? next_operation(0) == fail : frees_space_fails();
 }
 static int mode_of(int flags, va_list arguments) { return (flags & O_CREAT) ? va_arg(arguments, int) : 0; }

@@ -1,4 +1,4 @@
-// A program of somebody else: the force of a bilinear bearing under a sine, and the error of an unknown law.
+// A program of somebody else: it computes the force of a bilinear bearing under a sine, and asks for an unknown law.
 #include <cmath>
 #include <cstdio>
 #include <isolaw/api/isolaw.hpp>

@@ -1,7 +1,6 @@
-// Trilinear: two elastic-perfectly-plastic elements and a spring in parallel. A law that no release has: it is added to
-// the list of laws for the tests of this folder alone, as CONTRIBUTING tells to add one.
-// Source: Eq. (1) of Cucuzza et al. 2025 with one element more (Iwan 1966). Units kN, mm.  Step: exact along a straight
-// path.
+// Trilinear: two elastic-perfectly-plastic elements and a spring in parallel. No release has this law: the tests of
+// this folder add it to the list of laws in the way that CONTRIBUTING describes.
+// Source: Eq. (1) of Cucuzza et al. 2025 with one element more (Iwan 1966). Units kN, mm. Exact for straight steps.
 #pragma once
 
 #include "isolaw/laws/law.hpp"

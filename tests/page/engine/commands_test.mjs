@@ -26,14 +26,17 @@ const same = (said, own, name) => {
     assert.ok(found === wanted[i] || Math.abs(found - wanted[i]) <= 1e-7 * Math.abs(wanted[i]) + 1e-9, `${name}: ${found}, natively ${wanted[i]}`);
 };
 
-test('the version, with the build that computes', async () => {
-  assert.equal(await engine.version(), native(['--version']).stdout.trim());
+test('the version, with the build that computes; the compiler differs', async () => {
+  const [program, compiler, build] = (await engine.version()).split('\n'),
+    own = native(['--version']).stdout.trim().split('\n');
+  assert.deepEqual([program.replace(/ \(.*/, ''), build], [own[0].replace(/ \(.*/, ''), own[2]]);
+  assert.match(compiler, /^emscripten's clang\+\+ [0-9.]+, portable$/);
 });
 
 test('what the page knows of settings is so', async () => {
   const help = (await engine.run({ argv: ['calibrate', '--help'] })).stdout;
-  assert.match(help, new RegExp(`--runs INT .*\\(${usualRuns('best')}; ga: ${usualRuns('ga')}\\)`));
-  const ofGa = [...help.matchAll(/--([\w-]+) \w+\s+of ga: /g)].map(([, name]) => name);
+  assert.match(help, new RegExp(`--runs INT .*\\(default ${usualRuns('best')}; ga: ${usualRuns('ga')}\\)`));
+  const ofGa = [...help.matchAll(/--([\w-]+) \w+\s+with --method ga: /g)].map(([, name]) => name);
   assert.deepEqual(ofGa.sort(), [...OF_GA].sort());
 });
 
@@ -41,6 +44,13 @@ test('wrong words are an answer, not a rejection', async () => {
   const said = await engine.run({ argv: ['calibrate', 'nowhere.csv'] });
   assert.equal(said.code, 2);
   assert.match(said.stderr, /nowhere\.csv: no such file/);
+  // Its complaints are objects, whose line stands in no stream.
+  const own = native(['calibrate', 'nowhere.csv']);
+  assert.equal(said.stderr, own.stderr);
+  assert.equal(said.error.kind, 'input');
+  const [{ where, found, allowed, advice }] = said.error.complaints;
+  assert.equal(said.stderr, `isolaw: ${where}: ${found}` + (allowed && '; allowed: ' + allowed) + (advice && '; try: ' + advice) + '\n');
+  assert.equal((await engine.run({ argv: ['laws'] })).error, null);
 });
 
 test('inspection says the same, number by number', async () => {

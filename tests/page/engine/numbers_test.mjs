@@ -49,7 +49,7 @@ async function compare(name, inputs, files, options) {
   return comparedParameters(name, found, wanted);
 }
 
-// Of those that the test determines; how many.
+// Compares the parameters that the test determines; gives their number.
 function comparedParameters(name, found, wanted) {
   let count = 0,
     largest = 0,

@@ -1,5 +1,5 @@
-// A command for the Tcl program of OpenSees, which loads this file: a material of a library by the program's own search
-// and parser. Its uniaxialMaterial comes to them as well, after what a build of parts of the program may lack.
+// A Tcl command for OpenSees, which loads this file: it makes a material of a library with the program's own search and
+// parser. The command uniaxialMaterial ends there too, but only after code that a partial build of OpenSees may lack.
 #include <cstring>
 #include <string>
 

@@ -1,5 +1,5 @@
-// What an exported material asks of OpenSees, with the signatures that the program has and just enough behind them.
-// Written for the tests from what the program's interface is; no text of the program.
+// The part of OpenSees that an exported material uses: the program's signatures, with just enough behind them. It was
+// written for the tests from the interface and holds no text of the program.
 #pragma once
 
 #include <cstdlib>
@@ -30,7 +30,7 @@ class ID {
   std::vector<int> numbers;
 };
 
-// Over numbers that are another's.
+// A view of numbers that another object owns.
 class Vector {
  public:
   Vector(double* data, int size) : data_(data), size_(size) {}
@@ -52,7 +52,7 @@ class Channel {
   virtual int recvID(int, int, ID&, ChannelAddress* = nullptr) = 0;
 };
 
-// First in, first out. A message of another length than was sent is an error, as it is in the program.
+// First in, first out. Receiving a message of another length than was sent is an error, as in the program.
 class Memory : public Channel {
  public:
   int sendVector(int, int, Vector const& x, ChannelAddress*) override {
@@ -122,7 +122,7 @@ class UniaxialMaterial : public Material {
   virtual UniaxialMaterial* getCopy(SectionForceDeformation*) { return getCopy(); }
 };
 
-// The words behind a command's name. In Python numbers are no text.
+// The words after a command's name. In Python a number is not text.
 inline std::vector<std::string> words;
 inline std::size_t next_word = 0;
 inline bool python = false;

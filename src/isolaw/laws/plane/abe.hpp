@@ -1,10 +1,10 @@
-// Abe in the plane, with the yield force that grows with the distance from the origin (abe) or without (abe-y0).
-// Source: Abe, Yoshida and Fujino 2004, part II, for the form F = F1 + F2 + F3 with the largest distance so far in the
+// Abe in the plane, with a yield force that grows with the distance from the origin (abe) or stays constant (abe-y0).
+// Source: Abe, Yoshida and Fujino 2004, part II, for the form F = F1 + F2 + F3 with the largest distance so far in
 // place of the largest displacement:
 //     dF2 = (Yt / Ut) (dx - |F2 / Yt|^(n-1) F2 / Yt |dx|)
-// F1 and F3 point away from the origin with the sizes of one direction; Yt = Y0 (1 + |x / Uh|^p) or Y0. What softens F1
-// beside the motion tests of one direction do not say: Softening. Step: sixth
-// order (follow.hpp), in pieces that end where the distance begins to be the largest.
+// F1 and F3 point along x with their sizes of one direction; Yt = Y0 (1 + |x / Uh|^p) or Y0. Tests in one direction do
+// not tell whether a motion also softens F1 across itself: Softening. Step: sixth order (follow.hpp), in pieces that
+// end where the distance begins to be the largest.
 #pragma once
 
 #include "isolaw/laws/abe.hpp"
@@ -36,8 +36,8 @@ struct AbeOf {
   static Vector<T> step(Params<T> const& p, State<T>& state, Vector<T> const& from, Vector<T> const& to, double) {
     T const zero(0.0), one(1.0), peak0 = state.peak, distance1 = norm(to);
     Straight<T> const way(from, to);
-    Split<T> const origin(from, way.direction);  // where the step begins, seen from the origin along the way
-    // The distance passes the largest one so far at this length of the way.
+    Split<T> const origin(from, way.direction);  // the start of the step, seen from the origin
+    // After this length of the way the distance exceeds the largest one so far.
     T const reach = sqrt(max((peak0 - abs(origin.across)) * (peak0 + abs(origin.across)), zero)) - origin.along;
     T const inside = min(max(reach, zero), way.length);
     Split<T> f(state.f, way.direction);
@@ -45,7 +45,7 @@ struct AbeOf {
     move(p, f, origin, inside, way.length, peak0, true);
     state.peak = max(peak0, distance1);
     T const per_U = one / yield_length(p, peak0);
-    // Where nothing moves derivatives alone do: elastically.
+    // At rest only the derivatives move, as an elastic step.
     Vector<T> const at_rest = state.f + (strength(p, norm(from)) * per_U) * way.moved;
     state.f = chosen(way.length > zero, f.joined(way.direction), at_rest);
     if constexpr (softening == Softening::by_axis) {
@@ -73,7 +73,8 @@ struct AbeOf {
       return T(1.0);
   }
 
-  // f along a piece of the way, from l to `end`, where the largest distance so far is that at the place or the old one.
+  // Moves f along the way from `begin` to `end`. The largest distance so far is the current one if the piece `extends`
+  // it, else peak0.
   template <class T>
   static void move(Params<T> const& p, Split<T>& f, Split<T> const& origin, T const& begin, T const& end,
                    T const& peak0, bool extends) {
@@ -96,7 +97,7 @@ struct AbeOf {
       if (grows || extends) size = min(size, max(distance, T(least_distance) * U));
       return T(step_share) * size;
     };
-    // What lies further back is forgotten.
+    // Motion further back than longest_memory no longer matters.
     T l = max(begin, end - T(longest_memory) * yield_length(p, max(peak0, max(distance_at(begin), distance_at(end)))));
     follow(f, l, end, slope, longest);
   }
@@ -107,7 +108,7 @@ struct AbeOf {
     T const zero(0.0), one(1.0), tiny(num::smallest_power_base);
     T const left = select(p.alpha <= zero, select(peak > zero, zero, one), exp(-peak / max(p.alpha, tiny)));
     T const softened = p.K1 * (p.beta + (one - p.beta) * left);
-    // The rounded step starts with the slope a b.
+    // The slope of the rounded step at 0 is a b.
     T const step = select(distance > tiny, p.a * (one - exp(-p.b * distance)) / max(distance, tiny), p.a * p.b);
     return softened + step + p.K2 * power(distance / p.Uh, p.r);
   }

@@ -1,12 +1,12 @@
-// Bouc-Wen in the plane, in the form that does not see the axes.
+// Bouc-Wen in the plane, in the form that does not depend on the axes.
 // Source: Park, Wen and Ang 1986, written for the direction of motion:
 //     dz = A dx - z |z|^(n-2) (z.dx) (beta sgn(z.dx) + gamma)
-// The form often printed, with |z_x dx_x| + |z_y dx_y|, turns with the axes by some per cent of the strength.
-// Step: in units of the largest |z| and of its travel, with p along and s across the motion and c = 1 for p > 0, (gamma
-// - beta) / (gamma + beta) for p < 0,
+// The form often printed, with |z_x dx_x| + |z_y dx_y|, changes by some per cent of the strength when the axes turn.
+// Step: in units of the largest |z| and of its travel, with p along and s across the motion, and c = 1 for p > 0,
+// (gamma - beta) / (gamma + beta) for p < 0,
 //     p' = 1 - c |z|^(n-2) p^2,   s' = -c |z|^(n-2) p s
-// For n = 2 both are hyperbolic or circular functions, exact; else sixth order (follow.hpp). p rises, so that it passes
-// 0 once, and a step ends there.
+// For n = 2 both are hyperbolic or circular functions, which are exact; other n take steps of sixth order (follow.hpp).
+// p only rises, so it passes 0 at most once, and a step of the method ends there.
 #pragma once
 
 #include <limits>
@@ -25,8 +25,8 @@ struct BoucWen {
 
   template <class T>
   struct State {
-    Vector<T> z{T(0.0), T(0.0)};      // in units of its largest size
-    T z_max = T(0.0), rate = T(0.0);  // that size, and travel of z for travel of the device
+    Vector<T> z{T(0.0), T(0.0)};      // in units of z_max
+    T z_max = T(0.0), rate = T(0.0);  // the largest |z|, and travel of z per travel of the device
     T unloading = T(0.0);             // c for p < 0
   };
 
@@ -50,7 +50,7 @@ struct BoucWen {
     T const closed = select(is_two, travel, zero), stepped = select(is_two, zero, travel);
     if (any(closed > zero)) flow_of_two(z, closed, state.unloading);
     if (any(stepped > zero)) flow(z, min(stepped, T(longest_memory)), p.n, state.unloading);
-    // Where nothing moves derivatives alone do: elastically.
+    // At rest only the derivatives move, as an elastic step.
     state.z = chosen(travel <= zero, state.z + state.rate * way.moved, z.joined(way.direction));
     return (p.alpha * p.Ke) * to + ((one - p.alpha) * p.Ke * state.z_max) * state.z;
   }
@@ -59,7 +59,7 @@ struct BoucWen {
   template <class T>
   static void flow_of_two(Split<T>& z, T const& travel, T const& unloading) {
     T const zero(0.0), one(1.0), from = min(z.along, zero);
-    // To p = 0, or as far as it goes towards there.
+    // The part of the way up to p = 0, or all of it where p stays below 0.
     T const to_zero = Circular<T>::length_to(-from, unloading), part = min(travel, to_zero);
     Circular<T> const back(unloading, part);
     T const per = one / (one + unloading * from * back.tan);
@@ -67,7 +67,7 @@ struct BoucWen {
     T const across_at_zero = z.across / sqrt(max(one - unloading * from * from, T(num::smallest_power_base)));
     z.across = select(unloads, select(passes, across_at_zero, z.across * back.sec * per), z.across);
     z.along = select(unloads, select(passes, zero, (from + back.tan) * per), z.along);
-    // And on from there.
+    // The rest of the way, from p = 0 on.
     T const rest = select(unloads, max(travel - to_zero, zero), travel);
     Circular<T> const on(one, rest);
     T const p = max(z.along, zero), per_on = one / (one + p * on.tan);
@@ -83,17 +83,17 @@ struct BoucWen {
       T const pull = c * at.along * power(square(at), fall);
       return Split<T>(one - pull * at.along, -pull * at.across);
     };
-    // n |c| is the steepest slope.
+    // The steepest slope is n |c|.
     auto const longest = [&](Split<T> const& at, T const& c) {
       T const own = one / max(n * abs(c), one);
       return T(step_share) * max(min(sqrt(square(at)), own), T(least_distance));
     };
     T l = zero;
-    // Back to p = 0 first.
+    // First the part up to p = 0.
     while (any(select(z.along < zero, travel - l, zero) > zero)) {
       auto const unloads = select(z.along < zero, travel - l, zero) > zero;
       T const left = travel - l, speed = rates(z, unloading).along, bound = longest(z, unloading) / max(speed, one);
-      // Where the next step would pass it: p is the variable, the way follows.
+      // Where the next step would pass p = 0, p is the variable and the way follows from it.
       auto const near = -z.along < T(1.25) * bound * max(speed, tiny);
       T landed = zero, across_there = zero;
       if (any(near)) {

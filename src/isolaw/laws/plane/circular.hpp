@@ -1,5 +1,5 @@
-// tanh or tan and their company, for the flows p' = 1 - c p^2, s' = -c p s of either sign of c, from arithmetic and
-// exponentials alone, which every scalar has.
+// tanh or tan, and 1 / cosh or 1 / cos, for the flows p' = 1 - c p^2, s' = -c p s with either sign of c. It needs only
+// arithmetic and exponentials, which every scalar has.
 #pragma once
 
 #include "isolaw/laws/law.hpp"
@@ -7,7 +7,7 @@
 namespace isolaw::laws::plane {
 
 // With k = sqrt |c|: tan = tanh(k x) / k for c > 0, tan(k x) / k for c < 0, x for c = 0; sec = 1 / cosh(k x) or 1 /
-// cos(k x). For 0 <= x, for c < 0 up to k x = pi/2.
+// cos(k x). Valid for x >= 0 and, where c < 0, up to k x = pi/2.
 template <class T>
 struct Circular {
   T tan, sec;
@@ -15,15 +15,15 @@ struct Circular {
   Circular(T const& c, T const& x) : tan(x), sec(T(1.0)) {
     T const one(1.0), two(2.0), k = sqrt(abs(c)), y = k * x, per_k = one / max(k, T(num::smallest_power_base));
     T const e = exp(-y), e2 = e * e, per = one / (one + e2);
-    SineCosine const of(min(y, T(half_pi)));
-    T const per_cos = one / max(of.cosine, T(num::smallest_power_base));
+    SineCosine const trig(min(y, T(half_pi)));
+    T const per_cos = one / max(trig.cosine, T(num::smallest_power_base));
     auto const small = y<T(smallest), hyperbolic = c> T(0.0);
     T const series = c * x * x;
-    tan = select(small, x - x * series * T(1.0 / 3), per_k * select(hyperbolic, (one - e2) * per, of.sine * per_cos));
+    tan = select(small, x - x * series * T(1.0 / 3), per_k * select(hyperbolic, (one - e2) * per, trig.sine * per_cos));
     sec = select(small, one - T(0.5) * series, select(hyperbolic, two * e * per, per_cos));
   }
 
-  // The x where tan is that: without bound where it is never.
+  // The x at which Circular::tan has this value; where it never has it, a large x.
   static T length_to(T const& tan, T const& c) {
     T const one(1.0), k = sqrt(abs(c)), v = k * tan, per_k = one / max(k, T(num::smallest_power_base));
     T const ratio = (one + v) / max(one - v, T(num::smallest_power_base));
@@ -34,9 +34,9 @@ struct Circular {
 
  private:
   static constexpr double half_pi = 1.57079632679489661923;
-  static constexpr double smallest = 1e-4;  // below, the first terms have all digits but the last
+  static constexpr double smallest = 1e-4;  // below it the first two terms of the series have all digits but the last
 
-  // Of angles up to pi/2: series of an eighth of them, doubled three times.
+  // For angles up to pi/2: the series of an eighth of the angle, which is then doubled three times.
   struct SineCosine {
     T sine, cosine;
     explicit SineCosine(T const& angle) : sine(angle), cosine(angle) {
@@ -45,7 +45,7 @@ struct Circular {
           y * (one - y2 * T(1.0 / 6) *
                          (one - y2 * T(1.0 / 20) *
                                     (one - y2 * T(1.0 / 42) * (one - y2 * T(1.0 / 72) * (one - y2 * T(1.0 / 110))))));
-      // 1 - cos, which keeps its digits
+      // 1 - cos, which keeps its digits near 0.
       T fall = y2 * T(0.5) *
                (one - y2 * T(1.0 / 12) *
                           (one - y2 * T(1.0 / 30) *
@@ -58,13 +58,13 @@ struct Circular {
       cosine = one - fall;
     }
   };
-  // The angle of tangent v >= 0: from within 0.005 of it, twice by a rule of fifth order.
+  // arctan(v) for v >= 0: a guess within 0.005, improved twice by a rule of fifth order.
   static T arc(T const& v) {
     T const one(1.0), per_v = one / max(v, T(num::smallest_power_base));
     T angle = select(v <= one, v / (one + T(0.28) * v * v), T(half_pi) - per_v / (one + T(0.28) * per_v * per_v));
     for (int i = 0; i < 2; ++i) {
-      SineCosine const of(angle);
-      T const off = (of.sine - v * of.cosine) / (of.cosine + v * of.sine);
+      SineCosine const trig(angle);
+      T const off = (trig.sine - v * trig.cosine) / (trig.cosine + v * trig.sine);
       angle = angle - off * (one - off * off * T(1.0 / 3));
     }
     return angle;

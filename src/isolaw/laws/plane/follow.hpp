@@ -1,22 +1,23 @@
-// A differential law along a straight step: an explicit method of sixth order (Butcher 1964, seven stages) whose steps
-// the place of the point alone decides, so that a lane has the bits that it has alone, and nothing is tried twice.
+// A differential law along a straight step: an explicit method of sixth order (Butcher 1964, seven stages). The place
+// of the point alone decides the length of a step, so a lane gets the same bits as when it runs alone, and no step is
+// tried twice.
 //
-// Near the origin |q|^n is not smooth for n < 1: a step there is a share of the distance from it, down to `least`. The
-// whole error stays below 1e-6 of the strength for exponents from 0.01 on, below 2e-7 from 0.1 on
-// (tests/verification/plane_test.cpp).
+// For n < 1 |q|^n is not smooth at the origin: near it a step is a share of the distance from it, down to
+// least_distance. The whole error stays below 1e-6 of the strength for exponents of 0.01 or more, and below 2e-7 from
+// 0.1 (tests/verification/plane_test.cpp).
 // Rejected: tables, which would need a second dimension across the motion and be copied with every trial; an embedded
-// estimate, which asks for twice the work where a kink is met; splitting into the flow of one direction and the rest,
-// which has a kink that the motion itself has not.
+// error estimate, which takes twice the work at a kink; splitting into the flow of one direction and the rest, which
+// has a kink that the motion itself does not have.
 #pragma once
 
 #include "isolaw/laws/plane/vector.hpp"
 
 namespace isolaw::laws::plane {
 
-// Of the distance from the origin, and of the shortest length of the law's own.
+// A step is this share of the distance from the origin, or of the law's own shortest length where that is smaller.
 inline constexpr double step_share = 0.25;
 inline constexpr double least_distance = 1e-8;
-// Of the law's lengths; what lies further back is forgotten, but for exponents below 0.01.
+// In lengths of the law: motion further back no longer matters, except for exponents below 0.01.
 inline constexpr double longest_memory = 1024.0;
 
 namespace follow_parts {
@@ -49,7 +50,7 @@ Split<T> sixth_order(Split<T> const& q, T const& l, T const& h, Slope const& slo
   return sum(q, h, 11.0 / 120, k1, 27.0 / 40, k3, 27.0 / 40, k4, -4.0 / 15, k5, -4.0 / 15, k6, 11.0 / 120, k7);
 }
 
-// q moved on from l to `end` by steps of at most longest(q, l), lane by lane: nothing happens to a lane that is there.
+// Moves q from l to `end` in steps of at most longest(q, l), lane by lane. A lane that has arrived stays as it is.
 template <class T, class Slope, class Longest>
 void follow(Split<T>& q, T& l, T const& end, Slope const& slope, Longest const& longest) {
   while (any(l < end)) {
@@ -60,12 +61,11 @@ void follow(Split<T>& q, T& l, T const& end, Slope const& slope, Longest const& 
     auto const next = sixth_order(q, l, h, slope);
     q.along = select(moves, next.along, q.along);
     q.across = select(moves, next.across, q.across);
-    // What is not a number arrives too.
+    // A NaN arrives too, so that the loop ends.
     l = select(moves, select(bound < left, l + h, end), l);
   }
 }
 
-// |q|^2 and its power
 template <class T>
 T square(Split<T> const& q) {
   return rounded(q.along * q.along) + q.across * q.across;

@@ -1,6 +1,6 @@
-// History integral in the plane: q' = (n - q)/D along the way for either memory, and an elastic force towards the
-// origin that the largest distance so far softens, or of each axis the largest displacement along it (Softening). Step:
-// exact along a straight path.
+// History integral in the plane: each memory q obeys q' = (n - q)/D along the way, where n is the direction of motion.
+// The elastic force along x softens with the largest distance so far, or its part along each axis with the largest
+// displacement along that axis (Softening). Step: exact along a straight path.
 #pragma once
 
 #include "isolaw/laws/history_integral.hpp"
@@ -18,7 +18,7 @@ struct HistoryIntegralOf {
   template <class T>
   struct State {
     Vector<T> slow{T(0.0), T(0.0)}, quick{T(0.0), T(0.0)};
-    Vector<T> peaks{T(0.0), T(0.0)};  // of the distance, both alike, or along the axes
+    Vector<T> peaks{T(0.0), T(0.0)};  // the largest distance, twice, or the largest displacement along each axis
   };
 
   template <class T>
@@ -36,7 +36,7 @@ struct HistoryIntegralOf {
     constexpr bool by_axis = softening == Softening::by_axis;
     Vector<T> const size = by_axis ? Vector<T>{abs(to.x), abs(to.y)} : Vector<T>{norm(to), norm(to)};
     state.peaks = {max(state.peaks.x, size.x), max(state.peaks.y, size.y)};
-    // At the origin of an unmoved device there is no force, and for g < 1 no bounded slope.
+    // An unmoved device has no force and, for g < 1, no bounded slope.
     auto const stiffness = [&](T const& peak) {
       return select(peak > T(0.0), p.K / reference * power(peak / reference, p.g - one), T(0.0));
     };

@@ -1,6 +1,6 @@
-// Vaiana in the plane: of the same limit curves for loading and unloading, straight ones (no exponential hardening, no
-// sigmoid), F = Kb d + f0 q with q' = alpha (n - q) along the way. Anything else has no one form in two directions.
-// Step: exact along a straight path.
+// Vaiana in the plane, for straight limit curves (no exponential hardening, no sigmoid) that are the same for loading
+// and unloading: F = Kb d + f0 q with q' = alpha (n - q) along the way. Other parameters have no single form in two
+// directions. Step: exact along a straight path.
 #pragma once
 
 #include "isolaw/laws/plane/vector.hpp"

@@ -1,14 +1,14 @@
-// Vectors of the plane, and what the laws of the plane need of the numbers they are made of: double, num::Dual by the
-// displacement of the trial, or num::Batch, one lane one draw, where parameters and motion are lanes and every branch
-// is a select.
+// Vectors of the plane and their operations for the laws of the plane. Their numbers are double, num::Dual with the
+// derivatives by the trial's displacement, or num::Batch with one draw per lane, where parameters and motion differ
+// between lanes and every branch is a select.
 #pragma once
 
 #include "isolaw/laws/law.hpp"
 
 namespace isolaw::laws::plane {
 
-// What of the motion so far softens a force in a law that remembers the peak: tests in one direction cannot tell. The
-// second depends on the axes.
+// Which peak softens a force in a law that remembers it: the largest distance so far, or the largest displacement along
+// each axis, which depends on the choice of axes. Tests in one direction cannot tell the two apart.
 enum class Softening { by_distance, by_axis };
 
 template <class T>
@@ -24,7 +24,7 @@ template <class T>
 T dot(Vector<T> const& a, Vector<T> const& b) {
   return rounded(a.x * b.x) + a.y * b.y;
 }
-// a quarter turn from x to y
+// The vector turned by 90 degrees, from x to y.
 template <class T>
 Vector<T> turned(Vector<T> const& a) {
   return {-a.y, a.x};
@@ -38,15 +38,15 @@ Vector<T> chosen(Condition const& condition, Vector<T> const& a, Vector<T> const
   return {select(condition, a.x, b.x), select(condition, a.y, b.y)};
 }
 
-// A straight step: its length and direction, which is that of no vector at all where nothing moves. There a derivative
-// number keeps the derivatives of `moved` alone.
+// A straight step: its length and direction. At rest the direction is the zero vector, and only `moved` has
+// derivatives.
 template <class T>
 struct Straight {
   Vector<T> moved, direction;
   T length;
 
   Straight(Vector<T> const& from, Vector<T> const& to) : moved(to - from), length(norm(moved)) {
-    // Squares of shorter ways underflow.
+    // The square of a shorter step underflows.
     T const shortest(1e-150);
     auto const moves = length > shortest;
     direction = (T(1.0) / max(length, shortest)) * moved;
@@ -54,7 +54,6 @@ struct Straight {
   }
 };
 
-// Components of a vector along and across a direction, and back.
 template <class T>
 struct Split {
   T along, across;
@@ -64,8 +63,8 @@ struct Split {
   Vector<T> joined(Vector<T> const& direction) const { return along * direction + across * turned(direction); }
 };
 
-// q' = rate (n - q) along a straight step: a memory of the motion that fades. At rest derivatives alone move on,
-// elastically.
+// A fading memory of the motion: q' = rate (n - q) along a straight step. At rest only the derivatives move, as an
+// elastic step.
 template <class T>
 Vector<T> fading(Vector<T> const& q, Straight<T> const& way, T const& rate) {
   T const left = exp(-rate * way.length);

@@ -1,4 +1,4 @@
-// The figures for print of an isolated building, drawn as those of a campaign.
+// Figures for print of an isolated building, drawn like those of a campaign.
 #pragma once
 
 #include <filesystem>
@@ -9,10 +9,10 @@
 
 namespace isolaw::render {
 
-// building_histograms, building_variance.
+// The figures building_histograms and building_variance.
 std::vector<Figure> building_figures(building::Answers const& answers);
 
-// In dir/figures; as write_figures().
+// Writes and draws them in dir/figures, as write_figures() does.
 FigureOutcome write_building_figures(building::Answers const& answers, std::filesystem::path const& dir);
 
 }  // namespace isolaw::render

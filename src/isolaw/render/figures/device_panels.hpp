@@ -1,4 +1,4 @@
-// Panels of one quantity each over the devices of the lot: values with error bars, and their difference from the mean.
+// Panels that each show one quantity over the devices of the lot: values with error bars, and difference from the mean.
 #pragma once
 
 #include <string>
@@ -19,8 +19,8 @@ struct DevicePoint {
 struct DevicePanel {
   std::string title;       // drawn above; may be empty
   std::string name, unit;  // of the quantity
-  MaybeNumber reference;   // mean of the devices, which percentages are of
-  std::size_t law = 0;     // that it is of, by its place in the summary
+  MaybeNumber reference;   // mean of the devices; percentages are differences from it
+  std::size_t law = 0;     // by its place in the summary
   std::vector<DevicePoint> points;
 };
 

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder of its own, removed with all in it.
+// A temporary folder, removed with everything in it.
 class Scratch {
  public:
   Scratch() {
@@ -37,7 +37,8 @@ class Scratch {
   fs::path path_;
 };
 
-// Cairo states when a PDF was made: a fixed time of the same length, so that the same store gives the same bytes.
+// Cairo writes the time into a PDF. Replaces it by a fixed time of the same length: the same store gives the same
+// bytes.
 void remove_date(std::string& pdf) {
   constexpr std::string_view before = "/CreationDate (D:";
   auto const at = pdf.find(before);
@@ -48,7 +49,7 @@ void remove_date(std::string& pdf) {
     pdf.replace(digits, fixed.size(), fixed);
 }
 
-// Complete drawings are taken over, whole or not at all. Whether both are there.
+// Copies the SVG and the PDF, each only if it is complete; returns whether both were.
 bool take_over(fs::path const& from, fs::path const& to, std::string const& name) {
   auto const svg = text_of(figure_file(from, name, ".svg"));
   auto pdf = text_of(figure_file(from, name, ".pdf"));
@@ -60,10 +61,11 @@ bool take_over(fs::path const& from, fs::path const& to, std::string const& name
   return has_svg && has_pdf;
 }
 
-// Few figures to a process: a fault in one costs the few after it a second start, and a folder of few is soon emptied.
+// Few figures to a process: if one fails the rest of its batch starts again, and a small temporary folder is soon gone.
 constexpr std::size_t figures_per_process = 64;
 
-// Draws `names` in one process, or in as many as there are figures that cannot be drawn, and takes them over.
+// Draws `names` in one process, and again from behind each figure that cannot be drawn; copies what is complete to
+// `dir`.
 void draw_batch(fs::path const& dir, std::vector<std::string> names, FigureOutcome& outcome) {
   Scratch const scratch;
   if (scratch.path().empty()) {

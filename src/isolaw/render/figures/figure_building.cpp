@@ -1,4 +1,4 @@
-// The isolated building: how its draws are spread between the bound analyses, and what the spread is made of.
+// The isolated building: histograms of its draws between the bound analyses, and the parts of their scatter.
 #include <algorithm>
 #include <array>
 
@@ -31,7 +31,7 @@ struct Line {
   int style = black, dash = 1;
 };
 
-// Of every law one row, of every quantity that is drawn one column.
+// A row for each law, a column for each drawn quantity.
 Figure histograms_figure(building::Answers const& answers) {
   std::string const name = "building_histograms";
   std::string const about = "draws of the building between the bound analyses";
@@ -85,7 +85,8 @@ Figure histograms_figure(building::Answers const& answers) {
   return {name, table.take(), script.take()};
 }
 
-// The standard deviation of ln of the bearings' displacement: between motions, of the lot, of the tests, between laws.
+// Standard deviations of the logarithm of the bearings' displacement: between motions, within the lot, from the limited
+// number of tests, and between laws.
 Figure variance_figure(building::Answers const& answers) {
   std::string const name = "building_variance";
   std::string const about = "parts of the spread of the largest displacement of a bearing";

@@ -1,4 +1,4 @@
-// How the searches of a law came down.
+// The best objective of a law's searches, step by step.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace isolaw::render {
 namespace {
 
-constexpr std::size_t most_panels = 12;  // of devices; beyond, one panel holds them all
+constexpr std::size_t most_panels = 12;  // more devices than this share one panel
 
 struct Spread {
   MaybeNumber median, least, greatest;
@@ -24,7 +24,7 @@ Spread spread_of(std::vector<double> const& values) {
   return {num::median(values), least, greatest};
 }
 
-// What the runs had found by a step; one that ended before keeps what it had.
+// The runs' best objectives at a step; a run that ended earlier keeps its last.
 void add_found(std::vector<double>& found, DeviceFit const& fit, std::size_t step) {
   for (auto const& history : fit.histories) {
     if (history.empty()) continue;
@@ -37,13 +37,13 @@ std::vector<Spread> spreads(std::span<DeviceFit const* const> fits) {
   std::size_t steps = 0;
   for (auto const* fit : fits)
     for (auto const& history : fit->histories) steps = std::max(steps, history.size());
-  std::vector<Spread> made;
+  std::vector<Spread> result;
   for (std::size_t step = 0; step < steps; ++step) {
     std::vector<double> found;
     for (auto const* fit : fits) add_found(found, *fit, step);
-    made.push_back(spread_of(found));
+    result.push_back(spread_of(found));
   }
-  return made;
+  return result;
 }
 
 void write_block(DataTable& table, std::string const& title, std::vector<Spread> const& steps) {
@@ -103,7 +103,7 @@ std::string device_panels_script(std::string const& name, std::string const& abo
   return script.take();
 }
 
-// The last of the curves is of all devices.
+// The last curve covers all devices.
 std::string pooled_script(std::string const& name, std::string const& about, std::vector<Curves> const& curves,
                           std::string_view steps, std::size_t law) {
   Script script(name, about, single_column_mm, 62.0);
@@ -129,9 +129,9 @@ MaybeFigure convergence_figure(Summary const& summary, LawResult const& law) {
   std::vector<Curves> curves;
   std::vector<DeviceFit const*> fits;
   for (auto const& fit : law.devices) {
-    Curves made{fit.device, spreads(std::array{&fit})};
-    if (range_of(made.steps).empty) continue;
-    curves.push_back(std::move(made));
+    Curves curve{fit.device, spreads(std::array{&fit})};
+    if (range_of(curve.steps).empty) continue;
+    curves.push_back(std::move(curve));
     fits.push_back(&fit);
   }
   if (curves.empty()) return std::nullopt;

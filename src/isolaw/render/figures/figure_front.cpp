@@ -1,4 +1,4 @@
-// Accuracy against robustness.
+// Accuracy against robustness, with names placed so that they hide nothing.
 #include <algorithm>
 #include <array>
 
@@ -43,13 +43,13 @@ double overlap(Box const& a, Box const& b) {
   return wide > 0.0 && tall > 0.0 ? wide * tall : 0.0;
 }
 
-// Where a name stands beside its marker so that it covers no marker and no other name, as far as there is such a place.
+// Rank of a name relative to its marker.
 struct NamePlace {
   double dx_mm = 0.0, dy_mm = 0.0;
   std::string_view align;
 };
 
-// Points of the line that joins the front, from its left to its right end.
+// Points along the line through the non-dominated laws, from left to right.
 template <class At>
 std::vector<std::pair<double, double>> along_front(std::vector<FrontPoint> points, At const& at) {
   constexpr int steps = 60;  // of each piece
@@ -64,23 +64,23 @@ std::vector<std::pair<double, double>> along_front(std::vector<FrontPoint> point
   return line;
 }
 
-// The laws of the published study by their numbers, where the view is the one that it has.
+// The published study's laws by their numbers; it has only the view of the runs.
 std::vector<FrontPoint> published_points(Summary const& summary, FrontView view) {
-  std::vector<FrontPoint> made;
+  std::vector<FrontPoint> points;
   auto const known = view == FrontView::runs ? study::published(summary) : std::nullopt;
-  if (!known) return made;
+  if (!known) return points;
   for (auto const& row : known->laws) {
     auto const name = std::to_string(row.number);
-    if (made.empty() || made.back().law != name)
-      made.push_back({name, *row.printed.beta, *row.printed.objective, row.printed.on_front});
+    if (points.empty() || points.back().law != name)
+      points.push_back({name, *row.printed.beta, *row.printed.objective, row.printed.on_front});
   }
-  return made;
+  return points;
 }
 
 std::vector<NamePlace> place_names(std::vector<FrontPoint> const& points, std::vector<FrontPoint> const& published,
                                    Range const& x, Range const& y, double width_mm, double height_mm) {
   constexpr double letter_height_mm = 2.6, marker_mm = 1.3, line_mm = 0.4;
-  // Beside the point, then a line farther.
+  // Candidates beside the marker, then one line farther away.
   static constexpr std::array<NamePlace, 14> candidates{{{2.0, 0.0, "left"},
                                                          {-2.0, 0.0, "right"},
                                                          {0.0, 2.4, "center"},
@@ -109,7 +109,7 @@ std::vector<NamePlace> place_names(std::vector<FrontPoint> const& points, std::v
   std::vector<NamePlace> chosen;
   for (auto const& point : points) {
     auto const [x_mm, y_mm] = at(point);
-    double const px = x_mm, py = y_mm;  // which clang 14 lets a lambda see
+    double const px = x_mm, py = y_mm;  // clang 14 does not let a lambda capture structured bindings
     double const wide = letter_mm * static_cast<double>(laws::called(point.law).size());
     auto const box_at = [&](NamePlace const& place) {
       double const from = px + place.dx_mm;
@@ -132,7 +132,7 @@ std::vector<NamePlace> place_names(std::vector<FrontPoint> const& points, std::v
   return chosen;
 }
 
-// As the page marks it.
+// The same marks as on the page.
 std::string_view mark_of(FrontPoint const& point) {
   return point.stands ? "filled" : point.is_adequate ? "open" : "cross";
 }

@@ -1,4 +1,4 @@
-// The loop of one law on one device, its force over time and its residual.
+// One law on one device: loop, force over time and residual.
 #include "isolaw/render/figures/figure_script.hpp"
 #include "isolaw/render/figures/figures_of.hpp"
 #include "isolaw/render/figures/gnuplot.hpp"

@@ -1,4 +1,4 @@
-// The loops of one device, a panel per law.
+// Draws the measured and the computed loops of one device, with a panel for each law.
 #include <algorithm>
 #include <cmath>
 
@@ -15,8 +15,8 @@ namespace {
 
 struct LoopPanel {
   std::string title;
-  DeviceFit const* fit = nullptr;  // null: none whose loop can be drawn
-  std::string absence;             // why
+  DeviceFit const* fit = nullptr;  // null where there is no loop to draw
+  std::string absence;             // why there is none
   std::size_t law = 0;             // its place in the summary
 };
 
@@ -47,7 +47,7 @@ std::string loops_data(DeviceResult const& device, std::vector<LoopPanel> const&
   return table.take();
 }
 
-// Lines of a text, for the middle of a panel.
+// Breaks a text into lines for the middle of a panel.
 std::vector<std::string> lines_of(std::string_view text, double width_mm) {
   constexpr std::size_t most_lines = 6;
   std::vector<std::string> lines{""};
@@ -66,7 +66,7 @@ std::vector<std::string> lines_of(std::string_view text, double width_mm) {
   return lines;
 }
 
-// Says what its absence is, in a frame of the size of the others'.
+// Says why the loop is absent, in a frame of the same size as the others.
 void draw_absence(Script& script, LoopPanel const& panel, double width_mm) {
   auto const lines = lines_of(panel.absence, width_mm);
   double const middle = 0.5 * (static_cast<double>(lines.size()) - 1.0);
@@ -78,11 +78,11 @@ void draw_absence(Script& script, LoopPanel const& panel, double width_mm) {
   for (std::size_t i = 0; i < lines.size(); ++i) script.line("unset label {}", i + 2);
 }
 
-// The device and the key, in a strip of the whole width: no panel is wide enough for the key in one line.
+// Draws the device's name and the key in a strip of the whole width: no panel is wide enough for the key in one line.
 void draw_head(Script& script, Grid const& grid, std::string const& device, std::size_t law) {
   constexpr double key_mm = 45.0;
   script.margins(grid.margins.left, grid.margins.right, grid.height_mm() - grid.head_mm, 0.5);
-  // What the panels set stands from the drawing before.
+  // gnuplot keeps what the panels of the drawing before have set.
   script.line("unset border; unset tics; unset grid; unset title; unset xlabel; unset ylabel");
   script.line("set xrange [0:1]; set yrange [0:1]");
   script.line("set label 1 {} noenhanced at graph 0,0.5",
@@ -93,7 +93,7 @@ void draw_head(Script& script, Grid const& grid, std::string const& device, std:
   script.line("unset key; unset label 1; set border 31 lw 0.8; set tics scale 0.6");
 }
 
-// Between ticks: one, two or five of a power of ten, so that the numbers of a narrow panel stay apart.
+// Distance of ticks: one, two or five times a power of ten, so that the numbers of a narrow panel stay apart.
 double tick_step(double span) {
   constexpr double most = 4.0;
   double const power = std::pow(10.0, std::floor(std::log10(span / most)));
@@ -109,7 +109,7 @@ std::string loops_script(std::string const& name, std::string const& about, Devi
   Range disp, force;
   for (double const x : device.record.disp_mm) disp.add(x);
   for (double const f : device.record.force_kN) force.add(f);
-  // A law that runs away is cut off: the scale is the measured forces', with half of it to spare.
+  // A law that runs away is cut off: the scale is that of the measured forces, with half of their range to spare.
   double const spare = 0.5 * (force.high - force.low), lowest = force.low - spare, highest = force.high + spare;
   for (auto const& panel : panels)
     if (panel.fit != nullptr)

@@ -47,7 +47,7 @@ ObjectiveRanges ranges_of(std::vector<DevicePanel> const& laws) {
   return ranges;
 }
 
-// Within the place of a law its devices stand side by side in their order.
+// Abscissa of a device: a law has the interval around its number, in which its devices stand side by side.
 std::string place_in_law(std::size_t law, std::size_t devices) {
   return fmt::format("({}+0.8*($1-{})/{})", law + 1, number((static_cast<double>(devices) + 1.0) / 2.0), devices);
 }

@@ -34,7 +34,7 @@ MaybeFigure parameters_figure(Summary const& summary, LawResult const& law) {
       panel.points.push_back(std::move(point));
     }
     if (means.size() > 1) panel.reference = num::moments(means).mean;
-    // No percentages where the mean is too near to zero for them.
+    // No percentages if the mean is too close to zero.
     if (std::ranges::none_of(panel.points, [](auto const& point) { return point.percent.has_value(); }))
       panel.reference.reset();
     if (means.empty()) continue;

@@ -8,13 +8,11 @@
 namespace isolaw::render {
 namespace {
 
-// What a rule set derives, one value or one of each side; without a set the cycle that counts.
+// The rule set's value, or one for each side of the loop; without a rule set that of the cycle that counts.
 std::vector<double> property_values(DeviceResult const& device, rules::Quantity quantity) {
-  auto const name = std::string(rules::name(quantity));
   std::vector<double> values;
   for (auto const& assessment : device.acceptance.assessments)
-    if (assessment.value && (assessment.quantity == name || assessment.quantity.starts_with(name + ", ")))
-      values.push_back(*assessment.value);
+    if (assessment.value && rules::is_of(assessment, quantity)) values.push_back(*assessment.value);
   if (!values.empty()) return values;
   auto const* cycle = counting_cycle(device.properties, device.acceptance.block);
   if (cycle == nullptr) return {};

@@ -1,5 +1,5 @@
-// The campaign beside the published study, in the study's own normalisation: standard deviation over the runs by the
-// magnitude of the mean. Its printed values (Table A.5) stand beside those of the campaign.
+// The campaign against the printed values of the published study (Table A.5), in the study's own normalisation:
+// standard deviation over the runs divided by the magnitude of the mean.
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +16,7 @@ namespace {
 
 struct DeviceSpread {
   std::string device;
-  MaybeNumber mean, std, relative, percent;  // percent: of the mean from the mean over the devices
+  MaybeNumber mean, std, relative, percent;  // percent: difference of `mean` from the mean over the devices
 };
 using Spreads = std::vector<DeviceSpread>;
 
@@ -31,23 +31,23 @@ void relate(Spreads& spreads) {
 }
 
 Spreads printed_spreads(table_a5::PerDevice const& mean, table_a5::PerDevice const& std) {
-  Spreads made;
+  Spreads spreads;
   for (std::size_t d = 0; d < table_a5::devices; ++d)
-    made.push_back({fmt::format("P{}", d + 1), mean[d], std[d], {}, {}});
-  relate(made);
-  return made;
+    spreads.push_back({fmt::format("P{}", d + 1), mean[d], std[d], {}, {}});
+  relate(spreads);
+  return spreads;
 }
 
 template <class Of>
 Spreads spreads_here(Summary const& summary, LawResult const& law, Of const& statistic) {
-  Spreads made;
+  Spreads spreads;
   for (auto const& device : device_names(summary)) {
     auto const* fit = fit_of(law, device);
     auto const value = fit != nullptr ? statistic(*fit) : Statistic{};
-    made.push_back({device, value.mean, value.std, {}, {}});
+    spreads.push_back({device, value.mean, value.std, {}, {}});
   }
-  relate(made);
-  return made;
+  relate(spreads);
+  return spreads;
 }
 
 void write_spreads(DataTable& table, std::string const& what, Spreads const& spreads) {
@@ -66,23 +66,23 @@ struct Beside {
   Spreads here, printed;
 };
 
-// The study's laws in the campaign, by their objectives.
+// The study's laws that the campaign has results of.
 std::vector<Beside> laws_beside(Summary const& summary) {
-  std::vector<Beside> made;
+  std::vector<Beside> laws;
   auto const known = study::published(summary);
-  if (!known) return made;
+  if (!known) return laws;
   for (auto const& row : known->laws) {
     auto const law = std::ranges::find(summary.laws, row.law, &LawResult::id);
     if (law == summary.laws.end() || !row.here.objective) continue;
     auto const& printed = table_a5::laws[static_cast<std::size_t>(row.number - 1)];
-    made.push_back({row.law, row.number,
+    laws.push_back({row.law, row.number,
                     spreads_here(summary, *law, [](DeviceFit const& fit) { return fit.objective; }),
                     printed_spreads(printed.objective_mean, printed.objective_std)});
   }
-  return made;
+  return laws;
 }
 
-// The place of a law has two halves: its devices here at the left, the printed ones at the right.
+// Abscissa of a device: a law's interval has the campaign's devices in its left half, the printed ones in its right.
 std::string place_in_half(std::size_t law, std::size_t devices, bool printed) {
   return fmt::format("({}+0.38*($1-0.5)/{})", number(static_cast<double>(law + 1) + (printed ? 0.04 : -0.42)), devices);
 }
@@ -100,14 +100,12 @@ void plot_beside(Script& script, std::string const& file, std::vector<Beside> co
   script.line("plot {}", joined(parts, ", \\\n    "));
 }
 
-// --- parameters ------------------------------------------------------------------------------------------------------
-
 struct BesidePanel {
   std::string name;
   Spreads here, printed;
 };
 
-// Largest magnitudes on the two axes, whose middles are 1 and 0.
+// Sets the half length of an axis: the left one is centred on 1, the right one on 0.
 double largest_of(BesidePanel const& panel, MaybeNumber DeviceSpread::*value) {
   double largest = 0.0;
   for (auto const* spreads : {&panel.here, &panel.printed})

@@ -19,7 +19,7 @@ std::size_t letters(std::string_view text) {
       std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
-// 1, 2 or 5 times a power of ten, about `steps` of which make up `length`.
+// A step of 1, 2 or 5 times a power of ten; about `steps` of them make up `length`.
 double nice_step(double length, int steps) {
   double const raw = length / steps, power = std::pow(10.0, std::floor(std::log10(raw)));
   for (double const factor : {1.0, 2.0, 5.0})
@@ -41,7 +41,7 @@ std::string log_tics(Range const& range) {
     for (int decade = first; decade <= last; ++decade)
       for (double const digit : {1.0, 2.0, 5.0}) add(digit * std::pow(10.0, decade));
   }
-  if (values.size() < 3) {  // less than a decade: steps as on a linear axis
+  if (values.size() < 3) {  // within a decade: tics as on a linear axis
     values.clear();
     double const step = nice_step(range.high - range.low, 4);
     for (double k = std::ceil(range.low / step); k * step <= range.high; ++k) values.push_back(k * step);
@@ -86,7 +86,8 @@ Script::Script(std::string_view name, std::string_view about, double width_mm, d
   line("  set terminal pdfcairo size {}cm,{}cm enhanced font 'Sans,{}' fontscale 0.75 linewidth 0.75",
        to_text(width_mm / 10.0, 5), to_text(height_mm / 10.0, 5), to_text(font_pt, 3));
   line("}}");
-  // A letter is wider and higher in the one than in the other, as gnuplot counts them: what brings labels as near.
+  // gnuplot measures offsets in letters, which differ between SVG and PDF; these bring labels equally close to the
+  // axes.
   line("raise = kind eq 'svg' ? 0.75 : 0.35; inward = kind eq 'svg' ? 1.4 : 0.8");
   line("set output '{}.'.kind", name);
   for (std::size_t i = 0; i < law_look_count; ++i)
@@ -148,7 +149,7 @@ void Range::add(std::optional<double> const& value) {
 
 Range Range::padded(double share) const {
   double const length = high - low;
-  // Shorter ones end in the same six digits, and gnuplot draws no axis without length.
+  // The ends of a shorter range agree in the six digits that are written, and gnuplot draws no axis without length.
   double const least = 1e-4 * std::max(std::abs(low), std::abs(high));
   double const by = length > least ? share * length : low != 0.0 ? 0.05 * std::max(std::abs(low), std::abs(high)) : 1.0;
   return {low - by, high + by, false};

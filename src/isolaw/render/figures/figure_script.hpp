@@ -1,5 +1,5 @@
-// How the figures are drawn: size and fonts of print, colours that colour-blind readers tell apart (Okabe, Ito 2008),
-// markers and dashes that grey print keeps, panels on a grid, device names on an axis.
+// The look of the figures: size and fonts for print, colours that colour-blind readers tell apart (Okabe, Ito 2008),
+// markers and dashes that survive grey print, panels on a grid, device names on an axis.
 #pragma once
 
 #include <fmt/format.h>
@@ -17,28 +17,28 @@
 namespace isolaw::render {
 
 inline constexpr double single_column_mm = 84.0, double_column_mm = 174.0;
-inline constexpr double letter_mm = 1.5;           // mean width of one at 7 pt
-inline constexpr std::size_t most_samples = 4000;  // of one curve; more cannot be seen at this size
+inline constexpr double letter_mm = 1.5;           // mean width of a letter at 7 pt
+inline constexpr std::size_t most_samples = 4000;  // of a curve; more cannot be seen at this size
 
-// Line styles of every script: those of the laws by their looks, from 1, and beside them two more.
+// Line styles that every script defines: one for each look of a law, from 1, then black and grey.
 inline constexpr int blue = 1, vermillion = 2, green = 3, sky = 6, black = law_look_count + 1, grey = black + 1;
 constexpr int style_of(std::size_t law) {
   return static_cast<int>(look_of(law)) + 1;
 }
-// The line style with the marker of a law, by its place in the summary.
+// Line style and marker of the law at this place of the summary.
 std::string marked_style(std::size_t law);
 
-// First line of every script, by which isolaw knows its own.
+// First line of every script; isolaw removes only figures whose script begins with it.
 inline constexpr std::string_view script_mark = "# A figure of isolaw: ";
 
 struct Margins {
-  double left = 13.0, right = 3.0, bottom = 9.0, top = 3.0;  // of a panel, mm
+  double left = 13.0, right = 3.0, bottom = 9.0, top = 3.0;  // around a panel's axes, mm
 };
 
 // Panels of one size, row by row.
 struct Grid {
   int columns = 1, rows = 1;
-  double width_mm = single_column_mm, panel_height_mm = 40.0;  // of all; of one within its axes
+  double width_mm = single_column_mm, panel_height_mm = 40.0;  // whole figure; height of one panel's axes
   Margins margins;
   double head_mm = 0.0;  // above all panels
 
@@ -47,7 +47,7 @@ struct Grid {
   double height_mm() const { return head_mm + rows * row_mm(); }
 };
 
-// At most so many panels to a row; one panel alone is of a single column's width, else all together of a double one's.
+// A single panel gets the width of one print column, several share that of two.
 Grid grid_of(std::size_t panels, double panel_height_mm, Margins const& margins, int most_columns = 3);
 
 class Script {
@@ -59,7 +59,7 @@ class Script {
     text_ += "  " + fmt::format(format, std::forward<Args>(args)...) + "\n";
     return *this;
   }
-  // The axes of the panel at a row and a column, counted from the top left.
+  // Sets the margins for panel number `panel`, counted row by row from the top left.
   void place(Grid const& grid, std::size_t panel);
   void margins(double left_mm, double right_mm, double bottom_mm, double top_mm);
   std::string take();
@@ -69,18 +69,16 @@ class Script {
   double width_mm_, height_mm_;
 };
 
-// Text of a user as it is drawn: control characters spelled out, cut to what fits into a width.
+// A user's text for drawing: control characters spelled out, cut to the width.
 std::string shortened(std::string_view text, double width_mm);
 
-// A number in a script.
 std::string number(double value);
 
-// Of an axis of the record's time.
 constexpr std::string_view time_label(bool has_time) {
   return has_time ? "Time (s)" : "Sample";
 }
 
-// Line of the data of loops.
+// Units in the comment of a loop's data.
 constexpr std::string_view loop_units(bool has_time) {
   return has_time ? "time in s, displacement in mm, forces in kN"
                   : "time as samples of the file, displacement in mm, forces in kN";
@@ -91,31 +89,31 @@ struct Range {
   bool empty = true;
 
   void add(std::optional<double> const& value);
-  Range padded(double share) const;      // of linear axes; never without length
-  Range padded_log(double share) const;  // of logarithmic ones
+  Range padded(double share) const;      // for linear axes; never without length
+  Range padded_log(double share) const;  // for logarithmic axes
 };
 
-// Large and small values are drawn as multiples of a power of ten, which the label then states.
+// Large and small values are drawn as multiples of a power of ten that the label states.
 struct Scale {
   double factor = 1.0;
   std::string label;  // gnuplot's, with the unit: 'K1 (10^{3} N/m)'
 };
 Scale scale_for(Range const& range, std::string_view name, std::string_view unit);
 
-// A law below an axis, as a quoted string: what is in brackets stands in a second line.
+// A law's name below an axis, as a quoted string; a part in brackets goes to a second line.
 std::string law_tic(std::string name);
 
-// A logarithmic y axis with decades, or as many values between as it takes to read it.
+// Logarithmic y axis with tics at decades, or closer where it spans few of them.
 void set_log_axis(Script& script, Range const& range);
 
-// Devices along an axis: their names where there is room, else their numbers.
+// An axis of devices: their names if there is room, else their numbers.
 struct DeviceAxis {
   std::size_t count = 0;
   bool names = false, upright = false;
   double label_mm = 0.0;  // height of the labels
 
   DeviceAxis(std::vector<std::string> const& devices, double axis_mm);
-  // Labels come from column 2 of the data where there are names.
+  // Names come from column 2 of the data.
   std::string using_suffix() const { return names ? ":xticlabels(2)" : ""; }
   void draw(Script& script) const;
 };

@@ -25,7 +25,7 @@ void for_each_lot_figure(Summary const& summary, std::function<void(MaybeFigure 
   use(properties_figure(summary));
 }
 
-// In file names; those of a device's figures may end in a law.
+// Stems of file names for the devices; a device's files may end in a law's id.
 std::vector<std::string> device_stems(Summary const& summary) {
   std::vector<std::string> names, laws;
   for (auto const& device : summary.devices) names.push_back(device.name);
@@ -33,7 +33,7 @@ std::vector<std::string> device_stems(Summary const& summary) {
   return file_stems(names, laws);
 }
 
-// Of the device that stands for the lot, else of the first that has one.
+// The typical device's loops, else those of the first device that has any.
 MaybeFigure loops_of_one_device(Summary const& summary) {
   auto const stems = device_stems(summary);
   if (auto const typical = typical_device(summary))
@@ -87,9 +87,9 @@ std::vector<std::string> file_stems(std::vector<std::string> const& names, std::
     auto const stem = safe_stem(name);
     auto unique = stem;
     auto const all = [&] {
-      std::vector<std::string> made{lower(unique)};
-      for (auto const& ending : endings) made.push_back(lower(unique + "_" + ending));
-      return made;
+      std::vector<std::string> variants{lower(unique)};
+      for (auto const& ending : endings) variants.push_back(lower(unique + "_" + ending));
+      return variants;
     };
     auto const is_taken = [&](std::string const& one) { return taken.contains(one); };
     for (int number = 2; std::ranges::any_of(all(), is_taken); ++number) unique = stem + "_" + std::to_string(number);

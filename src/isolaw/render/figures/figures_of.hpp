@@ -1,4 +1,4 @@
-// One function per figure, each from the summary to data and script. Empty where there is nothing to draw.
+// One function per figure, from the summary to data and script. Each returns nothing where there is nothing to draw.
 #pragma once
 
 #include <cstddef>
@@ -13,22 +13,22 @@ namespace isolaw::render {
 using MaybeFigure = std::optional<Figure>;
 using MaybeNumber = std::optional<double>;
 
-// Of a law of the summary, by which it is drawn.
+// Index of the law in summary.laws, which decides its colour and marker.
 std::size_t place_in_summary(Summary const& summary, LawResult const& law);
 
 // Accuracy against robustness, Fig. 14.
 MaybeFigure front_figure(Summary const& summary, FrontView view);
 
-// Objective of every law on every device: mean, standard deviation over runs, and difference from the law's mean, Figs.
-// 6 and 7 side by side; and one panel per law with the devices' names, Fig. 7.
+// Objective of every law on every device: mean, standard deviation over runs and difference from the law's mean, Figs.
+// 6 and 7 in one; and a panel per law with the devices' names, Fig. 7.
 MaybeFigure objective_figure(Summary const& summary);
 MaybeFigure objective_by_device_figure(Summary const& summary);
 
 // A panel per calibrated parameter over the devices, Figs. 8 to 13.
 MaybeFigure parameters_figure(Summary const& summary, LawResult const& law);
 
-// The published study's laws here beside what it prints, normalised as there, Figs. 6 and 8 to 13: none where fewer
-// than two of its laws are in the campaign.
+// The campaign's results against the published study's printed ones, normalised as there, Figs. 6 and 8 to 13. Empty
+// where the campaign has fewer than two of its laws.
 MaybeFigure published_objective_figure(Summary const& summary);
 MaybeFigure published_parameters_figure(Summary const& summary, LawResult const& law);
 

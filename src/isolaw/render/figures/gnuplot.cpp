@@ -30,7 +30,7 @@ constexpr int exit_not_started = 127;
 
 [[noreturn]] void become_gnuplot(std::vector<char*> const& arguments, char const* directory, int messages) {
 #ifdef __linux__
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // it must not outlive who waits for it
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // must not outlive isolaw
 #endif
   int const nowhere = ::open("/dev/null", O_RDWR | O_CLOEXEC);
   for (int const standard : {STDIN_FILENO, STDOUT_FILENO}) ::dup2(nowhere, standard);
@@ -39,7 +39,7 @@ constexpr int exit_not_started = 127;
   ::_exit(exit_not_started);
 }
 
-// What the program says until it ends; nullopt when the time is over before.
+// All messages until the program ends; nullopt if the deadline comes first.
 std::optional<std::string> read_messages(int input, Clock::time_point deadline) {
   constexpr std::size_t longest = 1 << 16;
   std::string messages;
@@ -58,7 +58,7 @@ std::optional<std::string> read_messages(int input, Clock::time_point deadline) 
   }
 }
 
-// gnuplot shows the line, a caret below the fault, and then `"front.gp" line 7: what is wrong`.
+// gnuplot prints the faulty line, a caret below the fault, then `"front.gp" line 7: reason`. Returns that last line.
 std::string error_in(std::string const& messages) {
   auto const at = messages.rfind(" line ");
   if (at == std::string::npos) return {};
@@ -67,7 +67,6 @@ std::string error_in(std::string const& messages) {
   return printable(line.substr(0, line.find('\n')));
 }
 
-// gnuplot, or what ISOLAW_GNUPLOT names.
 std::string gnuplot_program() {
   char const* const named = std::getenv("ISOLAW_GNUPLOT");
   return named != nullptr && *named != '\0' ? named : "gnuplot";

@@ -1,5 +1,5 @@
-// Text that stands in gnuplot's scripts and data files, and gnuplot itself, run as a program: without a shell, without
-// the settings of its user, with a limit of time. Names come from users; nothing of them is ever a command there.
+// Safe text for gnuplot's scripts and data files (names come from users and must never act as commands), and gnuplot
+// itself, run without a shell, without its user's settings, with a time limit.
 #pragma once
 
 #include <chrono>
@@ -11,16 +11,16 @@
 
 namespace isolaw::render {
 
-// A single-quoted string of a script, in which gnuplot substitutes nothing; control characters are spelled out. Set
-// `noenhanced` wherever it is drawn: _, ^, {, }, @, & and ~ are then printed as they are.
+// A single-quoted string, in which gnuplot substitutes nothing; control characters are spelled out. Set `noenhanced`
+// wherever it is drawn, so that _, ^, {, }, @, & and ~ print as they are.
 std::string gnuplot_string(std::string_view text);
 
-// Text of our own for labels in enhanced mode: "N/m^3" has its exponent raised.
+// Our own text for labels in enhanced mode: "N/m^3" gets a raised exponent.
 std::string gnuplot_text(std::string_view text);
 // The same as a single-quoted string.
 std::string gnuplot_label(std::string_view text);
 
-// Rows of numbers and quoted words, columns separated by spaces, blocks (gnuplot's `index`) by two empty lines.
+// A data file: rows of numbers and quoted words, separated by spaces; two empty lines end a block (gnuplot's `index`).
 class DataTable {
  public:
   DataTable& comment(std::string_view text);
@@ -33,9 +33,9 @@ class DataTable {
   std::string take();
 
  private:
-  // Each with a blank after it.
-  void cell(std::string_view text);                // in double quotes; one in the text becomes a single quote
-  void cell(std::optional<double> const& number);  // all its digits; NaN where there is none
+  // Each writes a blank after its text.
+  void cell(std::string_view text);                // in double quotes; those inside the text become single quotes
+  void cell(std::optional<double> const& number);  // all its digits; NaN for none
   void cell(double number) { cell(std::optional(number)); }
   void cell(std::vector<std::optional<double>> const& numbers) {
     for (auto const& number : numbers) cell(number);
@@ -46,10 +46,10 @@ class DataTable {
 
 struct GnuplotEnd {
   bool started = false;
-  std::string reason;  // why it did not do all of it; empty when it did
+  std::string reason;  // why it did not finish; empty if it did
 };
 
-// Runs `scripts` one after the other in one process in `directory`; an error in one ends it.
+// Runs `scripts` one after the other in one process in `directory`; the first error ends it.
 GnuplotEnd run_gnuplot(std::vector<std::string> const& scripts, std::filesystem::path const& directory,
                        std::chrono::seconds limit);
 

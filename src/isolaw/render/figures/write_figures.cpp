@@ -1,4 +1,4 @@
-// The files of figures: written, recognised, removed.
+// Writes, recognises and removes the files of figures.
 #include <algorithm>
 #include <fstream>
 #include <set>
@@ -38,7 +38,7 @@ void remove_figure(fs::path const& dir, std::string const& name) {
   for (auto const* extension : {".dat", ".gp"}) fs::remove(figure_file(dir, name, extension), ignored);
 }
 
-// Drawings of other data or by another script go first: what stands beside data is drawn from them.
+// Removes drawings of other data or by another script first, so that a drawing always belongs to the data beside it.
 void write_sources(fs::path const& dir, Figure const& figure) {
   auto const data = figure_file(dir, figure.name, ".dat"), script = figure_file(dir, figure.name, ".gp");
   if (text_of(data) == figure.data && text_of(script) == figure.script) return;

@@ -21,9 +21,12 @@ class BuildingWriter {
   void operator()() {
     auto const& s = study_.file.settings;
     out_.member("schema", building_schema).member("isolaw", version()).member("title", s.title);
-    out_.member("verdict", answers_.verdict).key("bounds_are_enough");
+    out_.member("verdict", wording::paragraph(answers_.verdict)).key("bounds_are_enough");
     answers_.bounds_are_enough ? out_.value(*answers_.bounds_are_enough) : out_.null();
-    out_.member("enough", building::enough).member("warnings", answers_.warnings).member("assumed", answers_.assumed);
+    out_.member("enough", building::wanted_share).member("warnings", building_warnings(answers_));
+    write_findings(out_, "findings", answers_.warnings, wording::with_building);
+    write_findings(out_, "calibration", answers_.calibration, wording::with_building);
+    out_.member("assumed", answers_.assumed);
     number("weight_kN", answers_.weight_kN);
     write_values(out_.key("fixed_base_periods_s"), answers_.fixed_periods_s, rounding());
     out_.member("draws", s.draws).member("seed", s.seed);
@@ -33,7 +36,7 @@ class BuildingWriter {
     quantities();
     number("law_std_ln", answers_.law_std_ln);
     each("laws", answers_.laws, [&](building::LawAnswer const& law) {
-      write_results(out_, answer_results, law, digits_, [&](std::string_view key) { of_law(law, key); });
+      write_results(out_, answer_results, law, digits_, [&](std::string_view key) { nested(law, key); });
     });
   }
 
@@ -142,23 +145,23 @@ class BuildingWriter {
     out_.end_array();
   }
 
-  void loops(building::BearingLoops const& of) {
-    out_.member("motion", std::uint64_t{of.motion}).member("of", of.drawn ? "draw 1" : "nominal");
-    number("step_s", of.step_s);
-    out_.key("x_mm").line(of.x_mm, history_digits);
-    out_.key("y_mm").line(of.y_mm, history_digits);
-    out_.key("rotation_rad").line(of.rotation_rad, history_digits);
+  void loops(building::BearingLoops const& curves) {
+    out_.member("motion", std::uint64_t{curves.motion}).member("of", curves.drawn ? "draw 1" : "nominal");
+    number("step_s", curves.step_s);
+    out_.key("x_mm").line(curves.x_mm, history_digits);
+    out_.key("y_mm").line(curves.y_mm, history_digits);
+    out_.key("rotation_rad").line(curves.rotation_rad, history_digits);
     out_.key("bearings").begin_array();
-    for (std::size_t j = 0; j < of.force_x_kN.size(); ++j) {
+    for (std::size_t j = 0; j < curves.force_x_kN.size(); ++j) {
       out_.begin_object();
-      out_.key("x_kN").line(of.force_x_kN[j], spectrum_digits);
-      out_.key("y_kN").line(of.force_y_kN[j], spectrum_digits);
+      out_.key("x_kN").line(curves.force_x_kN[j], spectrum_digits);
+      out_.key("y_kN").line(curves.force_y_kN[j], spectrum_digits);
       out_.end_object();
     }
     out_.end_array();
   }
 
-  void of_law(building::LawAnswer const& law, std::string_view key) {
+  void nested(building::LawAnswer const& law, std::string_view key) {
     if (key == "coverage") return coverage(law);
     if (key == "histories") return histories(law);
     if (key == "checked") {
@@ -169,6 +172,10 @@ class BuildingWriter {
         out_.end_object();
       }
       out_.end_array();
+      return;
+    }
+    if (key == "doubts") {
+      out_.value(wording::sentences(law.doubts, wording::with_building));
       return;
     }
     out_.begin_object();
@@ -193,7 +200,7 @@ class BuildingWriter {
     out_.end_object();
   }
 
-  static constexpr std::size_t first_fractile = 3;  // of distribution_results
+  static constexpr std::size_t first_fractile = 3;  // place in distribution_results
   static_assert(distribution_results[first_fractile].key == "p16");
 
   JsonWriter& out_;
@@ -206,6 +213,13 @@ class BuildingWriter {
 
 void write_building(JsonWriter& out, building::Study const& study, building::Answers const& answers, Digits digits) {
   BuildingWriter(out, study, answers, digits)();
+}
+
+std::vector<std::string> building_warnings(building::Answers const& answers) {
+  auto sentences = wording::sentences(answers.warnings, wording::with_building);
+  for (auto const& sentence : wording::sentences(answers.calibration, wording::with_building))
+    sentences.push_back("From the calibration: " + sentence);
+  return sentences;
 }
 
 std::string building_json(building::Study const& study, building::Answers const& answers) {

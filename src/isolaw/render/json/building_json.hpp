@@ -1,15 +1,19 @@
-// building.json: what the analyses of a building say (docs/building-json.md).
+// Writes building.json, the results of the analyses of a building (docs/building-json.md).
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "isolaw/render/json/results_json.hpp"
 #include "isolaw/study/building_results.hpp"
 
 namespace isolaw::render {
 
-// Members of the open object.
+// Writes the members of the object that is open.
 void write_building(JsonWriter& out, building::Study const& study, building::Answers const& answers, Digits digits);
+
+// The warnings as sentences; those on the calibration come last.
+std::vector<std::string> building_warnings(building::Answers const& answers);
 
 std::string building_json(building::Study const& study, building::Answers const& answers);
 

@@ -28,7 +28,7 @@ void write_effects(JsonWriter& out, std::vector<data::Effect> const& effects) {
 }
 
 void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const& device,
-                  std::vector<std::string> const& warnings) {
+                  std::vector<Finding> const& findings) {
   write_members(out, "name", device.name, "file", device.file, "sha256", device.sha256, "status", device.status,
                 "message", device.message, "samples", device.raw.size());
   out.key("columns").begin_object();
@@ -36,9 +36,10 @@ void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const&
   out.end_object().key("units").begin_object();
   for (auto const& [channel, unit] : device.raw.layout.units) out.member(data::name(channel), unit);
   out.end_object();
-  // Sheet and test are null where the file has but one.
+  // sheet and test are null where the file has only one.
   write_members(out, "sheet", device.raw.layout.sheet, "test", device.raw.layout.test, "recognised",
-                wording::remarks(device.raw.recognised), "warnings", warnings);
+                wording::remarks(device.raw.recognised), "warnings", wording::sentences(findings, wording::anywhere));
+  write_findings(out, "findings", findings, wording::anywhere);
   write_properties(out, lot, device);
   write_effects(out, device.effects);
 }
@@ -50,18 +51,18 @@ std::string inspection_json(Summary const& summary) {
   out.begin_object();
   out.member("schema", inspection_schema).member("isolaw", summary.version);
   write_verdict(out, overall_verdict(summary));
-  auto const of_devices = device_warnings(summary);
+  auto const device_findings = device_warnings(summary);
   if (summary.devices.size() == 1) {
-    write_device(out, summary.acceptance, summary.devices.front(), of_devices.front());
+    write_device(out, summary.acceptance, summary.devices.front(), device_findings.front());
   } else {
     out.member("title", summary.title).key("devices").begin_array();
     for (std::size_t i = 0; i < summary.devices.size(); ++i) {
       out.begin_object();
-      write_device(out, summary.acceptance, summary.devices[i], of_devices[i]);
+      write_device(out, summary.acceptance, summary.devices[i], device_findings[i]);
       out.end_object();
     }
     out.end_array();
-    write_warnings(out, warnings(summary));
+    write_findings(out, "warnings", warnings(summary));
   }
   out.key("assessment");
   write_acceptance(out, summary.acceptance);

@@ -1,4 +1,4 @@
-// What records hold and what their tests say as JSON: `isolaw inspect --json`, and Python's.
+// Writes the content of records and the results of their tests as JSON, for `isolaw inspect --json` and Python.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace isolaw::render {
 
-// docs/inspection-json.md. One device: its object, with rule_set, design and lot beside its own members; several:
-// devices, and the same three.
+// The schema is in docs/inspection-json.md. The members of a single device stand in the object itself, several devices
+// in its array `devices`; `assessment` holds rule_set, design and lot.
 std::string inspection_json(Summary const& summary);
 
 }  // namespace isolaw::render

@@ -83,7 +83,7 @@ void write_assessments(JsonWriter& out, std::vector<rules::Assessment> const& as
 }
 
 void write_rule_set(JsonWriter& out, rules::RuleSet const& rules) {
-  auto const file = std::filesystem::path(rules.origin).filename().string();  // no path of the machine
+  auto const file = std::filesystem::path(rules.origin).filename().string();  // JSON holds no path of a machine
   out.begin_object();
   write_members(out, "id", rules.id, "title", rules.title, "edition", rules.edition, "verified_by", rules.verified_by,
                 "source", rules.source, "origin", file);
@@ -167,9 +167,9 @@ void write_verdict(JsonWriter& out, OverallVerdict const& verdict) {
   write_results(out, verdict_results, verdict, Digits::shown, [&](std::string_view key) {
     auto const write = [&](auto const& rows, auto const& all) {
       out.begin_array();
-      for (auto const& of : all) {
+      for (auto const& object : all) {
         out.begin_object();
-        write_results(out, rows, of, Digits::shown);
+        write_results(out, rows, object, Digits::shown);
         out.end_object();
       }
       out.end_array();
@@ -205,9 +205,9 @@ void write_properties(JsonWriter& out, LotAcceptance const& lot, DeviceResult co
   out.key("verdict");
   auto const verdict = verdict_on(lot, device);
   verdict ? out.value(rules::name(*verdict)) : out.null();
-  auto const said = device_verdict(acceptance);
-  write_members(out, "verdict_brief", verdict ? said.brief() : std::string(), "verdict_text",
-                verdict ? said.text() : std::string(), "copy_of", acceptance.copy_of);
+  auto const sentence = device_verdict(acceptance);
+  write_members(out, "verdict_brief", verdict ? sentence.brief() : std::string(), "verdict_text",
+                verdict ? sentence.text() : std::string(), "copy_of", acceptance.copy_of);
   out.key("doubts").begin_array();
   for (auto const& doubt : value_doubts(device)) {
     out.begin_object();

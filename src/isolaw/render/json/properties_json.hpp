@@ -1,5 +1,5 @@
-// Cyclic properties, what a rule set says of them and the view of the lot as JSON: the page and `isolaw inspect --json`
-// hold the same objects. Keys carry the units; docs/inspection-json.md describes them.
+// Writes cyclic properties, their verdicts under a rule set and the view of the lot as JSON. The page and `isolaw
+// inspect --json` use the same objects. Keys carry the units; docs/inspection-json.md describes them.
 #pragma once
 
 #include "isolaw/base/json.hpp"
@@ -8,14 +8,14 @@
 
 namespace isolaw::render {
 
-// Members of a device's object: blocks, reported, properties_refusal, samples_per_cycle, notes, corrections,
-// counting_block, verdicts, doubts, assessments.
+// Adds to a device's object: blocks, reported, properties_refusal, samples_per_cycle, notes, corrections,
+// counting_block, levels, vertical, verdict, copy_of, doubts, assessments.
 void write_properties(JsonWriter& out, LotAcceptance const& lot, DeviceResult const& device);
 
-// The verdict of the whole, as `result`.
+// Adds the overall verdict as the member `result`.
 void write_verdict(JsonWriter& out, OverallVerdict const& verdict);
 
-// The object of the lot: rule_set, design, lot.
+// Writes the object of the rule set and the lot, with members rule_set, design, lot.
 void write_acceptance(JsonWriter& out, LotAcceptance const& acceptance);
 
 }  // namespace isolaw::render

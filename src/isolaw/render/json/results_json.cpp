@@ -1,5 +1,8 @@
 #include "isolaw/render/json/results_json.hpp"
 
+#include <fmt/format.h>
+
+#include "isolaw/base/number_text.hpp"
 #include "isolaw/study/published_results.hpp"
 
 namespace isolaw::render {
@@ -74,29 +77,48 @@ void write_outliers(JsonWriter& out, std::vector<OutlyingDevice> const& outliers
 }
 
 void write_recommendations(JsonWriter& out, study::Summary const& summary,
-                           std::vector<study::Recommendation> const& made) {
+                           std::vector<study::Recommendation> const& recommendations) {
+  auto const write_reasons = [&](std::string_view key, std::vector<Finding> const& findings) {
+    out.key(key).begin_array();
+    for (auto const& finding : findings)
+      out.begin_object()
+          .member("kind", wording::row(finding.kind).key)
+          .member("sentence", wording::sentence(finding))
+          .end_object();
+    out.end_array();
+  };
   out.key("recommendations").begin_array();
-  for (auto const& each : made) {
+  for (auto const& each : recommendations) {
     out.begin_object().member("purpose", study::name(each.purpose)).key("law");
     each.law ? out.value(summary.laws[*each.law].id) : out.null();
-    out.member("sure", study::name(each.sure)).member("error", each.error).member("why", each.why);
-    out.member("would_decide", each.would_decide).member("measure", each.measure).key("ties").begin_array();
+    out.member("sure", study::name(each.sure)).member("error", each.error);
+    out.member("why", wording::paragraph(each.why));
+    write_reasons("reasons", each.why);
+    write_reasons("weak", each.weak);
+    out.member("would_decide", wording::paragraph(each.surer, "; "));
+    write_reasons("surer", each.surer);
+    out.member("measure", each.measure).key("ties").begin_array();
     for (auto const law : each.ties) out.value(summary.laws[law].id);
     out.end_array().key("standings").begin_array();
     for (auto const& standing : each.standings) {
       out.begin_object().member("law", summary.laws[standing.law].id).member("place", study::name(standing.place));
-      out.member("error", standing.error).member("reason", standing.reason).end_object();
+      out.member("error", standing.error);
+      out.member("reason", standing.reason ? wording::remark(*standing.reason) : std::string());
+      out.member("reason_kind", standing.reason ? wording::row(standing.reason->kind).key : std::string_view());
+      out.end_object();
     }
-    out.end_array().member("answer", each.answer).member("title", each.title).member("valid", each.valid);
-    out.member("programs", each.programs).end_object();
+    out.end_array().member("answer", wording::sentence(each.answer)).member("title", each.title);
+    out.member("valid", each.valid_mm ? fmt::format("up to {} mm", number_text(*each.valid_mm, 3)) : std::string());
+    out.member("valid_mm", each.valid_mm);
+    out.member("programs", each.programs ? wording::sentence(*each.programs) : std::string()).end_object();
   }
   out.end_array();
 }
 
 void write_published(JsonWriter& out, study::Summary const& summary, Digits digits) {
   out.key("published");
-  auto const made = study::published(summary);
-  if (!made) {
+  auto const comparison = study::published(summary);
+  if (!comparison) {
     out.null();
     return;
   }
@@ -109,20 +131,43 @@ void write_published(JsonWriter& out, study::Summary const& summary, Digits digi
     }
     out.end_array();
   };
-  out.begin_object().member("source", made->source).member("verdict", made->verdict);
-  rows("laws", study::published_law_results, made->laws);
-  rows("statements", study::published_statement_results, made->statements);
+  out.begin_object().member("source", comparison->source).member("verdict", comparison->verdict);
+  rows("laws", study::published_law_results, comparison->laws);
+  rows("statements", study::published_statement_results, comparison->statements);
   out.end_object();
 }
 
-void write_warnings(JsonWriter& out, std::vector<study::Warning> const& warnings) {
-  out.key("warnings").begin_array();
-  for (auto const& warning : warnings)
-    out.begin_object()
-        .member("topic", warning.topic)
-        .member("sentence", warning.sentence)
-        .member("action", study::action(warning))
-        .end_object();
+void write_findings(JsonWriter& out, std::string_view key, std::vector<Finding> const& findings, unsigned place) {
+  auto const write_list = [&](std::string_view name, auto const& values) {
+    if (values.empty()) return;
+    out.key(name).begin_array();
+    for (auto const& value : values) out.value(value);
+    out.end_array();
+  };
+  out.key(key).begin_array();
+  for (auto const& group : wording::grouped(findings, place)) {
+    auto const& row = wording::row(group.front().kind);
+    out.begin_object().member("kind", row.key).member("topic", row.topic);
+    out.member("severity", wording::name(row.severity)).member("sentence", wording::sentence(group));
+    out.member("certificate", (row.appears & wording::on_certificate) != 0)
+        .member("action", row.action)
+        .member("law", group.front().law);
+    out.member("other_laws", group.front().other_laws);
+    out.member("devices", wording::devices_of(group)).member("parameters", wording::parameters_of(group));
+    out.key("blocks").begin_array();
+    for (int const block : wording::blocks_of(group)) out.value(block);
+    out.end_array().key("each").begin_array();
+    for (auto const& finding : group) {
+      out.begin_object();
+      write_list("devices", finding.devices);
+      write_list("parameters", finding.parameters);
+      write_list("blocks", finding.blocks);
+      out.key("numbers").begin_object();
+      for (auto const& number : finding.numbers) out.member(number.name, number.value);
+      out.end_object().end_object();
+    }
+    out.end_array().end_object();
+  }
   out.end_array();
 }
 

@@ -15,7 +15,7 @@ namespace isolaw::render {
 
 namespace {
 
-// Of times: to the microsecond.
+// Rounds times to the microsecond.
 double shown(double seconds) {
   return std::round(1e6 * seconds) / 1e6;
 }
@@ -24,7 +24,6 @@ double shown(double seconds) {
 
 std::string profile_json(campaign::Profile const& profile) {
   JsonWriter out;
-  auto const kernels = profile.kernel_seconds();
   out.begin_array();
   for (auto const phase : campaign::phases) {
     auto const& cost = profile[phase];
@@ -32,19 +31,12 @@ std::string profile_json(campaign::Profile const& profile) {
         .member("phase", std::string(campaign::name(phase)))
         .member("cpu_seconds", shown(cost.cpu_s))
         .member("wall_seconds", shown(cost.wall_s))
-        .member("kernel_seconds", shown(kernels[static_cast<std::size_t>(phase)]))
+        .member("kernel_seconds", shown(cost.kernel_s))
         .member("evaluations", cost.evaluations)
         .end_object();
   }
   out.end_array();
   return out.take();
-}
-
-std::string with_profile(std::string summary_json, std::string_view profile) {
-  JsonWriter out(JsonWriter::Layout::indented);
-  out.begin_object().key("profile").json(profile).end_object();
-  summary_json.resize(summary_json.rfind("\n}"));
-  return fmt::format("{},{}\n", summary_json, out.take().substr(1));
 }
 
 std::string run_json(RunFacts const& facts) {

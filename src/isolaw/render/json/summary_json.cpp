@@ -103,6 +103,10 @@ void write(JsonWriter& out, DeviceResult const& device) {
 }  // namespace
 
 std::string summary_json(Summary const& summary) {
+  return summary_json(summary, {});
+}
+
+std::string summary_json(Summary const& summary, std::string_view profile) {
   JsonWriter out(JsonWriter::Layout::indented);
   out.begin_object();
   out.member("schema", summary_schema).key("isolaw").begin_array();
@@ -126,9 +130,10 @@ std::string summary_json(Summary const& summary) {
   auto const runs = summary.missing_runs(), analyses = summary.missing_analyses();
   write_members(out, "complete", runs == 0 && analyses == 0, "missing_runs", runs, "missing_analyses", analyses);
   if (summary.part) write_members(out, "part", summary.part->number, "parts", summary.part->of);
-  write_warnings(out, warnings(summary));
+  write_findings(out, "warnings", warnings(summary));
   write_recommendations(out, summary, recommendations(summary));
   write_published(out, summary, Digits::all);
+  if (!profile.empty()) out.key("profile").json(profile);
   out.end_object();
   return out.take() + "\n";
 }

@@ -1,4 +1,4 @@
-// summary.json: the campaign in numbers for machines. Its schema is docs/summary-json.md.
+// Writes summary.json: the campaign in numbers for machines. Its schema is docs/summary-json.md.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,13 @@
 
 namespace isolaw::render {
 
-// Deterministic: equal summaries give equal bytes. Numbers read back as the same doubles; what is undefined is null.
+// Equal summaries give equal bytes. Numbers read back as the same doubles; undefined values are null.
 std::string summary_json(Summary const& summary);
+// The same with a last member "profile", the array that profile_json() returns; without one if `profile` is empty. The
+// file has none, since times differ between runs.
+std::string summary_json(Summary const& summary, std::string_view profile);
 
-// How many runs were missing when a summary.json was made; empty for a text that does not say so.
+// The number of missing runs that the text of a summary.json states; nullopt if it states none.
 std::optional<std::size_t> missing_runs_in(std::string_view summary_json);
 
 }  // namespace isolaw::render

@@ -13,8 +13,8 @@
 namespace isolaw::render {
 namespace {
 
-// Inside <script> only these two end or change the script; both stand in strings or regular expressions there, where
-// the backslash means nothing.
+// Only these two character sequences end or change a <script>. They occur in strings and regular expressions alone,
+// where a backslash before them changes nothing.
 std::string inline_script(std::string_view script) {
   std::string safe;
   safe.reserve(script.size());
@@ -48,7 +48,7 @@ std::string asked_json(campaign::Acceptance const& asked) {
   return out.take();
 }
 
-// The colours of the laws, as the style sheet names its others.
+// The colours of the laws as variables of the style sheet, like its other colours.
 std::string law_colours() {
   std::string light, dark;
   for (std::size_t i = 0; i < law_look_count; ++i) {
@@ -59,7 +59,7 @@ std::string law_colours() {
                      light, dark);
 }
 
-// The template with a title, the state of acceptance, the data and one of the joined scripts in their places.
+// The template with title, state of acceptance, data and one of the joined scripts filled in.
 std::string page_of(std::string_view title, std::string_view asked, std::string_view data, std::string_view script) {
   std::map<std::string_view, std::string> const contents{
       {"title", html_escaped(title)},

@@ -20,10 +20,10 @@ namespace isolaw::render {
 // and the title.
 std::string html(Summary const& summary);
 
-// The same of a building's analyses; its data are those of building.json.
+// The same for a building; its data are those of building.json.
 std::string building_html(building::Study const& study, building::Answers const& answers);
 
-// What the tests of a page were held to, as the page itself states it; nullopt where it does not.
+// The state of acceptance that an existing page was written with; nullopt where it states none.
 std::optional<campaign::Acceptance> asked_in(std::string_view page);
 
 // page.html, with the placeholders that html() fills, page.css, page.js, building.js and plotly-basic.min.js.

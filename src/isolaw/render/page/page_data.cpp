@@ -31,7 +31,8 @@ constexpr int profile_digits = 6;
 constexpr double curve_levels = 20000.0;
 constexpr std::size_t convergence_points = 120;
 
-// Integer differences of the quantised values; the steps do not add up to a drift. Not finite: the value before.
+// A curve as integer differences of its quantised values, so that rounding does not add up to a drift. A sample that is
+// not finite repeats the one before.
 void write_curve(JsonWriter& out, std::string_view key, std::vector<double> const& values,
                  std::vector<std::size_t> const& samples) {
   double lower = 0.0, upper = 0.0;
@@ -65,7 +66,6 @@ std::size_t stride_of(std::vector<std::size_t> const& drawn) {
   return drawn.size() > 1 ? drawn[1] - drawn[0] : 1;
 }
 
-// What a record has of time, displacement and force.
 template <class Record>
 void write_curves(JsonWriter& out, Record const& record, std::vector<std::size_t> const& drawn) {
   if (drawn.empty()) return;
@@ -74,7 +74,7 @@ void write_curves(JsonWriter& out, Record const& record, std::vector<std::size_t
   write_curve(out, "force_kN", record.force_kN, drawn);
 }
 
-// The raw loop, thinned: sample k of the curves is raw sample min(k stride, samples - 1).
+// The raw loop, thinned: point k of a curve is raw sample min(k stride, samples - 1).
 void write_raw(JsonWriter& out, data::TestRecord const& raw, std::size_t most) {
   auto const drawn = drawn_samples(raw.size(), most);
   out.key("raw").begin_object();
@@ -83,7 +83,7 @@ void write_raw(JsonWriter& out, data::TestRecord const& raw, std::size_t most) {
   out.end_object();
 }
 
-// Ranges of time that laws are judged by; null: all of it.
+// The ranges of time that laws are judged by; null where they are judged by the whole record.
 void write_scored(JsonWriter& out, data::FitRecord const& record) {
   out.key("scored");
   if (record.scored.empty()) {
@@ -106,7 +106,7 @@ void write_scored(JsonWriter& out, data::FitRecord const& record) {
 }
 
 void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const& device,
-                  std::vector<std::string> const& warnings, std::vector<std::size_t> const& drawn, std::size_t most) {
+                  std::vector<Finding> const& findings, std::vector<std::size_t> const& drawn, std::size_t most) {
   auto const& record = device.record;
   out.begin_object();
   write_members(out, "name", device.name, "file", device.file, "sha256", device.sha256, "status", device.status,
@@ -115,14 +115,16 @@ void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const&
   out.member("rubber_area_mm2", device.rubber_area_mm2);
   write_properties(out, lot, device);
   write_raw(out, device.raw, most);
-  // What the user told the program of the record; corrections stand apart.
-  auto told = device.raw.recognised;
-  std::erase_if(told, [&](Finding const& each) {
-    return each.word("option").empty() ||
-           std::ranges::find(device.raw.corrections, each) != device.raw.corrections.end();
-  });
-  write_members(out, "told", wording::remarks(told), "recognised", wording::remarks(device.raw.recognised), "warnings",
-                warnings, "cleaning", wording::remarks(record.cleaning));
+  out.key("recognised").begin_array();
+  for (auto const& finding : device.raw.recognised)
+    out.begin_object()
+        .member("sentence", wording::remark(finding))
+        .member("option", finding.word("option"))
+        .end_object();
+  out.end_array();
+  write_members(out, "warnings", wording::sentences(findings, wording::anywhere), "cleaning",
+                wording::remarks(record.cleaning));
+  write_findings(out, "findings", findings, wording::anywhere);
   write_scored(out, record);
   out.key("record").begin_object();
   write_members(out, "samples", record.size(), "drawn", drawn.size(), "has_time", record.has_time());
@@ -130,10 +132,11 @@ void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const&
   out.end_object().end_object();
 }
 
-// What of a parameter is the same on every device: it stands once, in the law.
+// These results of a parameter are the same on every device, so the law holds them once.
 constexpr auto of_the_law = columns(parameter_results, {"unit", "free", "paper_name"});
 
-// Columns, not rows: the names of the properties stand once a fit, those of the parameters in the law.
+// One array for each property instead of one object for each parameter: property names are written once a fit,
+// parameter names once a law.
 void write_parameter_columns(JsonWriter& out, std::vector<ParameterFit> const& parameters) {
   out.begin_object();
   for (auto const& row : parameter_results) {
@@ -154,7 +157,7 @@ void write_examined(JsonWriter& out, Result<ParameterAnalysis> const& row,
     write_value(out, value, row.digits);
 }
 
-// Columns; a parameter that was not examined is null in each. Null as a whole without an analysis.
+// One array for each property, with null for a parameter that was not examined; null as a whole without an analysis.
 void write_determination(JsonWriter& out, DeviceFit const& fit) {
   out.key("determination");
   if (!fit.optimum) {
@@ -170,8 +173,8 @@ void write_determination(JsonWriter& out, DeviceFit const& fit) {
   out.end_object();
 }
 
-// How the runs came down: decimal logarithms of the smallest, median and largest best objective so far over the runs,
-// after each generation or start; a run that ended earlier keeps its last.
+// How the search went: after each generation or start the smallest, median and largest over the runs of the best
+// objective so far, as decimal logarithms. A run that ended earlier keeps its last value.
 void write_convergence(JsonWriter& out, DeviceFit const& fit) {
   std::vector<std::vector<double>> runs;
   std::size_t steps = 0;
@@ -222,16 +225,18 @@ void write_fit(JsonWriter& out, DeviceFit const& fit, int device, std::vector<st
   out.end_object();
 }
 
-// Parameters in the law's order.
 void write_lot_law(JsonWriter& out, LotLaw const& lot) {
   out.begin_object();
   write_results(out, lot_law_results, lot, Digits::shown, [&](std::string_view key) {
     write_values(out, key == "parameters" ? lot.parameters : lot.worst_parameters, shown_digits);
   });
-  out.member("at_bound", lot.at_bound).end_object();
+  out.key("at_bound").begin_array();
+  for (auto const& [parameter, side] : lot.at_bound)
+    out.begin_object().member("parameter", parameter).member("side", name(side)).end_object();
+  out.end_array().end_object();
 }
 
-// What is shown of it: not its covariances.
+// The page draws correlations and needs no covariances.
 void write_population(JsonWriter& out, lot::Population const& population) {
   out.begin_object().member("devices", std::uint64_t{population.devices}).member("parameters", population.names);
   write_values(out.key("medians"), population.medians, shown_digits);
@@ -281,24 +286,25 @@ void write_law(JsonWriter& out, Summary const& summary, LawResult const& law,
   out.end_array().end_object();
 }
 
-void write_findings(JsonWriter& out, Summary const& summary) {
+void write_conclusions(JsonWriter& out, Summary const& summary) {
   auto const found = findings(summary);
   out.key("findings").begin_object();
   write_recommendations(out, summary, found.recommendations);
-  out.member("headline", found.headline).member("beta_note", found.beta_note);
+  out.member("headline", wording::paragraph(found.headline)).member("beta_note", found.beta_note);
   out.key("verdicts").begin_array();
   for (auto const& verdict : found.verdicts) {
     out.begin_object();
-    write_members(out, "law", verdict.law, "role", verdict.role, "sentence", verdict.sentence, "dominated_by",
-                  verdict.dominated_by);
+    write_members(out, "law", verdict.law, "role", verdict.role, "sentence",
+                  wording::paragraph(verdict.findings, " ", false), "dominated_by", verdict.dominated_by);
     out.end_object();
   }
   out.end_array();
-  write_warnings(out, found.warnings);
-  out.member("converged", found.converged).end_object();
+  write_findings(out, "warnings", found.warnings);
+  write_findings(out, "converged", found.converged, wording::anywhere);
+  out.end_object();
 }
 
-// In which order laws are shown, which device of the lot is shown first, how laws are marked.
+// The order of the laws, the device that is shown first, and the laws that stand on each view's front.
 void write_shown(JsonWriter& out, Summary const& summary) {
   out.key("by_objective").begin_array();
   for (auto const law : by_objective(summary))
@@ -318,7 +324,7 @@ void write_shown(JsonWriter& out, Summary const& summary) {
   out.end_object();
 }
 
-// What the words of the verdicts mean, so that the page says it with the numbers that were used.
+// The limits behind the words of the verdicts, so that the page states the numbers that were used.
 void write_thresholds(JsonWriter& out) {
   out.key("thresholds").begin_object();
   out.member("found_within", found_within).member("determined_within", analysis::determined_within);
@@ -329,7 +335,7 @@ void write_thresholds(JsonWriter& out) {
   out.end_object();
 }
 
-// What the page's own tables have above the rows of results, key by key, and how they print what is below.
+// For each key the heading of the page's tables and how the numbers below it are printed.
 template <class Of, std::size_t count>
 void write_headings(JsonWriter& out, std::string_view kind, Result<Of> const (&rows)[count]) {
   out.key(kind).begin_object();
@@ -376,14 +382,14 @@ void write_all_headings(JsonWriter& out) {
 }
 
 Notation notation_of(Summary const& summary) {
-  Notation made;
+  Notation notation;
   for (auto const& law : summary.laws)
     for (auto const& parameter : parameters_of(law)) {
-      made.parameters.insert(parameter.name);
-      if (!parameter.paper_name.empty()) made.parameters.insert(parameter.paper_name);
+      notation.parameters.insert(parameter.name);
+      if (!parameter.paper_name.empty()) notation.parameters.insert(parameter.paper_name);
     }
-  for (auto const& device : summary.devices) made.devices.insert(device.name);
-  return made;
+  for (auto const& device : summary.devices) notation.devices.insert(device.name);
+  return notation;
 }
 
 }  // namespace
@@ -392,7 +398,7 @@ void write_notation(JsonWriter& out, Notation const& of) {
   out.key("symbols").begin_array();
   for (auto const& look : law_looks) out.value(look.symbol);
   out.end_array();
-  // "a10", unless a device is called so.
+  // Like "a10", unless a device has that name.
   auto const is_no_other_word = [&](std::string_view name) {
     return name.size() > 1 && std::ranges::any_of(name, is_digit) && !of.devices.contains(name);
   };
@@ -425,11 +431,11 @@ std::string page_data_json(Summary const& summary) {
   auto const seed = std::to_string(summary.seed);  // as text: 64 bits do not fit a JavaScript number
   write_members(out, "isolaw", campaign::text(std::span(summary.makers)), "title", summary.title, "seed", seed, "runs",
                 summary.runs, "missing_runs", summary.missing_runs(), "missing_analyses", summary.missing_analyses(),
-                "command", command_again(summary));
+                "command", command_again(summary), "takes_lot_file", takes_lot_file(summary));
   out.key("settings").begin_object();
   for (auto const& setting : summary.settings) out.key(setting.key).json(setting.json);
   out.end_object();
-  write_findings(out, summary);
+  write_conclusions(out, summary);
   write_shown(out, summary);
   write_outliers(out.key("outliers"), summary.outliers, Digits::shown);
   write_published(out, summary, Digits::shown);

@@ -6,6 +6,7 @@
 
 #include "isolaw/render/tables/csv.hpp"
 #include "isolaw/render/tables/latex_tables.hpp"
+#include "isolaw/wording/table.hpp"
 
 namespace isolaw::render {
 namespace {
@@ -85,7 +86,8 @@ std::string building_tex(building::Study const& study, building::Answers const& 
       text += fmt::format(
           "\\multicolumn{{10}}{{@{{}}l}}{{Bounds cover {:.1f}\\,\\% ({:.0f} to {:.0f}\\,\\%) in {}; {}}} \\\\\n",
           100.0 * c.inside, 100.0 * c.interval_low, 100.0 * c.interval_high,
-          latex_text(building::quantity(c.quantity).title), latex_text(building::factors_text(c)));
+          latex_text(building::quantity(c.quantity).title),
+          latex_text(wording::sentence(building::covering_factors(c))));
     }
   }
   return text + "\\bottomrule\n\\end{tabular}\n";

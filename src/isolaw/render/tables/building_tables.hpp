@@ -1,4 +1,4 @@
-// The rows of a building's analyses as CSV, and as tables of a publication.
+// A building's analyses as CSV, and as a LaTeX table for a publication.
 #pragma once
 
 #include <string>
@@ -7,14 +7,14 @@
 
 namespace isolaw::render {
 
-// Every quantity by every law: the analyses without draws, fractiles, parts of the spread.
+// A row per law and quantity: bound and nominal analyses, fractiles of the draws, parts of the scatter.
 std::string building_csv(building::Answers const& answers);
-// Of every law what its bounds cover.
+// A row per law and quantity: the share of draws that the bounds cover.
 std::string coverage_csv(building::Answers const& answers);
-// Of every law the nominal building under each motion: implicit path, checks, equivalent linear analysis.
+// A row per law and motion for the nominal building: implicit path, checks, equivalent linear analysis.
 std::string building_checks_csv(building::Study const& study, building::Answers const& answers);
 
-// The content of the first two, law by law.
+// The content of building_csv and coverage_csv, law by law.
 std::string building_tex(building::Study const& study, building::Answers const& answers);
 
 }  // namespace isolaw::render

@@ -2,23 +2,23 @@
 
 #include "isolaw/base/json.hpp"
 #include "isolaw/base/words.hpp"
-#include "isolaw/study/findings.hpp"
+#include "isolaw/wording/words.hpp"
 
 namespace isolaw::render {
 namespace {
 
-// The cells of a value, several of them with commas between.
+// Text of a value; several cells are separated by commas.
 struct Cells {
   std::string operator()(std::monostate) const { return {}; }
   std::string operator()(bool flag) const { return flag ? "yes" : "no"; }
   std::string operator()(std::integral auto number) const { return std::to_string(number); }
   std::string operator()(double number) const { return to_text(number, 6); }
   std::string operator()(std::string_view text) const { return csv_cell(text); }
-  std::string operator()(std::vector<std::string> const* texts) const { return csv_cell(enumerate(*texts, 99)); }
-  std::string operator()(Statistic const& of) const {
-    return to_text(of.mean, 6) + ',' + to_text(of.std, 6) + ',' + to_text(of.best, 6);
+  std::string operator()(std::vector<std::string> const* texts) const { return csv_cell(wording::enumerate(*texts, 99)); }
+  std::string operator()(Statistic const& statistic) const {
+    return to_text(statistic.mean, 6) + ',' + to_text(statistic.std, 6) + ',' + to_text(statistic.best, 6);
   }
-  std::string operator()(Ends const& of) const { return to_text(of.lower, 6) + ',' + to_text(of.upper, 6); }
+  std::string operator()(Ends const& ends) const { return to_text(ends.lower, 6) + ',' + to_text(ends.upper, 6); }
   std::string operator()(study::Nested) const { return {}; }
 };
 

@@ -1,4 +1,4 @@
-// One table as CSV, cell by cell: RFC 4180, numbers with six significant digits.
+// A CSV table written cell by cell: RFC 4180, numbers with six significant digits.
 #pragma once
 
 #include <array>
@@ -14,7 +14,8 @@ namespace isolaw::render {
 
 class CsvTable {
  public:
-  // Cells of what study/results.hpp holds: a statistic takes three, the ends of a range two; empty: undefined.
+  // Adds the cells of values as study/results.hpp has them: three for a Statistic, two for Ends; undefined ones are
+  // empty.
   template <class... Of>
   CsvTable& add(Of const&... cells) {
     (put(study::value_of(cells)), ...);
@@ -24,7 +25,7 @@ class CsvTable {
   void row(Of const&... cells) {
     add(cells...).end_row();
   }
-  // The headings of rows of study/results.hpp, and an object's cells under them.
+  // head() adds the headings of columns from study/results.hpp, cells() an object's values under them.
   template <class Of, std::size_t count>
   CsvTable& head(std::array<Result<Of>, count> const& columns) {
     for (auto const& column : columns)
@@ -32,8 +33,8 @@ class CsvTable {
     return *this;
   }
   template <class Of, std::size_t count>
-  CsvTable& cells(std::array<Result<Of>, count> const& columns, Of const& of) {
-    for (auto const& column : columns) put(column.of(of));
+  CsvTable& cells(std::array<Result<Of>, count> const& columns, Of const& object) {
+    for (auto const& column : columns) put(column.of(object));
     return *this;
   }
   CsvTable& empty(std::size_t count) {

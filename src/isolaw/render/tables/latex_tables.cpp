@@ -21,10 +21,8 @@ constexpr std::string_view packages =
 constexpr std::string_view packages_of_long =
     "% Needs in the preamble: \\usepackage{booktabs,longtable}; with names beyond ASCII \\usepackage[T1]{fontenc} too.\n";
 
-// --- text ------------------------------------------------------------------------------------------------------------
-
 constexpr std::string_view after_backslash = "&%$#_{}";
-// A quote before ? would be another letter, a bracket or star after a line break an option.
+// A backquote before ? would make another letter; a bracket or a star after a line break would be an option.
 constexpr std::pair<char, std::string_view> signs[]{{'~', "\\textasciitilde{}"},
                                                     {'^', "\\textasciicircum{}"},
                                                     {'\\', "\\textbackslash{}"},
@@ -37,7 +35,7 @@ constexpr std::pair<char, std::string_view> signs[]{{'~', "\\textasciitilde{}"},
                                                     {']', "{]}"},
                                                     {'*', "{*}"}};
 
-// Letters that pdfLaTeX sets from UTF-8 without further packages, beyond those of Latin-1.
+// Letters beyond Latin-1 that pdfLaTeX sets from UTF-8 without further packages.
 constexpr std::string_view known_letters = "ĂăĄąĆćČčĎďĐđĘęĚěĞğİıĹĺĽľŁłŃńŇňŐőŒœŔŕŘřŚśŞşŠšŢţŤťŮůŰűŸŹźŻżŽž";
 
 std::string latex_of_letter(std::string_view sequence) {
@@ -58,7 +56,7 @@ std::string latex_of_letter(std::string_view sequence) {
 
 constexpr std::size_t longest_head = 32;
 
-// Cut to what a head of three columns holds.
+// A device's name, cut to the width of three columns.
 std::string device_head(std::string const& device) {
   auto const clean = printable(device);
   std::size_t end = 0;
@@ -71,11 +69,9 @@ std::string yes(bool flag) {
   return flag ? "yes" : "no";
 }
 
-// --- Table A.5 -------------------------------------------------------------------------------------------------------
-
 constexpr int digits_of_std = 2;
 
-// The heads of some devices, the rest of a block's columns empty.
+// Heading of a block of devices; columns without a device stay empty.
 std::string block_head(std::vector<std::string> const& devices, std::size_t columns) {
   std::string names = "& ", rules, words = "Law & Quantity";
   for (std::size_t i = 0; i < columns; ++i) {
@@ -87,7 +83,7 @@ std::string block_head(std::vector<std::string> const& devices, std::size_t colu
   return names + "\\\\*\n" + rules + "\\nopagebreak\n" + words + " \\\\*\n\\midrule\\nopagebreak\n";
 }
 
-// Large and small values stand as multiples of one power of ten, said with the unit: narrow, and easy to compare.
+// Large and small values become multiples of one power of ten, stated with the unit: narrow, and easy to compare.
 int power_of(LawResult const& law, Quantity const& quantity) {
   double largest = 0.0;
   for (auto const& fit : law.devices) {
@@ -126,17 +122,17 @@ std::string block_row(LawResult const& law, Quantity const& quantity, std::vecto
   return row;
 }
 
-// Letters that a number takes: what makes it none counts nothing.
+// Width of a LaTeX number in letters, without its invisible markup.
 std::size_t visible(std::string_view number) {
   constexpr std::string_view times = "\\times";
   auto const hidden =
-      number.find(times) == std::string_view::npos ? 0 : times.size() - 2;  // the sign is as wide as two
+      number.find(times) == std::string_view::npos ? 0 : times.size() - 2;  // the sign is as wide as two letters
   return number.size() - hidden - static_cast<std::size_t>(std::ranges::count_if(number, [](char c) {
            return c == '$' || c == '{' || c == '}' || c == '^';
          }));
 }
 
-// The longest texts of the columns; one column is as wide everywhere.
+// Longest texts of the columns, which are equally wide in all blocks.
 struct Letters {
   std::size_t law = 3, quantity = 8, head = 0, value = 5, std = 5;
 };
@@ -162,7 +158,7 @@ Letters longest_texts(Summary const& summary, std::vector<std::string> const& de
   return longest;
 }
 
-// As many devices side by side as a page of 174 mm takes in \footnotesize, three at most.
+// The number of devices side by side that fit a 174 mm page in \footnotesize; three at most.
 std::size_t devices_side_by_side(Summary const& summary, std::vector<std::string> const& devices) {
   constexpr double page_mm = 174.0, letter_mm = 1.55, head_letter_mm = 1.75, gap_mm = 2.1;
   auto const letters = longest_texts(summary, devices);
@@ -181,8 +177,6 @@ std::string law_block(LawResult const& law, std::vector<std::string> const& devi
   return text + "\\addlinespace[6pt]\n";
 }
 
-// --- the front -------------------------------------------------------------------------------------------------------
-
 std::string_view head_of_x(FrontView view) {
   return view == FrontView::left_out ? "$\\mathit{OF}$ on devices left out" : "$\\beta$";
 }
@@ -190,23 +184,23 @@ std::string_view head_of_x(FrontView view) {
 }  // namespace
 
 std::string latex_text(std::string_view text) {
-  std::string made;
+  std::string latex;
   auto const clean = printable(text);
   for (std::string_view rest = clean; !rest.empty();) {
     auto const length = std::max<std::size_t>(1, utf8_length(rest));
     if (length > 1) {
-      made += latex_of_letter(rest.substr(0, length));
+      latex += latex_of_letter(rest.substr(0, length));
     } else {
       auto const special = std::ranges::find(signs, rest.front(), &std::pair<char, std::string_view>::first);
-      // Two dashes or quotes are two: together they would be another sign.
-      bool const joins = (rest.front() == '-' || rest.front() == '\'') && made.ends_with(rest.front());
-      if (joins) made += "{}";
-      if (after_backslash.find(rest.front()) != std::string_view::npos) made += '\\';
-      special == std::end(signs) ? made += rest.front() : made += special->second;
+      // Keep two dashes or quotes apart: together they would become another sign.
+      bool const joins = (rest.front() == '-' || rest.front() == '\'') && latex.ends_with(rest.front());
+      if (joins) latex += "{}";
+      if (after_backslash.find(rest.front()) != std::string_view::npos) latex += '\\';
+      special == std::end(signs) ? latex += rest.front() : latex += special->second;
     }
     rest.remove_prefix(length);
   }
-  return made;
+  return latex;
 }
 
 std::string latex_number(std::optional<double> const& number, int digits_shown) {
@@ -215,7 +209,7 @@ std::string latex_number(std::optional<double> const& number, int digits_shown) 
   auto text = fmt::format("{:#.{}g}", *number, digits_shown);
   auto const e = text.find('e');
   auto digits = text.substr(0, e);
-  // What follows the point when there are digits enough before it: "1234." or, of some versions of fmt, "1234.0".
+  // Drop the point where enough digits stand before it: fmt gives "1234." or, in some versions, "1234.0".
   auto const point = digits.find('.');
   auto const before = static_cast<int>(std::ranges::count_if(digits.substr(0, point), [](char c) { return c != '-'; }));
   if (before >= digits_shown) digits.resize(std::min(point, digits.size()));

@@ -1,4 +1,4 @@
-// The tables of cyclic properties, verdicts and the lot.
+// Tables of cyclic properties, verdicts and the lot.
 #include <string>
 
 #include "isolaw/base/words.hpp"
@@ -11,7 +11,7 @@
 namespace isolaw::render {
 namespace {
 
-// What of a cycle stands before the frequency of its block, and after it.
+// Columns of a cycle before and after the frequency of its block.
 constexpr auto strain = columns(cycle_results, {"strain_percent"});
 constexpr auto of_cycles = columns(cycle_results, {"period_s",
                                                    "amplitude_mm",
@@ -43,8 +43,11 @@ void cycle_row(CsvTable& table, DeviceResult const& device, data::Block const& b
   bool const is_reported = reported && reported->block == block.number && reported->number == c.number && c.counts();
   auto const number = c.counts() ? std::optional(c.number) : std::nullopt;
   table.add(device.name, block.number, number, c.counts(), c.not_counted, is_reported);
-  CycleOf const of{c, device};
-  table.cells(strain, of).add(block.frequency_Hz).cells(of_cycles, of).row(wording::reasons(device.properties.refusal));
+  CycleOf const row{c, device};
+  table.cells(strain, row)
+      .add(block.frequency_Hz)
+      .cells(of_cycles, row)
+      .row(wording::reasons(device.properties.refusal));
 }
 
 }  // namespace
@@ -131,8 +134,8 @@ std::string lambda_csv(Summary const& summary) {
   table.head(of_supply).head(of_test).head(bounds).end_row();
   for (auto const& quantity : summary.acceptance.lot.quantities)
     for (auto const& bound : quantity.bounds) {
-      FactorOf const of{quantity, bound};
-      table.cells(of_supply, of).cells(of_test, quantity).cells(bounds, of).end_row();
+      FactorOf const row{quantity, bound};
+      table.cells(of_supply, row).cells(of_test, quantity).cells(bounds, row).end_row();
     }
   return table.take();
 }

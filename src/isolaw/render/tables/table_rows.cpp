@@ -7,11 +7,11 @@
 namespace isolaw::render {
 
 std::vector<Quantity> quantities_of(LawResult const& law) {
-  std::vector<Quantity> made{{"OF", "-", true, std::nullopt, {}}};
+  std::vector<Quantity> quantities{{"OF", "-", true, std::nullopt, {}}};
   auto const& parameters = parameters_of(law);
   for (std::size_t n = 0; n < parameters.size(); ++n)
-    made.push_back({parameters[n].name, parameters[n].unit, parameters[n].free, n, parameters[n].paper_name});
-  return made;
+    quantities.push_back({parameters[n].name, parameters[n].unit, parameters[n].free, n, parameters[n].paper_name});
+  return quantities;
 }
 
 Statistic statistic_of(DeviceFit const& fit, Quantity const& quantity) {

@@ -1,4 +1,4 @@
-// Rows of the tables that stand as CSV and as LaTeX.
+// Rows of the tables that exist both as CSV and as LaTeX.
 #pragma once
 
 #include <cstddef>
@@ -11,20 +11,20 @@
 
 namespace isolaw::render {
 
-// One of Table A.5 on all devices; n: of the parameters, none for the objective.
+// A row of Table A.5.
 struct Quantity {
   std::string name, unit;
   bool free = true;
-  std::optional<std::size_t> n;
-  std::string paper_name = {};  // in the paper's tables, where it is another one
+  std::optional<std::size_t> n;  // index among the parameters; empty for the objective
+  std::string paper_name = {};   // the name in the paper's tables, if it differs
 };
 std::vector<Quantity> quantities_of(LawResult const& law);
 
-// All empty where there is none.
+// All values are empty without a result.
 Statistic statistic_of(DeviceFit const& fit, Quantity const& quantity);
 Statistic statistic_of(LawResult const& law, std::string const& device, Quantity const& quantity);
 
-// Of Fig. 14, by rising objective.
+// The points of Fig. 14 by rising objective.
 std::vector<FrontPoint> by_accuracy(Summary const& summary, FrontView view);
 
 }  // namespace isolaw::render

@@ -15,12 +15,12 @@ namespace {
 std::string devices_at_bound(LawResult const& law, std::size_t parameter) {
   std::vector<std::string> devices;
   for (auto const& fit : law.devices)
-    if (parameter < fit.parameters.size() && !fit.parameters[parameter].at_bound.empty())
-      devices.push_back(fit.device + " " + fit.parameters[parameter].at_bound);
+    if (parameter < fit.parameters.size() && fit.parameters[parameter].at_bound != fit::AtBound::no)
+      devices.push_back(fmt::format("{} {}", fit.device, name(fit.parameters[parameter].at_bound)));
   return joined(devices, "; ");
 }
 
-// A bound of the search box; boxes scaled from the record differ between devices.
+// A bound of the search box, or "per device": boxes scaled from the record differ.
 Value common_bound(LawResult const& law, std::size_t parameter, double ParameterFit::*bound) {
   std::optional<double> common;
   for (auto const& fit : law.devices) {
@@ -42,7 +42,6 @@ std::string parameters_csv(Summary const& summary) {
   table.row("Delta_n [-]", "best at bound");
 
   for (auto const& law : summary.laws) {
-    // A device the law was not tried on leaves its cells empty.
     table.add(law.id, "OF", "-").empty(3);
     for (auto const& device : devices) {
       auto const* fit = fit_of(law, device);

@@ -241,8 +241,9 @@ void print_factors(std::string& text, rules::LotView const& lot) {
 // Of several devices: what each table row leaves out, what many share once. A refusal stands in the row.
 void print_warnings(std::string& text, Summary const& summary) {
   std::vector<std::string> lines;
-  for (auto const& warning : in_few_lines(findings(summary).warnings))
-    if (warning.topic != "refused") lines.push_back(printable(warning.sentence));
+  auto findings = study::warnings(summary);
+  std::erase_if(findings, [](Finding const& finding) { return finding.kind == FindingKind::device_refused; });
+  for (auto const& sentence : wording::sentences(findings)) lines.push_back(printable(sentence));
   print_list(text, "Warnings", lines);
 }
 

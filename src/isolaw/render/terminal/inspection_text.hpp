@@ -1,4 +1,4 @@
-// What records hold and what their tests say, without any law: the output of `isolaw inspect`.
+// Prints the output of `isolaw inspect`: the content of records and the results of their tests, without any law.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace isolaw::render {
 
-// One device in full: recognised columns, channels, every cycle, stability, assessments, warnings, notes. Several: a
-// line for each device, then the lot.
+// One device is printed in full: recognised columns, channels, every cycle, stability, assessments, warnings, notes.
+// Several devices get a line each, followed by the lot.
 std::string inspection_text(Summary const& summary);
 
 }  // namespace isolaw::render

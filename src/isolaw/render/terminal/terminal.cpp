@@ -9,12 +9,15 @@
 #include <utility>
 #include <vector>
 
+#include "isolaw/base/number_text.hpp"
+#include "isolaw/laws/catalogue.hpp"
 #include "isolaw/study/findings.hpp"
+#include "isolaw/wording/table.hpp"
 
 namespace isolaw::render {
 namespace {
 
-// Code points, which are columns for the scripts met in names of devices and laws.
+// Counts code points: each takes one column in the scripts met in names of devices and laws.
 int columns(std::string_view text) {
   return static_cast<int>(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
@@ -37,7 +40,7 @@ std::string padded(std::string_view text, int width, bool right = false) {
   return right ? blanks + std::string(text) : std::string(text) + blanks;
 }
 
-// In at most ten characters, whatever the value.
+// Prints any value in at most ten characters.
 std::string bounded(double value, int decimals, double largest = 1e5) {
   return std::abs(value) < largest ? fmt::format("{:.{}f}", value, decimals) : fmt::format("{:.2e}", value);
 }
@@ -46,22 +49,22 @@ std::string fixed(std::optional<double> const& value, int decimals) {
   return value && std::isfinite(*value) ? bounded(*value, decimals) : "–";
 }
 
-// A standard deviation below what is printed of its mean is no zero.
+// A standard deviation too small for the printed digits must not look like zero.
 std::string spread(std::optional<double> const& std) {
   constexpr double least = 1e-4;
   if (!std || *std >= least / 2.0) return fixed(std, 4);
   return *std > 0.0 ? "<1e-4" : "0";
 }
 
-// A law in a table: its place, its name, cells aligned to the right, what stands after them.
+// A law's row in a table: its place, its name, cells aligned to the right, and a remark after them.
 struct Row {
   std::string place, id;
   std::vector<std::string> cells;
   std::string remark = {};
 };
 
-// Every column as wide as its texts and two blanks, the names as they are and `id_gap` blanks; none narrower than what
-// is given.
+// Lays out the rows. A column is as wide as its longest text and two blanks, that of the names as its longest name and
+// `id_gap` blanks, and no column is narrower than the width given for it.
 std::string table(std::vector<Row> const& rows, std::vector<int> widths, int id_width, int id_gap = 0) {
   widths.resize(rows.front().cells.size());
   for (auto const& row : rows) {
@@ -99,7 +102,7 @@ std::string law_table(Summary const& summary) {
   return table(rows, {18, 8, 7, 7, 9, 9}, 3);
 }
 
-// Where the laws are judged by a part of the tests, which no other number of stiffness or energy is of.
+// Explains |dK| and |dE| where laws are judged by part of the tests: no other stiffness or energy is of that part.
 std::string compared_on(Summary const& summary, int width) {
   bool const part =
       std::ranges::any_of(summary.devices, [](auto const& device) { return !device.record.scored.empty(); });
@@ -110,7 +113,6 @@ std::string compared_on(Summary const& summary, int width) {
               : std::string();
 }
 
-// The laws without the optimiser's noise.
 std::string converged_table(Summary const& summary, int width) {
   std::vector<Row> rows{{"", "law", {"found", "least OF", "beta", "front", "left out", "worst", "open"}}};
   for (std::size_t const index : by_objective(summary)) {
@@ -120,7 +122,7 @@ std::string converged_table(Summary const& summary, int width) {
     for (auto const& fit : law.devices)
       for (auto const& p : fit.parameters) {
         free += p.analysis ? 1 : 0;
-        open += p.analysis && p.analysis->identifiability == "undetermined" ? 1 : 0;
+        open += p.analysis && p.analysis->identifiability == analysis::Verdict::undetermined ? 1 : 0;
       }
     rows.push_back({"",
                     printable(law.id),
@@ -137,7 +139,7 @@ std::string converged_table(Summary const& summary, int width) {
              5, width);
 }
 
-// Objectives on each block, means over the devices that have it.
+// Objectives on each block, as means over the devices that have the block.
 std::string prediction_table(Summary const& summary) {
   std::map<int, bool> blocks;  // number, and whether it was fitted
   for (auto const& law : summary.laws)
@@ -203,7 +205,7 @@ class Canvas {
   std::vector<std::string> cells_;
 };
 
-// Beside, above or below the point, wherever there is room; a label without room is left out (the table has it).
+// Puts a label beside, above or below its point; one that has no room is left out, since the table has it.
 void put_label(Canvas& canvas, int column, int row, std::string_view id) {
   int const length = static_cast<int>(id.size());  // identifiers of laws are ASCII
   std::array const places{
@@ -220,7 +222,7 @@ void put_label(Canvas& canvas, int column, int row, std::string_view id) {
 struct Axis {
   double lower, upper;
 
-  // The data's range with a margin, never degenerate.
+  // The range of the values with a margin; its width is never zero.
   static Axis around(std::vector<double> const& values) {
     constexpr double largest = 1e300;  // what lies beyond is drawn at the edge
     auto const [least, most] = std::minmax_element(values.begin(), values.end());
@@ -234,7 +236,7 @@ struct Axis {
   }
 };
 
-// In at most eight characters.
+// Prints a tick's number in at most eight characters.
 std::string tick_text(double value) {
   return std::abs(value) < 1e3 ? fmt::format("{:.3f}", value) : fmt::format("{:.1e}", value);
 }
@@ -313,21 +315,60 @@ std::string heading(Summary const& summary, int width) {
   return wrapped("", text, 0, width);
 }
 
-// The verdict, then what is told of each purpose.
-std::string answer(Summary const& summary, Findings const& found, int width) {
-  if (found.verdict.empty()) return {};
-  auto text = wrapped("", found.verdict, 0, width);
+// The answer, then each purpose with its law, the reasons and what would make it surer.
+std::string answers(Summary const& summary, Findings const& found, int width) {
+  if (!found.verdict) return {};
+  auto text = wrapped("", wording::sentence(*found.verdict), 0, width);
   for (auto const& each : found.recommendations) {
     auto const law =
         each.law ? fmt::format("{} ({})", summary.laws[*each.law].id, name(each.sure)) : std::string("none");
-    auto const open =
-        each.would_decide.empty() ? std::string() : fmt::format(" Would tell more: {}.", each.would_decide);
-    auto const shown = each.valid.empty() ? std::string() : fmt::format(" Shown {}.", each.valid);
-    text += wrapped("", fmt::format("{}: {}. {}{}{}", each.title, law, each.why, shown, open), 2, width);
+    auto line = fmt::format("{}: {}. {}", each.title, law, wording::paragraph(each.why));
+    if (!each.weak.empty()) line += fmt::format(" Low confidence: {}.", wording::paragraph(each.weak, "; "));
+    if (each.valid_mm) line += fmt::format(" Shown up to {} mm.", number_text(*each.valid_mm, 3));
+    if (!each.surer.empty()) line += fmt::format(" To be surer: {}.", wording::paragraph(each.surer, "; "));
+    text += wrapped("", line, 2, width);
   }
-  if (auto const& lacking = found.recommendations.front().programs; !lacking.empty())
-    text += wrapped("", lacking + ".", 2, width);
+  if (auto const& lacking = found.recommendations.front().programs)
+    text += wrapped("", wording::sentence(*lacking) + ".", 2, width);
   return text + '\n';
+}
+
+// The first recommendation that names a law, beginning with the one for buildings; nullptr where none does.
+Recommendation const* taken(std::vector<Recommendation> const& recommendations) {
+  auto const found = std::ranges::find_if(recommendations, [](auto const& each) { return each.law.has_value(); });
+  return found == recommendations.end() ? nullptr : &*found;
+}
+
+// The laws as the answer ranks them: errors on the tests and on what they were not fitted to, number of parameters.
+std::string short_table(Summary const& summary, Recommendation const& answer) {
+  constexpr std::size_t most = 8;
+  auto const any = [&](auto has) { return std::ranges::any_of(summary.laws, has); };
+  bool const devices = any([](auto const& law) { return law.loo_objective.has_value(); });
+  bool const blocks = any([](auto const& law) { return law.predicted_objective.has_value(); });
+  auto const percent = [](std::optional<double> const& error) {
+    return error && std::isfinite(*error) ? fmt::format("{:.1f} %", 100.0 * *error) : std::string("–");
+  };
+  std::vector<Row> rows{{"", "law", {"fits"}}};
+  if (devices) rows.front().cells.insert(rows.front().cells.end(), {"another device", "worst"});
+  if (blocks) rows.front().cells.emplace_back("other blocks");
+  rows.front().cells.emplace_back("parameters");
+  for (auto const& standing : answer.standings) {
+    if (rows.size() > most) break;
+    auto const& law = summary.laws[standing.law];
+    Row row{standing.place == Rank::taken ? "●" : "○",
+            printable(laws::called(law.id)),
+            {percent(law.objective_converged ? law.objective_converged : law.objective.mean)}};
+    if (devices) row.cells.insert(row.cells.end(), {percent(law.loo_objective), percent(law.loo_worst)});
+    if (blocks) row.cells.push_back(percent(law.predicted_objective));
+    row.cells.push_back(std::to_string(std::ranges::count_if(study::parameters_of(law), &ParameterFit::free)));
+    if (standing.place == Rank::tied) row.remark = "   as good";
+    if (standing.reason) row.remark = "   " + wording::remark(*standing.reason);
+    rows.push_back(std::move(row));
+  }
+  auto text = table(rows, {}, 0, 1);
+  if (auto const left = answer.standings.size() + 1 - rows.size(); left > 0)
+    text += fmt::format("     and {} more: --details\n", left);
+  return text;
 }
 
 }  // namespace
@@ -355,19 +396,57 @@ std::string wrapped(std::string_view bullet, std::string_view text, int indent, 
   return out + line + '\n';
 }
 
+std::string answer(Summary const& summary, std::string_view directory, int width) {
+  width = std::max(width, 60);
+  constexpr int margin = 14;
+  auto const found = findings(summary);
+  auto text = heading(summary, width) + '\n';
+  if (found.recommendations.empty()) return text;
+  auto const* law = taken(found.recommendations);
+  auto const& shown = law != nullptr ? *law : found.recommendations.front();
+  text += wrapped("", wording::sentence(*found.verdict), 0, width);
+  if (law == nullptr) text += wrapped("", wording::paragraph(shown.why), 2, width);
+  if (!shown.weak.empty())
+    text += wrapped("", fmt::format("Low confidence: {}.", wording::paragraph(shown.weak, "; ")), 2, width);
+  text += '\n' + short_table(summary, shown) + '\n';
+  if (!shown.surer.empty()) text += wrapped("To be surer", wording::paragraph(shown.surer, "; ") + ".", margin, width);
+  // Warnings about laws that are not taken stay with the details.
+  auto concerned = found.warnings;
+  std::erase_if(concerned, [&](Finding const& finding) {
+    return law != nullptr && !finding.law.empty() && finding.law != summary.laws[*law->law].id;
+  });
+  auto const groups = wording::grouped(concerned), every = wording::grouped(found.warnings);
+  constexpr std::size_t most = 2;
+  for (std::size_t i = 0; i < std::min(most, groups.size()); ++i)
+    text += wrapped(i == 0 ? "Look at" : "", wording::sentence(groups[i], 3), margin, width);
+  if (every.size() > most)
+    text += wrapped(groups.empty() ? "Look at" : "",
+                    fmt::format("{} more warnings: --details", every.size() - std::min(most, groups.size())), margin,
+                    width);
+  if (law != nullptr)
+    text += wrapped("Next",
+                    fmt::format("isolaw export {} --law {} --device {} --to {}", directory, summary.laws[*law->law].id,
+                                summary.laws[*law->law].lot ? "lot" : printable(study::device_names(summary).front()),
+                                law->programs ? "opensees-cpp" : "openseespy"),
+                    margin, width);
+  text += wrapped("Report", fmt::format("{}/report.html", directory), margin, width);
+  return text;
+}
+
 std::string ranking(Summary const& summary, int width) {
   width = std::max(width, 60);
   auto const found = findings(summary);
-  std::string text = heading(summary, width) + '\n' + answer(summary, found, width) + law_table(summary) +
+  std::string text = heading(summary, width) + '\n' + answers(summary, found, width) + law_table(summary) +
                      compared_on(summary, width) + '\n';
-  text += wrapped("", found.headline, 0, width);
+  text += wrapped("", wording::paragraph(found.headline), 0, width);
   if (auto const converged = converged_table(summary, width); !converged.empty()) text += '\n' + converged;
   if (auto const prediction = prediction_table(summary); !prediction.empty()) text += '\n' + prediction;
   if (!found.converged.empty()) text += '\n';
-  for (auto const& sentence : found.converged) text += wrapped("", sentence, 0, width);
+  for (auto const& sentence : wording::sentences(found.converged, wording::anywhere))
+    text += wrapped("", sentence, 0, width);
   if (!found.warnings.empty()) {
     text += "\nTake care:\n";
-    for (auto const& warning : in_few_lines(found.warnings)) text += wrapped("  -", warning.sentence, 4, width);
+    for (auto const& sentence : wording::sentences(found.warnings)) text += wrapped("  -", sentence, 4, width);
   }
   text += '\n';
   if (found.beta_note.empty()) return text + front_plot(summary, width);

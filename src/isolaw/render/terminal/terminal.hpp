@@ -1,5 +1,4 @@
-// The ranking for a terminal: a table of the laws, what to be careful about, and a small plot of accuracy against
-// robustness.
+// Prints a campaign on a terminal: the answer on one screen, and everything behind it for whoever asks for details.
 #pragma once
 
 #include <string>
@@ -9,10 +8,14 @@
 
 namespace isolaw::render {
 
-// UTF-8 text of at most `width` columns (at least 60 are used); no colours, no control characters from the input.
+// UTF-8 text of at most `width` columns (at least 60 are used), without colours or control characters from the input.
+// For the usual laws it has at most 25 lines: the law to take and how sure that is, the table of laws, warnings, and the
+// next command. `directory` is where the results lie, as the user would type it.
+std::string answer(Summary const& summary, std::string_view directory, int width = 80);
+// All tables, findings and warnings, and a plot of accuracy against robustness.
 std::string ranking(Summary const& summary, int width = 80);
 
-// Words of `text` broken at `width` columns, every line indented by `indent`, the first one starting with `bullet`.
+// Breaks `text` into lines of `width` columns that are indented by `indent`; the first one starts with `bullet`.
 std::string wrapped(std::string_view bullet, std::string_view text, int indent, int width);
 
 }  // namespace isolaw::render

@@ -1,4 +1,4 @@
-// What the reader of a report has chosen.
+// The choices of a report's reader.
 
 import { choices } from './choices.js';
 import {
@@ -10,7 +10,7 @@ import { FIRST_VIEW } from './views.js';
 // The device that stands for the lot, where it can be shown.
 const shownFirst = (among) => among.find((device) => device.index === report.typical_device) ?? among[0];
 
-const made = choices({
+const reader = choices({
   device: shownFirst(drawable)?.index ?? null,
   tested:
     (tested.find(({ verdict }) => verdict === 'fail') ?? shownFirst(tested.filter((device) => device.blocks.length > 0)) ?? tested[0])?.index ??
@@ -18,21 +18,21 @@ const made = choices({
   block: 'all',
   laws: new Set(recommended.map((law) => law.index)),
   grouping: 'law',
-  purpose: FIRST, // of the first screen
+  purpose: FIRST,
   view: FIRST_VIEW,
-  examined: examinedLaws[0]?.index ?? null, // a law
-  parameter: firstExamined(examinedLaws[0]), // its place among the law's
+  examined: examinedLaws[0]?.index ?? null, // the law in the section on determination
+  parameter: firstExamined(examinedLaws[0]), // its place among the parameters of that law
   lotLaw: lotLaws[0]?.index ?? null,
-  predicted: predictedByFit[1]?.index ?? null, // beside the law that predicts best
-  law: ranking[0]?.index ?? null, // of the parameters
-  order: { key: 'best OF\n-', down: false }, // of the laws on a device
+  predicted: predictedByFit[1]?.index ?? null, // shown beside the law that predicts best
+  law: ranking[0]?.index ?? null, // the law in the section on parameters
+  order: { key: 'best OF\n-', down: false }, // in the table of laws on a device
 });
 
-export const chosen = made.chosen;
-export const onChoice = made.onChoice;
-export const choose = made.choose;
+export const chosen = reader.chosen;
+export const onChoice = reader.onChoice;
+export const choose = reader.choose;
 
-// One device for the whole page; what cannot be shown of it stays with the device before.
+// All sections show one device; a section that cannot show it keeps the device before.
 export function chooseDevice(index, changes = {}) {
   if (drawable.some((device) => device.index === index)) changes.device = index;
   if (tested.some((device) => device.index === index)) {

@@ -1,5 +1,4 @@
-// What the reader of a page has chosen, and what follows it: controls that show the same, figures that depend on it.
-// A figure names the keys that change it.
+// The choices of a page's reader. Controls and figures follow them; a figure names the keys that change it.
 
 export function choices(first) {
   const chosen = first;

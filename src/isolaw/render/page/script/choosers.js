@@ -1,4 +1,4 @@
-// Controls that several sections have.
+// Controls that several sections share.
 
 import { choose, chooseDevice, chosen, onChoice } from './choice.js';
 import { chooser } from './controls.js';

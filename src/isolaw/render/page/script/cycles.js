@@ -4,7 +4,7 @@ import { chosen } from './choice.js';
 import { headingOf, headingText, report, resultColumns } from './report.js';
 import { THIN, isNumber, printed, significant } from './text.js';
 
-// The properties that are followed from cycle to cycle: their key in a cycle, their name in `stability` and in rule sets.
+// The properties that are followed from cycle to cycle: `key` in a cycle, `name` in `stability` and in rule sets.
 export const FOLLOWED = report.followed.map(({ name, key }) => {
   const heading = headingOf('cycles', key);
   const text = (value) => printed(value, heading) + THIN + heading.unit;
@@ -22,13 +22,16 @@ export const chosenBlocks = (device) =>
 export const amplitudeText = (block) =>
   counted(block).length > 0 ? '±' + significant(block.amplitude_mm, 3) + THIN + 'mm' : 'no complete cycle';
 
-export function blockText(block) {
+// "2, ±60 mm, 0.5 Hz, sine"
+export function blockFacts(block) {
   return (
-    'block ' + block.number + ', ' + amplitudeText(block) +
+    block.number + ', ' + amplitudeText(block) +
     (isNumber(block.frequency_Hz) ? ', ' + significant(block.frequency_Hz, 2) + THIN + 'Hz' : '') +
     (block.waveform ? ', ' + block.waveform : '')
   );
 }
+
+export const blockText = (block) => 'block ' + blockFacts(block);
 
 export const cycleText = (block, cycle) =>
   'block ' + block.number + ', ' + (cycle.counts ? 'cycle ' + cycle.number : 'not counted: ' + cycle.reason);

@@ -2,7 +2,7 @@
 
 import { typeset, unset } from './symbols.js';
 
-// What is typed and what files are called stands as it is.
+// Commands and file names are not typeset.
 const LITERAL = new Set(['code', 'pre', 'a', 'kbd']);
 
 const setIn = (tag) => (child) => (typeof child === 'string' && !LITERAL.has(tag) ? typeset(child) : [child]);
@@ -16,11 +16,10 @@ export function element(tag, attributes = {}, ...children) {
   return node;
 }
 
-// Terms and what they are.
 export const termList = (className, facts) =>
   element('dl', { class: className }, ...facts.flatMap(([term, text]) => [element('dt', {}, term), element('dd', {}, text)]));
 
-// All of the items where they are no more than `most`, else `few` of them and the rest behind a click.
+// All items where there are `most` or fewer, else `few` of them and the rest behind a click.
 export function shortList(items, most, few, className = null) {
   const shown = items.length <= most ? items.length : few;
   const list = (some) => element('ul', { class: className }, ...some);
@@ -31,5 +30,5 @@ export function shortList(items, most, few, className = null) {
 
 export const isPrinting = () => 'printing' in document.documentElement.dataset;
 
-// What a caption says of controls, columns and downloads that paper does not have.
+// Text about controls, columns and downloads, which paper does not have.
 export const onScreen = (text) => (isPrinting() ? '' : text);

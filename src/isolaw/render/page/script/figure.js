@@ -38,7 +38,7 @@ export function render(figure) {
   describe(place.body, [figure.title, figure.caption?.()].filter(Boolean).join('. '));
 }
 
-// A plot is one picture to those who do not see it, its buttons beside it.
+// For screen readers a plot is one picture with its buttons beside it.
 function describe(body, text) {
   body.querySelectorAll('.main-svg').forEach((svg, i) => {
     if (i > 0) return svg.setAttribute('aria-hidden', 'true');

@@ -1,4 +1,4 @@
-// Panels of the properties that are followed from cycle to cycle, of a device and of the lot.
+// Panels for the properties that are followed from cycle to cycle, of a device or of the lot.
 
 import { FOLLOWED } from './cycles.js';
 import { lotQuantities } from './lot.js';
@@ -6,7 +6,7 @@ import { paddedRange } from './plotting.js';
 import { fixed, isNumber } from './text.js';
 import { concerns } from './verdicts.js';
 
-// Three panels beside one another, below one another where there is no room, with cycle numbers along their abscissa.
+// Three panels over the number of the cycle: side by side, or below one another where `stacked`.
 export function followedPanels(stacked, largest) {
   const layout = { annotations: [] };
   FOLLOWED.forEach((property, i) => {
@@ -27,28 +27,28 @@ export function followedPanels(stacked, largest) {
   return layout;
 }
 
-// What the limits on an assessment, or on each device of the lot, leave about the design value; null: nothing limits it.
+// The range that the limits of an assessment or of the lot allow about the design value; null where there is no limit.
 export function limitBand(limited) {
   const { nominal, lower_percent: lower, upper_percent: upper } = limited ?? {};
   if (!isNumber(nominal) || !(isNumber(lower) || isNumber(upper))) return null;
   return [lower, upper].map((percent) => (isNumber(percent) ? nominal * (1 + percent / 100) : null));
 }
 
-// Design value and limits of a followed property: of one device's assessments, else of the lot.
+// Design value and limits of a followed property, from a device's assessments, or where these have none, from the lot.
 export function designOf(name, assessments) {
   const own = assessments.find((a) => concerns(a, name) && isNumber(a.nominal));
   const lot = lotQuantities.find((quantity) => quantity.quantity === name);
   return { nominal: own?.nominal ?? lot?.nominal ?? null, band: limitBand(own) ?? limitBand(lot) };
 }
 
-// A tenth of the values' size at least: what hardly changes from cycle to cycle shall look so.
+// At least a tenth of the values' size, so that a property that hardly changes from cycle to cycle looks steady.
 function steadyRange(values) {
   const [low, high] = paddedRange(values, 0.08);
   const missing = Math.max(0, 0.1 * Math.max(...values.map(Math.abs)) - (high - low));
   return [low - missing / 2, high + missing / 2];
 }
 
-// The range of panel i, with the design value and the limits where there are any.
+// Sets the range of panel i and draws design value and limits where there are any.
 export function framePanel(layout, look, i, { nominal, band }, values) {
   const some = values.filter(isNumber);
   if (some.length === 0) return;
@@ -69,7 +69,6 @@ export function framePanel(layout, look, i, { nominal, band }, values) {
     });
 }
 
-// The value of a cycle with its ratio to cycle 3, for reading off a plot.
 export function followedText(property, block, cycle, place) {
   const ratio = block.stability?.[property.name]?.ratio_to_third?.[place];
   return property.text(cycle[property.key]) + (isNumber(ratio) ? ', ' + fixed(ratio, 3) + ' of cycle 3' : '');

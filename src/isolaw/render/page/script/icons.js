@@ -1,4 +1,4 @@
-// A small sign of [path, fill, stroke] in a field of 12 by 12.
+// A small sign made of [path, fill, stroke] in a field of 12 by 12.
 export const ROUND = 'M6 .8 A5.2 5.2 0 1 1 5.99 .8 Z';
 
 export function icon(...shapes) {
@@ -15,7 +15,7 @@ export function icon(...shapes) {
   return svg;
 }
 
-// The tone of a law's role; those on the front are good.
+// The tone of a law's role; every role on the front is good.
 const TONES = { 'held by its box': 'care', dominated: 'poor', 'not adequate': 'poor', 'not ranked': 'muted' };
 export const roleTone = (role) => TONES[role] ?? 'good';
 

@@ -1,4 +1,4 @@
-// Where labels of a plot go.
+// Places for the labels of a plot.
 
 const MARKER = 8, // pixels about a point that belong to its marker
   LETTERS = 16; // height of a label

@@ -9,16 +9,17 @@ export function lawKey(law) {
   return element('span', { class: isAgain(law) ? 'key again' : 'key', style: `border-color: var(--${colourOf(law)})` });
 }
 
-// A law's name; where it does not predict, that stands beside it wherever it is recommended.
-function predictionBadge(law) {
+// Wherever a law is recommended that does not predict, this badge stands beside its name.
+function predictionBadge(law, name = '') {
   return element(
     'span',
     { class: 'badge', title: 'misses the blocks it was not fitted to: see Prediction across the record' },
-    'prediction ' + law.prediction_grade,
+    name + 'prediction ' + law.prediction_grade,
   );
 }
 
-export const nameOf = (id) => laws.find((law) => law.id === id)?.name ?? id;
+export const lawOf = (id) => laws.find((law) => law.id === id);
+export const nameOf = (id) => lawOf(id)?.name ?? id;
 
 export const lawName = (law) =>
   element(
@@ -28,18 +29,8 @@ export const lawName = (law) =>
     ...(doesNotPredict(law) ? [' ', predictionBadge(law)] : []),
   );
 
-// A sentence in which the first mention of such a law has its badge.
-export function withBadges(text) {
-  const parts = [text];
-  for (const law of laws.filter(doesNotPredict)) {
-    const name = new RegExp('(?<![\\w-])' + law.name.replace(/[^\w]/g, '\\$&') + '(?![\\w-]| [(])');
-    const at = parts.findIndex((part) => typeof part === 'string' && name.test(part));
-    if (at < 0) continue;
-    const end = parts[at].search(name) + law.name.length;
-    parts.splice(at, 1, parts[at].slice(0, end) + ' ', predictionBadge(law), parts[at].slice(end));
-  }
-  return parts;
-}
+// A sentence about some laws, and a badge behind it for each of them that does not predict.
+export const withBadges = (text, about) => [text, ...about.filter(doesNotPredict).flatMap((law) => [' ', predictionBadge(law, law.name + ': ')])];
 
 export function predictionNote(among) {
   const graded = (grade) => among.filter((law) => law.prediction_grade === grade).map((law) => law.name);
@@ -49,7 +40,7 @@ export function predictionNote(among) {
     : '';
 }
 
-// Those that do not describe the devices, however they compare.
+// Laws that do not describe the devices, however well they compare with others.
 const inadequate = new Set(
   report.findings.verdicts.filter((verdict) => verdict.role === 'not adequate').map((verdict) => verdict.law),
 );

@@ -5,7 +5,7 @@ import { report } from './report.js';
 import { count, isNumber, mean } from './text.js';
 import { concerns, worstVerdict } from './verdicts.js';
 
-// With one verdict of the limits on the mean, none where the set has no such limit.
+// Each with one verdict for all limits on its mean, none where the set has no such limit.
 export const lotQuantities = (report.assessment?.lot?.quantities ?? []).map(
   ({ mean_limits: limits, lambda_test: test, without, ...quantity }) => ({
     ...quantity,
@@ -20,7 +20,8 @@ export const lotQuantities = (report.assessment?.lot?.quantities ?? []).map(
   }),
 );
 
-// The value of a device for a property of the lot: its assessed ones (the mean over both sides), else its vertical test or the reported cycle.
+// The value of a device for a property of the lot: as it was assessed (the mean over both sides), else from its
+// vertical test or the reported cycle.
 export function deviceValue(device, quantity) {
   const own = device.assessments.filter((a) => concerns(a, quantity) && isNumber(a.value));
   if (own.length > 0)

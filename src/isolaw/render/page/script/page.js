@@ -58,7 +58,7 @@ function buildPage() {
   });
 }
 
-// A decision on part of the campaign may change.
+// With runs missing the decision may still change, and the page says so.
 const incomplete = () =>
   'Not complete: ' +
   [[report.missing_runs, 'run', 'runs'], [report.missing_analyses, 'analysis', 'analyses']]

@@ -1,10 +1,10 @@
-// What all plots share.
+// Shared by all plots.
 
 import { data } from './data.js';
 import { inFigure } from './symbols.js';
 import { isNumber, plain, significant } from './text.js';
 
-// Colours and symbols return after so many laws; symbols are then open and keys dashed.
+// After this many laws the colours and symbols start again, with open symbols and dashed keys.
 export const SYMBOLS = data.symbols;
 const COLOURS = SYMBOLS.length;
 export const colourOf = (law) => 'law-' + ((law.index % COLOURS) + 1);
@@ -88,7 +88,7 @@ export function textWidth(look, text, size) {
   return pen.measureText(text).width;
 }
 
-// Places of equal width with names below, as many as there is room for.
+// Categories of equal width with as many names below as there is room for.
 export function namedAxis(names, most) {
   const every = Math.ceil(names.length / most);
   const tickvals = names.map((_, i) => i).filter((i) => i % every === 0);

@@ -1,7 +1,7 @@
-// What the reader wants a law for: what the first screen shows, chart, list, headline and ranking, follows it.
+// The purpose that the reader wants a law for. Chart, list, headline and ranking on the first screen follow it.
 
 import { doesNotPredict, laws, lawsByObjective, report } from './report.js';
-import { THIN, enumerate, fixed, isNumber, percentText } from './text.js';
+import { enumerate, fixed, isNumber, percentText, withUnit } from './text.js';
 import { VIEWS, isPlaced } from './views.js';
 
 const byId = new Map(laws.map((law) => [law.id, law]));
@@ -34,7 +34,7 @@ export const errorText = (error) =>
 
 const NAMED_AT_FIRST = 3;
 
-// The laws that are named first wherever laws can be chosen: those of the first answer, none that does not predict.
+// Laws that are chosen at first: those of the first answer, without any that does not predict.
 export const recommended = (() => {
   const purpose = PURPOSES.find(({ id }) => id === FIRST);
   const named = purpose?.recommendation?.law
@@ -45,13 +45,20 @@ export const recommended = (() => {
 
 export const viewOf = (id) => VIEWS.find((view) => view.id === id);
 
-// The answer in a sentence; of robustness that of the view: the program's of the mean of the runs, else who is on the front.
+// The laws that an answer names: those that share the first place, or those on the front.
+export function answering(purpose, viewId) {
+  const { recommendation } = purpose;
+  if (recommendation) return recommendation.law ? [recommendation.law, ...recommendation.ties].map((id) => byId.get(id)) : [];
+  const view = viewOf(viewId);
+  return placedIn(view).filter((law) => view.onFront(law));
+}
+
+// The answer as a sentence. For robustness: the program's sentence in the view of mean runs, else who is on the front.
 export function answerOf(purpose, viewId) {
   if (purpose.recommendation) return purpose.answer;
   const view = viewOf(viewId);
   if (view.id === 'runs') return report.findings.headline;
-  const front = placedIn(view).filter((law) => view.onFront(law));
-  return 'On the front ' + view.title + ': ' + enumerate(front.map(({ name }) => name)) + '.';
+  return 'On the front ' + view.title + ': ' + enumerate(answering(purpose, viewId).map(({ name }) => name)) + '.';
 }
 
 // The laws of a view, from accurate to not.
@@ -80,10 +87,10 @@ export function numbersOf(purpose, viewId) {
     ];
   const free = first.law.parameters.filter((parameter) => parameter.free).length;
   const parameters = [String(free), free === 1 ? 'parameter' : 'parameters'];
-  const shown = [recommendation.valid.replace('up to ', '').replace(' ', THIN), 'shown to'];
+  const shown = [withUnit(recommendation.valid_mm, 'mm', 3), 'shown to'];
   return [
     [errorText(recommendation.error), 'error'],
     [second ? errorText(second.error) : '\u2013', second ? 'next, ' + second.law.name : 'no other law'],
-    purpose.id === 'simplest' || recommendation.valid === '' ? parameters : shown,
+    purpose.id === 'simplest' || recommendation.valid_mm === null ? parameters : shown,
   ];
 }

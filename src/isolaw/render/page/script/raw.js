@@ -20,7 +20,7 @@ export function slice(raw, values, first, last) {
   return [valueAt(raw, values, first), ...inside, valueAt(raw, values, last)];
 }
 
-// Where a raw sample lies on the time axis; without time the axis counts samples, as the record the laws saw does.
+// The place of a raw sample on the time axis, which counts samples where the record has no time.
 export function rawTime(device) {
   const { raw } = device;
   const t = raw?.time_s ? curve(raw.time_s) : null;

@@ -1,4 +1,4 @@
-// What the data block of a campaign or an inspection holds.
+// The data block of a campaign or an inspection.
 
 import { data } from './data.js';
 import { atTheHead, printed } from './text.js';
@@ -6,7 +6,7 @@ import { atTheHead, printed } from './text.js';
 export const report = data;
 export const devices = report.devices.map((device, index) => ({ ...device, index }));
 
-// What the data block holds as columns, as one object per parameter.
+// The data block has one array for each property; this gives one object for each parameter.
 function rowsOf(columns) {
   const names = Object.keys(columns);
   return columns[names[0]].map((_, i) => Object.fromEntries(names.map((name) => [name, columns[name][i]])));
@@ -23,8 +23,8 @@ export const laws = report.laws.map((law, index) => {
 });
 
 export const usable = devices.filter((device) => device.status === 'ok');
-export const drawable = usable.filter((device) => device.record.drawn > 0); // beside the laws' loops
-export const tested = devices.filter((device) => device.raw?.samples > 0); // whose raw record can be shown
+export const drawable = usable.filter((device) => device.record.drawn > 0);
+export const tested = devices.filter((device) => device.raw?.samples > 0); // their raw records can be shown
 export const inspection = laws.length === 0; // records alone, no identification
 export const ranking = report.findings.verdicts.map((verdict) => laws[verdict.law]);
 
@@ -32,11 +32,11 @@ export const lawsByObjective = report.by_objective.map((index) => laws[index]);
 
 export const examinedLaws = lawsByObjective.filter((law) => law.devices.some((fit) => fit.determination !== null));
 export const lotLaws = lawsByObjective.filter((law) => law.lot !== null);
-// Those that miss the blocks they were not fitted to.
+// Such a law misses the blocks that it was not fitted to.
 export const doesNotPredict = (law) => law.prediction_grade === 'poor' || law.prediction_grade === 'unusable';
 export const predictedLaws = lawsByObjective.filter((law) => law.predicted_objective !== null);
 
-// The best at what it was not fitted to first.
+// Best prediction first.
 export const predictedByFit = [...predictedLaws].sort((a, b) => a.predicted_objective - b.predicted_objective);
 
 // Places of the parameters that were examined on some device.
@@ -50,8 +50,8 @@ export function firstExamined(law) {
   return law ? (examinedPlaces(law)[0] ?? 0) : 0;
 }
 
-// Headings of results, as the program's own tables have them, and an object's cells below them: a statistic and a range
-// take several. Of some keys, or of all.
+// The program's headings of some results, or of all, and a function that gives an object's cells below them. A
+// statistic or a range has several cells.
 export function resultColumns(kind, keys = Object.keys(report.headings[kind])) {
   const cell = (value) => (typeof value === 'boolean' ? (value ? 'yes' : 'no') : value);
   const cells = (value) => (value !== null && typeof value === 'object' ? Object.values(value) : [value]).map(cell);
@@ -61,7 +61,6 @@ export function resultColumns(kind, keys = Object.keys(report.headings[kind])) {
   };
 }
 
-// The fits of laws with some of their results, as a table.
 export function fitData(keys, among = laws, fitsOf = (law) => law.devices) {
   const { columns, cells } = resultColumns('fits', keys);
   return {
@@ -73,7 +72,7 @@ export function fitData(keys, among = laws, fitsOf = (law) => law.devices) {
 export const headingText = ({ title, unit }) => title + (unit ? ' [' + unit + ']' : '');
 export const headingOf = (kind, key) => report.headings[kind][key][0];
 
-// A number among the results as a column of a table on the screen, by `text` of an object.
+// A numeric result as a column of a table on the screen; `text` prints it for an object.
 export function numberColumn(kind, key, more = {}) {
   const heading = headingOf(kind, key);
   const { title, unit } = heading;

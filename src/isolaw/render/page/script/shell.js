@@ -1,4 +1,4 @@
-// What every page is: its sections in order, the way through them, and what draws them anew.
+// The parts that every page has: sections in order, the contents, and the redrawing of figures.
 
 import { element } from './dom.js';
 import { buildFigure, drawn, redraw, redrawDependents, render, reserve } from './figure.js';
@@ -6,7 +6,7 @@ import { joinTables, partTables } from './tables.js';
 import { typeset } from './symbols.js';
 
 // Sections in the order of the page: {id, title, short, figures, controls, adorn}. `opened` is called with a section and
-// its element before its figures are there; `onChoice` tells who follows a choice of the reader.
+// its element before its figures are there; `onChoice` registers a listener for choices of the reader.
 export function showSections(sections, { onChoice, opened = () => {} }) {
   const observer = new IntersectionObserver(
     (entries) => {
@@ -61,9 +61,9 @@ function markCurrentSection(main, contents) {
   for (const section of main.children) observer.observe(section);
 }
 
-// What changes how the page is drawn: paper, the window, light and dark. Called once the sections are there.
+// Redraws the page for paper, for another width of the window, and for light or dark. Called after the sections.
 export function followWindow({ beforePrint = () => {}, afterPrint = () => {} } = {}) {
-  // On paper: light colours, the width of the page, every figure and every table.
+  // Paper gets light colours, its own width, and every figure and table, also those that were out of sight.
   window.addEventListener('beforeprint', () => {
     document.documentElement.dataset.printing = '';
     redraw({ everything: true });
@@ -81,13 +81,13 @@ export function followWindow({ beforePrint = () => {}, afterPrint = () => {} } =
 
   window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => redraw());
 
-  // Plots follow the width of the page, however it changes; drawing them changes its height only.
+  // Plots follow the width of the page; drawing them changes only its height, so this does not call itself.
   let drawnWidth = document.getElementById('report').clientWidth;
 
   new ResizeObserver(([entry]) => {
     const width = Math.round(entry.contentRect.width);
     if (width === drawnWidth) return;
     drawnWidth = width;
-    requestAnimationFrame(() => redraw()); // not here: what is drawn changes the height that is being observed
+    requestAnimationFrame(() => redraw()); // later, since drawing changes the height that is being observed
   }).observe(document.getElementById('report'));
 }

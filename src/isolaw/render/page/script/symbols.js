@@ -1,9 +1,9 @@
-// Symbols in text: a letter and its index, as the program says that a name is set. Words that can only be symbols are
-// found where they stand; a parameter's name, which may be a plain word, is marked where a text is made.
+// Typesets symbols in text as letter and index, as the data block says for each name. Words that can only be symbols
+// are found in any text; a parameter's name may be a plain word, so symbol() marks it in a text.
 
 import { data } from './data.js';
 
-const MARK = '\u2063'; // takes no room where nobody sets it
+const MARK = '\u2063'; // invisible where a text is shown without typesetting
 const { words, parameters } = data.notation;
 
 export const symbol = (name) => (parameters[name] ? MARK + name + MARK : name);
@@ -11,31 +11,31 @@ export const symbol = (name) => (parameters[name] ? MARK + name + MARK : name);
 const escaped = Object.keys(words)
   .sort((a, b) => b.length - a.length)
   .map((word) => word.replace(/[^\w]/g, '\\$&'));
-// Not within a name of a file or another word; "1.6e+04" as a power of ten.
+// Not inside a file name or another word. "1.6e+04" becomes a power of ten.
 const SET = new RegExp(
   MARK + '([^' + MARK + ']+)' + MARK + '|(?<![\\w./-])(' + escaped.join('|') + ')(?![\\w/-]|[.]\\w)|(?<=\\d)e([+-]\\d\\d)(?!\\w)',
   'g',
 );
 
-// A text as pieces: strings, and [letter, index] of what is set.
+// A text as pieces: strings, {letter, index} of symbols, {power} of exponents.
 function pieces(text) {
-  const made = [];
+  const all = [];
   let from = 0;
   for (const found of text.matchAll(SET)) {
-    made.push(text.slice(from, found.index));
+    all.push(text.slice(from, found.index));
     const [, marked, word, exponent] = found;
-    if (exponent) made.push({ power: String(Number(exponent)) });
-    else made.push({ letter: (parameters[marked] ?? words[word])[0], index: (parameters[marked] ?? words[word])[1] });
+    if (exponent) all.push({ power: String(Number(exponent)) });
+    else all.push({ letter: (parameters[marked] ?? words[word])[0], index: (parameters[marked] ?? words[word])[1] });
     from = found.index + found[0].length;
   }
-  made.push(text.slice(from));
-  return made.filter((piece) => piece !== '');
+  all.push(text.slice(from));
+  return all.filter((piece) => piece !== '');
 }
 
 function node(tag, text) {
-  const made = document.createElement(tag);
-  made.textContent = text;
-  return made;
+  const child = document.createElement(tag);
+  child.textContent = text;
+  return child;
 }
 
 // As children of an element.
@@ -47,13 +47,13 @@ export function typeset(text) {
   });
 }
 
-// Without markup: attributes.
+// As plain text, for attributes.
 export const unset = (text) =>
   pieces(text)
     .map((piece) => (typeof piece === 'string' ? piece : piece.power ? 'e' + piece.power : piece.letter + piece.index))
     .join('');
 
-// As the markup of figures, of a text that has none of its own.
+// As markup of Plotly, from a text that contains none.
 export const inFigure = (text) =>
   pieces(text)
     .map((piece) => {

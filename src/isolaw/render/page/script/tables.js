@@ -5,16 +5,16 @@ import { DASH, MINUS } from './text.js';
 
 const FEW_ROWS = 3; // no more need no sorting
 
-// What was sorted by, of tables that are built anew; by their label.
+// How tables were sorted, by label, so that one that is built anew keeps its order.
 const orders = new Map();
 
-// What stands in a group's first row is said in the others to those who do not see it, and shown where they are sorted.
+// A value is shown in the first row of its group. In the other rows screen readers have it, and sorting shows it.
 export const said = (first, node) => {
   if (!first) node.classList.add('again');
   return node;
 };
 
-// Smallest first or, `down`, largest; what has no value comes last either way.
+// Smallest first, or with `down` largest first; items without a value come last either way.
 export function sortedBy(items, valueOf, down) {
   const direction = down ? -1 : 1;
   const compare = (a, b) => (typeof a === 'number' && typeof b === 'number' ? a - b : String(a).localeCompare(String(b), 'en', { numeric: true }));
@@ -34,7 +34,7 @@ function numberIn(text) {
   return Number(found[1]) * 10 ** (found[2] ? -power : power);
 }
 
-// What a cell is sorted by: what it says for this, else its text without what stands small below.
+// The value that a cell is sorted by: its data-sort where it has one, else its text without the small print below.
 function valueIn(cell, { number, size }) {
   if (!cell || cell.colSpan > 1) return null;
   const parts = [...cell.childNodes].filter((node) => node.nodeName !== 'SMALL');
@@ -45,7 +45,7 @@ function valueIn(cell, { number, size }) {
   return size && value !== null ? Math.abs(value) : value;
 }
 
-// Pressed once a head sorts upwards, twice downwards, three times as the table was.
+// A head that is pressed once sorts upwards, twice downwards; the third time restores the table's own order.
 function sortHeads(body, columns, heads, { label, order, follow, byItem }) {
   const written = [...body.rows],
     keys = columns.map(keyOf);
@@ -73,7 +73,7 @@ function sortHeads(body, columns, heads, { label, order, follow, byItem }) {
   if (current) show();
 }
 
-// A column's name, in a table that has it twice with its place.
+// A column's name, with its place in a table that has the name twice.
 export function keyOf({ title, unit = '' }, place = 0, columns = [{ title, unit }]) {
   const name = (column) => (column.title.textContent ?? column.title) + '\n' + (column.unit ?? '');
   const own = name({ title, unit });
@@ -122,7 +122,7 @@ export function table(columns, rows, label, { sorts = rows.length > FEW_ROWS, or
   return element('div', { class: rows.length > 60 ? 'scroll long' : 'scroll', tabindex: '0', role: 'region', 'aria-label': label }, whole);
 }
 
-// One row an item; each column has its `cell` of it. `className` gives the class of an item's row.
+// A table with one row for each item. A column's `cell` makes the cell, `className` the class of the row.
 export function tableOf(columns, items, label, { className = () => null, ...more } = {}) {
   const rows = items.map((item, i) => ({
     className: className(item, i),
@@ -131,7 +131,7 @@ export function tableOf(columns, items, label, { className = () => null, ...more
   return table(columns, rows, label, { items, ...more });
 }
 
-// A row of some of the columns; a cell over several of them stands with the first of those that are there.
+// A row with some of the columns; a cell that spans several stands with the first of them that is there.
 function rowOfColumns(row, places) {
   const copy = row.cloneNode(false);
   let column = 0;

@@ -36,7 +36,7 @@ export function superscript(exponent) {
   );
 }
 
-// Significant digits; very large and small values as a power of ten.
+// Rounded to significant digits; very large and very small values as a power of ten.
 export function significant(value, digits = 3) {
   if (!isNumber(value)) return DASH;
   if (value === 0) return '0';
@@ -46,13 +46,15 @@ export function significant(value, digits = 3) {
   return typeset(Number(value.toPrecision(digits)).toFixed(Math.max(0, digits - 1 - exponent)));
 }
 
-// As the program says that a result is printed.
+// A result with the digits that the program prints it with.
 export const printed = (value, { decimals, significant: digits }) =>
   isNumber(decimals) ? fixed(value, decimals) : significant(value, digits ?? 4);
 
-// A word begins with a capital, a symbol stays as it is.
+export const capitalised = (text) => text[0].toUpperCase() + text.slice(1);
+
+// As a heading: a word gets a capital, a symbol stays as it is.
 export const atTheHead = (title) =>
-  /^[a-z]{4}/.test(title) ? title[0].toUpperCase() + title.slice(1) : title.replace(/-$/, MINUS);
+  /^[a-z]{4}/.test(title) ? capitalised(title) : title.replace(/-$/, MINUS);
 
 export const trimmed = (value) => typeset(String(Number(value.toPrecision(4))));
 

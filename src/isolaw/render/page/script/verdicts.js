@@ -9,9 +9,8 @@ export const isVerified = () => Boolean(report.assessment?.rule_set?.verified_by
 export const worstVerdict = (verdicts) =>
   ['fail', 'pass', 'information', 'not assessed'].find((verdict) => verdicts.includes(verdict)) ?? null;
 
-// Of the quantity, or of one of its two sides.
-export const concerns = (assessment, quantity) =>
-  assessment.quantity === quantity || assessment.quantity.startsWith(quantity + ',');
+// An assessment of the property itself, of one side of it or both: not of its change over cycles or vertical loads.
+export const concerns = (assessment, property) => assessment.property === property && assessment.subject === 'device';
 
 // Word and shape say the same, so that neither colour nor sight of the shape is needed.
 export const VERDICTS = {
@@ -27,7 +26,7 @@ export const VERDICTS = {
   'not assessed': { tone: 'muted', filled: false, path: 'M1.5 6 H10.5', mark: '', symbol: 'line-ew-open' },
 };
 
-// Of the whole, by the colours of those of single limits.
+// The words for the whole lot, in the colours of the verdicts on single limits.
 export const WORDS = { PASS: { tone: 'good', verdict: 'pass' }, FAIL: { tone: 'poor', verdict: 'fail' }, INCOMPLETE: { tone: 'care', verdict: 'not assessed' } };
 
 export function verdictBadge(verdict, text = verdict) {

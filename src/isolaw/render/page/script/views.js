@@ -1,44 +1,47 @@
 import { laws } from './report.js';
 import { isNumber } from './text.js';
 
-// Accuracy against robustness, three ways; those that some law has both coordinates of.
+// Three views of accuracy against robustness, without those in which no law has both coordinates.
 export const VIEWS = [
   {
     id: 'runs',
     title: 'mean of the runs',
+    column: 'mean of the runs', // in a CSV
     robust: (law) => law.beta,
     accurate: (law) => law.objective.mean,
     onFront: (law) => law.on_front,
     whyNot: (law) => law.beta_note,
     axes: ['robustness index β [-], smaller is more robust', 'mean objective OF [-], smaller is more accurate'],
-    columns: ['beta [-]', 'mean OF [-]'],
+    names: ['beta', 'mean OF'],
     says: 'lower is more accurate, further left its parameters agree better from device to device.',
   },
   {
     id: 'converged',
     title: 'without the optimiser\u2019s noise',
+    column: "without the optimiser's noise",
     robust: (law) => law.beta_converged,
     accurate: (law) => law.objective_converged,
     onFront: (law) => law.on_front_converged,
     whyNot: (law) => law.beta_converged_note,
     axes: ['β of the least objectives [-]', 'least objective OF [-], mean over devices'],
-    columns: ['beta of the least objectives [-]', 'least OF [-]'],
+    names: ['beta of the least objectives', 'least OF'],
     says: 'as the mean of the runs, but of the least objective of every device instead of the means over runs, and without parameters that most tests do not determine.',
   },
   {
     id: 'left-out',
     title: 'device left out',
+    column: 'device left out',
     robust: (law) => law.loo_objective,
     accurate: (law) => law.objective_converged,
     onFront: (law) => law.on_front_loo,
     whyNot: () => '',
     axes: ['OF on a device by the law of all others [-]', 'least objective OF [-], mean over devices'],
-    columns: ['OF on devices left out [-]', 'least OF [-]'],
+    names: ['OF on devices left out', 'least OF'],
     says: 'lower is more accurate on a tested device, further left better for a device that was not tested: one law, fitted to all others.',
   },
 ].filter((view) => laws.some((law) => isPlaced(view, law)));
 
-// Without the optimiser's noise where that is known.
+// The view without the optimiser's noise where there is one.
 export const FIRST_VIEW = (VIEWS.find(({ id }) => id === 'converged') ?? VIEWS[0])?.id;
 
 export function isPlaced(view, law) {

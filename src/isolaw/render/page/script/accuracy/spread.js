@@ -1,4 +1,4 @@
-// How far apart the runs of a device lie, and the devices of a law.
+// The spread of the runs on a device, and of the devices of a law.
 
 import { decadeTicks, namedAxis, symbolOf } from '../plotting.js';
 import { lawsByObjective, usable } from '../report.js';
@@ -32,7 +32,7 @@ export const objectiveRelativeFigure = {
   draw: drawRelative,
 };
 
-// The standard deviation of a converged search is rounding; what lies below this is drawn on it.
+// The standard deviation of a converged search is rounding; smaller values are drawn at this one.
 const LEAST_SPREAD = 1e-9;
 
 const spreadEntries = () =>
@@ -42,7 +42,7 @@ const spreadEntries = () =>
       .filter(({ value }) => isNumber(value)),
   );
 
-// Of the mean objectives of a law: how far a device lies from their mean, in percent of it.
+// The difference of a device's mean objective from the mean over the devices, in percent of that.
 const relativeEntries = () =>
   lawsByObjective.flatMap((law) => {
     const entries = usable
@@ -56,7 +56,7 @@ const relativeEntries = () =>
 
 const lawsOf = (entries) => [...new Set(entries.map(({ law }) => law))];
 
-// The laws with the smallest and the largest of what `of` makes of their values.
+// The laws for whose values `of` is smallest and largest.
 function extremes(entries, of) {
   const found = lawsOf(entries)
     .map((law) => ({ law, value: of(entries.filter((entry) => entry.law === law).map(({ value }) => value)) }))

@@ -1,4 +1,4 @@
-// What the numbers stand on.
+// Assumptions behind the numbers.
 
 import { element, termList } from '../dom.js';
 import { fixed, sentence, significant } from '../text.js';

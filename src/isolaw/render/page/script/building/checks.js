@@ -1,4 +1,4 @@
-// How well the numbers are integrated, and what equivalent linear analysis by hand would have said.
+// The error of the integration, and the result of an equivalent linear analysis by hand.
 
 import { tableOf } from '../tables.js';
 import { deviation, fixed, mean, significant } from '../text.js';

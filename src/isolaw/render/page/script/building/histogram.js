@@ -1,4 +1,4 @@
-// A histogram of the draws with what the analyses without draws say, as traces and lines on an axis of a plot.
+// A histogram of the draws with lines for the nominal and the bound analyses.
 
 import { plain } from '../text.js';
 import { numberText, study } from './study.js';
@@ -16,7 +16,7 @@ export function bars(look, law, key, axes = {}) {
   };
 }
 
-// Where the bound analyses and the nominal one stand; labels in rows above where `labelled`.
+// Lines at the nominal and the bound analyses; with `labelled` their labels stand in rows above.
 export function bounds(look, law, key, { xref = 'x', yref = 'paper', low = 0, high = 1, labelled = false, span = null } = {}) {
   const of = law.quantities[key];
   const lines = [
@@ -46,7 +46,7 @@ export function bounds(look, law, key, { xref = 'x', yref = 'paper', low = 0, hi
   return { shapes: [between, ...shapes], annotations };
 }
 
-// From the least to the most of draws and analyses of some laws, a little free on both sides.
+// The range of the draws and analyses of some laws, a little wider on both sides.
 export function spanOf(among, key) {
   const values = among.flatMap((law) => {
     const { histogram, lower, upper, nominal } = law.quantities[key];

@@ -1,4 +1,4 @@
-// The nominal building under one motion: the centre of the base over time, in plan, and the loop of all bearings.
+// The nominal building under one motion: displacement of the base over time and in plan, and the loop of all bearings.
 
 import { element } from '../dom.js';
 import { LEGEND, dashOf } from '../plotting.js';

@@ -1,4 +1,4 @@
-// Law against law: what each says of one quantity, and how far its bounds cover.
+// The laws compared: one quantity by each law, and how much of the draws each law's bounds cover.
 
 import { symbolOf } from '../plotting.js';
 import { tableOf } from '../tables.js';

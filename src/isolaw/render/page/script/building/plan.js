@@ -1,4 +1,4 @@
-// Where the bearings stand, what they are, how far each goes; and how much the building twists.
+// The bearings in plan with their devices and displacements, and the twist of the building.
 
 import { tableOf } from '../tables.js';
 import { atTheHead, mean, plain, rangeText, unitText } from '../text.js';
@@ -7,7 +7,7 @@ import { choose, chosen, laws, numberText, placeChooser, quantityOf, study, unit
 
 const KINDS = { draw: ['draw of the lot', 'circle'], lot: ['law of the lot', 'square'], lower: ['lower bound', 'triangle-down'], upper: ['upper bound', 'triangle-up'] };
 const kindOf = ({ is }) => (Object.hasOwn(KINDS, is) ? KINDS[is] : ['tested device', 'diamond']);
-const LEAST_CONTRAST = 0.05; // of the mean displacement: from the middle of the colours to their end
+const LEAST_CONTRAST = 0.05; // from the middle of the colours to their end, as a share of the mean displacement
 const TWISTS = ['corner_over_centre', 'corner_mm', 'centre_mm', 'rotation_mrad', 'worst_energy_share'];
 
 export const planSection = {
@@ -48,7 +48,7 @@ export const planSection = {
 
 const nameOf = ({ x_m: x, y_m: y }, i) => 'Bearing ' + (i + 1) + ' at ' + numberText(x) + ', ' + numberText(y) + ' m';
 
-// The way of a bearing: that of the centre of mass, and what the rotation adds.
+// The displacement of a bearing over time: that of the centre of mass plus that of the rotation about it.
 function wayOf(law, place) {
   const { x_mm: x, y_mm: y, rotation_rad: turned } = law.loops,
     { centre, bearings } = study.plan;
@@ -96,7 +96,7 @@ function plan(look) {
   const { bearings, corners, centre } = study.plan;
   const moved = laws[chosen.law].bearings.displacement_mm,
     share = laws[chosen.law].bearings.energy_share;
-  // Differences of a percent are not drawn as if they mattered.
+  // The colours span a range that makes differences of a percent look small.
   const usual = mean(moved),
     most = Math.max(LEAST_CONTRAST * usual, ...moved.map((mm) => Math.abs(mm - usual)));
   const xs = corners.map(({ x_m: x }) => x),

@@ -1,4 +1,4 @@
-// Of one quantity: how draws are spread, law by law, and under each motion.
+// The spread of the draws in one quantity, for each law and under each motion.
 
 import { LEGEND, namedAxis, panelHeading, symbolOf } from '../plotting.js';
 import { tableOf } from '../tables.js';
@@ -124,7 +124,6 @@ function motionData() {
   };
 }
 
-// Of every quantity.
 function allData() {
   const keys = [...FRACTILES.map(([key]) => key), 'motion_std_ln', 'lot_std_ln', 'uncertain_std_ln'];
   return {

@@ -1,4 +1,4 @@
-// What the data block of a building's page holds, and what its reader has chosen.
+// The data block of a building's page, and the choices of its reader.
 
 import { choices } from '../choices.js';
 import { chooser } from '../controls.js';
@@ -9,32 +9,31 @@ import { atTheHead, fixed, significant, unitText, withUnit } from '../text.js';
 
 export const study = data;
 export const laws = study.laws.map((law, index) => ({ ...law, index }));
-export const first = laws[0]; // whose coverage the verdict is of
+export const first = laws[0]; // the verdict is about its coverage
 export const grouped = (number) => number.toLocaleString('en');
 
-// What is measured of a building.
 export const quantityOf = (key) => study.quantities.find((quantity) => quantity.key === key);
 export const unitOf = ({ unit }) => (unit === '-' ? '' : unit);
 export const axisTitle = (quantity) => quantity.title + (unitOf(quantity) ? ' [' + unitText(quantity.unit) + ']' : '');
 export const valueText = (value, quantity) => withUnit(value, unitText(quantity.unit), 3);
 export const isCovered = (key) => key in first.coverage.of;
 
-// A spread of ln as a share of the value.
+// A standard deviation of ln, printed in percent of the value.
 export const spreadText = (std) => fixed(100 * std, std < 0.0995 ? 1 : 0) + '\u202f%';
 
-const made = choices({
+const reader = choices({
   quantity: 'isolator_mm',
-  law: 0, // of the plan and of single motions
+  law: 0, // in the plan and under single motions
   motion: 0,
-  bearing: 0, // whose loop is shown
+  bearing: 0, // its loop is shown
   axis: 'x',
-  laws: new Set([0]), // of histories
+  laws: new Set([0]), // in the histories
 });
-export const chosen = made.chosen;
-export const choose = made.choose;
-export const onChoice = made.onChoice;
+export const chosen = reader.chosen;
+export const choose = reader.choose;
+export const onChoice = reader.onChoice;
 
-// Of a key that is chosen; controls of several sections show the same.
+// Several sections have a control for the same key; all of them follow the choice.
 function follower(label, key) {
   onChoice(() => (label.lastChild.value = chosen[key]));
   return label;

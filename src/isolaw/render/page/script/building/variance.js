@@ -1,4 +1,4 @@
-// What the spread of one quantity is made of: motions, the lot, what the tests leave open, the choice of a law.
+// The parts of the spread of one quantity: motions, the lot, the uncertainty of the tests, the choice of a law.
 
 import { LEGEND } from '../plotting.js';
 import { atTheHead, plain } from '../text.js';
@@ -49,7 +49,7 @@ function draw(look) {
   };
 }
 
-// Of the displacement alone; a line, as it is of all laws.
+// The spread between laws is known for the displacement alone. It is a line, since it belongs to all laws together.
 function betweenLaws(look) {
   if (study.law_std_ln === null || chosen.quantity !== 'isolator_mm') return {};
   const x = 100 * study.law_std_ln;

@@ -1,6 +1,6 @@
 import { element } from '../dom.js';
 
-// A line to write on, here or on paper. It is kept nowhere but on the page.
+// A line to fill in on the page or on paper. The page does not save it.
 export function blank(label, text = '') {
   return element(
     'span',

@@ -16,7 +16,7 @@ export const certificateBoundsFigure = {
   build: boundsTable,
 };
 
-// Bounds by property modification factors; without them the smallest and largest value of the lot.
+// Bounds from property modification factors, or, without these, the smallest and largest value of the lot.
 function boundRows() {
   const factors = report.assessment?.lot?.factors ?? [];
   const quantity = (name) => lotQuantities.find((q) => q.quantity === name);
@@ -28,7 +28,7 @@ function boundRows() {
       mean: quantity(factor.property)?.mean ?? null,
       lower: factor.lower,
       upper: factor.upper,
-      of: boundsOf(factor.source),
+      of: HELD_BY[factor.spread],
       from: [factor.source, factor.note, factor.no_lower_bound].filter(Boolean).join('; '),
     }));
   return lotQuantities
@@ -45,8 +45,7 @@ function boundRows() {
     }));
 }
 
-const boundsOf = (source) =>
-  source.startsWith('statistical, system') ? 'the isolation system' : source === 'contract band' ? 'by contract' : 'one device';
+const HELD_BY = { system: 'the isolation system', contract: 'by contract', device: 'one device' };
 
 function boundsCaption() {
   if ((report.assessment?.lot?.factors?.length ?? 0) === 0)

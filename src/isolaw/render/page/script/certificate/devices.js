@@ -16,7 +16,7 @@ export const certificateDevicesFigure = {
   build: certificateTable,
 };
 
-// Properties of the certificate: those of the lot where a rule set says which, else of the reported cycle.
+// Properties in the table: those of the lot where a rule set names them, else those of the reported cycle.
 const certificateProperties = () =>
   lotQuantities.length > 0
     ? lotQuantities.map((quantity) => ({
@@ -30,13 +30,13 @@ const certificateProperties = () =>
         value: (device) => reportedCycle(device)?.[key],
       }));
 
-// What sets a device apart in its test: what laws make of it is no matter of a certificate.
+// Quantities by which a device is an outlier of the lot. Outliers among identified laws do not belong on a certificate.
 const apart = (device) =>
   lotQuantities.length > 0
     ? report.assessment.lot.outliers.filter((outlier) => outlier.device === device.name).map((outlier) => outlier.quantity)
     : [];
 
-// What the measurement itself may have done to a value: each condition by a letter, said once below.
+// Conditions under which a value would be another, such as friction of the rig, by letters that the caption explains.
 const conditions = [...new Set(devices.flatMap((device) => device.doubts.map(({ condition }) => condition)))];
 const letter = (condition) => String.fromCharCode(97 + conditions.indexOf(condition));
 const doubtsOf = (device, quantity) =>
@@ -61,7 +61,7 @@ function certificateCaption() {
 }
 
 function certificateColumns() {
-  // What all devices share stands in the head.
+  // A fact that all devices share stands in the head.
   const known = (key) => new Set(devices.map((device) => device[key]).filter((value) => value !== null && value !== '')).size > 1;
   const given = (key) => devices.some((device) => device[key] !== null && device[key] !== '');
   return [
@@ -75,7 +75,7 @@ function certificateColumns() {
 function certificateTable() {
   const common = commonlyOpen();
   const same = (digits) => (key) => new Set(devices.map((device) => fixed(reportedBlock(device)?.[key], digits))).size === 1;
-  const sameAmplitude = same(1)('amplitude_mm'), // then it stands in the head
+  const sameAmplitude = same(1)('amplitude_mm'),
     sameFrequency = same(2)('frequency_Hz');
   const judged = (device) => {
     const { verdict, failed, open } = deviceVerdict(device),

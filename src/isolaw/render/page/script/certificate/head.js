@@ -86,7 +86,7 @@ function certificateHead() {
   );
 }
 
-// The number is written once and stands beside the signatures too.
+// The number is typed here and copied to the line above the signatures.
 function numberBlank() {
   const line = blank('Certificate number');
   line.addEventListener('input', () => {
@@ -95,7 +95,7 @@ function numberBlank() {
   return line;
 }
 
-// Limits with their clauses, each said once.
+// Every limit once, with its clause.
 function limitSentences() {
   const clauseOf = (quantity) =>
     devices.flatMap((device) => device.assessments).find((a) => a.clause && concerns(a, quantity))?.clause;
@@ -114,7 +114,7 @@ function limitSentences() {
     );
 }
 
-// What was shown, and what was not: the word never without its sentence.
+// The verdict as a word always stands with the sentence that says what it is based on.
 function certificateResult() {
   const { word, sentence: said } = report.result;
   if (!word) return sentence(said) + '.';

@@ -10,19 +10,22 @@ export const certificateRemarksFigure = {
   build: () => element('ul', { class: 'sentences' }, ...certificateRemarks().map((text) => element('li', {}, sentence(text)))),
 };
 
-// What a reader of the sheet must know of the records: doubts, corrections, what the program was told of them.
+// Whoever signs must know about the records: doubts, corrections, and what the program was told instead of finding it.
 function certificateRemarks() {
-  const topics = new Set(['copies', 'record', 'refused']);
-  // 'all devices' is said of `fewest` devices or more.
+  // With fewer than `fewest` devices they are named instead of "all devices".
   const withDevices = (textsOf, fewest) => {
     const all = (names) => names.length === devices.length && names.length >= fewest;
     const found = new Map();
     for (const device of devices) for (const text of textsOf(device)) found.set(text, [...(found.get(text) ?? []), device.name]);
     return [...found].map(([text, names]) => (all(names) ? 'all devices' : enumerate(names)) + ': ' + text);
   };
+  // Readings that an option or the lot file asked for, not those that the program recognised by itself; corrections,
+  // which are among them, are said apart.
+  const told = ({ recognised, corrections }) =>
+    recognised.map(({ option, sentence }) => (option ? sentence : '')).filter((text) => text && !corrections.includes(text));
   return [
-    ...report.findings.warnings.filter((warning) => topics.has(warning.topic)).map((warning) => warning.sentence),
+    ...report.findings.warnings.filter((warning) => warning.certificate).map((warning) => warning.sentence),
     ...withDevices(({ corrections }) => corrections, 2).map((text) => 'corrected, ' + text),
-    ...withDevices(({ told }) => told, 1),
+    ...withDevices(told, 1),
   ];
 }

@@ -13,11 +13,11 @@ export const certificateSection = {
   title: 'Certificate',
   controls: certificateControls,
   adorn: mark,
-  // What is signed stands on the page of the values.
+  // The signatures follow the values, so that both are on one printed page.
   figures: [certificateHeadFigure, certificateDevicesFigure, certificateSignatureFigure, certificateRemarksFigure, certificateBoundsFigure, certificateRecordsFigure],
 };
 
-// Across every page of what is not to be signed: as a background it repeats.
+// A certificate that is not to be signed carries a mark; as a background it repeats on every printed page.
 function mark(section) {
   const { mark: text, mark_is_red: red } = report.result;
   if (!text) return;
@@ -30,7 +30,6 @@ function mark(section) {
   section.style.backgroundImage = 'url("data:image/svg+xml,' + encodeURIComponent(svg) + '")';
 }
 
-// Prints this section alone.
 function certificateControls() {
   const button = element('button', { type: 'button', class: 'action' }, 'Print the certificate alone');
   button.addEventListener('click', () => {

@@ -1,4 +1,4 @@
-// What is signed, and the records that it is of.
+// The signatures, and the records that the certificate is about.
 
 import { element } from '../dom.js';
 import { devices, report } from '../report.js';
@@ -26,7 +26,7 @@ function signatureBlock() {
       'div',
       { class: 'signer' },
       element('b', {}, role),
-      ...['Name', 'Place, date', 'Signature'].map((label) =>
+      ...['Name', 'Rank, date', 'Signature'].map((label) =>
         element('div', {}, element('span', { class: 'muted' }, label), blank(role + ': ' + label.toLowerCase())),
       ),
     );
@@ -41,7 +41,7 @@ function signatureBlock() {
       ' \u2013 ' + (report.title || 'isolation devices') + ', ' + count(devices.length, 'device'),
     ),
     report.result.mark
-      ? element('p', { class: 'unsigned' }, 'Not for signature: ' + report.result.mark.toLowerCase() + '.')
+      ? element('p', { class: 'unsigned' }, 'Not for signature: ' + report.result.mark + '.')
       : element('div', { class: 'signers' }, signer('Tested by'), signer('Checked by'), report.result.word === 'PASS' ? signer('Accepted by') : null),
     element(
       'p',

@@ -1,6 +1,6 @@
 import { devices } from '../report.js';
 
-// What a device's assessments come to, with what could not be assessed of it.
+// The verdict on a device, the quantities that fail, and where it passes, those that could not be assessed.
 export function deviceVerdict(device) {
   const { verdict } = device;
   const named = (wanted) => [
@@ -9,10 +9,9 @@ export function deviceVerdict(device) {
   return { verdict, failed: named('fail'), open: verdict === 'pass' ? named('not assessed') : [] };
 }
 
-// Of a device whose record is another's.
 export const sameRecord = (device) => (device.copy_of ? 'the same record as ' + device.copy_of : '');
 
-// What no device could be assessed for: said once, for all of them.
+// Quantities that no device could be assessed for: the certificate says so once, not in every row.
 export function commonlyOpen() {
   const judged = devices.filter((device) => device.assessments.length > 0 && !device.copy_of);
   if (judged.length === 0 || judged.every((device) => deviceVerdict(device).verdict !== 'pass')) return [];

@@ -1,11 +1,10 @@
 import { choose, chosen, onChoice } from '../choice.js';
 import { element } from '../dom.js';
 import { withBadges } from '../laws.js';
-import { PURPOSES, TONES, answerOf, numbersOf, purposeOf } from '../purposes.js';
+import { PURPOSES, TONES, answerOf, answering, numbersOf, purposeOf } from '../purposes.js';
 import { sentence } from '../text.js';
 
-
-// The verdict first: one sentence, how sure, three numbers, why, and the test that would tell more.
+// The answer: one sentence, how sure it is, three numbers, the reasons, and the test that would tell more.
 export const answerFigure = { id: 'answer', title: '', depends: ['purpose', 'view'], controls: purposeControl, build: answer };
 
 function answer() {
@@ -21,20 +20,20 @@ function answer() {
   return element(
     'div',
     { class: 'answer' },
-    element('p', { class: 'headline' }, ...withBadges(answerOf(purpose, chosen.view)), ...(sure ? [' ', sure] : [])),
+    element('p', { class: 'headline' }, ...withBadges(answerOf(purpose, chosen.view), answering(purpose, chosen.view)), ...(sure ? [' ', sure] : [])),
     element('div', { class: 'numbers' }, ...numbers),
     recommendation ? element('p', { class: 'why' }, reasons(recommendation)) : null,
-    open ? element('p', { class: 'why' }, 'Would tell more: ' + open + '.') : null,
+    open ? element('p', { class: 'why' }, 'To be surer: ' + open + '.') : null,
     recommendation?.programs ? element('p', { class: 'why' }, recommendation.programs + '.') : null,
   );
 }
 
-// What the sentence above does not say yet: the numbers stand beside it.
-function reasons({ law, why }) {
+// Reasons that neither the sentence above nor the numbers beside it have given.
+function reasons({ law, why, reasons: all, weak }) {
   if (!law) return why;
-  const weak = why.indexOf(' Weak: ');
-  const nearer = /; ([^;.]*? is nearer [^;]*?)\.( |$)/.exec(why);
-  return [nearer ? sentence(nearer[1]) : '', weak < 0 ? '' : why.slice(weak + 1)].filter(Boolean).join(' ');
+  const closer = all.filter(({ kind }) => kind === 'why-closer-refused').map((one) => one.sentence);
+  const doubts = weak.map((one) => one.sentence).join('; ');
+  return [...closer, doubts && 'Low confidence: ' + doubts + '.'].filter(Boolean).map(sentence).join(' ');
 }
 
 function purposeControl() {

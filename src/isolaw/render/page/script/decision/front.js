@@ -30,7 +30,7 @@ function frontData() {
   return {
     columns: [
       ...name.columns,
-      ...VIEWS.flatMap((view) => [...view.columns, 'on front ' + view.title.replace('\u2019', "'")]),
+      ...VIEWS.flatMap((view) => [...view.names.map((name) => name + ' [-]'), 'on front ' + view.column]),
       ...grade.columns,
     ],
     rows: ranking.map((law) => [
@@ -41,7 +41,7 @@ function frontData() {
   };
 }
 
-// As the list judges: on the front among the laws that describe the devices, also where others beat it.
+// Whether the law is on the front of the laws that describe the devices, as the list beside the plot has it.
 const stands = (view, law) => report.stands[view.id].includes(law.id);
 
 const shownView = () => VIEWS.find((view) => view.id === chosen.view);
@@ -98,7 +98,7 @@ function frontCaption() {
   );
 }
 
-// The published study's points, in the view that it has: one a law, the lower left edge of them joined.
+// The published study's points, one for each law; it has them for one view alone.
 function publishedPoints(view) {
   if (view.id !== 'runs' || report.published === null) return [];
   return report.published.laws.filter(({ number }, i, all) => all.findIndex((one) => one.number === number) === i);
@@ -136,7 +136,7 @@ function drawFront(look, width) {
   const shown = laws.filter((law) => isPlaced(view, law));
   const adequate = shown.filter((law) => !isInadequate(law)),
     crossed = shown.filter(isInadequate);
-  const margin = { ...FRONT_MARGIN, t: width < NARROW ? 50 : 30 }; // below the key
+  const margin = { ...FRONT_MARGIN, t: width < NARROW ? 50 : 30 }; // room for the key
   const edge = shown.filter((law) => stands(view, law)).sort((a, b) => view.robust(a) - view.robust(b));
   const printed = publishedPoints(view);
   const xRange = paddedRange([...shown.map(view.robust), ...printed.map((law) => law.published_beta)], 0.13),
@@ -168,8 +168,7 @@ function drawFront(look, width) {
       size: symbol === 'circle' ? 12 : 11, symbol, color: look.colour(colour), line: { width: 2, color: look.colour(colour) },
     },
     hovertemplate:
-      '<b>%{text}</b><br>' + view.columns[1].replace(' [-]', '') +
-      ' %{y:.4f}<br>' + view.columns[0].replace(' [-]', '') + ' %{x:.3f}<extra></extra>',
+      '<b>%{text}</b><br>' + view.names[1] + ' %{y:.4f}<br>' + view.names[0] + ' %{x:.3f}<extra></extra>',
   });
   const label = (law, i) => {
     const { x, y, beside } = places[i];

@@ -1,7 +1,7 @@
 import { chosen } from '../choice.js';
 import { element, shortList } from '../dom.js';
 import { marker, roleTone } from '../icons.js';
-import { isInadequate, lawName, withBadges } from '../laws.js';
+import { isInadequate, lawName, lawOf, withBadges } from '../laws.js';
 import { TONES, errorText, placedIn, purposeOf, standingsOf, viewOf } from '../purposes.js';
 import { laws, report } from '../report.js';
 import { fixed, sentence } from '../text.js';
@@ -15,8 +15,8 @@ export const convergedFigure = {
     element(
       'ul',
       { class: 'sentences' },
-      ...report.findings.converged.map((text) =>
-        element('li', {}, ...(/\bfront\b/.test(text) ? withBadges(sentence(text)) : [sentence(text)])),
+      ...report.findings.converged.map(({ kind, sentence: text, other_laws: others }) =>
+        element('li', {}, ...withBadges(sentence(text), kind === 'converged-front' ? others.map(lawOf) : [])),
       ),
     ),
 };
@@ -25,20 +25,20 @@ export const verdictsFigure = { id: 'verdicts', width: 'narrow', title: '', depe
 
 const ROLES = { taken: 'most accurate', ties: 'most accurate', behind: 'not ranked', 'ruled out': 'not adequate' };
 
-// Beside the badge of a prediction nothing more is said of it.
-const said = (place, reason) =>
-  reason ? (reason.startsWith('its prediction') ? '' : ', ' + sentence(reason)) : place === 'behind' ? '' : ', ' + place;
+// A reason about the prediction is left out, since the badge beside the name says it.
+const said = (place, reason, kind) =>
+  reason ? (kind === 'out-prediction' ? '' : ', ' + sentence(reason)) : place === 'behind' ? '' : ', ' + place;
 
-// What the chosen purpose makes of the laws, best first.
+// The laws for the chosen purpose, best first.
 function verdictList() {
   const purpose = purposeOf(chosen.purpose);
   const items = purpose.recommendation
-    ? standingsOf(purpose).map(({ law, place, error, reason }) =>
+    ? standingsOf(purpose).map(({ law, place, error, reason, reason_kind: kind }) =>
         element(
           'li',
           { class: place === 'taken' || place === 'ties' ? null : 'brief' },
           marker(ROLES[place], place === 'taken' ? TONES[purpose.recommendation.sure] : undefined),
-          element('div', {}, lawName(law), ' ' + errorText(error) + said(place, reason)),
+          element('div', {}, lawName(law), ' ' + errorText(error) + said(place, reason, kind)),
         ),
       )
     : chosen.view === 'runs'
@@ -70,7 +70,7 @@ function rankedList() {
   });
 }
 
-// Warnings by what a reader does about them, each behind its number.
+// Warnings grouped by what a reader should do about them, folded, with their number.
 function cares() {
   const { warnings } = report.findings;
   if (warnings.length === 0)

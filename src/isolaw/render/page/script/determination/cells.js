@@ -1,4 +1,4 @@
-// The cells of the table of parameters by device: one is chosen, the arrow keys lead to the others.
+// Cells of the table of parameters by device, one of which is chosen.
 
 import { chooseDevice, chosen, onChoice } from '../choice.js';
 

@@ -48,7 +48,8 @@ function profileData() {
   };
 }
 
-// The axis of a parameter: powers of ten where its values span many, of negative ones too; else a factor as in tables.
+// The axis of a parameter: logarithmic where its values span many powers of ten (negative values too), else with a
+// factor as in tables.
 function parameterAxis({ name, unit }, values) {
   const sizes = values.map(Math.abs),
     largest = Math.max(...sizes),
@@ -62,7 +63,7 @@ function parameterAxis({ name, unit }, values) {
   const start = log && sign < 0 ? [...range].reverse() : range;
   return {
     of: (value) => value / factor,
-    share: (place) => ((log ? Math.log10(place) : place) - start[0]) / (start[1] - start[0]), // of the width
+    share: (place) => ((log ? Math.log10(place) : place) - start[0]) / (start[1] - start[0]), // as a share of the width
     layout: {
       title: inFigure(symbol(name)) + plain(' [' + scaled + unitText(unit) + ']'),
       type: log ? 'log' : 'linear',
@@ -90,7 +91,7 @@ function drawProfile(look) {
   const ends = one.open.map(axis.of);
   const curvePoints = [
     ...values.map((value, i) => [value, objectives[i]]),
-    ...one.open.filter((_, i) => !one.ends[i]).map((value) => [value, limit]), // where the profile crosses it
+    ...one.open.filter((_, i) => !one.ends[i]).map((value) => [value, limit]), // here the profile crosses the limit
   ].sort((a, b) => a[0] - b[0]);
   const text = (value) => withUnit(value, unitText(one.parameter.unit));
   return {

@@ -34,14 +34,13 @@ function factorCaption() {
 function factorTable() {
   const { factors } = report.assessment.lot;
   const first = (i) => i === 0 || factors[i - 1].property !== factors[i].property;
-  const spreadOf = ({ source }) =>
-    source.startsWith('statistical, system') ? 'the system' : source === 'contract band' ? DASH : 'one device';
+  const spreads = { system: 'the system', contract: DASH, device: 'one device' };
   const note = (factor) =>
     element('td', { class: 'note text' }, [factor.note, factor.no_lower_bound].filter(Boolean).join('; '));
   const columns = [
     { title: 'Property', pinned: true, cell: (factor, i) => said(first(i), element('b', { class: 'strong' }, factor.property)) },
     { title: 'Source', tight: true, cell: (factor) => factor.source },
-    { title: 'Spread of', tight: true, cell: spreadOf },
+    { title: 'Spread of', tight: true, cell: ({ spread }) => spreads[spread] },
     { title: '\u03bb min', number: true, cell: (factor) => fixed(factor.lambda_min, 3) },
     { title: '\u03bb max', number: true, cell: (factor) => fixed(factor.lambda_max, 3) },
     { title: 'Lower bound', number: true, cell: (factor) => significant(factor.lower, 4) },

@@ -67,7 +67,7 @@ function lotTable() {
       { class: 'number' },
       range(q.tolerance_lower, q.tolerance_upper),
       below(isNumber(q.tolerance_k) && 'k ' + fixed(q.tolerance_k, 3)),
-      below(q.no_lower_bound?.split(':')[0]),
+      below(q.no_lower_bound && 'too few devices for a lower bound'),
     );
   const columns = [
     { title: 'Property', pinned: true, cell: property },

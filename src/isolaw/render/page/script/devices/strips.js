@@ -149,21 +149,21 @@ function limitsSaid(quantity, band) {
   return parts.join(', ');
 }
 
-// What the lines, the band and the ring are, as entries of the legend: traces that hold no point.
+// Entries of the legend for lines, band and ring: traces without a point.
 function legendOfLines(look, rows) {
   const entry = (name, style) => ({ name, x: [null], y: [null], hoverinfo: 'skip', ...style });
   const line = (colour, dash) => ({ mode: 'lines', line: { color: look.colour(colour), width: 1.4, dash } });
   const mark = (marker) => ({ mode: 'markers', marker });
-  const made = [];
-  if (rows.some(({ quantity }) => isNumber(quantity.mean))) made.push(entry('mean of the lot', line('muted', 'solid')));
-  if (rows.some(({ quantity }) => isNumber(quantity.nominal))) made.push(entry('design', line('good', 'dash')));
+  const entries = [];
+  if (rows.some(({ quantity }) => isNumber(quantity.mean))) entries.push(entry('mean of the lot', line('muted', 'solid')));
+  if (rows.some(({ quantity }) => isNumber(quantity.nominal))) entries.push(entry('design', line('good', 'dash')));
   if (rows.some(({ quantity }) => limitBand(quantity)))
-    made.push(entry('limits of one device', mark({ symbol: 'square', size: 13, color: look.colour('band') })));
+    entries.push(entry('limits of one device', mark({ symbol: 'square', size: 13, color: look.colour('band') })));
   if (chosen.tested !== null)
-    made.push(
+    entries.push(
       entry(plain(short(devices[chosen.tested].name, 12)), mark({ symbol: 'circle-open', size: 12, line: { width: 2 }, color: look.colour('ink') })),
     );
-  return made;
+  return entries;
 }
 
 // Names of outliers and of devices outside their limits: beside a mark where they are few, otherwise above the strip, moved
@@ -182,7 +182,7 @@ function outlierLabels(points, quantity, range, width, height) {
   const pixel = (value) => ((value - range[0]) / (range[1] - range[0])) * width;
   const names = found.map(({ device }) => '\u25be ' + short(device.name, 12));
   const widest = Math.max(0, ...names.map((name) => 7 * name.length)) + 6;
-  const free = 110, // pixels of the heading
+  const free = 110, // pixels for the heading
     most = Math.max(1, Math.floor((width - free) / widest));
   const some = found.slice(-most);
   const places =

@@ -17,7 +17,7 @@ export const energyFigure = {
   draw: drawEnergy,
 };
 
-// The area of the loop that is drawn from one time to another; its ends lie between samples. Null beyond the record.
+// The area of the drawn loop between two times, which may lie between samples; null where they lie outside the record.
 function energy({ t, x }, F, from, to) {
   const spare = 1.5 * (t[1] - t[0]);
   if (from < t[0] - spare || to > t[t.length - 1] + spare) return null;
@@ -39,7 +39,7 @@ function energy({ t, x }, F, from, to) {
   return sum;
 }
 
-// The cycles that count and lie in the record that the laws saw, with what each loop dissipates in them.
+// Counted cycles within the record that the laws were fitted to, with the energy that each loop dissipates in them.
 function energies() {
   const device = devices[chosen.device],
     curves = record(device),
@@ -55,13 +55,13 @@ function energies() {
   return { device, fits, cycles };
 }
 
-// Over all cycles, in percent of the measured energy.
+// The error of a law's energy over all cycles, in percent of the measured energy.
 function totalError(cycles, place) {
   const measured = cycles.reduce((sum, one) => sum + one.measured, 0);
   return 100 * (cycles.reduce((sum, one) => sum + one.computed[place], 0) / measured - 1);
 }
 
-// A law that runs away is cut off: the scale is the measured energies', with as much again to spare.
+// The scale is twice the largest measured energy, so that a law that runs away does not flatten all others.
 const highest = (cycles) => 2 * Math.max(...cycles.map(({ measured }) => measured));
 const runsAway = (cycles, place) => cycles.some(({ computed }) => computed[place] > highest(cycles));
 
@@ -103,7 +103,7 @@ function drawEnergy(look, width) {
       },
       ...fits.map(({ law }, place) => ({
         name: plain(law.name), mode: 'markers', y: cycles.map(({ computed }) => computed[place]),
-        // Side by side, so that none hides another.
+        // Side by side: drawn on top of one another, bars would hide each other.
         x: x.map((value) => value + (0.5 * (place + 1)) / (fits.length + 1) - 0.25),
         marker: { color: look.law(law), symbol: symbolOf(law), size: 8, line: { color: look.colour('paper'), width: 1 } },
         customdata: cycles.map(

@@ -1,4 +1,3 @@
-// The chosen laws on the chosen device.
 
 import { chosen } from '../choice.js';
 import { dashOf, paddedRange } from '../plotting.js';
@@ -7,7 +6,7 @@ import { THIN, enumerate, plain, significant } from '../text.js';
 
 export const LOOP_HEIGHT = 400;
 
-// The chosen laws that have a curve on the chosen device, with it.
+// The chosen laws that have a force on the chosen device, each with its force.
 export function fitsOn(device, among) {
   return among
     .map((law) => ({ law, fit: law.fitOn.get(device.index), force: curve(law.fitOn.get(device.index)?.force_kN) }))
@@ -22,7 +21,7 @@ export const record = (device) => ({
   F: curve(device.record.force_kN),
 });
 
-// The curves of the record and of laws, over displacement or time; `hover` says of a point where it lies.
+// Curves of the record and of laws over displacement or time; `hover` is the template for a point's coordinates.
 export const measuredCurve = (look, x, y, hover) => ({
   name: 'measured', mode: 'lines', x, y, line: { color: look.colour('measured'), width: 3.5 }, opacity: 0.75,
   hovertemplate: hover + '<extra>measured</extra>',
@@ -34,11 +33,10 @@ export const fitCurves = (look, fits, x, hover) =>
     hovertemplate: hover + '<extra>' + plain(law.name) + '</extra>',
   }));
 
-// Whether a time of the record lies in a part the laws were judged by.
 export const isScored = (device, time) =>
   !device.scored || device.scored.some(({ from, to }) => time >= from && time <= to);
 
-// The scale of the forces is that of the record, with half of it to spare: a law that runs away is cut off.
+// The scale of the forces is that of the record, half of it wider on both sides: a law that runs away is cut off.
 export function forceRange(measured, computed) {
   const low = Math.min(...measured),
     high = Math.max(...measured),
@@ -47,7 +45,7 @@ export function forceRange(measured, computed) {
   return paddedRange(all.map((force) => Math.min(Math.max(force, low - spare), high + spare)), 0.06);
 }
 
-// Laws whose force leaves the scale, and how far they go.
+// Says which laws leave the scale, and how far.
 export function cutOff(among) {
   const device = devices[chosen.device],
     { F } = record(device);

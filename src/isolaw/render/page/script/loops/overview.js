@@ -18,7 +18,7 @@ export const loopOverviewFigure = {
   draw: drawOverview,
 };
 
-// The small multiples in pixels: panels of one size under a heading each, as many beside one another as fit.
+// Layout of the panels in pixels: all of one size, each under its heading, as many in a row as fit.
 const OVERVIEW_MARGIN = { l: 50, r: 8, t: 8, b: 44 };
 
 function overviewGrid(panels, width) {

@@ -52,7 +52,6 @@ const REMARK = { title: 'Remark', cell: ({ fit }) => element('td', { class: 'not
 
 const current = () => chosen.order && COLUMNS.concat(REMARK).find((column) => keyOf(column) === chosen.order.key);
 
-// Laws on the chosen device in the order of the table.
 export const inOrder = (fits) => (current() ? sortedBy(fits, (one) => current().by(one) ?? null, chosen.order.down) : fits);
 
 export const orderText = () =>

@@ -1,7 +1,7 @@
 import { lotLaws } from '../report.js';
 import { symbol } from '../symbols.js';
 import { table } from '../tables.js';
-import { DASH, fixed, isNumber, rowFormat, significant, superscript, unitText } from '../text.js';
+import { DASH, capitalised, fixed, isNumber, rowFormat, significant, superscript, unitText } from '../text.js';
 import { ofLot } from './of_lot.js';
 
 export const lotParametersFigure = {
@@ -26,13 +26,13 @@ function lotParametersCaption() {
   return (
     law.name +
     ' as one law for all devices, and as the devices scatter: median of the lot, standard deviation between devices without the uncertainty of their fits.' +
-    (law.population?.note ? ' ' + law.population.note[0].toUpperCase() + law.population.note.slice(1) + '.' : '')
+    (law.population?.note ? ' ' + capitalised(law.population.note) + '.' : '')
   );
 }
 
-const atBound = (law, name) => law.lot.at_bound.some((text) => text.startsWith(name + ' '));
+const atBound = (law, name) => law.lot.at_bound.some(({ parameter }) => parameter === name);
 
-// None beyond what the fits themselves leave open.
+// Zero means that the devices differ no more than the uncertainty of their fits.
 const scatterText = (scatter) => (scatter > 0 ? fixed(100 * scatter, 1) : 'not resolvable');
 
 function lotParametersTable() {
@@ -49,7 +49,7 @@ function lotParametersTable() {
     const { median, scatter } = inPopulation(law, parameter.name);
     const values = [law.lot.parameters[place], law.lot.least_worst_parameters[place], median];
     const sizes = values.filter((value) => isNumber(value) && value !== 0).map(Math.abs);
-    const apart = Math.max(...sizes) > 100 * Math.min(...sizes); // no factor serves both
+    const apart = Math.max(...sizes) > 100 * Math.min(...sizes); // then no common factor suits all of them
     const format = apart ? { factor: 1, exponent: 0 } : rowFormat(values);
     const text = (value) => (apart ? significant(value) : fixed(value / format.factor, format.decimals));
     return {

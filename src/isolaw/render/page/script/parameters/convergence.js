@@ -18,7 +18,7 @@ const convergingLaws = ranking.filter((law) => law.devices.some((fit) => fit.con
 const MOST_CONVERGENCE_CURVES = 40;
 const stepName = report.settings.method === 'ga' ? 'generation' : 'descent';
 
-// After how many generations or starts, and the objective then.
+// The numbers of generations or starts, and the objective after each.
 function convergenceOf(fit) {
   if (!fit?.convergence) return null;
   const { steps, stride, runs } = fit.convergence;

@@ -1,4 +1,4 @@
-// Values with their spread over the runs on the left, difference from the lot on the right.
+// Left axis: values with their spread over the runs. Right axis: difference from the lot.
 
 import { chosen } from '../choice.js';
 import { isPrinting } from '../dom.js';
@@ -40,7 +40,7 @@ function panelGrid(panels, width) {
   return { columns, panel, heading, between, inner, height: PANEL_MARGIN.t + inner + PANEL_MARGIN.b };
 }
 
-// A parameter of a law over the devices, with the mean of the devices' means.
+// One parameter of a law over the devices, with the mean of the devices' means.
 function overDevices(law, place) {
   const entries = usable
     .map((device, x) => ({ device, x, row: law.fitOn.get(device.index)?.parameters[place] }))
@@ -68,7 +68,7 @@ function panelsCaption() {
   );
 }
 
-// Runs that end in one place differ in digits that nobody reads.
+// Runs that end in the same place differ only in digits that nobody reads.
 function atLeast(least, [low, high]) {
   const more = Math.max(0, least - (high - low)) / 2;
   return [low - more, high + more];
@@ -80,7 +80,7 @@ function drawPanels(look, width) {
   const { columns, panel, heading, between, inner } = panelGrid(places.length, width);
   const layout = { margin: PANEL_MARGIN, annotations: [], shapes: [] },
     traces = [];
-  const named = usable.every((device) => device.name.length <= 6); // else numbers, in the order of the lot
+  const named = usable.every((device) => device.name.length <= 6); // with longer names the devices are numbered in the order of the lot
   const abscissa = namedAxis(usable.map((device, i) => (named ? device.name : String(i + 1))), columns === 1 ? 12 : 11);
   const gap = columns === 1 ? 0 : 118 / (width - PANEL_MARGIN.l - PANEL_MARGIN.r),
     wide = (1 - gap * (columns - 1)) / columns;
@@ -93,7 +93,7 @@ function drawPanels(look, width) {
       { factor, exponent } = rowFormat(entries.map(({ row }) => row.mean));
     const values = entries.flatMap(({ row }) => [(row.mean - (row.std ?? 0)) / factor, (row.mean + (row.std ?? 0)) / factor]);
     const range = atLeast(0.02 * Math.abs(lot / factor), paddedRange([...values, lot / factor], 0.08));
-    const percent = (value) => (lot !== 0 ? 100 * ((value * factor) / lot - 1) : 0); // of a negative mean falling upwards
+    const percent = (value) => (lot !== 0 ? 100 * ((value * factor) / lot - 1) : 0); // falls upwards where the mean is negative
     layout['xaxis' + x] = {
       ...abscissa, domain: [left, left + wide], anchor: 'y' + y, tickfont: { size: 10.5 }, automargin: false,
     };
@@ -138,7 +138,7 @@ function drawPanels(look, width) {
       ),
       hovertemplate: title + ' on %{text}<br>%{customdata}<extra></extra>',
     });
-    // An axis without a trace is not drawn.
+    // Plotly does not draw an axis that has no trace.
     if (lot !== 0)
       traces.push({ mode: 'markers', xaxis: 'x' + x, yaxis: 'y' + right, x: [0], y: [0], opacity: 0, hoverinfo: 'skip', marker: { size: 1 } });
   });

@@ -27,7 +27,7 @@ function bounds(law, place) {
 
 const isOpen = (fit, place) => fit.determination?.[place]?.identifiability === 'undetermined';
 
-// With the paper's name where it has another one.
+// The name of a parameter, with the paper's where that is another.
 function nameCell({ name, paper_name: other }) {
   if (!other) return symbol(name);
   const small = element('small', { class: 'paper-name' }, 'paper: ' + symbol(other));
@@ -148,7 +148,7 @@ function parameterTables() {
         details.open = true;
         fill();
       }
-      // Paper does not scroll: blocks of devices below one another, as Table A.5 has it; of a large lot its mean alone.
+      // Paper does not scroll: devices stand in blocks below one another, as in Table A.5; a large lot has its mean.
       details.print = () => {
         const blocks = [];
         for (let first = 0; first < usable.length; first += DEVICES_PER_PRINTED_BLOCK)

@@ -13,7 +13,7 @@ import { cycleTableFigure } from './table.js';
 
 const warningsFigure = {
   id: 'warnings',
-  title: '', // with laws they stand under the decision
+  title: '',
   wanted: () => inspection && report.findings.warnings.length > 0,
   build: takeCare,
 };
@@ -44,7 +44,7 @@ function propertyControls() {
     select.value = chosen.block;
   });
   select.addEventListener('change', () => choose({ block: select.value === 'all' ? 'all' : Number(select.value) }));
-  if (inspection && tested.length === 1 && tested[0].blocks.length < 2) return []; // nothing to choose
+  if (inspection && tested.length === 1 && tested[0].blocks.length < 2) return [];
   return tested.length === 0
     ? [element('p', { class: 'empty' }, 'No record could be read.')]
     : [deviceChooser('tested', tested, 'tested'), element('label', {}, 'Block', select)];

@@ -21,7 +21,7 @@ export const stabilityFigure = {
 
 function stabilityCaption() {
   const device = devices[chosen.tested];
-  // In a caption there is room for few: of many blocks the one that is reported.
+  // A caption has room for a few blocks; of many it describes the reported one.
   const blocks = chosenBlocks(device);
   const said = (blocks.length > 3 ? blocks.filter((block) => block.number === device.reported?.block) : blocks)
     .map((block) => {
@@ -38,7 +38,7 @@ function stabilityCaption() {
     })
     .filter(Boolean);
   const held = device.assessments.some(
-    (a) => FOLLOWED.some(({ name }) => a.quantity.startsWith(name)) && isNumber(a.nominal),
+    (a) => FOLLOWED.some(({ name }) => a.property === name) && isNumber(a.nominal),
   );
   return (
     (said.length > 0

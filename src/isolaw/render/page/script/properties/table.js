@@ -1,5 +1,5 @@
 import { chosen } from '../choice.js';
-import { blockText, cycleData, isReported, noCycles } from '../cycles.js';
+import { blockFacts, cycleData, isReported, noCycles } from '../cycles.js';
 import { element, onScreen } from '../dom.js';
 import { devices, numberColumn } from '../report.js';
 import { said, table } from '../tables.js';
@@ -55,7 +55,7 @@ function cycleTable() {
         element(
           'span',
           {},
-          said(first, element('span', {}, blockText(block).replace(/^block /, ''))),
+          said(first, element('span', {}, blockFacts(block))),
           cycle.counts ? null : element('small', {}, 'not counted: ' + cycle.reason),
         ),
         cycle.counts ? String(cycle.number) : DASH,

@@ -7,7 +7,7 @@ const settingsFigure = {
   id: 'settings',
   width: 'narrow',
   title: 'Settings',
-  wanted: () => !inspection, // nothing was searched
+  wanted: () => !inspection, // an inspection has no settings of a search
   caption: () =>
     'The same files, settings and seed give the same results, whatever the number of threads.',
   build: () => termList('settings', settingRows()),
@@ -18,7 +18,7 @@ const filesFigure = {
   id: 'files',
   width: 'wide',
   title: 'Input files',
-  wanted: () => !inspection, // they stand with the certificate
+  wanted: () => !inspection, // there the certificate lists them
   caption: () => 'SHA-256 of each file as it was read: a changed file is another input.',
   csv: () => ({
     columns: ['device', 'file', 'sha256', 'status', 'message'],
@@ -32,7 +32,7 @@ const commandFigure = {
   title: 'The command that makes it again',
   wanted: () => report.command !== '',
   caption: () =>
-    report.command.includes(' LOT.toml ')
+    report.takes_lot_file
       ? 'LOT.toml: the lot file that names these devices and says how their files are read. The name of a device is part of its seed.'
       : 'The files as they were named, and every setting. Where columns or units were given, give them again.',
   build: commandLine,
@@ -98,7 +98,7 @@ function commandLine() {
 function stepsList() {
   const items = devices.map((device) => {
     const sentences = [
-      ...device.recognised,
+      ...device.recognised.map(({ sentence }) => sentence),
       ...device.warnings.map((text) => 'Take care: ' + text),
       ...device.notes.map((text) => 'Note: ' + text),
       ...device.corrections.map((text) => 'Corrected: ' + text),

@@ -1,4 +1,4 @@
-// What the study says, and whether it holds here.
+// Statements of the published study, and whether they hold here.
 
 import { element } from '../dom.js';
 import { report, resultColumns } from '../report.js';

@@ -1,22 +1,22 @@
 import { element, shortList } from '../dom.js';
 import { report } from '../report.js';
-import { sentence } from '../text.js';
+import { capitalised, sentence } from '../text.js';
 import { WORDS, verdictBadge } from '../verdicts.js';
 
-// The verdict of the whole, in a word and a sentence; then what fails and passes, and the devices behind the sentence.
-// What is not assessed the sentence names.
+// The verdict on the lot in a word and a sentence, the requirements that fail and pass, and the devices that the
+// sentence leaves out. The sentence itself names what was not assessed.
 export const verdictFigure = { id: 'verdict', title: '', build: band };
 
 function band() {
   const { word, sentence: said, requirements, failing, not_assessed: without } = report.result;
   const remark = ({ device, remark: what }) => element('li', {}, element('b', {}, device ?? 'The lot'), ' ' + sentence(what));
-  // Ten stand in the sentence.
+  // The sentence names up to ten devices.
   const rest = [...(failing.length > 10 ? failing : []), ...without];
   return element(
     'div',
     { class: 'band ' + (word ? WORDS[word].tone : 'muted') },
     word ? element('p', { class: 'word' }, word) : null,
-    element('p', { class: 'said' }, sentence(said[0].toUpperCase() + said.slice(1)) + '.'),
+    element('p', { class: 'said' }, sentence(capitalised(said)) + '.'),
     element(
       'ul',
       { class: 'requirements' },

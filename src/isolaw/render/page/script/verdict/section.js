@@ -1,4 +1,4 @@
-// Of an inspection: what it comes to, and every device with its limits, before anything else.
+// The first section of an inspection: its verdict, and every device with its limits.
 
 import { lotStripsFigure } from '../devices/strips.js';
 import { assessmentsFigure } from '../properties/assessments.js';

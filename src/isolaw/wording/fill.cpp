@@ -1,0 +1,191 @@
+#include "isolaw/wording/fill.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+
+#include "isolaw/base/number_text.hpp"
+#include "isolaw/base/printable.hpp"
+#include "isolaw/base/words.hpp"
+#include "isolaw/laws/catalogue.hpp"
+#include "isolaw/wording/words.hpp"
+
+namespace isolaw::wording {
+namespace {
+
+// The phrases that stand for a word of a finding in its sentence.
+struct Phrase {
+  std::string_view name, word, text;
+};
+constexpr Phrase phrases[]{
+    {"purpose", "untested-device", "devices and amplitudes that were not tested"},
+    {"purpose", "these-tests", "these tests"},
+    {"purpose", "simplest", "the simplest choice"},
+    {"tie", "lot", "the scatter over the devices"},
+    {"tie", "device", "one device can tell"},
+    {"among", "adequate", " of those that describe the devices"},
+    {"among", "all", ""},
+    {"least", "all", "the least of all"},
+    {"least", "adequate", "the least of those that describe the devices"},
+    {"least", "predicting", "the least of those that describe the devices and predict"},
+    {"least", "unboxed", "the least that no search box decides"},
+    {"none_between", "no", ""},
+    {"none_between", "yes",
+     " No law between them holds up: each leaves the front when the optimiser's noise is taken out, is held by its search box, or does not predict."},
+    {"same", "yes", "the same: "},
+    {"same", "no", ""},
+    {"nominal_outside", "yes", "since the nominal building itself is outside them"},
+    {"more", "law", "The choice of the law"},
+    {"more", "lot", "The scatter of the lot"},
+    {"less", "law", "the choice of the law"},
+    {"less", "lot", "the scatter of the lot"},
+    {"elsewhere", "yes", "Take"},
+    {"elsewhere", "no", "For these tests take"},
+    {"others", "none", " For other devices or amplitudes no law can be recommended."},
+    {"sure", "weak", ", with care"},
+    {"sure", "tie", ""},
+    {"sure", "clear", ""},
+    {"several_laws", "yes", ""},
+    {"only_law", "yes", ""},
+    {"some", "yes", ""},
+    {"reduced", "yes", ", in its reduced form"},
+    {"fit_cycles", "open", " To fit the first or the last cycles, use --fit-cycles."},
+    {"objectives", "",
+     "objective {predicted_objective:3} on blocks it was not fitted to ({worst_predicted:3} at worst), {fitted_objective:3} on those it was"},
+    {"collapse", "no", ""},
+    {"collapse", "constant",
+     " It misses one of them by more than the force's standard deviation, as a constant force would."},
+    {"collapse", "far", " It misses them {times_as_far:.0f} times as far as those it was fitted to."},
+    {"collapse", "far_from_exact", " It misses them, but not those it was fitted to."},
+    {"factors", "none", "no factors up to {grid_low:.2f} and {grid_high:.2f} would cover {wanted:0%}"},
+    {"factors", "near", "factors within {grid_step:0%} of 1, the accuracy, would cover {wanted:0%}"},
+    {"factors", "found", "factors of {factor_low:.2f} and {factor_high:.2f} would cover {wanted:0%}"},
+    {"than_any", "longer", "no isolator goes that far"},
+    {"than_any", "stiffer", "{stiffness_kN_per_mm:4} kN/mm is stiffer than any isolator"},
+    {"than_any", "softer", "{stiffness_kN_per_mm:4} kN/mm is softer than any isolator"},
+    {"whole", "yes", "the whole record, which has no cycle to report"},
+};
+
+class Filler {
+ public:
+  explicit Filler(Group group) : group_(group) {}
+
+  std::string operator()(std::string_view text) {
+    std::string out;
+    while (!text.empty()) {
+      auto const open = text.find_first_of("{[<~");
+      out += text.substr(0, open);
+      if (open == text.npos) break;
+      char const close = text[open] == '{' ? '}' : text[open] == '[' ? ']' : text[open] == '<' ? '>' : '~';
+      auto const end = text.find(close, open + 1);
+      auto const inner = text.substr(open + 1, end - open - 1);
+      if (close == '}')
+        out += field(inner);
+      else if (close == ']')
+        out += has_all(inner) ? (*this)(inner) : std::string();
+      else if (close == '>')
+        out += each(group_, [&](Finding const& finding) { return Filler(Group(&finding, 1))(inner); });
+      else
+        out += each_part(inner);
+      text.remove_prefix(end + 1);
+    }
+    return out;
+  }
+
+ private:
+  Finding const& first() const { return group_.front(); }
+
+  bool has_all(std::string_view text) const {
+    for (auto open = text.find('{'); open != text.npos; open = text.find('{', open + 1)) {
+      auto const end = text.find_first_of(":|}", open);
+      auto const name = text.substr(open + 1, end - open - 1);
+      bool const is_count = text[end] == '}';
+      if (text[end] != '|' && (!has(name) || (is_count && first().has_number(name) && first().number(name) == 0.0)))
+        return false;
+    }
+    return true;
+  }
+  bool has(std::string_view name) const {
+    if (name == "law") return !first().law.empty();
+    if (name == "laws") return !first().other_laws.empty();
+    if (name == "block") return !first().blocks.empty();
+    if (name == "parameters") return !first().parameters.empty() || first().has_number(name);
+    return first().has_number(name) || !first().word(name).empty();
+  }
+
+  std::string each_part(std::string_view inner) const {
+    constexpr std::size_t most = 6;
+    std::vector<std::string> parts;
+    for (auto const& finding : group_) parts.push_back(Filler(Group(&finding, 1))(inner));
+    return enumerate(parts, most);
+  }
+
+  std::string list(std::vector<std::string> const& names) {
+    count_ = static_cast<double>(names.size());
+    return enumerate(names);
+  }
+
+  std::string field(std::string_view inner) {
+    if (auto const bar = inner.find('|'); bar != inner.npos)
+      return std::string(count_ == 1.0 ? inner.substr(0, bar) : inner.substr(bar + 1));
+    auto const name = take_part(inner, ':');
+    if (name == "law") return law_name(first());
+    if (name == "devices") return printable(list(devices_of(group_)));
+    if (name == "parameters" && !first().has_number(name)) return list(parameters_of(group_));
+    if (name == "block") return std::to_string(first().blocks.empty() ? 0 : first().blocks.front());
+    if (name == "laws") {
+      std::vector<std::string> names;
+      for (auto const& id : first().other_laws) names.emplace_back(laws::called(id));
+      return list(names);
+    }
+    if (inner == "law") return std::string(laws::called(first().word(name)));
+    bool const in_unit = inner.starts_with("unit");
+    if (!in_unit && !first().has_number(name)) return word(name);
+    auto const unit = std::string(first().word("unit"));
+    auto const number = in_unit ? fmt::format("{}_{}", name, unit) : std::string(name);
+    if (in_unit) inner.remove_prefix(4);
+    count_ = first().number(number);
+    return range(group_, number, [&](double value) { return print(value, inner); }) + (in_unit ? " " + unit : "");
+  }
+
+  std::string word(std::string_view name) {
+    auto const word = first().word(name);
+    auto const found =
+        std::ranges::find_if(phrases, [&](Phrase const& phrase) { return phrase.name == name && phrase.word == word; });
+    return found != std::end(phrases) ? (*this)(found->text) : on_one_line(std::string(word));
+  }
+
+  static std::string print(double value, std::string_view spec) {
+    if (spec.empty()) return fmt::format("{}", value);
+    if (spec == "%") return percent(value);
+    if (spec == "%1") return with_decimals(100.0 * value, 1) + " %";
+    if (spec == "0%") return fmt::format("{:.0f} %", 100.0 * value);
+    if (spec == ",") {
+      auto text = fmt::format("{:.0f}", value);
+      for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, 1, ',');
+      return text;
+    }
+    if (auto const digits = number_in<int>(spec)) return number_text(value, *digits);
+    return fmt::format(fmt::runtime(fmt::format("{{:{}}}", spec)), value);
+  }
+
+  Group group_;
+  double count_ = 0.0;  // of the list or number printed last
+};
+
+}  // namespace
+
+std::string fill(std::string_view text, Group group) {
+  return Filler(group)(text);
+}
+
+std::string remark(Group group) {
+  auto const part = group.front().word("part");
+  auto const& about = row(group.front().kind);
+  return (part.empty() ? std::string() : std::string(part) + ": ") +
+         (about.compose != nullptr ? about.compose(group) : fill(about.text, group));
+}
+}  // namespace isolaw::wording

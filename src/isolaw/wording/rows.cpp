@@ -1,0 +1,410 @@
+// The rows of the table, in the order of FindingKind. A sentence is a text with the fields of the finding in braces
+// (wording/fill.hpp says how); one that has to decide something is a function of sentences.hpp.
+#include <cstddef>
+#include <iterator>
+
+#include "isolaw/wording/sentences.hpp"
+
+namespace isolaw::wording {
+namespace {
+
+using Sentence = std::string (*)(Group);
+
+// A finding of a campaign about the law or the device that it names.
+constexpr Row campaign(FindingKind kind, std::string_view key, std::string_view topic, Severity severity,
+                       std::string_view action, unsigned grouping, unsigned appears, Subject subject,
+                       std::string_view text) {
+  return {kind, key, topic, severity, action, grouping, appears, subject, text};
+}
+// A piece of an answer: code asks for it where it needs it.
+constexpr Row answer(FindingKind kind, std::string_view key, std::string_view topic, std::string_view text,
+                     unsigned grouping = each_alone) {
+  return {kind, key, topic, Severity::note, "", grouping, anywhere, Subject::none, text};
+}
+constexpr std::string_view look_at_records = "Look at the records";
+// A doubt about a record that everyone who uses its numbers must know.
+constexpr Row doubt(FindingKind kind, std::string_view key, Severity severity, unsigned grouping, std::string_view text,
+                    Sentence compose = nullptr) {
+  constexpr unsigned places = in_report | with_law | with_building | on_certificate;
+  return {kind, key, "record", severity, look_at_records, grouping, places, Subject::devices, text, compose};
+}
+// A fact about a record that is shown beside it alone.
+constexpr Row fact(FindingKind kind, std::string_view key, std::string_view text, Sentence compose = nullptr) {
+  return {kind, key, "record", Severity::note, look_at_records, each_alone, anywhere, Subject::devices, text, compose};
+}
+
+}  // namespace
+
+std::span<Row const> rows() {
+  using enum FindingKind;
+  using enum Severity;
+  using enum Subject;
+  static constexpr std::string_view records = look_at_records, laws = "Do not rely on these laws",
+                                    search = "Search longer or in finer steps",
+                                    parameters = "Fix parameters, widen their boxes, or test more",
+                                    go_on = "Continue the campaign",
+                                    keep_blocks = "Keep blocks of the tests from the fit", stated = "{text}";
+  static constexpr unsigned everywhere = in_report | with_law | with_building, taken = with_law | with_building,
+                            signed_too = everywhere | on_certificate;
+  static constexpr Row table[]{
+      // [campaign]
+      campaign(
+          runs_missing, "runs-missing", "not complete", serious, go_on, one_sentence, everywhere, none,
+          "[This is part {part} of {parts}. ]{runs} of {expected_runs} runs are done: every number and the choice of a law may still change."),
+      campaign(
+          analyses_missing, "analyses-missing", "not complete", serious, go_on, one_sentence, everywhere, none,
+          "{analyses} of {expected_analyses} analyses are done: what they say of parameters and of other devices is not there yet."),
+      campaign(device_refused, "device-refused", "refused", serious, records, each_alone, in_report | on_certificate,
+               none, "{devices} was refused: {reason}"),
+      campaign(rule_set_not_kept_by_device, "rule-set-not-kept-by-device", "rule set", serious, records, each_alone,
+               taken, none, "{devices} fails {rules}: {failures}"),
+      campaign(rule_set_not_kept_by_lot, "rule-set-not-kept-by-lot", "rule set", serious, records, each_alone, taken,
+               none, "The lot does not keep its rule set: {verdict}"),
+      campaign(devices_not_in_lot_law, "devices-not-in-lot-law", "refused", caution, records, each_alone, taken, none,
+               "The lot's law is made from the other devices of {lot_devices}: {devices} {was|were} refused."),
+      campaign(
+          same_record, "same-record", "copies", serious, records, each_alone, signed_too, none,
+          "{devices} hold the same record[, which counts {times} times in every mean and spread over the devices]."),
+      campaign(same_compression_test, "same-compression-test", "copies", serious, records, each_alone, signed_too, none,
+               "{devices} hold the same compression test: its K_v counts {times} times."),
+      campaign(
+          energy_falls, "energy-falls", "degradation", caution, records, each_alone, everywhere, devices,
+          "the energy of a cycle falls by {measured_percent:2} % from cycle {first_cycle} to cycle {last_cycle} of block {block}. [{several_laws}No law follows that ({law} comes nearest, with {law_percent:2} %): each is right for some cycle in between.][{only_law}{law} does not follow that (its own energy falls by {law_percent:2} %): it is right for some cycle in between.][{fit_cycles}]"),
+      campaign(
+          law_refused, "law-refused", "law not identified", serious, laws, by_law | by_words, everywhere, none,
+          "{law} was not identified on {devices}: {reason}[. Its mean and beta cover the other {others} device{|s} only]"),
+      campaign(
+          runs_failed, "runs-failed", "failed runs", caution, search, by_law, everywhere, law,
+          "~{failed} on {devices}~ of {runs_of_law} runs failed, and its numbers are those of the others. The first failed: {reason}"),
+      campaign(
+          evaluations_failed, "evaluations-failed", "failed evaluations", note, search, by_law, in_report, law,
+          "{failed} of {tried} parameter sets that were tried ({share:%}) gave no finite force and were passed over."),
+      campaign(
+          law_inadequate, "law-inadequate", "not adequate", serious, laws, each_alone, everywhere, none,
+          "{law} does not describe the devices. Its mean errors are too large[: {misfit:%1} of the force's standard deviation][, {K_eff_error_percent:.1f} % of the effective stiffness][, {energy_error_percent:.1f} % of the dissipated energy]."),
+      campaign(
+          held_by_box, "held-by-box", "at bound", caution, parameters, each_alone, everywhere, law,
+          "{count} of its {calibrated} parameters lie at a bound on half of the devices or more: the search box keeps them together, so its beta is no robustness."),
+      campaign(prediction_poor, "prediction-poor", "prediction", serious, laws, each_alone, everywhere, law,
+               "its prediction is poor: {objectives}."),
+      campaign(
+          prediction_unusable, "prediction-unusable", "prediction", serious, laws, each_alone, everywhere, law,
+          "its prediction is unusable: {objectives}.{collapse} Do not use it for other amplitudes or frequencies than those it was fitted to[, up to {fitted_to_mm:3} mm]."),
+      campaign(searches_disagree, "searches-disagree", "search", caution, search, by_words, everywhere, law,
+               "only {share:%} of the runs came within 0.1 % of the best fit of this campaign."),
+      campaign(
+          not_determined, "not-determined", "undetermined", caution, parameters, by_law, everywhere, law,
+          "the tests cannot fix ~{parameters}[ ({affected} of {examined} devices)]~.[ {reduced_form} searches a form with the same loops and without the redundant parameter.]"),
+      campaign(
+          prediction_not_asked, "prediction-not-asked", "not predicted", note, keep_blocks, one_sentence, everywhere,
+          none,
+          "The records hold several blocks, but every block was fitted: nothing shows whether a law fitted to some holds for the others. Use --fit-blocks with the numbers of some to predict the rest."),
+      campaign(
+          outlier, "outlier", "outlier", caution, records, by_device, everywhere, none,
+          "{devices} stands apart from its lot: ~{property} {value:4}[ {unit}] ({percent:+.0f} % from the median)~."),
+      campaign(at_bound, "at-bound", "at bound", caution, parameters, by_law, everywhere, law,
+               "~{parameters} at its {side} bound on [all {all_devices} devices][{some}{devices}]~."),
+      campaign(lot_law_at_bound, "lot-law-at-bound", "at bound", caution, parameters, by_law, everywhere, law,
+               "in the one law for all devices, ~{parameters} at its {side} bound~."),
+      campaign(integration_coarse, "integration-coarse", "integration", caution, search, by_law, everywhere, law,
+               "a finer integration step would move the objective by {shift:2} on {devices}."),
+      campaign(
+          integration_not_finite, "integration-not-finite", "integration", serious, search, by_law, everywhere, law,
+          "its force is not finite in finer integration steps on {devices}: the result comes from the step, not from the law."),
+      campaign(prediction_good, "prediction-good", "prediction", note, "", each_alone, anywhere, law,
+               "its prediction is good: {objectives}."),
+      campaign(prediction_fair, "prediction-fair", "prediction", note, "", each_alone, anywhere, law,
+               "its prediction is fair: {objectives}."),
+      campaign(prediction_unknown, "prediction-unknown", "prediction", note, keep_blocks, each_alone, anywhere, law,
+               "how well it predicts is not known: no block of the tests was kept from the fit."),
+      // [answers]
+      answer(law_recommended, "law-recommended", "answer",
+             "{elsewhere} {law}{sure}: it is {error:%} off {measure}.[ {laws} {is|are} as good.]{others}"),
+      answer(no_law_recommended, "no-law-recommended", "answer", "No law can be recommended for {purpose}."),
+      answer(why_error, "why-error", "reason", "{law} is {error:%} off {measure}[, with {parameters} parameter{|s}]."),
+      answer(why_simpler, "why-simpler", "reason",
+             "The most accurate law, {law}, is {error:%} off and has {parameters} parameters."),
+      answer(why_ties, "why-ties", "reason", "{laws} {differs|differ} from it by less than {tie}."),
+      answer(why_next, "why-next", "reason", "The next best, {law}, is {error:%} off."),
+      answer(why_closer_refused, "why-closer-refused", "reason",
+             "{law} is nearer to the tests ({error:%}), but its prediction is {grade}."),
+      answer(none_identified, "none-identified", "reason", "No law could be identified."),
+      answer(none_describes, "none-describes", "reason", "{laws} {does|do} not describe the devices."),
+      answer(none_predicts, "none-predicts", "reason",
+             "{laws} {does|do} not predict the blocks that were kept from the fit."),
+      answer(none_on_every_device, "none-on-every-device", "reason",
+             "{laws} {was|were} not identified on every device."),
+      answer(none_has_error, "none-has-error", "reason", "No law has an error that could be compared."),
+      answer(none_left_out, "none-left-out", "reason",
+             "Every block was fitted and no device was left out of the lot's law; --analysis full leaves devices out."),
+      answer(none_beside_one_device, "none-beside-one-device", "reason",
+             "One device was tested and every block was fitted, so nothing shows how a law holds elsewhere."),
+      answer(weak_prediction_fair, "weak-prediction-fair", "confidence",
+             "its prediction of blocks that it was not fitted to is only fair"),
+      answer(weak_error, "weak-error", "confidence", "an error of {error:%} is only {grade}"),
+      answer(weak_only_law, "weak-only-law", "confidence", "no other law was identified to compare it with"),
+      answer(weak_incomplete, "weak-incomplete", "confidence", "the campaign is not complete"),
+      answer(weak_search, "weak-search", "confidence", "only {share:%} of its searches reached the best fit found"),
+      answer(weak_bounds, "weak-bounds", "confidence",
+             "{count} of its {calibrated} parameters lie at a bound on half of the devices or more"),
+      answer(weak_open, "weak-open", "confidence", "the tests cannot fix {share:%} of its parameters"),
+      answer(surer_finish, "surer-finish", "advice", "finish the campaign with the same command"),
+      answer(surer_other_laws, "surer-other-laws", "advice", "identify other laws to compare it with (--laws)"),
+      answer(surer_fit_blocks, "surer-fit-blocks", "advice", "keep an amplitude or rate from the fit (--fit-blocks)"),
+      answer(surer_other_amplitude, "surer-other-amplitude", "advice",
+             "test another amplitude or rate and keep it from the fit"),
+      answer(surer_further_test, "surer-further-test", "advice",
+             "make a further test and keep it from a fit to every block"),
+      answer(surer_more_devices, "surer-more-devices", "advice", "test more devices (only {devices_tested} so far)"),
+      answer(surer_amplitude_between, "surer-amplitude-between", "advice", "test an amplitude between those there"),
+      answer(out_not_identified, "out-not-identified", "standing", "was not identified"),
+      answer(out_inadequate, "out-inadequate", "standing", "does not describe the devices"),
+      answer(out_prediction, "out-prediction", "standing", "its prediction is {grade}"),
+      answer(out_partial, "out-partial", "standing", "was not identified on every device"),
+      answer(out_unknown, "out-unknown", "standing", "nothing shows how it holds elsewhere"),
+      answer(out_error, "out-error", "standing", "its error is {grade}"),
+      answer(not_in_opensees, "not-in-opensees", "answer",
+             "OpenSees has no such material. isolaw writes one to compile: export --to opensees-cpp"),
+      answer(headline_only_law, "headline-only-law", "comparison", "{law} is the only law that was identified."),
+      answer(headline_best_of_both, "headline-best-of-both", "comparison",
+             "{law} is both the most accurate and the most robust law{among}."),
+      answer(headline_most_accurate, "headline-most-accurate", "comparison",
+             "{law} is the most accurate law{among}; how robust it is cannot be said."),
+      answer(
+          headline_scatter_by_box, "headline-scatter-by-box", "comparison",
+          "{law} is the most accurate law{among}; the laws that scatter less are held together by their search box."),
+      answer(
+          headline_choice, "headline-choice", "comparison",
+          "{considered} of {compared} laws are worth considering: choose between accuracy ({law}) and robustness ({robust:law}).[ The best compromise is {compromise:law}.]{none_between}"),
+      answer(headline_nearest, "headline-nearest", "comparison",
+             "No law describes these devices. The nearest is {law}."),
+      answer(
+          role_best_of_both, "role-best-of-both", "comparison",
+          "No law{among} is more accurate and none is more robust: it misses the measured force by {misfit:%1} of its standard deviation on average, and its parameters lie up to {beta:%} from the lot's mean, averaged over the parameters."),
+      answer(
+          role_alone, "role-alone", "comparison",
+          "It misses the measured force by {misfit:%1} of its standard deviation on average; its parameters lie up to {beta:%} from the lot's mean, averaged over the parameters."),
+      answer(
+          role_most_robust, "role-most-robust", "comparison",
+          "Its parameters lie up to {beta:%} from the lot's mean, averaged over the parameters, {least}. The price is an error of {misfit:%1} against {other_misfit:%1} for {laws}."),
+      answer(
+          role_between, "role-between", "comparison",
+          "It scatters less than {accurate:law} ({beta:%} against {accurate_beta:%}) and errs less than {robust:law} ({misfit:%1} against {robust_misfit:%1})."),
+      answer(role_dominated, "role-dominated", "comparison",
+             "{laws} {is|are} at least as accurate and as robust (this law: error {misfit:%1}, scatter {beta:%})."),
+      answer(role_not_on_front, "role-not-on-front", "comparison",
+             "It is not on the front (error {misfit:%1}, scatter {beta:%})."),
+      answer(role_not_identified, "role-not-identified", "comparison", "It was not identified on any device."),
+      answer(role_least_error, "role-least-error", "comparison",
+             "It misses the measured force by {misfit:%1} of its standard deviation on average[, {least}]."),
+      answer(role_behind, "role-behind", "comparison",
+             "Its mean error is {misfit:%1}, {times:.2f} times that of {laws}."),
+      answer(role_no_beta, "role-no-beta", "comparison", "It has no beta: {note}."),
+      answer(converged_front, "converged-front", "best fits",
+             "Without the optimiser's noise the front is {same}{laws}[; of the mean of the runs it is {of_runs}]."),
+      answer(
+          converged_beta, "converged-beta", "best fits",
+          "From the best fits, without the parameters that the tests cannot fix or the search box decides, beta changes: ~{law} {beta_converged:%} instead of {beta:%}[{reduced}][, without {parameters}]~.",
+          one_sentence),
+      answer(
+          converged_untested, "converged-untested", "best fits",
+          "Taken for a device that was not tested, the one law of the lot is {error:%1} wrong on average with {law}, {least}, and {worst:%1} at worst ({devices})[; fitted to each device it would be {fitted:%1}]."),
+      answer(
+          converged_prediction, "converged-prediction", "best fits",
+          "{law} predicts the blocks that the laws were not fitted to best: {grade} (objective {predicted:3}, against {fitted:3} where it was fitted)[; the prediction of {laws} is unusable]."),
+      answer(converged_no_prediction, "converged-no-prediction", "best fits",
+             "No law that was fitted to some blocks predicts the others: {laws}."),
+      answer(converged_determined, "converged-determined", "best fits",
+             "Share of the parameters that the tests fix: ~{law} {determined:%} (and {weakly:%} weakly)~.",
+             one_sentence),
+      // [building]
+      answer(
+          building_bounds_cover, "building-bounds-cover", "answer",
+          "{answer}: with {law} the bounds cover {inside:0%} of {draws:,} buildings ({interval_low:.0f} to {interval_high:0%}) in the largest displacement of a bearing[, {nominal_outside}]; {factors}."),
+      answer(covering_factors, "covering-factors", "answer", "{factors}"),
+      answer(building_bounds_cover_with, "building-bounds-cover-with", "answer",
+             "With {law} the same bounds cover {inside:0%}."),
+      answer(building_law_or_lot, "building-law-or-lot", "answer", "{more} matters more than {less}."),
+      answer(building_no_draws, "building-no-draws", "answer",
+             "No bearing is a draw of the lot: there is no scatter that bounds could cover."),
+      campaign(
+          displacement_beyond_tests, "displacement-beyond-tests", "extrapolation", serious, "Test to that displacement", each_alone, with_building, law, "bearings move up to {most_mm:.0f} mm (95 % of the draws, under the strongest motion), but the tests went to {tested_mm:.0f} mm. Beyond that the law is extrapolated."),
+      campaign(
+          bounds_not_monotonic, "bounds-not-monotonic", "bounds", caution, "Ignore the share for this quantity",
+          each_alone, with_building, law,
+          "[ignore the {inside:0%} for {quantity}: ]both bound analyses ({lower:4} and {upper:4}[ {unit}]) are {side} the nominal building ({nominal:4}[ {unit}])."),
+      campaign(bounds_cover_less, "bounds-cover-less", "bounds", caution, "Widen the factors for these quantities",
+               by_law, with_building, law,
+               "less than {wanted:0%} of the draws lie between the bounds in ~{quantity} {inside:0%}~."),
+      campaign(
+          springs_as_given, "springs-as-given", "two directions", caution,
+          "Fit springs: isolaw calibrate --bidirectional springs", each_alone, with_building, law,
+          "it has no coupled form, and its springs have the parameters of the law along one direction: they round its knee and dissipate less. isolaw calibrate --bidirectional springs fits them."),
+      campaign(building_runs_failed, "building-runs-failed", "failed runs", serious, "Look at the runs", each_alone,
+               with_building, law, "{failed} runs gave no finite numbers and are left out."),
+      campaign(draws_too_few, "draws-too-few", "not complete", serious, "Draw more buildings", each_alone,
+               with_building, none, "{draws} draws are too few to show a share of {wanted:0%}: no answer yet."),
+      campaign(motions_too_few, "motions-too-few", "motions", caution, "Use more motions", each_alone, with_building,
+               none,
+               "{motions} motion{|s}: codes take the mean over {wanted} or more as the design's, some over eleven."),
+      // [records] A signal that cannot be true, and why else there are no cyclic properties.
+      doubt(no_cyclic_properties, "no-cyclic-properties", serious, by_words, "no cyclic properties: {reason}"),
+      doubt(signal_clipped, "signal-clipped", serious, by_words, "", wording::signal_clipped),
+      doubt(signal_stuck, "signal-stuck", serious, by_words, "", wording::signal_stuck),
+      doubt(signal_without_sign, "signal-without-sign", serious, by_words, "", wording::signal_without_sign),
+      doubt(signal_interrupted, "signal-interrupted", serious, by_words, "", wording::signal_interrupted),
+      doubt(signal_spike, "signal-spike", serious, by_words, "", wording::signal_spike),
+      doubt(
+          cycle_gives_energy, "cycle-gives-energy", serious, one_sentence,
+          "<cycle {cycle} of block {block} gives back {energy_kN_mm:4} kN mm of energy>, and no device does that. Is a channel late, without its sign, or exchanged with the other?"),
+      doubt(
+          cycle_not_stiff, "cycle-not-stiff", serious, one_sentence,
+          "<cycle {cycle} of block {block} has an effective stiffness of {K_eff_kN_per_mm:4} kN/mm>, and no device does that. Does the force wrap around, or is it late, exchanged or of the other sign?"),
+      doubt(
+          not_cyclic, "not-cyclic", serious, one_sentence,
+          "the motion is not cyclic: {regular_swings} of {swings} swings to and fro repeat an amplitude or are symmetric within 5 %, which is {travel_percent:2} % of the travel; a cyclic test has {needed_percent} % or more. Amplitudes go from {least_mm:3} to {largest_mm:3} mm."),
+      doubt(no_complete_cycle, "no-complete-cycle", serious, one_sentence, "", wording::no_complete_cycle),
+      doubt(no_cycle_counts, "no-cycle-counts", serious, one_sentence,
+            "no cycle counts: none has the amplitude and period of its block."),
+      doubt(samples_too_few, "samples-too-few", serious, one_sentence,
+            "{samples:.1f} samples per cycle, fewer than the {needed} that stiffness and energy need."),
+      doubt(vertical_test_refused, "vertical-test-refused", serious, by_words, "vertical test: {reason}"),
+      doubt(
+          units_implausible, "units-implausible", serious, by_words,
+          "{force_kN:4} kN over {way_mm:4} mm: {than_any}. Are displacements really in {disp_unit} and forces in {force_unit}? (--units disp=UNIT,force=UNIT)"),
+      doubt(vertical_stiffness_implausible, "vertical-stiffness-implausible", serious, by_words,
+            "vertical test: no isolator has a vertical stiffness of {K_v_kN_per_mm:4} kN/mm. Are the units right?"),
+      doubt(
+          vertical_softer_than_expected, "vertical-softer-than-expected", serious, one_sentence,
+          "vertical test: {K_v_kN_per_mm:4} kN/mm is less than {least_ratio} times the horizontal stiffness. Is it a compression test, in the units that its file states?"),
+      doubt(
+          time_in_days, "time-in-days", serious, one_sentence,
+          "time runs <from {first_s:10} to {last_s:10} s>, {rate_Hz:4} samples a second. These look like days of a spreadsheet; try --units time=d."),
+      doubt(
+          about_acceleration, "about-acceleration", serious, by_words,
+          "the file speaks of acceleration ('{line}'), but what is read must be the displacement of the device, one face against the other, over time."),
+      doubt(
+          cycle_unlike_neighbours, "cycle-unlike-neighbours", caution, one_sentence,
+          "the force at a peak is <in cycle {cycle} of block {block} {percent:3} % of> that of the cycles beside it. A channel may have dropped out or changed its range there, and the values of that cycle are wrong."),
+      doubt(force_late, "force-late", caution, by_words, "", wording::force_late),
+      doubt(friction_in_force, "friction-in-force", caution, one_sentence, "", wording::jump_of_force),
+      doubt(
+          samples_few, "samples-few", caution, one_sentence,
+          "{samples:.1f} samples per cycle: energy comes out {energy_percent:2} % too small, and a peak up to {peak_percent:2} %. {wanted} or more are wanted."),
+      doubt(time_uneven, "time-uneven", caution, one_sentence,
+            "sampling is not uniform: <intervals from {least_s:6} to {largest_s:6} s>, {mean_s:6} s on average."),
+      doubt(
+          time_jumps, "time-jumps", caution, one_sentence,
+          "time jumps <{count} time{|s}, most by {length_s:4} s after sample {sample} ({time_s:6} s), of which {taken_s:4} s are taken for the motion>. How long the motion took is estimated from its speed before and after; periods and frequency leave out the rest."),
+      doubt(
+          noise, "noise", caution, one_sentence,
+          "noise of {disp_mm:2} mm in displacement ({disp_percent:2} % of the amplitude) and of {force_kN:2} kN in force ({force_percent:2} %). The extremes of a cycle lie about {beyond_percent:2} % too far out and K_eff comes out at least as much too small; besides, K_eff of one cycle is uncertain by {scatter_percent:2} % (one standard deviation)."),
+      doubt(
+          drift, "drift", caution, by_words,
+          "{channel} drifts: the middle of its cycles moves by <{drift:unit3} through block {block}>, {percent:2} % of the whole travel (limit {limit_percent} %)."),
+      doubt(
+          loop_open, "loop-open", caution, one_sentence,
+          "<cycle {cycle} of block {block} ends {closure_mm:3} mm from where it starts>, {percent:2} % of the whole travel (limit {limit_percent} %). Energy may be wrong by the force times that, {energy_kN_mm:3} kN mm."),
+      doubt(speed_off, "speed-off", caution, by_words, "", wording::largest_speed),
+      doubt(off_centre, "off-centre", caution, by_words, "{channel} is off centre by <{offset:unit4} in cycle {cycle} of block {block}>, {percent:2} % of its amplitude. Stiffness from peak to peak and energy do not feel that; F/d of one side and the laws do. `isolaw calibrate --center` takes it off."),
+      doubt(
+          starts_off_zero, "starts-off-zero", caution, one_sentence,
+          "the first sample is at {disp_mm:4} mm, {percent:2} % of the half range of {half_range_mm:4} mm; laws start at rest at zero."),
+      doubt(
+          several_amplitudes, "several-amplitudes", caution, one_sentence,
+          "cycles of several amplitudes, {least_mm:4} to {largest_mm:4} mm: stiffness, energy and damping are those of <cycle {cycle} of block {block} at {amplitude_mm:4} mm>."),
+      doubt(
+          damping_undefined, "damping-undefined", caution, one_sentence,
+          "equivalent damping is not defined: it relates the loop's energy to an effective stiffness, and hardly any of this device's force is stiffness."),
+      doubt(
+          average_too_wide, "average-too-wide", caution, one_sentence,
+          "the moving average over {window_samples} samples, of {samples_per_cycle:3} in a cycle, takes {percent:2} % from the motion at the test's frequency and {third_harmonic_percent:2} % from its third harmonic. That concerns the laws; properties are computed from raw values. A smaller --smooth takes less."),
+      doubt(shared_time_short, "shared-time-short", caution, by_words,
+            "only {samples} of {of} samples lie in the time of {file} too."),
+      doubt(
+          channel_interpolated, "channel-interpolated", caution, by_words,
+          "{file} has a sample every {interval_s:4} s, {other_file} every {other_interval_s:4} s: between them its values are interpolated."),
+      doubt(axis_taken_for_channel, "axis-taken-for-channel", caution, by_words,
+            "{column} is named after the machine's axis and taken for the {channel}: nothing else in the file is one."),
+      doubt(unit_overridden, "unit-overridden", caution, by_words,
+            "{column} says {stated}, and is read in {used} as asked for by --units."),
+      doubt(loads_ambiguous, "loads-ambiguous", caution, by_words,
+            "{columns} may each be the {channel}: none is read ({options} says which)."),
+      doubt(load_unit_unclear, "load-unit-unclear", caution, by_words,
+            "{reason}: the vertical load is not read ({options} says its unit)."),
+      doubt(velocity_unused, "velocity-unused", caution, by_words,
+            "{column} is not used: velocities are computed from displacement and time."),
+      fact(
+          samples_per_cycle, "samples-per-cycle",
+          "{samples:.1f} samples per cycle: energy comes out {energy_percent:2} % too small, and a peak up to {peak_percent:2} %."),
+      fact(force_early, "force-early", "", wording::force_early),
+      fact(jump_of_force, "jump-of-force", "", wording::jump_of_force),
+      fact(
+          rig_friction, "rig-friction",
+          "if the rig's friction were 0.5 % of the vertical load of {load_kN:4} kN, it would be {friction_kN:3} kN and add {damping_points:2} points of damping (2 F_f / (pi K D))."),
+      fact(
+          moving_mass, "moving-mass",
+          "each tonne that moves between the device and the load cell takes {stiffness_kN_per_mm:2} kN/mm from the stiffness at {frequency_Hz:3} Hz, {percent:2} % of it (m w^2)."),
+      fact(
+          stands_still, "stands-still",
+          "the device stands still for {still_s:3} s in cycle {cycle} of block {block}, longer than its period[, and so in {others} more cycle{|s}]. Period, frequency and samples per cycle leave that out, but rubber recovers and cools meanwhile."),
+      fact(cut_off_zero, "cut-off-zero",
+           "cycles are cut where displacement passes {centre_mm:4} mm, the centre of the motion."),
+      fact(largest_speed, "largest-speed", "", wording::largest_speed),
+      fact(
+          average_over_samples, "average-over-samples",
+          "the moving average over {window_samples} samples, of {samples_per_cycle:3} in a cycle, takes {percent:2} % from the motion at the test's frequency and {third_harmonic_percent:2} % from its third harmonic. That concerns the laws; properties are computed from raw values."),
+      fact(file_format, "file-format", stated),
+      fact(header_found, "header-found", stated),
+      fact(column_taken, "column-taken", stated),
+      fact(columns_unused, "columns-unused", stated),
+      fact(units_given, "units-given", stated),
+      fact(time_scale, "time-scale", stated),
+      fact(no_time_column, "no-time-column",
+           "no time column: rate-dependent laws need --dt SECONDS, the sampling interval"),
+      fact(rows_read, "rows-read", stated),
+      fact(test_chosen, "test-chosen", stated),
+      fact(file_joined, "file-joined", stated),
+      fact(force_flipped, "force-flipped", "the force is multiplied by -1, as asked for (--flip-force)"),
+      fact(spikes_repaired, "spikes-repaired", "", wording::spikes_repaired),
+      fact(skew_removed, "skew-removed", "", wording::skew_removed),
+      fact(
+          friction_removed, "friction-removed",
+          "the rig's friction of [{friction_kN:6} kN][{coefficient:6} times the vertical load] taken off along the motion"),
+      fact(
+          inertia_removed, "inertia-removed",
+          "inertia of a moving mass of {mass_kg:6} kg taken off: {least_kN:3} to {largest_kN:3} kN, from displacement averaged three times over {window_samples} samples"),
+      fact(force_multiplied, "force-multiplied", "force multiplied by {factor:6}"),
+      fact(
+          centred, "centred",
+          "centred: {disp_mm:4} mm taken from displacement and {force_kN:4} kN from force, (max + min) / 2 over [cycle {cycle} of block {block}][{whole}]"),
+      fact(
+          smoothed, "smoothed",
+          "displacement and force averaged over {window_samples} samples, fewer at the ends[: takes {percent:2} % from a sine of the test's frequency, {third_harmonic_percent:2} % from its third harmonic]"),
+      fact(not_smoothed, "not-smoothed", "no smoothing"),
+      fact(
+          scored_in_part, "scored-in-part",
+          "laws are judged by {samples} of {of} samples (blocks {blocks}, cycles {cycles}); the rest of the history only acts on their state"),
+      fact(all_samples_kept, "all-samples-kept", "", wording::all_samples_kept),
+      fact(velocity_computed, "velocity-computed",
+           "velocity by central differences of the averaged displacement at the true times"),
+      fact(no_velocity, "no-velocity", "no velocity: the record has no time, which counts samples instead"),
+      fact(
+          samples_thinned, "samples-thinned",
+          "thinned from {from_per_cycle:.1f} to {to_per_cycle:.1f} samples per cycle: every {every}th of {of_samples} samples kept ({samples}), each the average of {window_samples}"),
+      fact(if_late_force_is_moved, "if-late-force-is-moved", "the late force channel is moved back"),
+      fact(if_force_is_early, "if-force-is-early", "the force channel is early"),
+      fact(if_jump_is_of_rig, "if-jump-is-of-rig", "the force's jump at reversals is friction of the rig"),
+      fact(if_rig_rubs, "if-rig-rubs", "the rig's friction is 0.5 % of the vertical load"),
+  };
+  static_assert(
+      [] {
+        for (std::size_t i = 0; i < std::size(table); ++i)
+          if (table[i].kind != static_cast<FindingKind>(i)) return false;
+        return true;
+      }(),
+      "a row for each kind, in the order of FindingKind");
+  return table;
+}
+
+}  // namespace isolaw::wording
