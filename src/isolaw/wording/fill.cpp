@@ -60,7 +60,7 @@ constexpr Phrase phrases[]{
      " It misses one of them by more than the force's standard deviation, as a constant force would."},
     {"collapse", "far", " It misses them far more than those it was fitted to."},
     {"factors", "none", "no factors up to {grid_low:.2f} and {grid_high:.2f} would cover {wanted:0%}"},
-    {"factors", "near", "factors within {grid_step:0%} of 1, the accuracy, would cover {wanted:0%}"},
+    {"factors", "near", "factors within {grid_step:0%} of 1, the step of the search, would cover {wanted:0%}"},
     {"factors", "found", "factors of {factor_low:.2f} and {factor_high:.2f} would cover {wanted:0%}"},
     {"than_any", "longer", "no isolator goes that far"},
     {"than_any", "stiffer", "{stiffness_kN_per_mm:4} kN/mm is stiffer than any isolator"},

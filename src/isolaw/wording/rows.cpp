@@ -75,7 +75,7 @@ std::span<Row const> rows() {
           "{law} was not identified on {devices}: {reason}[. Its mean and beta cover the other {others} device{|s} only]"),
       campaign(
           runs_failed, "runs-failed", "failed runs", caution, search, by_law, everywhere, law,
-          "~{failed} on {devices}~ of {runs_of_law} runs failed, and its numbers are those of the others. The first failed: {reason}"),
+          "of {runs_of_law} runs ~{failed} failed on {devices}~, and its numbers are those of the others. The first failure: {reason}"),
       campaign(
           evaluations_failed, "evaluations-failed", "failed evaluations", note, search, by_law, in_report, law,
           "{failed} of {tried} parameter sets that were tried ({share:%}) gave no finite force and were passed over."),
