@@ -348,7 +348,8 @@ TEST_F(BuildingRuns, a_few_draws_do_not_show_that_bounds_are_enough) {
   auto const made = answer(study, store);
   EXPECT_EQ(made.laws.front().coverage.front().inside, 1.0);
   EXPECT_FALSE(made.bounds_are_enough.has_value());
-  EXPECT_TRUE(contains(made.verdict, "No answer yet: with Bilinear the bounds cover 100 % of 3 buildings")) << made.verdict;
+  EXPECT_TRUE(contains(made.verdict, "No answer yet: with Bilinear the bounds cover 100 % of 3 buildings"))
+      << made.verdict;
   EXPECT_TRUE(says(made.warnings, "3 draws are too few to show a share of 95 %: no answer yet.")) << made.warnings;
 }
 
@@ -457,8 +458,7 @@ TEST_F(BuildingRuns, says_what_is_known_against_a_law) {
       "device-01 stands apart from its lot: effective stiffness 0.81 kN/mm (+31 % from the median).";
   auto const warnings = render::building_warnings(made);
   EXPECT_EQ(std::ranges::count(warnings, "From the calibration: " + of_device), 1);
-  EXPECT_EQ(std::ranges::count(warnings,
-                               "From the calibration: Bilinear: the tests cannot fix Dy (2 of 3 devices)."),
+  EXPECT_EQ(std::ranges::count(warnings, "From the calibration: Bilinear: the tests cannot fix Dy (2 of 3 devices)."),
             1);
   for (auto const& warning : warnings) EXPECT_FALSE(contains(warning, "device-01: device-01")) << warning;
   auto const json = Json::parse(render::building_json(study, made));

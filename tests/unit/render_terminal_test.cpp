@@ -24,7 +24,7 @@ std::size_t widest_line(std::string const& text) {
   return widest;
 }
 
-std::size_t count(std::string const& text, std::string const& part) {
+std::size_t times_in(std::string const& text, std::string const& part) {
   std::size_t times = 0;
   for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++times;
   return times;
@@ -108,12 +108,13 @@ TEST(Findings, WarningsThatMatter) {
     sentences.push_back(wording::sentence(group));
   }
   using enum FindingKind;
-  ASSERT_EQ(kinds,
-            (std::vector<FindingKind>{device_refused, law_refused, runs_failed, at_bound, integration_coarse}));
-  EXPECT_EQ(sentences[1],
-            "Hwang-Wu was not identified on D1 and D2: no time channel. Its mean and beta cover the other 1 device only");
-  EXPECT_EQ(sentences[2],
-            "Bilinear: of 60 runs 3 failed on D3, and its numbers are those of the others. The first failure: infinite force");
+  ASSERT_EQ(kinds, (std::vector<FindingKind>{device_refused, law_refused, runs_failed, at_bound, integration_coarse}));
+  EXPECT_EQ(
+      sentences[1],
+      "Hwang-Wu was not identified on D1 and D2: no time channel. Its mean and beta cover the other 1 device only");
+  EXPECT_EQ(
+      sentences[2],
+      "Bilinear: 3 of 60 runs failed (3 on D3); its numbers are those of the other 57. The first failure: infinite force");
   EXPECT_EQ(sentences[3], "Vaiana: alpha+ at its upper bound on D1 and D3.");
   EXPECT_EQ(sentences[4], "Bilinear: a finer integration step would move the objective by 0.002 on D2.");
 }
@@ -163,20 +164,20 @@ TEST(Ranking, ControlCharactersDoNotReachTheTerminal) {
 TEST(Ranking, FindingsOfOneKindAreOneLine) {
   auto summary = fixture::lot();
   for (std::size_t d = 0; d < 3; ++d)
-    summary.devices[d].raw.warnings = {{.kind = FindingKind::starts_off_zero,
-                                        .numbers = {{"disp_mm", 1.0 + static_cast<double>(d)},
-                                                    {"percent", 2.0},
-                                                    {"half_range_mm", 208.0}}}};
+    summary.devices[d].raw.warnings = {
+        {.kind = FindingKind::starts_off_zero,
+         .numbers = {{"disp_mm", 1.0 + static_cast<double>(d)}, {"percent", 2.0}, {"half_range_mm", 208.0}}}};
   auto const text = ranking(summary, 200);
-  EXPECT_EQ(count(text, "the first sample is at"), 1u) << text;
-  EXPECT_TRUE(contains(text, "  - D1, D2 and D3: the first sample is at 1 to 3 mm, 2 % of the half range of 208 mm")) << text;
+  EXPECT_EQ(times_in(text, "the first sample is at"), 1u) << text;
+  EXPECT_TRUE(contains(text, "  - D1, D2 and D3: the first sample is at 1 to 3 mm, 2 % of the half range of 208 mm"))
+      << text;
 }
 
 TEST(Answer, IsOneScreen) {
   for (auto const& summary : {fixture::lot(10, 7), fixture::analysed(fixture::lot(10, 7)), fixture::lot(1, 7),
                               fixture::analysed(fixture::lot(1, 3)), fixture::analysed(fixture::lot(160, 7))}) {
     auto const text = answer(summary, "out/lot");
-    EXPECT_LE(count(text, "\n"), 25u) << text;
+    EXPECT_LE(times_in(text, "\n"), 25u) << text;
     EXPECT_LE(widest_line(text), 80u) << text;
     EXPECT_TRUE(contains(text, "out/lot/report.html")) << text;
   }

@@ -110,6 +110,7 @@ class Filler {
   bool has(std::string_view name) const {
     if (name == "law") return !first().law.empty();
     if (name == "laws") return !first().other_laws.empty();
+    if (name == "devices") return !first().devices.empty();
     if (name == "block") return !first().blocks.empty();
     if (name == "parameters") return !first().parameters.empty() || first().has_number(name);
     return first().has_number(name) || !first().word(name).empty();
