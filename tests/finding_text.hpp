@@ -26,7 +26,7 @@ inline std::string text_of(std::vector<Finding> const& findings) {
 }
 // One that says no more than this text.
 inline Finding stated(std::string text) {
-  return {.kind = FindingKind::stated_by_older_store, .words = {{"text", std::move(text)}}};
+  return {.kind = FindingKind::file_format, .words = {{"text", std::move(text)}}};
 }
 // A part of the sentence, of one of the findings, or of the finding that may be there.
 inline bool contains(Finding const& finding, std::string_view part) {

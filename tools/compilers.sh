@@ -17,7 +17,7 @@ folder=build/compilers
 mkdir -p "$folder"
 sources=(tests/regression/sweep.cpp src/isolaw/laws/*.cpp src/isolaw/base/{error,printable,number_text,units}.cpp
   src/isolaw/num/{instruction_set,random,statistics}.cpp src/isolaw/data/clean.cpp src/isolaw/opt/problem.cpp
-  src/isolaw/fit/{box,joint_limits,kernel_choice,kernels,objective,work_counter}.cpp)
+  src/isolaw/fit/{box,joint_limits,kernel_choice,kernels,objective}.cpp)
 
 # name: compiler and flags
 variants=(

@@ -239,12 +239,12 @@ TEST_F(BadInput, units_that_make_no_isolator_are_warned_of) {
     EXPECT_EQ(o.code, 0) << o;
     return o.out;
   };
-  EXPECT_FALSE(contains(inspected(header), "any isolator's"));
+  EXPECT_FALSE(contains(inspected(header), "any isolator"));
   auto const stiff = inspected("time [s],displacement [mm],force [MN]");
-  EXPECT_TRUE(contains(stiff, "stiffer than any isolator's: are displacements really in mm and forces in MN?"));
+  EXPECT_TRUE(contains(stiff, "stiffer than any isolator. Are displacements really in mm and forces in MN?"));
   EXPECT_TRUE(contains(stiff, "--units disp=UNIT,force=UNIT"));
-  EXPECT_TRUE(contains(inspected("time [s],displacement [m],force [N]"), "softer than any isolator's"));
-  EXPECT_TRUE(contains(inspected("time [s],displacement [m],force [MN]"), "a way that no isolator goes"));
+  EXPECT_TRUE(contains(inspected("time [s],displacement [m],force [N]"), "softer than any isolator"));
+  EXPECT_TRUE(contains(inspected("time [s],displacement [m],force [MN]"), "no isolator goes that far"));
 }
 
 // --- refused properties, but a fit ---------------------------------------------------------------------------------
@@ -256,7 +256,7 @@ TEST_F(BadInput, fewer_than_20_samples_per_cycle_refuses_the_cyclic_properties_o
   EXPECT_TRUE(contains(inspected.out, "No cyclic properties: 15.0 samples per cycle, fewer than the 20"));
   auto const o = calibrate({"few.csv"});
   EXPECT_EQ(o.code, 0) << o;
-  EXPECT_EQ(count_of("no cyclic properties: 15.0 samples per cycle", o.out), 1u) << "said once\n" << o;
+  EXPECT_EQ(count_of("few: 15.0 samples per cycle", o.out), 1u) << "said once\n" << o;
   auto const fit = json("O/summary.json")["laws"][0]["devices"][0];
   EXPECT_TRUE(fit["objective"]["best"].is_number());
   EXPECT_TRUE(fit["K_eff_error_percent"].is_null());

@@ -474,7 +474,7 @@ TEST_F(Calibrate, store_holds_raw_and_cleaned_records_and_the_objectives_history
             (Words{"fit|disp_mm|601", "fit|force_kN|601", "fit|time_s|601", "fit|vel_mm_s|601", "raw|disp_mm|601",
                    "raw|force_kN|601", "raw|load_kN|601", "raw|time_s|601"}));
   EXPECT_EQ(query(store, "SELECT DISTINCT length(history) / 8, evaluations FROM run"), Words{"5|100"});
-  EXPECT_EQ(query(store, "SELECT value FROM meta WHERE key = 'schema'"), Words{"9"});
+  EXPECT_EQ(query(store, "SELECT value FROM meta WHERE key = 'schema'"), Words{"10"});
   EXPECT_EQ(query(store, "PRAGMA journal_mode"), Words{"delete"});
 }
 

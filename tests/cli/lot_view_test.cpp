@@ -98,7 +98,7 @@ TEST_F(HeldTo, a_wide_moving_average_is_warned_of) {
   auto const o = isolaw({"calibrate", "m/a.csv", "--laws", "bilinear", "--runs", "1", "--population", "4",
                          "--generations", "1", "--smooth", "31", "--out", "O"});
   EXPECT_EQ(o.code, 0) << o;
-  EXPECT_TRUE(contains(o.out, "the moving average over 31 of"));
+  EXPECT_TRUE(contains(o.out, "the moving average over 31 samples"));
   EXPECT_TRUE(contains(o.out, "3.9 %"));
 }
 

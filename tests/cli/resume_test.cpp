@@ -344,7 +344,7 @@ TEST_F(Changed, a_store_of_a_newer_schema_is_refused) {
             SQLITE_OK);
   sqlite3_close(db);
   for (auto const& o : {run(), isolaw({"report", "O"})})
-    expect_refused(o, {"O/campaign.sqlite", "written by a newer isolaw, '" ISOLAW_VERSION "'", "schema 99",
+    expect_refused(o, {"O/campaign.sqlite", "a store of schema 99, written by isolaw '" ISOLAW_VERSION "'",
                        "the isolaw that wrote it"});
 }
 

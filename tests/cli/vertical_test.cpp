@@ -177,7 +177,7 @@ TEST_F(Vertical, of_which_a_signal_cannot_be_true_gives_no_stiffness) {
   }());
   auto const o = isolaw({"inspect", "D1.csv", "--vertical", "D1=spike.csv"});
   EXPECT_EQ(o.code, 1) << o;
-  EXPECT_TRUE(contains(o.out, "spike.csv: vertical load has a spike of a single sample, at sample ")) << o;
+  EXPECT_TRUE(contains(o.out, "spike.csv: vertical load is disturbed by spikes at sample ")) << o;
   EXPECT_TRUE(contains(o.out, "no vertical stiffness K_v")) << o;
 }
 

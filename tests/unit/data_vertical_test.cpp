@@ -225,23 +225,23 @@ TEST(VerticalSignals, OneThatCannotBeTrueGivesNoStiffness) {
     };
     expect("is disturbed by spikes at sample 431", "load", [](auto& t) { t.load_kN[430] += 2000.0; });
     expect("is disturbed by spikes at sample 451", "displacement", [](auto& t) { t.disp_mm[450] -= 0.3; });
-    expect("is clipped at sample", "load", [](auto& t) {  // by the converter, after the noise
+    expect("is clipped at 800 kN, from sample", "load", [](auto& t) {  // by the converter, after the noise
       for (double& load : t.load_kN) load = std::min(load, 800.0);
     });
-    expect("is clipped at sample", "displacement", [](auto& t) {
+    expect("is clipped at 0.6 mm, from sample", "displacement", [](auto& t) {
       for (double& disp : t.disp_mm) disp = std::min(disp, 0.6);
     });
-    expect("is stuck at sample", "displacement", [](auto& t) {
+    expect("is stuck at ", "displacement", [](auto& t) {
       for (std::size_t i = 430; i < 470; ++i) t.disp_mm[i] = t.disp_mm[429];
     });
-    expect("is stuck at sample", "load", [](auto& t) {
+    expect("is stuck at ", "load", [](auto& t) {
       for (std::size_t i = 430; i < 470; ++i) t.load_kN[i] = t.load_kN[429];
     });
-    expect("is interrupted at sample 451", "load", [](auto& t) {
+    expect("is interrupted at 0 kN, from sample 451", "load", [](auto& t) {
       for (std::size_t i = 450; i < 456; ++i) t.load_kN[i] = 0.0;
     });
     // Whatever the sign.
-    expect("is clipped at sample", "load", [](auto& t) {
+    expect("is clipped at 800 kN, from sample", "load", [](auto& t) {
       for (double& load : t.load_kN) load = -std::min(load, 800.0);
       for (double& disp : t.disp_mm) disp = -disp;
     });

@@ -51,23 +51,24 @@ LawVerdict verdict(Summary const& summary, std::string_view id) {
 
 TEST(Adequacy, OfALawThatMissesTheForceOrTheStiffness) {
   auto summary = fixture::lot(10, 6);
-  for (auto const& one : summary.laws) EXPECT_EQ(inadequacy(one), "") << one.id;
+  for (auto const& one : summary.laws) EXPECT_TRUE(is_adequate(one)) << one.id;
   law(summary, "jankowski").objective.mean = 0.51;
-  EXPECT_EQ(inadequacy(law(summary, "jankowski")),
-            "misses the measured force by 51.0 % of its standard deviation on average");
+  EXPECT_EQ(inadequacy(law(summary, "jankowski"))->numbers, (std::vector<FindingNumber>{{"misfit", 0.51}}));
   for (auto& fit : law(summary, "bilinear").devices) fit.K_eff_error_percent = 467.0;
-  EXPECT_EQ(inadequacy(law(summary, "bilinear")), "misses the effective stiffness by 467 %");
+  EXPECT_EQ(inadequacy(law(summary, "bilinear"))->numbers,
+            (std::vector<FindingNumber>{{"K_eff_error_percent", 467.0}}));
   for (auto const* id : {"jankowski", "bilinear"}) {
     EXPECT_EQ(verdict(summary, id).role, Role::inadequate) << id;
     EXPECT_FALSE(contains(findings(summary).headline, id)) << findings(summary).headline;
   }
   EXPECT_TRUE(contains(findings(summary).headline, "worth considering"));
   // Whoever takes the law away is told, and so is whoever reads the warnings alone.
-  auto const with_it = doubts(summary, "jankowski", summary.devices.front().name).warnings;
-  EXPECT_TRUE(
-      contains(with_it.front(), "Jankowski does not describe the devices: it misses the measured force by 51.0 %"));
+  auto const with_it = doubts(summary, "jankowski", summary.devices.front().name).findings;
+  EXPECT_TRUE(contains(
+      with_it.front(),
+      "Jankowski does not describe the devices. Its mean errors are too large: 51.0 % of the force's standard deviation."));
   for (auto& one : summary.laws) one.objective.mean = 0.5;
-  EXPECT_TRUE(findings(summary).headline.starts_with("No law describes these devices: ")) << findings(summary).headline;
+  EXPECT_TRUE(contains(findings(summary).headline, "No law describes these devices. The nearest is ")) << findings(summary).headline;
 }
 
 // Eight of ten parameters lie at one bound and so hardly scatter: beta is small, but nothing is robust about it.
@@ -78,15 +79,14 @@ TEST(Adequacy, ParametersAtBoundsMakeNoLawRobust) {
   EXPECT_FALSE(pinned(robust).decides());
   for (std::size_t d = 0; d < robust.devices.size() / 2; ++d)
     for (auto& p : robust.devices[d].parameters)
-      if (p.free) p.at_bound = "upper";
+      if (p.free) p.at_bound = fit::AtBound::upper;
   EXPECT_TRUE(pinned(robust).decides());
   auto const found = verdict(summary, "bilinear");
   EXPECT_EQ(found.role, Role::held_by_box);
-  EXPECT_TRUE(std::ranges::any_of(findings(summary).warnings, [](Warning const& warning) {
-    return warning.topic == "at bound" && contains(warning.sentence, "so that its beta is no robustness");
+  EXPECT_TRUE(std::ranges::any_of(findings(summary).warnings, [](Finding const& warning) {
+    return warning.kind == FindingKind::held_by_box && contains(warning, "so its beta is no robustness");
   }));
-  EXPECT_TRUE(contains(found.sentence, "parameters lie at a bound on half of the devices or more: there the box"))
-      << found.sentence;
+  EXPECT_EQ(found.findings.back().kind, FindingKind::held_by_box);
   auto const headline = findings(summary).headline;
   EXPECT_TRUE(contains(headline, "3 of 6 laws are worth considering")) << headline;
   EXPECT_TRUE(contains(headline, "robustness (Vaiana)")) << headline;
@@ -99,10 +99,10 @@ TEST(Prediction, ThatIsPoorIsNoCompromiseAndIsSaid) {
   poor.prediction_grade = PredictionGrade::poor;
   poor.fitted_objective = 0.07, poor.predicted_objective = 0.45, poor.worst_predicted = 0.5;
   EXPECT_EQ(verdict(summary, "vaiana").role, Role::between);
-  EXPECT_TRUE(contains(verdict(summary, "vaiana").sentence, "Its prediction is poor: only for the blocks"));
+  EXPECT_EQ(verdict(summary, "vaiana").findings.back().kind, FindingKind::prediction_poor);
   auto const found = doubts(summary, "vaiana", summary.devices.front().name);
-  EXPECT_TRUE(contains(found.prediction, "poor: objective 0.45 on the blocks it was not fitted to (0.5 at worst)"));
-  EXPECT_EQ(found.objection, "");
+  EXPECT_TRUE(contains(found.prediction, "poor: objective 0.45 on blocks it was not fitted to (0.5 at worst)"));
+  EXPECT_FALSE(found.objection);
   poor.prediction_grade = PredictionGrade::unusable;
   EXPECT_TRUE(contains(doubts(summary, "vaiana", summary.devices.front().name).objection, "unusable"));
 }
@@ -112,30 +112,25 @@ TEST(Doubts, AreOfTheLawAndTheDevice) {
   auto summary = fixture::lot();
   auto const devices = device_names(summary);
   auto& fit = law(summary, "bilinear").devices[0];
-  fit.parameters[0].at_bound = "lower";
+  fit.parameters[0].at_bound = fit::AtBound::lower;
   fit.integration_shift = -0.002;
   law(summary, "bilinear").devices[1].failed_runs = 3;
   auto& lot = law(summary, "bilinear").lot.emplace();
   lot.parameters = {1.0, 1.0, 1.0};
-  lot.at_bound = {"K2 at its upper bound"};
+  lot.at_bound = {{"K2", fit::AtBound::upper}};
   summary.devices[0].raw.warnings = {stated("a channel may be late")};
   summary.expected_runs = summary.runs + 5;
-  auto const joined = [](std::vector<std::string> const& lines) {
-    std::string text;
-    for (auto const& line : lines) text += line + "\n";
-    return text;
-  };
-  auto const of_first = joined(doubts(summary, "bilinear", devices[0]).warnings);
+  auto const of_first = doubts(summary, "bilinear", devices[0]).findings;
   for (auto const* part :
-       {"not complete: ", "at its lower bound on ", "finer integration step", "a channel may be late"})
+       {"runs are done", "at its lower bound on ", "finer integration step", "a channel may be late"})
     EXPECT_TRUE(contains(of_first, part)) << part << "\n" << of_first;
-  for (auto const* part : {"runs failed", "vaiana", "of the one law for all"})
+  for (auto const* part : {"runs failed", "vaiana", "in the one law for all"})
     EXPECT_FALSE(contains(of_first, part)) << part << "\n" << of_first;
-  auto const of_second = joined(doubts(summary, "bilinear", devices[1]).warnings);
+  auto const of_second = doubts(summary, "bilinear", devices[1]).findings;
   EXPECT_TRUE(contains(of_second, "runs failed")) << of_second;
   EXPECT_FALSE(contains(of_second, "late")) << of_second;
-  auto const of_lot = joined(doubts(summary, "bilinear", std::nullopt).warnings);
-  for (auto const* part : {"a channel may be late", "runs failed", "of the one law for all K2 at its upper bound"})
+  auto const of_lot = doubts(summary, "bilinear", std::nullopt).findings;
+  for (auto const* part : {"a channel may be late", "runs failed", "in the one law for all devices, K2 at its upper bound"})
     EXPECT_TRUE(contains(of_lot, part)) << part << "\n" << of_lot;
 }
 
@@ -155,39 +150,39 @@ TEST(Adequacy, OfALawOnTheFrontHidesNoOther) {
   summary = fixture::lot(10, 3);
   miss_the_stiffness(law(summary, "vaiana"));
   miss_the_stiffness(law(summary, "bilinear"));
-  EXPECT_EQ(findings(summary).headline,
+  EXPECT_EQ(text_of(findings(summary).headline),
             "Hwang-Wu is both the most accurate and the most robust law of those that describe the devices.");
   EXPECT_EQ(verdict(summary, "hwang-wu").role, Role::best_of_both);
 }
 
 TEST(Adequacy, OfALawWithoutBetaLeavesTheNext) {
   auto summary = fixture::lot(1, 3);
-  EXPECT_TRUE(findings(summary).headline.starts_with("Vaiana is the most accurate law; how robust it is"));
+  EXPECT_TRUE(contains(findings(summary).headline, "Vaiana is the most accurate law; how robust it is"));
   miss_the_stiffness(law(summary, "vaiana"));
-  EXPECT_TRUE(findings(summary).headline.starts_with(
-      "Hwang-Wu is the most accurate law of those that describe the devices; how robust it is"))
+  EXPECT_TRUE(contains(
+      findings(summary).headline, "Hwang-Wu is the most accurate law of those that describe the devices; how robust it is"))
       << findings(summary).headline;
-  EXPECT_TRUE(contains(verdict(summary, "hwang-wu").sentence, "the least of those that describe the devices"));
-  EXPECT_TRUE(contains(verdict(summary, "bilinear").sentence, "1.17 times that of Hwang-Wu"));
+  EXPECT_TRUE(contains(verdict(summary, "hwang-wu").findings, "the least of those that describe the devices"));
+  EXPECT_TRUE(contains(verdict(summary, "bilinear").findings, "1.17 times that of Hwang-Wu"));
 }
 
 void hold_by_the_box(LawResult& law) {
   for (auto& fit : law.devices)
     for (auto& p : fit.parameters)
-      if (p.free) p.at_bound = "upper";
+      if (p.free) p.at_bound = fit::AtBound::upper;
 }
 
 TEST(Adequacy, AFrontThatTheBoxHoldsHasNoRobustEnd) {
   auto summary = fixture::lot(10, 6);
   for (auto& one : summary.laws) hold_by_the_box(one);
   auto const headline = findings(summary).headline;
-  EXPECT_TRUE(headline.starts_with("Jankowski is the most accurate law; what ")) << headline;
+  EXPECT_TRUE(contains(headline, "Jankowski is the most accurate law; the laws that scatter less")) << headline;
   EXPECT_EQ(verdict(summary, "bilinear").role, Role::held_by_box);
   summary = fixture::lot(10, 2);
   law(summary, "vaiana").beta = 0.1;
   hold_by_the_box(law(summary, "vaiana"));
   EXPECT_EQ(verdict(summary, "vaiana").role, Role::most_accurate);
-  EXPECT_TRUE(findings(summary).headline.starts_with("Vaiana is the most accurate law; how robust it is"))
+  EXPECT_TRUE(contains(findings(summary).headline, "Vaiana is the most accurate law; how robust it is"))
       << findings(summary).headline;
 }
 
@@ -205,20 +200,20 @@ TEST(Prediction, MayBeUnusableWithoutCollapsing) {
   worse.fitted_objective = 0.1, worse.predicted_objective = 0.65, worse.worst_predicted = 0.7;
   auto const said = [&] {
     auto found = findings(summary);
-    std::string text = found.headline + "\n" + verdict(summary, "vaiana").sentence + "\n";
-    for (auto const& line : found.converged) text += line + "\n";
-    for (auto const& warning : found.warnings) text += warning.sentence + "\n";
-    return text;
+    auto all = found.headline;
+    for (auto const& more : {verdict(summary, "vaiana").findings, found.converged, found.warnings})
+      all.insert(all.end(), more.begin(), more.end());
+    return wording::paragraph(all);
   };
-  EXPECT_TRUE(contains(said(), "Vaiana: its prediction is unusable: OF 0.65")) << said();
-  EXPECT_FALSE(contains(said(), "collapse")) << said();
+  EXPECT_TRUE(contains(said(), "Vaiana: its prediction is unusable: objective 0.65")) << said();
+  EXPECT_FALSE(contains(said(), "It misses")) << said();
   worse.fitted_objective = 0.0;
-  EXPECT_TRUE(contains(said(), "it collapses: they are missed, and those it was fitted to are not")) << said();
+  EXPECT_TRUE(contains(said(), "It misses them, but not those it was fitted to.")) << said();
   EXPECT_FALSE(contains(said(), "inf")) << said();
   worse.fitted_objective = 0.01;
-  EXPECT_TRUE(contains(said(), "it collapses: they are missed 65 times as far")) << said();
+  EXPECT_TRUE(contains(said(), "It misses them 65 times as far")) << said();
   worse.worst_predicted = 3.0;
-  EXPECT_TRUE(contains(said(), "it collapses: one of them is missed by more than its force's standard deviation"));
+  EXPECT_TRUE(contains(said(), "It misses one of them by more than the force's standard deviation"));
 }
 
 TEST(Adequacy, OfTheLotsLawForAnotherDevice) {
@@ -229,7 +224,7 @@ TEST(Adequacy, OfTheLotsLawForAnotherDevice) {
     one.loo_worst = 2.0 * objective;
     one.loo_worst_device = "D1";
   }
-  auto const said = [&] { return findings(summary).converged.front(); };
+  auto const said = [&] { return wording::sentence(findings(summary).converged.front()); };
   EXPECT_TRUE(contains(said(), "with Bilinear, the least of all, and")) << said();
   miss_the_stiffness(law(summary, "bilinear"));
   EXPECT_TRUE(contains(said(), "with Vaiana, the least of those that describe the devices and predict, and")) << said();
@@ -237,7 +232,8 @@ TEST(Adequacy, OfTheLotsLawForAnotherDevice) {
 
 std::string doubts_of(Summary const& summary, std::string_view id, std::optional<std::string_view> device) {
   std::string text;
-  for (auto const& line : doubts(summary, id, device).warnings) text += line + "\n";
+  for (auto const& line : wording::sentences(doubts(summary, id, device).findings, wording::with_law))
+    text += line + "\n";
   return text;
 }
 
@@ -246,12 +242,12 @@ TEST(Doubts, OfDegradationAreOfTheLawAlone) {
   law(summary, "bilinear").devices[0].energy_fall = EnergyFall{1, 3, 12, 20.0, 1.0};
   law(summary, "vaiana").devices[0].energy_fall = EnergyFall{1, 3, 12, 20.0, 19.0};
   EXPECT_FALSE(std::ranges::any_of(findings(summary).warnings,
-                                   [](auto const& warning) { return warning.topic == "degradation"; }));
+                                   [](auto const& warning) { return warning.kind == FindingKind::energy_falls; }));
   auto const said = doubts_of(summary, "bilinear", "D1");
-  EXPECT_FALSE(contains(said, "no law follows")) << said;
-  EXPECT_TRUE(contains(said, "bilinear does not follow this degradation over cycles (its own falls by 1.0 %)")) << said;
+  EXPECT_FALSE(contains(said, "No law follows")) << said;
+  EXPECT_TRUE(contains(said, "Bilinear does not follow that (its own energy falls by 1 %)")) << said;
   EXPECT_TRUE(contains(said, "--fit-cycles")) << said;
-  EXPECT_FALSE(contains(doubts_of(summary, "vaiana", "D1"), "degradation"));
+  EXPECT_FALSE(contains(doubts_of(summary, "vaiana", "D1"), "energy of a cycle falls"));
   summary.settings.push_back({"fit-cycles", "\"2-\""});
   EXPECT_FALSE(contains(doubts_of(summary, "bilinear", "D1"), "--fit-cycles"));
 }
@@ -260,7 +256,7 @@ TEST(Doubts, OfDegradationAreOfTheLawAlone) {
 TEST(Doubts, TakeAdequacyFromTheWhole) {
   auto summary = fixture::lot(10, 3);
   law(summary, "bilinear").devices[0].K_eff_error_percent = 60.0;
-  ASSERT_EQ(inadequacy(law(summary, "bilinear")), "");
+  ASSERT_TRUE(is_adequate(law(summary, "bilinear")));
   EXPECT_FALSE(contains(doubts_of(summary, "bilinear", "D1"), "does not describe the devices"));
   for (std::size_t d = 1; d < 10; ++d) law(summary, "bilinear").devices[d].K_eff_error_percent = 60.0;
   law(summary, "bilinear").devices[0].K_eff_error_percent = 1.0;
@@ -293,7 +289,7 @@ TEST(Doubts, SayWhatIsNotKeptAndWhichDevicesWereRefused) {
   auto summary = fixture::lot();
   auto const count = summary.devices.size();
   summary.devices.back().status = "refused";
-  auto const refused = fmt::format("1 of the lot's {} devices is refused, and no part of its law: {}", count,
+  auto const refused = fmt::format("The lot's law is made from the other devices of {}: {} was refused.", count,
                                    summary.devices.back().name);
   EXPECT_TRUE(contains(doubts_of(summary, "bilinear", std::nullopt), refused))
       << doubts_of(summary, "bilinear", std::nullopt);
@@ -309,7 +305,7 @@ TEST(Doubts, SayWhatIsNotKeptAndWhichDevicesWereRefused) {
   fails.deviation_percent = 23.0;
   summary.devices[1].acceptance.assessments = {fails};
   EXPECT_TRUE(
-      contains(doubts_of(summary, "bilinear", std::nullopt), "the lot does not keep its rule set: My rules: 1 of"));
+      contains(doubts_of(summary, "bilinear", std::nullopt), "The lot does not keep its rule set: My rules: 1 of"));
   EXPECT_TRUE(contains(doubts_of(summary, "bilinear", "D2"), "D2 fails My rules: K_eff +23.0 %"));
   EXPECT_FALSE(contains(doubts_of(summary, "bilinear", "D1"), "My rules"));
 }

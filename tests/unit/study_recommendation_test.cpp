@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "contains.hpp"
+#include "finding_text.hpp"
 #include "isolaw/study/build_analysis.hpp"
 
 namespace isolaw::study {
@@ -52,9 +53,9 @@ LawResult made(Law const& of) {
       parameter.name = "p" + std::to_string(p);
       parameter.value = {1.0, 0.0, 1.0};
       parameter.upper = 2.0;
-      if (p < of.at_bound) parameter.at_bound = "upper";
+      if (p < of.at_bound) parameter.at_bound = fit::AtBound::upper;
       parameter.analysis = ParameterAnalysis{};
-      parameter.analysis->identifiability = p < of.open ? "undetermined" : "determined";
+      parameter.analysis->identifiability = p < of.open ? analysis::Verdict::undetermined : analysis::Verdict::determined;
       fit.parameters.push_back(parameter);
     }
     law.devices.push_back(fit);
@@ -104,8 +105,8 @@ TEST(Recommendation, OfLawsWithinTheScatterOfTheDevicesIsATie) {
   EXPECT_EQ(made.sure, Sure::tie) << made.why;
   EXPECT_EQ(law_of(summary, made), "b");  // fewer parameters
   EXPECT_EQ(made.ties, std::vector<std::size_t>{0});
-  EXPECT_TRUE(contains(made.why, "ties with it within the scatter over the devices")) << made.why;
-  EXPECT_NE(made.would_decide, "");
+  EXPECT_TRUE(contains(made.why, "a differs from it by less than the scatter over the devices")) << made.why;
+  EXPECT_FALSE(made.surer.empty());
 }
 
 // A law may come nearest to the tests that it was fitted to and be wrong elsewhere.
@@ -114,7 +115,7 @@ TEST(Recommendation, IsNeverALawThatPredictsBadly) {
       summary_of({{"overfit", {0.01}, {}, 2.7}, {"poor", {0.015}, {}, 0.4}, {"sound", {0.05}, {}, 0.08}});
   for (auto const& made : recommendations(summary)) EXPECT_EQ(law_of(summary, made), "sound") << made.why;
   EXPECT_TRUE(
-      contains(of(summary, Purpose::these_tests).why, "overfit is nearer (1.0 %), but its prediction is unusable"));
+      contains(of(summary, Purpose::these_tests).why, "overfit is nearer to the tests (1.0 %), but its prediction is unusable"));
 }
 
 TEST(Recommendation, OfAFairPredictionIsWeakAndOneDeviceTiesByShare) {
@@ -124,8 +125,8 @@ TEST(Recommendation, OfAFairPredictionIsWeakAndOneDeviceTiesByShare) {
   EXPECT_EQ(law_of(summary, made), "bouc-wen");
   EXPECT_EQ(made.ties, std::vector<std::size_t>{1});
   EXPECT_EQ(made.sure, Sure::weak);
-  EXPECT_TRUE(contains(made.why, "Abe ties with it within what one device can tell")) << made.why;
-  EXPECT_TRUE(contains(made.why, "fair")) << made.why;
+  EXPECT_TRUE(contains(made.why, "Abe differs from it by less than one device can tell")) << made.why;
+  EXPECT_EQ(made.weak.front().kind, FindingKind::weak_prediction_fair);
   EXPECT_EQ(law_of(summary, of(summary, Purpose::simplest)), "bilinear");
 }
 
@@ -134,21 +135,22 @@ TEST(Recommendation, IsNoneWhereAllCollapse) {
   for (auto const& made : recommendations(summary)) {
     EXPECT_FALSE(made.law);
     EXPECT_FALSE(made.error);
-    EXPECT_TRUE(contains(made.why, "rediction of a (unusable) and b (poor)")) << made.why;
+    EXPECT_EQ(made.why.front().kind, FindingKind::none_predicts);
+    EXPECT_EQ(made.why.front().other_laws, (std::vector<std::string>{"a", "b"}));
   }
-  EXPECT_TRUE(contains(verdict_sentence(recommendations(summary)), "No law can be recommended"));
+  EXPECT_TRUE(contains(verdict(recommendations(summary)), "No law can be recommended"));
 }
 
 TEST(Recommendation, OfOneDeviceFittedWholeIsForTheseTestsAlone) {
   auto const summary = summary_of({{"a", {0.03}}, {"b", {0.08}}});
   auto const untested = of(summary, Purpose::untested_device);
   EXPECT_FALSE(untested.law);
-  EXPECT_TRUE(contains(untested.why, "nothing says how a law holds elsewhere")) << untested.why;
-  EXPECT_TRUE(contains(untested.would_decide, "kept from the fit")) << untested.would_decide;
+  EXPECT_TRUE(contains(untested.why, "nothing shows how a law holds elsewhere")) << untested.why;
+  EXPECT_TRUE(contains(untested.surer, "keep it from the fit")) << untested.surer;
   EXPECT_EQ(law_of(summary, of(summary, Purpose::these_tests)), "a");
   EXPECT_EQ(
-      verdict_sentence(recommendations(summary)),
-      "For these tests take a: 3.0 % off fitted to each device; for other devices or amplitudes no law can be recommended.");
+      wording::sentence(*verdict(recommendations(summary))),
+      "For these tests take a: it is 3.0 % off fitted to each device. For other devices or amplitudes no law can be recommended.");
 }
 
 TEST(Recommendation, IsWeakWhereTheSearchDidNotConverge) {
@@ -157,7 +159,7 @@ TEST(Recommendation, IsWeakWhereTheSearchDidNotConverge) {
   auto const made = of(summary, Purpose::these_tests);
   EXPECT_EQ(law_of(summary, made), "a");
   EXPECT_EQ(made.sure, Sure::weak);
-  EXPECT_TRUE(contains(made.why, "of its searches ended near its least objective")) << made.why;
+  EXPECT_TRUE(contains(made.weak, "only 10 % of its searches reached the best fit found")) << made.weak;
   summary = summary_of({{"a", {0.03, 0.031}, {0.04, 0.041}}});
   summary.expected_runs = 10;
   EXPECT_EQ(of(summary, Purpose::these_tests).sure, Sure::weak);
@@ -178,9 +180,9 @@ TEST(Recommendation, OfTheOnlyLawIsWeak) {
   for (auto const& made : recommendations(summary)) {
     EXPECT_EQ(law_of(summary, made), "only");
     EXPECT_EQ(made.sure, Sure::weak) << made.why;
-    EXPECT_TRUE(contains(made.answer, "Take only, with care: ")) << made.answer;
-    EXPECT_TRUE(contains(made.why, "no other law was identified to compare it with")) << made.why;
-    EXPECT_TRUE(contains(made.would_decide, "--laws, others to compare it with")) << made.would_decide;
+    EXPECT_TRUE(contains(made.answer, "Take only, with care: ")) << text_of(made.answer);
+    EXPECT_TRUE(contains(made.weak, "no other law was identified to compare it with")) << made.weak;
+    EXPECT_TRUE(contains(made.surer, "other laws to compare it with (--laws)")) << made.surer;
   }
 }
 
@@ -188,10 +190,10 @@ TEST(Recommendation, OfALawThatErrsByMoreThanATenthIsWeakForTheTestsToo) {
   auto const summary = summary_of({{"near", {0.12, 0.121}}, {"far", {0.2, 0.201}}});
   for (auto const purpose : {Purpose::these_tests, Purpose::simplest})
     EXPECT_EQ(of(summary, purpose).sure, Sure::weak) << of(summary, purpose).why;
-  EXPECT_EQ(of(summary, Purpose::these_tests).answer,
-            "For these tests take near, with care: 12 % off fitted to each device; for other devices or amplitudes no "
-            "law can be recommended.");
-  EXPECT_TRUE(contains(of(summary, Purpose::simplest).answer, "; for other devices or amplitudes no law can be"));
+  EXPECT_EQ(
+      text_of(of(summary, Purpose::these_tests).answer),
+      "For these tests take near, with care: it is 12 % off fitted to each device. For other devices or amplitudes no law can be recommended.");
+  EXPECT_TRUE(contains(of(summary, Purpose::simplest).answer, " For other devices or amplitudes no law can be"));
 }
 
 TEST(Recommendation, LeavesOutALawThatWasRefusedOnADevice) {
@@ -214,12 +216,12 @@ TEST(Recommendation, OfTheSimplestMayLoseHalfOfTheBest) {
                                    {"rough", {0.09, 0.091, 0.092}, {0.10, 0.11, 0.12}, {}, 2}});
   auto const made = of(summary, Purpose::simplest);
   EXPECT_EQ(law_of(summary, made), "plain") << made.why;
-  EXPECT_TRUE(contains(made.why, "with 3 parameters; best by 5.1 %, with 12")) << made.why;
+  EXPECT_TRUE(contains(made.why, "with 3 parameters. The most accurate law, best, is 5.1 % off and has 12 parameters")) << made.why;
 }
 
 TEST(Recommendation, OfAnInspectionIsNone) {
   EXPECT_TRUE(recommendations(Summary{}).empty());
-  EXPECT_EQ(verdict_sentence({}), "");
+  EXPECT_FALSE(verdict({}));
 }
 
 }  // namespace

@@ -294,11 +294,11 @@ TEST(ValueDoubts, ALeadOrFrictionSaysWhatTheDampingWouldBe) {
   EXPECT_TRUE(value_doubts(device).empty());
   device.effects = {{data::damping_by_skew, 6.3, "points", std::nullopt, false}};
   ASSERT_EQ(value_doubts(device).size(), 1u);
-  EXPECT_EQ(value_doubts(device)[0].text(), "damping 18.5 %, or 12.2 % if the lead of the force is a channel's");
+  EXPECT_EQ(value_doubts(device)[0].text(), "damping 18.5 %, or 12.2 % if the force channel is early");
   device.effects = {{data::damping_by_skew, -2.0, "points", std::nullopt, true},
                     {data::damping_by_rig_friction, 0.3, "points", std::nullopt, false}};
   ASSERT_EQ(value_doubts(device).size(), 1u) << "0.3 points of 18.5 are none";
-  EXPECT_EQ(value_doubts(device)[0].text(), "damping 18.5 %, or 20.5 % if the force, a late channel, is moved back");
+  EXPECT_EQ(value_doubts(device)[0].text(), "damping 18.5 %, or 20.5 % if the late force channel is moved back");
   device.effects = {{data::damping_by_rig_friction, 1.5, "points", std::nullopt, false}};
   EXPECT_EQ(value_doubts(device)[0].otherwise, 17.0);
   device.raw.corrections = {{.kind = FindingKind::friction_removed, .numbers = {{"friction_kN", 2.0}}}};

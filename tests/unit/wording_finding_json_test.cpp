@@ -36,16 +36,9 @@ TEST(FindingJson, KeepsNumbersThatAreNotFiniteAsNone) {
   EXPECT_TRUE(std::isnan(read[0].number("x")));
 }
 
-TEST(FindingJson, ReadsTextsOfOlderStores) {
-  auto const read = findings_of(R"(["a channel is late", ""])");
-  ASSERT_EQ(read.size(), 2u);
-  EXPECT_EQ(read[0].kind, FindingKind::stated_by_older_store);
-  EXPECT_EQ(remark(read[0]), "a channel is late");
-}
-
 TEST(FindingJson, RefusesWhatItDoesNotWrite) {
   for (auto const* json : {R"([{"kind":"no-such-kind"}])", R"([{"words":{"text":"x"}}])", R"({"kind":"drift"})",
-                           R"([{"kind":"drift","other":1}])", R"([3])", R"("text")", "null"})
+                           R"([{"kind":"drift","other":1}])", R"([3])", R"(["text"])", R"("text")", "null"})
     EXPECT_THROW(findings_of(json), Error) << json;
   for (auto const* json : {R"([{"kind":3}])", R"([{"kind":"drift","numbers":{"x":"1"}}])",
                            R"([{"kind":"drift","words":[1]}])", R"([{"kind":"drift","blocks":["1"]}])", "[", ""})

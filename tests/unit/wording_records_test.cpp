@@ -110,8 +110,8 @@ TEST(RecordSentences, NoKindMakesARangeOfPositions) {
     auto const text = remark(both);
     auto const expect_apart = [&](std::string const& one, std::string const& other) {
       EXPECT_FALSE(contains(text, one + " to " + other)) << row.key << ": " << text;
-      if ((row.appears & in_report) != 0)
-        EXPECT_EQ(contains(text, one), contains(text, other)) << row.key << ": " << text;
+      if ((row.appears & in_report) == 0) return;
+      EXPECT_EQ(contains(text, one), contains(text, other)) << row.key << ": " << text;
     };
     for (auto const& [name, first, second] : places) expect_apart(fmt::format("{}", first), fmt::format("{}", second));
     expect_apart("7777", "8888");

@@ -59,7 +59,7 @@ int CampaignWork::finish(campaign::Contents& contents, HowToWork const& how) {
         shown(file), command_);
     throw;
   }
-  own_.restart();
+  campaign::Meter::restart();
   if (how.share && !interrupted()) {
     say("part {} of {} of the {} is analysed, in {}; when every part is: isolaw merge OUT PARTS...\n",
         how.share->number, how.share->of,

@@ -137,14 +137,13 @@ int parts(PartsArguments const& arguments, std::string const& program) {
   auto const runs = contents.expected_runs();
   auto const count = static_cast<std::size_t>(arguments.count);
   if (runs < count) say("{} for {}: some parts will have none\n", counted(runs, "run"), counted(count, "part"));
-  campaign::Estimate estimate(1);
-  campaign::expect_all(estimate, contents);
-  double const all_s = estimate.left_s(0.0);
-  estimate.expect_left(campaign::TaskKind::run, {});
-  double const analyses_s = estimate.left_s(0.0);
+  campaign::Estimate const estimate(contents);
+  double analyses_s = 0.0;
+  for (auto const kind : {campaign::TaskKind::device, campaign::TaskKind::lot, campaign::TaskKind::left_out})
+    analyses_s += estimate.work_left_s(kind);
   auto const threads = static_cast<std::size_t>(jobs);
   auto const in_turn = (runs + count * threads - 1) / (count * threads);  // runs that one thread computes
-  double const run_s = runs > 0 ? (all_s - analyses_s) / static_cast<double>(runs) : 0.0;
+  double const run_s = runs > 0 ? estimate.work_left_s(campaign::TaskKind::run) / static_cast<double>(runs) : 0.0;
   std::vector<std::string> of_merge{"--figures", given.figures};
   print(part_script(arguments.to, {.program = program_of(program),
                                    .directory = std::filesystem::current_path(),

@@ -46,7 +46,7 @@ enum class FindingKind {
   about_acceleration, cycle_unlike_neighbours, force_late, friction_in_force, samples_few, time_uneven, time_jumps,
   noise, drift, loop_open, speed_off, off_centre, starts_off_zero, several_amplitudes, damping_undefined,
   average_too_wide, shared_time_short, channel_interpolated, axis_taken_for_channel, unit_overridden,
-  loads_ambiguous, load_unit_unclear, velocity_unused, stated_by_older_store,
+  loads_ambiguous, load_unit_unclear, velocity_unused,
   // Notes: numbers worth knowing of a record.
   samples_per_cycle, force_early, jump_of_force, rig_friction, moving_mass, stands_still, cut_off_zero,
   largest_speed, average_over_samples,
@@ -56,6 +56,8 @@ enum class FindingKind {
   // What was done to it: corrections, and the steps before laws are fitted to it.
   spikes_repaired, skew_removed, friction_removed, inertia_removed, force_multiplied, centred, smoothed,
   not_smoothed, scored_in_part, all_samples_kept, velocity_computed, no_velocity, samples_thinned,
+  // The condition under which a device's damping is another one: study/value_doubts.hpp.
+  if_late_force_is_moved, if_force_is_early, if_jump_is_of_rig, if_rig_rubs,
 };
 // clang-format on
 
@@ -73,7 +75,7 @@ struct FindingWord {
 };
 
 struct Finding {
-  FindingKind kind = FindingKind::stated_by_older_store;
+  FindingKind kind = {};
   std::string law = {};  // its id; empty: the finding is about no single law
   std::vector<std::string> other_laws = {};
   std::vector<std::string> devices = {}, parameters = {};

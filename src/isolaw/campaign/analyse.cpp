@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -36,9 +35,6 @@ struct LawOnLot {
   }
 };
 
-int evaluations_of(DeviceAnalysis const& result) {
-  return result.determination.evaluations + result.intervals.evaluations;
-}
 int evaluations_of(LotAnalysis const& result) {
   return result.mean.evaluations + result.worst.law.evaluations;
 }
@@ -265,22 +261,20 @@ class Analysis {
   template <class Result, class LawOf, class Work>
   void each(std::size_t count, std::vector<Result>& results, Part part, LawOf&& law_of, Work&& work) {
     if (options_.estimate != nullptr) {
-      std::map<std::string, std::size_t> left;
-      for (std::size_t i = 0; i < count; ++i) ++left[std::string(law_of(i))];
-      options_.estimate->expect_left(part.kind, left);
+      options_.estimate->expect_none(part.kind);
+      for (std::size_t i = 0; i < count; ++i) options_.estimate->expect(part.kind, law_of(i));
     }
     if (count == 0) return;
     results.reserve(results.size() + count);
     auto const worked = for_each_in_parallel(count, options_.threads, [&](std::size_t i) {
       if (interrupted()) return;
       Meter meter(options_.profile);
-      TimedTask timed(options_.estimate, part.kind, law_of(i));
       auto result = work(i, meter);
       if (!result) return;
       {
         std::scoped_lock const lock(one_writer_);
         store_.add(*result);
-        timed.done(evaluations_of(*result), options_.task_done);
+        if (options_.estimate != nullptr) options_.estimate->done(part.kind, result->law);
         results.push_back(std::move(*result));
         if (options_.progress) options_.progress(contents_.analyses(), total_);
       }

@@ -27,7 +27,6 @@ struct AnalyseOptions {
   std::function<bool()> interrupted;                                  // asked from any thread
   Profile* profile = nullptr;
   Estimate* estimate = nullptr;
-  TaskDone task_done = {};
   // Analyse only this share of the devices. If that leaves no device unexamined, also fit this share of the lot's laws.
   std::optional<Part> share = {};
 };

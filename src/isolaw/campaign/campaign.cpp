@@ -6,7 +6,6 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
-#include <new>
 #include <optional>
 #include <set>
 #include <thread>
@@ -169,25 +168,17 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
       options.jobs > 0 ? static_cast<std::size_t>(options.jobs) : std::max(1U, std::thread::hardware_concurrency());
   Progress progress{
       .done = contents.runs.size(), .total = contents.runs.size() + tasks.size(), .analysis = false, .best = {}};
-  std::optional<Estimate> estimate;
-  if (options.progress || options.task_done) expect_all(estimate.emplace(jobs), contents);
-  if (estimate && contents.part) {
-    std::map<std::string, std::size_t> left;
-    for (auto const& task : tasks) ++left[targets[task.target].search->law];
-    for (auto const kind : {TaskKind::run, TaskKind::device, TaskKind::lot, TaskKind::left_out})
-      estimate->expect_left(kind, kind == TaskKind::run ? left : std::map<std::string, std::size_t>());
+  Estimate estimate(contents);
+  if (contents.part) {
+    for (auto const kind : task_kinds) estimate.expect_none(kind);
+    for (auto const& task : tasks) estimate.expect(TaskKind::run, targets[task.target].search->law);
   }
-  if (estimate && options.share && !every_device_examined(contents))
-    for (auto const kind : {TaskKind::lot, TaskKind::left_out}) estimate->expect_left(kind, {});
-  auto* const estimated = estimate ? &*estimate : nullptr;
+  if (options.share && !every_device_examined(contents))
+    for (auto const kind : {TaskKind::lot, TaskKind::left_out}) estimate.expect_none(kind);
   auto const tell = [&] {
     if (!options.progress) return;
-    try {
-      double const now_s = TimedTask::now_s();
-      progress.share = estimate->share(now_s);
-      progress.left_s = estimate->left_s(now_s);
-    } catch (std::bad_alloc const&) {  // the estimate of the last call stays
-    }
+    progress.share = estimate.share();
+    progress.left_s = estimate.left_s();
     options.progress(progress);
   };
   auto const note = [&](Run const& run) {
@@ -208,7 +199,6 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
     if (asked_to_stop()) return;
     Meter meter(options.profile);
     auto const& target = targets[task.target];
-    TimedTask timed(estimated, TaskKind::run, target.search->law);
     auto model = law_on_device(contents, target.search->device, target.search->law);
     auto const result = search_by(contents.settings, target, model, task.number, asked_to_stop);
     if (result.outcome == Outcome::interrupted) return;
@@ -221,7 +211,7 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
     store.add(run);  // after this nothing may fail: a task that ran out of memory is tried again
     ++progress.done;
     meter.count_evaluations(Phase::search, run.evaluations);
-    timed.done(run.evaluations, options.task_done);
+    estimate.done(TaskKind::run, run.law);
     contents.runs.push_back(std::move(run));
     tell();
     meter.lap(Phase::search);
@@ -229,7 +219,7 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
 
   own.lap(Phase::search);
   auto worked = for_each_in_parallel(tasks.size(), jobs, [&](std::size_t i) { perform(tasks[i]); });
-  own.restart();
+  Meter::restart();
   bool short_of_threads = worked < std::min(jobs, tasks.size());
   std::ranges::sort(contents.runs, {}, [](Run const& r) { return std::tie(r.device, r.law, r.number); });
   own.lap(Phase::search);
@@ -247,10 +237,9 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
                                       },
                                   .interrupted = asked_to_stop,
                                   .profile = options.profile,
-                                  .estimate = estimated,
-                                  .task_done = options.task_done,
+                                  .estimate = &estimate,
                                   .share = options.share});
-    own.restart();
+    Meter::restart();
     if (threads < jobs) {
       worked = short_of_threads ? std::min(worked, threads) : threads;
       short_of_threads = true;

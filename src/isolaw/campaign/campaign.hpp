@@ -8,7 +8,6 @@
 #include <string>
 
 #include "isolaw/campaign/contents.hpp"
-#include "isolaw/campaign/estimate.hpp"
 #include "isolaw/campaign/profile.hpp"
 
 namespace isolaw::campaign {
@@ -28,7 +27,6 @@ struct RunOptions {
   std::function<void(int)> short_of_threads = {};  // called at the end with their number if the system gave fewer
   Profile* profile = nullptr;                      // the time and work of the phases are added to it
   std::optional<Part> share = {};                  // the share of the analyses to make: see AnalyseOptions
-  TaskDone task_done = {};                         // called after every run and analysis, like `progress`
 };
 
 // Computes the runs and analyses that `store` does not hold yet and adds them. The result of a run depends only on

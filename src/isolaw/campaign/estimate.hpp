@@ -1,110 +1,49 @@
-// Estimates how much of a campaign is done and how long the rest takes, from the cost of its finished tasks.
+// How much of a campaign is done, and how long the rest takes: work done over all work, each task weighted by what its
+// law's file says that a step costs.
 #pragma once
 
+#include <array>
+#include <chrono>
 #include <cstddef>
-#include <functional>
-#include <map>
-#include <mutex>
-#include <string>
 #include <string_view>
-#include <utility>
+#include <vector>
 
 #include "isolaw/campaign/contents.hpp"
 
 namespace isolaw::campaign {
 
-// A run of a search; the analysis of a law on a device; the fit of a law to the lot; that fit without one device. They
-// are done in this order: a kind begins when the one before it is finished.
+// One run of a search; the analysis of one device; a law fitted to the lot; that law fitted without one of the devices.
 enum class TaskKind { run, device, lot, left_out };
-inline constexpr std::size_t task_kinds = 4;
-std::string_view name(TaskKind kind);
+inline constexpr std::array task_kinds{TaskKind::run, TaskKind::device, TaskKind::lot, TaskKind::left_out};
 
-// The size of a task, from which its cost is guessed before one like it was measured.
-struct TaskSize {
-  double step_s = 0.0;             // time of one step of one candidate in a block for residuals
-  double population_step_s = 0.0;  // the same in a block for populations
-  double steps = 0.0;              // steps in the device's record, or the mean over devices
-  std::size_t devices = 1;         // number of devices whose records the task computes
-  std::size_t free = 0;            // number of free parameters
-  double in_populations = 0.0;     // evaluations of a run of the genetic algorithm; 0 with Method::best
-};
-
-// The guessed cost of a task. Only its ratio to that of other tasks matters, since measurements correct it.
-struct TaskLikelihood {
-  double evaluations = 0.0, evaluation_s = 0.0;
-};
-TaskLikelihood likely(TaskKind kind, TaskSize const& size);
-
-// Tasks of one kind and law cost about the same, so the mean of those measured counts. Before the first measurement the
-// guess is corrected: the time of an evaluation by what tasks of other kinds took with this law, the number of
-// evaluations by what tasks of this kind took with other laws. (Of a search it depends on the record; of an analysis it
-// hardly varies.) Thread-safe.
+// Not thread-safe. `contents` must outlive it.
 class Estimate {
  public:
-  explicit Estimate(std::size_t threads) : threads_(threads == 0 ? 1 : threads) {}
+  // Expects every run and analysis that `contents` lacks.
+  explicit Estimate(Contents const& contents);
 
-  // `left` tasks are to be done; an earlier process has done `done_before`.
-  void expect(TaskKind kind, std::string_view law, TaskLikelihood const& each, std::size_t left,
-              std::size_t done_before);
-  // Corrects the number of tasks to be done once it is known for this kind; a law that is not named has none.
-  void expect_left(TaskKind kind, std::map<std::string, std::size_t> const& by_law);
+  // No task of this kind is left, but for those that are expected from here on.
+  void expect_none(TaskKind kind);
+  void expect(TaskKind kind, std::string_view law) { ++tasks(kind, law).left; }
+  void done(TaskKind kind, std::string_view law);
 
-  // All times come from one clock, in s. begin() returns an id; a task that is given up stays among those to be done.
-  std::size_t begin(TaskKind kind, std::string_view law, double now_s);
-  double end(std::size_t task, int evaluations, double now_s);  // returns how long the task took
-  void give_up(std::size_t task);
-
-  double share(double now_s) const;   // the part of all work that is done, 0 to 1
-  double left_s(double now_s) const;  // the time that the rest takes with all threads
+  double work_left_s(TaskKind kind) const;  // processor time on the machine that the costs of the laws are from
+  double share() const;                     // of all work, 0 to 1, what was stored before included
+  double left_s() const;                    // at the rate of the work since construction
 
  private:
-  struct Group {
-    std::size_t left = 0, done_before = 0, measured = 0;
-    TaskLikelihood likely = {};
-    double measured_s = 0.0, evaluations = 0.0;
+  struct Tasks {
+    double each_s = 0.0;
+    std::size_t left = 0;
   };
-  struct Running {
-    TaskKind kind;
-    std::string law;
-    double since_s;
-  };
-  using Key = std::pair<TaskKind, std::string>;
-  std::map<Key, double> unit_s(double now_s) const;  // the time of one task
+  Tasks& tasks(TaskKind kind, std::string_view law);
+  double all_left_s() const;
 
-  mutable std::mutex mutex_;
-  std::size_t threads_;
-  std::map<Key, Group> groups_;
-  std::map<std::size_t, Running> running_;
-  std::size_t next_ = 0;
-};
-
-// Registers all tasks of a campaign, those left and those done. Measures the laws' code for a few milliseconds.
-void expect_all(Estimate& estimate, Contents const& contents);
-
-struct TaskCost {
-  TaskKind kind = TaskKind::run;
-  std::string law;
-  int evaluations = 0;
-  double seconds = 0.0;
-};
-using TaskDone = std::function<void(TaskCost const&)>;
-
-// Times one task for an estimate, which may be null. The task is given up unless done() is called.
-class TimedTask {
- public:
-  TimedTask(Estimate* estimate, TaskKind kind, std::string_view law);
-  TimedTask(TimedTask const&) = delete;
-  TimedTask& operator=(TimedTask const&) = delete;
-  ~TimedTask();
-  void done(int evaluations, TaskDone const& task_done);
-
-  static double now_s();
-
- private:
-  Estimate* estimate_;
-  TaskKind kind_;
-  std::string_view law_;
-  std::size_t id_ = 0;
+  using Clock = std::chrono::steady_clock;
+  Contents const& contents_;
+  std::vector<std::array<Tasks, task_kinds.size()>> tasks_;  // for each of settings.laws
+  double before_s_ = 0.0, done_s_ = 0.0;
+  Clock::time_point start_ = Clock::now();
 };
 
 }  // namespace isolaw::campaign

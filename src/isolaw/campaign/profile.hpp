@@ -9,7 +9,6 @@
 #include <string_view>
 
 #include "isolaw/base/ahead.hpp"
-#include "isolaw/fit/block_cost.hpp"
 
 namespace isolaw::campaign {
 
@@ -20,27 +19,24 @@ inline constexpr std::array phases{Phase::read, Phase::search,   Phase::determin
 std::string_view name(Phase phase);
 
 struct PhaseCost {
-  double cpu_s = 0.0;   // processor time of all threads
-  double wall_s = 0.0;  // elapsed time
+  double cpu_s = 0.0;     // processor time of all threads
+  double kernel_s = 0.0;  // of it, in the laws' code
+  double wall_s = 0.0;    // elapsed time
   std::uint64_t evaluations = 0;
-  fit::WorkCount work = {};
+
+  PhaseCost& operator+=(PhaseCost const& other);
 };
 
 // The cost of one process: work that a continued campaign had stored before is not included. Adding is thread-safe,
 // reading is not.
 class Profile {
  public:
-  void add(Phase phase, double cpu_s, fit::WorkCount const& work);
-  void count_evaluations(Phase phase, int evaluations);
+  void add(Phase phase, PhaseCost const& cost);
   // Adds the elapsed time since the last mark, or since construction, to these phases. Several phases whose tasks take
   // turns share it in proportion to the processor time added since then.
   void mark(std::initializer_list<Phase> ended);
 
   PhaseCost const& operator[](Phase phase) const { return costs_[static_cast<std::size_t>(phase)]; }
-  // Processor time inside the laws' code, by phase. Without `cost` it measures the kinds of blocks now, in about a
-  // hundredth of the phases' processor time but at most 20 ms, unless the fewest passes take longer.
-  std::array<double, phases.size()> kernel_seconds() const;
-  std::array<double, phases.size()> kernel_seconds(fit::BlockCost const& cost) const;
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -54,20 +50,18 @@ class Profile {
 class Meter final : HelpListener {
  public:
   explicit Meter(Profile* profile);
-  // Assigns the work since the last lap, or since construction, to this phase.
+  // Assigns to this phase what the thread did since its last lap of any meter, or since it constructed or restarted one.
   void lap(Phase phase);
-  void restart();  // drops that work, which another meter counts
+  static void restart();
   void count_evaluations(Phase phase, int evaluations) const;
 
  private:
-  void help_begins() override;
+  void help_begins() override { restart(); }
   void help_ends() override;
 
   Profile* profile_;
-  double before_s_ = 0.0;
   std::mutex mutex_;  // guards the work of helpers since the last lap
-  double helped_s_ = 0.0;
-  fit::WorkCount helped_;
+  PhaseCost helped_;
 };
 
 }  // namespace isolaw::campaign

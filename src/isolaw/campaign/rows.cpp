@@ -26,14 +26,15 @@ using sqlite::Statement;
 // All of a compression test but its series; empty: there is none.
 std::string to_json(data::VerticalTest const& test) {
   if (!test.given()) return {};
-  nlohmann::ordered_json made{{"file", test.file},
-                              {"sha256", test.sha256},
-                              {"recognised", nlohmann::ordered_json::parse(wording::findings_json(test.recognised))},
-                              {"refusal", test.refusal}};
-  if (test.loads) made["loads_kN"] = {test.loads->low_kN, test.loads->high_kN};
-  if (test.stated_kN_per_mm) made["stated_kN_per_mm"] = *test.stated_kN_per_mm;
+  nlohmann::ordered_json made;  // in the order of the alphabet, as stores always had it
   if (test.found_kN_per_mm) made["K_v_kN_per_mm"] = *test.found_kN_per_mm;
   if (!test.curve_sha256.empty()) made["curve_sha256"] = test.curve_sha256;
+  made["file"] = test.file;
+  if (test.loads) made["loads_kN"] = {test.loads->low_kN, test.loads->high_kN};
+  made["recognised"] = nlohmann::ordered_json::parse(wording::findings_json(test.recognised));
+  made["refusal"] = test.refusal;
+  made["sha256"] = test.sha256;
+  if (test.stated_kN_per_mm) made["stated_kN_per_mm"] = *test.stated_kN_per_mm;
   return made.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 data::VerticalTest vertical_of(std::string const& json) {

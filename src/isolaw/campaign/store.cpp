@@ -120,7 +120,7 @@ bool Store::is_plain(std::filesystem::path const& file) {
 
 Store Store::open(std::filesystem::path const& file) {
   auto db = Connection::to_write(file);
-  require_present_schema(db, file);
+  require_schema(db, file);
   auto campaign = read_as_ours(file, [&] { return read_campaign(db); });
   db.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
   return {std::move(db), std::move(campaign)};
@@ -133,7 +133,7 @@ Contents Store::read(std::filesystem::path const& file) {
                  .allowed = "campaign.sqlite of a campaign",
                  .advice = "isolaw calibrate ... --out DIR makes one"});
   auto const db = Connection::to_read(file);
-  require_readable_schema(db, file);
+  require_schema(db, file);
   return read_as_ours(file, [&] {
     auto contents = read_contents(db);
     require_consistent(contents);
@@ -147,7 +147,7 @@ void Store::put_in_order(std::filesystem::path const& file) {
 
 Store::Taken Store::take_runs(std::filesystem::path const& other) {
   auto const theirs = Connection::to_read(other);
-  require_present_schema(theirs, other);
+  require_schema(theirs, other);
   auto const maker = own_maker();
   // The rows of a part are spread over the whole tree. A long log collects the changes of many parts before the file is
   // written (16384 pages instead of SQLite's 1000).
@@ -177,7 +177,7 @@ Store::Taken Store::take_runs(std::filesystem::path const& other) {
 
 std::size_t Store::take_analyses(std::filesystem::path const& other) {
   auto const theirs = Connection::to_read(other);
-  require_present_schema(theirs, other);
+  require_schema(theirs, other);
   auto const maker = own_maker();
   std::size_t added = 0;
   auto const take = [&](auto const& here, auto offered, auto const& key) {
@@ -207,13 +207,13 @@ std::size_t Store::take_analyses(std::filesystem::path const& other) {
 
 Contents Store::read_beginning(std::filesystem::path const& file) {
   auto const db = Connection::to_read(file);
-  require_present_schema(db, file);
+  require_schema(db, file);
   return read_as_ours(file, [&] { return read_campaign(db); });
 }
 
 Contents Store::read_beginning_and_series(std::filesystem::path const& file) {
   auto const db = Connection::to_read(file);
-  require_present_schema(db, file);
+  require_schema(db, file);
   return read_as_ours(file, [&] {
     auto contents = read_campaign_and_series(db);
     require_consistent(contents);
@@ -223,7 +223,7 @@ Contents Store::read_beginning_and_series(std::filesystem::path const& file) {
 
 std::vector<std::pair<std::string, std::string>> Store::hashes_of_beginning(std::filesystem::path const& file) {
   auto const db = Connection::to_read(file);
-  require_present_schema(db, file);
+  require_schema(db, file);
   std::vector<std::pair<std::string, std::string>> found;
   for (auto const& [table, rows] :
        {std::pair("meta", "meta WHERE key <> 'part' ORDER BY key"), std::pair("setting", "setting ORDER BY position"),
@@ -287,7 +287,7 @@ void Store::add(LeftOutAnalysis const& analysis) {
 
 std::vector<std::string> Store::foreign_rows(std::filesystem::path const& file, Contents const& contents) {
   auto const theirs = Connection::to_read(file);
-  require_readable_schema(theirs, file);
+  require_schema(theirs, file);
   auto const ours = Connection::in_memory();
   fill(ours, contents, contents.makers);
   write_results(ours, contents);

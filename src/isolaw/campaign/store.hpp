@@ -30,9 +30,9 @@ class Store {
   // files, byte by byte, in whatever order and on however many machines their runs were computed. Does nothing if that
   // is so already, and keeps the old file if the new one cannot be written.
   static void put_in_order(std::filesystem::path const& file);
-  // Reads everything, also from an older schema, and does not change the file. Throws Error as open() does.
+  // Everything in it; the file is not changed. Throws Error as above.
   static Contents read(std::filesystem::path const& file);
-  // Reads what the campaign began with, without series and results. Throws Error for an older schema.
+  // What a campaign began with, without its records' series and without results.
   static Contents read_beginning(std::filesystem::path const& file);
   // The same with the series.
   static Contents read_beginning_and_series(std::filesystem::path const& file);

@@ -180,12 +180,18 @@ LoadRange held_range(VerticalTest const& test, Compression const& c, Loading con
 
 void refuse_faults(VerticalTest const& test, Compression const& compression) {
   std::vector<Complaint> complaints;
-  for (auto const& fault : vertical_faults(compression.disp_mm, compression.load_kN))
+  for (auto const& fault : vertical_faults(compression.disp_mm, compression.load_kN)) {
+    auto const unit = fault.finding.word("unit");
+    auto const level = fmt::format("level_{}", unit);
+    auto const kept =
+        fault.finding.has_number(level) ? fmt::format(" {:.5g} {}, from", fault.finding.number(level), unit) : "";
     complaints.push_back(
         {.where = test.file,
-         .found = fmt::format("{} is {} at {}", fault.channel, said_of(fault.kind), sample_text(fault.samples, {})),
+         .found =
+             fmt::format("{} is {} at{} {}", fault.channel, said_of(fault.kind), kept, sample_text(fault.samples, {})),
          .allowed = {},
          .advice = "another test, the part of the file that was not disturbed (rows), or K_v as stated"});
+  }
   if (!complaints.empty()) throw Error(std::move(complaints));
 }
 

@@ -10,7 +10,7 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/words.hpp"
-#include "isolaw/fit/work_counter.hpp"
+#include "isolaw/fit/kernel_time.hpp"
 #include "isolaw/num/row_kernels.hpp"
 #include "isolaw/num/statistics.hpp"
 
@@ -219,8 +219,8 @@ double LawOnRecord::misfit(std::vector<double> const& force) const {
 
 double LawOnRecord::objective(std::span<double const> parameters, std::vector<double>& work) const {
   work.resize(measured_.size());
+  KernelTimer const timer;
   law().evaluate(parameters, motion_.path(), motion_.integration(), work);
-  count_block(law(), motion_.integration(), Block::scalar, motion_.path());
   return misfit(work);
 }
 
@@ -250,8 +250,10 @@ void LawOnRecord::objectives(std::size_t count, std::function<void(std::size_t, 
       usable[lane] = std::ranges::all_of(one, [](double value) { return std::isfinite(value); });
       for (std::size_t p = 0; p < dimension; ++p) block[p * width + lane] = one[p];
     }
-    (width == wide_block ? code.wide : code.narrow)(block.data(), record, motion_.integration(), sums.data());
-    count_block(law(), motion_.integration(), width == wide_block ? Block::wide : Block::narrow, motion_.path());
+    {
+      KernelTimer const timer;
+      (width == wide_block ? code.wide : code.narrow)(block.data(), record, motion_.integration(), sums.data());
+    }
     for (std::size_t lane = 0; lane < used; ++lane)
       values[first + lane] = usable[lane] && std::isfinite(sums[lane]) ? sums[lane] : infinite;
     first += used;
@@ -266,8 +268,10 @@ void LawOnRecord::residual_rows(std::size_t count, std::function<void(std::size_
     std::vector<double> force(samples);
     for (std::size_t i = 0; i < count; ++i) {
       candidate(i, one);
-      law().evaluate(one, motion_.path(), motion_.integration(), force);
-      count_block(law(), motion_.integration(), Block::scalar, motion_.path());
+      {
+        KernelTimer const timer;
+        law().evaluate(one, motion_.path(), motion_.integration(), force);
+      }
       for (std::size_t j = 0; j < samples; ++j) rows[j * stride + i] = (measured_[j] - force[j]) / spread_;
     }
     for (std::size_t i = count; i < num::padded(count); ++i)
@@ -283,9 +287,9 @@ void LawOnRecord::residual_rows(std::size_t count, std::function<void(std::size_
       candidate(lane < used ? first + lane : first, one);
       for (std::size_t p = 0; p < dimension; ++p) block[p * width + lane] = one[p];
     }
+    KernelTimer const timer;
     (wide ? code.residuals : code.narrow_residuals)(block.data(), motion_.path(), motion_.integration(),
                                                     measured_.data(), 1.0 / spread_, rows.data() + first, stride);
-    count_block(law(), motion_.integration(), wide ? Block::residuals : Block::narrow_residuals, motion_.path());
     first += used;
   }
 }
@@ -304,8 +308,8 @@ double LawOnRecord::integration_shift(std::span<double const> parameters) const 
   std::vector<double> force;
   double const here = objective(parameters, force);
   auto const fine = motion_.path(shift_refinement * refinement());
+  KernelTimer const timer;
   law().evaluate(parameters, fine, laws::Integration::converged, force);
-  count_block(law(), laws::Integration::converged, Block::scalar, fine);
   return std::abs(misfit(force) - here);
 }
 

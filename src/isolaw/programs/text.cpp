@@ -234,7 +234,7 @@ std::vector<Fact> bound_facts(Subject const& subject, bool one_factor) {
 }
 
 std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, UnitSystem const& units,
-                        std::string_view program) {
+                        std::string_view program, bool one_factor) {
   auto const& law = subject.law->info;
   std::vector<Fact> result{
       {"SPDX-License-Identifier", std::string(export_licence)},
@@ -267,7 +267,7 @@ std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, 
                         ? "nothing was tested, and the law is an extrapolation"
                         : "of what it was fitted to the law is a prediction, and beyond the tests an extrapolation"});
   for (auto& fact : away_facts(subject, realisation)) result.push_back(std::move(fact));
-  for (auto& fact : bound_facts(subject, false)) result.push_back(std::move(fact));
+  for (auto& fact : bound_facts(subject, one_factor)) result.push_back(std::move(fact));
   for (auto const& note : subject.notes) result.push_back({"Note", note});
   return result;
 }
@@ -277,12 +277,7 @@ std::vector<Fact> facts_of_the_law(Subject const& subject, UnitSystem const& uni
   Realisation itself;
   itself.fidelity = Fidelity::exact;
   itself.explanation = std::move(explanation);
-  auto all = facts(subject, itself, units, program);
-  std::erase_if(all, [](Fact const& fact) {
-    return fact.label == "Lower bound" || fact.label == "Upper bound" || fact.label == "Bounds from";
-  });
-  for (auto& fact : bound_facts(subject, true)) all.push_back(std::move(fact));
-  return all;
+  return facts(subject, itself, units, program, true);
 }
 
 std::vector<std::string> fact_lines(std::vector<Fact> const& facts) {

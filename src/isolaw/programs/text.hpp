@@ -40,7 +40,7 @@ inline constexpr std::string_view export_licence = "MIT-0",
                                       "use, change and pass on what isolaw wrote here as you like; no notice is needed";
 // Licence, law, parameters, units, fidelity, errors, validity, bounds. `program` is the target as users know it.
 std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, UnitSystem const& units,
-                        std::string_view program);
+                        std::string_view program, bool one_factor = false);
 // The same for an export that holds the law itself: exact, with bounds by one factor on the force.
 std::vector<Fact> facts_of_the_law(Subject const& subject, UnitSystem const& units, std::string_view program,
                                    std::string explanation);

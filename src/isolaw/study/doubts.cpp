@@ -24,7 +24,9 @@ Finding prediction_of(Summary const& summary, LawResult const& law) {
                               {"fitted_objective", *law.fitted_objective}}};
   if (!law.prediction_unusable()) return finding;
   auto const how = collapse(*law.fitted_objective, *law.predicted_objective, *law.worst_predicted);
-  finding.words = {{"collapse", std::string(name(how))}};
+  bool const exact = how == Collapse::far && !(*law.fitted_objective > 0.0);
+  finding.words = {{"collapse", exact ? "far_from_exact" : std::string(name(how))}};
+  if (!exact) finding.numbers.push_back({"times_as_far", *law.predicted_objective / *law.fitted_objective});
   if (auto const mm = largest_displacement(summary, law)) finding.numbers.push_back({"fitted_to_mm", *mm});
   return finding;
 }

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "isolaw/data/error_budget.hpp"
+#include "isolaw/wording/table.hpp"
 
 namespace isolaw::study {
 namespace {
@@ -40,23 +41,22 @@ std::vector<ValueDoubt> value_doubts(DeviceResult const& device) {
   auto const damping = stated_damping(device);
   if (!damping || !(*damping > 0.0)) return doubts;
   // `points` are what the effect adds to the damping.
-  auto const add = [&](std::optional<double> points, std::string condition) {
+  auto const add = [&](std::optional<double> points, FindingKind kind) {
     if (!points || std::abs(*points) < least_share * *damping) return;
     doubts.push_back({.quantity = std::string(rules::name(rules::Quantity::damping)),
                       .value = *damping,
                       .otherwise = std::max(0.0, *damping - *points),
                       .unit = "%",
-                      .condition = std::move(condition)});
+                      .condition = wording::remark({.kind = kind})});
   };
   auto const skew = effect_of(device, data::damping_by_skew);
-  add(skew,
-      skew.value_or(0.0) < 0.0 ? "the force, a late channel, is moved back" : "the lead of the force is a channel's");
+  add(skew, skew.value_or(0.0) < 0.0 ? FindingKind::if_late_force_is_moved : FindingKind::if_force_is_early);
   auto const jump = effect_of(device, data::damping_by_jump);
-  bool const friction_is_off = std::ranges::find(device.raw.corrections, FindingKind::friction_removed,
-                                                 &Finding::kind) != device.raw.corrections.end();
-  add(jump, "the jump of force at reversals is the rig's friction");
-  if (!jump && !friction_is_off)
-    add(effect_of(device, data::damping_by_rig_friction), "the rig's friction is 0.5 % of the vertical load");
+  auto const& corrections = device.raw.corrections;
+  bool const friction_is_off =
+      std::ranges::find(corrections, FindingKind::friction_removed, &Finding::kind) != corrections.end();
+  add(jump, FindingKind::if_jump_is_of_rig);
+  if (!jump && !friction_is_off) add(effect_of(device, data::damping_by_rig_friction), FindingKind::if_rig_rubs);
   return doubts;
 }
 

@@ -13,9 +13,9 @@ struct ValueDoubt {
   double value = 0.0;      // as it is stated of the device
   double otherwise = 0.0;  // as it would be
   std::string unit;
-  std::string condition;  // if: "the lead of the force is a channel's"
+  std::string condition;  // if: "the force channel is early"
 
-  // "damping 18.5 %, or 12.2 % if the lead of the force is a channel's"
+  // "damping 18.5 %, or 12.2 % if the force channel is early"
   std::string text() const;
 };
 

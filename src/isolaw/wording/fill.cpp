@@ -58,7 +58,8 @@ constexpr Phrase phrases[]{
     {"collapse", "no", ""},
     {"collapse", "constant",
      " It misses one of them by more than the force's standard deviation, as a constant force would."},
-    {"collapse", "far", " It misses them far more than those it was fitted to."},
+    {"collapse", "far", " It misses them {times_as_far:.0f} times as far as those it was fitted to."},
+    {"collapse", "far_from_exact", " It misses them, but not those it was fitted to."},
     {"factors", "none", "no factors up to {grid_low:.2f} and {grid_high:.2f} would cover {wanted:0%}"},
     {"factors", "near", "factors within {grid_step:0%} of 1, the step of the search, would cover {wanted:0%}"},
     {"factors", "found", "factors of {factor_low:.2f} and {factor_high:.2f} would cover {wanted:0%}"},
@@ -182,4 +183,10 @@ std::string fill(std::string_view text, Group group) {
   return Filler(group)(text);
 }
 
+std::string remark(Group group) {
+  auto const part = group.front().word("part");
+  auto const& about = row(group.front().kind);
+  return (part.empty() ? std::string() : std::string(part) + ": ") +
+         (about.compose != nullptr ? about.compose(group) : fill(about.text, group));
+}
 }  // namespace isolaw::wording

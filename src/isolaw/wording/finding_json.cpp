@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;  // numbers and words keep their order
 
-Json object_of(Finding const& finding) {
+Json json_of(Finding const& finding) {
   Json object{{"kind", row(finding.kind).key}};
   auto const add = [&](char const* key, auto const& value) {
     if (!value.empty()) object[key] = value;
@@ -33,8 +33,6 @@ Json object_of(Finding const& finding) {
 }
 
 Finding finding_of(Json const& object) {
-  if (object.is_string())
-    return {.kind = FindingKind::stated_by_older_store, .words = {{"text", object.get<std::string>()}}};
   Finding finding;
   for (auto const& [key, value] : object.items()) {
     if (key == "kind") {
@@ -71,7 +69,7 @@ Finding finding_of(Json const& object) {
 
 std::string findings_json(std::vector<Finding> const& findings) {
   Json all = Json::array();
-  for (auto const& finding : findings) all.push_back(object_of(finding));
+  for (auto const& finding : findings) all.push_back(json_of(finding));
   return all.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

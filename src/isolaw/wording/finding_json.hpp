@@ -11,8 +11,7 @@
 namespace isolaw::wording {
 
 std::string findings_json(std::vector<Finding> const& findings);
-// Throws Error, or nlohmann::json::exception, for what findings_json() does not write. Stores of schema 9 and before
-// hold texts, which read as stated_by_older_store with the word "text".
+// Throws Error, or nlohmann::json::exception, for what findings_json() does not write.
 std::vector<Finding> findings_of(std::string_view json);
 
 }  // namespace isolaw::wording

@@ -336,7 +336,6 @@ std::span<Row const> rows() {
             "{reason}: the vertical load is not read ({options} says its unit)."),
       doubt(velocity_unused, "velocity-unused", caution, by_words,
             "{column} is not used: velocities are computed from displacement and time."),
-      doubt(stated_by_older_store, "stated-by-older-store", caution, by_words, stated),
       fact(
           samples_per_cycle, "samples-per-cycle",
           "{samples:.1f} samples per cycle: energy comes out {energy_percent:2} % too small, and a peak up to {peak_percent:2} %."),
@@ -395,6 +394,10 @@ std::span<Row const> rows() {
       fact(
           samples_thinned, "samples-thinned",
           "thinned from {from_per_cycle:.1f} to {to_per_cycle:.1f} samples per cycle: every {every}th of {of_samples} samples kept ({samples}), each the average of {window_samples}"),
+      fact(if_late_force_is_moved, "if-late-force-is-moved", "the late force channel is moved back"),
+      fact(if_force_is_early, "if-force-is-early", "the force channel is early"),
+      fact(if_jump_is_of_rig, "if-jump-is-of-rig", "the force's jump at reversals is friction of the rig"),
+      fact(if_rig_rubs, "if-rig-rubs", "the rig's friction is 0.5 % of the vertical load"),
   };
   static_assert(
       [] {

@@ -7,7 +7,6 @@
 #include <iterator>
 
 #include "isolaw/base/printable.hpp"
-#include "isolaw/wording/fill.hpp"
 #include "isolaw/wording/words.hpp"
 
 namespace isolaw::wording {
@@ -57,12 +56,6 @@ Row const* find_row(std::string_view key) {
   return found == rows().end() ? nullptr : &*found;
 }
 
-std::string remark(Group group) {
-  auto const part = group.front().word("part");
-  auto const& about = row(group.front().kind);
-  return (part.empty() ? std::string() : std::string(part) + ": ") +
-         (about.compose != nullptr ? about.compose(group) : fill(about.text, group));
-}
 std::string remark(Finding const& finding) {
   return remark(Group(&finding, 1));
 }

@@ -39,13 +39,15 @@ std::string range(Group group, std::string_view name, Print print) {
 // With so many significant digits.
 std::string range(Group group, std::string_view name, int digits = 3);
 
-// Something said of each finding: "sample 151 on device-01, sample 421 on device-02 and 3 more"; of a single finding
-// without its device, which the sentence begins with.
+// Something said of each finding: "sample 151 on device-01, sample 421 on device-02 and 3 more"; where all are of
+// one device without it, since the sentence begins with it.
 template <class Say>
 std::string each(Group group, Say say_one, std::size_t most = 4) {
   if (group.size() == 1) return say_one(group.front());
   std::vector<std::string> parts;
-  for (auto const& finding : group) parts.push_back(say_one(finding) + " on " + enumerate(finding.devices));
+  bool const several = devices_of(group).size() > 1;
+  for (auto const& finding : group)
+    parts.push_back(several ? say_one(finding) + " on " + enumerate(finding.devices) : say_one(finding));
   return enumerate(parts, most);
 }
 

@@ -1,0 +1,6 @@
+// A breach: a decision is made from the words of a warning.
+#include <string>
+
+bool is_about_cycles(std::string const& warning) {
+  return warning.starts_with("no cyclic properties");
+}

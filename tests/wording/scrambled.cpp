@@ -1,0 +1,18 @@
+// Takes the place of wording/fill.cpp: every sentence of the table becomes the key of its kind, reversed. A program that
+// reads its own sentences anywhere then behaves differently.
+#include <algorithm>
+#include <string>
+
+#include "isolaw/wording/fill.hpp"
+
+namespace isolaw::wording {
+
+std::string fill(std::string_view text, Group) {
+  return "¿" + std::string(text.rbegin(), text.rend());
+}
+std::string remark(Group group) {
+  auto const key = row(group.front().kind).key;
+  return "¿" + std::string(key.rbegin(), key.rend());
+}
+
+}  // namespace isolaw::wording

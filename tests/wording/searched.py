@@ -1,0 +1,48 @@
+"""Looks for code outside the table of sentences that compares, cuts or searches words.
+
+A literal of two words or more beside a search, a comparison or a cut is such a place, in C++ and in the page's script.
+Usage: searched.py SOURCE_FOLDER; exit code 1 where a place is found that is not listed below.
+"""
+
+import pathlib
+import re
+import sys
+
+root = pathlib.Path(sys.argv[1])
+PHRASE = r"[^\"'`/\n]*[A-Za-z]{2,} [A-Za-z]{2,}[^\"'`/\n]*"
+CPP = re.compile(
+    r'(?:starts_with|ends_with|contains|r?find(?:_first_of)?|compare|erase|replace)\(\s*(?:[\w.>-]+,\s*)?"(' + PHRASE + r')"'
+    r'|[!=]=\s*"(' + PHRASE + r')"'
+)
+SCRIPT = re.compile(
+    r"(?:includes|startsWith|endsWith|indexOf|lastIndexOf|split|replace|match|search|test)\(\s*(?:['\"`](" + PHRASE + r")['\"`]|/(" + PHRASE + r")/)"
+    r"|[!=]==?\s*['\"`](" + PHRASE + r")['\"`]"
+    r"|/(" + PHRASE + r")/[a-z]*\.test\("
+)
+# Words of files that others wrote, names of JSON members and enumerations: no sentences of the program.
+ALLOWED = {
+    ("src/isolaw/data/exporter.cpp", "Raw Data"),  # written by the program that recorded
+    ("src/isolaw/data/mat_table.cpp", "table or object"),  # a class of MATLAB variables
+    ("src/isolaw/programs/header_parts.cpp", "struct TurningPoints"),  # C++ of an exported header
+    ("src/isolaw/render/page/script/certificate/verdict.js", "not assessed"),  # an enumeration
+    ("src/isolaw/render/page/script/decision/errors.js", "ruled out"),  # an enumeration
+    ("src/isolaw/render/page/script/icons.js", "not adequate"),  # an enumeration
+    ("src/isolaw/render/page/script/laws.js", "not adequate"),  # an enumeration
+}
+
+found = []
+for folder, suffixes, pattern in (
+    ("src/isolaw", {".cpp", ".hpp"}, CPP), ("cli", {".cpp"}, CPP), ("python", {".cpp"}, CPP),
+    ("src/isolaw/render/page", {".js"}, SCRIPT), ("page", {".js"}, SCRIPT),
+):
+    for path in sorted((root / folder).rglob("*")):
+        name = path.relative_to(root).as_posix()
+        if path.suffix not in suffixes or name.startswith("src/isolaw/wording/"):
+            continue
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            for match in pattern.finditer(line.split(" // ")[0]):
+                words = next(group for group in match.groups() if group)
+                if (name, words) not in ALLOWED:
+                    found.append(f"{name}:{number}: '{words}'")
+print("\n".join(found) or "no code compares, cuts or searches words outside the table")
+sys.exit(1 if found else 0)
