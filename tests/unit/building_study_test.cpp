@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "contains.hpp"
+#include "finding_text.hpp"
 #include "isolaw/building/answers.hpp"
 #include "isolaw/building/building_file.hpp"
 #include "isolaw/laws/catalogue.hpp"
@@ -281,7 +282,10 @@ TEST_F(BuildingRuns, answers) {
   }
   EXPECT_TRUE(contains(made.verdict, ": with Bilinear the bounds cover ") && contains(made.verdict, "of 120 buildings"))
       << made.verdict;
-  EXPECT_TRUE(std::ranges::any_of(made.warnings, [](auto const& w) { return w.starts_with("2 motions: codes take"); }));
+  auto const motions = std::ranges::find(made.warnings, FindingKind::motions_too_few, &Finding::kind);
+  ASSERT_NE(motions, made.warnings.end());
+  EXPECT_EQ(motions->number("motions"), 2.0);
+  EXPECT_TRUE(contains(*motions, "2 motions: codes take the mean over 7 or more")) << text_of(*motions);
   if (law.coverage[0].inside < wanted_share)
     EXPECT_EQ(made.bounds_are_enough, false);
   else
@@ -344,7 +348,9 @@ TEST_F(BuildingRuns, a_few_draws_do_not_show_that_bounds_are_enough) {
   auto const made = answer(study, store);
   EXPECT_EQ(made.laws.front().coverage.front().inside, 1.0);
   EXPECT_FALSE(made.bounds_are_enough.has_value());
-  EXPECT_TRUE(std::ranges::any_of(made.warnings, [](auto const& w) { return contains(w, "too few to show"); }));
+  EXPECT_TRUE(contains(made.verdict, "No answer yet: with Bilinear the bounds cover 100 % of 3 buildings"))
+      << made.verdict;
+  EXPECT_TRUE(says(made.warnings, "3 draws are too few to show a share of 95 %: no answer yet.")) << made.warnings;
 }
 
 // The second law lies far from the first, so the bounds of the first do not cover it.
@@ -361,10 +367,14 @@ TEST_F(BuildingRuns, bounds_of_one_law_are_held_to_the_others) {
   ASSERT_TRUE(made.laws[1].by_first_bounds.has_value());
   EXPECT_LT(*made.laws[1].by_first_bounds, wanted_share) << made.verdict;
   EXPECT_EQ(made.bounds_are_enough, false);
-  EXPECT_TRUE(made.verdict.starts_with("No: with Bilinear the bounds cover ")) << made.verdict;
-  EXPECT_TRUE(contains(made.verdict, "they cover 0 %")) << made.verdict;
+  ASSERT_EQ(made.verdict.size(), 3u) << made.verdict;
+  EXPECT_TRUE(wording::sentence(made.verdict[0]).starts_with("No: with Bilinear the bounds cover ")) << made.verdict;
+  EXPECT_EQ(wording::sentence(made.verdict[1]), "With Bilinear the same bounds cover 0 %.");
+  EXPECT_EQ(wording::sentence(made.verdict[2]), "The choice of the law matters more than the scatter of the lot.");
   // If draws hardly scatter, the factors they need lie within the accuracy of the grid and are no basis for design.
-  EXPECT_TRUE(contains(made.verdict, "; factors within 2 % of 1, the accuracy, would cover 95 %")) << made.verdict;
+  EXPECT_EQ(made.verdict[0].word("factors"), "near");
+  EXPECT_TRUE(contains(made.verdict[0], "; factors within 2 % of 1, the step of the search, would cover 95 %."))
+      << made.verdict;
 }
 
 // The same law listed twice: the bounds of the first must cover as many draws of the second.
@@ -384,11 +394,11 @@ TEST_F(BuildingRuns, bounds_of_one_law_cover_as_much_of_the_same_law) {
 
 TEST(BuildingAnswers, factors_are_said_where_they_mean_something) {
   Coverage c{.quantity = "isolator_mm", .factor_low = 0.94, .factor_high = 1.06, .not_monotonic = {}};
-  EXPECT_EQ(factors_text(c), "factors of 0.94 and 1.06 would cover 95 %");
+  EXPECT_EQ(text_of(covering_factors(c)), "factors of 0.94 and 1.06 would cover 95 %");
   c.factor_low = 0.98, c.factor_high = 1.02;
-  EXPECT_EQ(factors_text(c), "factors within 2 % of 1, the accuracy, would cover 95 %");
+  EXPECT_EQ(text_of(covering_factors(c)), "factors within 2 % of 1, the step of the search, would cover 95 %");
   c.factor_low.reset();
-  EXPECT_EQ(factors_text(c), "no factors up to 0.60 and 1.40 would cover 95 %");
+  EXPECT_EQ(text_of(covering_factors(c)), "no factors up to 0.60 and 1.40 would cover 95 %");
 }
 
 // If both bound analyses move less than the nominal building, no factors can help, and the answer says so.
@@ -410,25 +420,55 @@ TEST_F(BuildingRuns, bounds_on_one_side_of_the_nominal_building_are_told) {
   }
   auto const made = answer(study, changed);
   fs::remove(other);
-  EXPECT_EQ(made.laws[0].coverage[0].inside, 0.0);
-  EXPECT_TRUE(contains(made.laws[0].coverage[0].not_monotonic, "both bounds are on one side of the nominal building"));
+  auto const& coverage = made.laws[0].coverage[0];
+  EXPECT_EQ(coverage.inside, 0.0);
+  ASSERT_TRUE(coverage.monotony.has_value());
+  EXPECT_EQ(coverage.monotony->kind, FindingKind::bounds_not_monotonic);
+  EXPECT_EQ(coverage.monotony->number("nominal"), made.laws[0].distributions[0].nominal);
+  EXPECT_EQ(coverage.monotony->word("side"), "below");
+  EXPECT_TRUE(coverage.not_monotonic.starts_with("both bound analyses (")) << coverage.not_monotonic;
   EXPECT_TRUE(contains(made.verdict, "since the nominal building itself is outside them")) << made.verdict;
-  EXPECT_TRUE(
-      std::ranges::any_of(made.warnings, [](auto const& w) { return contains(w, "says nothing of their factors"); }));
+  EXPECT_TRUE(contains(made.warnings, "Bilinear: ignore the 0 % for bearing displacement: both bound analyses ("))
+      << made.warnings;
 }
 
+// Doubts about the calibration come from the campaign. One that both laws have is told once, and one about a tested
+// device names it once, although its finding carries the device as well.
 TEST_F(BuildingRuns, says_what_is_known_against_a_law) {
   auto study = usual_study(0.07, 4);
-  study.laws[0].doubts = {"Bilinear: the tests do not determine Dy", "a was refused", "a was refused"};
+  Finding const open{.kind = FindingKind::not_determined,
+                     .law = "bilinear",
+                     .devices = {"device-01", "device-02"},
+                     .parameters = {"Dy"},
+                     .numbers = {{"affected", 2.0}, {"examined", 3.0}}};
+  Finding const apart{.kind = FindingKind::outlier,
+                      .devices = {"device-01"},
+                      .numbers = {{"value", 0.81}, {"median", 0.62}, {"percent", 30.6}},
+                      .words = {{"property", "effective stiffness"}, {"unit", "kN/mm"}}};
+  study.laws[0].doubts = {open, apart};
+  study.laws.push_back(study.laws[0]);
+  study.laws[1].doubts = {apart};
+  study.file.settings.laws.push_back(study.laws[1].law);
   RunStore store(file_, properties_of(study), false);
   run_all(study, store, 1);
   auto const made = answer(study, store);
   EXPECT_EQ(made.laws[0].doubts, study.laws[0].doubts);
-  EXPECT_TRUE(std::ranges::find(made.warnings, "of the calibration of Bilinear: the tests do not determine Dy") !=
-              made.warnings.end());
-  EXPECT_EQ(std::ranges::count(made.warnings, "of the calibration: a was refused"), 1);
+  EXPECT_EQ(made.calibration, study.laws[0].doubts);
+  std::string const of_device =
+      "device-01 stands apart from its lot: effective stiffness 0.81 kN/mm (+31 % from the median).";
+  auto const warnings = render::building_warnings(made);
+  EXPECT_EQ(std::ranges::count(warnings, "From the calibration: " + of_device), 1);
+  EXPECT_EQ(std::ranges::count(warnings, "From the calibration: Bilinear: the tests cannot fix Dy (2 of 3 devices)."),
+            1);
+  for (auto const& warning : warnings) EXPECT_FALSE(contains(warning, "device-01: device-01")) << warning;
+  auto const json = Json::parse(render::building_json(study, made));
+  EXPECT_EQ(json["laws"][1]["doubts"], Json::array({of_device}));
+  ASSERT_EQ(json["calibration"].size(), 2u);
+  EXPECT_EQ(json["calibration"][0]["kind"], "not-determined");
+  EXPECT_EQ(json["calibration"][1]["kind"], "outlier");
+  EXPECT_EQ(json["calibration"][1]["devices"], Json::array({"device-01"}));
   auto other = study;
-  other.laws[0].doubts.clear();
+  for (auto& law : other.laws) law.doubts.clear();
   EXPECT_EQ(properties_of(other), properties_of(study));
 }
 

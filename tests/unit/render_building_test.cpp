@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "contains.hpp"
+#include "finding_text.hpp"
 #include "isolaw/render/figures/building_figures.hpp"
 #include "isolaw/render/json/building_json.hpp"
 #include "isolaw/render/page/html.hpp"
@@ -78,7 +79,7 @@ TEST(BuildingJson, keys_are_documented_in_their_order) {
   EXPECT_EQ(keys_of(law["checked"][1]), documented_keys("`laws[].checked[]`"));
   EXPECT_EQ(keys_of(law["histories"][1]), documented_keys("`laws[].histories[]`"));
   EXPECT_EQ(law["quantities"].size(), json["quantities"].size());
-  EXPECT_EQ(json["verdict"], answers.verdict);
+  EXPECT_EQ(json["verdict"], wording::paragraph(answers.verdict));
   EXPECT_EQ(json["plan"]["bearings"].size(), 6u);
   EXPECT_EQ(json["plan"]["bearings"][0]["is"], "lot");
   EXPECT_EQ(json["plan"]["bearings"][1]["is"], "draw");
@@ -92,7 +93,7 @@ TEST(BuildingPage, holds_the_same_numbers_and_no_markup_of_the_input) {
   EXPECT_EQ(page.find("<b>1</b>"), std::string::npos);
   auto const data = page_data(page);
   EXPECT_EQ(data["title"], study.file.settings.title);
-  EXPECT_EQ(data["verdict"], answers.verdict);
+  EXPECT_EQ(data["verdict"], wording::paragraph(answers.verdict));
   EXPECT_EQ(data["laws"][0]["histories"], Json::parse(building_json(study, answers))["laws"][0]["histories"]);
   EXPECT_FALSE(data["symbols"].empty());
   EXPECT_FALSE(asked_in(page).has_value());

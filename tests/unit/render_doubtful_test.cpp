@@ -14,6 +14,12 @@
 namespace isolaw::render {
 namespace {
 
+Finding no_cycles(std::string const& device) {
+  auto finding = stated("no cycles");
+  finding.devices = {device};
+  return finding;
+}
+
 Summary two_devices() {
   Summary summary;
   summary.title = "Lot";
@@ -47,7 +53,7 @@ Summary two_devices() {
 
 std::vector<std::string> topics(Summary const& summary) {
   std::vector<std::string> found;
-  for (auto const& warning : findings(summary).warnings) found.push_back(warning.topic);
+  for (auto const& warning : findings(summary).warnings) found.emplace_back(wording::row(warning.kind).topic);
   return found;
 }
 
@@ -61,7 +67,10 @@ TEST(Doubtful, MissingRunsAreTheFirstWarning) {
   ASSERT_GE(topics(summary).size(), 2u);
   EXPECT_EQ(topics(summary)[0], "not complete");
   EXPECT_EQ(topics(summary)[1], "refused");
-  EXPECT_TRUE(contains(findings(summary).warnings[0].sentence, "not complete: 4 of 7000 runs are there"));
+  auto const missing = findings(summary).warnings[0];
+  EXPECT_EQ(missing.number("runs"), 4.0);
+  EXPECT_EQ(missing.number("expected_runs"), 7000.0);
+  EXPECT_TRUE(contains(missing, "4 of 7000 runs are done: every number and the choice of a law may still change."));
   EXPECT_TRUE(contains(ranking(summary, 80), "2 laws, 4 of 7000 runs, seed 0"));
 }
 
@@ -70,14 +79,19 @@ TEST(Doubtful, CopiesOfARecordAreNamed) {
   EXPECT_EQ(std::ranges::count(topics(summary), "copies"), 0);
   summary.devices[1].raw.disp_mm = summary.devices[0].raw.disp_mm;
   auto const found = findings(summary).warnings;
-  auto const copies = std::ranges::find(found, "copies", &Warning::topic);
+  auto const copies = std::ranges::find(found, FindingKind::same_record, &Finding::kind);
   ASSERT_NE(copies, found.end());
-  EXPECT_EQ(copies->sentence,
-            "A and B hold the same record, which counts 2 times in every mean and spread over the devices");
+  EXPECT_EQ(copies->devices, (std::vector<std::string>{"A", "B"}));
+  EXPECT_EQ(wording::sentence(*copies),
+            "A and B hold the same record, which counts 2 times in every mean and spread over the devices.");
   // A single device has this among its own warnings.
   summary.devices[1].raw.warnings.push_back(stated("a column is constant"));
-  EXPECT_EQ(device_warnings(summary), (std::vector<std::vector<std::string>>{
-                                          {"the same record as B"}, {"a column is constant", "the same record as A"}}));
+  auto const of_devices = device_warnings(summary);
+  ASSERT_EQ(of_devices.size(), 2u);
+  EXPECT_EQ(of_devices[0], (std::vector<Finding>{no_cycles("A"), *copies}));
+  ASSERT_EQ(of_devices[1].size(), 3u);
+  EXPECT_EQ(wording::sentence(of_devices[1][0]), "B: a column is constant");
+  EXPECT_EQ(of_devices[1][2], *copies);
   summary.devices[1].raw.force_kN.back() = 7.0;  // now another device in the same file
   EXPECT_EQ(std::ranges::count(topics(summary), "copies"), 0);
 }

@@ -53,7 +53,7 @@ TEST(SummaryJson, ExactText) {
   slope.lower = 0.0;
   slope.upper = 2.0;
   slope.value = {2.0, std::nullopt, 2.0};
-  slope.at_bound = "upper";
+  slope.at_bound = fit::AtBound::upper;
   fit.parameters.push_back(slope);
   law.devices.push_back(fit);
   summary.laws.push_back(law);

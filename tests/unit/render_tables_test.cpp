@@ -72,8 +72,8 @@ TEST(Tables, ParametersInTheLayoutOfTableA5) {
   auto& fit = summary.laws[0].devices[0];
   fit.objective = {0.11, 0.00524, 0.1};
   fit.parameters[0].value = {1.6, 0.07, 1.61};
-  fit.parameters[0].at_bound = "lower";
-  summary.laws[0].devices[2].parameters[0].at_bound = "upper";
+  fit.parameters[0].at_bound = fit::AtBound::lower;
+  summary.laws[0].devices[2].parameters[0].at_bound = fit::AtBound::upper;
   for (std::size_t d = 0; d < 3; ++d)
     summary.laws[0].devices[d].parameters[0].percent_of_lot = -4.0 * static_cast<double>(d);
   auto const rows = read(parameters_csv(summary));

@@ -8,6 +8,7 @@
 #include "contains.hpp"
 #include "isolaw/render/terminal/terminal.hpp"
 #include "isolaw/study/findings.hpp"
+#include "unit/analysed_fixture.hpp"
 #include "unit/study_fixture.hpp"
 
 namespace isolaw::render {
@@ -21,6 +22,12 @@ std::size_t widest_line(std::string const& text) {
                         return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u;
                       })));
   return widest;
+}
+
+std::size_t times_in(std::string const& text, std::string const& part) {
+  std::size_t times = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++times;
+  return times;
 }
 
 TEST(Findings, PublishedLotHasThePublishedFront) {
@@ -37,13 +44,13 @@ TEST(Findings, PublishedLotHasThePublishedFront) {
   EXPECT_EQ(found.verdicts[4].dominated_by, std::vector<std::string>{"vaiana"});
   EXPECT_EQ(found.verdicts[5].dominated_by, (std::vector<std::string>{"jankowski", "abe", "vaiana"}));
   EXPECT_EQ(
-      found.verdicts[0].sentence,
-      "Misses the measured force by 7.9 % of its standard deviation on average; its parameters lie up to 30 % from the lot's mean, averaged over the parameters.");
-  EXPECT_EQ(found.verdicts[2].sentence,
-            "Scatters less than Abe (22 % against 26 %) and errs less than Bilinear (8.8 % against 13.7 %).");
+      wording::paragraph(found.verdicts[0].findings),
+      "It misses the measured force by 7.9 % of its standard deviation on average; its parameters lie up to 30 % from the lot's mean, averaged over the parameters.");
+  EXPECT_EQ(wording::paragraph(found.verdicts[2].findings),
+            "It scatters less than Abe (22 % against 26 %) and errs less than Bilinear (8.8 % against 13.7 %).");
   EXPECT_EQ(
-      found.headline,
-      "4 of 6 laws are worth considering: the choice lies between accuracy (Jankowski) and robustness (Bilinear); the best compromise is Vaiana.");
+      wording::paragraph(found.headline),
+      "4 of 6 laws are worth considering: choose between accuracy (Jankowski) and robustness (Bilinear). The best compromise is Vaiana.");
 }
 
 // A law that is on the front only through the optimiser's noise is no compromise.
@@ -54,9 +61,14 @@ TEST(Findings, CompromiseStaysOnTheFrontWithoutNoise) {
   };
   mark("jankowski");
   mark("bilinear");
-  EXPECT_NE(findings(summary).headline.find("none between them holds up"), std::string::npos);
+  auto const without = findings(summary).headline;
+  EXPECT_EQ(without.front().word("compromise"), "");
+  EXPECT_TRUE(contains(without, " No law between them holds up: each leaves the front when the optimiser's noise is "))
+      << without;
   mark("abe");
-  EXPECT_NE(findings(summary).headline.find("the best compromise is Abe"), std::string::npos);
+  auto const with = findings(summary).headline;
+  EXPECT_EQ(with.front().word("compromise"), "abe");
+  EXPECT_TRUE(wording::paragraph(with).ends_with(" The best compromise is Abe.")) << with;
 }
 
 TEST(Findings, OneLawOnTheFrontIsBestOfBoth) {
@@ -75,7 +87,7 @@ TEST(Findings, LawWithoutBetaIsNotRankedAndSaysWhy) {
   summary.laws[2].beta_note = "mean of a9 near zero";
   auto const found = findings(summary);
   EXPECT_EQ(found.verdicts.back().role, Role::unranked);
-  EXPECT_TRUE(contains(found.verdicts.back().sentence, "mean of a9 near zero"));
+  EXPECT_TRUE(says(found.verdicts.back().findings, "It has no beta: mean of a9 near zero."));
   EXPECT_EQ(found.beta_note, "");
 }
 
@@ -89,23 +101,27 @@ TEST(Findings, WarningsThatMatter) {
     summary.laws[2].devices[d].device = summary.devices[d].name;
     summary.laws[2].devices[d].refusal = "no time channel";
   }
-  std::vector<std::string> topics;
-  std::string all;
-  for (auto const& warning : findings(summary).warnings) {
-    topics.push_back(warning.topic);
-    all += warning.sentence + "\n";
+  std::vector<FindingKind> kinds;
+  std::vector<std::string> sentences;
+  for (auto const& group : wording::grouped(findings(summary).warnings)) {
+    kinds.push_back(group.front().kind);
+    sentences.push_back(wording::sentence(group));
   }
-  EXPECT_EQ(topics,
-            (std::vector<std::string>{"refused", "law not identified", "failed runs", "at bound", "integration"}));
-  EXPECT_TRUE(contains(all, "Hwang-Wu was not identified on D1 and D2: no time channel")) << all;
-  EXPECT_TRUE(contains(all, "Bilinear: 3 of 60 runs failed, the first on D3: infinite force")) << all;
-  EXPECT_TRUE(contains(all, "Vaiana: alpha+ at its upper bound on D1 and D3")) << all;
-  EXPECT_TRUE(contains(all, "Bilinear: a finer integration step would move the objective by up to 0.002 on D2")) << all;
+  using enum FindingKind;
+  ASSERT_EQ(kinds, (std::vector<FindingKind>{device_refused, law_refused, runs_failed, at_bound, integration_coarse}));
+  EXPECT_EQ(
+      sentences[1],
+      "Hwang-Wu was not identified on D1 and D2: no time channel. Its mean and beta cover the other 1 device only");
+  EXPECT_EQ(
+      sentences[2],
+      "Bilinear: 3 of 60 runs failed (3 on D3); its numbers are those of the other 57. The first failure: infinite force");
+  EXPECT_EQ(sentences[3], "Vaiana: alpha+ at its upper bound on D1 and D3.");
+  EXPECT_EQ(sentences[4], "Bilinear: a finer integration step would move the objective by 0.002 on D2.");
 }
 
 TEST(Findings, NothingIdentified) {
   Summary summary;
-  EXPECT_EQ(findings(summary).headline, "No law could be identified.");
+  EXPECT_EQ(wording::paragraph(findings(summary).headline), "No law could be identified.");
   summary = fixture::lot();
   for (auto& law : summary.laws) {
     law.objective = {};
@@ -113,8 +129,9 @@ TEST(Findings, NothingIdentified) {
     law.beta_note = "no device";
     law.devices.clear();
   }
-  EXPECT_EQ(findings(summary).headline, "No law could be identified.");
+  EXPECT_EQ(wording::paragraph(findings(summary).headline), "No law could be identified.");
   EXPECT_FALSE(ranking(summary).empty());
+  EXPECT_TRUE(contains(answer(summary, "out/lot"), "No law could be identified."));
 }
 
 TEST(Ranking, ByMeanObjectiveWithFrontMarks) {
@@ -140,7 +157,50 @@ TEST(Ranking, ControlCharactersDoNotReachTheTerminal) {
   auto const text = ranking(summary);
   EXPECT_EQ(text.find('\x1b'), std::string::npos);
   EXPECT_EQ(text.find("\xc2\x9b"), std::string::npos);
-  EXPECT_TRUE(contains(text, "bad [2J 31m name was refused")) << text;
+  EXPECT_TRUE(contains(text, R"(bad\x1b[2J\x9b31m\nname was refused)")) << text;
+}
+
+// Three devices with one doubt are named in one line of the list.
+TEST(Ranking, FindingsOfOneKindAreOneLine) {
+  auto summary = fixture::lot();
+  for (std::size_t d = 0; d < 3; ++d)
+    summary.devices[d].raw.warnings = {
+        {.kind = FindingKind::starts_off_zero,
+         .numbers = {{"disp_mm", 1.0 + static_cast<double>(d)}, {"percent", 2.0}, {"half_range_mm", 208.0}}}};
+  auto const text = ranking(summary, 200);
+  EXPECT_EQ(times_in(text, "the first sample is at"), 1u) << text;
+  EXPECT_TRUE(contains(text, "  - D1, D2 and D3: the first sample is at 1 to 3 mm, 2 % of the half range of 208 mm"))
+      << text;
+}
+
+TEST(Answer, IsOneScreen) {
+  for (auto const& summary : {fixture::lot(10, 7), fixture::analysed(fixture::lot(10, 7)), fixture::lot(1, 7),
+                              fixture::analysed(fixture::lot(1, 3)), fixture::analysed(fixture::lot(160, 7))}) {
+    auto const text = answer(summary, "out/lot");
+    EXPECT_LE(times_in(text, "\n"), 25u) << text;
+    EXPECT_LE(widest_line(text), 80u) << text;
+    EXPECT_TRUE(contains(text, "out/lot/report.html")) << text;
+  }
+}
+
+TEST(Answer, NamesTheLawTheNextCommandAndTheReport) {
+  auto const text = answer(fixture::analysed(fixture::lot(10, 7)), "out/lot");
+  EXPECT_TRUE(contains(text, "Take Jankowski")) << text;
+  EXPECT_TRUE(contains(text, "isolaw export out/lot --law jankowski --device lot --to openseespy")) << text;
+  EXPECT_TRUE(contains(text, "out/lot/report.html")) << text;
+}
+
+// Findings on the law that is taken and on the records are told; those on other laws are counted.
+TEST(Answer, LeavesOutWarningsAboutOtherLaws) {
+  auto summary = fixture::analysed(fixture::lot(10, 7));
+  for (auto& device : summary.devices) device.raw.warnings.clear();
+  for (auto& law : summary.laws)
+    for (auto& fit : law.devices) fit.integration_shift = law.id == "jankowski" ? 0.004 : 0.2;
+  auto const text = answer(summary, "out/lot");
+  EXPECT_TRUE(contains(text, "Jankowski")) << text;
+  EXPECT_FALSE(contains(text, "Vaiana:")) << text;
+  EXPECT_FALSE(contains(text, "Bilinear:")) << text;
+  EXPECT_TRUE(contains(text, " more warnings: --details")) << text;
 }
 
 TEST(Ranking, WithoutBetaBarsInsteadOfTheFront) {

@@ -132,9 +132,10 @@ class Collector {
   }
 
   void failures(LawResult const& law) {
-    double runs = 0.0, tried = 0.0, failed = 0.0;
+    double runs = 0.0, failed_of_law = 0.0, tried = 0.0, failed = 0.0;
     for (auto const* fit : fits(law)) {
       runs += fit->runs;
+      failed_of_law += fit->failed_runs;
       tried += static_cast<double>(fit->evaluations);
       failed += static_cast<double>(fit->failed_evaluations);
     }
@@ -143,7 +144,10 @@ class Collector {
         add({.kind = runs_failed,
              .law = law.id,
              .devices = {fit->device},
-             .numbers = {{"failed", static_cast<double>(fit->failed_runs)}, {"runs_of_law", runs}},
+             .numbers = {{"failed", static_cast<double>(fit->failed_runs)},
+                         {"failed_of_law", failed_of_law},
+                         {"runs_of_law", runs},
+                         {"other_runs", runs - failed_of_law}},
              .words = {{"reason", fit->failure}}});
     if (failed > 0.0)
       add({.kind = evaluations_failed,

@@ -61,7 +61,7 @@ constexpr Phrase phrases[]{
     {"collapse", "far", " It misses them {times_as_far:.0f} times as far as those it was fitted to."},
     {"collapse", "far_from_exact", " It misses them, but not those it was fitted to."},
     {"factors", "none", "no factors up to {grid_low:.2f} and {grid_high:.2f} would cover {wanted:0%}"},
-    {"factors", "near", "factors within {grid_step:0%} of 1, the accuracy, would cover {wanted:0%}"},
+    {"factors", "near", "factors within {grid_step:0%} of 1, the step of the search, would cover {wanted:0%}"},
     {"factors", "found", "factors of {factor_low:.2f} and {factor_high:.2f} would cover {wanted:0%}"},
     {"than_any", "longer", "no isolator goes that far"},
     {"than_any", "stiffer", "{stiffness_kN_per_mm:4} kN/mm is stiffer than any isolator"},
@@ -111,6 +111,7 @@ class Filler {
   bool has(std::string_view name) const {
     if (name == "law") return !first().law.empty();
     if (name == "laws") return !first().other_laws.empty();
+    if (name == "devices") return !first().devices.empty();
     if (name == "block") return !first().blocks.empty();
     if (name == "parameters") return !first().parameters.empty() || first().has_number(name);
     return first().has_number(name) || !first().word(name).empty();

@@ -75,7 +75,7 @@ std::span<Row const> rows() {
           "{law} was not identified on {devices}: {reason}[. Its mean and beta cover the other {others} device{|s} only]"),
       campaign(
           runs_failed, "runs-failed", "failed runs", caution, search, by_law, everywhere, law,
-          "~{failed} on {devices}~ of {runs_of_law} runs failed, and its numbers are those of the others. The first failed: {reason}"),
+          "{failed_of_law} of {runs_of_law} runs failed (~{failed} on {devices}~)[; its numbers are those of the other {other_runs}]. The first failure: {reason}"),
       campaign(
           evaluations_failed, "evaluations-failed", "failed evaluations", note, search, by_law, in_report, law,
           "{failed} of {tried} parameter sets that were tried ({share:%}) gave no finite force and were passed over."),
@@ -227,8 +227,8 @@ std::span<Row const> rows() {
       answer(building_law_or_lot, "building-law-or-lot", "answer", "{more} matters more than {less}."),
       answer(building_no_draws, "building-no-draws", "answer",
              "No bearing is a draw of the lot: there is no scatter that bounds could cover."),
-      campaign(
-          displacement_beyond_tests, "displacement-beyond-tests", "extrapolation", serious, "Test to that displacement", each_alone, with_building, law, "bearings move up to {most_mm:.0f} mm (95 % of the draws, under the strongest motion), but the tests went to {tested_mm:.0f} mm. Beyond that the law is extrapolated."),
+      campaign(displacement_beyond_tests,
+               "displacement-beyond-tests", "extrapolation", serious, "Test to that displacement", each_alone, with_building, law, "bearings move up to {most_mm:.0f} mm (95 % of the draws, under the strongest motion), but the tests went to {tested_mm:.0f} mm. Beyond that the law is extrapolated."),
       campaign(
           bounds_not_monotonic, "bounds-not-monotonic", "bounds", caution, "Ignore the share for this quantity",
           each_alone, with_building, law,
@@ -306,7 +306,9 @@ std::span<Row const> rows() {
           loop_open, "loop-open", caution, one_sentence,
           "<cycle {cycle} of block {block} ends {closure_mm:3} mm from where it starts>, {percent:2} % of the whole travel (limit {limit_percent} %). Energy may be wrong by the force times that, {energy_kN_mm:3} kN mm."),
       doubt(speed_off, "speed-off", caution, by_words, "", wording::largest_speed),
-      doubt(off_centre, "off-centre", caution, by_words, "{channel} is off centre by <{offset:unit4} in cycle {cycle} of block {block}>, {percent:2} % of its amplitude. Stiffness from peak to peak and energy do not feel that; F/d of one side and the laws do. `isolaw calibrate --center` takes it off."),
+      doubt(
+          off_centre, "off-centre", caution, by_words,
+          "{channel} is off centre by <{offset:unit4} in cycle {cycle} of block {block}>, {percent:2} % of its amplitude. Stiffness from peak to peak and energy do not feel that; F/d of one side and the laws do. `isolaw calibrate --center` takes it off."),
       doubt(
           starts_off_zero, "starts-off-zero", caution, one_sentence,
           "the first sample is at {disp_mm:4} mm, {percent:2} % of the half range of {half_range_mm:4} mm; laws start at rest at zero."),

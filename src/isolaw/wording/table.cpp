@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <iterator>
 
+#include "isolaw/base/printable.hpp"
 #include "isolaw/wording/words.hpp"
 
 namespace isolaw::wording {
@@ -37,7 +38,7 @@ std::string subject_of(Group group, std::size_t most_names) {
       for (auto const& finding : group) add_once(names, {law_name(finding)});
       break;
   }
-  return names.empty() ? std::string() : enumerate(names, most_names) + ": ";
+  return names.empty() ? std::string() : printable(enumerate(names, most_names)) + ": ";
 }
 
 }  // namespace
