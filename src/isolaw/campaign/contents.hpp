@@ -40,6 +40,7 @@ struct Device {
   std::string file;  // as given, relative to the lot file
   DeviceInfo info;
   std::string refusal = {};  // why the device is left out; empty for a usable one
+  std::vector<Complaint> complaints = {};  // the same part by part, where the records were read just now
   data::TestRecord raw = {};
   data::FitRecord record = {};       // the cleaned record that laws are fitted to
   data::VerticalTest vertical = {};  // no law depends on it, so it may change before a campaign is continued

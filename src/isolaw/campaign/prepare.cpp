@@ -65,6 +65,10 @@ Device prepare_device(DeviceInput const& input, data::CleanOptions const& cleani
     show_files(device.raw.warnings, input.directory);
   } catch (Error const& error) {
     device.refusal = with_shown_files(error.what(), input.directory);
+    device.complaints = error.complaints();
+    for (auto& complaint : device.complaints)
+      for (auto* part : {&complaint.where, &complaint.found, &complaint.allowed, &complaint.advice})
+        *part = with_shown_files(std::move(*part), input.directory);
     device.raw = {};
     device.raw.sha256 = hash_of_files(input);
   }

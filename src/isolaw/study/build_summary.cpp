@@ -77,6 +77,7 @@ DeviceResult device_result(campaign::Device const& device, int smooth) {
   result.sha256 = device.raw.sha256;
   result.status = device.usable() ? "ok" : "refused";
   result.message = device.refusal;
+  result.complaints = device.complaints;
   result.serial = device.info.serial;
   result.lot = device.info.lot;
   result.test_date = device.info.test_date;

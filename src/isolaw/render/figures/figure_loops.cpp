@@ -26,7 +26,8 @@ LoopPanel loop_panel(DeviceResult const& device, LawResult const& law) {
     return {fmt::format("{}: OF = {:.4f}", called(law), fit->objective.best.value_or(0.0)), fit, {}};
   if (fit == nullptr) return {called(law), nullptr, "not tried"};
   auto reason = fit->refusal.empty() ? fit->failure : fit->refusal;
-  reason = reason.substr(0, reason.find("; allowed: "));  // what may be done about it fills no panel
+  constexpr std::size_t most = 60;  // bytes that a panel has room for
+  if (reason.size() > most) reason = reason.substr(0, reason.find_last_of(' ', most)) + " ...";
   return {called(law), nullptr, std::string(fit_status(*fit)) + (reason.empty() ? "" : ": " + reason)};
 }
 

@@ -31,6 +31,7 @@ void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const&
                   std::vector<Finding> const& findings) {
   write_members(out, "name", device.name, "file", device.file, "sha256", device.sha256, "status", device.status,
                 "message", device.message, "samples", device.raw.size());
+  write_complaints(out.key("complaints"), device.complaints);
   out.key("columns").begin_object();
   for (auto const& [channel, column] : device.raw.layout.columns) out.member(data::name(channel), column);
   out.end_object().key("units").begin_object();
