@@ -138,7 +138,7 @@ TEST(Recommendation, IsNoneWhereAllCollapse) {
     EXPECT_EQ(made.why.front().kind, FindingKind::none_predicts);
     EXPECT_EQ(made.why.front().other_laws, (std::vector<std::string>{"a", "b"}));
   }
-  EXPECT_TRUE(contains(verdict(recommendations(summary)), "No law can be recommended"));
+  EXPECT_TRUE(contains(study::verdict(recommendations(summary)), "No law can be recommended"));
 }
 
 TEST(Recommendation, OfOneDeviceFittedWholeIsForTheseTestsAlone) {
@@ -149,7 +149,7 @@ TEST(Recommendation, OfOneDeviceFittedWholeIsForTheseTestsAlone) {
   EXPECT_TRUE(contains(untested.surer, "keep it from the fit")) << untested.surer;
   EXPECT_EQ(law_of(summary, of(summary, Purpose::these_tests)), "a");
   EXPECT_EQ(
-      wording::sentence(*verdict(recommendations(summary))),
+      wording::sentence(*study::verdict(recommendations(summary))),
       "For these tests take a: it is 3.0 % off fitted to each device. For other devices or amplitudes no law can be recommended.");
 }
 
@@ -221,7 +221,7 @@ TEST(Recommendation, OfTheSimplestMayLoseHalfOfTheBest) {
 
 TEST(Recommendation, OfAnInspectionIsNone) {
   EXPECT_TRUE(recommendations(Summary{}).empty());
-  EXPECT_FALSE(verdict({}));
+  EXPECT_FALSE(study::verdict({}));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "isolaw/analysis/determination.hpp"
 #include "isolaw/analysis/intervals.hpp"
 #include "isolaw/analysis/one_law.hpp"
+#include "isolaw/base/error.hpp"
 #include "isolaw/campaign/settings.hpp"
 #include "isolaw/data/record.hpp"
 #include "isolaw/data/vertical.hpp"
@@ -39,7 +40,7 @@ struct Device {
   std::string name;
   std::string file;  // as given, relative to the lot file
   DeviceInfo info;
-  std::string refusal = {};  // why the device is left out; empty for a usable one
+  std::string refusal = {};                // why the device is left out; empty for a usable one
   std::vector<Complaint> complaints = {};  // the same part by part, where the records were read just now
   data::TestRecord raw = {};
   data::FitRecord record = {};       // the cleaned record that laws are fitted to

@@ -150,8 +150,8 @@ struct LawResult {
 
 struct DeviceResult {
   std::string name, file, sha256;
-  std::string status;   // "ok" or "refused"
-  std::string message;  // reason of a refusal
+  std::string status;                 // "ok" or "refused"
+  std::string message;                // reason of a refusal
   std::vector<Complaint> complaints;  // the same part by part, for an inspection
   std::string serial, lot, test_date;
   std::optional<double> temperature_C, rubber_thickness_mm, rubber_area_mm2;
