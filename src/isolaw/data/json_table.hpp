@@ -1,6 +1,6 @@
-// Reads tables of numbers in JSON (RFC 8259): an object of arrays {"time": [..], "disp": [..]}, an array of objects
-// [{"time": 0, "disp": 0}, ..], or an array of rows [[0, 0], ..]; at the top or under one key. Names may stand in a
-// first row or beside the rows ("columns": [..]), units in names or beside them ("units": {..}, "disp unit": "mm").
+// Reads tables of numbers in JSON (RFC 8259): {"time": [..], "disp": [..]}, [{"time": 0, "disp": 0}, ..] or [[0, 0],
+// ..]. Names may stand in a first row or beside the rows ("columns": [..]), units likewise ("units": {..}, "disp unit":
+// "mm").
 #pragma once
 
 #include <optional>
@@ -11,11 +11,10 @@
 
 namespace isolaw::data {
 
-// Whether the bytes begin as such JSON does and as no text table would ("[Data]" is a line of text).
+// "[Data]" begins a text table.
 bool is_json(std::string_view bytes);
 
-// The test under `key`, which is a name or a number from 1. Without `key` the first one that holds a table is read, and
-// Tests::sheets names all that do. Throws Error: no JSON, nested deeper than 64, no table, no such key.
+// `key` is a name or a number from 1; without it the first table is read, and Tests::sheets names all. Throws Error.
 Tests json_tests(std::string_view bytes, std::string const& file, std::optional<std::string> const& key);
 
 }  // namespace isolaw::data
