@@ -123,7 +123,6 @@ constexpr std::array labels{Label{"serial", "serial"},
                             Label{"rubber-area-mm2", "ar"},
                             Label{"rubber-area-mm2", "kaucuk alani"}};
 
-// Words of a label without a unit in brackets, which is handed out.
 std::optional<std::string_view> key_of(std::string_view label, std::string& unit) {
   std::string base(label);
   if (auto const open = base.find_first_of("[("); open != std::string::npos) {
@@ -143,7 +142,6 @@ void add(std::string_view key, std::string_view value, std::string const& unit, 
   if (empty || value.size() > longest ||
       std::ranges::find(found, key, &ParticularList::value_type::first) != found.end())
     return;
-  // A text that goes on with other labels is not a value of this one.
   if (value.find(';') != std::string_view::npos || value.find(": ") != std::string_view::npos) return;
   auto text = std::string(value);
   constexpr std::size_t shortest_date = 6;
@@ -163,7 +161,6 @@ void take_particulars(std::string_view line, char delimiter, ParticularList& fou
     line = trimmed(line.substr(1));
   if (line.empty() || line.size() > longest_line_of_one) return;
   std::vector<std::string_view> cells;
-  // Where blanks separate, a line about the specimen is one text.
   if (delimiter == ' ')
     cells.push_back(line);
   else
@@ -181,7 +178,7 @@ void take_particulars(std::string_view line, char delimiter, ParticularList& fou
     if (!key) continue;
     if (colon != std::string::npos && !trimmed(std::string_view(cell).substr(colon + width)).empty()) {
       auto value = std::string(trimmed(std::string_view(cell).substr(colon + width)));
-      // A decimal comma, which was taken for the end of the cell.
+      // A decimal comma was taken for the end of the cell.
       if (delimiter == ',' && is_digit(value.back()) && i + 1 < cells.size() && !cells[i + 1].empty() &&
           is_digit(cells[i + 1].front()))
         value += "," + to_utf8(cells[i + 1]);
