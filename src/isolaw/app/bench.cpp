@@ -18,7 +18,6 @@ namespace {
 
 constexpr std::size_t bench_samples = 600, bench_candidates = 4 * fit::wide_block;
 
-// Computes candidates drawn in a law's published box, on the record that speed is measured on.
 class SpeedTest {
  public:
   SpeedTest(laws::LawEntry const& law, laws::Integration integration)
@@ -38,8 +37,7 @@ class SpeedTest {
     return values;
   }
 
-  // Processor time per sample and candidate [ns], to the picosecond. Other work on the machine only adds time, but a
-  // shared host has been seen to count a pass at a seventh of its time: the second shortest pass counts.
+  // In ns, to the picosecond. A shared host has counted a pass at a seventh of its time: the second shortest counts.
   double ns() const {
     constexpr std::size_t least_passes = 5, most_passes = 2000;
     constexpr double enough_s = 0.15;

@@ -22,7 +22,7 @@ struct PartScript {
   std::string command, store;       // the isolaw command that computes a part, and the file it leaves
   std::vector<std::string> words;   // options and input of that command, without --part, --out and --jobs
   std::vector<std::string> merge;   // options of isolaw merge
-  std::string title;                // of the lot, for the script's first comment
+  std::string title;  // the lot's, for the script's first comment
   std::filesystem::path out;
   int parts = 1, jobs = 1;
   std::string instruction_set;  // the same for all parts, wherever they run
@@ -31,8 +31,7 @@ struct PartScript {
 
 inline constexpr std::array<std::string_view, 3> part_script_kinds{"slurm", "make", "parallel"};
 
-// The text of the script. Names may hold blanks, quotes and dollar signs. Throws Error for an unknown kind, and for a
-// name with a line break, which no Makefile can hold.
+// Throws Error for an unknown kind, and for a name with a line break, which no Makefile can hold.
 std::string part_script(std::string_view kind, PartScript const& script);
 
 }  // namespace isolaw::app

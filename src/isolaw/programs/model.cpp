@@ -20,7 +20,7 @@ Option<ModelOptions> words(std::string_view key, std::string help, std::optional
           [place](ModelOptions& to, Json const& value) { to.*place = text_in(value); }};
 }
 
-// Value of "2400 kN" in the units of records; throws Error unless it is above zero with a unit that `in_ours` knows.
+// Throws Error unless the value is above zero with a unit that `in_ours` knows.
 double quantity(std::string const& text, std::string_view where, std::string_view allowed,
                 std::optional<double> (*in_ours)(std::string_view)) {
   auto const parts = number_and_unit(text);
@@ -45,7 +45,6 @@ void add_bearings(Model& model, std::vector<LayoutRow> const& places) {
         {.name = place.name, .x_mm = place.x_mm, .y_mm = place.y_mm, .angle_deg = place.angle_deg});
 }
 
-// Shares the carried weight as the layout's loads are, or equally without loads.
 void add_weight(Model& model, ModelOptions const& options, std::vector<LayoutRow> const& places) {
   bool const loads = places.front().load_kN.has_value();
   double sum = 0.0;

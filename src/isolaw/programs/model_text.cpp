@@ -16,7 +16,6 @@ constexpr std::string_view coupled_form = "bearing";
 
 // Upper limit of an analysis step: short enough for the frequencies that ground motions hold.
 constexpr double longest_model_step_s = 0.005;
-// Used where no number of steps tried was enough for the form.
 constexpr double careful_model_step_s = 0.001;
 
 Form const* with_id(Mapping const& mapping, std::string_view id) {
@@ -24,7 +23,6 @@ Form const* with_id(Mapping const& mapping, std::string_view id) {
   return found == mapping.forms.end() ? nullptr : &*found;
 }
 
-// The step that the form's integration asks for, or the longest that an analysis takes.
 double step_asked_s(Subject const& subject, Realised const& form) {
   if (form.nominal.exactness == Exactness::every_step) return longest_model_step_s;
   if (!form.steps) return careful_model_step_s;
@@ -41,7 +39,6 @@ std::string range_text(double low, double high) {
   return low == high ? fmt::format("{:.4g}", low) : fmt::format("{:.4g} to {:.4g}", low, high);
 }
 
-// True where mirroring the displacement does more than change the force's sign.
 bool is_one_sided(Form const& form, Subject const& subject) {
   auto mirrored = subject.protocol.disp_mm;
   for (double& x : mirrored) x = -x;
