@@ -37,7 +37,8 @@ class SpeedTest {
     return values;
   }
 
-  // In ns, to the picosecond. A shared host has counted a pass at a seventh of its time: the second shortest counts.
+  // Processor time per sample and candidate [ns], to the picosecond. Other work on the machine only adds time, but a
+  // shared host has been seen to count a pass at a seventh of its time: the second shortest pass counts.
   double ns() const {
     constexpr std::size_t least_passes = 5, most_passes = 2000;
     constexpr double enough_s = 0.15;

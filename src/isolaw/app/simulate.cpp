@@ -41,7 +41,7 @@ double largest(std::vector<double> const& values) {
 
 struct Chosen {
   FittedLaw law;
-  study::Doubts doubts;  // the campaign's, for its law as it was fitted
+  study::Doubts doubts;              // the campaign's, for its law as it was fitted
   std::string origin;                // "device 'a'", "the lot"; empty: of no campaign
   std::vector<std::string> changes;  // made by --set: then it is no longer the law that the campaign fitted
   // Only for a device's law as it was fitted.
@@ -94,7 +94,7 @@ Chosen chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
     return std::ranges::find(changes, value.name, &NamedValue::name) != changes.end();
   });
   values.insert(values.end(), changes.begin(), changes.end());
-  // What a campaign fitted was accepted there: a search may end beyond a limit that its box crosses.
+  // The campaign accepted its fitted values: a search may end beyond a limit that its box crosses.
   auto& taken = made.law;
   taken.parameters =
       parameters_in_order(law, values, where, a.from && changes.empty() ? Together::left : Together::checked);

@@ -1,4 +1,4 @@
-// What the program says of its use: --help, docs/cli.md, and errors of usage in our own words.
+// Texts about using the program: --help, docs/cli.md, and errors of usage in our own words.
 #pragma once
 
 #include <memory>

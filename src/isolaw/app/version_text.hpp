@@ -1,4 +1,4 @@
-// What `isolaw --version` prints: which program this is, and what a fault report needs.
+// The text of `isolaw --version`: which program this is, and the facts that a fault report needs.
 #pragma once
 
 #include <string>

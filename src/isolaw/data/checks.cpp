@@ -153,6 +153,7 @@ void warn_about_magnitude(TestRecord& record) {
                                                                                      : "softer"}}});
 }
 
+// A rest that was not recorded takes its time by the clock: nothing is left out then.
 void warn_of_gaps(TestRecord& record) {
   auto gaps = time_gaps(record.disp_mm, record.time_s);
   std::erase_if(gaps, [](Gap const& gap) { return gap.taken_s >= gap.length_s; });
@@ -208,8 +209,7 @@ void check_physics(TestRecord const& record, std::string const& exchange_advice,
   auto const cycles = properties.complete();
   if (cycles.empty() || !properties.faults.empty()) return;  // other signs of a signal that cannot be true
   auto const loop = measure_loop(record, cycles);
-  // The skew of a nearly elastic device hides which channel is wrong: less energy than this refuses the properties
-  // alone.
+  // A nearly elastic device with skew may give back less energy than this: only the properties are refused.
   constexpr double significant_energy = 0.02;
   constexpr double significant_correlation = 0.2;
   if (loop.equivalent_damping > -significant_energy) return;
@@ -230,6 +230,7 @@ void add_warnings(TestRecord& record) {
   auto& warnings = record.warnings;
   warn_about_magnitude(record);
   auto const properties = cyclic_properties(record);
+  // A faulty signal is not diagnosed further.
   if (!properties.faults.empty()) return append(warnings, properties.refusal);
   auto const [least, largest] = std::ranges::minmax(record.disp_mm);
   double const half_range = (largest - least) / 2.0, start = record.disp_mm.front();

@@ -20,13 +20,14 @@ struct CleanOptions {
 // The window (odd) shrinks symmetrically at the ends. The cost does not grow with the window.
 std::vector<double> moving_average(std::vector<double> const& values, int window);
 
-// Slope of the parabola through three neighbouring samples, also at the ends: exact for quadratics on uneven spacing.
+// Derivative of the parabola through three neighbouring samples at true time stamps: exact for quadratics on uneven
+// spacing, also at the ends, where the parabola is one-sided. Units of x per s. time_s must increase.
 std::vector<double> central_difference(std::vector<double> const& time_s, std::vector<double> const& values);
 
-// In this order: centring by (max + min) / 2 of the raw reported cycle; moving average of `smooth`; where a cycle has k
-// >= 2 times the samples asked for, a moving average of the odd window k or k + 1; velocity; every k-th sample.
-// Velocity is taken before samples are dropped, so that thinning costs it nothing. A record without a complete cycle
-// keeps all samples. Throws Error for a record without samples.
+// In this order: centring by (max + min) / 2 of the raw reported cycle; moving average of `smooth`; where a cycle has
+// at least twice the samples asked for, k = floor(ratio), a moving average of the odd window k or k + 1; velocity;
+// every k-th sample. Velocity is taken before samples are dropped, so that thinning costs it nothing. A record without
+// a complete cycle keeps all samples. Throws Error for a record without samples.
 FitRecord clean(TestRecord const& raw, CleanOptions const& options);
 
 // Three standard deviations of the displacement's noise, which one sample in 400 exceeds.

@@ -18,26 +18,26 @@ namespace {
 
 constexpr std::size_t least_plateau = 3;   // samples
 constexpr std::size_t least_evidence = 9;  // samples on all plateaus of one side
-constexpr double least_depth = 0.001;  // times the half range, that a plateau cuts off
+constexpr double least_depth = 0.001;      // times the half range, that a plateau cuts off
 constexpr double depth_quanta = 2.5;
 constexpr double noise_width = 7.0;     // standard deviations, from top to bottom of a noisy plateau
 constexpr double least_flatness = 0.5;  // times the hump that a parabola of the flanks would have on a noisy plateau
 constexpr double flat_thirds = 0.197;   // that hump: middle less outer thirds of two thirds of it, of the depth
-constexpr double least_turn = 0.08;  // times the force that the depth stands for: its turn within a plateau
-constexpr double slower = 0.85;  // times the fastest before
+constexpr double least_turn = 0.08;     // times the force that the depth stands for: its turn within a plateau
+constexpr double slower = 0.85;         // times the fastest before
 constexpr double short_plateau = 0.24;  // times half a cycle: no hold is as short
 constexpr double past_the_tip = 0.006;  // times the amplitude: clipped force lasts beyond the reversal
 constexpr double top_deviations = 4.0;  // times the noise: no sample of a plateau in noise is farther from its level
 constexpr double least_third = 4.0;     // samples in each third of all plateaus in noise
-constexpr double most_window = 0.2;  // times the half range: the way before a plateau in noise that is looked at
+constexpr double most_window = 0.2;     // times the half range: the way before a plateau in noise that is looked at
 constexpr double least_window = 0.01;
-constexpr double least_cut = 0.01;  // times the half range of force, that a plateau in noise cuts off
-constexpr double most_uneven = 0.15;  // times that, from third to third of it
-constexpr double same_level = 0.002;  // times the level
+constexpr double least_cut = 0.01;     // times the half range of force, that a plateau in noise cuts off
+constexpr double most_uneven = 0.15;   // times that, from third to third of it
+constexpr double same_level = 0.002;   // times the level
 constexpr double least_return = 0.12;  // times the expected way that displacement comes back by on the plateau
-constexpr double most_bend = 1.5;  // times the slope before such a plateau, from window to window
+constexpr double most_bend = 1.5;      // times the slope before such a plateau, from window to window
 constexpr double least_corner = 5.0;   // slopes that fall by one factor from window to window come to 1
-constexpr double least_back = 0.1;  // times the way to the tip: less is force recorded late
+constexpr double least_back = 0.1;     // times the way to the tip: less is force recorded late
 
 class Clipping {
  public:
@@ -91,8 +91,7 @@ class Clipping {
     return run;
   }
 
-  // Measured without the first and last sixth, which may still be motion: middle third less the outer ones, and its
-  // variance.
+  // Leaves out the first and last sixth, which may still be motion: middle third less the outer ones, and its variance.
   struct Plateau {
     SampleRange run;
     double depth = 0.0, hump = 0.0, turn = 0.0, range = 0.0, variance = 0.0;
@@ -147,6 +146,7 @@ class Clipping {
     std::size_t samples = 0;
     for (auto const& plateau : runs) samples += plateau.run.size();
     if (samples < least_evidence) return false;
+    // The force turned within the plateaus if it is larger in their middle than at their ends.
     auto const count = static_cast<double>(runs.size());
     auto const mean = [&](auto member) {
       double sum = 0.0;
@@ -161,7 +161,8 @@ class Clipping {
     double const length = mean([](Plateau const& plateau) { return static_cast<double>(plateau.run.size()); });
     bool const no_hold = length + 1.0 < short_plateau * static_cast<double>(pair_.half_cycle);
     bool const reversed = num::median_over(runs, &Plateau::range) > most_of_force * 2.0 * pair_.force.half_range;
-    // Where the force tells nothing, a way that slows down and then meets a corner is a clipped sine, not a short hold.
+    // Where the force tells nothing, a way that slows down before a corner is a clipped sine, and noise that ends on a
+    // level is cut off there; a short hold between straight ways looks like a clipped triangle.
     bool const cut = no_hold && (slows_before(runs) || (exact && pair_.has_noise(pair_.disp)));
     if (!(reversed || (clear ? turn > wanted : cut))) return false;
     std::vector<std::size_t> first;
@@ -277,6 +278,7 @@ class Clipping {
     tops.longest = std::max(tops.longest, run.size());
     tops.way += way;
     tops.returned += std::max(0.0, x(tip) - x(run.last));
+    // The band has one width, however coarse the samples are.
     double const corner = (x(run.first) + x(run.first - 1)) / 2.0;
     tops.rise += (level - top_deviations * noise - y(near)) / std::max(corner - x(near), window / 4.0) * window;
     tops.rise_before += (y(near) - y(far)) / (x(near) - x(far)) * window;
@@ -300,8 +302,8 @@ class Clipping {
     if (std::abs(sum) > top_deviations * noise * std::sqrt(count) + same_level * level * count) tops.off_level += 1.0;
   }
 
-  // Clipped force meets a level at a corner, keeps it beyond the reversal and leaves it steeply; yielding comes as
-  // steeply.
+  // Clipped force meets a level at a corner, keeps it beyond the reversal and leaves it more steeply than yielding
+  // does.
   void clipped_force_in_noise(double sign) {
     for (double const wider : {1.0, 3.0}) {
       double const noise = wider * std::hypot(pair_.force.noise, 0.3 * pair_.force.quantum);

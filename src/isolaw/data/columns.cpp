@@ -110,8 +110,7 @@ class Resolver {
     return kind == StampKind::date_time || kind == StampKind::clock;
   }
 
-  // Only a column without a unit whose name speaks of dates holds a spreadsheet's days: below "Time" they may be
-  // seconds.
+  // A spreadsheet's days need a column without a unit whose name speaks of dates: below "Time" they may be seconds.
   void take_stamps(Column& time) {
     auto const kind = stamps_of(time.index);
     bool const has_unit = options_.units.contains(Channel::time) || !written_units(Channel::time, time.index).empty();
@@ -162,6 +161,7 @@ class Resolver {
     take_stamps(time);
   }
 
+  // A time that only MATLAB reads would be missed in silence.
   void report_objects() {
     if (options_.dt_s) return;
     for (auto const& variable : header_.objects)
@@ -460,6 +460,7 @@ class Resolver {
     return written;
   }
 
+  // --units wins over the file, but not in silence.
   void warn_of_other_unit(Channel channel, Column const& column, Unit const& used) {
     if (!options_.units.contains(channel) || !has_names()) return;
     auto const stated = parse_unit(dissect_name(header_.names[column.index]).unit);

@@ -35,7 +35,7 @@ Dimension dimension(Channel channel);
 struct Column {
   std::size_t index = 0;                        // from 0
   std::optional<Unit> unit;                     // empty when it is missing or wrong, which is among the complaints
-  StampKind stamp = StampKind::none;  // how the column writes time, if as stamps
+  StampKind stamp = StampKind::none;            // how the column writes time, if as stamps
   std::optional<std::size_t> date_column = {};  // beside which its times of day stand
 };
 

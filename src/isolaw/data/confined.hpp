@@ -1,5 +1,4 @@
-// Runs a library on an untrusted file in a process of its own, with limits on memory and time and without opening
-// files.
+// Runs a library on an untrusted file in a process of its own that opens no files, with limits on memory and time.
 #pragma once
 
 #include <cstddef>

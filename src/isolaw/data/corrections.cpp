@@ -89,13 +89,13 @@ void remove_skew(TestRecord& record, double skew_s) {
        {{"skew_ms", 1000.0 * skew_s}, {"dropped_samples", static_cast<double>(dropped)}});
 }
 
+// The force changes from the friction of the approach to the other at `at`, where the share `there` acts.
 struct Turn {
   std::size_t at;
   double there;
 };
 
-// Displacement hardly moves about its peak, so the force tells: with friction taken off it runs smoothest at the right
-// turn.
+// Displacement hardly moves about its peak: with friction taken off, the force runs smoothest at the right turn.
 Turn turn_about(std::size_t peak, double approach, std::vector<double> const& force,
                 std::vector<double> const& friction) {
   constexpr std::size_t reach = 2;
@@ -123,6 +123,7 @@ Turn turn_about(std::size_t peak, double approach, std::vector<double> const& fo
   return best;
 }
 
+// +1, -1 or 0: the motion at each sample, from reversal to reversal, where friction acts.
 std::vector<double> directions(std::vector<double> const& x, std::vector<double> const& force,
                                std::vector<double> const& friction) {
   auto const sign = [](double value) { return value > 0.0 ? 1.0 : value < 0.0 ? -1.0 : 0.0; };
@@ -144,6 +145,7 @@ std::vector<double> directions(std::vector<double> const& x, std::vector<double>
     for (auto i = std::min(turn.at, peak); i <= std::max(turn.at, peak); ++i)
       found[i] = approach * (i < turn.at ? 1.0 : i == turn.at ? turn.there : -1.0);
   }
+  // After the last extreme the record moves less than the band, or turns once more and ends.
   double const tail = sign(x.back() - x[motion.at.back()]);
   for (auto i = motion.at.back() + 1; i < x.size(); ++i) found[i] = tail;
   for (std::size_t i = 0; i < x.size() && std::abs(x[i] - x.front()) <= motion.band_mm; ++i) found[i] = 0.0;
@@ -163,7 +165,7 @@ void remove_friction(TestRecord& record, Corrections const& corrections) {
        {{constant ? "friction_kN" : "coefficient", factor}});
 }
 
-// Over `reach` intervals to each side, at true times.
+// Uses `reach` intervals on each side, at true times.
 double second_difference(std::vector<double> const& x, std::vector<double> const& t, std::size_t i, std::size_t reach) {
   auto const at = std::clamp(i, reach, x.size() - 1 - reach);
   double const before = t[at] - t[at - reach];

@@ -57,7 +57,7 @@ bool same_pace(double period, double other, double factor) {
   return period <= factor * other && other <= factor * period;
 }
 
-// Not where the cycle starts or ends slowly.
+// False where the cycle starts or ends slowly.
 bool is_even(Shape const& shape) {
   return same_pace(shape.rise_and_fall, shape.period + shape.still_time, far_period);
 }
@@ -189,6 +189,7 @@ std::vector<Draft> drafts_of(std::vector<Shape> const& shapes, std::vector<Run> 
     waiting = false;
   }
   if (waiting && !drafts.empty()) drafts.back().end = runs.back().end;
+  // If all cycles are uneven, the largest run stands for all.
   if (drafts.empty() && !runs.empty())
     drafts.push_back({.begin = runs.front().begin,
                       .end = runs.back().end,

@@ -14,14 +14,14 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double least_floor = 0.01;  // times the half range
-constexpr double largest_floor = 0.05;  // times the half range: more is no noise of a rig
+constexpr double least_floor = 0.01;      // times the half range
+constexpr double largest_floor = 0.05;    // times the half range: more is no noise of a rig
 constexpr double noise_deviations = 5.0;  // beyond these among a million samples there is hardly one
-constexpr double interruption = 0.04;  // times the smaller neighbouring swing; one of 5 to 200 % strain is a stage
-constexpr double off_centre = 0.05;  // times the amplitude: a record this close to zero is cut at zero
-constexpr double uneven = 0.25;  // times the amplitude: a lone cycle this uneven still starts from its centre
-constexpr double resting = 0.05;  // times the amplitude: a record that starts or ends this close is at rest
-constexpr double as_large = 0.05;  // times the amplitude: a piece of a cycle that repeats its neighbour
+constexpr double interruption = 0.04;     // times the smaller neighbouring swing; one of 5 to 200 % strain is a stage
+constexpr double off_centre = 0.05;       // times the amplitude: a record this close to zero is cut at zero
+constexpr double uneven = 0.25;           // times the amplitude: a lone cycle this uneven still starts from its centre
+constexpr double resting = 0.05;          // times the amplitude: a record that starts or ends this close is at rest
+constexpr double as_large = 0.05;         // times the amplitude: a piece of a cycle that repeats its neighbour
 // Share of the travel: 10 of 1000 irregular linear responses reach 0.64 and one 0.80; cyclic tests reach 0.9 and more.
 constexpr double least_regular_share = 0.8;
 constexpr auto not_cyclic_cycle = "the record is not cyclic";
@@ -228,6 +228,7 @@ std::vector<CycleCut> with_parts(std::vector<CycleCut> cycles, Motion const& mot
 
 Finding too_short(std::span<double const> x, Motion const& motion, Segmentation const& made) {
   auto const [least, largest] = std::ranges::minmax(x);
+  // Lobes of the first motion's side start at such a crossing.
   auto const first = std::ranges::find(motion.lobes, false, &Lobe::starts_open);
   auto const crossings =
       std::count_if(first, motion.lobes.end(), [&](Lobe const& lobe) { return lobe.positive == first->positive; });

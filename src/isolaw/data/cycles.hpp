@@ -1,9 +1,10 @@
 // Cuts a cyclic test into cycles from the displacement history alone.
 // A swing smaller than twice a floor is no motion; the floor is 1 % of the half range, or five standard deviations of
-// the noise where that is more (at most 5 % of the half range). Cuts are where displacement crosses its centre in the
-// direction the test, or a part of it after a rest, starts in (data/lobes.hpp); a motion that starts, turns or comes to
-// rest near the centre is cut there. The centre is zero, unless the record is clearly off it. Blocks:
-// data/cycle_blocks.hpp. Time in which the device stands still is no part of a period (data/holds.hpp).
+// the noise where that is more (at most 5 % of the half range). A small interruption of a large swing is none either.
+// Cuts are where displacement crosses its centre in the direction the test, or a part of it after a rest, starts in
+// (data/lobes.hpp); a motion that starts, turns or comes to rest near the centre is cut there. The centre is zero,
+// unless the record is clearly off it. Blocks: data/cycle_blocks.hpp. Time in which the device stands still is no part
+// of a period (data/holds.hpp).
 #pragma once
 
 #include <cstddef>
@@ -34,7 +35,7 @@ struct Segmentation {
   std::optional<Finding> refusal;  // not_cyclic or no_complete_cycle; empty when cyclic
   double band_mm = 0.0;            // swings of less than twice this are no motion
   double centre_mm = 0.0;          // level of the cuts: 0 unless the record is clearly off zero
-  double regular_share = 0.0;  // share of the travel in cycles that repeat an amplitude or are symmetric
+  double regular_share = 0.0;      // share of the travel in cycles that repeat an amplitude or are symmetric
   std::vector<CycleCut> cycles;    // in order, partial start and end ones included; complete ones even when not cyclic
 };
 

@@ -1,4 +1,5 @@
-// Recognises delimiter and decimal separator together: the pair that reads most sampled lines as numbers wins.
+// Recognises delimiter and decimal separator together. A comma may be either ("1,5;2,0" against "1.5,2.0"), so every
+// pair of the two is tried on lines from all over the file, and the pair that reads most of them as numbers wins.
 #pragma once
 
 #include <array>

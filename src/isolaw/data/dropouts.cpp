@@ -70,6 +70,7 @@ class DropoutSearch {
     double const step = std::max(largest_step(x_, run.first > reach ? run.first - reach : 0, run.first),
                                  largest_step(x_, run.last + 1, run.last + 1 + reach));
     if (!(jump > gone_steps * step)) return false;
+    // It comes back to where its path has gone meanwhile.
     double const way = std::abs(x_[run.last + 1] - x_[run.first - 1]);
     if (way > 2.0 * step * static_cast<double>(count + 1) + gone_deviations * own_.noise) return false;
     for (auto const i : {run.first, run.last + 1})

@@ -1,5 +1,4 @@
-// Finds dropouts: a few samples of one value off the path, which begin and end with a jump while the other channel
-// moves.
+// Finds dropouts: samples of one value that begin and end with a jump while the other channel moves.
 #pragma once
 
 #include <span>

@@ -23,13 +23,13 @@ constexpr double most_closure = 1.0;        // percent of the whole travel, 2 D
 constexpr double most_drift = 1.0;          // percent of the whole travel
 constexpr double most_v_max_error = 5.0;    // percent
 constexpr double assumed_friction = 0.005;  // times the vertical load, for well kept sliding or rolling guides
-constexpr double least_jump = 0.04;  // times the force's amplitude: less is the shape of a loop
+constexpr double least_jump = 0.04;         // times the force's amplitude: less is the shape of a loop
 constexpr double most_friction_points = 1.0;
 constexpr double most_average_loss = 1.0;  // percent, at the test's frequency
 
 constexpr double most_noise_bias = 1.0;  // percent of the amplitude
 constexpr double unlike_between = 0.15,
-                 unlike_beside = 0.2;  // times the force at a peak, between two cycles or beside one
+                 unlike_beside = 0.2;       // times the force at a peak, between two cycles or beside one
 constexpr double most_noise_scatter = 2.0;  // percent of the stiffness
 
 struct Jump {
@@ -114,8 +114,7 @@ class Assessment {
     locate(budget_.warnings, cycle());
   }
 
-  // Cycles of one amplitude change little by little after the first; a channel that drops out or a slip makes one
-  // differ.
+  // Cycles of one amplitude change little by little after the first: a dropout at the peak or a slip makes one differ.
   void unlike_their_neighbours() {
     for (auto const& block : properties_.blocks) {
       std::vector<Cycle const*> cycles;
@@ -168,6 +167,7 @@ class Assessment {
     double const force_amplitude = std::abs(cycle().F_plus_kN - cycle().F_minus_kN) / 2.0;
     if (!(amplitude > 0.0 && force_amplitude > 0.0)) return;
     double const beyond = percent(peak_gain_mm(disp, amplitude, *properties_.samples_per_cycle), amplitude);
+    // The errors of force and displacement of two samples each are independent.
     double const scatter = std::hypot(percent(force, force_amplitude), percent(disp, amplitude)) / std::numbers::sqrt2;
     add("noise of displacement", percent(disp, amplitude), "%");
     add("noise of force", percent(force, force_amplitude), "%");
@@ -182,7 +182,7 @@ class Assessment {
                                 {"scatter_percent", scatter}});
   }
 
-  // Counts stops between the cuts of counted cycles only.
+  // Rests and holds between the cuts of cycles that count, other than before the first motion.
   void rests() {
     Cycle const* longest = nullptr;
     int count = 0;
@@ -396,7 +396,8 @@ double peak_loss_percent(double samples_per_cycle) {
   return 100.0 * (1.0 - std::cos(std::numbers::pi / samples_per_cycle));
 }
 
-// The largest of x_k + noise exceeds v with probability 1 - product of Phi((v - x_k) / s), integrated over v.
+// The largest of independent samples x_k + noise exceeds v with probability 1 - product of Phi((v - x_k) / s); the mean
+// follows by integration over v. Of many samples every so many-th stands for its neighbours.
 double peak_gain_mm(double noise_mm, double amplitude_mm, double samples_per_cycle) {
   if (!(noise_mm > 0.0) || !(amplitude_mm > noise_mm)) return 0.0;
   double const angle = 2.0 * std::numbers::pi / samples_per_cycle;

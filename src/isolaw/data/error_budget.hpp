@@ -23,6 +23,7 @@ struct Budget {
   std::vector<Effect> effects;    // all that was assessed
 };
 
+// In points that they add to the damping.
 inline constexpr char const *damping_by_skew = "damping by skew", *damping_by_jump = "damping by the jump",
                             *damping_by_rig_friction = "damping by rig friction of 0.5 % of the vertical load";
 
@@ -32,7 +33,7 @@ Budget error_budget(TestRecord const& record, Properties const& properties, int 
 
 // Shares in percent that sampling takes from a loop, and a moving average of an odd window from a sine.
 double energy_loss_percent(double samples_per_cycle);  // share of the energy: 1 - N / (2 pi) sin(2 pi / N)
-double peak_loss_percent(double samples_per_cycle);  // share of a peak halfway between samples: 1 - cos(pi / N)
+double peak_loss_percent(double samples_per_cycle);    // share of a peak halfway between samples: 1 - cos(pi / N)
 double average_loss_percent(int window, double samples_per_cycle);
 // How far the largest sample of a sine lies beyond its peak on average, with white noise of this deviation.
 double peak_gain_mm(double noise_mm, double amplitude_mm, double samples_per_cycle);

@@ -50,7 +50,7 @@ std::vector<Stretch> stretches_within(std::span<double const> x, std::size_t beg
   return found;
 }
 
-// In parts of the sine's amplitude, both ways.
+// The levels are shares of the sine's amplitude; both ways count.
 double lingering(double least, double largest) {
   auto const angle = [](double level) { return std::acos(std::clamp(level, -1.0, 1.0)); };
   double const once = (angle(least) - angle(largest)) / (2.0 * std::numbers::pi);
@@ -129,6 +129,7 @@ std::vector<Gap> time_gaps(std::span<double const> x, std::span<double const> ti
     double const after = i + 2 < x.size() ? std::abs(x[i + 2] - x[i + 1]) : 0.0;
     double const speed = std::max(before, after) / interval;
     double const way = std::abs(x[i + 1] - x[i]);
+    // A rest that was not recorded lasts as long as the clock says: nothing moves on either side of it.
     double const taken = speed > 0.0 ? std::clamp(way / speed, interval, length) : length;
     gaps.push_back({.after = i, .length_s = length, .taken_s = taken});
   }

@@ -27,7 +27,7 @@ StillTime still_time(std::span<double const> disp_mm, std::span<double const> ti
 inline constexpr double most_intervals = 5.0;
 
 // A jump of the clock by more than most_intervals. taken_s is the time that the motion needs for the way at the speed
-// on both sides, at least one interval and at most what the clock says.
+// on both sides, at least one interval and at most what the clock says. without_gaps() is empty if nothing jumps.
 struct Gap {
   std::size_t after = 0;  // sample
   double length_s = 0.0;  // by the clock

@@ -1,5 +1,5 @@
-// Packing shrinks a laboratory's file tenfold at most, a bomb a thousandfold. A small file with constant channels is
-// none.
+// Limits how much a file may grow when it is unpacked: packing shrinks a laboratory's file tenfold at most, and a bomb
+// more than a thousandfold. Small files may grow more, so that a constant channel does not look like a bomb.
 #pragma once
 
 #include <cstdint>

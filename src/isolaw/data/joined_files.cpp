@@ -137,11 +137,13 @@ RecordPart read_joined(std::filesystem::path const& file, ReadOptions options,
   }
   bool const sheet_of_another = std::ranges::any_of(rest, &Opened::chooses_sheet);
   bool const test_of_another = std::ranges::any_of(rest, &Opened::chooses_test);
+  // An option may be given if it has an effect in one of the files.
   auto const idle_in = [&](Opened const& each) { return idle_options(*each.bytes, asked); };
   auto idle = idle_in(first);
   for (auto const& more : rest)
     std::erase_if(idle, [&](auto const& option) { return std::ranges::count(idle_in(more), option) == 0; });
   refuse_idle(idle, first.start.file);
+  // A choice that no file needs is accepted or refused as for one file.
   if (asked.sheet && !first.chooses_sheet && !sheet_of_another) {
     first.options.sheet = asked.sheet;
     first.open(file);

@@ -148,7 +148,7 @@ class Handler {
     std::string key = {};          // the one being read
     bool in_reach = true;          // tables are looked for here
     std::size_t elements = 0;      // objects among an array's elements so far
-    std::size_t number = 0;  // from 1, for an object that is an element
+    std::size_t number = 0;        // from 1, for an object that is an element
     bool has_path_of_own = false;  // such an object has its number in its path once it holds more than single values
   };
 

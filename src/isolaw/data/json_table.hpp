@@ -1,6 +1,6 @@
-// Reads tables of numbers in JSON (RFC 8259): {"time": [..], "disp": [..]}, [{"time": 0, "disp": 0}, ..] or [[0, 0],
-// ..]. Names may stand in a first row or beside the rows ("columns": [..]), units likewise ("units": {..}, "disp unit":
-// "mm").
+// Reads tables of numbers in JSON (RFC 8259): an object of arrays {"time": [..], "disp": [..]}, an array of objects
+// [{"time": 0, "disp": 0}, ..], or an array of rows [[0, 0], ..]; at the top or under one key. Names may stand in a
+// first row or beside the rows ("columns": [..]), units in names or beside them ("units": {..}, "disp unit": "mm").
 #pragma once
 
 #include <optional>

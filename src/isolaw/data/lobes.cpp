@@ -123,7 +123,7 @@ class Finder {
     return duration(from, first_below(lobe, from, static_cast<std::size_t>(std::floor(lobe.last))));
   }
 
-  // Longer than the motion takes to get to the centre.
+  // The rest must last longer than the motion takes to get to the centre.
   bool rests_between(Lobe const& before, Lobe const& after) const {
     auto const to = first_beyond(after, low);
     return duration(first_below(before, last_beyond(before, high), to), to) > before.fall;
@@ -175,6 +175,7 @@ std::vector<Group> group_lobes(std::vector<Lobe> const& lobes) {
     if (lobe.ends_open || i + 1 == lobes.size()) {
       i = add(lobe.starts_open ? Part::open_start : Part::open_end, i, i + 1);
     } else if (lobe.starts_open) {
+      // A record that starts on its way out from the centre goes on in the direction it started in.
       bool const outwards = lobe.tip > 0 && opposite && !lobes[i + 1].ends_open && i + 2 < lobes.size();
       i = add(Part::open_start, i, outwards ? i + 2 : i + 1);
     } else if (!opposite) {

@@ -1,5 +1,6 @@
-// Reads MATLAB files of version 5, and of 7, where elements are compressed (MathWorks, "MAT-File Format", 2017). A size
-// that a file states is never one to allocate. docs/decisions/0001-dependencies.md says why no library does it.
+// Reads MATLAB files of version 5, and of 7, where elements are compressed (MathWorks, "MAT-File Format", 2017). Own
+// code reads from a stream that is inflated on the way: a size that a file states is a number of bytes to pass over or
+// to stop at, never one to allocate. docs/decisions/0001-dependencies.md says why no library does it.
 #include <fmt/format.h>
 #include <zlib.h>
 
@@ -78,6 +79,7 @@ class PlainSource : public Source {
 
 class InflatedSource : public Source {
  public:
+  // Inflated bytes count against `left`.
   InflatedSource(std::string_view bytes, std::uint64_t& left) : left_(left) {
     // zlib does not write to its input, though its type says so.
     stream_.next_in = const_cast<Bytef*>(static_cast<Bytef const*>(static_cast<void const*>(bytes.data())));

@@ -67,6 +67,7 @@ MatColumns columns_of(std::vector<MatVariable> const& variables) {
   return found;
 }
 
+// Matrices of characters whose rows are time stamps, each as a column.
 void add_stamps(MatFile const& mat, std::uint64_t longest, MatColumns& found) {
   constexpr std::uint64_t widest = 48;
   std::size_t left = 4;  // to be looked at: each is a walk through the file

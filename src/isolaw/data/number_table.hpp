@@ -17,7 +17,7 @@ struct NumberColumn {
   std::size_t length = 0;
   std::vector<double> values = {};                    // may be read only when the column is asked for
   std::map<std::size_t, std::string> odd_cells = {};  // the first few that are no number, by position from 0
-  std::vector<Stamp> stamps = {};  // time stamps of the column: as many as values, or none
+  std::vector<Stamp> stamps = {};                     // time stamps of the column: as many as values, or none
   bool datenum = false;                               // numbers are MATLAB's days
 
   StampKind kind() const;  // none if the stamps differ in kind

@@ -142,6 +142,7 @@ void add(std::string_view key, std::string_view value, std::string const& unit, 
   if (empty || value.size() > longest ||
       std::ranges::find(found, key, &ParticularList::value_type::first) != found.end())
     return;
+  // A text that goes on with other labels is not a value of this one.
   if (value.find(';') != std::string_view::npos || value.find(": ") != std::string_view::npos) return;
   auto text = std::string(value);
   constexpr std::size_t shortest_date = 6;
@@ -161,6 +162,7 @@ void take_particulars(std::string_view line, char delimiter, ParticularList& fou
     line = trimmed(line.substr(1));
   if (line.empty() || line.size() > longest_line_of_one) return;
   std::vector<std::string_view> cells;
+  // Where blanks separate, a line about the specimen is one text.
   if (delimiter == ' ')
     cells.push_back(line);
   else

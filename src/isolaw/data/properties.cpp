@@ -22,6 +22,7 @@ constexpr double rounding_of_energy = 1e-9;  // times K_eff D^2
 constexpr double noise_of_energy = 5.0;      // standard deviations
 constexpr double same_shape = 0.05;          // rms of the amplitude; a sine and a triangle are 0.15 apart
 
+// Samples strictly between two fractional indices: [begin, end).
 struct Inside {
   std::size_t begin = 0;
   std::size_t end = 0;
@@ -229,7 +230,7 @@ Finding of_cycle(FindingKind kind, Cycle const& cycle, FindingNumber number) {
           .numbers = {{"cycle", static_cast<double>(cycle.number)}, std::move(number)}};
 }
 
-// Empty where a device may do so.
+// The findings are empty where a device can make such a loop.
 std::vector<Finding> impossible(Cycle const& cycle, CycleView const& view, Noise const& noise) {
   double const size = std::abs(cycle.K_eff_kN_per_mm) * cycle.amplitude_mm * cycle.amplitude_mm;
   double const least = rounding_of_energy * size + noise_of_energy * noise_of_area(cycle, view, noise);

@@ -67,16 +67,15 @@ struct Properties {
   std::vector<Block> blocks;
   // Third counted cycle (the last where there are fewer) of the first block of largest amplitude; empty when refused.
   std::optional<Cycle> reported;
-  // The reason for no reported cycle: a faulty signal, not cyclic, under 20 samples per cycle, negative energy or
-  // stiffness.
+  // The reason for no reported cycle: a fault, not cyclic, under 20 samples per cycle, negative energy or stiffness.
   std::vector<Finding> refusal;
   bool is_false = false;                    // it is of a signal that cannot be true, or of such a cycle
-  std::vector<SignalFault> faults;          // of a whole record; no cycle counts where there are any
+  std::vector<SignalFault> faults;          // only for a whole record; no cycle counts where there are any
   std::optional<double> samples_per_cycle;  // median over the cycles that count, rests and holds left out
   double centre_mm = 0.0;                   // level of the cuts
 
   Cycle const* find(int block, int number) const;  // nullptr where there is none
-  std::vector<Cycle const*> counted() const;  // from all blocks, in order
+  std::vector<Cycle const*> counted() const;       // from all blocks, in order
   std::vector<Cycle const*> complete() const;      // not partial; counted or not, also where not cyclic
   bool is_reported(Cycle const& cycle) const;
 };
@@ -99,7 +98,8 @@ Properties cyclic_properties(std::span<double const> disp_mm, std::span<double c
 Cycle properties_on(Cycle const& cycle, std::span<double const> disp_mm, std::span<double const> force_kN);
 
 // How a property changes over the counted cycles of one block (EN 15129 8.2.1.2.6; scragging). Ratios to cycle 3 are
-// empty where there is none. Extremes are over cycles 2 to 10 and 1 to 10, or as many as there are.
+// empty where there is none. Extremes are over cycles 2 to 10 and 1 to 10, or as many as there are; least_to_largest is
+// the smallest value of these cycles over the largest.
 struct Stability {
   int cycles = 0;  // that count
   std::vector<double> ratio_to_third;

@@ -1,5 +1,4 @@
-// Reads test records of laboratories. Dialect, columns and units are recognised, or the file is refused with the
-// reason.
+// Reads test records of laboratories; what cannot be recognised is refused with the reason.
 #pragma once
 
 #include <array>
@@ -42,6 +41,7 @@ std::optional<FileColumn> file_column(std::string_view text);
 // columns, units, values, time, constant or exchanged channels, flipped sign, several tests or sheets of which none is
 // chosen.
 TestRecord read_record(std::filesystem::path const& file, ReadOptions const& options = {});
+// The same for a file's bytes; messages call the file `name`.
 TestRecord read_record_text(std::string_view bytes, std::string const& name, ReadOptions const& options = {});
 
 // Reads and checks a displacement history alone; force and load stay empty. Refuses a file of accelerations.
@@ -51,8 +51,7 @@ TestRecord read_motion_text(std::string_view bytes, std::string const& name, Rea
 // Reads vertical displacement and load of a compression test, without time and force.
 TestRecord read_compression(std::filesystem::path const& file, ReadOptions const& options = {});
 
-// Values in mm, kN and s; time and load may be empty; a record without force is a motion. Throws Error as
-// read_record().
+// Values in mm, kN and s; time and load may be empty; without force it is a motion. Throws Error as read_record() does.
 struct Values {
   std::vector<double> disp_mm, force_kN, time_s, load_kN;
 };

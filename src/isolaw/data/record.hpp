@@ -37,15 +37,15 @@ struct ReadOptions {
   std::map<Channel, std::string> columns;  // name or 1-based number; "none": not read
   std::map<Channel, std::string> units;    // "cm", "tonf", ...; what is missing is read from the header
   std::optional<double> dt_s;              // sampling interval of a file without a time column
-  std::optional<DateOrder> date_order;  // for time stamps that do not tell
+  std::optional<DateOrder> date_order;     // for time stamps that do not tell
   std::optional<RowRange> rows;            // the part of the file that is read
   std::optional<double> from_s, to_s;      // the part of the time that is read
   bool skip_footer = false;                // text below the rows is left out (option --footer skip)
-  std::optional<char> thousands;           // what groups the digits of numbers: , . ' or a blank
+  std::optional<char> thousands;           // groups the digits of numbers: , . ' or a blank
   bool flip_force = false;                 // multiply the force by -1 (option --flip-force)
   std::optional<std::string> sheet;        // sheet of a workbook, struct of a .mat file, key of JSON: name or number
-  std::optional<std::string> test;  // if the file holds several: 1-based number, or "all", one after the other
-  Corrections corrections;  // options --skew-ms and so on
+  std::optional<std::string> test;         // if the file holds several: 1-based number, or "all", one after the other
+  Corrections corrections;                 // options --skew-ms and so on
 
   bool operator==(ReadOptions const&) const = default;
 };
@@ -71,7 +71,8 @@ struct TestRecord {
   std::size_t size() const { return disp_mm.size(); }
 };
 
-// Without a time channel `time_s` counts the samples, `vel_mm_s` is empty and only rate-independent laws apply.
+// Without a time channel `time_s` counts the samples, `vel_mm_s` is empty and only rate-independent laws apply (the
+// objective does not depend on the time scale when sampling is uniform).
 struct FitRecord {
   std::vector<double> time_s;
   std::vector<double> disp_mm;

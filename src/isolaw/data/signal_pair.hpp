@@ -10,7 +10,7 @@
 namespace isolaw::data {
 
 // Limits that several kinds of fault share.
-inline constexpr double same_value = 1e-9;  // times the range
+inline constexpr double same_value = 1e-9;    // times the range
 inline constexpr double most_of_force = 0.6;  // times its range, that no hold relaxes by
 struct SampleRange {
   std::size_t first = 0;

@@ -269,6 +269,7 @@ std::optional<Skew> estimate_skew(CycleView const& of, Properties const& propert
   double const sampling =
       view.time_s.empty() ? 1.0
                           : (view.time_s.back() - view.time_s.front()) / static_cast<double>(view.time_s.size() - 1);
+  // Friction changes sign between two samples.
   double const least = (friction_kN != 0.0 ? 0.5 : 0.1) * sampling;
   auto const found = skew_of(of_wide, least);
   auto const near = skew_of(of_narrow, least);

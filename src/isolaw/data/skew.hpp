@@ -1,8 +1,9 @@
 // Estimates the time skew between force and displacement from the reversals of a record.
 // At a reversal the force of a rate-independent device turns together with the displacement. The skew is the shift at
 // which the record comes closest to that (least squares, a parabola in displacement before the reversal and a cubic
-// after it, which meet at the tip). If the force turns early, the device may also be viscous or have friction, which is
-// subtracted where it is known. Noisy displacement is smoothed first: its noise looks like an early force.
+// after it, which meet at the tip). If the force turns late, only its channel can be late. If it turns early, the
+// device may also be viscous or have friction, which is subtracted where it is known. Noisy displacement is smoothed
+// first: since the loop is steep after a reversal, its noise looks like an early force.
 #pragma once
 
 #include <optional>
@@ -21,14 +22,12 @@ struct Skew {
   int reversals = 0;        // number of reversals that gave a value
   bool is_followed = true;  // the two curves fit within noise; else the loop is so sharp that its shape may look late
 
-  // Most reversals agree and the skew exceeds both four standard errors, or the more that one record in a thousand
-  // reaches by chance (Student's t), and the skew that a loop's shape imitates: 0.035 rad early; 0.008 rad late, 0.04
-  // if sharp.
+  // Most reversals agree and the skew exceeds four standard errors (or Student's t at 0.001) and the skew that a loop's
+  // shape imitates: 0.035 rad early and 0.008 rad late if the loop is followed, 0.04 rad late if it is sharper.
   bool significant() const;
 };
 
-// Longer than a sine lingers there: the reversal is somewhere in the hold, and the force of a device that creeps
-// changes.
+// Longer than a sine lingers there. The force of a device that creeps changes until the end of such a hold.
 bool held_at_extreme(std::span<double const> disp_mm, Cycle const& cycle, bool upper, double noise_mm);
 
 // nullopt if fewer than 4 reversals of counted cycles give a value. friction_kN is subtracted along the motion.

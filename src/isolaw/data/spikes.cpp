@@ -24,7 +24,7 @@ constexpr std::size_t samples_an_other = 75;
 constexpr std::size_t fewest_texture = 6;     // so many are still single
 constexpr std::size_t samples_a_spike = 150;  // more than one in so many samples is how the signal is
 
-// From a cubic through six neighbours, least squares, and the rms of its residuals.
+// The value follows from a cubic through six neighbours, least squares, and the rms from its residuals.
 struct Neighbours {
   double expected = 0.0;
   double left = 0.0;

@@ -13,8 +13,8 @@ struct Spike {
 };
 std::vector<Spike> spikes(std::span<double const> values);
 
-// Other turns show it too: the force may jump at a turn, and a sample in the jump lies off its neighbours. `turns`:
-// samples at which the displacement turns; `all`: the spikes of the force.
+// Such a spike is the device's own: the force may jump at a turn, and a sample in the jump lies off its neighbours.
+// `turns`: samples at which the displacement turns; `all`: the spikes of the force.
 bool is_of_every_turn(Spike const& spike, std::vector<Spike> const& all, std::span<double const> force,
                       std::span<std::size_t const> turns);
 

@@ -13,12 +13,12 @@ namespace isolaw::data {
 namespace {
 
 constexpr std::size_t least_stretch = 4;  // samples
-constexpr double least_missed = 0.02;  // times the half range
+constexpr double least_missed = 0.02;     // times the half range
 constexpr double missed_quanta = 4.0;
 constexpr double least_jump = 2.0;      // times what the motion makes of a sampling interval
-constexpr double least_advance = 0.1;  // times the force of the missed motion
+constexpr double least_advance = 0.1;   // times the force of the missed motion
 constexpr double most_stretches = 0.3;  // share of the samples: more are how a slow channel is written
-constexpr double force_stands = 0.05;  // times the half range of displacement
+constexpr double force_stands = 0.05;   // times the half range of displacement
 
 class Sticking {
  public:

@@ -74,7 +74,7 @@ struct Tests {
   std::vector<std::string> sheets;              // the parts of the file that hold tables, where it has parts
   std::optional<std::string> sheet;             // the one these tables come from, where there are several
   std::vector<Finding> recognised;              // about the file as a whole
-  ParticularList particulars;  // from sheets without tables
+  ParticularList particulars;                   // from sheets without tables
   std::vector<std::string> sheets_passed_over;  // with rows of numbers, but without the name of any channel
 };
 

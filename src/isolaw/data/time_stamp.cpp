@@ -329,6 +329,7 @@ class DateReader {
   std::vector<Complaint>& complaints_;
 };
 
+// A time of day that goes back by more than half a day is past midnight.
 std::size_t count_midnights(std::span<Stamp const> stamps, std::vector<double>& times) {
   std::size_t midnights = 0;
   for (std::size_t i = 0; i < stamps.size(); ++i) {

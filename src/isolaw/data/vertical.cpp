@@ -19,14 +19,15 @@ namespace isolaw::data {
 namespace {
 
 constexpr double usual_low = 0.3;  // share of the largest load of the loading that counts
-constexpr int usual_loading = 3;         // or the last where there are fewer
+constexpr int usual_loading = 3;   // or the last where there are fewer
 constexpr double same_peak = 0.9;  // share of the largest load: a loading that stays below is another one
-constexpr double reversal = 0.1;  // share of the range of the load: less is noise, or a hold
+constexpr double reversal = 0.1;   // share of the range of the load: less is noise, or a hold
 constexpr double reached = 0.998;  // share of its largest load at which a loading is at its end: a held load creeps on
 constexpr double near_range_end = 0.02;  // share of the upper load: as a machine misses what it is told
 struct Loading {
   std::size_t first = 0, last = 0;
 };
+// Turned so that compression is positive in both.
 struct Compression {
   std::vector<double> disp_mm, load_kN;
   std::vector<std::string> turned;
@@ -59,7 +60,7 @@ Compression compression_of(VerticalTest const& test) {
   return made;
 }
 
-constexpr double noise_left = 0.0005;  // share of the range, by averaging
+constexpr double noise_left = 0.0005;         // share of the range, by averaging
 constexpr std::size_t least_of_loading = 10;  // averages a loading is long at least
 
 std::vector<double> averaged(std::vector<double> const& x, std::size_t half) {

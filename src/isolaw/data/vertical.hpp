@@ -43,7 +43,7 @@ struct VerticalStiffness {
   double K_v_kN_per_mm = 0.0;
   std::string how;  // in one sentence
   // Only with a record.
-  std::optional<LoadRange> loads = {};  // the range, as positive compression
+  std::optional<LoadRange> loads = {};                        // the range, as positive compression
   std::optional<double> disp_low_mm = {}, disp_high_mm = {};  // at these
   std::optional<int> loading = {};                            // which loading counts, from 1
   std::vector<double> loadings_kN_per_mm = {};                // every loading that reaches the largest load

@@ -17,11 +17,11 @@ namespace {
 constexpr std::size_t fewest_standing = 4;  // samples
 constexpr double standing_noise = 6.0;      // deviations from the least to the largest of a channel that stands
 constexpr double standing_quanta = 1.5;
-constexpr double goes_beyond = 0.03;  // times its range the other goes beyond both ends of a plateau
-constexpr double goes_on = 0.1;  // times its range the other goes in one way while a channel stands
+constexpr double goes_beyond = 0.03;   // times its range the other goes beyond both ends of a plateau
+constexpr double goes_on = 0.1;        // times its range the other goes in one way while a channel stands
 constexpr double width_of_both = 4.0;  // times what the plateau's own width makes of the other
-constexpr double carries = 0.1;  // times its range above the least, a load is one
-constexpr double load_jump = 0.05;  // times its range, where a load that stood is elsewhere
+constexpr double carries = 0.1;        // times its range above the least, a load is one
+constexpr double load_jump = 0.05;     // times its range, where a load that stood is elsewhere
 
 struct VerticalChannel {
   std::string name, unit;
@@ -91,6 +91,7 @@ class Plateaus {
   }
 
  private:
+  // As a share of the other channel's range.
   double threshold(double least) const { return std::max(least, width_of_both * stands_.width / stands_.range); }
 
   bool is_clipped(SampleRange const& run) const {

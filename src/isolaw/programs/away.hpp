@@ -1,4 +1,6 @@
-// Checks away from the tested cycle, each on the second of two equal cycles from rest.
+// Checks away from the tested cycle: a stand-in at smaller amplitudes and at another rate, the law beyond the tests,
+// the step that a program needs, and two springs in place of one bearing. Each looks at the second of two equal cycles
+// from rest.
 #pragma once
 
 #include <functional>
@@ -42,8 +44,9 @@ struct StepsNeeded {
 };
 std::optional<StepsNeeded> steps_needed(Subject const& subject, Form const& form);
 
-// Two springs at right angles on a circle of the tested amplitude against one along its axis: largest force, and energy
-// over pi/2 times, which a coupled bearing of constant strength dissipates.
+// Two springs at right angles on a circle of the tested amplitude. `force`: their largest joint force over the peak
+// force of one spring along its axis. `energy`: that of a turn over pi/2 times that of one spring's cycle, which is
+// what a coupled bearing of constant strength dissipates.
 struct TwoSprings {
   double force = 0.0, energy = 0.0;
 };

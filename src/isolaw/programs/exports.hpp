@@ -38,6 +38,7 @@ std::string opensees_script(Subject const& subject, Realisation const& realisati
                             ScriptAddition const& addition = {});
 std::string openseespy_script(Subject const& subject, Realisation const& realisation, UnitSystem const& units,
                               ScriptAddition const& addition = {});
+// Adds the subject's model to it, whose draws are already among the realisation's forms.
 std::string opensees_model(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::string openseespy_model(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::string cpp_header(Subject const& subject, UnitSystem const& units);

@@ -180,7 +180,8 @@ double longest_travel(laws::LimitCurve const& v, double reach) {
 // split: 1.1 times the part without the curve beside -0.1 times the part with the curve.
 constexpr double surplus = 0.1;
 
-// The hardening term has the coefficient 1, one unit of force in any unit system: units of its own size fit it.
+// The hardening term of HystereticAsym has the coefficient 1, one unit of force whatever the unit system. So the
+// material is written in units of the term's own size, inside a Multiplier by that size; without hardening, plainly.
 Form hysteretic_asym(laws::LimitCurve const& v) {
   Form form{.id = "material",
             .title = "uniaxialMaterial HystereticAsym",

@@ -1,5 +1,6 @@
 // The OpenSees materials and elements that laws are exported to, written again from their published formulas (never
-// from the program's code). Replaying these decides whether an export may be called exact.
+// from the program's code), with arguments in the order of the command. Replaying these decides whether an export may
+// be called exact.
 // Sources: Steel01, OpenSees command manual (kinematic hardening, without its optional isotropic part). Steel02:
 // Filippou et al. 1983 as in that manual, likewise. BoucWen: Wen 1976 as in Haukaas and Der Kiureghian 2003, z by
 // backward Euler. BoucWenOriginal and elastomericBearingBoucWen: Park, Wen and Ang 1986, z dimensionless, backward

@@ -45,6 +45,7 @@ void add_bearings(Model& model, std::vector<LayoutRow> const& places) {
         {.name = place.name, .x_mm = place.x_mm, .y_mm = place.y_mm, .angle_deg = place.angle_deg});
 }
 
+// Shares the carried weight as the layout's loads are, or equally without loads.
 void add_weight(Model& model, ModelOptions const& options, std::vector<LayoutRow> const& places) {
   bool const loads = places.front().load_kN.has_value();
   double sum = 0.0;

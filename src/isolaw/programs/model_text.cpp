@@ -16,6 +16,7 @@ constexpr std::string_view coupled_form = "bearing";
 
 // Upper limit of an analysis step: short enough for the frequencies that ground motions hold.
 constexpr double longest_model_step_s = 0.005;
+// Used where no number of steps tried was enough for the form.
 constexpr double careful_model_step_s = 0.001;
 
 Form const* with_id(Mapping const& mapping, std::string_view id) {
@@ -39,6 +40,7 @@ std::string range_text(double low, double high) {
   return low == high ? fmt::format("{:.4g}", low) : fmt::format("{:.4g} to {:.4g}", low, high);
 }
 
+// True where mirroring the displacement does more than change the force's sign.
 bool is_one_sided(Form const& form, Subject const& subject) {
   auto mirrored = subject.protocol.disp_mm;
   for (double& x : mirrored) x = -x;

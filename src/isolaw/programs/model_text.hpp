@@ -31,7 +31,7 @@ struct ModelNumbers {
   double motion_step_s = 0.0;
   int pieces = 1;  // steps of the analysis to one of the motion
   std::vector<std::vector<double>> motions;
-  double tolerance = 0.0;  // Newton's rule, on displacements
+  double tolerance = 0.0;          // Newton's rule, on displacements
   double tested = 0.0;             // largest tested displacement
   std::vector<std::string> cases;  // "lower", "nominal", ...; "nominal", "draw_1", ...
   bool held = false;               // against turning, where there is only one bearing

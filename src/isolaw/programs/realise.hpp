@@ -77,6 +77,7 @@ struct Substitute {
 Substitute fit_substitute(Subject const& subject, std::string_view law,
                           std::vector<fit::Override> const& overrides = {});
 
+// The worst over the histories.
 Deviation deviation_of_law(Subject const& subject, laws::LawEntry const& law, std::span<double const> parameters);
 
 Realisation realise(Subject const& subject);

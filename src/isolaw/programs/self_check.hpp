@@ -12,7 +12,7 @@ namespace isolaw::programs {
 struct CheckedVariant {
   std::string name;  // "nominal", "lower", "upper"
   std::vector<Command> commands;
-  std::vector<Tags> tags;  // one for each command
+  std::vector<Tags> tags;     // one for each command
   std::vector<double> force;  // expected of the program
 };
 

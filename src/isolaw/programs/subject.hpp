@@ -74,7 +74,7 @@ struct Subject {
   Bounds bounds;
   std::uint64_t seed = 1;
   int refinement = 1;
-  double dead_band_mm = 0.0;  // from the device's record; for a lot the largest
+  double dead_band_mm = 0.0;                               // from the device's record; for a lot the largest
   std::optional<double> K_eff_kN_per_mm, damping_percent;  // measured: of the device, or the mean of the lot
   double design_disp_mm = 0.0;                             // amplitude of the reported cycle
   std::vector<std::string> beyond;  // sentences about the law beyond the tests (away.hpp), in the units asked for
@@ -93,6 +93,7 @@ std::string plain_name(std::string_view name);
 Subject make_subject(campaign::Contents const& contents, study::Summary const& summary, std::string_view law,
                      std::string_view device, UnitSystem const& units = unit_systems[0]);
 
+// In kN, at the history's points.
 std::vector<double> law_force(laws::LawEntry const& law, std::span<double const> parameters, History const& history);
 
 }  // namespace isolaw::programs
