@@ -60,8 +60,7 @@ void add_option(CLI::App& command, OptionInfo const& option, Values& given, std:
   under(option.heading, added);
 }
 
-// `of_test` is false for a motion, which has no force. A reading option whose name the command uses for something else
-// is left out: a lot file can still set it.
+// `of_test` is false for a motion, which has no force. A lot file can still set options whose name the command uses.
 void add_reading(CLI::App& command, Values& read, bool of_test = true) {
   for (auto const& option : data::reading_table()) {
     auto const other_name = of_test ? std::string_view() : option.motion_option;
@@ -396,7 +395,6 @@ Reader reader_of(int argc, char** argv) {
   return Reader::none;
 }
 
-// One line: for a program on standard output, unless something stands there already; else at standard error.
 void give(Reader reader, std::string_view object) {
   if (reader == Reader::program && !has_printed && std::ferror(stdout) == 0) {
     print(object);
@@ -405,8 +403,6 @@ void give(Reader reader, std::string_view object) {
     say("{}\n", object);
   }
 }
-
-// In words, and as an object where somebody reads it; returns the exit code.
 int fail(Reader reader, std::string_view kind, std::vector<Complaint> const& complaints, int code) {
   for (auto const& complaint : complaints) say("isolaw: {}\n", to_string(complaint));
   JsonWriter out;

@@ -3,8 +3,8 @@
 
 namespace isolaw::app {
 
-// Runs one command; returns the exit code (0 done; 1 done with refusals or failures; 2 wrong usage or no usable
-// device; 3 internal error). Never throws.
+// Exit codes: 0 done; 1 done with refusals or failures; 2 wrong usage or no usable device; 3 internal error. Never
+// throws.
 int run(int argc, char** argv);
 
 }  // namespace isolaw::app

@@ -18,7 +18,6 @@ namespace {
 
 constexpr std::size_t bench_samples = 600, bench_candidates = 4 * fit::wide_block;
 
-// Computes candidates drawn in a law's published box, on the record that speed is measured on.
 class SpeedTest {
  public:
   SpeedTest(laws::LawEntry const& law, laws::Integration integration)

@@ -73,7 +73,6 @@ void print_answers(building::Study const& study, building::Answers const& answer
   print(text);
 }
 
-// Of the building's places, the tested devices that leave least eccentricity.
 void print_arrangement(building::Study const& study, building::Answers const& answers) {
   for (std::size_t l = 0; l < study.laws.size(); ++l) {
     auto const& law = study.laws[l];
@@ -98,7 +97,6 @@ void print_arrangement(building::Study const& study, building::Answers const& an
   }
 }
 
-// Every law under every motion, one CSV each.
 int nominal_alone(building::Study const& study, std::filesystem::path const& out) {
   auto const folder = out / "histories";
   make_folder(folder);
@@ -214,8 +212,6 @@ int building(BuildingArguments const& a, std::vector<std::string> const& command
 }
 
 namespace {
-
-// Of a directory, or of a part that is named by its store.
 struct Holds {
   bool campaign = false, study = false;
 };
@@ -263,7 +259,6 @@ bool merges_buildings(MergeArguments const& arguments) {
 
 namespace {
 
-// Where no part says of which building and campaign: what was answered when the last run was there.
 void answers_that_are_there(std::filesystem::path const& directory, bool json) {
   auto const file = directory / "building.json";
   std::error_code unknown;

@@ -6,7 +6,7 @@
 
 namespace isolaw::app {
 
-// Reads the building file and the campaign's directory. Throws Error if one is not given, or for all faults in them.
+// Throws Error if one is not given, or for all faults in them.
 building::Study building_study(BuildingArguments const& arguments);
 
 }  // namespace isolaw::app

@@ -25,7 +25,6 @@ std::string markdown_interval(std::optional<laws::Interval> const& interval) {
   return interval ? fmt::format("{:g} to {:g}", interval->lower, interval->upper) : std::string("–");
 }
 
-// The name in the paper's tables, if it is another one.
 std::string in_the_paper(laws::ParameterInfo const& parameter) {
   return parameter.paper_name.empty() ? std::string() : fmt::format("; {} in the paper's tables", parameter.paper_name);
 }
@@ -33,8 +32,6 @@ std::string in_the_paper(laws::ParameterInfo const& parameter) {
 std::string together(laws::LawEntry const& law) {
   return joined(law.joint_limits | std::views::transform(&laws::JointLimitEntry::statement));
 }
-
-// Prints docs/laws.md.
 void print_markdown() {
   fmt::print(
       "# The laws\n\nFrom the laws' own files, by `./isolaw.sh docs`. x displacement, v velocity, F force, in the law's own units; a step goes from one\nsample to the next, and what is not said starts at zero. *Paper*: the box of Table 4; `isolaw laws ID` says the same. A history that\nstarts elsewhere than at zero displacement finds the device virgin there, as if it had come there without history; analysis\nprograms start at zero.\n");

@@ -45,8 +45,8 @@ std::size_t runs_since(std::filesystem::path const& directory, std::size_t missi
   }
 }
 
-// `isolaw report --rules ...` checks the tests against other rules than the store holds, and states them in its page.
-// If the page does so, puts its rules into `contents` and `summary` and returns true. An unreadable page states nothing.
+// A page by `isolaw report --rules ...` states other rules than the store. Takes them over; an unreadable page has
+// none.
 bool hold_to_what_the_page_states(std::filesystem::path const& directory, campaign::Contents& contents,
                                   study::Summary& summary) {
   auto const stored = contents.acceptance;

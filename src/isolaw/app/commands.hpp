@@ -1,5 +1,4 @@
-// The commands behind the command line: each takes its parsed options, writes results to standard output and messages
-// to standard error, and returns the exit code. Wrong input throws isolaw::Error. app.cpp holds what each command does.
+// The commands: each writes results to standard output and messages to standard error, and returns the exit code.
 #pragma once
 
 #include <filesystem>
@@ -13,8 +12,7 @@ namespace isolaw::app {
 
 inline constexpr int exit_done = 0, exit_with_refusals = 1, exit_wrong_usage = 2, exit_internal = 3;
 
-// Values hold the options given from a table: `read` from data::reading_table(), `acceptance` from
-// campaign::acceptance_table(). They override a lot file and the acceptance of a campaign's store.
+// Values hold the options given from a table. They override a lot file and the acceptance of a campaign's store.
 struct CalibrateArguments {
   std::vector<std::filesystem::path> inputs;  // one lot file, or records
   Values settings, read, acceptance;
@@ -37,8 +35,7 @@ struct MergeArguments {
   std::string figures = "lot";
   bool copy_only = false, fresh = false, json = false, details = false;
 };
-// Joins the parts of a campaign or building study; the result is as one machine would have computed it. Lists what is
-// missing.
+// The result is as one machine would have computed it.
 int merge(MergeArguments const& arguments, std::vector<std::string> const& command_line);
 // Whether the parts are those of a building study, and their merge. Throws Error if that cannot be decided.
 bool merges_buildings(MergeArguments const& arguments);
@@ -126,7 +123,6 @@ struct BuildingArguments {
   bool print_template = false, fresh = false, arrange = false, nominal = false, json = false;
 };
 int building(BuildingArguments const& arguments, std::vector<std::string> const& command_line);
-// Writes a building file that can be run, with synthetic motions.
 void write_example_building(std::filesystem::path const& directory);
 
 int list_rules(std::string const& name, bool json);

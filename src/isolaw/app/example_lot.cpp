@@ -1,6 +1,6 @@
-// For device d of Table A.5: the mean of the forces of jankowski, vaiana, hwang-wu and abe-y0 with the device's
-// published mean parameters, under three cycles of +-208 mm at 0.5 Hz, sampled 100 times per second. The motion carries
-// a tremor of the actuator, which the forces follow; every channel carries sensor noise, which they do not.
+// Mean force of jankowski, vaiana, hwang-wu and abe-y0 with a device's published mean parameters (Table A.5), under
+// three cycles of +-208 mm at 0.5 Hz, 100 samples per second. The forces follow the actuator's tremor, not the sensor
+// noise.
 #include "isolaw/app/example_lot.hpp"
 
 #include <fmt/format.h>
@@ -71,7 +71,6 @@ std::vector<Sample> record_of(std::size_t device) {
   return samples;
 }
 
-// How a laboratory writes a file: the lines above the rows, and the form of a row.
 struct Dialect {
   std::string head;
   std::string separator;

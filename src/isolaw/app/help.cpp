@@ -19,7 +19,6 @@ namespace {
 using Options = std::vector<CLI::Option const*>;
 using Sections = std::map<Heading, Options>;
 
-// An option that was given no heading is an everyday one.
 Heading heading_of(CLI::Option const& option) {
   auto heading = Heading::running;
   while (heading != Heading::everyday && title(heading) != option.get_group())
@@ -61,7 +60,6 @@ class HelpFormat final : public CLI::Formatter {
   }
 };
 
-// Two commands share an option if its name and its help are the same.
 std::string key_of(CLI::Option const& option) {
   return option.get_name() + "\n" + option.get_description();
 }

@@ -65,8 +65,7 @@ int inspect(InspectArguments const& arguments) {
 
 namespace {
 
-// Copies from another lot file its settings, its rules, and how its devices are read; if they share no way of reading,
-// how its first device is read. A channel in a file of its own is not copied: that file belongs to the other lot.
+// If the devices share no way of reading, the first device's is taken. A channel in a file of its own is not copied.
 void take_over(std::filesystem::path const& file, campaign::Lot& lot) {
   auto const other = lot_of_file(file, {.allow_outside = true, .other_out = true});
   lot.settings = other.settings;
@@ -116,7 +115,6 @@ campaign::Lot lot_of_tests(InitArguments const& arguments) {
   return lot;
 }
 
-// The complaint about a file some part of which was taken for a test but cannot be read as one.
 Complaint about_sheets(std::filesystem::path const& file, campaign::Lot const& lot) {
   std::vector<std::string> sheets;
   for (auto const& device : lot.devices)

@@ -1,5 +1,4 @@
-// Ending a long command early: finished work is kept, the exit code says that something is missing, and the same command
-// continues.
+// Ending a long command early: finished work is kept, and the same command continues.
 #pragma once
 
 #include <array>
@@ -8,8 +7,7 @@
 
 namespace isolaw::app {
 
-// Ctrl-C, SIGTERM and a closed terminal ask the command to end; a second signal ends the program at once. Under nohup a
-// closed terminal is ignored.
+// A second signal ends the program at once. Under nohup a closed terminal is ignored.
 class SignalGuard {
  public:
   SignalGuard();
@@ -23,7 +21,7 @@ class SignalGuard {
 // Whether such a signal came since the last guard was constructed.
 bool interrupted();
 
-// The command line that continues: without --fresh.
+// Leaves out --fresh.
 std::string to_continue(std::vector<std::string> words);
 
 }  // namespace isolaw::app

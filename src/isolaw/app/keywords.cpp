@@ -1,5 +1,5 @@
-// `isolaw keywords`: the options of the tables as keyword parameters. `./isolaw.sh docs` puts them into the stub of the
-// Python package.
+// `isolaw keywords`: the tables as keyword parameters. `./isolaw.sh docs` puts them into the stub of the Python
+// package.
 #include <fmt/format.h>
 
 #include <algorithm>

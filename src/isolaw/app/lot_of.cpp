@@ -41,7 +41,7 @@ void refuse_endless(campaign::Lot const& lot) {
                  .advice = "fewer runs, 20 are usual"});
 }
 
-// The last part of a directory's name; works for "." and "records/" too.
+// Works for "." and "records/" too.
 std::string folder_name(std::filesystem::path const& directory) {
   auto const path = std::filesystem::weakly_canonical(directory);
   return path.filename().string();
@@ -104,8 +104,7 @@ std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path>
 
 namespace {
 
-// An option that may be repeated adds to the values of the lot file and replaces those for the same parameter. A
-// parameter given twice on the command line is refused later, by the option itself.
+// Repeated options add to the lot file. A parameter given twice on the command line is refused later by the option.
 Json added(Json const& there, Json const& given) {
   auto const parameter = [](std::string const& text) { return text.substr(0, text.find('=')); };
   auto const words = given.get<std::vector<std::string>>();

@@ -8,7 +8,6 @@
 
 namespace isolaw::app {
 
-// Says on standard error which parts were absent, what was copied and what is missing.
 void tell_merged(campaign::Merged const& merged, std::filesystem::path const& directory, std::string const& store);
 
 }  // namespace isolaw::app

@@ -36,7 +36,6 @@ std::string in_words(double seconds) {
                             : fmt::format("{:.1f} h", seconds / 3600.0);
 }
 
-// The comment at the top of every script, in the form that both shell and make understand.
 std::string heading(PartScript const& script, std::string_view how) {
   auto const& needs = script.needs;
   return fmt::format(
@@ -53,14 +52,12 @@ std::string program_line(PartScript const& script, std::vector<std::string> word
   return shell_quoted(words);
 }
 
-// Keeps the scratch directories of different campaigns apart.
 std::string fingerprint(PartScript const& script) {
   return sha256(shell_quoted(script.words) + script.directory.string() + script.out.string() +
                 std::to_string(script.parts))
       .substr(0, 12);
 }
 
-// The functions that the Slurm and the GNU parallel script share.
 std::string shell_functions(PartScript const& script) {
   auto merge = script.merge;
   merge.insert(merge.begin(), "merge");

@@ -12,7 +12,7 @@ namespace isolaw::app {
 
 // The time and memory to ask a scheduler for.
 struct PartNeeds {
-  double part_s = 0.0, merge_s = 0.0;  // of a part and of the merge, with PartScript::jobs threads each
+  double part_s = 0.0, merge_s = 0.0;  // for a part and for the merge, with PartScript::jobs threads each
   std::uint64_t memory_bytes = 0;
 };
 
@@ -22,7 +22,7 @@ struct PartScript {
   std::string command, store;       // the isolaw command that computes a part, and the file it leaves
   std::vector<std::string> words;   // options and input of that command, without --part, --out and --jobs
   std::vector<std::string> merge;   // options of isolaw merge
-  std::string title;                // of the lot, for the script's first comment
+  std::string title;                // the lot's, for the script's first comment
   std::filesystem::path out;
   int parts = 1, jobs = 1;
   std::string instruction_set;  // the same for all parts, wherever they run

@@ -24,7 +24,6 @@
 namespace isolaw::app {
 namespace {
 
-// The options given, as words of a command line.
 std::vector<std::string> words_again(CalibrateArguments const& given) {
   std::vector<std::string> words;
   auto const add = [&](auto const& table, Values const& values) {

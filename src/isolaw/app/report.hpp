@@ -10,23 +10,20 @@
 
 namespace isolaw::app {
 
-// Says which figures could not be drawn. That is no failure: their data and scripts are written. `again` is the command
-// that draws them once gnuplot is installed.
+// That is no failure: their data and scripts are written. `again` is the command that draws them once gnuplot is there.
 void say_drawn(render::FigureOutcome const& outcome, std::filesystem::path const& directory, std::string_view again);
 void draw_figures(study::Summary const& summary, render::FigureChoice choice, std::filesystem::path const& directory);
 
 struct Printed {
   bool json = false, details = false;
 };
-// The answer of a campaign whose results lie in `directory`: on one screen, with all details, or summary.json with the
-// campaign's profile where there is one. Verdicts of a rule set follow the answer.
+// On one screen, with all details, or summary.json with the campaign's profile. Verdicts of a rule set follow.
 void print(study::Summary const& summary, std::filesystem::path const& directory, Printed how,
            std::string_view profile = {});
 
 // 1 if a device was refused, a law could not be fitted to a device, a run failed, or a limit of the rule set is exceeded.
 int exit_code(study::Summary const& summary);
 
-// For a campaign that is not complete: what is missing and how to complete it.
 std::string what_is_missing(study::Summary const& summary);
 
 }  // namespace isolaw::app

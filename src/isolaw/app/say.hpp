@@ -15,9 +15,8 @@
 
 namespace isolaw::app {
 
-// Every message goes through here. What was printed before goes out first: where both streams go to one file, no
-// message stands within a line of the output. Nothing is done about a failure: a terminal that was closed must not cost
-// a campaign its orderly end.
+// Flushes standard output first: in one file, no message stands within a line of the output. Failures are ignored: a
+// terminal that was closed must not cost a campaign its orderly end.
 template <class... Args>
 void say(fmt::format_string<Args...> format, Args&&... args) {
   fmt::memory_buffer text;  // without an allocation for a message of usual length: memory may be what is missing
@@ -28,14 +27,13 @@ void say(fmt::format_string<Args...> format, Args&&... args) {
 
 inline bool has_printed = false;  // by print(): what follows on standard output is no longer the only thing there
 
-// A whole output, which ends with its line.
 inline void print(std::string_view text) {
   has_printed = true;
   std::fwrite(text.data(), 1, text.size(), stdout);
   if (!text.ends_with('\n')) std::fputc('\n', stdout);
 }
 
-// Columns of the terminal that a descriptor leads to; 80 where it leads elsewhere or is too narrow for a line of ours.
+// 80 where the descriptor leads to no terminal, or to one too narrow for our lines.
 inline int terminal_width(int descriptor) {
   winsize size{};
   return ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col >= 40 ? size.ws_col : 80;

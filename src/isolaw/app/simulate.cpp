@@ -41,10 +41,10 @@ double largest(std::vector<double> const& values) {
 
 struct Chosen {
   FittedLaw law;
-  study::Doubts doubts;              // of a campaign's law as it was fitted
+  study::Doubts doubts;              // the campaign's, for its law as it was fitted
   std::string origin;                // "device 'a'", "the lot"; empty: of no campaign
-  std::vector<std::string> changes;  // of --set: then it is no longer the law that the campaign fitted
-  // Of a device's law as it was fitted: what it was fitted to, and its box.
+  std::vector<std::string> changes;  // made by --set: then it is no longer the law that the campaign fitted
+  // Only for a device's law as it was fitted.
   struct Fit {
     data::FitRecord record;
     fit::SearchBox box;
@@ -52,7 +52,7 @@ struct Chosen {
   std::optional<Fit> fit = {};
 };
 
-// What --parameters, --from and --set come to; the names are checked with everything else.
+// The names are checked with everything else.
 Chosen chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
   if (a.parameters && a.from)
     throw Error({.where = "--parameters and --from", .found = "both are given", .allowed = "one of them"});
@@ -94,7 +94,7 @@ Chosen chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
     return std::ranges::find(changes, value.name, &NamedValue::name) != changes.end();
   });
   values.insert(values.end(), changes.begin(), changes.end());
-  // What a campaign fitted was accepted there: a search may end beyond a limit that its box crosses.
+  // The campaign accepted its fitted values: a search may end beyond a limit that its box crosses.
   auto& taken = made.law;
   taken.parameters =
       parameters_in_order(law, values, where, a.from && changes.empty() ? Together::left : Together::checked);
@@ -113,7 +113,6 @@ Chosen chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
   return made;
 }
 
-// What is known of a campaign's law: how far it was fitted and tested, how well it predicts, what speaks against it.
 std::vector<std::string> facts(Chosen const& chosen) {
   if (chosen.origin.empty()) return {};
   auto const& [tested, fitted] = chosen.law.ranges;
@@ -146,7 +145,6 @@ void say_what_it_is(laws::LawEntry const& law, Chosen const& chosen, data::TestR
   if (chosen.law.refinement > 1) say("  integrated in {} steps per sample\n", chosen.law.refinement);
 }
 
-// What of the motion is beyond what is known of the law.
 std::vector<std::string> beyond_what_is_known(laws::LawEntry const& law, FittedLaw const& chosen,
                                               data::FitRecord const& path) {
   std::vector<std::string> lines;
@@ -169,7 +167,7 @@ std::vector<std::string> beyond_what_is_known(laws::LawEntry const& law, FittedL
 
 std::vector<std::string> cautions(laws::LawEntry const& law, FittedLaw const& chosen, data::FitRecord const& path) {
   auto lines = beyond_what_is_known(law, chosen, path);
-  constexpr double at_zero = 1e-6;  // of the largest displacement
+  constexpr double at_zero = 1e-6;  // share of the largest displacement
   if (double const x = path.disp_mm.front(); std::abs(x) > at_zero * largest(path.disp_mm))
     lines.push_back(fmt::format(
         "warning: the motion starts at {:.4g} mm: the device is taken as virgin there, its force as if it had come there without history; an analysis program starts at 0: put a path from 0 in front to compare",
@@ -177,7 +175,7 @@ std::vector<std::string> cautions(laws::LawEntry const& law, FittedLaw const& ch
   return lines;
 }
 
-// Numbers read back as the same doubles. Of a campaign's law what is known of it stands above them.
+// Numbers read back as the same doubles.
 std::string csv_text(std::string_view law, std::vector<std::string> const& known, data::TestRecord const& motion,
                      data::FitRecord const& path, std::vector<double> const& force_kN) {
   std::string text;
@@ -194,7 +192,7 @@ std::string csv_text(std::string_view law, std::vector<std::string> const& known
   return text;
 }
 
-// What --bidirectional and its company say; nullopt: one direction.
+// nullopt: one direction.
 struct TwoDirections {
   laws::Bidirectional how;
   laws::plane::Softening softening;
@@ -240,7 +238,6 @@ std::optional<TwoDirections> two_directions(SimulateArguments const& a) {
   return made;
 }
 
-// What says nothing about a motion in two directions.
 void require_none_of_one_direction(FittedLaw const& law) {
   auto const refuse = [](std::string_view option, std::string_view allowed) {
     throw Error({.where = std::string(option),
@@ -256,7 +253,6 @@ double distance(laws::plane::Vector<double> const& a) {
   return std::hypot(a.x, a.y);
 }
 
-// The law as springs with parameters of their own, the campaign's where it has them, and a line that says so.
 std::string fit_as_springs(laws::LawEntry const& law, Chosen const& chosen, FittedLaw& taken) {
   bool const stored = taken.springs.has_value();
   auto const made =
@@ -268,8 +264,6 @@ std::string fit_as_springs(laws::LawEntry const& law, Chosen const& chosen, Fitt
              chosen.fit ? "the device's record" : "the devices' records", made.fitted, made.given, made.law) +
          (stored ? "; as the campaign stored them" : "");
 }
-
-// What tests in one direction do not say, at the size and pace of the motion.
 std::vector<std::string> left_open(fit::LawInPlane const& law, TwoDirections const& two, fit::PlaneMotion const& motion,
                                    bool as_given) {
   double size = 0.0, fastest = 0.0;

@@ -27,7 +27,6 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-// Empty when none is within `furthest` changes.
 std::string nearest(std::string_view word, std::vector<std::string> const& known, std::size_t furthest) {
   std::string near;
   for (auto const& other : known)

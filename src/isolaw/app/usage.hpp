@@ -1,4 +1,4 @@
-// What the program says of its use: --help, docs/cli.md, and errors of usage in our own words.
+// Texts about using the program: --help, docs/cli.md, and errors of usage in our own words.
 #pragma once
 
 #include <memory>
@@ -22,11 +22,9 @@ inline constexpr std::string_view example_mark = "Example: ";
 // Lists options under the headings of base/option.hpp, in their order; few options under a single heading.
 std::shared_ptr<CLI::FormatterBase> help_format();
 
-// Prints docs/cli.md: every command with its own options. The options that other commands share with calibrate stand in
-// sections of their own, to which the commands refer.
+// Options that other commands share with calibrate stand in sections of their own, to which the commands refer.
 void print_reference(CLI::App const& app);
 
-// Escapes the characters that Markdown would read as markup, in prose or in a cell of a table.
 std::string plain_markdown(std::string_view text);
 
 // Throws Error if the first word is neither a command of `app` nor an option.

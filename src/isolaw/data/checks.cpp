@@ -30,7 +30,7 @@ bool is_sentinel(double size) {
   return std::ranges::find(sentinels, size) != sentinels.end();
 }
 
-// The 99.9th percentile of |value|, with at least three larger values, sentinels and overloads left out.
+// The 99.9th percentile of |value|, with at least three larger values; sentinels and overloads left out.
 std::optional<double> ordinary_size(std::span<double const> values) {
   std::vector<double> sizes;
   sizes.reserve(values.size());
@@ -91,7 +91,6 @@ void check_time(std::string const& file, RawChannel const& raw, std::span<std::s
   findings.append_to(complaints);
 }
 
-// Displacement and force over the complete cycles: energy, and the slope and correlation of the whole loop.
 struct Loop {
   double energy_kN_mm = 0.0;
   double slope_kN_per_mm = 0.0;
@@ -168,7 +167,7 @@ void warn_of_gaps(TestRecord& record) {
                                          {"taken_s", gap.taken_s}}});
 }
 
-// Days of a spreadsheet under a name with seconds: each cell a date, all of a test within a part of a day.
+// A spreadsheet's days under a name with seconds: each cell a date, all of a test within a part of a day.
 void warn_of_days(TestRecord& record) {
   if (record.time_s.empty() || !may_be_serial(record.time_s.front()) || !may_be_serial(record.time_s.back())) return;
   constexpr double fastest_Hz = 1000.0;  // no test of a device is sampled faster and lasts less than a second
@@ -210,8 +209,7 @@ void check_physics(TestRecord const& record, std::string const& exchange_advice,
   auto const cycles = properties.complete();
   if (cycles.empty() || !properties.faults.empty()) return;  // other signs of a signal that cannot be true
   auto const loop = measure_loop(record, cycles);
-  // What refuses the file. Within the skew of two channels of a nearly elastic device nothing tells which channel is
-  // wrong: less energy given back than this, but more than noise, refuses the properties alone.
+  // A nearly elastic device with skew may give back less energy than this: only the properties are refused.
   constexpr double significant_energy = 0.02;
   constexpr double significant_correlation = 0.2;
   if (loop.equivalent_damping > -significant_energy) return;
@@ -232,7 +230,7 @@ void add_warnings(TestRecord& record) {
   auto& warnings = record.warnings;
   warn_about_magnitude(record);
   auto const properties = cyclic_properties(record);
-  // Nothing else is diagnosed of a signal that cannot be true.
+  // A faulty signal is not diagnosed further.
   if (!properties.faults.empty()) return append(warnings, properties.refusal);
   auto const [least, largest] = std::ranges::minmax(record.disp_mm);
   double const half_range = (largest - least) / 2.0, start = record.disp_mm.front();

@@ -1,5 +1,4 @@
-// Finds faults in a record's values: sentinels of an overloaded sensor, time that goes back, channels that do not move,
-// force and displacement exchanged. An isolator dissipates energy and pushes back, so both signs are known beforehand.
+// Finds faults in a record's values. An isolator dissipates energy and pushes back, so both signs are known beforehand.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +12,6 @@
 #include "isolaw/data/record.hpp"
 
 namespace isolaw::data {
-
-// Collects the complaints of one kind: the first few with their line, the rest counted.
 class Findings {
  public:
   // `rest` names the kind where the rest is counted, for example "cells that are no number".
@@ -30,7 +27,7 @@ class Findings {
   std::vector<Complaint> first_;
 };
 
-// A channel as read, in the units of the file; `lines` holds the line number of each value.
+// `lines` holds the line number of each value.
 struct RawChannel {
   Channel channel;
   std::string column;  // "column 2 'Force [kN]'"
@@ -38,15 +35,11 @@ struct RawChannel {
   std::vector<double> values;
 };
 
-// Checks displacement, force and load for overload and constancy, and time for its order.
 void check_channel(std::string const& file, RawChannel const& raw, std::span<std::size_t const> lines,
                    std::vector<Complaint>& complaints);
-
-// Checks the signs of energy and stiffness over complete cycles. `exchange_advice` says how to exchange two columns.
+// `exchange_advice` says how to exchange two columns.
 void check_physics(TestRecord const& record, std::string const& exchange_advice, std::vector<Complaint>& complaints);
 
-// Adds warnings: an implausible stiffness, a start away from zero, a clock that jumps, those of error_budget, and why
-// there are no properties.
 void add_warnings(TestRecord& record);
 
 }  // namespace isolaw::data

@@ -17,8 +17,7 @@
 namespace isolaw::data {
 namespace {
 
-// Sums of the first n values, each kept as a rounded sum and what rounding lost, so that the difference of two far
-// along a million samples is as exact as a direct sum.
+// Each sum keeps what rounding lost: the difference of two far along a million samples stays exact.
 class PrefixSums {
  public:
   explicit PrefixSums(std::vector<double> const& values) : sum_(values.size() + 1), lost_(values.size() + 1) {
@@ -38,7 +37,6 @@ class PrefixSums {
   std::vector<double> lost_;
 };
 
-// Samples [first, end) whose extremes centre the record: the reported cycle, or everything.
 struct Range {
   std::size_t first = 0, end = 0;
 };
@@ -76,7 +74,6 @@ void average(FitRecord& record, int window) {
   record.force_kN = moving_average(record.force_kN, window);
 }
 
-// Keep every how many-th sample; 1 where nothing is dropped. Says why.
 std::size_t thinning_step(FitRecord& record, Properties const& properties, std::optional<int> wanted) {
   if (!wanted) {
     record.cleaning.push_back({.kind = FindingKind::all_samples_kept, .words = {{"option", "--samples-per-cycle"}}});
@@ -168,7 +165,7 @@ std::vector<double> central_difference(std::vector<double> const& time_s, std::v
     double const after = interval(i);
     return (before * slope(i) + after * slope(i - 1)) / (before + after);
   };
-  // At the ends: the slope of a chord is the mean of the parabola's slopes at the chord's ends.
+  // The slope of a chord is the mean of the parabola's slopes at the chord's ends.
   std::vector<double> rate;
   rate.reserve(size);
   rate.push_back(2.0 * slope(0) - central(1));
@@ -225,7 +222,7 @@ FitRecord clean(TestRecord const& raw, CleanOptions const& options) {
 double dead_band_of(std::vector<double> const& disp_mm) {
   auto const [least, most] = std::ranges::minmax(disp_mm);
   double const band = 3.0 * noise_deviation(disp_mm);
-  // What is left of rounding is no noise: a computed record has none.
+  // A computed record has no noise, only rounding.
   return band > 1e-6 * (most - least) ? band : 0.0;
 }
 

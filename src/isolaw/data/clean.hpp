@@ -17,22 +17,20 @@ struct CleanOptions {
   Selection scored = {};                       // blocks and cycles that laws are judged by
 };
 
-// Centred moving average of `window` (odd) samples; the window shrinks symmetrically at the ends. Cost does not grow
-// with the window.
+// The window (odd) shrinks symmetrically at the ends. The cost does not grow with the window.
 std::vector<double> moving_average(std::vector<double> const& values, int window);
 
 // Derivative of the parabola through three neighbouring samples at true time stamps: exact for quadratics on uneven
 // spacing, also at the ends, where the parabola is one-sided. Units of x per s. time_s must increase.
 std::vector<double> central_difference(std::vector<double> const& time_s, std::vector<double> const& values);
 
-// In this order: centring, by (max + min) / 2 of the raw reported cycle; moving average of `smooth`; where a cycle has
-// at least twice the samples asked for, k = floor(ratio) >= 2, a moving average of the odd window k or k + 1; velocity;
-// every k-th sample, from the first. Velocity is taken before samples are dropped, so that thinning costs it nothing.
-// Thinning needs cycles: a record that is not cyclic, or has no complete one, keeps all samples. Throws Error for a
-// record without samples.
+// In this order: centring by (max + min) / 2 of the raw reported cycle; moving average of `smooth`; where a cycle has
+// at least twice the samples asked for, k = floor(ratio), a moving average of the odd window k or k + 1; velocity;
+// every k-th sample. Velocity is taken before samples are dropped, so that thinning costs it nothing. A record without
+// a complete cycle keeps all samples. Throws Error for a record without samples.
 FitRecord clean(TestRecord const& raw, CleanOptions const& options);
 
-// The play in mm that hides noise of the displacement: three standard deviations, which one sample in 400 exceeds.
+// Three standard deviations of the displacement's noise, which one sample in 400 exceeds.
 double dead_band_of(std::vector<double> const& disp_mm);
 
 // The record of a motion, without force, that a law is run on: every sample as it is, velocity by central_difference().

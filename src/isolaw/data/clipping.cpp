@@ -18,26 +18,26 @@ namespace {
 
 constexpr std::size_t least_plateau = 3;   // samples
 constexpr std::size_t least_evidence = 9;  // samples on all plateaus of one side
-constexpr double least_depth = 0.001;      // of the half range, that a plateau cuts off
+constexpr double least_depth = 0.001;      // times the half range, that a plateau cuts off
 constexpr double depth_quanta = 2.5;
 constexpr double noise_width = 7.0;     // standard deviations, from top to bottom of a noisy plateau
-constexpr double least_flatness = 0.5;  // of the hump that a parabola of the flanks would have on a noisy plateau
+constexpr double least_flatness = 0.5;  // times the hump that a parabola of the flanks would have on a noisy plateau
 constexpr double flat_thirds = 0.197;   // that hump: middle less outer thirds of two thirds of it, of the depth
-constexpr double least_turn = 0.08;     // of the force that the depth stands for: its turn within a plateau
-constexpr double slower = 0.85;         // of the fastest before
-constexpr double short_plateau = 0.24;  // of half a cycle: no hold is as short
-constexpr double past_the_tip = 0.006;  // of the amplitude: clipped force lasts beyond the reversal
-constexpr double top_deviations = 4.0;  // of the noise: no sample of a plateau in noise is farther from its level
+constexpr double least_turn = 0.08;     // times the force that the depth stands for: its turn within a plateau
+constexpr double slower = 0.85;         // times the fastest before
+constexpr double short_plateau = 0.24;  // times half a cycle: no hold is as short
+constexpr double past_the_tip = 0.006;  // times the amplitude: clipped force lasts beyond the reversal
+constexpr double top_deviations = 4.0;  // times the noise: no sample of a plateau in noise is farther from its level
 constexpr double least_third = 4.0;     // samples in each third of all plateaus in noise
-constexpr double most_window = 0.2;     // of the half range: the way before a plateau in noise that is looked at
+constexpr double most_window = 0.2;     // times the half range: the way before a plateau in noise that is looked at
 constexpr double least_window = 0.01;
-constexpr double least_cut = 0.01;     // of the half range of force, that a plateau in noise cuts off
-constexpr double most_uneven = 0.15;   // of that, from third to third of it
-constexpr double same_level = 0.002;   // of the level
-constexpr double least_return = 0.12;  // of what the way out says that displacement comes back by on the plateau
-constexpr double most_bend = 1.5;      // of the slope before such a plateau, from window to window
+constexpr double least_cut = 0.01;     // times the half range of force, that a plateau in noise cuts off
+constexpr double most_uneven = 0.15;   // times that, from third to third of it
+constexpr double same_level = 0.002;   // times the level
+constexpr double least_return = 0.12;  // times the expected way that displacement comes back by on the plateau
+constexpr double most_bend = 1.5;      // times the slope before such a plateau, from window to window
 constexpr double least_corner = 5.0;   // slopes that fall by one factor from window to window come to 1
-constexpr double least_back = 0.1;     // of the way to the tip: less is force recorded late
+constexpr double least_back = 0.1;     // times the way to the tip: less is force recorded late
 
 class Clipping {
  public:
@@ -55,8 +55,6 @@ class Clipping {
            std::size_t longest) {
     found_.push_back(standing_fault(FaultKind::clipped, channel, unit, first, pair_.time, level, longest));
   }
-
-  // Stretches of samples within `width` below the largest value of sign * x.
   static std::vector<SampleRange> plateaus(Signal const& signal, double sign, double width) {
     std::vector<SampleRange> runs;
     double level = -std::numeric_limits<double>::infinity();
@@ -70,8 +68,7 @@ class Clipping {
     return runs;
   }
 
-  // How much of a parabola a plateau cuts off, from the flanks as far away as it is long; of a triangle four times as
-  // much.
+  // How much of a parabola a plateau cuts off, from flanks as long as itself; of a triangle four times as much.
   std::optional<double> depth_of(Signal const& signal, double sign, SampleRange const& run) const {
     auto const reach = std::min(run.size(), std::max<std::size_t>(1, pair_.half_cycle / 4));
     double sum = 0.0, count = 0.0;
@@ -86,7 +83,6 @@ class Clipping {
       clipped_within(sign, std::max(noise_width * pair_.disp.noise, 2.2 * pair_.disp.quantum), false);
   }
 
-  // A plateau with what noise and steps of the digitiser break it up into.
   SampleRange whole(double sign, SampleRange run) const {
     double const low =
         sign * pair_.disp.x[run.first] - std::max(noise_width * pair_.disp.noise, 3.0 * pair_.disp.quantum);
@@ -95,8 +91,7 @@ class Clipping {
     return run;
   }
 
-  // What is measured on a plateau, without its first and last sixth, which may still be motion: middle third less the
-  // outer ones, of displacement and force, and the variance of that in white noise of one.
+  // Leaves out the first and last sixth, which may still be motion: middle third less the outer ones, and its variance.
   struct Plateau {
     SampleRange run;
     double depth = 0.0, hump = 0.0, turn = 0.0, range = 0.0, variance = 0.0;
@@ -119,7 +114,6 @@ class Clipping {
             .variance = 1.0 / static_cast<double>(inner - 2 * third) + 0.5 / static_cast<double>(third)};
   }
 
-  // Whether displacement comes to its plateaus more slowly than it went before.
   bool slows_before(std::vector<Plateau> const& runs) const {
     auto const lag = std::max<std::size_t>(2, pair_.half_cycle / 24);
     std::vector<double> ratios;
@@ -152,7 +146,7 @@ class Clipping {
     std::size_t samples = 0;
     for (auto const& plateau : runs) samples += plateau.run.size();
     if (samples < least_evidence) return false;
-    // Above its ends the force is in the middle of plateaus on which it turned.
+    // The force turned within the plateaus if it is larger in their middle than at their ends.
     auto const count = static_cast<double>(runs.size());
     auto const mean = [&](auto member) {
       double sum = 0.0;
@@ -167,8 +161,8 @@ class Clipping {
     double const length = mean([](Plateau const& plateau) { return static_cast<double>(plateau.run.size()); });
     bool const no_hold = length + 1.0 < short_plateau * static_cast<double>(pair_.half_cycle);
     bool const reversed = num::median_over(runs, &Plateau::range) > most_of_force * 2.0 * pair_.force.half_range;
-    // Where the force tells nothing, a short hold between straight ways looks like a clipped triangle; a way that slows
-    // down and then meets a corner is a clipped sine, and noise that ends on a level is cut off there.
+    // Where the force tells nothing, a way that slows down before a corner is a clipped sine, and noise that ends on a
+    // level is cut off there; a short hold between straight ways looks like a clipped triangle.
     bool const cut = no_hold && (slows_before(runs) || (exact && pair_.has_noise(pair_.disp)));
     if (!(reversed || (clear ? turn > wanted : cut))) return false;
     std::vector<std::size_t> first;
@@ -179,7 +173,7 @@ class Clipping {
     return true;
   }
 
-  // The force runs into its plateaus much less steeply than it leaves them: a device that yields does both alike.
+  // A device that yields runs into its plateaus as steeply as it leaves them.
   bool is_cut_off(std::vector<SampleRange> const& runs) const {
     auto const beside = std::max<std::size_t>(3, pair_.half_cycle / 24);
     std::vector<double> ratios, into;
@@ -189,7 +183,7 @@ class Clipping {
         return std::abs(pair_.force.x[to] - pair_.force.x[from]) /
                std::max(std::abs(pair_.disp.x[to] - pair_.disp.x[from]), 1e-6 * pair_.disp.half_range);
       };
-      // Within one sample a device that yields may be there; what is cut off is not steeper there than before.
+      // Within one sample a device that yields may be there; a cut-off force is not steeper there than before.
       into.push_back(std::max(slope(run.first - beside, run.first - 1), slope(run.first - 1, run.first)));
       ratios.push_back(into.back() / std::max(slope(run.last, run.last + beside), 1e-12));
       double const clear = std::max(3.0 * pair_.force.quantum, 6.0 * pair_.force.noise);
@@ -226,7 +220,6 @@ class Clipping {
     return true;
   }
 
-  // Where a plateau of force in noise lies, and what the force does before and after it, added up over the plateaus.
   struct Tops {
     std::vector<std::size_t> first;
     std::size_t longest = 0;
@@ -239,7 +232,6 @@ class Clipping {
     double off_level = 0.0;  // plateaus that are not at the level of the others
   };
 
-  // The level that most of the highest samples share.
   double top_level(double sign, double noise) const {
     double level = -std::numeric_limits<double>::infinity();
     for (double const value : pair_.force.x) level = std::max(level, sign * value);
@@ -253,7 +245,7 @@ class Clipping {
     return level;
   }
 
-  // Of samples that noise throws out of the band now and then.
+  // Noise throws single samples out of the band.
   std::vector<SampleRange> tops_of(double sign, double low) const {
     constexpr std::size_t bridged = 2;
     std::vector<SampleRange> runs;
@@ -286,7 +278,7 @@ class Clipping {
     tops.longest = std::max(tops.longest, run.size());
     tops.way += way;
     tops.returned += std::max(0.0, x(tip) - x(run.last));
-    // Of one width, however coarse the samples are.
+    // The band has one width, however coarse the samples are.
     double const corner = (x(run.first) + x(run.first - 1)) / 2.0;
     tops.rise += (level - top_deviations * noise - y(near)) / std::max(corner - x(near), window / 4.0) * window;
     tops.rise_before += (y(near) - y(far)) / (x(near) - x(far)) * window;
@@ -310,8 +302,8 @@ class Clipping {
     if (std::abs(sum) > top_deviations * noise * std::sqrt(count) + same_level * level * count) tops.off_level += 1.0;
   }
 
-  // Force that goes up on its way, meets a level at a corner, keeps it to the reversal and beyond, and leaves it
-  // steeply. A device that yields comes to its level as steeply as it leaves it, or ever more slowly.
+  // Clipped force meets a level at a corner, keeps it beyond the reversal and leaves it more steeply than yielding
+  // does.
   void clipped_force_in_noise(double sign) {
     for (double const wider : {1.0, 3.0}) {
       double const noise = wider * std::hypot(pair_.force.noise, 0.3 * pair_.force.quantum);
@@ -334,7 +326,6 @@ class Clipping {
     for (std::size_t k = 0; k < tops.drop.size(); ++k)
       if (tops.drop[k] > 2.0 * top_deviations * noise * count)
         leaves = std::max(leaves, tops.drop[k] / std::max(tops.drop_way[k], unsure));
-    // What the plateau cuts off at the tip.
     double const depth = slope * tops.way / count;
     auto const [lowest, highest] = std::ranges::minmax(
         std::array{tops.third[0] / tops.samples[0], tops.third[1] / tops.samples[1], tops.third[2] / tops.samples[2]});

@@ -78,7 +78,7 @@ bool is_capital(char c) {
 struct Translation {
   std::string_view text, words;
 };
-// Characters of Japanese names, longer ones before those they hold.
+// Longer names before those they hold.
 constexpr Translation japanese[]{{"加速度", "acceleration"},
                                  {"試験年月日", "test date"},
                                  {"試験体番号", "specimen no"},
@@ -127,7 +127,6 @@ constexpr Translation japanese[]{{"加速度", "acceleration"},
                                  {"㎝", "cm"},
                                  {"　", " "}};
 
-// Full-width letters and digits as ordinary ones.
 std::string narrow(std::string_view text) {
   std::string made;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -149,7 +148,6 @@ bool is_ascii(std::string_view text) {
   return std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
 }
 
-// Units and brackets of Japanese names as ordinary ones; `words` too.
 std::string translated(std::string_view text, bool words) {
   if (is_ascii(text)) return std::string(text);
   auto made = narrow(text);
@@ -162,7 +160,6 @@ std::string translated(std::string_view text, bool words) {
   return made;
 }
 
-// Lower-case words; "DispH_2" -> disp, h, 2.
 Words words_of(std::string_view name) {
   auto const text = without_accents(translated(name, true));
   Words words;
@@ -216,7 +213,7 @@ Meaning meaning_of_symbol(std::string_view base, std::optional<Unit> unit) {
   return {};
 }
 
-// A bracketed unit anywhere in the name: "Displacement [mm] horizontal".
+// "Displacement [mm] horizontal"
 std::optional<ColumnName> split_brackets(std::string_view name) {
   constexpr std::array<std::pair<char, char>, 3> brackets{{{'[', ']'}, {'(', ')'}, {'{', '}'}}};
   std::optional<ColumnName> unknown;
@@ -237,7 +234,7 @@ std::optional<ColumnName> split_brackets(std::string_view name) {
   return unknown;
 }
 
-// A unit as the last word: "displacement_cm", "Force, kN", "Kraft in kN", "F / kN".
+// "displacement_cm", "Force, kN", "Kraft in kN", "F / kN"
 std::optional<ColumnName> split_last_word(std::string_view name) {
   auto const at = name.find_last_of(" _/,;:-");
   if (at == std::string_view::npos || at == 0 || !parse_unit(name.substr(at + 1))) return std::nullopt;

@@ -10,25 +10,22 @@
 
 namespace isolaw::data {
 
-// A column's name taken apart: "Forza orizzontale [kN]" -> "Forza orizzontale" and "kN".
+// "Forza orizzontale [kN]" -> "Forza orizzontale" and "kN".
 struct ColumnName {
   std::string base;
   std::string unit;  // as written; empty when the name holds none
 };
 ColumnName dissect_name(std::string_view name);
 
-// The words of a name in lower case without accents: "DispH_2" -> disp, h, 2. Japanese words are translated.
+// In lower case without accents: "DispH_2" -> disp, h, 2. Japanese words are translated.
 std::vector<std::string> name_words(std::string_view name);
-
-// Whether the name contains a Japanese word that we know.
 bool is_japanese(std::string_view name);
-
 // Whether a header cell looks like a time, displacement or force of any kind: tells a row of names from other lines.
 bool names_a_channel(std::string_view cell);
 
 enum class Certainty { none, symbol, word };
 
-// The channel that a name means. `load` without "vertical" or "horizontal" (plain_load) may be either force.
+// `load` without "vertical" or "horizontal" (plain_load) may be either force.
 struct Meaning {
   std::optional<Channel> channel;
   Certainty certainty = Certainty::none;
@@ -37,9 +34,7 @@ struct Meaning {
 };
 Meaning meaning_of(std::string_view name);
 
-// Whether the column counts samples.
 bool is_counter(std::string_view name);
-// Whether the name says that dates stand in the column, not times alone.
 bool names_a_calendar(std::string_view name);
 bool names_a_velocity(std::string_view name);
 

@@ -110,8 +110,7 @@ class Resolver {
     return kind == StampKind::date_time || kind == StampKind::clock;
   }
 
-  // Numbers are days of a spreadsheet where the column has no unit, which such days never have, and its name says that
-  // it holds dates: below "Time" they may be seconds.
+  // A spreadsheet's days need a column without a unit whose name speaks of dates: below "Time" they may be seconds.
   void take_stamps(Column& time) {
     auto const kind = stamps_of(time.index);
     bool const has_unit = options_.units.contains(Channel::time) || !written_units(Channel::time, time.index).empty();
@@ -119,8 +118,6 @@ class Resolver {
         (kind == StampKind::serial_number && !has_unit && names_a_calendar(time.index)))
       time.stamp = kind;
   }
-
-  // Times of day beside a column of dates.
   void join_date() {
     auto const time = result_.channels.find(Channel::time);
     if (time == result_.channels.end() || time->second.stamp != StampKind::clock) return;
@@ -181,7 +178,7 @@ class Resolver {
     return index < header_.names.size() && data::names_a_calendar(header_.names[index]);
   }
 
-  // What the file does not say: a reader of the results has nothing else to check it by.
+  // The reader of the results has nothing else to check the unit by.
   void say_given_units() {
     std::vector<std::string> given;
     for (auto const& [channel, column] : result_.channels)
@@ -215,7 +212,6 @@ class Resolver {
     result_.warnings.push_back({.kind = kind, .words = std::move(words)});
   }
 
-  // Indices of the columns for which `matches` holds.
   template <class Matches>
   std::vector<std::size_t> columns_where(Matches matches) const {
     std::vector<std::size_t> found;
@@ -295,7 +291,6 @@ class Resolver {
     if (channel == Channel::time) return recognise_time();
     auto found = wanted_.vertical ? compression_candidates(channel) : candidates_of_any(channel);
     if (found.empty() && header_.own_axis && !wanted_.vertical) found = own_axis_candidates(channel);
-    // Nothing else it could be.
     if (channel == Channel::disp && found.empty() && count_ == 1 && !wanted_.force) {
       result_.channels[channel].index = 0;
       why_[channel] = "the only column";
@@ -349,7 +344,6 @@ class Resolver {
                          loads.empty() ? any_column() : option_key(loads.front(), header_)));
   }
 
-  // Programs name variables as they like: what there is, once.
   void report_variables(Channel channel) {
     bool const no_disp = !result_.channels.contains(Channel::disp) && candidates_of_any(Channel::disp).empty();
     bool const both = both_wanted() && no_disp && candidates_of_any(Channel::force).empty();
@@ -368,8 +362,7 @@ class Resolver {
     return found.empty() ? candidates(channel, Certainty::symbol) : found;
   }
 
-  // "Axial Displacement" and "Axial Force" of a machine whose one actuator shears the device: where nothing else is
-  // named, and said.
+  // "Axial Displacement" and "Axial Force" of a machine whose one actuator shears the device, if nothing else is named.
   std::vector<std::size_t> own_axis_candidates(Channel channel) {
     if (channel != Channel::disp && channel != Channel::force) return {};
     auto found = columns_where([&](auto const& text) {
@@ -384,7 +377,7 @@ class Resolver {
     return found;
   }
 
-  // What says "vertical" before what does not: a rig that shears as well names both, a press neither.
+  // Names with "vertical" come first: a rig that shears as well has both, a press neither.
   std::vector<std::size_t> compression_candidates(Channel channel) const {
     auto const find = [&](auto matches) {
       auto found = columns_where([&](auto const& text) { return matches(meaning_of(text)); });
@@ -409,7 +402,7 @@ class Resolver {
     return found;
   }
 
-  // Without names nothing tells displacement from force, nor time from a counter: asked for at once.
+  // Without names nothing tells displacement from force, nor time from a counter.
   void report_nameless(Channel channel) {
     bool const both = both_wanted() && !asked_for(Channel::disp) && !asked_for(Channel::force);
     if (both && channel == Channel::force) return;  // said with the displacement
@@ -440,7 +433,6 @@ class Resolver {
     std::string place;
   };
 
-  // By the file alone; empty where it states none that is known.
   std::string_view stated_unit(std::size_t index) const {
     auto const written = units_in_file(index);
     auto const unit = written.empty() ? std::nullopt : parse_unit(written.front().text);
@@ -534,8 +526,6 @@ class Resolver {
   std::map<Channel, std::string> why_;
   Columns result_;
 };
-
-// "a=1,b=2" as pairs of channel and text. `where` is the option's name.
 std::map<Channel, std::string> parse_assignments(std::string const& where, std::string_view text) {
   std::map<Channel, std::string> values;
   std::vector<Complaint> complaints;

@@ -1,5 +1,4 @@
-// Which column is which channel, and in which unit: by the user's word, else by the names of the header in the
-// languages laboratories write. What is not certain is asked for, with the option to type.
+// Assigns columns to channels and units by the user's options, else by the header. Asks for whatever stays uncertain.
 #pragma once
 
 #include <cstddef>
@@ -18,8 +17,7 @@ namespace isolaw::data {
 
 inline constexpr Channel all_channels[] = {Channel::time, Channel::disp, Channel::force, Channel::load};
 
-// What is read of a table: a test; the displacement history of one, of which force and load are left alone; a
-// compression test; single channels, where others come from another file.
+// A test, only the displacement history of one, a compression test, or single channels of a test.
 struct Wanted {
   bool time = true, disp = true, force = true, load = true;
   bool part = false;      // other channels are in another file
@@ -37,7 +35,7 @@ Dimension dimension(Channel channel);
 struct Column {
   std::size_t index = 0;                        // from 0
   std::optional<Unit> unit;                     // empty when it is missing or wrong, which is among the complaints
-  StampKind stamp = StampKind::none;            // of a time read from time stamps
+  StampKind stamp = StampKind::none;            // how the column writes time, if as stamps
   std::optional<std::size_t> date_column = {};  // beside which its times of day stand
 };
 
@@ -52,15 +50,13 @@ struct Columns {
 Columns recognise_columns(std::string const& where, Header const& header, std::size_t count, ReadOptions const& options,
                           Wanted wanted = Wanted::test());
 
-// The name where it says which column it is and an option can hold it, else the number.
+// The column's name if it is unique and an option can hold it, else its number.
 std::string column_key(std::size_t index, Header const& header);
 
-// What --columns takes for a column, as advice names it: its number, its letter, or the name of a variable.
+// The text that --columns accepts for a column: its number, its letter, or the name of a variable.
 std::string option_key(std::size_t index, Header const& header);
-
 // "A" to "Z", "AA", ...: the columns of a workbook, from 0.
 std::string column_letters(std::size_t index);
-// From 0; nullopt when these are no letters of a column.
 std::optional<std::size_t> letters_column(std::string_view letters);
 
 // "column 2 'Force [kN]'", "column B 'Force [kN]'", "variable 'Force'"

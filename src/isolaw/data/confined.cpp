@@ -51,7 +51,7 @@ void write_all(int descriptor, std::string_view bytes) {
   }
 }
 
-// In the copy: what it dies of must not show, and nothing but the pipe can be written or opened.
+// Runs in the copy: its death must not show, and it can write and open nothing but the pipe.
 [[noreturn]] void be_confined(std::function<void(std::function<void(std::string_view)> const&)> const& work,
                               ConfinedLimits const& limits, int output) {
   int const nowhere = ::open("/dev/null", O_RDWR | O_CLOEXEC);
@@ -76,9 +76,9 @@ void write_all(int descriptor, std::string_view bytes) {
   ::_exit(exit_by_exception);
 }
 
-// Why the copy was given up before its end; empty when it closed its end by itself.
+// Returns why the copy was given up; empty when it closed its end by itself.
 std::string collect(int input, ConfinedLimits const& limits, std::string& output) {
-  // Longer than its share of the processor lasts, on a machine with much else to do.
+  // Longer than its share of the processor lasts on a busy machine.
   auto const patience = 5 * limits.seconds;
   auto const deadline = std::chrono::steady_clock::now() + std::chrono::seconds(patience);
   std::array<char, 1 << 16> buffer;

@@ -1,5 +1,4 @@
-// Runs a library on a stranger's file that may bring it down: in a process of its own, with limits on memory and time,
-// that opens no file and leaves nothing behind. Whatever ends that process is a value in this one.
+// Runs a library on an untrusted file in a process of its own that opens no files, with limits on memory and time.
 #pragma once
 
 #include <cstddef>
@@ -22,8 +21,7 @@ struct ConfinedResult {
   std::string failure;  // why there is none; empty when the work ended well
 };
 
-// Runs `work` in a copy of this process. It passes its result to `write`; the text of an exception becomes the failure.
-// Throws std::system_error if no process can be made.
+// `work` passes its result to `write`; the text of an exception becomes the failure. Throws std::system_error.
 ConfinedResult run_confined(std::function<void(std::function<void(std::string_view)> const& write)> const& work,
                             ConfinedLimits const& limits);
 

@@ -89,14 +89,13 @@ void remove_skew(TestRecord& record, double skew_s) {
        {{"skew_ms", 1000.0 * skew_s}, {"dropped_samples", static_cast<double>(dropped)}});
 }
 
-// Where friction turns about a reversal: from the way of approach to the other at `at`, where `there` of it acts.
+// The force changes from the friction of the approach to the other at `at`, where the share `there` acts.
 struct Turn {
   std::size_t at;
   double there;
 };
 
-// Displacement hardly moves about its peak, so that its noise would decide. The force tells: with friction taken off it
-// runs smoothest where the turn is right. A rig that does not rub gives no turn away: then none acts at the peak.
+// Displacement hardly moves about its peak: with friction taken off, the force runs smoothest at the right turn.
 Turn turn_about(std::size_t peak, double approach, std::vector<double> const& force,
                 std::vector<double> const& friction) {
   constexpr std::size_t reach = 2;
@@ -149,7 +148,6 @@ std::vector<double> directions(std::vector<double> const& x, std::vector<double>
   // After the last extreme the record moves less than the band, or turns once more and ends.
   double const tail = sign(x.back() - x[motion.at.back()]);
   for (auto i = motion.at.back() + 1; i < x.size(); ++i) found[i] = tail;
-  // At rest.
   for (std::size_t i = 0; i < x.size() && std::abs(x[i] - x.front()) <= motion.band_mm; ++i) found[i] = 0.0;
   for (auto i = x.size(); i-- > 0 && std::abs(x[i] - x.back()) <= motion.band_mm;) found[i] = 0.0;
   return found;
@@ -167,7 +165,7 @@ void remove_friction(TestRecord& record, Corrections const& corrections) {
        {{constant ? "friction_kN" : "coefficient", factor}});
 }
 
-// Second difference over `reach` intervals to each side, at true times.
+// Uses `reach` intervals on each side, at true times.
 double second_difference(std::vector<double> const& x, std::vector<double> const& t, std::size_t i, std::size_t reach) {
   auto const at = std::clamp(i, reach, x.size() - 1 - reach);
   double const before = t[at] - t[at - reach];

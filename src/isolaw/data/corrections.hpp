@@ -10,25 +10,24 @@ struct TestRecord;
 struct Corrections {
   bool repair_spikes = false;                       // single samples off their neighbours take what these say
   std::optional<double> skew_s = {};                // the force is later than displacement by this, and is moved back
-  std::optional<double> friction_kN = {};           // of the rig, in the force's path: taken off along the motion
+  std::optional<double> friction_kN = {};           // the rig's, in the force's path: taken off along the motion
   std::optional<double> friction_coefficient = {};  // the same as a share of the measured vertical load
   std::optional<double> moving_mass_kg = {};        // between the device and the load cell: m a is taken off
-  std::optional<double> force_factor = {};          // of the force last of all: 0.5 for two devices in double shear
+  std::optional<double> force_factor = {};  // multiplies the force last of all: 0.5 for two devices in double shear
 
   bool any() const;
   bool operator==(Corrections const&) const = default;
   void validate() const;  // throws Error that names the options
 };
 
-// Only what is asked for of single samples: before the signals are looked at for faults, and all else is corrected.
+// Replaces single samples only. It runs before the search for faults and before all other corrections.
 void repair(TestRecord& record, Corrections const& corrections);
 
-// What is left to correct after repair(), in the order of the members, friction and mass as the load cell feels
-// them. The force between samples is interpolated, and samples at the end of the record (at its start for a negative
-// skew) whose force is not known are dropped from all channels. Friction acts against the motion between reversals
-// (noise apart), not while the record rests at its start or end. Acceleration is the second difference over a 40th
-// of a cycle of displacement averaged three times over as much, which leaves 0.5 % too little of a sine. Throws
-// Error for corrections that are not valid, and for ones that need a channel the record lacks.
+// The corrections left after repair(), in the order of the members, friction and mass as the load cell feels them.
+// Samples at the end of the record (at its start for a negative skew) whose interpolated force is not known are dropped
+// from all channels. Friction acts against the motion between reversals (noise apart), not while the record rests at
+// its start or end. Acceleration is the second difference over a 40th of a cycle of displacement averaged three times
+// over as much: 0.5 % too little of a sine. Throws Error for invalid corrections and for ones whose channel is missing.
 void correct(TestRecord& record, Corrections const& corrections);
 
 }  // namespace isolaw::data

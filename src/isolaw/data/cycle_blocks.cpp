@@ -24,7 +24,6 @@ constexpr double lopsided = 0.25;         // fraction of the amplitude by which 
 constexpr std::size_t sure_run = 3;       // cycles: shorter runs may come about by chance
 constexpr std::size_t longest_taper = 2;  // cycles
 
-// Cycles [begin, end) of one amplitude and frequency.
 struct Run {
   std::size_t begin = 0;
   std::size_t end = 0;
@@ -39,7 +38,7 @@ bool close(double value, double reference, double share) {
 
 std::vector<Run> runs_of_amplitude(std::vector<Shape> const& shapes) {
   std::vector<Run> runs;
-  // The sum of the run's amplitudes: their mean replaces the median, which would cost more for every prefix.
+  // Their mean replaces the median, which would cost more for every prefix.
   double sum = 0.0;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     bool const joins =
@@ -58,13 +57,12 @@ bool same_pace(double period, double other, double factor) {
   return period <= factor * other && other <= factor * period;
 }
 
-// Whether the swing from tip to tip goes at the pace of the whole cycle: not where one starts or ends slowly.
+// False where the cycle starts or ends slowly.
 bool is_even(Shape const& shape) {
   return same_pace(shape.rise_and_fall, shape.period + shape.still_time, far_period);
 }
 
-// Whether the periods of [begin, at) and the two from `after` on are two frequencies. A lone one before stands only for
-// a clear change.
+// Compares [begin, at) with the two periods from `after` on. A lone one before stands only for a clear change.
 bool changes(std::vector<Shape> const& shapes, std::size_t begin, std::size_t at, std::size_t after) {
   if (begin >= at) return false;
   auto const period = [](Shape const& shape) { return shape.period; };
@@ -117,7 +115,7 @@ bool stays(std::vector<Shape> const& shapes, Run const& run, std::size_t i) {
   return std::abs(middle(shapes[i]) - middle(shapes[neighbour])) <= lopsided * shapes[i].amplitude();
 }
 
-// Cycles that grow into a run, or fade out of it: the ramps of a shaking table's signal.
+// Ramps of a shaking table's signal grow into a run or fade out of it.
 void mark_tapers(std::vector<Shape>& shapes, Run const& run) {
   if (run.size() < sure_run) return;
   for (std::size_t k = 0; k < longest_taper && run.begin > k; ++k) {
@@ -140,21 +138,18 @@ void mark_regular(std::vector<Shape>& shapes, std::vector<Run> const& runs) {
   }
 }
 
-// A block while it grows: the run that gives its amplitude, and the cycles around it.
 struct Draft {
   std::size_t begin = 0;
   std::size_t end = 0;
   Run core;
 };
 
-// A lone cycle of nearly the amplitude of a run, and at its pace.
 bool is_build_up(Run const& lone, Run const& run) {
   return run.size() >= sure_run && close(lone.amplitude, run.amplitude, build_up) &&
          same_pace(lone.period, run.period, far_period);
 }
 
-// Lone cycles that are uneven, or that build up to a run or fade from it, join a neighbour; an odd one out between two
-// runs of one amplitude and frequency joins them.
+// Lone cycles that are uneven or build up to a run join a neighbour, as does an odd one between two alike runs.
 std::vector<Draft> drafts_of(std::vector<Shape> const& shapes, std::vector<Run> const& runs) {
   std::vector<Draft> drafts;
   std::size_t pending = 0;  // begin of lone cycles that wait for the block they lead to
@@ -194,7 +189,7 @@ std::vector<Draft> drafts_of(std::vector<Shape> const& shapes, std::vector<Run> 
     waiting = false;
   }
   if (waiting && !drafts.empty()) drafts.back().end = runs.back().end;
-  // Nothing but uneven cycles: the largest run stands for all.
+  // If all cycles are uneven, the largest run stands for all.
   if (drafts.empty() && !runs.empty())
     drafts.push_back({.begin = runs.front().begin,
                       .end = runs.back().end,
@@ -216,8 +211,7 @@ std::string of_period(Shape const& shape, double period, std::string_view unit) 
                      period, unit, far_period);
 }
 
-// The period that the nominal cycles of a block are held to: of those that go at one pace, where there are any. 0 where
-// none would be left.
+// The period that a block's cycles are held to, from those at one pace where there are any; 0 where none is left.
 double period_of(std::vector<Shape> const& shapes, std::vector<std::size_t> const& nominal_cycles) {
   std::vector<double> even, all;
   for (auto const i : nominal_cycles) {

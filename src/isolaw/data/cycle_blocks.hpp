@@ -8,7 +8,6 @@
 
 namespace isolaw::data {
 
-// A cut cycle with the values that numbering needs.
 struct Shape : CycleCut {
   double least = 0.0;  // mm
   double largest = 0.0;
@@ -22,12 +21,11 @@ struct Shape : CycleCut {
   double amplitude() const { return largest / 2.0 - least / 2.0; }
 };
 
-// Gives the cycles their blocks and numbers. A block is a run of cycles of one amplitude (within 5 %) and one
-// frequency. A lone cycle is a block of its own if it is symmetric, as in a test of one cycle per stage. If it is
-// uneven, or within 15 % of a run of three or more beside it, as when a rig builds up its amplitude, it belongs to that
-// block uncounted. A change of frequency must be 5 % or more and last for two cycles or more; these, and those before,
-// must agree among themselves four times better than the change. A cycle whose period is off its block's by more than a
-// factor of 1.4 does not count. `unit` is that of the periods.
+// A block is a run of cycles of one amplitude (within 5 %) and one frequency. A lone cycle is a block of its own if it
+// is symmetric. If it is uneven, or within 15 % of a run of three or more beside it, as when a rig builds up its
+// amplitude, it belongs to that block uncounted. A change of frequency must be 5 % or more and last for two cycles or
+// more; these, and those before, must agree among themselves four times better than the change. A cycle whose period is
+// off its block's by more than a factor of 1.4 does not count. `unit` is that of the periods.
 std::vector<CycleCut> number_cycles(std::vector<Shape>& shapes, std::string_view unit);
 
 }  // namespace isolaw::data

@@ -14,16 +14,15 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double least_floor = 0.01;      // of the half range
-constexpr double largest_floor = 0.05;    // of the half range: more is no noise of a rig
+constexpr double least_floor = 0.01;      // times the half range
+constexpr double largest_floor = 0.05;    // times the half range: more is no noise of a rig
 constexpr double noise_deviations = 5.0;  // beyond these among a million samples there is hardly one
-constexpr double interruption = 0.04;     // of the smaller neighbouring swing; one of 5 to 200 % strain is a stage
-constexpr double off_centre = 0.05;       // of the amplitude: a record this close to zero is cut at zero
-constexpr double uneven = 0.25;           // of the amplitude: a lone cycle this uneven still starts from its centre
-constexpr double resting = 0.05;          // of the amplitude: a record that starts or ends this close is at rest
-constexpr double as_large = 0.05;         // of the amplitude: a piece of a cycle that repeats its neighbour
-// Of the travel. Of 1000 responses of linear oscillators to irregular motion 10 reach 0.64 and one 0.80; cyclic tests
-// reach 0.9 and more.
+constexpr double interruption = 0.04;     // times the smaller neighbouring swing; one of 5 to 200 % strain is a stage
+constexpr double off_centre = 0.05;       // times the amplitude: a record this close to zero is cut at zero
+constexpr double uneven = 0.25;           // times the amplitude: a lone cycle this uneven still starts from its centre
+constexpr double resting = 0.05;          // times the amplitude: a record that starts or ends this close is at rest
+constexpr double as_large = 0.05;         // times the amplitude: a piece of a cycle that repeats its neighbour
+// Share of the travel: 10 of 1000 irregular linear responses reach 0.64 and one 0.80; cyclic tests reach 0.9 and more.
 constexpr double least_regular_share = 0.8;
 constexpr auto not_cyclic_cycle = "the record is not cyclic";
 
@@ -33,7 +32,7 @@ double half_range(std::span<double const> x) {
   return largest / 2.0 - least / 2.0;
 }
 
-// Alternating extremes whose swings are of at least `least` mm, the first sample in front.
+// The swings are at least `least` mm; the first sample stands in front.
 std::vector<std::size_t> extremes(std::span<double const> x, double least) {
   std::vector<std::size_t> found;
   std::size_t low = 0, high = 0;
@@ -58,7 +57,6 @@ std::vector<std::size_t> extremes(std::span<double const> x, double least) {
   return found;
 }
 
-// Without swings that interrupt two much larger ones.
 std::vector<std::size_t> without_interruptions(std::span<double const> x, std::vector<std::size_t> const& found) {
   std::vector<std::size_t> kept;
   auto const swing = [&](std::size_t from_end) {
@@ -72,11 +70,10 @@ std::vector<std::size_t> without_interruptions(std::span<double const> x, std::v
   return kept;
 }
 
-// Swings between reversals: half height and middle.
 struct Swings {
   std::vector<double> half;
   std::vector<double> middle;
-  std::size_t begin = 0;  // of those whose two ends are reversals, not ends of the record, where there are enough
+  std::size_t begin = 0;  // first swing with reversals at both ends, where there are enough
   std::size_t end = 0;
 
   double largest() const { return std::ranges::max(std::span(half).subspan(begin, end - begin)); }
@@ -96,8 +93,7 @@ Swings swings_of(std::span<double const> x, std::vector<std::size_t> const& at) 
   return swings;
 }
 
-// Weighted median of the swings' middles. The weight makes the largest stage decide, where an offset shows least and
-// matters most, and lets no swing from one stage to the next outweigh the stages.
+// Weighted median: the largest stage decides, where an offset matters most, and no swing between stages outweighs it.
 double middle_of(Swings const& swings) {
   double const largest = swings.largest();
   std::vector<std::pair<double, double>> weighted;
@@ -134,7 +130,7 @@ double centre_of(std::span<double const> x, Swings const& swings, double band) {
   return middle;
 }
 
-// What no transducer resolves is zero, and zero has no sign.
+// Below the resolution of any transducer is zero, without a sign.
 double or_zero(double disp_mm) {
   return std::abs(disp_mm) < 1e-6 ? 0.0 : disp_mm;
 }
@@ -146,7 +142,6 @@ bool has_gap(std::vector<Gap> const& gaps, double first, double last) {
   });
 }
 
-// The lobes of a history, in groups, and what the cycles among them are.
 struct Motion {
   std::span<double const> x, time;
   std::vector<Gap> gaps;
@@ -160,7 +155,6 @@ struct Motion {
   std::size_t count(Part part) const {
     return static_cast<std::size_t>(std::ranges::count(groups, part, &Group::part));
   }
-  // Whether the motion turns at the centre, or stops there, where the group ends.
   bool turns_after(Group const& group) const { return group.end == lobes.size() || lobes[group.end].turns; }
   Shape shape(Group const& group) const;
 };
@@ -211,7 +205,6 @@ std::string why_partial(Motion const& motion, Group const& group) {
   }
 }
 
-// All groups in order: the numbered cycles, and what is less than a cycle with its reason.
 std::vector<CycleCut> with_parts(std::vector<CycleCut> cycles, Motion const& motion, bool cyclic = true) {
   std::vector<CycleCut> all;
   std::size_t next = 0;
@@ -247,8 +240,7 @@ Finding too_short(std::span<double const> x, Motion const& motion, Segmentation 
                       {"noise_mm", 2.0 * made.band_mm}}};
 }
 
-// Travel of the swings before the first cut and after the last that are as large as the regular cycle beside them:
-// where a record starts or ends within a cycle, its piece is no irregular motion.
+// Where a record starts or ends within a cycle, its piece is no irregular motion.
 double regular_ends(std::vector<Shape> const& shapes, Swings const& swings, std::vector<std::size_t> const& at) {
   double travel = 0.0;
   for (auto k = swings.begin; k < swings.end; ++k) {
@@ -263,8 +255,7 @@ double regular_ends(std::vector<Shape> const& shapes, Swings const& swings, std:
   return travel;
 }
 
-// Travel in regular cycles over all travel, apart from pre-loads, tapers, the record's first and last swing and
-// regular ends.
+// Leaves out pre-loads, tapers, the record's first and last swing and regular ends.
 double regular_share(std::vector<Shape> const& shapes, Swings const& swings, Motion const& motion,
                      std::vector<std::size_t> const& at) {
   double regular = 0.0, in_cycles = 0.0, in_tapers = 0.0, travel = 0.0;
@@ -297,9 +288,8 @@ Finding not_cyclic(std::vector<Shape> const& shapes, double share) {
 
 }  // namespace
 
-// From the median of |fourth differences|: a sine of 20 samples in a cycle leaves only a thousandth of its amplitude in
-// them, a hundred samples next to nothing. White noise gains sqrt(70). Of two middle ones the upper; a missing value is
-// a large one, where num::median would be NaN.
+// From the median of |fourth differences|: white noise gains sqrt(70), a sine of 20 samples in a cycle keeps a
+// thousandth. The upper of two middle ones; a missing value counts as large, where num::median would be NaN.
 double noise_deviation(std::span<double const> x) {
   if (x.size() < 16) return 0.0;
   std::vector<double> sizes(x.size() - 4);
@@ -326,7 +316,6 @@ PeakPositions peak_positions(std::span<double const> disp_mm, double first, doub
   auto const [least, largest] = std::ranges::minmax(samples);
   double const beyond = 0.45 * (largest - least);
   double const middle = largest / 2.0 + least / 2.0;
-  // From the first to the last sample beyond the level, the ends interpolated.
   auto const position = [&](double sign) {
     double enters = -1.0, leaves = -1.0;
     auto const y = [&](std::size_t i) { return sign * (samples[i] - middle) - beyond; };

@@ -1,11 +1,10 @@
-// Cycles of a cyclic test, from the displacement history alone: reversals, cuts, blocks, and histories that are none.
-//
-// Reversals: a swing smaller than twice a floor is no motion; the floor is 1 % of the half range, or five standard
-// deviations of the noise where that is more (at most 5 % of the half range). A small interruption of a large swing is
-// none either. Cuts: where displacement crosses its centre in the direction the test, or a part of it after a rest,
-// starts in (data/lobes.hpp), interpolated; a motion that starts, turns or comes to rest near the centre is cut there.
-// The centre is zero, unless the record is clearly off it. Blocks: cycles of one amplitude and one frequency
-// (data/cycle_blocks.hpp); time in which the device stands still is no part of a period (data/holds.hpp).
+// Cuts a cyclic test into cycles from the displacement history alone.
+// A swing smaller than twice a floor is no motion; the floor is 1 % of the half range, or five standard deviations of
+// the noise where that is more (at most 5 % of the half range). A small interruption of a large swing is none either.
+// Cuts are where displacement crosses its centre in the direction the test, or a part of it after a rest, starts in
+// (data/lobes.hpp); a motion that starts, turns or comes to rest near the centre is cut there. The centre is zero,
+// unless the record is clearly off it. Blocks: data/cycle_blocks.hpp. Time in which the device stands still is no part
+// of a period (data/holds.hpp).
 #pragma once
 
 #include <cstddef>
@@ -36,34 +35,28 @@ struct Segmentation {
   std::optional<Finding> refusal;  // not_cyclic or no_complete_cycle; empty when cyclic
   double band_mm = 0.0;            // swings of less than twice this are no motion
   double centre_mm = 0.0;          // level of the cuts: 0 unless the record is clearly off zero
-  double regular_share = 0.0;      // of the travel: in cycles that repeat an amplitude or are symmetric
+  double regular_share = 0.0;      // share of the travel in cycles that repeat an amplitude or are symmetric
   std::vector<CycleCut> cycles;    // in order, partial start and end ones included; complete ones even when not cyclic
 };
 
-// disp_mm and time_s in mm and s; time_s of equal length, or empty: periods are then compared in samples. Never throws;
-// O(n) in time and memory.
+// In mm and s; time_s may be empty: periods are then compared in samples. Never throws; O(n) in time and memory.
 Segmentation segment(std::span<double const> disp_mm, std::span<double const> time_s = {});
 
-// The samples where the motion reverses, between the first sample and the last extreme, both included: from one to the
-// next displacement rises or falls, but for noise. Fewer than two for a history that does not move.
+// Reversal samples between the first sample and the last extreme, both included; fewer than two without motion.
 struct Reversals {
   std::vector<std::size_t> at;
   double band_mm = 0.0;  // as in Segmentation
 };
 Reversals reversals(std::span<double const> disp_mm);
 
-// Where the largest and the smallest displacement of a cycle stand: the middle of the time spent beyond nine tenths of
-// the way from the centre, which noise moves less than it moves the largest sample. Fractional sample indices.
+// Middle of the time spent beyond nine tenths of the way from the centre: noise moves it less than the largest sample.
 struct PeakPositions {
   double largest = 0.0;
   double smallest = 0.0;
 };
 PeakPositions peak_positions(std::span<double const> disp_mm, double first, double last);
-
-// Standard deviation of white noise in a sampled history of 20 samples in a cycle or more; 0 for fewer than 16 samples.
+// Standard deviation of white noise, for 20 samples in a cycle or more; 0 for fewer than 16 samples.
 double noise_deviation(std::span<double const> values);
-
-// `values` at a fractional sample index inside them, interpolated.
 double value_at(std::span<double const> values, double index);
 
 }  // namespace isolaw::data

@@ -14,7 +14,6 @@
 namespace isolaw::data {
 namespace {
 
-// Whether the cell is a mark by which acquisition programs and spreadsheets say that a value is missing or not finite.
 bool is_not_finite(std::string_view cell) {
   constexpr std::array<std::string_view, 16> marks{"nan",     "inf",    "infinity", "n/a",  "na",      "#n/a",
                                                    "#nv",     "#num!",  "null",     "none", "#div/0!", "1.#inf",
@@ -27,7 +26,6 @@ bool is_not_finite(std::string_view cell) {
   return std::ranges::find(marks, view) != marks.end() || view.starts_with("nan(");
 }
 
-// Marks that group digits, as they are written.
 struct GroupMark {
   char meant;
   std::string_view written;
@@ -41,8 +39,7 @@ constexpr std::array group_marks{GroupMark{'.', "."},
                                  GroupMark{' ', "\xE2\x80\xAF"},
                                  GroupMark{'\'', "\xE2\x80\x99"}};
 
-// "1.234,56", "1.234.567", "1 234,56", "1'234.56": digits in groups of three and then, possibly, decimals. Where the
-// user says what groups them, one group is enough, and `digits` takes the number without its marks.
+// "1.234,56", "1.234.567", "1 234,56", "1'234.56". If the user names the mark, one group is enough.
 bool is_grouped(std::string_view cell, NumberFormat format, std::string* digits = nullptr) {
   auto const whole = cell;
   char const decimal = format.decimal;
@@ -109,7 +106,6 @@ struct Pair {
   char decimal;
 };
 
-// How well a pair explains the sampled lines, with the number of cells that explains most of them.
 struct Score {
   Pair pair{',', '.'};
   std::size_t columns = 0;
@@ -121,7 +117,6 @@ bool number_like(CellKind kind) {
   return kind == CellKind::number || kind == CellKind::not_finite || kind == CellKind::grouped;
 }
 
-// Only lines with at least `fewest` numbers or time stamps count.
 Score score_pair(std::span<std::string_view const> lines, Pair pair, char thousands = '\0', std::size_t fewest = 2) {
   struct Group {
     std::size_t rows = 0;
@@ -161,7 +156,6 @@ std::vector<std::string_view> sample_lines(std::span<std::string_view const> lin
   return sample;
 }
 
-// Counts the kinds of cells in one column.
 struct ColumnStudy {
   std::size_t numbers = 0;
   std::array<std::size_t, 4> stamps{};  // by kind, from StampKind::none

@@ -14,7 +14,7 @@
 
 namespace isolaw::data {
 
-// A mark that groups digits, with its names. The blank is called "blank", since it is written in several ways.
+// The blank is called "blank", since it is written in several ways.
 struct DigitGroup {
   char mark;
   std::string_view word, typed, said;  // the value of --thousands; quoted for a shell; in a sentence
@@ -23,10 +23,7 @@ inline constexpr std::array digit_groups{DigitGroup{',', ",", ",", "','"}, Digit
                                          DigitGroup{'\'', "'", "\"'\"", "'''"},
                                          DigitGroup{' ', "blank", "blank", "blanks"}};
 DigitGroup const& digit_group(char mark);
-// The mark that groups the digits of a cell with this decimal sign; nullopt if there is none.
 std::optional<DigitGroup> group_in(std::string_view cell, char decimal);
-
-// How numbers are written.
 struct NumberFormat {
   char decimal = '.';
   char thousands = '\0';  // the mark that groups digits; none unless the user says so
@@ -62,25 +59,17 @@ struct Cell {
 };
 
 Cell parse_cell(std::string_view cell, NumberFormat format);
-
-// Cells of one line, trimmed and without their quotes; one trailing empty cell is dropped.
+// Trims cells and removes their quotes; drops one trailing empty cell.
 void split_cells(std::string_view line, char delimiter, std::vector<std::string_view>& cells);
-
-// The cells of a row in this dialect, see Dialect::sheet.
 void split_row(std::string_view line, Dialect const& dialect, std::vector<std::string_view>& cells);
-
-// A line that starts with '#' or '%'.
 bool is_comment(std::string_view line);
-// Nothing but blanks and delimiters.
 bool is_blank(std::string_view line, char delimiter);
 
 // nullopt if no pair finds rows with numbers or time stamps in at least two columns. The user may give `thousands`.
 std::optional<Dialect> recognise_dialect(std::span<std::string_view const> lines,
                                          std::optional<char> thousands = std::nullopt);
-// The same for a file that may be a single column of numbers.
 std::optional<Dialect> one_column_dialect(std::span<std::string_view const> lines,
                                           std::optional<char> thousands = std::nullopt);
-// The same for the rows of a worksheet, with cells separated by tabs.
 std::optional<Dialect> sheet_dialect(std::span<std::string_view const> rows);
 
 std::string_view delimiter_name(char delimiter);

@@ -1,5 +1,4 @@
-// Finds dropouts of a channel: a few samples of one value off the path, which begin and end with a jump, while the
-// other channel goes on.
+// Finds dropouts: samples of one value that begin and end with a jump while the other channel moves.
 #pragma once
 
 #include <span>
@@ -15,13 +14,10 @@ struct Dropout {
   double before = 0.0, after = 0.0;  // the values beside them
 };
 
-// Whether the other channel must move meanwhile. A dropout of the force needs a motion that goes on, since the force of
-// a device at rest may vanish; beside a dropout of the motion the force may stand.
+// The force of a device at rest may vanish, so a dropout of the force needs a motion that goes on.
 enum class Other { moves, may_stand };
-// The dropouts of `values`; `other` is the other channel of the record. docs/properties.md has limits and rates.
+// docs/properties.md has limits and rates.
 std::vector<Dropout> dropouts(std::span<double const> values, std::span<double const> other, Other does);
-
-// The values with a straight line in place of each dropout.
 std::vector<double> bridged(std::span<double const> values, std::vector<Dropout> const& gone);
 
 }  // namespace isolaw::data

@@ -22,17 +22,16 @@ constexpr double most_force_offset = 10.0;  // percent of the amplitude; loops o
 constexpr double most_closure = 1.0;        // percent of the whole travel, 2 D
 constexpr double most_drift = 1.0;          // percent of the whole travel
 constexpr double most_v_max_error = 5.0;    // percent
-constexpr double assumed_friction = 0.005;  // of the vertical load, of well kept sliding or rolling guides
-constexpr double least_jump = 0.04;         // of the force's amplitude: less is the shape of a loop
+constexpr double assumed_friction = 0.005;  // times the vertical load, for well kept sliding or rolling guides
+constexpr double least_jump = 0.04;         // times the force's amplitude: less is the shape of a loop
 constexpr double most_friction_points = 1.0;
 constexpr double most_average_loss = 1.0;  // percent, at the test's frequency
 
 constexpr double most_noise_bias = 1.0;  // percent of the amplitude
 constexpr double unlike_between = 0.15,
-                 unlike_beside = 0.2;       // of the force at a peak, between two cycles or beside one
+                 unlike_beside = 0.2;       // times the force at a peak, between two cycles or beside one
 constexpr double most_noise_scatter = 2.0;  // percent of the stiffness
 
-// What force loses at once where motion reverses.
 struct Jump {
   double force_kN = 0.0;
   bool said = false;  // it is large enough to be named as friction
@@ -41,8 +40,6 @@ struct Jump {
 double percent(double part, double whole) {
   return 100.0 * part / whole;
 }
-
-// One record's assessment. Each member looks at one effect and adds what it finds.
 class Assessment {
  public:
   Assessment(CycleView const& view, Properties const& properties) : view_(view), properties_(properties) {
@@ -86,7 +83,6 @@ class Assessment {
   void note(FindingKind kind, std::vector<FindingNumber> numbers, std::vector<FindingWord> words = {}) {
     budget_.notes.push_back({.kind = kind, .numbers = std::move(numbers), .words = std::move(words)});
   }
-  // The finding on one cycle.
   static void locate(std::vector<Finding>& findings, Cycle const& at) {
     findings.back().blocks = {at.block};
     findings.back().numbers.push_back({"cycle", static_cast<double>(at.number)});
@@ -118,8 +114,7 @@ class Assessment {
     locate(budget_.warnings, cycle());
   }
 
-  // Cycles of one amplitude change little by little after the first: one that does not has something else in it, a
-  // channel that drops out at its peak, another range, a slip. The farthest of each block is named.
+  // Cycles of one amplitude change little by little after the first: a dropout at the peak or a slip makes one differ.
   void unlike_their_neighbours() {
     for (auto const& block : properties_.blocks) {
       std::vector<Cycle const*> cycles;
@@ -128,7 +123,7 @@ class Assessment {
       if (cycles.size() < 3) continue;
       cycles.erase(cycles.begin());  // the virgin one
       Cycle const* oddest = nullptr;
-      double share = 1.0;  // of the force at its peak over that of the cycles beside it
+      double share = 1.0;  // the peak's force over that of the cycles beside it
       auto const distance = [](double of) {
         return of > 0.0 ? std::abs(std::log(of)) : std::numeric_limits<double>::infinity();
       };
@@ -172,7 +167,7 @@ class Assessment {
     double const force_amplitude = std::abs(cycle().F_plus_kN - cycle().F_minus_kN) / 2.0;
     if (!(amplitude > 0.0 && force_amplitude > 0.0)) return;
     double const beyond = percent(peak_gain_mm(disp, amplitude, *properties_.samples_per_cycle), amplitude);
-    // Force and displacement of two samples each, independent.
+    // The errors of force and displacement of two samples each are independent.
     double const scatter = std::hypot(percent(force, force_amplitude), percent(disp, amplitude)) / std::numbers::sqrt2;
     add("noise of displacement", percent(disp, amplitude), "%");
     add("noise of force", percent(force, force_amplitude), "%");
@@ -242,7 +237,6 @@ class Assessment {
     auto const middle = static_cast<std::ptrdiff_t>(std::lround(upper ? peaks.largest : peaks.smallest));
     auto const size = static_cast<std::ptrdiff_t>(view_.disp_mm.size());
     auto const below = [&](std::ptrdiff_t i) { return sign * (tip - view_.disp_mm[static_cast<std::size_t>(i)]); };
-    // Force where displacement is first `depth` mm from the tip, going in steps of `step` samples from it.
     auto const force_at = [&](double depth, std::ptrdiff_t step) -> std::optional<double> {
       auto i = middle;
       while (i + step >= 0 && i + step < size && below(i) < depth) i += step;
@@ -295,8 +289,7 @@ class Assessment {
                                     {"percent", std::abs(percent(stiffness, cycle().K_eff_kN_per_mm))}});
   }
 
-  // How far the middle of the extremes moves through a block. The first cycle is left out: the force of a device that
-  // softens is uneven in it.
+  // The first cycle is left out: the force of a device that softens is uneven in it.
   void drift_of(std::string const& what, std::string const& unit, double amplitude, auto middle) {
     auto const counted = block_->counted();
     if (counted.size() < 3) return;
@@ -388,7 +381,7 @@ class Assessment {
 
   CycleView const& view_;
   Properties const& properties_;
-  Block const* block_ = nullptr;  // of the reported cycle
+  Block const* block_ = nullptr;  // the reported cycle's
   Budget budget_;
 };
 

@@ -1,5 +1,4 @@
-// What the measurement itself does to the cyclic properties, in numbers: sampling, skew between the channels, friction
-// and moving mass of the rig, drift, offsets, uneven time, filters. Closed forms for a sine and its loops.
+// Effects of sampling, rig and filters on the cyclic properties: closed forms for a sine and its loops.
 #pragma once
 
 #include <optional>
@@ -24,7 +23,7 @@ struct Budget {
   std::vector<Effect> effects;    // all that was assessed
 };
 
-// Effects on the damping, in points that they add to it.
+// In points that they add to the damping.
 inline constexpr char const *damping_by_skew = "damping by skew", *damping_by_jump = "damping by the jump",
                             *damping_by_rig_friction = "damping by rig friction of 0.5 % of the vertical load";
 
@@ -32,14 +31,12 @@ inline constexpr char const *damping_by_skew = "damping by skew", *damping_by_ju
 Budget error_budget(CycleView const& view, Properties const& properties, int smooth = 1);
 Budget error_budget(TestRecord const& record, Properties const& properties, int smooth = 1);
 
-// Shares in percent that a loop of so many samples loses, and what a moving average of an odd window takes from a sine.
-double energy_loss_percent(double samples_per_cycle);  // of the energy: 1 - N / (2 pi) sin(2 pi / N)
-double peak_loss_percent(double samples_per_cycle);    // of a peak halfway between samples: 1 - cos(pi / N)
+// Shares in percent that sampling takes from a loop, and a moving average of an odd window from a sine.
+double energy_loss_percent(double samples_per_cycle);  // share of the energy: 1 - N / (2 pi) sin(2 pi / N)
+double peak_loss_percent(double samples_per_cycle);    // share of a peak halfway between samples: 1 - cos(pi / N)
 double average_loss_percent(int window, double samples_per_cycle);
-// How far beyond the peak of a sine the largest of its samples lies on average, with white noise of a standard
-// deviation.
+// How far the largest sample of a sine lies beyond its peak on average, with white noise of this deviation.
 double peak_gain_mm(double noise_mm, double amplitude_mm, double samples_per_cycle);
-
 // Points of equivalent damping: 200 F_f / (pi K D)
 double friction_damping_points(double friction_kN, double K_eff_kN_per_mm, double amplitude_mm);
 // Stiffness that a mass moved by a sine takes off, in kN/mm: m (2 pi f)^2

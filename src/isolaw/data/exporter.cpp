@@ -41,8 +41,7 @@ bool is_mts_test_suite(FileLines lines) {
   return true;
 }
 
-// Names that begin with the time, and the extension among them: units in brackets in the same cell below "Raw Data"
-// (Universal), or in a row of their own in brackets (3).
+// Units stand in brackets below "Raw Data" in the name's cell (Universal), or in a row of their own (3).
 bool is_bluehill(FileLines lines) {
   constexpr std::size_t longest_head = 200;
   lines = lines.first(std::min(lines.size(), longest_head));

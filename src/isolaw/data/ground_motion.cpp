@@ -22,7 +22,7 @@ constexpr std::size_t fewest_accelerations = 10;
 constexpr std::string_view columns_allowed =
     "an AT2 file of the PEER database, or columns of text with a header that names their units: 'time [s], acceleration [m/s2]'";
 
-// The number behind a word of a line, "DT= .0050 SEC": nullopt where there is none.
+// "DT= .0050 SEC"
 std::optional<double> number_behind(std::string_view line, std::string_view word) {
   auto const at = lower(line).find(word);
   if (at == std::string::npos) return std::nullopt;
@@ -153,7 +153,7 @@ MotionColumns motion_columns(Header const& header, std::size_t count, std::strin
   return made;
 }
 
-// The step of times that should be equally spaced; each may be rounded, as files with three decimals are.
+// Each time may be rounded, as files with three decimals are.
 double step_of(std::vector<double> const& time_s, std::string const& name) {
   double const step = (time_s.back() - time_s.front()) / static_cast<double>(time_s.size() - 1);
   constexpr double allowed = 0.1;  // fraction of a step
@@ -246,7 +246,6 @@ GroundMotion read_ground_motion_text(std::string_view bytes, std::string const& 
   auto const lines = split_lines(bytes).lines;
   auto const peer = peer_header(lines);
   auto made = peer ? read_peer(lines, *peer, name) : read_columns(lines, name, step_s);
-  // Stated beside a file that says it: agreed on, or one of them is wrong.
   if (step_s && !(std::abs(*step_s - made.step_s) <= 1e-3 * made.step_s))
     throw Error({.where = "--ground-motion-dt",
                  .found = fmt::format("{} s, and {} has samples every {:.6g} s", *step_s, name, made.step_s),

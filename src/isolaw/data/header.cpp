@@ -25,7 +25,6 @@ Names split_names(std::string_view line, char delimiter) {
   return to_names(cells);
 }
 
-// Names apart by two blanks or more, as in files of aligned columns.
 Names split_wide(std::string_view line) {
   Names names;
   line = trimmed(line);
@@ -60,7 +59,7 @@ void name_date_and_clock(Names& names, Dialect const& dialect) {
     }
 }
 
-// The cells of a header line; where blanks separate, the reading that gives the right number of them, if any does.
+// Where blanks separate, the reading that gives the right number of cells, if any does.
 Names header_cells(std::string_view line, Dialect const& dialect) {
   if (dialect.sheet) {
     std::vector<std::string_view> cells;
@@ -79,7 +78,6 @@ Names header_cells(std::string_view line, Dialect const& dialect) {
   return names;
 }
 
-// Rows of a LabVIEW header that hold numbers alone beside their key.
 bool is_lvm_key(std::string_view cell) {
   constexpr std::string_view keys[]{"Channels", "Samples", "X0", "Delta_X"};
   return std::ranges::find(keys, cell) != std::ranges::end(keys);
@@ -132,7 +130,7 @@ struct Candidate {
   std::size_t channels;
 };
 
-// The row of names: the line with the right number of cells that names most channels, the last of equals.
+// The line with the right number of cells that names most channels, the last of equals.
 std::optional<Candidate> find_names(std::span<std::string_view const> above, Dialect const& dialect, Header& header) {
   std::optional<Candidate> best;
   std::optional<Candidate> comment;
@@ -169,7 +167,6 @@ bool may_hold_names(std::string_view line) {
   return false;
 }
 
-// The first row of names again, or a row that names two channels.
 bool begins_test(std::string_view line, Dialect const& dialect, std::string_view first_names) {
   if (!may_hold_names(line)) return false;
   if (!first_names.empty() && trimmed(line) == first_names) return true;
@@ -178,7 +175,6 @@ bool begins_test(std::string_view line, Dialect const& dialect, std::string_view
   return cells.size() == dialect.columns && !has_number(cells, dialect) && count_channels(cells) >= 2;
 }
 
-// The interval that a row of the header gives to every channel alike.
 std::optional<double> lvm_interval(Names const& given, Dialect const& dialect) {
   std::optional<double> interval;
   for (std::size_t k = 1; k < given.size(); ++k) {
@@ -191,8 +187,7 @@ std::optional<double> lvm_interval(Names const& given, Dialect const& dialect) {
   return interval;
 }
 
-// LabVIEW's measurement files (.lvm): after the last end of header the names, one more than there are columns where no
-// row has a comment; units of the channels in a row of their own above it, those of the time are seconds.
+// LabVIEW's .lvm: the names follow the last end of header, with one for comments; units stand in a row above.
 bool read_lvm_header(std::span<std::string_view const> above, Dialect const& dialect, Header& header) {
   auto const opens = [](std::string_view line, std::string_view key) { return trimmed(line).starts_with(key); };
   std::optional<std::size_t> end;

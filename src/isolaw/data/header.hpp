@@ -22,7 +22,6 @@ struct Header {
   std::vector<StampKind> stamps;         // per column: what its dates and times are; empty where none can be
   std::vector<std::size_t> passed_over;  // lines above the data that are neither, blank lines and comments left out
 
-  // A row that names channels, but not as many as there are columns.
   struct Mismatch {
     std::size_t line;
     std::size_t names;
@@ -41,13 +40,11 @@ struct Header {
   std::string listing;               // everything in the file, if that is more than its columns
 };
 
-// Whether a line is a row of numbers.
 bool is_data_row(std::string_view line, Dialect const& dialect);
 
 Header recognise_header(std::span<std::string_view const> lines, Dialect const& dialect);
 
-// The lines at which another test begins: a row of names below rows of numbers. From 0; the first test is not among
-// them.
+// Lines (from 0) at which another test begins: a row of names below rows of numbers. The first test is not included.
 std::vector<std::size_t> later_tests(std::span<std::string_view const> lines, Dialect const& dialect,
                                      Header const& first);
 

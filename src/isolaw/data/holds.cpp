@@ -27,7 +27,6 @@ struct Stretch {
   std::size_t size() const { return last - first; }
 };
 
-// The longest stretches within `width`, from each sample that ends one.
 std::vector<Stretch> stretches_within(std::span<double const> x, std::size_t begin, std::size_t end, double width,
                                       std::size_t least) {
   std::vector<Stretch> found;
@@ -51,7 +50,7 @@ std::vector<Stretch> stretches_within(std::span<double const> x, std::size_t beg
   return found;
 }
 
-// Share of the period that a sine spends between two levels, in parts of its amplitude, on the way it comes and goes.
+// The levels are shares of the sine's amplitude; both ways count.
 double lingering(double least, double largest) {
   auto const angle = [](double level) { return std::acos(std::clamp(level, -1.0, 1.0)); };
   double const once = (angle(least) - angle(largest)) / (2.0 * std::numbers::pi);
@@ -59,7 +58,6 @@ double lingering(double least, double largest) {
   return at_a_peak ? 2.0 * once : once;
 }
 
-// The part of a stretch that is within a narrower band about its median, where that is most of it.
 Stretch sharpened(std::span<double const> x, Stretch const& stretch, double level, double half_width) {
   auto const within = [&](std::size_t i) { return std::abs(x[i] - level) <= half_width; };
   auto sharp = stretch;
@@ -121,7 +119,7 @@ std::vector<Gap> time_gaps(std::span<double const> x, std::span<double const> ti
   double const longest = std::ranges::max(intervals);
   double const interval = num::median(intervals);
   if (!(longest > most_intervals * interval)) return {};
-  // One by itself: several long intervals in a row are a slower part, sampled as often in a cycle.
+  // Several long intervals in a row are a slower part, sampled as often in a cycle.
   auto const is_long = [&](std::size_t i) { return intervals[i] > most_intervals * interval; };
   std::vector<Gap> gaps;
   for (std::size_t i = 0; i + 1 < time_s.size(); ++i) {
@@ -131,7 +129,7 @@ std::vector<Gap> time_gaps(std::span<double const> x, std::span<double const> ti
     double const after = i + 2 < x.size() ? std::abs(x[i + 2] - x[i + 1]) : 0.0;
     double const speed = std::max(before, after) / interval;
     double const way = std::abs(x[i + 1] - x[i]);
-    // A rest that was not recorded is one by the clock: nothing moves on either side of it.
+    // A rest that was not recorded lasts as long as the clock says: nothing moves on either side of it.
     double const taken = speed > 0.0 ? std::clamp(way / speed, interval, length) : length;
     gaps.push_back({.after = i, .length_s = length, .taken_s = taken});
   }

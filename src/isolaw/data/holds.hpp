@@ -1,7 +1,5 @@
-// Finds holds: times when a device stands still within a cyclic test, at rest between cycles or held at a displacement.
-//
-// In a hold the motion stays within a narrow band, which is half a percent of the amplitude or as wide as the noise,
-// for longer than it takes to pass the band there: a sine lingers at its peaks without standing still.
+// Finds holds: times when a device stands still within a cyclic test, at rest between cycles or at a displacement.
+// The motion stays within a band of half a percent of the amplitude, or of the noise, longer than a sine lingers there.
 #pragma once
 
 #include <cstddef>
@@ -22,16 +20,14 @@ struct StillTime {
   double time = 0.0;  // in s, or in samples without time
 };
 
-// How long the device stands still within the piece. `noise` is the standard deviation of disp_mm in mm; if it is too
-// large, no holds are found. At worst O(n log n) in the piece's samples.
+// `noise` is the standard deviation of disp_mm in mm; if it is too large, no holds are found. At worst O(n log n).
 StillTime still_time(std::span<double const> disp_mm, std::span<double const> time_s, Piece const& piece, double noise);
 
 // If two samples are more than this many usual intervals apart, nobody knows what a channel did between them.
 inline constexpr double most_intervals = 5.0;
 
-// A jump of the clock between two samples by more than most_intervals. taken_s is the time that the motion needs for
-// the way between them at the speed on both sides, at least one interval and at most what the clock says.
-// without_gaps() is empty if nothing jumps.
+// A jump of the clock by more than most_intervals. taken_s is the time that the motion needs for the way at the speed
+// on both sides, at least one interval and at most what the clock says. without_gaps() is empty if nothing jumps.
 struct Gap {
   std::size_t after = 0;  // sample
   double length_s = 0.0;  // by the clock

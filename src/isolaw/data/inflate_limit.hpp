@@ -10,7 +10,6 @@ inline constexpr std::uint64_t free_unpacked_bytes = std::uint64_t{64} << 20;
 inline constexpr std::uint64_t most_unpacked_bytes = std::uint64_t{1} << 30;
 inline constexpr std::uint64_t most_growth = 30;
 
-// The most bytes that may be unpacked from a file of `file_bytes`, all parts together.
 constexpr std::uint64_t unpacked_limit(std::uint64_t file_bytes) {
   auto const grown = most_growth * file_bytes;  // a file has 1 GiB at most
   if (grown <= free_unpacked_bytes) return free_unpacked_bytes;

@@ -17,8 +17,6 @@
 
 namespace isolaw::data {
 namespace {
-
-// One of the files that the channels of a test are in, opened.
 struct Opened {
   std::unique_ptr<std::string> bytes;  // which the tables look into
   TestRecord start;
@@ -64,8 +62,6 @@ struct Opened {
     auto const& chosen = table();
     return recognise_columns(chosen.place(), chosen.header(), chosen.columns(), options, wanted);
   }
-
-  // How the samples are timed: not at all, by an interval or seconds, or by stamps.
   enum class Clock { none, seconds, stamps };
   Clock clock() const {
     auto const found = columns();
@@ -147,7 +143,7 @@ RecordPart read_joined(std::filesystem::path const& file, ReadOptions options,
   for (auto const& more : rest)
     std::erase_if(idle, [&](auto const& option) { return std::ranges::count(idle_in(more), option) == 0; });
   refuse_idle(idle, first.start.file);
-  // A choice that no file needs is taken, or refused, as of one file.
+  // A choice that no file needs is accepted or refused as for one file.
   if (asked.sheet && !first.chooses_sheet && !sheet_of_another) {
     first.options.sheet = asked.sheet;
     first.open(file);

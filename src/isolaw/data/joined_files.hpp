@@ -13,8 +13,7 @@ namespace isolaw::data {
 // Takes out of `options` the channels that are in other files, and returns these files with the options for each.
 std::map<std::string, ReadOptions> other_files(std::filesystem::path const& file, ReadOptions& options);
 
-// The channels of `file` and of `others`, before they are checked together. Throws Error if one of the files cannot be
-// read, or if they do not belong together.
+// Not yet checked together. Throws Error if a file cannot be read, or if the files do not belong together.
 RecordPart read_joined(std::filesystem::path const& file, ReadOptions options,
                        std::map<std::string, ReadOptions> const& others);
 

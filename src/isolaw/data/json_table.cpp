@@ -25,17 +25,16 @@ constexpr std::size_t most_odd_cells = 64;  // kept with their text, per column
 constexpr std::size_t most_words = 10000;   // single texts that may be units
 constexpr std::size_t longest_text = 200;
 
-// A value of an array: a number, or what stands in its place.
 struct Value {
   double number = missing;
-  std::string text;  // of what is no number
+  std::string text;  // the text of a value that is no number
   bool is_text = false;
 };
 
-// Columns gathered so far. A table is either an object whose arrays are columns, or an array whose elements are rows.
+// A table is either an object whose arrays are columns, or an array whose elements are rows.
 struct Branch {
   std::vector<NumberColumn> columns;
-  std::map<std::string, std::size_t, std::less<>> index;  // of columns, by name
+  std::map<std::string, std::size_t, std::less<>> index;  // columns by name
   std::size_t rows = 0;                                   // elements, where elements are rows
   std::string element;                                    // path of the element of a list it stands in, if any
   bool of_rows = false;
@@ -44,13 +43,11 @@ struct Branch {
   std::size_t flaw_row = 0;  // from 1; 0: none in particular
 };
 
-// A single text, and the element of a list it stands in: what one test says of its units is not said of the next.
+// The list element is kept since the units of one test do not hold for the next.
 struct Word {
   std::string text;
   std::string element;
 };
-
-// Texts of an array that holds texts alone.
 std::vector<std::string> texts_of(NumberColumn const& column) {
   std::vector<std::string> texts;
   if (column.odd_cells.size() != column.values.size()) return texts;
@@ -74,14 +71,14 @@ void put(NumberColumn& column, Value const& value) {
   column.values.push_back(value.number);
 }
 
-// Takes the document as nlohmann's parser meets it; nothing of it is kept but numbers and a few texts.
+// Keeps nothing of the document but numbers and a few texts.
 class Handler {
  public:
   explicit Handler(std::size_t file_bytes) : left_(file_bytes + (std::size_t{1} << 20)) {}
 
   std::map<std::string, Branch> parts;                        // by path
   std::map<std::pair<std::string, std::string>, Word> words;  // by path and key
-  // Lists of objects, by path: their elements that hold a table, and those that hold arrays but no table.
+  // Lists of objects by path.
   std::map<std::string, std::vector<std::string>> lists, passed_over;
   std::string refusal;
   std::size_t failed_at = 0;  // byte, from 1
@@ -143,7 +140,7 @@ class Handler {
 
  private:
   enum class Kind { object, array };
-  enum class Shape { none, values, rows, records, mixed };  // of an array's elements
+  enum class Shape { none, values, rows, records, mixed };  // the elements of an array
   struct Frame {
     Kind kind;
     Shape shape = Shape::none;
@@ -151,7 +148,7 @@ class Handler {
     std::string key = {};          // the one being read
     bool in_reach = true;          // tables are looked for here
     std::size_t elements = 0;      // objects among an array's elements so far
-    std::size_t number = 0;        // of an object that is an element, from 1
+    std::size_t number = 0;        // from 1, for an object that is an element
     bool has_path_of_own = false;  // such an object has its number in its path once it holds more than single values
   };
 
@@ -176,7 +173,7 @@ class Handler {
   static std::string joined(std::string const& path, std::string const& key) {
     return path.empty() ? key : path + '.' + key;
   }
-  // Objects, but those that are elements: a list of tests is no deeper than one test.
+  // Elements are not counted: a list of tests is no deeper than one test.
   std::size_t depth() const {
     return static_cast<std::size_t>(std::ranges::count_if(
         stack_, [](auto const& frame) { return frame.kind == Kind::object && frame.number == 0; }));
@@ -195,7 +192,6 @@ class Handler {
     if (words.size() >= most_words) return;
     words.emplace(std::pair(stack_.back().path, key), Word{text.substr(0, longest_text), element()});
   }
-  // Path of the innermost element that the top of the stack stands in.
   std::string element() const {
     for (auto frame = stack_.rbegin(); frame != stack_.rend(); ++frame)
       if (frame->has_path_of_own) return frame->path;
@@ -207,7 +203,7 @@ class Handler {
     return found->second;
   }
 
-  // Whether the element holds a table; where it does not, what it holds is dropped.
+  // Drops the contents of an element without a table.
   bool is_test(Frame const& ended) {
     bool channels = false;
     for (auto it = parts.lower_bound(ended.path); it != parts.end() && it->first.starts_with(ended.path);) {
@@ -230,7 +226,6 @@ class Handler {
     list.push_back(ended.path);
   }
 
-  // An array or object as an element of an array: a row of its table.
   void begin_element(Shape shape) {
     auto& above = stack_.back();
     row_.clear();
@@ -382,7 +377,6 @@ class Document {
     return names;
   }
 
-  // The table of that name, or those of the list of that name.
   void add_tests(std::string const& name, std::string const& file, Tests& tests) {
     auto const path = name == top ? std::string() : name;
     auto const list = handler_.lists.find(path);
@@ -410,7 +404,7 @@ class Document {
   static inline std::string const top = "(top)";
   static std::string shown(std::string const& path) { return path.empty() ? top : path; }
 
-  // "tests(2) 'B'", by what the element says of its name.
+  // "tests(2) 'B'"
   std::string title_of(std::string const& element) const {
     for (auto const* key : {"name", "title", "id", "label", "test"})
       if (auto const word = handler_.words.find({element, key}); word != handler_.words.end())
@@ -433,7 +427,6 @@ class Document {
                                          std::move(layout), std::move(title));
   }
 
-  // Names and units from beside the columns.
   void settle(std::string const& path, Branch& part) {
     for (auto& column : part.columns) {
       if (part.of_rows)

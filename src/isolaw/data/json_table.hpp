@@ -11,11 +11,10 @@
 
 namespace isolaw::data {
 
-// Whether the bytes begin as such JSON does and as no text table would ("[Data]" is a line of text).
+// "[Data]" begins a text table.
 bool is_json(std::string_view bytes);
 
-// The test under `key`, which is a name or a number from 1. Without `key` the first one that holds a table is read, and
-// Tests::sheets names all that do. Throws Error: no JSON, nested deeper than 64, no table, no such key.
+// `key` is a name or a number from 1; without it the first table is read, and Tests::sheets names all. Throws Error.
 Tests json_tests(std::string_view bytes, std::string const& file, std::optional<std::string> const& key);
 
 }  // namespace isolaw::data

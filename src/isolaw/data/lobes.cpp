@@ -34,12 +34,9 @@ class Finder {
 
  private:
   double y(std::size_t i) const { return x_[i] - centre_; }
-  // Distance from the centre to the lobe's side.
   double out(Lobe const& lobe, std::size_t i) const { return lobe.positive ? y(i) : -y(i); }
   double reach(std::size_t k) const { return std::abs(y(at_[k])); }
   double time(double index) const { return time_.empty() ? index : value_at(time_, index); }
-
-  // How close to the centre a turn between two lobes is at the centre.
   double level(double smaller) const { return std::max(std::min(band_, smaller / 2.0), at_rest * smaller); }
 
   void find_tips() {
@@ -77,8 +74,7 @@ class Finder {
     lobe.reach_mm = reach(k);
   }
 
-  // Where displacement first crosses the centre after a lobe's tip and before sample `to`; where it does not, the
-  // sample nearest to the centre: three exact cycles of a sine end at the centre without crossing it.
+  // Where the lobe ends without crossing, as three exact cycles of a sine do, the sample nearest to the centre.
   double boundary(Lobe const& lobe, std::size_t to, bool crosses) const {
     std::size_t nearest = lobe.tip;
     for (auto i = lobe.tip + 1; i <= to; ++i) {
@@ -102,7 +98,6 @@ class Finder {
     lobe.last = lobe.ends_open ? static_cast<double>(end) : boundary(lobe, end, false);
   }
 
-  // Samples of a lobe where it is first seen beyond a level, and last.
   std::size_t first_beyond(Lobe const& lobe, double part) const {
     auto i = static_cast<std::size_t>(std::ceil(lobe.first));
     while (i < lobe.tip && out(lobe, i) < part * lobe.reach_mm) ++i;
@@ -117,19 +112,18 @@ class Finder {
   double duration(std::size_t from, std::size_t to) const {
     return time(static_cast<double>(to)) - time(static_cast<double>(from));
   }
-  // The first sample from `from` to `end` where the lobe is below the low level.
   std::size_t first_below(Lobe const& lobe, std::size_t from, std::size_t end) const {
     while (from < end && out(lobe, from) > low * lobe.reach_mm) ++from;
     return from;
   }
 
-  // From the last sample beyond the high level to the first below the low one: a rest that follows counts nothing.
+  // Ends at the first sample below the low level: a rest that follows counts nothing.
   double fall(Lobe const& lobe) const {
     auto const from = last_beyond(lobe, high);
     return duration(from, first_below(lobe, from, static_cast<std::size_t>(std::floor(lobe.last))));
   }
 
-  // Between two lobes the motion stays near the centre for longer than it takes to get there.
+  // The rest must last longer than the motion takes to get to the centre.
   bool rests_between(Lobe const& before, Lobe const& after) const {
     auto const to = first_beyond(after, low);
     return duration(first_below(before, last_beyond(before, high), to), to) > before.fall;
@@ -150,8 +144,6 @@ bool like(Lobe const& a, Lobe const& b) {
 bool starts(std::vector<Lobe> const& lobes, std::size_t i) {
   return i == 0 || lobes[i].turns || lobes[i].rests;
 }
-
-// Whether lobe i, which the next could close to a cycle, is no part of one.
 bool stands_apart(std::vector<Lobe> const& lobes, std::size_t i) {
   auto const& lobe = lobes[i];
   auto const& next = lobes[i + 1];

@@ -1,9 +1,7 @@
-// Finds lobes, the excursions of a motion to one side of its centre, and tells which two of them make a cycle.
-//
-// A lobe ends where the motion crosses the centre, or comes back to the centre and turns there: before a rest, a second
-// test, or the removal of a pre-load. Two lobes to opposite sides make a cycle. A lobe after the start, a rest or a
-// turn is left out as a pre-load if it differs from the next in size (by 15 %) or in the time it takes to fall (by a
-// factor of 1.5) while those after it are alike. The half cycle that a stage may end with is left out as well.
+// A lobe is an excursion of the motion to one side of its centre; two lobes to opposite sides make a cycle.
+// A lobe ends where the motion crosses the centre, or comes back to it and turns there. A lobe after the start, a rest
+// or a turn is left out as a pre-load if it differs from the next in size (by 15 %) or in the time it takes to fall (by
+// a factor of 1.5) while those after it are alike. A half cycle at the end of a stage is left out as well.
 #pragma once
 
 #include <cstddef>
@@ -44,7 +42,6 @@ struct Group {
 
 std::vector<Lobe> lobes(std::span<double const> disp_mm, std::span<double const> time_s, Reversals const& motion,
                         double centre_mm);
-// All lobes, in order.
 std::vector<Group> group_lobes(std::vector<Lobe> const& lobes);
 
 }  // namespace isolaw::data

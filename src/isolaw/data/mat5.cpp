@@ -50,8 +50,6 @@ struct Damaged {
 [[noreturn]] void damaged(std::string what) {
   throw Damaged{std::move(what)};
 }
-
-// Bytes of one element, as they are or inflated.
 class Source {
  public:
   virtual ~Source() = default;
@@ -116,7 +114,7 @@ struct Tag {
   std::array<char, 4> data{};
 };
 
-// Reads elements within a number of bytes, which those inside them share.
+// Elements inside others share their number of bytes.
 class Reader {
  public:
   Reader(Source& source, bool swapped, std::uint64_t available)
@@ -145,7 +143,6 @@ class Reader {
     return tag;
   }
 
-  // The data of an element no longer than `longest`, padding left behind.
   std::string content(Tag const& tag, std::size_t longest, std::string_view what) {
     if (tag.size > longest) damaged(fmt::format("{} of {} bytes", what, tag.size));
     if (tag.small) return {tag.data.data(), tag.size};
@@ -162,7 +159,7 @@ class Reader {
   }
   void skip_padding(Tag const& tag) { skip(std::min<std::uint64_t>((8 - tag.size % 8) % 8, available_)); }
 
-  // A reader of the inside of an element; what it reads is read here too.
+  // The outer reader counts the bytes too.
   Reader inside(Tag const& tag) {
     take(tag.size);
     return {source_, swapped_, tag.size};
@@ -187,7 +184,6 @@ class Reader {
   std::uint64_t available_;
 };
 
-// A type of numbers: its size, and how one is read.
 struct Stored {
   Type type;
   std::size_t bytes;
@@ -199,8 +195,6 @@ constexpr Stored stored_as(Type type) {
   return {type, sizeof(T),
           [](Reader const& reader, char const* at) { return static_cast<double>(reader.number<T>(at)); }};
 }
-
-// nullptr for a type that is no number.
 Stored const* stored(std::uint32_t type) {
   static constexpr std::array table{
       stored_as<std::int8_t>(mi_int8),     stored_as<std::uint8_t>(mi_uint8),   stored_as<std::int16_t>(mi_int16),
@@ -218,7 +212,7 @@ class Walk {
  public:
   Walk(Chooser wanted, std::vector<double>& values) : wanted_(std::move(wanted)), values_(values) {}
 
-  // One array; `name` is empty at the top, where the array holds its own.
+  // `name` is empty at the top, where the array holds its own.
   void array(Reader& reader, std::string const& prefix) {
     auto const flags_tag = reader.tag();
     auto const flags_data = reader.content(flags_tag, 8, "array flags");
@@ -276,7 +270,7 @@ class Walk {
     if (variable.name.empty()) variable.name = printable(to_utf8(name));
   }
 
-  // Fields of an array of structs: names of equal length, then the values of the first struct, of the second, ...
+  // Names of equal length, then the values of the first struct, of the second, ...
   void structure(Reader& reader, MatVariable variable) {
     constexpr std::size_t longest_field = 128;
     constexpr std::size_t most_fields = 1000;
@@ -302,7 +296,6 @@ class Walk {
       }
   }
 
-  // The values' tag, and the form they are stored in.
   static std::pair<Tag, Stored> values_tag(Reader& reader, MatVariable const& variable) {
     auto const tag = reader.tag();
     auto const* form = stored(tag.type);
@@ -380,7 +373,6 @@ class Mat5File : public MatFile {
     }
   }
 
-  // The elements of the file one after the other.
   void walk(Chooser const& wanted, std::vector<double>& values) const {
     constexpr std::size_t header = 128;
     if (bytes_.size() < header) damaged("is shorter than its header");

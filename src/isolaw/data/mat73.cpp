@@ -1,6 +1,5 @@
-// Reads MATLAB files of version 7.3: HDF5 behind a block of 512 bytes, arrays as data sets with their dimensions
-// reversed, structs as groups, the class in an attribute. Malicious files can break the HDF5 library, so it works in a
-// confined process of its own, on the bytes alone, where links to other files and external data lead nowhere.
+// Reads MATLAB files of version 7.3: HDF5 behind a block of 512 bytes, with dimensions reversed. Malicious files can
+// break the HDF5 library, so it works in a confined process, where links and external data lead nowhere.
 #include <fmt/format.h>
 #include <hdf5.h>
 #include <hdf5_hl.h>
@@ -24,7 +23,6 @@ namespace {
 
 using Write = std::function<void(std::string_view)>;
 
-// An identifier of HDF5 and the function that closes it.
 class Handle {
  public:
   Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {
@@ -48,7 +46,6 @@ Handle open_image(std::string_view bytes) {
   return {H5LTopen_file_image(image, bytes.size(), H5LT_FILE_IMAGE_DONT_COPY | H5LT_FILE_IMAGE_DONT_RELEASE), H5Fclose};
 }
 
-// A text of fixed length beside an object; empty when it is not there.
 std::string attribute(hid_t object, char const* name) {
   constexpr std::size_t longest = 64;
   if (H5Aexists(object, name) <= 0) return {};

@@ -42,7 +42,6 @@ class MatFile {
   std::vector<MatVariable> const& variables() const { return variables_; }
   // Characters give their codes. Throws Error if the file is damaged or grows beyond the limit when it is unpacked.
   virtual std::vector<double> values(MatVariable const& variable, MatSlice const& slice) const = 0;
-  // "MATLAB file of version 5"
   virtual std::string_view version() const = 0;
 
  protected:
@@ -58,8 +57,7 @@ class MatFile {
   std::vector<MatVariable> variables_;
 };
 
-// Open the versions that we read. `bytes` must outlive the file, `file` is its name in messages. Throw Error if it is
-// damaged or has more variables than any test.
+// `bytes` must outlive the file. Throw Error if it is damaged or has more variables than any test.
 std::unique_ptr<MatFile> open_mat5(std::string_view bytes, std::string const& file);
 std::unique_ptr<MatFile> open_mat73(std::string_view bytes, std::string const& file);
 

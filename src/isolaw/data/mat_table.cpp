@@ -22,7 +22,6 @@ constexpr std::uint64_t most_rows_across = 20;  // the most rows of a matrix who
 constexpr std::uint64_t bytes_per_sample = 32;  // four channels
 constexpr std::size_t most_listed = 30;
 
-// The values of a variable that make a column.
 struct Origin {
   MatVariable const* variable;
   MatSlice slice;
@@ -40,7 +39,7 @@ struct MatColumns {
   }
 };
 
-// The struct or matrix that a column belongs to; empty for a vector at the top.
+// Empty for a vector at the top.
 std::string owner_of(std::string_view name) {
   return std::string(name.substr(0, name.find_last_of(".:") == std::string_view::npos ? 0 : name.find_last_of(".:")));
 }
@@ -122,7 +121,6 @@ std::string listing(std::vector<MatVariable> const& variables, MatColumns const&
   return texts.empty() ? "no variables" : fmt::format("variables {}", fmt::join(texts, ", "));
 }
 
-// Structs that each name two channels: several tests in one file.
 std::vector<std::string> owners(MatColumns const& found, bool of_tests) {
   std::vector<std::string> names;
   std::vector<std::size_t> channels;
@@ -142,7 +140,6 @@ std::vector<std::string> owners(MatColumns const& found, bool of_tests) {
   return tests;
 }
 
-// Variables of complex numbers, of one struct where it is named, by the names they have in it.
 std::vector<std::string> complex_of(std::vector<MatVariable> const& variables, std::string const& owner) {
   std::vector<std::string> names;
   for (auto const& v : variables) {
@@ -153,7 +150,6 @@ std::vector<std::string> complex_of(std::vector<MatVariable> const& variables, s
   return names;
 }
 
-// Variables that may hold times and no numbers, of one struct where it is named, by the names they have in it.
 std::vector<std::string> objects_of(std::vector<MatVariable> const& variables, std::string const& owner) {
   std::vector<std::string> names;
   for (auto const& v : variables) {
@@ -207,7 +203,6 @@ class MatTable : public NumberTable {
   std::uint64_t longest_;
 };
 
-// The columns of one struct or matrix, under the names that they have in it.
 MatColumns part_of(MatColumns const& all, std::string const& owner) {
   MatColumns part;
   for (std::size_t i = 0; i < all.columns.size(); ++i) {

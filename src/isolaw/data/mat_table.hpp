@@ -1,5 +1,4 @@
-// Turns the variables of a MATLAB file into the columns of a table: vectors go by their name, columns of a matrix as
-// "x_F:3" (its rows if they are few and long), fields of a struct as "test.disp".
+// Reads MATLAB variables as columns: vectors by name, matrix columns as "x_F:3" (rows if few), fields as "test.disp".
 #pragma once
 
 #include <optional>
@@ -10,12 +9,10 @@
 
 namespace isolaw::data {
 
-// Whether the bytes begin as a MATLAB file of version 5, 7 or 7.3 does.
 bool is_mat(std::string_view bytes);
 
-// The test in the struct or matrix `owner`, whose fields then go by their own names. Without `owner` all variables are
-// one test, and if several structs seem to hold a test each, Tests::sheets names them. Throws Error: damaged, no arrays
-// long enough, no such struct.
+// `owner` is a struct or matrix whose fields go by their own names. Without it all variables are one test, and if
+// several structs seem to hold a test each, Tests::sheets names them. Throws Error.
 Tests mat_tests(std::string_view bytes, std::string const& file, std::optional<std::string> const& owner);
 
 }  // namespace isolaw::data

@@ -17,10 +17,10 @@ struct NumberColumn {
   std::size_t length = 0;
   std::vector<double> values = {};                    // may be read only when the column is asked for
   std::map<std::size_t, std::string> odd_cells = {};  // the first few that are no number, by position from 0
-  std::vector<Stamp> stamps = {};                     // of a column that holds time stamps: as many as values
+  std::vector<Stamp> stamps = {};                     // time stamps of the column: as many as values, or none
   bool datenum = false;                               // numbers are MATLAB's days
 
-  StampKind kind() const;  // of the stamps, where all are of one
+  StampKind kind() const;  // none if the stamps differ in kind
 };
 
 class NumberTable : public Table {
@@ -33,7 +33,6 @@ class NumberTable : public Table {
   Rows read(Columns const& columns, RowChoice const& choice, std::vector<Complaint>& complaints) const override;
 
  protected:
-  // Throws Error when the column cannot be read.
   virtual std::vector<double> values(std::size_t column) const { return list_[column].values; }
 
   std::vector<NumberColumn> list_;
@@ -41,7 +40,6 @@ class NumberTable : public Table {
  private:
   void report_odd(std::size_t column, RawChannel const& raw, RowChoice const& choice,
                   std::vector<Complaint>& complaints) const;
-  // The stamps of a channel, of every row.
   std::vector<Stamp> stamps_of(Column const& column, std::vector<Complaint>& complaints) const;
   void check_lengths(Columns const& columns, std::vector<Complaint>& complaints) const;
 

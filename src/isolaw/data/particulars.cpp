@@ -123,7 +123,6 @@ constexpr std::array labels{Label{"serial", "serial"},
                             Label{"rubber-area-mm2", "ar"},
                             Label{"rubber-area-mm2", "kaucuk alani"}};
 
-// Words of a label without a unit in brackets, which is handed out.
 std::optional<std::string_view> key_of(std::string_view label, std::string& unit) {
   std::string base(label);
   if (auto const open = base.find_first_of("[("); open != std::string::npos) {
@@ -181,7 +180,7 @@ void take_particulars(std::string_view line, char delimiter, ParticularList& fou
     if (!key) continue;
     if (colon != std::string::npos && !trimmed(std::string_view(cell).substr(colon + width)).empty()) {
       auto value = std::string(trimmed(std::string_view(cell).substr(colon + width)));
-      // A decimal comma, which was taken for the end of the cell.
+      // A decimal comma was taken for the end of the cell.
       if (delimiter == ',' && is_digit(value.back()) && i + 1 < cells.size() && !cells[i + 1].empty() &&
           is_digit(cells[i + 1].front()))
         value += "," + to_utf8(cells[i + 1]);

@@ -1,5 +1,4 @@
-// Finds facts about the device above the rows of numbers: serial, lot, date, temperature, rubber sizes, in the
-// languages laboratories write. Values are kept as they are written.
+// Finds facts about the device above the rows of numbers: serial, lot, date, ... Values are kept as they are written.
 #pragma once
 
 #include <string>
@@ -9,10 +8,10 @@
 
 namespace isolaw::data {
 
-// Pairs of a lot file's key and a value, in the order of the file; only the first of each key.
+// In the order of the file; only the first of each key.
 using ParticularList = std::vector<std::pair<std::string, std::string>>;
 
-// Adds the facts in a line whose cells `delimiter` separates: "Serial No: X", "Specimen;D07", "Temperature [C]", "23".
+// A line may read "Serial No: X", "Specimen;D07", "Temperature [C]", "23".
 void take_particulars(std::string_view line, char delimiter, ParticularList& found);
 
 }  // namespace isolaw::data

@@ -18,7 +18,7 @@ namespace {
 // Fewer samples in a cycle lose more than 1.6 % of its energy to the trapezoid, and 1.2 % of its peak.
 constexpr double least_samples_per_cycle = 20.0;
 constexpr std::size_t reported_cycle = 3;
-constexpr double rounding_of_energy = 1e-9;  // of K_eff D^2
+constexpr double rounding_of_energy = 1e-9;  // times K_eff D^2
 constexpr double noise_of_energy = 5.0;      // standard deviations
 constexpr double same_shape = 0.05;          // rms of the amplitude; a sine and a triangle are 0.15 apart
 
@@ -34,14 +34,11 @@ Inside inside(Cycle const& cycle, std::size_t size) {
   samples.begin = std::min(samples.begin, samples.end);
   return samples;
 }
-
-// The extremes of a cycle, where they are and what the force is there.
 struct Peaks {
   double least, F_at_least, at_least;
   double largest, F_at_largest, at_largest;
 };
 
-// What the path around the loop gives: energy and peaks.
 Peaks follow(Cycle& cycle, std::span<double const> x, std::span<double const> F) {
   double const start_x = value_at(x, cycle.first);
   double const start_F = value_at(F, cycle.first);
@@ -68,7 +65,6 @@ Peaks follow(Cycle& cycle, std::span<double const> x, std::span<double const> F)
   return peaks;
 }
 
-// Force where displacement passes `level` between two indices, nullopt where it does not.
 std::optional<double> force_at_level(std::span<double const> x, std::span<double const> F, double from, double to,
                                      double level) {
   auto const stop = std::min(static_cast<std::size_t>(std::ceil(to)), x.size() - 1);
@@ -81,8 +77,7 @@ std::optional<double> force_at_level(std::span<double const> x, std::span<double
   return std::nullopt;
 }
 
-// Half the height of the loop at the level of the cuts. A cycle that starts from rest, or where the motion turned, does
-// not start on the loop, and one may end so: the force there is left out where the other end is one in motion.
+// Half the height of the loop at the level of the cuts. An end at rest or at a turn is not on the loop and left out.
 double strength(Cycle const& cycle, Peaks const& peaks, std::span<double const> x, std::span<double const> F) {
   bool const rises = peaks.at_largest < peaks.at_least;
   bool const starts_in_motion = cycle.first > 0.0 && !cycle.turns_at_start;
@@ -97,12 +92,12 @@ double strength(Cycle const& cycle, Peaks const& peaks, std::span<double const> 
                                     std::max(peaks.at_largest, peaks.at_least), level);
   if (!inner) return 0.0;
   double const height = rises ? outer - *inner : *inner - outer;
-  constexpr double rounding = 1e-12;  // of the forces, that the difference of equal ones leaves
+  constexpr double rounding = 1e-12;  // share of the forces that the difference of equal ones leaves
   return std::abs(height) <= rounding * (std::abs(outer) + std::abs(*inner)) ? 0.0 : height / 2.0;
 }
 
-// Of a cycle that hardly leaves zero on one side, force over displacement is no stiffness of that side.
-constexpr double least_excursion = 0.01;  // of the amplitude
+// A cycle that hardly leaves zero on one side has no stiffness there.
+constexpr double least_excursion = 0.01;  // share of the amplitude
 
 void derive(Cycle& cycle, Peaks const& peaks) {
   cycle.d_plus_mm = peaks.largest;
@@ -128,8 +123,7 @@ void idealise(Cycle& cycle) {
   cycle.K_1_kN_per_mm = cycle.K_d_kN_per_mm + cycle.Q_d_kN / yield;
 }
 
-// A single interval would show the noise: 0.02 mm at 1 kHz is 30 mm/s. The chord of a sine over a 25th of its period
-// is 0.3 % less steep than the sine.
+// A single interval shows the noise: 0.02 mm at 1 kHz is 30 mm/s. A chord over a 25th of a sine loses 0.3 % of slope.
 double largest_slope(Cycle const& cycle, CycleView const& view) {
   auto const peaks = peak_positions(view.disp_mm, cycle.first, cycle.last);
   auto const reach =
@@ -171,15 +165,14 @@ Cycle measure(CycleCut const& cut, CycleView const& view) {
   return cycle;
 }
 
-// The swing from one extreme to the other beside half a cosine and a straight line; neither where the device is held at
-// the extremes for twice as long as a sine lingers there.
+// Compares the swing with half a cosine and a line; neither if it is held at the extremes twice as long as a sine.
 std::string waveform(Cycle const& cycle, CycleView const& view) {
   auto const peaks = peak_positions(view.disp_mm, cycle.first, cycle.last);
   bool const falls = peaks.largest < peaks.smallest;
   double const from = value_at(view.time_s, std::min(peaks.largest, peaks.smallest));
   double const to = value_at(view.time_s, std::max(peaks.largest, peaks.smallest));
   double const centre = (cycle.d_plus_mm + cycle.d_minus_mm) / 2.0;
-  constexpr double near = 0.995;  // of the amplitude
+  constexpr double near = 0.995;  // share of the amplitude
   double const lingers = 2.0 * std::acos(near) / std::numbers::pi;
   double from_sine = 0.0, from_triangle = 0.0, count = 0.0, all = 0.0, at_extremes = 0.0;
   auto const samples = inside(cycle, view.disp_mm.size());
@@ -208,19 +201,19 @@ void summarise(Block& block, CycleView const& view) {
   double const period = num::median_over(counted, [](Cycle const* c) { return *c->period_s; });
   if (period > 0.0) block.frequency_Hz = 1.0 / period;
   block.v_max_mm_s = num::median_over(counted, [](Cycle const* c) { return *c->v_max_mm_s; });
-  // Of the cycle in the middle, of those without a hold where there are any.
+  // The middle cycle, without a hold where possible.
   std::vector<Cycle const*> unheld;
   std::ranges::copy_if(counted, std::back_inserter(unheld), [](Cycle const* c) { return c->still_samples == 0.0; });
   auto const& shown = unheld.empty() ? counted : unheld;
   block.waveform = waveform(*shown[shown.size() / 2], view);
 }
 
-// Noise of the two channels, standard deviations.
+// Standard deviations.
 struct Noise {
   double disp_mm = 0.0, force_kN = 0.0;
 };
 
-// What noise makes of the area of a loop, one standard deviation: each sample counts by the way between its neighbours.
+// One standard deviation: each sample counts by the way between its neighbours.
 double noise_of_area(Cycle const& cycle, CycleView const& view, Noise const& noise) {
   double ways = 0.0, forces = 0.0;
   auto const samples = inside(cycle, view.disp_mm.size());
@@ -237,7 +230,7 @@ Finding of_cycle(FindingKind kind, Cycle const& cycle, FindingNumber number) {
           .numbers = {{"cycle", static_cast<double>(cycle.number)}, std::move(number)}};
 }
 
-// Why no device does so; empty where one may.
+// The findings are empty where a device can make such a loop.
 std::vector<Finding> impossible(Cycle const& cycle, CycleView const& view, Noise const& noise) {
   double const size = std::abs(cycle.K_eff_kN_per_mm) * cycle.amplitude_mm * cycle.amplitude_mm;
   double const least = rounding_of_energy * size + noise_of_energy * noise_of_area(cycle, view, noise);
@@ -248,7 +241,6 @@ std::vector<Finding> impossible(Cycle const& cycle, CycleView const& view, Noise
   return {};
 }
 
-// Of the first cycle that no device makes.
 std::vector<Finding> why_impossible(Properties const& properties, CycleView const& view) {
   Noise const noise{.disp_mm = noise_deviation(view.disp_mm), .force_kN = noise_deviation(view.force_kN)};
   for (auto const* cycle : properties.counted())

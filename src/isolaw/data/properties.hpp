@@ -1,7 +1,5 @@
-// Cyclic properties of a force-displacement history, per cycle and per block: effective stiffness, energy, equivalent
-// viscous damping, characteristic strength, bilinear idealisation, velocities, vertical load; their stability.
-// Formulas of EN 15129, ISO 22762-1 and NTC 2018 (11.9.7), all from raw values. The vertical stiffness K_v has
-// a test of its own (vertical.hpp): a shear test under constant vertical load does not hold it.
+// Cyclic properties of a force-displacement history, from raw values: formulas of EN 15129, ISO 22762-1 and NTC 2018
+// (11.9.7). A shear test under constant vertical load does not hold the vertical stiffness (vertical.hpp).
 #pragma once
 
 #include <optional>
@@ -15,7 +13,7 @@
 
 namespace isolaw::data {
 
-// One closed cycle, cut as segment() cuts. A partial one holds what its samples give, and never counts.
+// A partial cycle holds what its samples give, and never counts.
 struct Cycle : CycleCut {
   double amplitude_mm = 0.0;  // D = (largest - smallest displacement) / 2, of samples
   double d_plus_mm = 0.0;     // largest and smallest displacement, and the forces there
@@ -54,12 +52,10 @@ struct Cycle : CycleCut {
     return K_minus_kN_per_mm == 0.0 ? std::nullopt : std::optional(K_minus_kN_per_mm);
   }
 };
-
-// Consecutive cycles of one amplitude and frequency.
 struct Block {
   int number = 0;                      // from 1
   double amplitude_mm = 0.0;           // medians over the cycles that count
-  std::optional<double> frequency_Hz;  // of the periods, so that rests and holds count nothing
+  std::optional<double> frequency_Hz;  // from the periods, so that rests and holds count nothing
   std::optional<double> v_max_mm_s;
   std::string waveform;       // "sine", "triangle" or "other"; empty without time
   std::vector<Cycle> cycles;  // in order, those that do not count included
@@ -69,24 +65,22 @@ struct Block {
 
 struct Properties {
   std::vector<Block> blocks;
-  // The third cycle that counts (the last where there are fewer) of the block of largest amplitude, the first of these;
-  // empty when refused.
+  // Third counted cycle (the last where there are fewer) of the first block of largest amplitude; empty when refused.
   std::optional<Cycle> reported;
-  // Why there is none: a signal that cannot be true, not cyclic, less than one cycle, fewer than 20 samples per cycle,
-  // a counted cycle that gives energy back or has no positive stiffness.
+  // The reason for no reported cycle: a fault, not cyclic, under 20 samples per cycle, negative energy or stiffness.
   std::vector<Finding> refusal;
   bool is_false = false;                    // it is of a signal that cannot be true, or of such a cycle
-  std::vector<SignalFault> faults;          // of a whole record; no cycle counts where there are any
+  std::vector<SignalFault> faults;          // only for a whole record; no cycle counts where there are any
   std::optional<double> samples_per_cycle;  // median over the cycles that count, rests and holds left out
   double centre_mm = 0.0;                   // level of the cuts
 
   Cycle const* find(int block, int number) const;  // nullptr where there is none
-  std::vector<Cycle const*> counted() const;       // of all blocks, in order
+  std::vector<Cycle const*> counted() const;       // from all blocks, in order
   std::vector<Cycle const*> complete() const;      // not partial; counted or not, also where not cyclic
   bool is_reported(Cycle const& cycle) const;
 };
 
-// The channels of a record; time_s and load_kN may be empty, else all are of one length.
+// time_s and load_kN may be empty, else all are of one length.
 struct CycleView {
   std::span<double const> disp_mm;
   std::span<double const> force_kN;
@@ -95,18 +89,17 @@ struct CycleView {
 };
 
 Properties cyclic_properties(CycleView const& view);
-// Of a record as it was read: none where a signal cannot be true.
+// No cycle counts where a signal has a fault.
 Properties cyclic_properties(TestRecord const& record);
 // Without time and load: periods are compared in samples.
 Properties cyclic_properties(std::span<double const> disp_mm, std::span<double const> force_kN);
 
-// The properties of another force on the same cycle (a law's computed force at the same samples); what does not depend
-// on the force is taken from `cycle`.
+// The properties of another force on the same cycle (a law's computed force at the same samples).
 Cycle properties_on(Cycle const& cycle, std::span<double const> disp_mm, std::span<double const> force_kN);
 
-// How a property keeps through the cycles that count of one block (EN 15129 8.2.1.2.6; scragging). Ratios to cycle 3
-// are empty where there is none. The extremes are those of the ratios over cycles 2 to 10 and 1 to 10, or as many as
-// there are; least_to_largest is the smallest value of these cycles over the largest.
+// How a property changes over the counted cycles of one block (EN 15129 8.2.1.2.6; scragging). Ratios to cycle 3 are
+// empty where there is none. Extremes are over cycles 2 to 10 and 1 to 10, or as many as there are; least_to_largest is
+// the smallest value of these cycles over the largest.
 struct Stability {
   int cycles = 0;  // that count
   std::vector<double> ratio_to_third;
@@ -116,7 +109,6 @@ struct Stability {
   std::optional<double> first_to_mean_1_3;  // largest test factor of ASCE 7, where the property falls
   std::optional<double> last_to_mean_1_3;   // smallest
 };
-
 // stability(block, &Cycle::K_eff_kN_per_mm), or energy_kN_mm, or damping_percent.
 Stability stability(Block const& block, double Cycle::*property);
 
@@ -125,7 +117,7 @@ struct Strains {
   double G_MPa = 0.0;                 // K_eff T_r / A_r
 };
 
-// Of a device of rubber thickness T_r in mm and area A_r in mm2, both positive.
+// The device has rubber of thickness T_r in mm and area A_r in mm2, both positive.
 Strains strains(Cycle const& cycle, double rubber_thickness_mm, double rubber_area_mm2);
 
 }  // namespace isolaw::data

@@ -1,5 +1,4 @@
-// Joins the parts of reading: the format and its tables, columns, rows, then what the values tell. Problems are
-// collected as far as reading can go on; the first problem that hides the rest is thrown at once.
+// Joins the parts of reading. Problems are collected until one hides the rest, and then thrown at once.
 #include "isolaw/data/read.hpp"
 
 #include <fmt/format.h>
@@ -28,7 +27,6 @@
 namespace isolaw::data {
 namespace {
 
-// What the two channels of a test say together.
 TestRecord finished(TestRecord record, ReadOptions const& options, std::string const& advice) {
   std::vector<Complaint> complaints;
   repair(record, options.corrections);
@@ -74,7 +72,6 @@ TestRecord read_tests(std::string_view bytes, std::string const& name, ReadOptio
   return *std::move(history);
 }
 
-// The line among the first ones of a text that speaks of acceleration, as files of ground motions do.
 std::optional<std::string> line_about_acceleration(std::string_view bytes) {
   constexpr std::size_t head = 4000, longest = 100;
   if (is_zip(bytes) || is_mat(bytes)) return std::nullopt;
@@ -153,7 +150,7 @@ TestRecord read_motion_text(std::string_view bytes, std::string const& name, Rea
   auto const acceleration = line_about_acceleration(bytes);
   try {
     auto motion = read_tests(bytes, name, options, Wanted::motion());
-    // A column of that name is one of displacements, whatever stands beside it.
+    // A user's column of displacements is believed, whatever stands beside it.
     if (acceleration && options.columns.contains(Channel::disp))
       motion.warnings.push_back({.kind = FindingKind::about_acceleration, .words = {{"line", *acceleration}}});
     return motion;

@@ -41,7 +41,7 @@ Reading by_channel(std::string_view key, std::string help, std::map<Channel, std
       {{.key = key, .kind = Kind::assignments, .help = std::move(help), .heading = Heading::everyday}, write, read}};
 }
 
-// A name, or a number without quotes. `written`: the kind in which a lot file writes it.
+// `written` is the kind in which a lot file writes it.
 Reading name_or_number(std::string_view key, std::string help, Kind written,
                        std::optional<std::string> ReadOptions::*choice, std::string (*parse)(std::string const&)) {
   auto const write = [=](ReadOptions const& from) {

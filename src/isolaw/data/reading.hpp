@@ -14,7 +14,6 @@ struct Reading : Option<ReadOptions> {
 };
 
 // Columns and units add to those given before, channel by channel; every other value replaces the one given before.
-// Corrections::validate() holds the limits of corrections.
 std::span<Reading const> reading_table();
 
 }  // namespace isolaw::data

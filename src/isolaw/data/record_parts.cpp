@@ -20,8 +20,6 @@ std::string asked_time(ReadOptions const& options, std::string_view dashes) {
                      options.from_s && options.to_s ? " " : "",
                      options.to_s ? fmt::format("{}to {}", dashes, *options.to_s) : "");
 }
-
-// Values at other times, by straight lines between samples.
 std::vector<double> at_times(std::vector<double> const& at, std::vector<double> const& time,
                              std::vector<double> const& values) {
   std::vector<double> made;
@@ -35,7 +33,6 @@ std::vector<double> at_times(std::vector<double> const& at, std::vector<double> 
   return made;
 }
 
-// Half of the intervals are no longer.
 double usual_interval(std::vector<double> const& time_s) {
   std::vector<double> intervals;
   for (std::size_t i = 1; i < time_s.size(); ++i) intervals.push_back(time_s[i] - time_s[i - 1]);

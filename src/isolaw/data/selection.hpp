@@ -1,5 +1,4 @@
-// Selects the part of a test that laws are judged by (options --fit-blocks and --fit-cycles): for example the stable
-// cycles only, without scragging. The history before still acts on a law's state but is not scored.
+// Selects the part of a test that laws are judged by. The history before still acts on a law's state but is not scored.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +10,7 @@
 
 namespace isolaw::data {
 
-// Block or cycle numbers from 1: "3", "2-5", "4-" (to the last), and several of these separated by commas.
+// "3", "2-5", "4-" (to the last), and several of these separated by commas.
 struct Numbers {
   struct Range {
     int first = 1;
@@ -27,7 +26,7 @@ struct Numbers {
   bool operator==(Numbers const&) const = default;
 };
 
-// Throws an Error that names `option` for anything but numbers and for ranges that fall. "all" selects all of them.
+// Throws an Error that names `option`. "all" selects all of them.
 Numbers parse_numbers(std::string_view option, std::string_view text);
 
 struct Selection {
@@ -37,14 +36,12 @@ struct Selection {
   std::string text() const;  // "blocks 1-2", "cycles 1-3 of block 2"; empty where all is
 };
 
-// 1 for every sample that counts and 0 for the others; empty if all count. If only blocks are selected, everything from
-// a block's first cut to its last counts, partial cycles included; otherwise the counted cycles of these numbers.
-// Throws an Error that lists the blocks and cycles if nothing is left, or a single sample.
+// 1 for every sample that counts and 0 for the others; empty if all count. If only blocks are selected, partial cycles
+// within them count too. Throws an Error that lists the blocks and cycles if fewer than two samples are left.
 std::vector<double> scored_samples(Selection const& selection, Segmentation const& segmentation, std::size_t samples);
 
-// The number of its block for every sample of a block that is scored or predicted, from the block's first cut to its
-// last; 0 elsewhere; empty where the selection leaves out no block. Throws Error when blocks to predict were named and
-// none of them is left.
+// The block number of every sample in a scored or predicted block, else 0; empty where the selection leaves out no
+// block. Throws Error when none of the named blocks to predict is left.
 std::vector<double> block_numbers(Selection const& selection, Segmentation const& segmentation, std::size_t samples);
 
 }  // namespace isolaw::data

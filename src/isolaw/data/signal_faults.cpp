@@ -16,9 +16,8 @@
 namespace isolaw::data {
 namespace {
 
-// Of a channel without its sign.
-constexpr double one_signed = 0.02;  // of the range: it hardly leaves zero
-constexpr double clear_force = 0.3;  // of the largest, at a peak
+constexpr double one_signed = 0.02;  // share of the range of a channel without its sign: it hardly leaves zero
+constexpr double clear_force = 0.3;  // share of the largest, at a peak
 
 SignalFault without_sign(std::string channel, std::string_view unit, std::vector<std::size_t> samples,
                          SignalPair const& pair) {
@@ -144,7 +143,6 @@ std::vector<SignalFault> signal_faults(std::span<double const> disp_mm, std::spa
   if (disp_mm.size() < fewest) return {};
   auto const gone_disp = dropouts(disp_mm, force_kN, Other::may_stand),
              gone_force = dropouts(force_kN, disp_mm, Other::moves);
-  // What has dropped out is looked at no further.
   auto const whole_disp = bridged(disp_mm, gone_disp), whole_force = bridged(force_kN, gone_force);
   disp_mm = whole_disp;
   force_kN = whole_force;

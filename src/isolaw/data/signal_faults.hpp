@@ -1,12 +1,8 @@
-// Signals that cannot be true: a channel at the end of its range, one that stands still while the other goes on, one
-// that drops out for some samples, single samples far off their neighbours, a channel recorded without its sign. What
-// is computed from such a record is wrong however it is computed, so it has no properties; limits and rates:
-// docs/properties.md.
-//
+// Finds signals that cannot be true. Whatever is computed from such a record is wrong, so it has no properties; limits
+// and rates: docs/properties.md.
 // A plateau of displacement is a hold where the force only relaxes on it, faster at first than later, and clipping
 // where the force goes on rising and turns within it; a plateau of force is yielding where it ends with the motion's
-// reversal, and clipping where it lasts beyond it. Steps of a coarse digitiser, noise and the corners of triangles are
-// neither.
+// reversal, and clipping where it lasts beyond it. Steps of a coarse digitiser and noise are neither.
 #pragma once
 
 #include <cstddef>
@@ -32,8 +28,7 @@ struct SignalFault {
   Finding finding = {};              // with sample numbers from 1, and times where there are any
 };
 
-// Starts a finding on a channel at these samples (from 0): "sample", "time_s", "sample_2", "time_s_2", ... of at most
-// five, and their "count".
+// Starts a finding with "sample", "time_s", "sample_2", ... of at most five samples (from 0), and their "count".
 Finding finding_at(FindingKind kind, std::string const& channel, std::string_view unit,
                    std::span<std::size_t const> samples, std::span<double const> time_s);
 
@@ -41,11 +36,10 @@ Finding finding_at(FindingKind kind, std::string const& channel, std::string_vie
 std::vector<SignalFault> signal_faults(std::span<double const> disp_mm, std::span<double const> force_kN,
                                        std::span<double const> time_s = {});
 
-// A channel that keeps a level (clipped or stuck): the first sample of each stretch, and how many the longest has.
+// Names the first sample of each stretch, and how many the longest has.
 SignalFault standing_fault(FaultKind kind, std::string const& channel, std::string_view unit,
                            std::vector<std::size_t> samples, std::span<double const> time_s, double level,
                            std::size_t longest);
-// One fault for all spikes, and one for all dropouts, of a channel; none where there are none.
 std::vector<SignalFault> spike_faults(std::string const& channel, std::string_view unit, std::vector<Spike> const& off,
                                       std::span<double const> time_s);
 std::vector<SignalFault> dropout_faults(std::string const& channel, std::string_view unit,

@@ -1,5 +1,4 @@
-// Displacement and force of a record as the search for faults looks at them: without spikes, with what a digitiser and
-// noise make of them, and the turning points of the motion.
+// Displacement and force as the search for faults sees them: without spikes, with noise, resolution and turning points.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +9,9 @@
 
 namespace isolaw::data {
 
-// Of the faults of a signal, not of one kind of them alone.
-inline constexpr double same_value = 1e-9;    // of the range
-inline constexpr double most_of_force = 0.6;  // of its range, that no hold relaxes by
-
-// A stretch of samples.
+// Limits that several kinds of fault share.
+inline constexpr double same_value = 1e-9;    // times the range
+inline constexpr double most_of_force = 0.6;  // times its range, that no hold relaxes by
 struct SampleRange {
   std::size_t first = 0;
   std::size_t last = 0;
@@ -42,8 +39,7 @@ struct SignalPair {
   std::size_t size() const { return disp.x.size(); }
   double stiffness() const { return force.half_range / disp.half_range; }
   bool gap_after(std::size_t i) const;
-  // A channel with noise does not repeat itself to the last digit. What a smooth signal leaves in the measure of noise
-  // is none.
+  // A channel with noise does not repeat itself to the last digit.
   bool has_noise(Signal const& signal) const;
 };
 

@@ -55,7 +55,7 @@ Row row_of(double distance, bool before) {
   return before ? Row{1.0, s, s * s, 0.0, 0.0, 0.0} : Row{1.0, 0.0, 0.0, s, s * s, s * s * s};
 }
 
-// The residual sum of squares of the values after fitting the columns, by modified Gram-Schmidt, a column at a time.
+// Modified Gram-Schmidt, a column at a time.
 double residual(std::vector<Row>& rows, std::vector<double>& values) {
   for (std::size_t k = 0; k < unknowns; ++k) {
     double size = 0.0;
@@ -77,8 +77,7 @@ double residual(std::vector<Row>& rows, std::vector<double>& values) {
   return sum;
 }
 
-// The mean square residual if the force is `shift` samples late. The displacement is shifted, not the force, since it
-// is the smoother of the two: interpolation between samples would make noise smaller.
+// The displacement is shifted, since it is the smoother: interpolation of the force would make its noise smaller.
 double left_at(double shift, double window, Reversal const& reversal, CycleView const& view) {
   double const half = window * reversal.cycle;
   auto const begin = static_cast<std::size_t>(std::ceil(reversal.at - half));
@@ -101,7 +100,7 @@ struct Shift {
   double left = 0.0;  // rms residual relative to the force's amplitude
 };
 
-// The shift with the least residual; nullopt if it is at the edge of the search or the fit is poor.
+// nullopt if the least residual is at the edge of the search or the fit is poor.
 std::optional<Shift> best_shift(double window, Reversal const& reversal, CycleView const& view,
                                 double force_amplitude) {
   double const farthest = farthest_shift * reversal.cycle;
@@ -121,12 +120,10 @@ std::optional<Shift> best_shift(double window, Reversal const& reversal, CycleVi
   return Shift{.samples = -farthest + (static_cast<double>(best) + offset) * step, .left = least};
 }
 
-// Whether the device stays within a band about the tip for longer than a sine lingers there.
 bool is_held(std::span<double const> x, double at, double tip, Cycle const& cycle, double noise) {
   constexpr double longer = 1.5;
   double const width = std::max(hold_band * cycle.amplitude_mm, noise_band * noise);
   auto const below = [&](std::ptrdiff_t i) { return std::abs(x[static_cast<std::size_t>(i)] - tip); };
-  // Samples from the tip to where the motion leaves the band.
   auto const stays = [&](std::ptrdiff_t step) {
     auto const size = static_cast<std::ptrdiff_t>(x.size());
     auto const start = static_cast<std::ptrdiff_t>(std::lround(at));
@@ -174,8 +171,6 @@ std::vector<double> smoothed(std::span<double const> x, std::size_t half) {
   }
   return smooth;
 }
-
-// The result of one reversal.
 struct Sample {
   double phase = 0.0;              // rad
   double late = 0.0;               // s, or samples

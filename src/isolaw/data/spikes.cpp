@@ -24,7 +24,7 @@ constexpr std::size_t samples_an_other = 75;
 constexpr std::size_t fewest_texture = 6;     // so many are still single
 constexpr std::size_t samples_a_spike = 150;  // more than one in so many samples is how the signal is
 
-// The value at 0 of a cubic through six neighbours, least squares, and the rms of what it leaves of them.
+// The value follows from a cubic through six neighbours, least squares, and the rms from its residuals.
 struct Neighbours {
   double expected = 0.0;
   double left = 0.0;
@@ -42,7 +42,7 @@ Neighbours neighbours_of(std::span<double const> x, std::size_t i) {
     rows[row] = {1.0, at, at * at, at * at * at};
     values[row++] = x[k] - x[i];
   }
-  // Columns from the highest power down, each made free of those before it: what is left of the ones gives the value.
+  // Columns from the highest power down, each made free of those before it.
   std::array<double, count> ones{};
   ones.fill(1.0);
   std::array<std::size_t, 3> const powers{3, 2, 1};
@@ -74,7 +74,6 @@ Neighbours neighbours_of(std::span<double const> x, std::size_t i) {
   return found;
 }
 
-// The half range without the farthest two hundredths of the samples, which spikes are among.
 double ordinary_half_range(std::span<double const> x) {
   std::vector<double> sorted(x.begin(), x.end());
   std::ranges::sort(sorted);
@@ -108,8 +107,7 @@ std::vector<Spike> spikes(std::span<double const> values) {
     if (std::abs(values[i] - (values[i - 1] + values[i + 1]) / 2.0) <= least / 4.0) continue;
     auto const beside = neighbours_of(values, i);
     double const off = std::abs(values[i] - beside.expected);
-    // The last sample before a jump or a corner lies on the line of those before it, the first after it of those
-    // behind.
+    // The samples beside a jump or a corner lie on the line of those before it, or behind it.
     auto const on_line = [&](std::size_t near, std::size_t far) {
       return std::abs(values[i] - (2.0 * values[near] - values[far])) < on_one_side * off;
     };

@@ -6,8 +6,6 @@
 #include <vector>
 
 namespace isolaw::data {
-
-// A single sample off its neighbours, and the value that they suggest for it.
 struct Spike {
   std::size_t at = 0;
   double value = 0.0;
@@ -15,13 +13,12 @@ struct Spike {
 };
 std::vector<Spike> spikes(std::span<double const> values);
 
-// Whether a spike at a turn of the motion is the device's or its rig's own, because other turns show it too. The force
-// may jump at a turn, and a sample in the jump lies off its neighbours, more or less as the samples happen to lie.
+// Such a spike is the device's own: the force may jump at a turn, and a sample in the jump lies off its neighbours.
 // `turns`: samples at which the displacement turns; `all`: the spikes of the force.
 bool is_of_every_turn(Spike const& spike, std::vector<Spike> const& all, std::span<double const> force,
                       std::span<std::size_t const> turns);
 
-// The smallest step between two different values: the resolution of a digitiser or a file's digits. At most `range`.
+// The resolution of a digitiser or a file's digits. At most `range`.
 double smallest_step(std::span<double const> values, double range);
 
 }  // namespace isolaw::data

@@ -13,12 +13,12 @@ namespace isolaw::data {
 namespace {
 
 constexpr std::size_t least_stretch = 4;  // samples
-constexpr double least_missed = 0.02;     // of the half range
+constexpr double least_missed = 0.02;     // times the half range
 constexpr double missed_quanta = 4.0;
 constexpr double least_jump = 2.0;      // times what the motion makes of a sampling interval
-constexpr double least_advance = 0.1;   // of what the motion missed would make of the force
-constexpr double most_stretches = 0.3;  // of the samples: more are how a slow channel is written
-constexpr double force_stands = 0.05;   // of the half range of displacement
+constexpr double least_advance = 0.1;   // times the force of the missed motion
+constexpr double most_stretches = 0.3;  // share of the samples: more are how a slow channel is written
+constexpr double force_stands = 0.05;   // times the half range of displacement
 
 class Sticking {
  public:
@@ -47,7 +47,6 @@ class Sticking {
     return runs;
   }
 
-  // Mean speed before and after a stretch, over as many samples as it has, signed.
   std::pair<double, double> speeds(Signal const& signal, SampleRange const& run) const {
     auto const reach = std::clamp<std::size_t>(run.size(), 3, std::max<std::size_t>(3, pair_.half_cycle / 4));
     auto const back = std::min(reach, run.first);
@@ -59,7 +58,6 @@ class Sticking {
     return {before, next};
   }
 
-  // Whether the force went on while displacement stood, or displacement was elsewhere when it moved again.
   bool is_stuck(SampleRange const& run) const {
     auto const [before, after] = speeds(pair_.disp, run);
     double const speed = std::max(std::abs(before), std::abs(after));
@@ -95,7 +93,6 @@ class Sticking {
            *largest - *least > 2.0 * floor;
   }
 
-  // Stretches that noise alone moves.
   static std::vector<SampleRange> quiet_stretches(Signal const& signal, double band, std::size_t least) {
     std::vector<SampleRange> runs;
     double sum = 0.0;
@@ -114,8 +111,7 @@ class Sticking {
     return runs;
   }
 
-  // A channel that noise alone moves while the other goes its way, and that is elsewhere from one sample to the next
-  // without a jump of the other: a device that yields, rests or slips moves both.
+  // Noise alone moves the channel, which then jumps without the other: a device that yields, rests or slips moves both.
   std::vector<SampleRange> stuck_in_noise(Signal const& stands, Signal const& other, double least_part) const {
     double const noise = std::hypot(stands.noise, 0.3 * stands.quantum);
     if (!(noise > same_value * stands.half_range)) return {};
@@ -133,7 +129,6 @@ class Sticking {
       if (!(jump > std::max(least_part, 12.0 * noise / stands.half_range) && jump > 3.0 * next)) continue;
       double const other_jump = std::abs(other.x[run.last + 1] - other.x[run.last]) / other.half_range;
       if (other_jump > 0.3 * jump) continue;
-      // The other goes on in one way through it all.
       double const way = other.x[run.last] - other.x[run.last - lag],
                    after = other.x[run.last + lag] - other.x[run.last];
       double const clear = std::max(0.005 * other.half_range, 6.0 * other.noise);
@@ -143,8 +138,7 @@ class Sticking {
     return found;
   }
 
-  // Whether the force is nearer to what follows the stretch where the device is near its end in other cycles: a device
-  // with play, or one that yields and stiffens again, stands in every cycle.
+  // A device with play, or one that yields and stiffens again, stands in every cycle.
   bool is_elsewhere(SampleRange const& run) const {
     auto const lag = std::max<std::size_t>(2, pair_.half_cycle / 48);
     double const at = pair_.disp.x[run.last - lag], way = pair_.disp.x[run.last] - at;
@@ -195,7 +189,6 @@ class Sticking {
     std::vector<std::size_t> first;
     std::size_t longest = 0, covered = 0;
     auto const keep = [&](SampleRange const& run) {
-      // A stretch of half a cycle is no slow channel.
       if (run.size() < pair_.half_cycle) covered += run.size();
       first.push_back(run.first);
       longest = std::max(longest, run.size());

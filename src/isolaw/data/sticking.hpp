@@ -1,5 +1,4 @@
-// Finds channels that stand still while the other goes on, because of a slow writer, a cable or a sensor that sticks.
-// In a device that rests, yields, slips or has play one of them stands still as well; these cases are told apart.
+// Finds channels that stand still while the other goes on; rest, yielding, slip and play are told apart from that.
 #pragma once
 
 #include <vector>

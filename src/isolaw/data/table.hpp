@@ -1,5 +1,4 @@
-// What every format of file comes down to before its values are looked at: named columns of numbers whose rows have a
-// place. Formats differ in how they get there; recognition of columns and units, checks and sentences are shared.
+// The common form of every file format before its values are looked at: named columns whose rows have a place.
 #pragma once
 
 #include <cstddef>
@@ -16,24 +15,19 @@
 #include "isolaw/data/particulars.hpp"
 
 namespace isolaw::data {
-
-// Of a table; one with more is refused.
 inline constexpr std::size_t most_columns = 1000;
-// Of a file; one with more is refused.
 inline constexpr std::size_t most_tests = 1000;
 
-// The columns asked for, in the units of the file.
+// In the units of the file.
 struct Rows {
   std::vector<RawChannel> channels;
   std::vector<std::size_t> numbers;  // place of each sample, counted from 1: line, row of the sheet, element
   std::size_t comments = 0;          // comment lines among the rows
   std::size_t of = 0;                // rows there are, where only a part was to be read
   std::vector<Finding> recognised;
-  std::optional<double> origin_s;  // what the time counts from, where it was read from stamps
+  std::optional<double> origin_s;  // zero of the time, if it was read from stamps
   bool dated = false;              // since 1970; else since midnight
 };
-
-// Which rows are read.
 struct RowChoice {
   RowRange range;
   bool skip_footer = false;
@@ -41,8 +35,6 @@ struct RowChoice {
   bool all() const { return range == RowRange{}; }
   bool contains(std::size_t number) const { return number >= range.first && (!range.last || number <= *range.last); }
 };
-
-// One test of one file.
 class Table {
  public:
   explicit Table(std::string place) : place_(std::move(place)) {}
@@ -50,27 +42,22 @@ class Table {
   Table(Table const&) = delete;
   Table& operator=(Table const&) = delete;
 
-  // The file, and what part of it: "d01.csv", "d01.xlsx:Sheet1", "d01.json:data". Messages put a row's number behind
-  // it.
+  // "d01.csv", "d01.xlsx:Sheet1", "d01.json:data"; messages put a row's number behind it.
   std::string const& place() const { return place_; }
   Header const& header() const { return header_; }
   std::size_t columns() const { return columns_; }
-  // Where the test starts: number of its first row, the header included.
+  // Number of the test's first row, the header included.
   std::size_t start() const { return start_; }
-  // What tells it from the other tests of its file, where it is not the row it starts at: "tests(2) 'B'".
+  // Distinguishes it from the other tests of its file, if the start row does not: "tests(2) 'B'".
   std::string const& title() const { return title_; }
-
-  // What stands above the rows about the device.
   ParticularList const& particulars() const { return particulars_; }
 
-  // The place of one column, where columns have places of their own: "d01.mat:dist".
+  // "d01.mat:dist", where columns have places of their own.
   virtual std::string place_of(std::size_t /*column*/) const { return place_; }
-  // One sentence per decision that led to the table.
   virtual std::vector<Finding> recognised() const = 0;
-  // What the table is like may already be wrong.
+  // Complaints about the table as a whole.
   virtual void check(std::vector<Complaint>& /*complaints*/) const {}
-  // The values of the columns that were chosen; what is no number is among the complaints. Throws Error where nothing
-  // can be read at all.
+  // Cells that are no number are among the complaints. Throws Error where nothing can be read at all.
   virtual Rows read(Columns const& columns, RowChoice const& choice, std::vector<Complaint>& complaints) const = 0;
 
  protected:
@@ -82,13 +69,12 @@ class Table {
   ParticularList particulars_;
 };
 
-// The tests of one file, or of one part of it.
 struct Tests {
   std::vector<std::unique_ptr<Table>> tables;   // at least one where a file was read
   std::vector<std::string> sheets;              // the parts of the file that hold tables, where it has parts
   std::optional<std::string> sheet;             // the one these tables come from, where there are several
   std::vector<Finding> recognised;              // about the file as a whole
-  ParticularList particulars;                   // of sheets without tables
+  ParticularList particulars;                   // from sheets without tables
   std::vector<std::string> sheets_passed_over;  // with rows of numbers, but without the name of any channel
 };
 

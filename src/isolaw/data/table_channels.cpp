@@ -15,8 +15,6 @@
 namespace isolaw::data {
 namespace {
 
-// --- sentences ------------------------------------------------------------------------------------------------------
-
 void describe_part(Rows const& rows, RowRange const& range, std::vector<Finding>& recognised) {
   if (range == RowRange{}) return;
   recognised.push_back(decision(FindingKind::rows_read,
@@ -49,12 +47,11 @@ void describe_rows(Rows const& rows, Header const& header, TestRecord const& rec
                                 record.layout.dt_s && !of_header ? "--dt" : ""));
 }
 
-// Of a file without a time column: counted from the first row of the file, whatever part of it is read.
+// Counted from the first row of the file, whatever part of it is read.
 double time_of_row(std::size_t sample, ReadOptions const& options) {
   return static_cast<double>(sample + options.rows.value_or(RowRange{}).first - 1) * *options.dt_s;
 }
 
-// Takes off what lies outside the time asked for.
 std::optional<Span> cut_time(Rows& rows, Columns const& columns, ReadOptions const& options, std::string const& place,
                              std::optional<FirstStamp> const& origin, std::vector<Complaint>& complaints,
                              Wanted wanted) {
@@ -87,8 +84,6 @@ void check_range(Rows const& rows, RowRange const& range, std::vector<Complaint>
        fmt::format("1 to {}", rows.of),
        {}});
 }
-
-// --- assembly -------------------------------------------------------------------------------------------------------
 
 void check_interval(std::string const& file, ReadOptions const& options, Header const& header, Columns const& columns,
                     std::vector<Complaint>& complaints) {

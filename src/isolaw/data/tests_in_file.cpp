@@ -23,7 +23,6 @@
 namespace isolaw::data {
 namespace {
 
-// A name for the command line, quoted where a shell would take it apart.
 std::string typed(std::string const& name) {
   auto const plain = name.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_.-");
   return plain == std::string::npos ? name : "\"" + printable(name) + "\"";
@@ -33,7 +32,6 @@ bool have_titles(Tests const& tests) {
   return !tests.tables.front()->title().empty();
 }
 
-// "lines 2, 206", or the titles that tests of a list have.
 std::string starts_of(Tests const& tests) {
   constexpr std::size_t shown = 10;
   std::vector<std::string> texts;
@@ -63,7 +61,6 @@ Tests open_tests(std::string_view bytes, std::string const& file, ReadOptions co
   return tests;
 }
 
-// Options that do nothing in a file of its kind, as they are typed.
 std::vector<std::string> idle_options(std::string_view bytes, ReadOptions const& options) {
   bool const numbers = is_mat(bytes) || is_json(bytes);
   if (!numbers && !is_zip(bytes)) return {};
@@ -101,7 +98,6 @@ void require_one_sheet(Tests const& tests, std::string const& file, ReadOptions 
       .advice = fmt::format("--sheet {}, or isolaw init, which makes a device of each", typed(sheets.front()))});
 }
 
-// The tests to read, as positions; throws Error where nothing says which of several.
 std::vector<std::size_t> chosen_tests(Tests const& tests, std::string const& file, ReadOptions const& options) {
   auto const count = tests.tables.size();
   auto const& place = have_titles(tests) ? file : tests.tables.front()->place();

@@ -12,20 +12,19 @@
 
 namespace isolaw::data {
 
-// The tests in a file's bytes, which must outlive them. Throws Error if the format is none that we read.
+// `bytes` must outlive the tests. Throws Error if the format is none that we read.
 Tests open_tests(std::string_view bytes, std::string const& file, ReadOptions const& options,
                  Wanted wanted = Wanted::test());
 
-// Options, as they are typed, without effect on a file of this format. They are refused: the user meant something.
+// They are refused rather than ignored: the user meant something.
 std::vector<std::string> idle_options(std::string_view bytes, ReadOptions const& options);
 void refuse_idle(std::vector<std::string> const& idle, std::string const& file);
-
 // Whether --columns names the displacement and, if a force is wanted, the force: these then need not be recognised.
 bool columns_are_told(ReadOptions const& options, Wanted wanted);
 
 void require_one_sheet(Tests const& tests, std::string const& file, ReadOptions const& options, Wanted wanted);
 
-// The tests to read, as positions; throws Error where nothing says which of several.
+// Positions; throws Error if several tests are possible and the options choose none.
 std::vector<std::size_t> chosen_tests(Tests const& tests, std::string const& file, ReadOptions const& options);
 
 }  // namespace isolaw::data

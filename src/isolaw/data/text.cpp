@@ -60,7 +60,6 @@ void refuse_binary(std::string const& where, std::string_view bytes) {
     refuse(where, fmt::format("is a binary file (byte {} is 0)", null + 1), export_text);
 }
 
-// The first line, which is taken off with its end.
 std::string_view take_line(std::string_view& bytes) {
   auto const ends_line = [](char c) { return c == '\n' || c == '\r'; };
   auto const line = bytes.substr(0, static_cast<std::size_t>(std::ranges::find_if(bytes, ends_line) - bytes.begin()));
@@ -116,7 +115,6 @@ bool is_turkish_lead(unsigned char byte) {
   return byte == 0xC4 || byte == 0xC5;
 }
 
-// By the converter of the C library; nullopt where the bytes are no text of that encoding.
 std::optional<std::string> converted(std::string_view bytes, char const* encoding) {
   iconv_t converter = iconv_open("UTF-8", encoding);
   // musl, in a browser, does not know the name.

@@ -1,5 +1,5 @@
-// Splits a file's bytes into lines of text. Names are kept as UTF-8; bytes that are not UTF-8 are read as Windows-1252,
-// which laboratories on Windows write. Binary files are refused by their first bytes.
+// Splits a file's bytes into lines. Bytes that are not UTF-8 are read as Windows-1252, which laboratories on Windows
+// write.
 #pragma once
 
 #include <cstddef>
@@ -19,12 +19,10 @@ inline constexpr std::uintmax_t largest_file_bytes = std::uintmax_t{1} << 30;
 inline constexpr std::size_t most_lines = 10'000'000;
 inline constexpr std::size_t longest_line = 32'768;  // bytes
 
-// The whole file. Throws Error: no such file, no plain file, unreadable, above largest_file_bytes.
+// Throws Error: no such file, no plain file, unreadable, above largest_file_bytes.
 std::string load_text(std::filesystem::path const& file);
-
-// Text that begins with the byte order mark of UTF-16, as UTF-8; nullopt where it does not, or is no such text.
+// nullopt without the byte order mark of UTF-16, or if the bytes are no such text.
 std::optional<std::string> decode_utf_16(std::string_view bytes);
-
 // Throws Error when the bytes are no text to read: empty, binary, above most_lines or longest_line.
 void check_text(std::string const& where, std::string_view bytes);
 
@@ -33,12 +31,10 @@ struct Lines {
   bool byte_order_mark = false;
   bool windows_1252 = false;  // there are bytes that are no UTF-8
 };
-
 // Line ends are LF, CRLF or CR, also mixed.
 Lines split_lines(std::string_view bytes);
 
-// A text of another encoding than UTF-8 and Windows-1252 as UTF-8, where it then names what `names_channels` knows:
-// Shift-JIS of Japan, Windows-1254 of Turkey. nullopt: it is none of these.
+// Shift-JIS of Japan or Windows-1254 of Turkey as UTF-8, if it then holds a name that `names_channels` knows.
 struct LegacyText {
   std::string utf8;
   std::string_view encoding;
@@ -47,11 +43,10 @@ std::optional<LegacyText> decode_legacy(std::string_view bytes, bool (*names_cha
 
 std::string to_utf8(std::string_view bytes);
 
-// ASCII only: accents dropped ("Déplacement" -> "Deplacement"), other characters replaced by blanks. Keeps case.
+// ASCII only: "Déplacement" -> "Deplacement", other characters replaced by blanks. Keeps case.
 std::string without_accents(std::string_view utf8);
-// Whether one of the letters that Turkish has beside Latin-1 stands in it, which Windows-1252 lacks.
+// Letters that Windows-1252 lacks.
 bool has_turkish_letters(std::string_view utf8);
-
 // 'text' for a message, cut to a readable length, control characters spelled out.
 std::string in_quotes(std::string_view bytes);
 

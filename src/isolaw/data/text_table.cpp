@@ -17,9 +17,8 @@
 namespace isolaw::data {
 namespace {
 
-// Lines of a file, which its tests share.
 struct Page {
-  std::string owned;  // of a worksheet
+  std::string owned;  // set for a worksheet
   Lines text;
   Dialect dialect;
   std::optional<Exporter> exporter = {};
@@ -71,7 +70,7 @@ class RowReader {
   }
 
  private:
-  // Statistics, a signature, "End of data": lines at the end of which none is a row, though they hold words.
+  // Statistics, a signature, "End of data": lines that are no rows, though they hold words.
   void take_footer_off(std::vector<Complaint>& complaints) {
     auto const is_open = [&](std::size_t i) {
       return is_comment(lines_[i]) || is_blank(lines_[i], dialect_.delimiter);
@@ -120,7 +119,7 @@ class RowReader {
       digits = digits || cells_[i].find_first_of("0123456789") != std::string_view::npos;
       statistics = statistics || (word && is_statistic(cells_[i]));
     }
-    // A number alone, a count of the rows: only where the person says that it is no broken row.
+    // A lone number may be a count of the rows: only where the user says that it is no broken row.
     if (!as_wide) return words || !digits || (choice_.skip_footer && cells_.size() == 1);
     if (statistics) return true;
     auto const reads = std::ranges::count_if(indices_, [&](auto k) { return is_value(cells_[k]); });
@@ -135,7 +134,6 @@ class RowReader {
            kind == CellKind::stamp;
   }
 
-  // Two letters or more, one after another.
   static bool names_something(std::string_view cell) {
     auto const letter = [](char c) { return is_letter(c) || static_cast<unsigned char>(c) >= 0x80; };
     for (std::size_t i = 1; i < cell.size(); ++i)
@@ -164,7 +162,6 @@ class RowReader {
       rows_.recognised.push_back(decision(FindingKind::time_scale, column + ", " + std::move(sentence)));
   }
 
-  // The stamp of a row, with the date beside it; nullopt where the cells hold another kind than most rows.
   std::optional<Stamp> stamp_of(std::size_t k) const {
     auto const cell = cells_[indices_[k]];
     if (serial_) {
@@ -217,7 +214,6 @@ class RowReader {
     rows_.numbers.push_back(i + 1);
   }
 
-  // Without touching the file.
   std::string leave_out() {
     if (row_count_ == 0)
       for (auto i = header_.first_data; i < lines_.size(); ++i) row_count_ += is_row(i) ? 1u : 0u;
@@ -257,7 +253,6 @@ class RowReader {
                    fmt::format("a number with a decimal {}", decimal_name(dialect_.decimal)), leave_out());
   }
 
-  // A number under the other decimal sign: the one taken for it groups digits then.
   std::optional<std::string_view> grouped_otherwise(std::string_view cell) {
     char const other = dialect_.decimal == ',' ? '.' : ',';
     if (dialect_.thousands != '\0') return std::nullopt;
@@ -267,8 +262,6 @@ class RowReader {
     if (kind != CellKind::number || !all_in_threes()) return std::nullopt;
     return digit_group(dialect_.decimal).typed;
   }
-
-  // Whether what was taken for decimals are three digits in every cell, as groups are.
   bool all_in_threes() {
     if (!in_threes_) in_threes_ = look_for_threes();
     return *in_threes_;
@@ -318,7 +311,6 @@ std::string line_list(std::vector<std::size_t> const& lines) {
   return lines.size() > shown ? text + fmt::format(" and {} more", lines.size() - shown) : text;
 }
 
-// Lines from `begin` to `end` of the page.
 class TextTable : public Table {
  public:
   TextTable(std::string place, std::shared_ptr<Page const> page, std::size_t begin, std::size_t end)
@@ -424,7 +416,7 @@ Dialect require_dialect(std::string const& file, std::span<std::string_view cons
               : "export displacement and force as CSV"});
 }
 
-// Whether text outside ASCII names a channel: tells an encoding from others that its bytes may also be.
+// Tells an encoding from others that its bytes may also be.
 bool has_foreign_names(std::string_view utf8) {
   std::string word;
   auto const ends = [](char c) { return c == ';' || c == ',' || c == '\t' || c == '\n' || c == '\r' || c == '"'; };

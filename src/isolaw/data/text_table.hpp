@@ -14,11 +14,10 @@ struct TextOptions {
   bool one_column = false;             // a single column of numbers will do
 };
 
-// The tests of delimited text. Throws Error when it holds no rows of numbers. `bytes` must outlive the tests.
+// Throws Error when there are no rows of numbers. `bytes` must outlive the tests.
 Tests text_tests(std::string_view bytes, std::string const& file, TextOptions const& options = {});
 
-// The rows of a worksheet, one a line, cells separated by tabs, numbers with a decimal point. Empty `tables` when the
-// sheet holds no rows of numbers.
+// One row a line, cells separated by tabs, decimal points. Empty `tables` if the sheet holds no rows of numbers.
 Tests sheet_tests(std::string rows, std::string const& place);
 
 }  // namespace isolaw::data

@@ -22,8 +22,6 @@ std::optional<long> days_of(int year, int month, int day) {
   if (month < 1 || day < 1 || !date.ok()) return std::nullopt;
   return std::chrono::sys_days{date}.time_since_epoch().count();
 }
-
-// Takes a stamp apart from its left end.
 class StampText {
  public:
   explicit StampText(std::string_view text) : left_(text) {}
@@ -36,7 +34,6 @@ class StampText {
   }
   char next() const { return left_.empty() ? '\0' : left_.front(); }
   void skip_blanks() { left_ = trimmed(left_); }
-  // A number of `least` to `most` digits.
   std::optional<int> digits(std::size_t least, std::size_t most) {
     std::size_t count = 0;
     while (count < left_.size() && is_digit(left_[count])) ++count;
@@ -54,7 +51,6 @@ class StampText {
     left_.remove_prefix(count);
     return text;
   }
-  // Digits behind a point or a comma, as a part of one.
   double fraction() {
     double value = 0.0, place = 0.1;
     for (; !left_.empty() && is_digit(left_.front()); left_.remove_prefix(1), place /= 10.0)
@@ -137,8 +133,7 @@ bool take_zone(StampText& text, Stamp& stamp) {
   return text.done();
 }
 
-// 10:00:00.250, 10:00:00,250, 10:00:00:250, 100000.25 behind an undivided date, 10:00:00 PM, 10:00; 59:59.5 without
-// hours
+// 10:00:00.250, 10:00:00:250, 100000.25 behind an undivided date, 10:00:00 PM, 10:00; 59:59.5 without hours
 bool take_clock(StampText& text, Stamp& stamp) {
   auto const lead = text.digits(1, 6);
   if (!lead) return false;
@@ -185,7 +180,7 @@ bool take_clock(StampText& text, Stamp& stamp) {
   return take_zone(text, stamp);
 }
 
-// Year, month and day (hour, minute, second) behind their numbers, as Japanese writes them.
+// Japanese writes year, month and day (hour, minute, second) behind their numbers.
 std::string without_japanese(std::string_view cell) {
   constexpr std::pair<std::string_view, std::string_view> signs[]{{"\xE5\xB9\xB4", "-"}, {"\xE6\x9C\x88", "-"},
                                                                   {"\xE6\x97\xA5", " "}, {"\xE6\x99\x82", ":"},
@@ -218,7 +213,6 @@ std::string_view name_of(DateOrder order) {
   return order == DateOrder::day_first ? "day first" : "month first";
 }
 
-// The times under one reading of the dates; nullopt where a date is none.
 std::optional<std::vector<double>> times_in(std::span<Stamp const> stamps, DateOrder order) {
   std::vector<double> times;
   times.reserve(stamps.size());
@@ -335,7 +329,7 @@ class DateReader {
   std::vector<Complaint>& complaints_;
 };
 
-// Times of day: back by more than half a day is past midnight.
+// A time of day that goes back by more than half a day is past midnight.
 std::size_t count_midnights(std::span<Stamp const> stamps, std::vector<double>& times) {
   std::size_t midnights = 0;
   for (std::size_t i = 0; i < stamps.size(); ++i) {
@@ -422,7 +416,6 @@ bool may_be_date(std::string_view text) {
       return true;
     if (!words) return false;
   }
-  // A year, or a day without anything between its digits.
   for (std::size_t begin = plain.find_first_of("0123456789"); begin < plain.size();) {
     auto const end = std::min(plain.find_first_not_of("0123456789", begin), plain.size());
     auto const digits = plain.substr(begin, end - begin);

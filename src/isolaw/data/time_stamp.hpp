@@ -1,5 +1,4 @@
-// Reads dates and times of day as loggers write them (ISO 8601, day or month first, clock times, serial days of a
-// spreadsheet) as seconds from the first of them, with time zones where they are written.
+// Reads dates and times of day as loggers write them, as seconds from the first of them.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +13,7 @@
 
 namespace isolaw::data {
 
-// The kind of a column's cells. serial_number: unmarked numbers that may be days of a spreadsheet's calendar.
+// serial_number: unmarked numbers that may be days of a spreadsheet's calendar.
 enum class StampKind { none, date_time, date, clock, serial_number };
 
 struct Stamp {
@@ -26,18 +25,16 @@ struct Stamp {
 };
 
 std::string_view date_order_word(DateOrder order);  // "dmy"
-
 // nullopt where the cell is no time stamp. A cell that a workbook shows as a date carries `date_cell_mark`.
 std::optional<Stamp> parse_stamp(std::string_view cell);
 StampKind kind_of(Stamp const& stamp);
 Stamp stamp_of_serial(double days);
 // MATLAB counts days from the year 0: its datenum less this is a spreadsheet's day.
 inline constexpr double datenum_of_serial = 693960.0;
-// A time of day on the day of a date.
 Stamp on_date(Stamp clock, Stamp const& date);
-// Whether a person may have written a date so: one of the calendar, or words with a year ("spring 2024").
+// Also words with a year ("spring 2024").
 bool may_be_date(std::string_view text);
-// Days of dates that a test may have, with a part of a day: 1954 to 2119.
+// 1954 to 2119, with a part of a day.
 bool may_be_serial(double value);
 
 inline constexpr std::string_view date_cell_mark = " (a date or time of day)";
@@ -49,8 +46,7 @@ struct StampedTime {
   std::vector<std::string> sentences;  // the decisions, in words
 };
 
-// `lines` are the places of the stamps, for messages. What cannot be decided is among the complaints, which leaves the
-// time empty.
+// `lines` are the places of the stamps in messages. The time is empty, with a complaint, if it cannot be decided.
 StampedTime seconds_of(std::span<Stamp const> stamps, std::span<std::size_t const> lines, std::string const& where,
                        std::string_view row, std::optional<DateOrder> order, std::vector<Complaint>& complaints);
 

@@ -18,18 +18,15 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double usual_low = 0.3;        // of the largest load of the loading that counts
-constexpr int usual_loading = 3;         // or the last where there are fewer
-constexpr double same_peak = 0.9;        // of the largest load: a loading that stays below is another one
-constexpr double reversal = 0.1;         // of the range of the load: less is noise, or a hold
-constexpr double reached = 0.998;        // of its largest load a loading is at its end: a held load creeps on
-constexpr double near_range_end = 0.02;  // of the upper load: as a machine misses what it is told
-
-// From its least to its largest load.
+constexpr double usual_low = 0.3;  // share of the largest load of the loading that counts
+constexpr int usual_loading = 3;   // or the last where there are fewer
+constexpr double same_peak = 0.9;  // share of the largest load: a loading that stays below is another one
+constexpr double reversal = 0.1;   // share of the range of the load: less is noise, or a hold
+constexpr double reached = 0.998;  // share of its largest load at which a loading is at its end: a held load creeps on
+constexpr double near_range_end = 0.02;  // share of the upper load: as a machine misses what it is told
 struct Loading {
   std::size_t first = 0, last = 0;
 };
-
 // Turned so that compression is positive in both.
 struct Compression {
   std::vector<double> disp_mm, load_kN;
@@ -63,10 +60,9 @@ Compression compression_of(VerticalTest const& test) {
   return made;
 }
 
-constexpr double noise_left = 0.0005;         // of the range, by averaging
+constexpr double noise_left = 0.0005;         // share of the range, by averaging
 constexpr std::size_t least_of_loading = 10;  // averages a loading is long at least
 
-// The mean of 2 half + 1 samples; of fewer at the ends.
 std::vector<double> averaged(std::vector<double> const& x, std::size_t half) {
   std::vector<double> sums(x.size() + 1, 0.0), made(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) sums[i + 1] = sums[i] + x[i];
@@ -77,7 +73,7 @@ std::vector<double> averaged(std::vector<double> const& x, std::size_t half) {
   return made;
 }
 
-// Loadings between reversals of the load that are more than noise; one that the record ends in is among them.
+// Reversals are more than noise; a loading that the record ends in is among them.
 std::vector<Loading> all_loadings(std::vector<double> const& load) {
   auto const [least, largest] = std::ranges::minmax(load);
   double const step = reversal * (largest - least);
@@ -104,9 +100,8 @@ std::size_t counting_among(std::vector<Loading> const& loadings) {
   return std::min(static_cast<std::size_t>(usual_loading), loadings.size()) - 1;
 }
 
-// The largest of noisy loads lies above the load, and the samples beside a limit are those that noise has brought
-// there: together they make the device look stiffer, by 2 to 7 % for 1 % of noise. Both channels are averaged alike, so
-// that what is linear stays as it is.
+// Noise makes the device look stiffer, by 2 to 7 % for 1 % of noise: the largest load lies above the true one, and
+// noisy samples cross a limit early. Averaging both channels alike keeps the slope.
 Compression without_noise(Compression compression) {
   auto const loadings = all_loadings(compression.load_kN);
   if (loadings.empty()) return compression;
@@ -128,7 +123,6 @@ struct Point {
   double load_kN = 0.0, disp_mm = 0.0;
 };
 
-// The displacement at a load between two samples.
 Point between(Compression const& c, std::size_t i, double load_kN) {
   double const share = (load_kN - c.load_kN[i]) / (c.load_kN[i + 1] - c.load_kN[i]);
   return {load_kN, c.disp_mm[i] + share * (c.disp_mm[i + 1] - c.disp_mm[i])};
@@ -139,8 +133,7 @@ struct Secant {
   double K_v() const { return (high.load_kN - low.load_kN) / (high.disp_mm - low.disp_mm); }
 };
 
-// Where the loading leaves the lower load for the last time, and where it first comes to the upper one: what creeps
-// while a load is held is not between them.
+// Leaves out creep under held loads: from the last time at the lower load to the first at the upper one.
 Secant secant_of(Compression const& c, Loading const& loading, LoadRange const& range) {
   auto const& load = c.load_kN;
   Secant made;
@@ -163,7 +156,6 @@ LoadRange usual_loads(double largest_kN) {
   return {usual_low * largest_kN, largest_kN};
 }
 
-// As far as the loading holds it; throws Error where that is too little.
 LoadRange held_range(VerticalTest const& test, Compression const& c, Loading const& loading) {
   double const least = c.load_kN[loading.first], largest = c.load_kN[loading.last];
   auto const asked = test.loads.value_or(usual_loads(largest));

@@ -1,9 +1,8 @@
-// The vertical stiffness of a device from its compression test: vertical load against vertical displacement.
-//
-// K_v = F_v/d_v (NTC 2018, 11.9.7), taken as the secant of one loading between two loads: what joints and transducers
-// settle below the lower one does not count, nor does the zero of the displacement. A test loads three times and the
-// third loading counts, from 30 % to 100 % of its largest load; that is how EN 15129 and ISO 22762-1 are commonly
-// applied, and neither text was at hand: `loads` says another range, such as 0.7 to 1.3 of the design load.
+// The vertical stiffness of a device from its compression test.
+// K_v = F_v/d_v (NTC 2018, 11.9.7), taken as the secant of one loading between two loads, so that the settling of
+// joints below the lower one and the zero of the displacement do not count. A test loads three times and the third
+// counts, from 30 % to 100 % of its largest load, as EN 15129 and ISO 22762-1 are commonly applied (neither text was at
+// hand); `loads` says another range, such as 0.7 to 1.3 of the design load.
 #pragma once
 
 #include <filesystem>
@@ -24,7 +23,7 @@ struct LoadRange {
 LoadRange parse_loads(std::string_view text);
 std::string loads_text(LoadRange const& range);
 
-// A compression test as the laboratory gives it: a record, or the stiffness alone.
+// A record, or the stiffness alone.
 struct VerticalTest {
   std::string file, sha256;
   std::vector<double> disp_mm = {}, load_kN = {};  // as recorded, whatever their signs
@@ -32,8 +31,7 @@ struct VerticalTest {
   std::optional<double> stated_kN_per_mm = {};     // without a record
   std::vector<Finding> recognised = {};            // each decision in reading
   std::string refusal = {};                        // why it gives no stiffness; empty for a usable one
-  // What it gave when it was read, by which a store is checked: the stiffness, and the hash of both signals. Empty
-  // without, as of stores that hold neither.
+  // The result when it was read, by which a store is checked: the stiffness, and the hash of both signals.
   std::optional<double> found_kN_per_mm = {};
   std::string curve_sha256 = {};
 
@@ -44,8 +42,8 @@ struct VerticalTest {
 struct VerticalStiffness {
   double K_v_kN_per_mm = 0.0;
   std::string how;  // in one sentence
-  // Of a record; else empty.
-  std::optional<LoadRange> loads = {};                        // what lies between, as positive compression
+  // Only with a record.
+  std::optional<LoadRange> loads = {};                        // the range, as positive compression
   std::optional<double> disp_low_mm = {}, disp_high_mm = {};  // at these
   std::optional<int> loading = {};                            // which loading counts, from 1
   std::vector<double> loadings_kN_per_mm = {};                // every loading that reaches the largest load
@@ -53,15 +51,11 @@ struct VerticalStiffness {
   std::vector<Finding> warnings = {};
 };
 
-// Reads vertical displacement and load of a file as records are read. Throws Error, worded for a vertical test.
 VerticalTest read_vertical(std::filesystem::path const& file, ReadOptions const& options,
                            std::optional<LoadRange> const& loads);
-
-// Of both signals as they stand in memory.
 std::string curve_hash(VerticalTest const& test);
 
-// Throws Error: a signal that cannot be true, no loading that holds both loads, displacement that does not follow the
-// load.
+// Throws Error: a faulty signal, no loading that holds both loads, displacement that does not follow the load.
 VerticalStiffness vertical_stiffness(VerticalTest const& test);
 
 }  // namespace isolaw::data

@@ -17,11 +17,11 @@ namespace {
 constexpr std::size_t fewest_standing = 4;  // samples
 constexpr double standing_noise = 6.0;      // deviations from the least to the largest of a channel that stands
 constexpr double standing_quanta = 1.5;
-constexpr double goes_beyond = 0.03;   // of its range the other goes beyond both ends of a plateau
-constexpr double goes_on = 0.1;        // of its range the other goes in one way while a channel stands
+constexpr double goes_beyond = 0.03;   // times its range the other goes beyond both ends of a plateau
+constexpr double goes_on = 0.1;        // times its range the other goes in one way while a channel stands
 constexpr double width_of_both = 4.0;  // times what the plateau's own width makes of the other
-constexpr double carries = 0.1;        // of its range above the least, a load is one
-constexpr double load_jump = 0.05;     // of its range, where a load that stood is elsewhere
+constexpr double carries = 0.1;        // times its range above the least, a load is one
+constexpr double load_jump = 0.05;     // times its range, where a load that stood is elsewhere
 
 struct VerticalChannel {
   std::string name, unit;
@@ -38,7 +38,6 @@ VerticalChannel channel_of(std::string name, std::string unit, std::span<double 
   return made;
 }
 
-// Where the channel stands, within its width.
 std::vector<SampleRange> plateaus(VerticalChannel const& channel) {
   std::vector<SampleRange> found;
   auto const& x = channel.x;
@@ -61,7 +60,7 @@ std::vector<SampleRange> plateaus(VerticalChannel const& channel) {
 struct Standing {
   std::vector<std::size_t> samples;  // first of each plateau
   std::size_t longest = 0;
-  double level = 0.0;  // of the longest
+  double level = 0.0;  // the longest plateau's
 
   void add(SampleRange const& run, std::span<double const> x) {
     samples.push_back(run.first);
@@ -92,10 +91,9 @@ class Plateaus {
   }
 
  private:
-  // In parts of the other's range.
+  // As a share of the other channel's range.
   double threshold(double least) const { return std::max(least, width_of_both * stands_.width / stands_.range); }
 
-  // At its upper end, while the other goes up beyond it and comes back.
   bool is_clipped(SampleRange const& run) const {
     double const level = mean_of(stands_.x, run.first, run.last + 1);
     if (level < stands_.least + stands_.range - stands_.width) return false;
@@ -139,8 +137,7 @@ void add_standing(VerticalChannel const& stands, StandingStill found, std::vecto
   add(FaultKind::stuck, std::move(found.stuck));
 }
 
-// What lies off in both channels at once is a load that was there; a press that lifts off between two loadings moves
-// without one.
+// A spike in both channels is a load that was there; a press that lifts off between loadings moves without one.
 std::vector<Spike> single(std::vector<Spike> found, std::vector<Spike> const& beside, std::span<double const> load) {
   auto const [least, largest] = std::ranges::minmax(load);
   double const unloaded = least + carries * (largest - least);

@@ -1,5 +1,4 @@
-// Finds signals of a compression test that cannot be true: a channel at the end of its range, one that stands still
-// while the other goes on, samples that drop out, single samples far off their neighbours.
+// Finds faulty signals of a compression test, as signal_faults.hpp does of a shear test.
 #pragma once
 
 #include <span>
@@ -9,8 +8,7 @@
 
 namespace isolaw::data {
 
-// Both positive in compression. A load that is held while the device creeps, a press that lifts off and the steps of a
-// digitiser are no faults.
+// Both positive in compression. Creep under held load, a press that lifts off and digitiser steps are no faults.
 std::vector<SignalFault> vertical_faults(std::span<double const> disp_mm, std::span<double const> load_kN);
 
 }  // namespace isolaw::data

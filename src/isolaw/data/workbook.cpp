@@ -22,9 +22,9 @@
 namespace isolaw::data {
 namespace {
 
-constexpr std::size_t most_rows = 1'048'576;  // of a sheet in Excel
+constexpr std::size_t most_rows = 1'048'576;  // Excel's limit for a sheet
 constexpr std::size_t most_sheets = 1000;
-// Of a cell: enough for a name, and no text said a million times fills memory.
+// Enough for a name; no text repeated a million times fills memory.
 constexpr std::size_t longest_text = 200;
 
 struct Sheet {
@@ -36,7 +36,7 @@ void parse(ZipArchive& archive, std::string const& file, std::string const& entr
   read_xml(fmt::format("{}:{}", file, entry), handlers, [&](auto const& take) { archive.read(entry, take); });
 }
 
-// "xl/workbook.xml" and "worksheets/sheet1.xml" are "xl/worksheets/sheet1.xml"; "/xl/x.xml" counts from the top.
+// "xl/workbook.xml" and "worksheets/sheet1.xml" give "xl/worksheets/sheet1.xml"; "/xl/x.xml" counts from the top.
 std::string resolved(std::string_view from, std::string_view target) {
   if (target.starts_with('/')) return std::string(target.substr(1));
   std::string folder(from.substr(0, from.rfind('/') + 1));
@@ -48,7 +48,7 @@ std::string resolved(std::string_view from, std::string_view target) {
   return folder + std::string(target);
 }
 
-// The targets of a part's relations, by id; those of one type under the type's last word ("/styles").
+// Targets by id; those of one type under the type's last word ("/styles").
 std::map<std::string, std::string> relations(ZipArchive& archive, std::string const& file, std::string const& part) {
   auto const slash = part.rfind('/') + 1;
   auto const entry = part.substr(0, slash) + "_rels/" + part.substr(slash) + ".rels";
@@ -69,7 +69,6 @@ std::string target_or(std::map<std::string, std::string> const& targets, std::st
   return found == targets.end() ? std::move(fallback) : found->second;
 }
 
-// Texts that cells refer to by number.
 class SharedTexts {
  public:
   void read(ZipArchive& archive, std::string const& file, std::string const& entry) {
@@ -108,7 +107,6 @@ class SharedTexts {
   std::vector<std::size_t> ends_;
 };
 
-// Whether a number format shows a number as a date or a time of day.
 bool is_date_format(std::string_view code) {
   for (std::size_t i = 0; i < code.size(); ++i) {
     char const c = code[i];
@@ -134,7 +132,6 @@ bool is_built_in_date(std::size_t format) {
          (format >= 50 && format <= 58);
 }
 
-// Per style of a cell: whether it shows numbers as dates.
 std::vector<bool> date_styles(ZipArchive& archive, std::string const& file, std::string const& entry) {
   std::vector<bool> styles;
   if (!archive.has(entry)) return styles;
@@ -156,7 +153,7 @@ std::vector<bool> date_styles(ZipArchive& archive, std::string const& file, std:
   return styles;
 }
 
-// "BC12" taken apart; from 0.
+// "BC12", from 0.
 struct CellPlace {
   std::size_t column;
   std::size_t row;
@@ -169,7 +166,7 @@ std::optional<CellPlace> parse_reference(std::string_view text) {
   return CellPlace{*column, *row - 1};
 }
 
-// The cells of one sheet, one row a line, tabs between them.
+// One row a line, tabs between the cells.
 class RowWriter {
  public:
   RowWriter(std::string place, SharedTexts const& texts, std::vector<bool> const& dates, std::uint64_t longest)
@@ -329,7 +326,7 @@ class Workbook {
     return sheet_tests(writer.take(), place);
   }
 
-  // Of a sheet of notes; nothing of one that holds a table or a long text.
+  // Only a sheet of notes has some, not one that holds a table or a long text.
   ParticularList particulars(Sheet const& sheet) {
     constexpr std::uint64_t longest = 1u << 16;
     try {
@@ -337,7 +334,7 @@ class Workbook {
       parse(archive_, file_, sheet.entry, writer.handlers());
       auto notes = sheet_tests(writer.take(), sheet.name);
       return notes.tables.empty() ? std::move(notes.particulars) : ParticularList{};
-    } catch (Error const&) {  // what is not read may be of any kind
+    } catch (Error const&) {  // unread parts may be of any kind
       return {};
     }
   }
@@ -380,8 +377,6 @@ class Workbook {
 void append(ParticularList& list, ParticularList const& more) {
   list.insert(list.end(), more.begin(), more.end());
 }
-
-// Columns of the sheet's tests that are named as a channel is: none on a sheet of charts or notes.
 std::size_t channels_named(Tests const& tests) {
   std::size_t most = 0;
   for (auto const& table : tests.tables) {

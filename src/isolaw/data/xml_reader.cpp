@@ -52,7 +52,6 @@ class Reader {
   }
 
  private:
-  // Runs a handler.
   template <class Handler, class... Given>
   void run(Handler const& handler, Given const&... given) {
     if (!handler || thrown_ || !refusal_.empty()) return;

@@ -1,5 +1,4 @@
-// Reads XML element by element with expat and keeps nothing itself. A document type, which could declare entities, is
-// refused, as are tags and nesting beyond those of any workbook.
+// Reads XML with expat and keeps nothing. Refuses document types, which could declare entities, and excessive nesting.
 #pragma once
 
 #include <functional>
@@ -8,11 +7,10 @@
 
 namespace isolaw::data {
 
-// Attributes of an element, by name without a prefix.
+// By name without a prefix.
 class Attributes {
  public:
   explicit Attributes(char const** list) : list_(list) {}
-  // Empty when it is not there.
   std::string_view operator[](std::string_view name) const;
 
  private:
@@ -26,8 +24,8 @@ struct XmlHandlers {
   std::function<void(std::string_view text)> text = {};
 };
 
-// Reads the document that `source` passes on piece by piece; `place` is its name in messages. Throws Error when it is
-// no XML, or what a handler throws.
+// `source` passes the document on piece by piece; `place` is its name in messages. Throws Error, or what a handler
+// throws.
 void read_xml(std::string const& place, XmlHandlers const& handlers,
               std::function<void(std::function<void(std::string_view piece)> const& take)> const& source);
 

@@ -18,7 +18,6 @@ using Memory = ZipArchive::Memory;
 
 constexpr std::string_view damaged = "the archive is damaged";
 
-// minizip reads through these; the "stream" is the archive's bytes.
 zlib_filefunc64_def functions_on(Memory* memory) {
   static constexpr auto to_memory = [](voidpf stream) -> Memory& { return *static_cast<Memory*>(stream); };
   return {.zopen64_file = [](voidpf opaque, void const*, int) { return opaque; },

@@ -11,22 +11,19 @@ namespace isolaw::data {
 
 class ZipArchive {
  public:
-  // The archive in memory, which minizip reads as a file.
   struct Memory {
     std::string_view bytes;
     std::size_t at = 0;
   };
 
-  // `bytes` must outlive the archive; `file` is its name in messages. Throws Error when the archive is damaged or holds
-  // more than 10 000 entries.
+  // `bytes` must outlive the archive. Throws Error when it is damaged or holds more than 10 000 entries.
   ZipArchive(std::string_view bytes, std::string file);
   ~ZipArchive();
   ZipArchive(ZipArchive const&) = delete;
   ZipArchive& operator=(ZipArchive const&) = delete;
 
   bool has(std::string const& entry) const;
-  // Passes on what the entry holds, piece by piece. Throws Error: no such entry, damaged, encrypted, compressed by
-  // another method than deflate, beyond the limit of unpacked bytes.
+  // Throws Error: no such entry, damaged, encrypted, not deflate, beyond the limit of unpacked bytes.
   void read(std::string const& entry, std::function<void(std::string_view)> const& take);
 
  private:

@@ -28,7 +28,6 @@ double peak(std::span<double const> f) {
   return most;
 }
 
-// The second of the history's two cycles.
 struct Cycle {
   std::vector<double> x, f;
 };
@@ -110,7 +109,6 @@ std::vector<std::string> beyond_the_tests(Subject const& subject, UnitSystem con
       sentences.push_back(at + "there is no finite force");
       continue;
     }
-    // Look for a falling force only where the displacement grows beyond what was tested.
     double steepest_fall = 0.0, fall_at = 0.0;
     for (std::size_t i = 1; i < x.size(); ++i) {
       bool const outwards = std::abs(x[i]) > std::abs(x[i - 1]);
@@ -144,7 +142,7 @@ std::optional<StepsNeeded> steps_needed(Subject const& subject, Form const& form
   if (!(energy > 0.0)) return std::nullopt;
   for (int steps = 20; 2 * steps <= finest; steps *= 2) {
     auto const [x, f] = replayed(steps);
-    // Integrate both over the same points: what a sum over few points leaves out is no error of the force.
+    // Same points for both: the error of a sum over few points is no error of the force.
     std::vector<double> there;
     for (std::size_t i = 0; i < fine.f.size(); i += static_cast<std::size_t>(finest / steps))
       there.push_back(fine.f[i]);
@@ -155,7 +153,7 @@ std::optional<StepsNeeded> steps_needed(Subject const& subject, Form const& form
 }
 
 std::optional<TwoSprings> two_springs(Subject const& subject) {
-  // One spring moves from rest along its axis to the circle, then both follow it twice; the second turn counts.
+  // Follows the circle twice from rest; the second turn counts.
   double const amplitude = subject.tested.disp_mm;
   constexpr int steps = protocol_steps, quarter = steps / 4;
   auto const along_x = cycles_at(subject, 1.0, 1.0);

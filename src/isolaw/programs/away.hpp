@@ -13,18 +13,17 @@
 
 namespace isolaw::programs {
 
-// Force [kN] at the points of a history.
+// Force in kN.
 using ForceOf = std::function<std::vector<double>(History const&)>;
 
-// How far a stand-in's cycle energy and peak force are from the law's, in percent. Empty: the law's own value is not
-// above 0 or not finite.
+// Differences in percent. Empty: the law's own value is not above 0 or not finite.
 struct OtherCycle {
-  double amplitude_share = 1.0, rate_share = 1.0;  // of what was tested
+  double amplitude_share = 1.0, rate_share = 1.0;  // as shares of the tested values
   std::optional<double> energy, peak;
   double largest() const;  // magnitude, in percent
 };
-// Compares at a quarter, half, three quarters and the whole of the tested amplitude, and where the law depends on the
-// rate also at the whole amplitude and half the rate. A force that is no number gives infinity.
+// At a quarter, half, three quarters and all of the tested amplitude, and if the law is rate dependent also at half the
+// rate. A force that is no number gives infinity.
 std::vector<OtherCycle> other_cycles(Subject const& subject, ForceOf const& stand_in);
 std::string text(std::vector<OtherCycle> const& cycles);
 
@@ -32,13 +31,12 @@ std::string text(std::vector<OtherCycle> const& cycles);
 inline constexpr double marked_percent = 10.0, other_cycle_far_off_percent = 30.0;
 bool marked(std::vector<OtherCycle> const& cycles);
 
-// One sentence for each thing that an analysis should not meet at 1.25 or 1.5 times the tested displacement: a peak
-// force that falls or grows faster than the square, a stiffness below zero, a cycle that gives energy back, no force.
+// A falling or steeply rising peak force, a stiffness below zero, a cycle that gives energy back, or no force.
 inline constexpr double beyond_times[] = {1.25, 1.5};
 std::vector<std::string> beyond_the_tests(Subject const& subject, UnitSystem const& units);
 
-// The smallest of 20, 40, ..., 1280 steps a cycle whose energy is within step_energy_percent of that of the same form
-// in 2560 steps, and the error of that energy in percent. Empty: none of them is.
+// The smallest of 20, 40, ..., 1280 steps a cycle whose energy agrees with that of 2560 steps, and its error in
+// percent.
 inline constexpr double step_energy_percent = 1.0;
 struct StepsNeeded {
   int per_cycle = 0;

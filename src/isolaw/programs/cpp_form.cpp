@@ -49,8 +49,8 @@ std::string constants(Subject const& subject, UnitSystem const& units) {
   return text;
 }
 
-// Largest difference between a sound C++ form and its law, as a share of the peak force. The two ways of computing the
-// exact flow agree within 1e-7, except where unloading comes close to a rest (kappa near -1), which magnifies errors.
+// A share of the peak force. Two exact flows agree within 1e-7, but unloading near a rest (kappa near -1) magnifies
+// errors.
 double allowed(laws::LawInfo const& law) {
   return law.traits.exact_flow ? 1e-4 : 1e-6;
 }

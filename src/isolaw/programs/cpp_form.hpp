@@ -8,14 +8,10 @@
 #include "isolaw/programs/unit_system.hpp"
 
 namespace isolaw::programs {
-
-// The facts of every export, as comment lines.
 std::string cpp_facts(Subject const& subject, UnitSystem const& units, std::string_view program);
-// The includes, then namespace identifier(subject) with Parameters and Material. Throws Error for a law without a C++
-// form.
+// The includes and namespace identifier(subject). Throws Error for a law without a C++ form.
 std::string cpp_law(Subject const& subject, UnitSystem const& units);
-// A main() under ISOLAW_SELF_CHECK that drives `material`, a type of that namespace with trial(disp, velocity) and
-// commit(), along the protocol.
+// A main() under ISOLAW_SELF_CHECK that drives `material`, with trial(disp, velocity) and commit(), on the protocol.
 std::string cpp_check(Subject const& subject, UnitSystem const& units, std::string_view material);
 
 }  // namespace isolaw::programs

@@ -1,5 +1,4 @@
-// Abaqus/Standard, the law itself: UEL in C++ around the exported law, a spring between two nodes. An element keeps all
-// its state in SVARS, so that Abaqus may repeat an increment from its start.
+// Abaqus/Standard, the law itself: UEL in C++. SVARS keep all state, so that Abaqus may repeat an increment.
 #include <fmt/format.h>
 
 #include <algorithm>

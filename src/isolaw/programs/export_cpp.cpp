@@ -1,5 +1,4 @@
-// C++17: a header that needs only the standard library, with the law itself as a material that is tried, committed and
-// reverted.
+// C++17: a header that needs only the standard library, with the law itself as a material.
 #include <fmt/format.h>
 
 #include <cctype>

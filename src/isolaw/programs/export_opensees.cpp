@@ -1,5 +1,4 @@
-// OpenSees, Tcl: a namespace of procedures that make the material or the bearing, and check it. Sourcing the file
-// creates nothing in the model; the check is a static analysis of a model of its own.
+// OpenSees, Tcl. Sourcing the file creates nothing in the model; the check is a static analysis of a model of its own.
 #include <fmt/format.h>
 
 #include <ranges>

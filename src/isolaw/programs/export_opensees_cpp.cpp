@@ -1,5 +1,4 @@
-// OpenSees, the law itself: a UniaxialMaterial in C++ around the exported law, which the program loads by its name.
-// Source of the interface: the headers of OpenSees 3.8.0 and its search for libraries.
+// OpenSees, the law itself: a UniaxialMaterial in C++. Source: headers of OpenSees 3.8.0 and its search for libraries.
 #include <fmt/format.h>
 
 #include <array>

@@ -1,5 +1,4 @@
-// OpenSees, Tcl: the script of the law with a building on it. Its procedures build, load and shake the building and
-// write the motion and the forces of its isolators.
+// OpenSees, Tcl: the script of the law with a building on it.
 #include <fmt/format.h>
 
 #include "isolaw/base/words.hpp"

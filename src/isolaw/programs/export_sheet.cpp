@@ -1,10 +1,8 @@
-// A page of values for programs whose input could not be tried: each program's own symbols, whether its model is the
-// law or only the nearest one, and how far off that is.
-//
-// The force laws are those of the programs' manuals. SAP2000 and ETABS, Plastic (Wen): f = r k d + (1 - r) Fy z with
-// dz = (k / Fy) dd (1 - |z|^exp) where dd z > 0, else (k / Fy) dd: Bouc-Wen with beta = gamma. Rubber Isolator: the
-// same with exp = 2, coupled in its plane. MIDAS, Hysteretic System: as Plastic (Wen) with two free shares PA + PB = 1.
-// SeismoStruct: the arguments of the OpenSees bearing. Abaqus: connector elasticity with linear kinematic hardening.
+// A page of values for programs whose input could not be tried: their own symbols, and how far the model is off.
+// The force laws are those of the programs' manuals. SAP2000 and ETABS, Plastic (Wen): f = r k d + (1 - r) Fy z with dz
+// = (k / Fy) dd (1 - |z|^exp) where dd z > 0, else (k / Fy) dd: Bouc-Wen with beta = gamma. Rubber Isolator: with exp =
+// 2, coupled in its plane. MIDAS, Hysteretic System: Plastic (Wen) with two free shares PA + PB = 1. SeismoStruct: the
+// OpenSees bearing. Abaqus: connector elasticity with linear kinematic hardening.
 #include <fmt/format.h>
 
 #include <cctype>
@@ -20,7 +18,6 @@ namespace {
 using Wen = laws::BoucWenForm;
 using Corner = laws::BilinearForm;
 
-// A program's model of the law with the values of its three variants.
 template <class Values>
 struct Set {
   std::string how;      // "exact", or what was fitted and its error
@@ -37,7 +34,6 @@ Set<Values> with_bounds(Subject const& subject, Values const& nominal, std::stri
   return variants;
 }
 
-// How far a substitute is from the law.
 struct Errors {
   Deviation on_records;
   std::vector<OtherCycle> on_other_cycles;
@@ -122,7 +118,6 @@ WenSet rubber_isolator(Subject const& subject) {
   return fitted_set(subject, *found, "re-fitted with exponent 2 and beta = gamma; from the law", error);
 }
 
-// Bouc-Wen with beta and gamma free.
 WenSet free_bouc_wen(Subject const& subject, WenSet const& wen) {
   if (bilinear_values(*subject.law, subject.parameters)) return wen;
   if (auto const v = bouc_wen_values(*subject.law, subject.parameters))

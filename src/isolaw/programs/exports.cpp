@@ -18,7 +18,6 @@ namespace {
 
 constexpr std::string_view the_law_itself = "--to opensees-cpp, abaqus or cpp, the law itself";
 
-// Throws Error where the program's materials can give neither the law nor a substitute.
 Realisation realised(Subject const& subject, Remarks& remarks) {
   auto realisation = realise(subject);
   if (realisation.forms.empty())

@@ -13,7 +13,6 @@
 
 namespace isolaw::programs {
 
-// Collected while a target writes its form of the law.
 struct Remarks {
   std::vector<std::string> objections;  // reasons not to take the form for the law; refused unless asked for anyway
   std::vector<std::string> cautions;    // warnings that go with it
@@ -39,7 +38,7 @@ std::string opensees_script(Subject const& subject, Realisation const& realisati
                             ScriptAddition const& addition = {});
 std::string openseespy_script(Subject const& subject, Realisation const& realisation, UnitSystem const& units,
                               ScriptAddition const& addition = {});
-// The same followed by the subject's model, whose draws are already among the realisation's forms.
+// Adds the subject's model to it, whose draws are already among the realisation's forms.
 std::string opensees_model(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::string openseespy_model(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::string cpp_header(Subject const& subject, UnitSystem const& units);

@@ -15,7 +15,6 @@ std::string_view part(std::string_view name) {
   return embedded_text(header_files(), name);
 }
 
-// Adds a part after those that its first lines include; each part once.
 void add(std::vector<std::string_view>& parts, std::string_view text) {
   constexpr std::string_view include = "#include \"";
   while (text.starts_with(include)) {

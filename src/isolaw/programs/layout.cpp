@@ -20,7 +20,7 @@ namespace {
 
 struct LayoutColumn {
   std::vector<std::string_view> names;  // messages use the first
-  std::string units;                    // what is accepted; "" for text
+  std::string units;                    // accepted ones; "" for text
   std::optional<double> (*in_ours)(std::string_view unit);
   void (*set)(LayoutRow& place, double value);
   bool required = false, above_zero = false;

@@ -19,15 +19,14 @@ struct LayoutRow {
 
 inline constexpr std::size_t most_rows = 2000;
 
-// Throws one Error that lists everything wrong: no rows, a column that is unknown, missing or without its unit, values
-// that are no finite numbers, loads and stiffnesses not above zero, loads for some bearings only, two bearings with the
-// same name or at the same place.
+// Throws one Error that lists everything wrong: columns, units, values, loads for some bearings only, two bearings with
+// the same name or at the same place.
 std::vector<LayoutRow> read_layout(std::filesystem::path const& file);
 std::vector<LayoutRow> read_layout_text(std::string_view bytes, std::string const& name);
 
 // "2400 kN" gives 2400 and "kN"; nullopt where the text does not begin with a finite number.
 std::optional<std::pair<double, std::string_view>> number_and_unit(std::string_view text);
-// "kN/m" gives 0.001, that unit in kN/mm; nullopt for text that is no unit of stiffness.
+// "kN/m" gives 0.001 (in kN/mm).
 std::optional<double> parse_stiffness(std::string_view unit);
 
 }  // namespace isolaw::programs

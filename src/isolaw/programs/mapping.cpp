@@ -111,7 +111,7 @@ std::vector<Form> bouc_wen_forms(laws::BoucWenForm const& v) {
   return forms;
 }
 
-// The law's canonical form in kN and mm.
+// In kN and mm.
 laws::Canonical canonical(laws::LawEntry const& law, std::span<double const> parameters) {
   double const F = law.info.force.in_record_units, L = law.info.length.in_record_units;
   auto form = law.canonical(parameters);
@@ -138,7 +138,7 @@ laws::Canonical canonical(laws::LawEntry const& law, std::span<double const> par
   return form;
 }
 
-// Why no material of OpenSees has these limit curves; "" where one has.
+// "" where a material has them.
 std::string no_material_of(laws::LawEntry const& law, laws::LimitCurvesForm const& v) {
   auto const &up = v.loading, &down = v.unloading;
   if (up.sigmoid != 0.0 || down.sigmoid != 0.0)
@@ -161,13 +161,11 @@ std::string no_material_of(laws::LawEntry const& law, laws::LimitCurvesForm cons
   return {};
 }
 
-// Along a branch the distance to the limit curve falls as f0 exp(-alpha travel). Returns the travel in one direction
-// beyond which it may be lost to the rounding of the forces it is computed from. Those forces belong to a displacement
-// of `reach` times the travel: 1 from rest, 0.5 from one side to the other.
+// The distance to the limit curve falls as f0 exp(-alpha travel). Beyond this travel it may be lost to the rounding of
+// forces at `reach` times the travel: 1 from rest, 0.5 from one side to the other.
 double longest_travel(laws::LimitCurve const& v, double reach) {
   constexpr double roundings = 16.0 * std::numeric_limits<double>::epsilon();
   double travel = 0.0;
-  // Bisection: the rounding error grows with the travel, the distance falls.
   for (double low = 0.0, high = 60.0 / v.alpha; high - low > 1e-4 * high;) {
     travel = 0.5 * (low + high);
     double const disp = reach * travel, hardening = std::abs(v.beta2) * disp;
@@ -178,8 +176,8 @@ double longest_travel(laws::LimitCurve const& v, double reach) {
   return travel;
 }
 
-// Where the curve softens (beta1 < 0) HystereticAsym would refuse its arguments. Its hysteretic part is linear in ka,
-// kb and fo, so it is split: 1.1 times the part without the curve beside -0.1 times the part with the curve.
+// Where the curve softens (beta1 < 0) HystereticAsym refuses. Its hysteretic part is linear in ka, kb and fo, so it is
+// split: 1.1 times the part without the curve beside -0.1 times the part with the curve.
 constexpr double surplus = 0.1;
 
 // The hardening term of HystereticAsym has the coefficient 1, one unit of force whatever the unit system. So the

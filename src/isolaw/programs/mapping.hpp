@@ -1,5 +1,4 @@
-// From a law's parameters to the OpenSees commands that give the same force: argument orders, normalisations and
-// units. realise.hpp replays the result on the calibration record before it is believed.
+// OpenSees commands that give a law's force. realise.hpp replays the result before it is believed.
 #pragma once
 
 #include <optional>
@@ -27,7 +26,7 @@ struct MappedCommand {
 // The best that a form can be: algebraic forms are exact at every step, integrated ones as the step goes to zero.
 enum class Exactness { every_step, small_steps };
 
-// One way to give a law in a program: commands in order, of which the last makes the material or element to use.
+// The last of the commands makes the material or element to use.
 struct Form {
   std::string id;  // "material", "material_original", "bearing"
   std::string title;
@@ -46,16 +45,14 @@ struct Mapping {
   std::string why;          // why there is no form
 };
 
-// The exact forms of a law; `parameters` are in the law's units. `scale` multiplies the part of the force that grows
-// with displacement by `stiffness`, the hysteretic part by `strength`.
+// `scale` multiplies the part of the force that grows with displacement by `stiffness`, the hysteretic by `strength`.
 Mapping map_law(laws::LawEntry const& law, std::span<double const> parameters, BoundFactors const& scale = {});
 
 laws::BilinearForm scaled(laws::BilinearForm values, BoundFactors const& scale);
 laws::BoucWenForm scaled(laws::BoucWenForm values, BoundFactors const& scale);
 laws::MenegottoPintoForm scaled(laws::MenegottoPintoForm values, BoundFactors const& scale);
 
-// The law's own bilinear or Bouc-Wen form in kN and mm, if it has one; one set of limit curves without hardening is
-// Bouc-Wen's with n = 1.
+// In kN and mm; one set of limit curves without hardening is Bouc-Wen's with n = 1.
 std::optional<laws::BilinearForm> bilinear_values(laws::LawEntry const& law, std::span<double const> parameters);
 std::optional<laws::BoucWenForm> bouc_wen_values(laws::LawEntry const& law, std::span<double const> parameters);
 

@@ -32,8 +32,7 @@ class Steel01 final : public Material {
   double Fy_, E0_, b_, x_ = 0.0, force_ = 0.0;
 };
 
-// Arguments Fy E0 b R0 cR1 cR2. A curve from each reversal (xr, fr) to the point (x0, f0) where the elastic line meets
-// the asymptote.
+// Arguments Fy E0 b R0 cR1 cR2. A curve from each reversal (xr, fr) to the corner (x0, f0) with the asymptote.
 class Steel02 final : public Material {
  public:
   explicit Steel02(std::span<double const> a)
@@ -86,8 +85,7 @@ struct Iteration {
   int most = 20;            // iterations
 };
 
-// z after a step of backward Euler: z = z0 + dx (A - |z|^n (gamma + beta sgn(dx z))). NaN where the iteration does not
-// converge, since the program's force is then arbitrary.
+// Backward Euler: z = z0 + dx (A - |z|^n (gamma + beta sgn(dx z))). NaN where it does not converge, as in the program.
 double implicit_z(double z0, double dx, double A, double beta, double gamma, double n, double start,
                   Iteration const& iteration) {
   if (dx == 0.0) return z0;
@@ -171,8 +169,7 @@ DimensionlessBoucWen::Parameters bearing_bouc_wen(std::span<double const> a) {
                     {.tolerance = bearing_tolerance, .most = bearing_iterations});
 }
 
-// Arguments ka kb fo b1 b2 gamma. Nothing keeps the logarithm's argument positive: on a long branch the distance to the
-// limit curve is lost to rounding, and from there on the force is NaN.
+// Arguments ka kb fo b1 b2 gamma. On a long branch rounding makes the logarithm's argument negative, the force NaN.
 class HystereticAsym final : public Material {
  public:
   explicit HystereticAsym(std::span<double const> a)
@@ -213,7 +210,6 @@ class Parallel final : public Material {
   std::unique_ptr<Material> one_, other_;
 };
 
-// How many materials a command is built on.
 std::size_t inner_count(std::string_view name) {
   return name == "Multiplier" ? 1 : name == "Parallel" ? 2 : 0;
 }

@@ -1,14 +1,11 @@
 // The OpenSees materials and elements that laws are exported to, written again from their published formulas (never
 // from the program's code), with arguments in the order of the command. Replaying these decides whether an export may
-// be called exact, not the formulas that it was derived from.
-//
+// be called exact.
 // Sources: Steel01, OpenSees command manual (kinematic hardening, without its optional isotropic part). Steel02:
 // Filippou et al. 1983 as in that manual, likewise. BoucWen: Wen 1976 as in Haukaas and Der Kiureghian 2003, z by
 // backward Euler. BoucWenOriginal and elastomericBearingBoucWen: Park, Wen and Ang 1986, z dimensionless, backward
-// Euler. elastomericBearingPlasticity: return mapping. HystereticAsym: Vaiana et al. 2018/2021, algebraic.
-// Multiplier: a factor on the force. Parallel: the sum of two.
-// Programs find z by Newton's rule. So does this, from the same start with the same number of iterations; where they do
-// not converge the force is NaN.
+// Euler. elastomericBearingPlasticity: return mapping. HystereticAsym: Vaiana et al. 2018/2021. Newton's rule finds z
+// from the program's start with its number of iterations; where it does not converge the force is NaN.
 #pragma once
 
 #include <memory>
@@ -29,17 +26,16 @@ class Material {
 inline constexpr int bearing_iterations = 100;
 inline constexpr double bearing_tolerance = 1e-9;
 
-// One command: the name of a material or element and its arguments after the tags. A material built on others comes
-// after them: a Multiplier takes the last one not yet taken, Parallel the last two.
+// A material built on others comes after them: a Multiplier takes the last one not yet taken, Parallel the last two.
 struct Command {
   std::string name;
   std::vector<double> arguments;
 };
 
-// Tags of a command, as offsets above the tag that the user gives. The last command has offset 0, the others 1, 2, ...
+// Offsets above the tag that the user gives: 0 for the last command, 1, 2, ... for the others.
 struct Tags {
   std::size_t own = 0;
-  std::vector<std::size_t> inner;  // of the materials that it is built on
+  std::vector<std::size_t> inner;  // those of the materials that it is built on
 };
 // Throws Error for a command that lacks a material to build on, and where more than the last material is left over.
 std::vector<Tags> tags_of(std::span<Command const> commands);

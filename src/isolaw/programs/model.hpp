@@ -1,6 +1,4 @@
-// A building on isolators, as the targets opensees-model and openseespy-model write it: bearings under a slab that is
-// rigid in its plane, their loads and vertical springs, the slab's mass, the motion of the ground, and the bounds or
-// draws that differ between analyses. All in kN, mm and s.
+// A building on isolators, for the targets opensees-model and openseespy-model. All in kN, mm and s.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +15,6 @@
 
 namespace isolaw::programs {
 
-// Options as the user gives them; each is a row of model_table().
 struct ModelOptions {
   std::optional<std::string> layout, mass, gyration, axial, ground_motion, ground_motion_y;
   std::optional<double> ground_motion_dt;
@@ -34,7 +31,7 @@ struct ModelBearing {
 struct Model {
   std::string layout;  // the file
   std::vector<ModelBearing> bearings;
-  double weight_kN = 0.0, x_mm = 0.0, y_mm = 0.0, gyration_mm = 0.0;  // of what is carried; its centre
+  double weight_kN = 0.0, x_mm = 0.0, y_mm = 0.0, gyration_mm = 0.0;  // the carried weight and its centre
   std::string weight_from, centre_from, gyration_from, K_v_from;      // in words
   std::vector<data::GroundMotion> motions;                            // along x, and along y where there are two
   double scale = 1.0;
@@ -47,8 +44,7 @@ struct Model {
 // The most sets of parameters that one file holds; each has a material and a check.
 inline constexpr int most_drawn_sets = 2000;
 
-// `device` is a name or "lot", as on the command line; its compression tests may give K_v. Throws one Error that lists
-// what is missing (layout, motion, mass, K_v), motions of two lengths, and draws of a law without a population.
+// `device` is a name or "lot"; its compression tests may give K_v. Throws one Error that lists all faults.
 Model make_model(ModelOptions const& options, campaign::Contents const& contents, study::Summary const& summary,
                  std::string_view law, std::string_view device, std::uint64_t seed);
 

@@ -24,7 +24,6 @@ Form const* with_id(Mapping const& mapping, std::string_view id) {
   return found == mapping.forms.end() ? nullptr : &*found;
 }
 
-// The step that the form's integration asks for, or the longest that an analysis takes.
 double step_asked_s(Subject const& subject, Realised const& form) {
   if (form.nominal.exactness == Exactness::every_step) return longest_model_step_s;
   if (!form.steps) return careful_model_step_s;

@@ -1,5 +1,4 @@
-// Shared by the Tcl and the Python text of a model: the form that carries the bearings, steps in time, tags, cases and
-// the facts in the file's head.
+// Shared by the Tcl and the Python text of a model.
 #pragma once
 
 #include <string>
@@ -10,13 +9,12 @@
 
 namespace isolaw::programs {
 
-// The form that the model uses: the bearing element that couples both directions if there is one, else springs.
+// A bearing element that couples both directions is preferred to springs.
 Realised& form_of_model(Realisation& realisation);
 Realised const& form_of_model(Realisation const& realisation);
 
-// Adds a variant of the model's form for every bearing of every draw; a law that stands in is fitted to each of them.
-// Throws Error that names the first draw and bearing whose law the program cannot give. Returns the worst deviation of
-// a drawn form from its own law.
+// Adds a variant for every bearing of every draw; a law that stands in is fitted to each. Throws Error that names the
+// first draw and bearing that the program cannot give. Returns the worst deviation of a drawn form from its law.
 Deviation add_draws(Realisation& realisation, Subject const& subject);
 std::string drawn_variant(std::size_t draw, std::size_t bearing);  // both from 1: "draw_3_12"
 
@@ -33,22 +31,17 @@ struct ModelNumbers {
   double motion_step_s = 0.0;
   int pieces = 1;  // steps of the analysis to one of the motion
   std::vector<std::vector<double>> motions;
-  double tolerance = 0.0;          // of Newton's rule, on displacements
+  double tolerance = 0.0;          // Newton's rule, on displacements
   double tested = 0.0;             // largest tested displacement
   std::vector<std::string> cases;  // "lower", "nominal", ...; "nominal", "draw_1", ...
   bool held = false;               // against turning, where there is only one bearing
 };
 ModelNumbers model_numbers(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
-
-// One sentence for each thing in the model that lies outside the tests.
 std::vector<std::string> model_cautions(Subject const& subject, UnitSystem const& units);
 
 std::vector<Fact> model_facts(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
-
-// Comment lines that tell how to run the analyses.
 std::string run_usage(std::string_view command, std::string const& folder, ModelNumbers const& numbers);
 
-// First lines of the result files.
 std::string slab_header(UnitSystem const& units);
 std::string peaks_header(UnitSystem const& units);
 

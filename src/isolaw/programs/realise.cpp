@@ -44,7 +44,6 @@ bool is_sample(History const& history, std::size_t i) {
   return history.measured_kN.empty() || std::isfinite(history.measured_kN[i]);
 }
 
-// Errors of stiffness and energy in the cycle that is reported for the reference force.
 void compare_properties(Deviation& result, History const& history, std::span<double const> force,
                         std::span<double const> other) {
   std::vector<double> x, f, reference, time;
@@ -146,7 +145,7 @@ void add_bounds(Realised& realised, std::size_t index, laws::LawEntry const& law
   realised.upper = form(bounds.upper);
 }
 
-// Candidates in the law's place, the nearest first.
+// The nearest first.
 std::vector<Substitute> stand_ins(Subject const& subject) {
   std::vector<Substitute> fitted;
   for (std::string_view const id : {corner_law, smooth_law})
@@ -289,8 +288,7 @@ std::string failure_of(Form const& form, Subject const& subject, Realised& reali
       found.largest, finer_steps, realised.finer->largest);
 }
 
-// Fits to the law's force, not to the measured one: the export stands for this law, whose distance from the measurement
-// is reported beside it.
+// Fits to the law's force, not to the measured one: the export stands for this law.
 Substitute fit_substitute(Subject const& subject, std::string_view id, std::vector<fit::Override> const& asked) {
   auto const& history = subject.histories.front();
   data::FitRecord record;

@@ -1,5 +1,4 @@
-// From a law to commands that a program can compute: the exact forms where their replay agrees with the law, else the
-// nearest law that the program has, fitted to this one's force, with its error.
+// From a law to a program's commands: exact forms where their replay agrees, else the nearest law fitted to this one.
 #pragma once
 
 #include <optional>
@@ -23,7 +22,7 @@ enum class Fidelity {
 };
 std::string_view name(Fidelity fidelity);
 
-// How far a force is from a reference over a history, in percent.
+// In percent.
 struct Deviation {
   double largest = 0.0;                 // in percent of the reference's peak
   std::optional<double> at_s;           // time of the largest; empty without time
@@ -34,8 +33,6 @@ struct Deviation {
 // `other` is the reference; points where it is no number are left out. A force that is no number gives infinity.
 Deviation deviation(History const& history, std::span<double const> force_kN, std::span<double const> other_kN);
 void keep_worst(Deviation& worst, Deviation const& other);
-
-// A form and the results of its replay.
 struct Realised {
   Form nominal;
   std::optional<Form> lower, upper;
@@ -60,22 +57,18 @@ struct Realisation {
   std::optional<Deviation> draws_from_law;  // the worst draw against its own law, on the first history
 };
 
-// Largest deviation from the law, in percent of the peak force, for a form to be called exact; and, in steps
-// finer_steps times smaller than the records', for one to be called exact as the step goes to zero.
+// Limits in percent of the peak force, at the records' steps and at steps finer_steps times smaller.
 inline constexpr double exact_percent = 1e-7, limit_percent = 0.5;
 // Where the isolator moves this many times as far as in the tests the form must still give a force.
 inline constexpr double overtravel = 1.5;
 
-// The laws that stand in for one that a program lacks: one whose loop has a corner, and a smooth one.
 inline constexpr std::string_view corner_law = "bilinear", smooth_law = "bouc-wen";
 
-// A substitute is far off if it differs from the law by more than these, in percent of the peak force, at one sample or
-// in the root mean square, or misses its stiffness or energy by more than an adequate law may (study/adequacy.hpp).
+// In percent of the peak force, at one sample or rms; so is one whose stiffness or energy is off (study/adequacy.hpp).
 inline constexpr double far_off_percent = 50.0, far_off_rms_percent = 10.0;
 bool far_off(Deviation const& from_law);
 bool far_off(std::vector<OtherCycle> const& cycles);
 
-// Another law, with the parameters that bring it nearest to the subject's force on the first history.
 struct Substitute {
   laws::LawEntry const* law = nullptr;  // null: none gave a force
   std::vector<double> parameters;
@@ -84,7 +77,7 @@ struct Substitute {
 Substitute fit_substitute(Subject const& subject, std::string_view law,
                           std::vector<fit::Override> const& overrides = {});
 
-// How far a law with these parameters is from the subject's; the worst over the histories.
+// The worst over the histories.
 Deviation deviation_of_law(Subject const& subject, laws::LawEntry const& law, std::span<double const> parameters);
 
 Realisation realise(Subject const& subject);

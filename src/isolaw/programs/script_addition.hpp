@@ -11,7 +11,7 @@ namespace isolaw::programs {
 struct ScriptAddition {
   std::vector<Fact> facts;
   std::string usage;       // lines of comment
-  std::string procedures;  // of the namespace or the module
+  std::string procedures;  // belong to the namespace or the module
   std::string dispatch;    // reads the program's arguments; in Tcl it follows the check's
 };
 

@@ -1,5 +1,4 @@
-// The self-check that every script carries: a path of displacements, the law's force along it, and the force that the
-// program's algorithm must give there.
+// The self-check of every script: displacements, the law's force, and the force that the program must give there.
 #pragma once
 
 #include <string>
@@ -13,7 +12,7 @@ namespace isolaw::programs {
 struct CheckedVariant {
   std::string name;  // "nominal", "lower", "upper"
   std::vector<Command> commands;
-  std::vector<Tags> tags;     // of the commands
+  std::vector<Tags> tags;     // one for each command
   std::vector<double> force;  // expected of the program
 };
 
@@ -21,7 +20,7 @@ struct CheckedForm {
   Form const* form = nullptr;
   std::string function;  // name in the script: "material"
   bool is_element = false;
-  double tolerance = 1e-6;  // of the peak force
+  double tolerance = 1e-6;  // share of the peak force
   std::vector<CheckedVariant> variants;
 };
 
@@ -30,12 +29,11 @@ struct SelfCheck {
   std::vector<CheckedForm> forms;
 };
 
-// Tells which further tags a script's function uses: "uses the tag after the given one too"; "" for none.
+// "uses the tag after the given one too"; "" for none.
 std::string tags_text(Form const& form);
 
 SelfCheck self_check(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 
-// Numbers for a script, ten significant digits, some to a line.
 std::string number_lines(std::vector<double> const& values, std::string_view separator, std::string_view indent);
 
 }  // namespace isolaw::programs

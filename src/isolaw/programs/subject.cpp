@@ -19,7 +19,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// The motion that replays follow: the samples and, where the law was turned between samples, the turning points.
+// The samples and, where the law was turned between samples, the turning points.
 History history_of(campaign::Device const& device, laws::TurningPoints turning_points) {
   auto const& record = device.record;
   auto const path = turning_points == laws::TurningPoints::interpolated

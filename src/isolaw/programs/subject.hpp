@@ -1,6 +1,4 @@
-// The subject of an export: one law of a campaign with the parameters of a device or of the lot, the histories it was
-// calibrated on, how far the tests went, and the factors of its upper and lower bounds. Everything comes from the
-// campaign's contents.
+// The subject of an export: one law of a campaign with the parameters of a device or of the lot.
 #pragma once
 
 #include <optional>
@@ -30,7 +28,7 @@ struct History {
   double dead_band_mm = 0.0;        // FitRecord::dead_band_mm
 };
 
-// How far the tests went, over all histories. Empty: not stated by the records or the lot file.
+// Empty: not stated by the records or the lot file.
 struct Tested : study::Range {
   std::optional<double> strain_percent;
   std::optional<double> lowest_Hz, highest_Hz;
@@ -42,8 +40,8 @@ struct Fitted : study::Range {
   std::string part;  // "block 1", ...; empty: all of them
 };
 
-// Factors on the part of the force that grows with displacement (K_d) and on the hysteretic part (Q_d). Both are equal
-// where only one factor on the whole force is known.
+// For the part of the force that grows with displacement (K_d) and the hysteretic part (Q_d); equal if only one is
+// known.
 struct BoundFactors {
   double stiffness = 1.0, strength = 1.0;
   double overall = 1.0;  // on the whole force, for laws and programs that cannot tell the parts apart
@@ -56,7 +54,7 @@ struct Bounds {
 };
 
 struct Subject {
-  std::string version;  // of this program
+  std::string version;  // this program's
   std::string makers;   // versions and builds that calibrated
   std::string title;
   laws::LawEntry const* law = nullptr;
@@ -68,7 +66,7 @@ struct Subject {
   // One for a device; for a lot one for each device that takes part, the largest amplitude first.
   std::vector<History> histories;
   History protocol;           // two cycles, at half and at the whole tested amplitude
-  double frequency_Hz = 0.0;  // of the protocol
+  double frequency_Hz = 0.0;  // the protocol's
   std::optional<double> objective;
   Tested tested;
   Fitted fitted;
@@ -76,12 +74,12 @@ struct Subject {
   Bounds bounds;
   std::uint64_t seed = 1;
   int refinement = 1;
-  double dead_band_mm = 0.0;                               // of the device's record; of a lot the largest
+  double dead_band_mm = 0.0;                               // from the device's record; for a lot the largest
   std::optional<double> K_eff_kN_per_mm, damping_percent;  // measured: of the device, or the mean of the lot
   double design_disp_mm = 0.0;                             // amplitude of the reported cycle
-  std::vector<std::string> beyond;  // what the law does beyond the tests (away.hpp), in the units asked for
+  std::vector<std::string> beyond;  // sentences about the law beyond the tests (away.hpp), in the units asked for
   std::vector<std::string> notes;
-  std::optional<Model> model;  // of the targets that write a whole building
+  std::optional<Model> model;  // set for the targets that write a whole building
 };
 
 // Two sine cycles from rest, the second beginning at the middle point; without forces.
@@ -91,12 +89,11 @@ History two_cycles(double first_mm, double second_mm, double frequency_Hz, int s
 // A name that programs accept: at most 40 characters, each run of others than letters and digits as one underscore.
 std::string plain_name(std::string_view name);
 
-// Throws Error where the campaign has no such law or device (it lists them), where the law has no result on the device
-// and where the lot has no law of its own. `units` are those of the numbers in Bounds::source and `beyond`.
+// Throws Error where the campaign lacks such a law, device or result. `units` are for Bounds::source and `beyond`.
 Subject make_subject(campaign::Contents const& contents, study::Summary const& summary, std::string_view law,
                      std::string_view device, UnitSystem const& units = unit_systems[0]);
 
-// Force of the law [kN] at the history's points.
+// In kN, at the history's points.
 std::vector<double> law_force(laws::LawEntry const& law, std::span<double const> parameters, History const& history);
 
 }  // namespace isolaw::programs

@@ -9,26 +9,20 @@
 
 namespace isolaw::programs {
 
-// Makes foreign text safe in a script's comment: control characters, quotes, backslashes and all that Tcl, Python or
-// C++ could act on become '_'.
+// For a comment: all characters that Tcl, Python or C++ could act on become '_'.
 std::string harmless(std::string_view text);
-// The same for a cell of a Markdown table.
 std::string harmless_markdown(std::string_view text);
-// "isolaw_bouc_wen_P_1": letters, digits and single underscores, not beginning with a digit; different for each device
-// of a campaign.
+// "isolaw_bouc_wen_P_1": letters, digits and single underscores; different for each device of a campaign.
 std::string identifier(Subject const& subject);
 
 // Shortest text that reads back as the same number.
 std::string exactly(double value);
-// Each argument follows the separator.
 std::string argument_values(Command const& command, std::string_view separator);
 // "Command argument argument; Command ...".
 std::string argument_names(Form const& form);
 
-// Options at the end of an element's command: more iterations for z than the program's own 25, as our materials have.
-// "" for elements that do not iterate.
+// More iterations for z than the program's 25, as our materials have; "" for elements that do not iterate.
 std::string element_options(Command const& command, std::string_view separator, std::string_view quote);
-// Five significant digits, for people.
 std::string briefly(double value);
 
 struct Fact {
@@ -38,10 +32,9 @@ struct Fact {
 inline constexpr std::string_view export_licence = "MIT-0",
                                   export_licence_text =
                                       "use, change and pass on what isolaw wrote here as you like; no notice is needed";
-// Licence, law, parameters, units, fidelity, errors, validity, bounds. `program` is the target as users know it.
+// `program` is the target as users know it.
 std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, UnitSystem const& units,
                         std::string_view program, bool one_factor = false);
-// The same for an export that holds the law itself: exact, with bounds by one factor on the force.
 std::vector<Fact> facts_of_the_law(Subject const& subject, UnitSystem const& units, std::string_view program,
                                    std::string explanation);
 // Facts as lines no wider than 110 characters, harmless, for comments.
@@ -51,9 +44,7 @@ std::vector<std::string> fact_lines(std::vector<Fact> const& facts);
 std::string parameter_text(laws::LawEntry const& law, std::span<double const> parameters);
 // The ranges that the law was fitted to and tested in, "not stated" where the records do not say.
 std::vector<Fact> validity(Subject const& subject, UnitSystem const& units);
-// How far the law is from the measured force.
 std::vector<Fact> measured_facts(Subject const& subject);
-// Warnings for an analysis that goes beyond the tests or moves the bearing in two directions.
 std::vector<Fact> away_facts(Subject const& subject, Realisation const& realisation);
 std::vector<Fact> bound_facts(Subject const& subject, bool one_factor);
 std::string deviation_text(Deviation const& deviation);

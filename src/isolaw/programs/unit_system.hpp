@@ -1,5 +1,4 @@
-// The unit systems an analysis program may be run in. Programs carry no units: an export states the one it was written
-// in, and every argument is converted by its own powers of force and length.
+// Programs carry no units: an export states its own, and converts every argument by its powers of force and length.
 #pragma once
 
 #include <array>
@@ -33,7 +32,6 @@ inline constexpr Unit inch{Dimension::length, "in", 25.4};
 inline constexpr std::array unit_systems{UnitSystem{"kN-mm", kN, mm}, UnitSystem{"N-m", N, m},
                                          UnitSystem{"kip-in", kip, inch}};
 
-// Throws Error that lists them.
 inline UnitSystem const& find_unit_system(std::string_view id) {
   for (auto const& system : unit_systems)
     if (system.id == id) return system;
