@@ -13,8 +13,6 @@ import { verdictSection } from './building/verdict.js';
 import { element } from './dom.js';
 import { followWindow, showSections } from './shell.js';
 import { count } from './text.js';
-
-// In the order of the page.
 const SECTIONS = [
   verdictSection, spreadSection, varianceSection, lawsSection, planSection, historySection, checksSection, assumedSection,
 ];

@@ -15,7 +15,6 @@ export function icon(...shapes) {
   return svg;
 }
 
-// The tone of a law's role; every role on the front is good.
 const TONES = { 'held by its box': 'care', dominated: 'poor', 'not adequate': 'poor', 'not ranked': 'muted' };
 export const roleTone = (role) => TONES[role] ?? 'good';
 

@@ -1,11 +1,8 @@
-// Places for the labels of a plot.
-
 const MARKER = 8, // pixels about a point that belong to its marker
   LETTERS = 16; // height of a label
 
 const meet = (a, b) => a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
 
-// Whether a line from one point to another enters a box.
 function enters([x0, y0], [x1, y1], box) {
   const steps = Math.max(2, Math.ceil(Math.hypot(x1 - x0, y1 - y0) / 4));
   for (let k = 1; k < steps; ++k) {

@@ -1,5 +1,3 @@
-// The lot as a rule set sees it.
-
 import { reportedCycle } from './cycles.js';
 import { report } from './report.js';
 import { count, isNumber, mean } from './text.js';

@@ -21,8 +21,6 @@ import { followWindow, showSections } from './shell.js';
 import { count } from './text.js';
 import { verdictSection } from './verdict/section.js';
 import { WORDS } from './verdicts.js';
-
-// In the order of the page.
 const SECTIONS = [
   verdictSection, decisionSection, accuracySection, loopsSection, parametersSection, determinationSection, oneLawSection,
   predictionSection, publishedSection, propertiesSection, devicesSection, certificateSection, provenanceSection,

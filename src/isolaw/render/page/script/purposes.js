@@ -17,11 +17,7 @@ export const PURPOSES = [
   })),
   ...(VIEWS.length > 0 ? [{ id: 'robustness', title: 'Accuracy against robustness' }] : []),
 ];
-
-// The colour of an answer, by how sure it is.
 export const TONES = { clear: 'good', tie: 'care', weak: 'care' };
-
-// The first that has an answer.
 export const FIRST = (PURPOSES.find(({ recommendation }) => recommendation?.law) ?? PURPOSES[0])?.id;
 
 export const purposeOf = (id) => PURPOSES.find((purpose) => purpose.id === id);
@@ -60,8 +56,6 @@ export function answerOf(purpose, viewId) {
   if (view.id === 'runs') return report.findings.headline;
   return 'On the front ' + view.title + ': ' + enumerate(answering(purpose, viewId).map(({ name }) => name)) + '.';
 }
-
-// The laws of a view, from accurate to not.
 export const placedIn = (view) => laws.filter((law) => isPlaced(view, law)).sort((a, b) => view.accurate(a) - view.accurate(b));
 
 // Three numbers that carry the answer, each with what it is.

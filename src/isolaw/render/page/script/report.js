@@ -1,5 +1,3 @@
-// The data block of a campaign or an inspection.
-
 import { data } from './data.js';
 import { atTheHead, printed } from './text.js';
 
@@ -35,11 +33,8 @@ export const lotLaws = lawsByObjective.filter((law) => law.lot !== null);
 // Such a law misses the blocks that it was not fitted to.
 export const doesNotPredict = (law) => law.prediction_grade === 'poor' || law.prediction_grade === 'unusable';
 export const predictedLaws = lawsByObjective.filter((law) => law.predicted_objective !== null);
-
-// Best prediction first.
 export const predictedByFit = [...predictedLaws].sort((a, b) => a.predicted_objective - b.predicted_objective);
 
-// Places of the parameters that were examined on some device.
 export function examinedPlaces(law) {
   return law.parameters
     .map((_, place) => place)

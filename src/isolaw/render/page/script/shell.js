@@ -1,5 +1,3 @@
-// The parts that every page has: sections in order, the contents, and the redrawing of figures.
-
 import { element } from './dom.js';
 import { buildFigure, drawn, redraw, redrawDependents, render, reserve } from './figure.js';
 import { joinTables, partTables } from './tables.js';

@@ -1,5 +1,3 @@
-// The tables of the page: how they are built, and how their heads sort them.
-
 import { element } from './dom.js';
 import { DASH, MINUS } from './text.js';
 
@@ -73,7 +71,6 @@ function sortHeads(body, columns, heads, { label, order, follow, byItem }) {
   if (current) show();
 }
 
-// A column's name, with its place in a table that has the name twice.
 export function keyOf({ title, unit = '' }, place = 0, columns = [{ title, unit }]) {
   const name = (column) => (column.title.textContent ?? column.title) + '\n' + (column.unit ?? '');
   const own = name({ title, unit });
@@ -122,7 +119,6 @@ export function table(columns, rows, label, { sorts = rows.length > FEW_ROWS, or
   return element('div', { class: rows.length > 60 ? 'scroll long' : 'scroll', tabindex: '0', role: 'region', 'aria-label': label }, whole);
 }
 
-// A table with one row for each item. A column's `cell` makes the cell, `className` the class of the row.
 export function tableOf(columns, items, label, { className = () => null, ...more } = {}) {
   const rows = items.map((item, i) => ({
     className: className(item, i),

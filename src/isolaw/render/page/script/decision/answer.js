@@ -4,7 +4,6 @@ import { withBadges } from '../laws.js';
 import { PURPOSES, TONES, answerOf, answering, numbersOf, purposeOf } from '../purposes.js';
 import { sentence } from '../text.js';
 
-// The answer: one sentence, how sure it is, three numbers, the reasons, and the test that would tell more.
 export const answerFigure = { id: 'answer', title: '', depends: ['purpose', 'view'], controls: purposeControl, build: answer };
 
 function answer() {

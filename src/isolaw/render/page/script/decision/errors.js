@@ -1,11 +1,8 @@
-// The error of each law for the chosen purpose.
-
 import { chosen } from '../choice.js';
 import { NARROW, textWidth } from '../plotting.js';
 import { TONES, errorText, purposeOf, standingsOf } from '../purposes.js';
 import { isNumber, plain } from '../text.js';
 
-// A recommended law has the colour of its answer.
 const COLOURS = { behind: 'measured', 'ruled out': 'paper' };
 const colourOf = (place) => COLOURS[place] ?? TONES[purposeOf(chosen.purpose).recommendation.sure];
 const shown = () => standingsOf(purposeOf(chosen.purpose)).filter(({ error }) => isNumber(error));

@@ -1,5 +1,3 @@
-// Cells of the table of parameters by device, one of which is chosen.
-
 import { chooseDevice, chosen, onChoice } from '../choice.js';
 
 export function chooseCell(button) {
