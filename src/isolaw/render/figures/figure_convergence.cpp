@@ -1,4 +1,3 @@
-// The best objective of a law's searches, step by step.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -103,7 +102,6 @@ std::string device_panels_script(std::string const& name, std::string const& abo
   return script.take();
 }
 
-// The last curve covers all devices.
 std::string pooled_script(std::string const& name, std::string const& about, std::vector<Curves> const& curves,
                           std::string_view steps, std::size_t law) {
   Script script(name, about, single_column_mm, 62.0);

@@ -66,7 +66,6 @@ struct Beside {
   Spreads here, printed;
 };
 
-// The study's laws that the campaign has results of.
 std::vector<Beside> laws_beside(Summary const& summary) {
   std::vector<Beside> laws;
   auto const known = study::published(summary);

@@ -14,7 +14,6 @@
 namespace isolaw::render {
 
 enum class FigureChoice { none, lot, all };  // lot: with one device's loops as an example; all: every device's figures
-
 // Throws Error for other names than "none", "lot" and "all".
 FigureChoice figure_choice(std::string_view name);
 
@@ -23,8 +22,7 @@ struct Figure {
   std::string data, script;
 };
 
-// Makes one figure after the other, so that those of 160 devices need not be in memory at once. Leaves out figures
-// without anything to draw.
+// One figure after the other, since those of 160 devices fill the memory; leaves out those with nothing to draw.
 void for_each_figure(Summary const& summary, FigureChoice choice, std::function<void(Figure const&)> const& use);
 
 // File names made of letters, digits, '.', '-' and '_', short enough for a file system and different even where case

@@ -48,7 +48,6 @@ std::string asked_json(campaign::Acceptance const& asked) {
   return out.take();
 }
 
-// The colours of the laws as variables of the style sheet, like its other colours.
 std::string law_colours() {
   std::string light, dark;
   for (std::size_t i = 0; i < law_look_count; ++i) {
@@ -59,7 +58,6 @@ std::string law_colours() {
                      light, dark);
 }
 
-// The template with title, state of acceptance, data and one of the joined scripts filled in.
 std::string page_of(std::string_view title, std::string_view asked, std::string_view data, std::string_view script) {
   std::map<std::string_view, std::string> const contents{
       {"title", html_escaped(title)},

@@ -74,7 +74,7 @@ void write_curves(JsonWriter& out, Record const& record, std::vector<std::size_t
   write_curve(out, "force_kN", record.force_kN, drawn);
 }
 
-// The raw loop, thinned: point k of a curve is raw sample min(k stride, samples - 1).
+// Point k of a curve is raw sample min(k stride, samples - 1).
 void write_raw(JsonWriter& out, data::TestRecord const& raw, std::size_t most) {
   auto const drawn = drawn_samples(raw.size(), most);
   out.key("raw").begin_object();
@@ -304,7 +304,6 @@ void write_conclusions(JsonWriter& out, Summary const& summary) {
   out.end_object();
 }
 
-// The order of the laws, the device that is shown first, and the laws that stand on each view's front.
 void write_shown(JsonWriter& out, Summary const& summary) {
   out.key("by_objective").begin_array();
   for (auto const law : by_objective(summary))
