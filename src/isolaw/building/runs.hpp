@@ -83,7 +83,6 @@ class RunStore {
   std::size_t runs_there() const;
   bool is_there(Blocks::Block const& block) const;
   void add(std::vector<Row> const& rows);
-  // Calls take(place, measured) for every run of a law under a motion, in order of places.
   void each(std::size_t law, std::size_t motion,
             std::function<void(std::size_t, std::vector<double> const&)> const& take) const;
   // Rewrites a closed store in a fixed order, so that equal runs are equal files (campaign/sqlite.hpp).

@@ -139,7 +139,6 @@ std::optional<data::Cycle> compared_cycle(data::Properties const& measured, data
   return chosen;
 }
 
-// Errors of the best fit against the record the law saw.
 void compare_properties(DeviceFit& made, data::FitRecord const& record) {
   auto const time = record.has_time() ? std::span<double const>(record.time_s) : std::span<double const>();
   auto const measured = data::cyclic_properties(data::CycleView{record.disp_mm, record.force_kN, time, {}});
@@ -203,7 +202,6 @@ DeviceFit device_fit(campaign::Contents const& contents, campaign::Search const&
   return made;
 }
 
-// Device means of one parameter, in the order of the fits that have one.
 std::vector<double> means_of(LawResult const& law, std::size_t parameter) {
   std::vector<double> means;
   for (auto const& fit : law.devices)
@@ -235,7 +233,6 @@ void add_lot_statistics(LawResult& law) {
   law.beta_note = robustness.note;
 }
 
-// By the best run of the first device it was identified on.
 bool in_programs(LawResult const& law, laws::LawEntry const& entry) {
   auto const fit = std::ranges::find_if(law.devices, [](auto const& f) { return f.objective.best.has_value(); });
   if (fit == law.devices.end()) return false;

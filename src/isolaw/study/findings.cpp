@@ -35,12 +35,10 @@ bool describes(LawResult const& law) {
   return law.objective.mean && is_adequate(law);
 }
 
-// The laws that a comparison covers: "all", or "adequate" where some do not describe the devices.
 std::string among(Summary const& summary) {
   return std::ranges::all_of(summary.laws, is_adequate) ? "all" : "adequate";
 }
 
-// A finding that compares a law with the others, with its error and beta where it has them.
 Finding beside_others(Summary const& summary, FindingKind kind, LawResult const& law) {
   Finding finding{.kind = kind, .law = law.id, .words = {{"among", among(summary)}}};
   if (law.objective.mean) finding.numbers.push_back({"misfit", *law.objective.mean});
@@ -55,7 +53,6 @@ std::vector<bool> front_among_adequate(Summary const& summary) {
       [](auto const& law) { return law.objective.mean; });
 }
 
-// The same front without the optimiser's noise.
 std::vector<bool> converged_among_adequate(Summary const& summary) {
   return front_of(
       summary.laws, [](auto const& law) { return describes(law) ? law.beta_converged : std::nullopt; },

@@ -16,7 +16,6 @@ namespace {
 using Names = std::vector<std::string>;
 using enum FindingKind;
 
-// Collects the findings of a campaign within a scope.
 class Collector {
  public:
   Collector(Summary const& summary, Scope const& scope) : summary_(summary), scope_(scope) {
@@ -174,7 +173,6 @@ class Collector {
   void parameters(LawResult const& law) {
     double fitted = 0.0, examined = 0.0;
     std::vector<Finding> open, bounds;
-    // Finds the finding on this parameter and side, or adds it.
     auto const about = [&](std::vector<Finding>& list, FindingKind kind, std::string const& parameter,
                            std::vector<FindingWord> const& words) -> Finding& {
       auto const found = std::ranges::find_if(

@@ -25,7 +25,6 @@ struct Scope {
 // Findings within the scope. Whether a law describes the devices, and which devices share a record, is judged on the
 // whole campaign whatever the scope.
 std::vector<Finding> warnings(Summary const& summary, Scope const& scope = {});
-
 // For each device, in the order of the summary: the findings on its record and on sharing it with other devices.
 std::vector<std::vector<Finding>> device_warnings(Summary const& summary);
 
