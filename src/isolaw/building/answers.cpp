@@ -307,7 +307,6 @@ BearingLoops loops_of(Model const& model, Devices const& devices, Study const& s
   return loops;
 }
 
-// Adds `share` times each diaphragm's acceleration spectrum [diaphragm][period].
 void add_spectra(std::vector<std::vector<double>>& to, Response const& run, double share) {
   auto const& periods = spectrum_periods_s();
   if (run.history.acceleration.empty()) return;

@@ -60,11 +60,9 @@ struct Coverage {
   std::string not_monotonic;
 };
 Finding covering_factors(Coverage const& coverage);
-
 // Codes let a design use the mean response only from this number of motions on (EN 1998-1, 4.3.3.4.3; ASCE 7-16,
 // 17.3.3; its chapter 16 asks for eleven).
 inline constexpr std::size_t motions_for_a_mean = 7;
-
 // The nominal building under one motion by the implicit path, and how far other methods are from it.
 struct Checked {
   std::string outcome;

@@ -88,7 +88,6 @@ struct Steps {
   double dt = 0.0;
 };
 Steps steps_of(Motion const& motion, double longest_step_s, double rest_s);
-
 // The bearings start in their present state and end in that after the run.
 Response integrate(Model const& model, std::span<std::unique_ptr<Bearing> const> bearings, Motion const& motion,
                    Options const& options = {});

@@ -139,7 +139,6 @@ struct RunAllOptions {
 };
 // Throws Error as Runs. Finished runs are stored, whatever ends the call. Returns false if it was interrupted earlier.
 bool run_all(Study const& study, RunStore& store, std::size_t threads, RunAllOptions const& options = {});
-
 // The options of a law's runs: the step is that of the settings or, if that is less, longest_explicit_step() for the
 // bearings of the upper bound analysis at rest.
 Options options_of(Study const& study, Model const& model, Devices const& devices);

@@ -24,12 +24,10 @@ void write_building_outputs(building::Study const& study, building::Answers cons
                             std::filesystem::path const& dir);
 // The files of write_outputs(): their names relative to `dir`, and their texts.
 std::vector<std::pair<std::string, std::string>> output_texts(Summary const& summary);
-
 // Removes all of these, run.json and the figures: the reports of one campaign must not stand beside the store of
 // another.
 void remove_outputs(std::filesystem::path const& dir);
 void remove_building_outputs(std::filesystem::path const& dir);
-
 // Removes the unfinished files that a killed process left in `dir`, its tables and its figures.
 void remove_leftovers(std::filesystem::path const& dir);
 

@@ -56,7 +56,6 @@ std::optional<rules::LoadPair> load_pair(AssessedTest const& test, data::Block c
   return rules::LoadPair{.largest = values_of(*largest, test), .smallest = values_of(*smallest, test)};
 }
 
-// Takes the block with the amplitude nearest to the design displacement; without one, that of the largest amplitude.
 DeviceAcceptance choose_block(data::Properties const& properties, rules::Design const& design) {
   DeviceAcceptance chosen;
   if (!properties.reported) {

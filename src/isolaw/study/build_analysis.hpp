@@ -23,7 +23,6 @@ PredictionGrade graded(double fitted_objective, double predicted_objective, doub
 enum class Collapse { no, constant, far };
 std::string_view name(Collapse collapse);  // "no", "constant", "far"
 Collapse collapse(double fitted_objective, double predicted_objective, double worst_predicted);
-
 // Adds the analysis of a search to the fit that build_summary() has filled in; needs the forces of its best run.
 void add_analysis(DeviceFit& fit, campaign::Contents const& contents, campaign::Search const& search);
 // To be called when every device's fit of the law is filled in.

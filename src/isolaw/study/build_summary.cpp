@@ -119,8 +119,7 @@ ParameterFit parameter_fit(fit::SearchParameter const& searched, std::size_t ind
   return made;
 }
 
-// The cycle on which a fit is compared: the reported one; where laws are judged by a part of the record, the third of
-// the cycles in it (the last where there are fewer), of the block of largest amplitude.
+// The reported cycle; where a part of the record is judged, its third (or last) cycle at the largest amplitude.
 std::optional<data::Cycle> compared_cycle(data::Properties const& measured, data::FitRecord const& record) {
   if (record.scored.empty() || !measured.reported) return measured.reported;
   auto const is_scored = [&](data::Cycle const& cycle) {
@@ -241,7 +240,6 @@ bool in_programs(LawResult const& law, laws::LawEntry const& entry) {
   return !std::holds_alternative<laws::NoForm>(entry.canonical(values));
 }
 
-// Accuracy of a law: mean over devices of the mean over runs; its spread is over all runs.
 void add_accuracy(LawResult& law, std::vector<double> const& all_objectives) {
   std::vector<double> means;
   for (auto const& fit : law.devices)

@@ -260,7 +260,6 @@ std::string verdict_of(std::vector<PublishedStatement> const& statements) {
   return text + fmt::format("; {} hold in its own Table A.5.", in_table);
 }
 
-// Ids of the readings of a law in the table, the closest to its printed values first.
 std::vector<std::string> readings(table_a5::Law const& law) {
   std::vector<std::string> ids{std::string(law.id)};
   if (!law.other_reading.empty()) ids.emplace_back(law.other_reading);

@@ -136,8 +136,7 @@ std::vector<Finding> weaknesses(Summary const& summary, Candidate const& candida
   return found;
 }
 
-// Among laws that tie, one that nothing speaks against comes first, then one with fewer parameters, then one that
-// analysis programs have.
+// Among tied laws, one that nothing speaks against, then fewer parameters, then one that analysis programs have.
 bool preferred(Candidate const& a, Candidate const& b) {
   if (a.weak.empty() != b.weak.empty()) return a.weak.empty();
   if (a.parameters != b.parameters) return a.parameters < b.parameters;

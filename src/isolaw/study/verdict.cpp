@@ -118,7 +118,6 @@ std::string not_compared(LotAcceptance const& acceptance, std::vector<Requiremen
   return names.empty() ? std::string() : "stated and not compared: " + joined(names);
 }
 
-// Names the quantities that pass as measured and would fail if a doubt of value_doubts.hpp is right.
 std::string in_doubt(Summary const& summary) {
   struct Lost {
     std::string quantity, condition;

@@ -58,7 +58,6 @@ struct OverallVerdict {
   std::string text() const { return word.empty() ? sentence : word + ": " + sentence; }
 };
 OverallVerdict overall_verdict(Summary const& summary);
-
 // A lot whose title says this holds no real devices; the example lot's does.
 inline constexpr std::string_view not_measured = "not measured";
 std::string verdict_summary(Summary const& summary);

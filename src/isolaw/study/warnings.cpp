@@ -91,8 +91,7 @@ class Collector {
     return found != summary_.settings.end() && found->json != "\"all\"" && found->json != "\"\"";
   }
 
-  // Warns where a device loses energy from cycle to cycle and no law in scope follows: the laws then hold for a mean of
-  // its cycles.
+  // Where a device loses energy over cycles and no law in scope follows, the laws hold for a mean of its cycles.
   void degradation() {
     for (auto const* device : devices_) {
       EnergyFall const* nearest = nullptr;
@@ -271,8 +270,7 @@ std::vector<Finding> Collector::record_findings(DeviceResult const& device) {
   return found;
 }
 
-// A record under two names counts twice and makes parameters look less scattered than they are. One compression test
-// cannot belong to two devices.
+// One record under two names makes parameters look less scattered; one compression test cannot be of two devices.
 std::vector<Finding> Collector::shared_records(Summary const& summary) {
   std::vector<Finding> found;
   auto const names_of = [](auto const& group) {

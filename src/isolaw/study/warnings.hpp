@@ -13,7 +13,6 @@ namespace isolaw::study {
 
 // A finer integration step that moves the objective by more than this is worth a warning.
 inline constexpr double large_integration_shift = 1e-3;
-
 // The part of a campaign that findings are wanted for: one law or all, on one device or all.
 struct Scope {
   std::optional<std::string_view> law = {}, device = {};

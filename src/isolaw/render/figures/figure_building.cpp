@@ -83,7 +83,6 @@ Figure histograms_figure(building::Answers const& answers) {
   return {name, table.take(), script.take()};
 }
 
-// Standard deviations of ln(bearing displacement): between motions, in the lot, from few tests, between laws.
 Figure variance_figure(building::Answers const& answers) {
   std::string const name = "building_variance";
   std::string const about = "parts of the spread of the largest displacement of a bearing";

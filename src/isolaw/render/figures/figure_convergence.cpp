@@ -23,7 +23,6 @@ Spread spread_of(std::vector<double> const& values) {
   return {num::median(values), least, greatest};
 }
 
-// The runs' best objectives at a step; a run that ended earlier keeps its last.
 void add_found(std::vector<double>& found, DeviceFit const& fit, std::size_t step) {
   for (auto const& history : fit.histories) {
     if (history.empty()) continue;

@@ -1,5 +1,4 @@
-// The campaign against the printed values of the published study (Table A.5), in the study's own normalisation:
-// standard deviation over the runs divided by the magnitude of the mean.
+// The campaign against Table A.5, normalised as there: standard deviation over the runs by magnitude of the mean.
 #include <algorithm>
 #include <cmath>
 

@@ -26,7 +26,6 @@ constexpr int style_of(std::size_t law) {
   return static_cast<int>(look_of(law)) + 1;
 }
 std::string marked_style(std::size_t law);
-
 // First line of every script; isolaw removes only figures whose script begins with it.
 inline constexpr std::string_view script_mark = "# A figure of isolaw: ";
 

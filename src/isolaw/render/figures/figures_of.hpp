@@ -12,7 +12,6 @@ namespace isolaw::render {
 
 using MaybeFigure = std::optional<Figure>;
 using MaybeNumber = std::optional<double>;
-
 // Index of the law in summary.laws, which decides its colour and marker.
 std::size_t place_in_summary(Summary const& summary, LawResult const& law);
 // Accuracy against robustness, Fig. 14.

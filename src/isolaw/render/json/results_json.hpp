@@ -57,7 +57,6 @@ void write_recommendations(JsonWriter& out, study::Summary const& summary,
                            std::vector<study::Recommendation> const& recommendations);
 // Writes "published", the comparison with the published study; null where too few of its laws are in the campaign.
 void write_published(JsonWriter& out, study::Summary const& summary, Digits digits);
-
 // Writes an array under this key: one object for each sentence of the table (wording/table.hpp) with its kind, topic,
 // severity, action, law, devices, parameters and blocks. `each` holds the fields of every finding that it joins.
 void write_findings(JsonWriter& out, std::string_view key, std::vector<Finding> const& findings,

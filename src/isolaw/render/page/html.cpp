@@ -13,8 +13,7 @@
 namespace isolaw::render {
 namespace {
 
-// Only these two character sequences end or change a <script>. They occur in strings and regular expressions alone,
-// where a backslash before them changes nothing.
+// Only these sequences end or change a <script>; in strings and regular expressions a backslash changes nothing.
 std::string inline_script(std::string_view script) {
   std::string safe;
   safe.reserve(script.size());

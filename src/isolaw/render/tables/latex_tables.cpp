@@ -154,7 +154,6 @@ Letters longest_texts(Summary const& summary, std::vector<std::string> const& de
   return longest;
 }
 
-// The number of devices side by side that fit a 174 mm page in \footnotesize; three at most.
 std::size_t devices_side_by_side(Summary const& summary, std::vector<std::string> const& devices) {
   constexpr double page_mm = 174.0, letter_mm = 1.55, head_letter_mm = 1.75, gap_mm = 2.1;
   auto const letters = longest_texts(summary, devices);

@@ -18,7 +18,6 @@ struct Quantity {
   std::string paper_name = {};   // the name in the paper's tables, if it differs
 };
 std::vector<Quantity> quantities_of(LawResult const& law);
-
 // All values are empty without a result.
 Statistic statistic_of(DeviceFit const& fit, Quantity const& quantity);
 Statistic statistic_of(LawResult const& law, std::string const& device, Quantity const& quantity);

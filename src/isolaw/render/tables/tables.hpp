@@ -16,7 +16,6 @@ std::string parameters_csv(Summary const& summary);
 // One row per law and device, refused devices first: objective, runs, errors, shift, reason for a missing result.
 std::string objective_csv(Summary const& summary);
 std::string robustness_csv(Summary const& summary);
-
 // Like Table A.5 of Cucuzza et al. 2025: for each law and device the mean, the standard deviation over the runs and the
 // best run's value of the objective and of every parameter.
 std::string table_a5_csv(Summary const& summary);

@@ -60,8 +60,8 @@ struct Row {
   std::vector<std::string> cells;
   std::string remark = {};
 };
+
 // A column is as wide as its longest text and two blanks, the names' as the longest and `id_gap`; or wider as given.
-// `id_gap` blanks, and no column is narrower than the width given for it.
 std::string table(std::vector<Row> const& rows, std::vector<int> widths, int id_width, int id_gap = 0) {
   widths.resize(rows.front().cells.size());
   for (auto const& row : rows) {
@@ -325,13 +325,11 @@ std::string answers(Summary const& summary, Findings const& found, int width) {
   return text + '\n';
 }
 
-// The first recommendation that names a law, beginning with the one for buildings; nullptr where none does.
 Recommendation const* taken(std::vector<Recommendation> const& recommendations) {
   auto const found = std::ranges::find_if(recommendations, [](auto const& each) { return each.law.has_value(); });
   return found == recommendations.end() ? nullptr : &*found;
 }
 
-// The laws as the answer ranks them: errors on the tests and on what they were not fitted to, number of parameters.
 std::string short_table(Summary const& summary, Recommendation const& answer) {
   constexpr std::size_t most = 8;
   auto const any = [&](auto has) { return std::ranges::any_of(summary.laws, has); };

@@ -13,7 +13,6 @@ namespace isolaw::render {
 // next command. `directory` is where the results lie, as the user would type it.
 std::string answer(Summary const& summary, std::string_view directory, int width = 80);
 std::string ranking(Summary const& summary, int width = 80);
-
 // Breaks `text` into lines of `width` columns that are indented by `indent`; the first one starts with `bullet`.
 std::string wrapped(std::string_view bullet, std::string_view text, int indent, int width);
 

@@ -1,5 +1,4 @@
-// The page of an isolated building: its sections in order. A file in building/ is a section; what pages share stands
-// beside this file.
+// The page of an isolated building. A file in building/ is a section; what pages share stands beside this file.
 
 import { assumedSection } from './building/assumed.js';
 import { checksSection } from './building/checks.js';

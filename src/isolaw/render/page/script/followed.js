@@ -24,7 +24,6 @@ export function followedPanels(stacked, largest) {
   return layout;
 }
 
-// The range that the limits of an assessment or of the lot allow about the design value; null where there is no limit.
 export function limitBand(limited) {
   const { nominal, lower_percent: lower, upper_percent: upper } = limited ?? {};
   if (!isNumber(nominal) || !(isNumber(lower) || isNumber(upper))) return null;

@@ -22,8 +22,7 @@ const CIRCLE = 'M6 1 A5 5 0 1 1 5.99 1 Z',
   DIAMOND = 'M6 1 L11 6 L6 11 L1 6 Z',
   CROSS = 'M2 2 L10 10 M10 2 L2 10';
 
-// The front's markers, as in the plot: filled circle, open diamond for a law that is beaten, cross for one that does not
-// describe the devices.
+// As in the plot: filled circle, open diamond for a beaten law, cross for one that does not describe the devices.
 export function marker(role, tone = roleTone(role)) {
   const colour = 'var(--' + tone + ')';
   const path = role === 'not adequate' ? CROSS : tone === 'poor' ? DIAMOND : CIRCLE;

@@ -6,7 +6,6 @@ import { VIEWS, isPlaced } from './views.js';
 
 const byId = new Map(laws.map((law) => [law.id, law]));
 
-// The recommendations, and beside them the paper's question: accuracy against robustness.
 export const PURPOSES = [
   ...report.findings.recommendations.map((recommendation) => ({
     id: recommendation.purpose,
@@ -41,7 +40,6 @@ export const recommended = (() => {
 
 export const viewOf = (id) => VIEWS.find((view) => view.id === id);
 
-// The laws that an answer names: those that share the first place, or those on the front.
 export function answering(purpose, viewId) {
   const { recommendation } = purpose;
   if (recommendation) return recommendation.law ? [recommendation.law, ...recommendation.ties].map((id) => byId.get(id)) : [];
@@ -58,7 +56,6 @@ export function answerOf(purpose, viewId) {
 }
 export const placedIn = (view) => laws.filter((law) => isPlaced(view, law)).sort((a, b) => view.accurate(a) - view.accurate(b));
 
-// Three numbers that carry the answer, each with what it is.
 export function numbersOf(purpose, viewId) {
   if (purpose.id === 'robustness') {
     const view = viewOf(viewId);

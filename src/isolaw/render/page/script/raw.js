@@ -16,7 +16,6 @@ export function slice(raw, values, first, last) {
   return [valueAt(raw, values, first), ...inside, valueAt(raw, values, last)];
 }
 
-// The place of a raw sample on the time axis, which counts samples where the record has no time.
 export function rawTime(device) {
   const { raw } = device;
   const t = raw?.time_s ? curve(raw.time_s) : null;

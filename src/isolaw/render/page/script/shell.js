@@ -59,7 +59,6 @@ function markCurrentSection(main, contents) {
   for (const section of main.children) observer.observe(section);
 }
 
-// Redraws the page for paper, for another width of the window, and for light or dark. Called after the sections.
 export function followWindow({ beforePrint = () => {}, afterPrint = () => {} } = {}) {
   // Paper gets light colours, its own width, and every figure and table, also those that were out of sight.
   window.addEventListener('beforeprint', () => {

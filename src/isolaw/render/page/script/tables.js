@@ -24,7 +24,6 @@ export function sortedBy(items, valueOf, down) {
 
 const POWERS = '\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079';
 
-// The number that a text begins with, as the page writes numbers: "−1.20·10⁻³ kN", "> 1000 %".
 function numberIn(text) {
   const found = /^[\s>\u00b1+]*(-?\d+(?:\.\d+)?)(?:\u00b710(\u207b?)([\u2070\u00b9\u00b2\u00b3\u2074-\u2079]+))?/.exec(text.replace(MINUS, '-'));
   if (!found) return null;
@@ -77,9 +76,8 @@ export function keyOf({ title, unit = '' }, place = 0, columns = [{ title, unit 
   return columns.findIndex((column) => name(column) === own) === place ? own : own + '\n' + place;
 }
 
-// columns: [{title, unit, number, pinned, by, size}]; rows: [{cells: [text or node], className, foot}]. Sorted by what `by`
-// makes of a row's item, else by the cells; `size`: by magnitude. `sorts`: false where rows have an order that matters;
-// `order` and `follow`: what is sorted by at first, and who is told.
+// columns: [{title, unit, number, pinned, by, size}]; rows: [{cells: [text or node], className, foot}]. `by` makes the
+// key from a row's item; `size`: by magnitude; `sorts`: false where rows have an order; `follow` hears of a new one.
 export function table(columns, rows, label, { sorts = rows.length > FEW_ROWS, order, follow, items = [] } = {}) {
   const align = (column) =>
     [
@@ -127,7 +125,6 @@ export function tableOf(columns, items, label, { className = () => null, ...more
   return table(columns, rows, label, { items, ...more });
 }
 
-// A row with some of the columns; a cell that spans several stands with the first of them that is there.
 function rowOfColumns(row, places) {
   const copy = row.cloneNode(false);
   let column = 0;

@@ -13,7 +13,6 @@ export function bars(look, law, key, axes = {}) {
   };
 }
 
-// Lines at the nominal and the bound analyses; with `labelled` their labels stand in rows above.
 export function bounds(look, law, key, { xref = 'x', yref = 'paper', low = 0, high = 1, labelled = false, span = null } = {}) {
   const of = law.quantities[key];
   const lines = [

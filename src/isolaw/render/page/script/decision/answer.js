@@ -27,7 +27,6 @@ function answer() {
   );
 }
 
-// Reasons that neither the sentence above nor the numbers beside it have given.
 function reasons({ law, why, reasons: all, weak }) {
   if (!law) return why;
   const closer = all.filter(({ kind }) => kind === 'why-closer-refused').map((one) => one.sentence);

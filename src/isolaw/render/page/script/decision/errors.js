@@ -31,7 +31,6 @@ export function errorsCaption() {
   return ['Error over the force\u2019s standard deviation', ...said].join('; ') + '.';
 }
 
-// Two strokes across the end of a cut bar, in pixels from that end.
 function breakMark(look, x, y) {
   const stroke = (from, colour, width) => ({
     type: 'line', layer: 'above', xsizemode: 'pixel', ysizemode: 'pixel', xanchor: x, yanchor: y, x0: from, x1: from + 8, y0: -16, y1: 16,

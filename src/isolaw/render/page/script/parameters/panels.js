@@ -1,5 +1,3 @@
-// Left axis: values with their spread over the runs. Right axis: difference from the lot.
-
 import { chosen } from '../choice.js';
 import { isPrinting } from '../dom.js';
 import { NARROW, namedAxis, paddedRange, panelHeading } from '../plotting.js';

@@ -36,7 +36,6 @@ function keptBlocks(device) {
   return device.blocks.filter(({ number }) => kept.some(({ block }) => block === number));
 }
 
-// The law that predicts best and the chosen one, on the blocks of the chosen device that are predicted.
 function predicted() {
   const device = devices[chosen.device];
   const { t, x, F } = record(device),
