@@ -24,6 +24,7 @@ export function sortedBy(items, valueOf, down) {
 
 const POWERS = '\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079';
 
+// The number that a text begins with, as the page writes numbers: "−1.20·10⁻³ kN", "> 1000 %".
 function numberIn(text) {
   const found = /^[\s>\u00b1+]*(-?\d+(?:\.\d+)?)(?:\u00b710(\u207b?)([\u2070\u00b9\u00b2\u00b3\u2074-\u2079]+))?/.exec(text.replace(MINUS, '-'));
   if (!found) return null;

@@ -3,7 +3,7 @@ import { report } from '../report.js';
 import { capitalised, sentence } from '../text.js';
 import { WORDS, verdictBadge } from '../verdicts.js';
 
-// The sentence names what was not assessed, so here stand the requirements, and the devices that it leaves out.
+// The sentence names what was not assessed, so here are those that fail and pass, and the devices that it omits.
 export const verdictFigure = { id: 'verdict', title: '', build: band };
 
 function band() {
