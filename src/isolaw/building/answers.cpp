@@ -213,7 +213,6 @@ bool has_draws(Study const& study) {
   return std::ranges::any_of(study.file.bearings, [](auto const& b) { return b.stands == Stands::draw; });
 }
 
-// The largest 95 % fractile: of the means over motions, or under any single motion.
 double largest_of_motions(Distribution const& distribution) {
   double most = distribution.fractiles[3];
   for (auto const& motion : distribution.by_motion) most = std::max(most, motion[3]);
@@ -255,7 +254,6 @@ std::vector<Finding> verdict_of(Study const& study, Answers const& answers) {
   return verdict;
 }
 
-// Yes if the lower limit of the first law's share is large enough, no if any law's share is too small.
 std::optional<bool> bounds_are_enough(Study const& study, Answers const& answers) {
   if (!has_draws(study) || answers.laws.empty()) return {};
   auto const& own = answers.laws.front().coverage.front();
@@ -309,7 +307,6 @@ BearingLoops loops_of(Model const& model, Devices const& devices, Study const& s
   return loops;
 }
 
-// Adds `share` times each diaphragm's acceleration spectrum [diaphragm][period].
 void add_spectra(std::vector<std::vector<double>>& to, Response const& run, double share) {
   auto const& periods = spectrum_periods_s();
   if (run.history.acceleration.empty()) return;
@@ -328,8 +325,7 @@ void add_spectra(std::vector<std::vector<double>>& to, Response const& run, doub
   }
 }
 
-// Warns of quantities that the bounds do not cover, except the displacement, which the verdict is about; and of those
-// that do not rise or fall with the forces, for which the bounds mean nothing.
+// The displacement is left out, since the verdict is about it.
 void warn_of_coverage(LawAnswer const& law, std::vector<Finding>& warnings) {
   for (auto const& c : law.coverage) {
     if (c.inside >= wanted_share) continue;

@@ -1,6 +1,5 @@
-// Computes the answers of a building study from its stored runs: distributions, parts of the variance, coverage by the
-// bound analyses, one law against another, and the equivalent linear method for comparison. A draw's response is its
-// mean over the motions, as designs take it; distributions under single motions are kept too.
+// Computes the answers of a building study from its stored runs. A draw's response is its mean over the motions, as
+// designs take it; distributions under single motions are kept too.
 #pragma once
 
 #include <array>
@@ -17,7 +16,6 @@
 
 namespace isolaw::building {
 
-// A number computed from the measures of one run.
 struct Quantity {
   std::string_view key, title, unit, meaning;
   double (*of)(Layout const& layout, std::span<double const> measured, double weight_kN);
@@ -57,18 +55,14 @@ struct Coverage {
   // Smallest factors 1 - a and 1 + a on the grid (grid_factor) such that the responses of the analyses from one to the
   // other span `wanted_share` of the draws; nullopt if even the whole grid does not.
   std::optional<double> factor_low, factor_high;
-  // FindingKind::bounds_not_monotonic and its sentence if the nominal building is not between the bound analyses: the
-  // response then neither rises nor falls with the forces. Empty otherwise.
+  // FindingKind::bounds_not_monotonic if the nominal building is not between the bound analyses; empty otherwise.
   std::optional<Finding> monotony = {};
   std::string not_monotonic;
 };
-// FindingKind::covering_factors: the factors that would cover `wanted_share` of the draws, or that none on the grid do.
 Finding covering_factors(Coverage const& coverage);
-
 // Codes let a design use the mean response only from this number of motions on (EN 1998-1, 4.3.3.4.3; ASCE 7-16,
 // 17.3.3; its chapter 16 asks for eleven).
 inline constexpr std::size_t motions_for_a_mean = 7;
-
 // The nominal building under one motion by the implicit path, and how far other methods are from it.
 struct Checked {
   std::string outcome;
@@ -139,7 +133,6 @@ struct Answers {
   std::vector<Point> corners;             // the slab's, where displacements were measured
 };
 Answers answer(Study const& study, RunStore const& store);
-
 // Clopper and Pearson's confidence interval of the share found / trials; 0 to 1 without trials.
 std::array<double, 2> binomial_interval(std::size_t found, std::size_t trials, double level = 0.95);
 
@@ -150,16 +143,14 @@ struct Effective {
 };
 Effective effective(std::string_view law, std::span<double const> parameters, double amplitude_mm, Coupling coupling);
 
-// Chooses a tested device for each place by their stiffness at the design displacement. Devices are exchanged in pairs
-// until no exchange brings the centre of stiffness nearer to `centre`, the centre of mass; this need not be the best
-// arrangement of all. There are at least as many devices as places.
+// Chooses a tested device for each place by its stiffness at the design displacement. Pairs are exchanged until nothing
+// brings the centre of stiffness nearer to `centre`; better arrangements may exist. At least as many devices as places.
 struct Arrangement {
   std::vector<std::size_t> device;                  // [place]
   double eccentricity_mm = 0.0, in_order_mm = 0.0;  // with this arrangement, and with the devices in order
 };
 Arrangement arrange(std::span<Point const> places, Point centre, std::span<double const> stiffness);
 
-// Computes the nominal building under a motion by the implicit path, with its history.
 Response nominal_run(Study const& study, LawSource const& source, Motion const& motion);
 // The same as CSV: the base's displacement and velocity relative to the ground, the force on the bearings, every
 // diaphragm's acceleration in space; along x, and y if the motion has it. A run that failed ends where it failed.

@@ -34,9 +34,8 @@ class InPlaneBearing final : public Bearing {
   double length_, force_;
 };
 
-// A law of one direction. Until the bearing first moves further than `rest_mm` the law's tangents at rest replace it.
-// In a direction without motion it moves by rounding only, and there laws with a power of the displacement have no
-// tangent that Newton's method could follow.
+// Until the bearing first moves beyond `rest_mm` the law's tangents at rest replace it: without motion it moves by
+// rounding only, where laws with a power of the displacement have no tangent that Newton's method could follow.
 class OneDirection {
  public:
   OneDirection(laws::Online const& law, laws::LawInfo const& info)

@@ -1,5 +1,4 @@
-// A bearing as the integrators see it: the force at the end of a straight step in plan and its tangents, for any law.
-// Units kN, mm, s.
+// A bearing as integrators see it, for any law: force and tangents at the end of a straight step. Units kN, mm, s.
 #pragma once
 
 #include <memory>
@@ -23,9 +22,7 @@ class Bearing {
   virtual ~Bearing() = default;
   // The force after a straight step of duration dt from the last committed place to `to`, with `velocity` at its end.
   virtual BearingForce trial(Vector const& to, Vector const& velocity, double dt) = 0;
-  // Makes the last trial the committed state.
   virtual void commit() = 0;
-  // An independent copy with the same history.
   virtual std::unique_ptr<Bearing> copy() const = 0;
 };
 
@@ -37,7 +34,6 @@ enum class Coupling {
 };
 // coupled if the law with these parameters has such a form, else springs.
 Coupling coupling_of(std::string_view law, std::span<double const> parameters);
-
 // A virgin bearing at rest. Throws Error for an unknown law, another number of parameters, or a form that it lacks.
 std::unique_ptr<Bearing> make_bearing(std::string_view law, std::span<double const> parameters, Coupling coupling);
 

@@ -214,7 +214,6 @@ TomlKeys<MotionRow> const& motion_keys() {
   return keys;
 }
 
-// A table's name in the file, and its explanation in the template.
 struct TableInfo {
   std::string_view name, help;
 };

@@ -47,7 +47,6 @@ struct BuildingFile {
   std::vector<Motion> motions;
 
   Plan plan() const;
-  // Whether no motion has a component along y.
   bool along_x_alone() const;
 };
 
@@ -58,7 +57,6 @@ struct FileKey : Option<Target> {
 };
 std::span<FileKey<Settings> const> settings_table();
 
-// Values that replace those of a building file.
 struct ReplacedKeys {
   std::vector<Motion> motions = {};  // if there are any, they replace all motions
   isolaw::Values settings = {};      // by key of [building]
@@ -71,15 +69,12 @@ std::vector<Motion> read_motions(std::vector<std::string> const& files);
 // Throws Error for fewer than two samples, values that are not finite, a step not in (0, 10] s, and components of
 // different length.
 void require_sound(Motion const& motion);
-
 // Throws one Error with all complaints and their lines. Paths of motions are relative to the file, or to `folder`.
 BuildingFile read_building(std::filesystem::path const& file, ReplacedKeys const& in_place = {});
 BuildingFile read_building_text(std::string_view text, std::string const& name, std::filesystem::path const& folder,
                                 ReplacedKeys const& in_place = {});
 // `tables` by name, as in a file; paths of motions are relative to the working directory.
 BuildingFile building_of(Json const& tables, ReplacedKeys const& in_place = {});
-
-// A commented example file: five floors on 28 bearings.
 std::string building_template();
 
 }  // namespace isolaw::building

@@ -15,7 +15,6 @@ Vector3 as_vector(double const (&from)[3]) {
   return {from[0], from[1], from[2]};
 }
 
-// One run, in double.
 class ImplicitRun {
  public:
   ImplicitRun(Model const& model, std::span<std::unique_ptr<Bearing> const> bearings, Motion const& motion,
@@ -61,7 +60,6 @@ class ImplicitRun {
     condensed_ = model_.condensed_mass(dt);
   }
 
-  // Pulls the base to options_.pulled_to and releases it from rest.
   void release() {
     first_ = total(run_.u, run_.v, 0.0).stiffness;
     run_.u[0] = options_.pulled_to.x;
@@ -108,7 +106,6 @@ class ImplicitRun {
     return sum;
   }
 
-  // Integrates over dt while the ground acceleration goes from g0 to g1; in two halves if one step does not converge.
   void advance(double time, double dt, double const (&g0)[2], double const (&g1)[2], int halvings) {
     if (step(dt, g0, g1)) return;
     if (out_.outcome != Outcome::completed) return;

@@ -88,15 +88,12 @@ struct Steps {
   double dt = 0.0;
 };
 Steps steps_of(Motion const& motion, double longest_step_s, double rest_s);
-
 // The bearings start in their present state and end in that after the run.
 Response integrate(Model const& model, std::span<std::unique_ptr<Bearing> const> bearings, Motion const& motion,
                    Options const& options = {});
-
 // The explicit path for one draw, in double: the reference for the lanes (lanes.hpp). Keeps no history.
 Response integrate_explicitly(Model const& model, std::span<std::unique_ptr<Bearing> const> bearings,
                               Motion const& motion, Options const& options = {});
-
 // [measure] step error of `coarse`, estimated from a run with half its step: a third of the difference (second order).
 std::vector<double> richardson(Response const& coarse, Response const& fine);
 

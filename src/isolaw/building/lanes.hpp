@@ -1,6 +1,5 @@
-// Computes many draws of a building under one motion at once by the explicit path of stepping.hpp, one draw per lane,
-// compiled once per instruction set (lane_kernels.cpp). Lanes never mix, so a result depends neither on the other draws
-// nor on threads.
+// Computes many draws of a building at once by the explicit path of stepping.hpp, one per lane, compiled once per
+// instruction set (lane_kernels.cpp). Lanes never mix: a result depends neither on other draws nor on threads.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +15,6 @@ namespace isolaw::building {
 
 // nullptr for `scalar`, and for a law without a coupled form.
 LaneKernel const* lane_kernel(num::InstructionSet set, std::string_view law);
-
 // Returns the measures [draw][measure] of `draws` [draw][bearing][parameter], parameters in the law's order and units.
 // Failed draws have measures that are not finite. Couplings other than `coupled` take the implicit path, draw by draw,
 // since their laws may depend on the velocity more steeply than an explicit step bears. The explicit path heeds only

@@ -490,7 +490,6 @@ Blocks blocks_of(std::span<StudyProperty const> properties, std::vector<Case>& c
   return {of_kind(properties, Kind::law).size(), of_kind(properties, Kind::motion).size(), cases.size()};
 }
 
-// Copies all rows of a store, or none if it throws Error.
 void take_runs(Connection const& db, Path const& file, campaign::Merged& merged, std::array<std::size_t, 3> const& most,
                std::string const& measures) {
   auto const theirs = Connection::to_read(file);

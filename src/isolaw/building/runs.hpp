@@ -83,7 +83,6 @@ class RunStore {
   std::size_t runs_there() const;
   bool is_there(Blocks::Block const& block) const;
   void add(std::vector<Row> const& rows);
-  // Calls take(place, measured) for every run of a law under a motion, in order of places.
   void each(std::size_t law, std::size_t motion,
             std::function<void(std::size_t, std::vector<double> const&)> const& take) const;
   // Rewrites a closed store in a fixed order, so that equal runs are equal files (campaign/sqlite.hpp).
@@ -140,7 +139,6 @@ struct RunAllOptions {
 };
 // Throws Error as Runs. Finished runs are stored, whatever ends the call. Returns false if it was interrupted earlier.
 bool run_all(Study const& study, RunStore& store, std::size_t threads, RunAllOptions const& options = {});
-
 // The options of a law's runs: the step is that of the settings or, if that is less, longest_explicit_step() for the
 // bearings of the upper bound analysis at rest.
 Options options_of(Study const& study, Model const& model, Devices const& devices);

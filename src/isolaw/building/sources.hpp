@@ -55,10 +55,8 @@ inline double grid_factor(std::uint32_t i) {
 }
 
 std::string text(Case const& which);  // "nominal", "factor 0.60", "draw 7", "population 2 draw 7"; counted from 1
-
 // All analyses of a law under one motion, in the order of the store.
 std::vector<Case> cases_of(Settings const& settings);
-
 // coupled if all parameter sets of the law have such a form; else springs, or separate if no motion goes along y.
 Coupling coupling_in(BuildingFile const& file, LawSource const& source);
 
@@ -70,7 +68,6 @@ class Devices {
 
   LawSource const& source() const { return source_; }
   Coupling coupling() const { return coupling_; }  // the same for all bearings
-  // Virgin bearings with parameters as `of` returns them.
   std::vector<std::unique_ptr<Bearing>> bearings(std::vector<double> const& values) const;
   std::vector<double> of(Case const& which) const;  // [bearing][parameter]
 

@@ -65,7 +65,6 @@ struct Run {
   T* measured;                 // [Layout::count()]; lengths of vectors as squares until finish_run()
   T damped_rate;               // power of the modes' damping at the last instant
 };
-// Number of scalars in a run's arrays.
 ISOLAW_AWAY constexpr std::size_t run_scalars(std::size_t modes, Layout const& layout) {
   return 4 * modes + 4 * layout.bearings + layout.count();
 }
@@ -100,7 +99,6 @@ inline void modes_freely(Run<T>& run, StructureArrays const& s, ModeStep const& 
   }
 }
 
-// Moves the modes to the end of the step, where the base's acceleration is run.A.
 template <class T>
 inline void modes_reach(Run<T>& run, StructureArrays const& s, ModeStep const& step) {
   double const dt = step.dt;
@@ -129,7 +127,6 @@ inline T largest_within(T const& square0, T const& rate0, T const& square1, T co
   return select(rate0 > T(0.0), turned, square1);
 }
 
-// Motion of a point of the base, from that of its centre of mass.
 template <class T>
 inline void at_point(T const (&base)[3], double const* point, T& x, T& y) {
   x = base[0] + T(-point[1]) * base[2];
@@ -152,8 +149,7 @@ inline void acceleration_of(Run<T> const& run, StructureArrays const& s, std::si
   add(1, y);
 }
 
-// Updates the measures at the end of a step, which `run` has reached. The suffixes 0 and 1 are the step's start and
-// end; momentum() gives the momenta.
+// The suffixes 0 and 1 are the step's start and end, which `run` has reached; momentum() gives the momenta.
 template <class T>
 inline void measure(Run<T>& run, StructureArrays const& s, double dt, T const (&u0)[3], T const (&v0)[3],
                     double const (&ground0)[2], double const (&ground1)[2], T const& momentum0_x, T const& momentum0_y,

@@ -23,7 +23,6 @@ double clough_penzien(double w, double ground, double damping) {
   return soil * high_pass;
 }
 
-// Rises as a square, stays at 1, falls exponentially.
 double envelope(double share) {
   constexpr double risen = 0.15, falls = 0.5;
   if (share < risen) return share * share / (risen * risen);

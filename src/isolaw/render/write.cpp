@@ -19,7 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The files of a campaign, besides its store and figures.
 struct Output {
   char const* name;
   std::string (*text)(Summary const&);
@@ -47,7 +46,6 @@ constexpr Output outputs[] = {
     {"report.html", html},
 };
 
-// The files of a study of a building, besides its figures.
 struct BuildingOutput {
   char const* name;
   std::string (*text)(building::Study const&, building::Answers const&);

@@ -17,23 +17,17 @@ namespace isolaw::render {
 
 // Writes summary.json, the tables (CSV and LaTeX) and report.html into `dir`, which is created if needed. Throws Error.
 void write_outputs(Summary const& summary, std::filesystem::path const& dir);
-
 // Writes inspection.html, inspection.json and the tables of an inspection in the same way.
 void write_inspection(Summary const& summary, std::filesystem::path const& dir);
-
 // Writes building.html, building.json and the tables of a building in the same way.
 void write_building_outputs(building::Study const& study, building::Answers const& answers,
                             std::filesystem::path const& dir);
-
 // The files of write_outputs(): their names relative to `dir`, and their texts.
 std::vector<std::pair<std::string, std::string>> output_texts(Summary const& summary);
-
 // Removes all of these, run.json and the figures: the reports of one campaign must not stand beside the store of
 // another.
 void remove_outputs(std::filesystem::path const& dir);
-// Removes the files and figures of a study of a building.
 void remove_building_outputs(std::filesystem::path const& dir);
-
 // Removes the unfinished files that a killed process left in `dir`, its tables and its figures.
 void remove_leftovers(std::filesystem::path const& dir);
 

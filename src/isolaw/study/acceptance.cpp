@@ -42,7 +42,6 @@ data::Block const* find_block(data::Properties const& properties, std::optional<
   return found == properties.blocks.end() ? nullptr : &*found;
 }
 
-// The blocks at the counted block's amplitude under the largest and the smallest load, where these clearly differ.
 std::optional<rules::LoadPair> load_pair(AssessedTest const& test, data::Block const& counted) {
   constexpr double same_amplitude = 0.05, other_load = 0.10;
   data::Block const *largest = nullptr, *smallest = nullptr;
@@ -57,7 +56,6 @@ std::optional<rules::LoadPair> load_pair(AssessedTest const& test, data::Block c
   return rules::LoadPair{.largest = values_of(*largest, test), .smallest = values_of(*smallest, test)};
 }
 
-// Takes the block with the amplitude nearest to the design displacement; without one, that of the largest amplitude.
 DeviceAcceptance choose_block(data::Properties const& properties, rules::Design const& design) {
   DeviceAcceptance chosen;
   if (!properties.reported) {

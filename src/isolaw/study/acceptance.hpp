@@ -12,7 +12,6 @@
 
 namespace isolaw::study {
 
-// The test of one device, as assess_lot() takes it.
 struct AssessedTest {
   std::string device;
   data::Properties const* properties = nullptr;
@@ -39,18 +38,13 @@ struct LotAcceptance {
 bool any_failed(std::vector<rules::Assessment> const& assessments);
 // True where the sample size or a mean over the lot does not keep a limit of a verified rule set.
 bool lot_failed(LotAcceptance const& acceptance);
-
 // The third counted cycle of the block, or the last where fewer count; nullptr where none counts.
 data::Cycle const* counting_cycle(data::Properties const& properties, std::optional<int> block);
-
-// Mean vertical load over the counted cycles; nullopt without a load channel.
 std::optional<double> mean_load_kN(data::Block const& block);
-
 // Fills `devices` with one entry for each test. Throws Error where `lot_size` is below the number of devices.
 LotAcceptance assess_lot(rules::RuleSet const& rules, rules::Design const& design, std::optional<int> lot_size,
                          std::vector<AssessedTest> const& tests, std::vector<DeviceAcceptance>& devices);
 
-// A design value that the user gave; design_values() lists them in the order in which reports print them.
 struct DesignValue {
   std::string name;
   double value = 0.0;

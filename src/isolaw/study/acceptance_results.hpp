@@ -8,7 +8,6 @@
 
 namespace isolaw::study {
 
-// An assessment and the block of the record that it judges.
 struct AssessmentOf {
   rules::Assessment const& assessment;
   std::optional<int> block;
@@ -97,7 +96,6 @@ Value of_test(rules::LotQuantity const& quantity) {
   return quantity.test_factors ? get<member>(*quantity.test_factors) : Value();
 }
 
-// The members of `lambda_test` above.
 inline constexpr Result<rules::LotQuantity> test_factor_results[]{
     {"min", "", "lambda_test min", "the smallest", of_test<&rules::TestFactors::min>},
     {"min_cycle", "", "min cycle", "where it was measured", of_test<&rules::TestFactors::min_cycle>},
@@ -127,7 +125,6 @@ inline constexpr Result<Requirement> requirement_results[]{
     {"verdict", "", "", "", get<&Requirement::verdict>},
 };
 
-// An outlying device and the quantity that sets it apart.
 struct OutlierOf {
   rules::LotQuantity const& quantity;
   rules::Outlier const& outlier;
@@ -142,7 +139,6 @@ inline constexpr Result<OutlierOf> lot_outlier_results[]{
     {"why", "", "why", "the reason in words", [](OutlierOf const& row) { return value_of(row.outlier.reason); }},
 };
 
-// The factors lambda from one source, and the quantity that they multiply.
 struct FactorOf {
   rules::LotQuantity const& quantity;
   rules::Bound const& bound;

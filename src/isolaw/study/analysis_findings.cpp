@@ -14,7 +14,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-// Ids of the laws on a front, the most accurate first.
 Names laws_on(Summary const& summary, bool LawResult::*front) {
   std::vector<LawResult const*> laws;
   for (auto const& law : summary.laws)
@@ -27,7 +26,6 @@ Names laws_on(Summary const& summary, bool LawResult::*front) {
   return ids;
 }
 
-// True where beta changes by more than a tenth, and by more than 1e-4.
 bool changes_beta(LawResult const& law) {
   if (!law.beta || !law.beta_converged) return false;
   constexpr double nothing = 1e-4;

@@ -1,5 +1,4 @@
-// Findings from the analyses: what changes without the optimiser's noise and why, the error on a device that was not
-// tested, how the laws predict blocks, and how many parameters the tests determine.
+// Findings from the analyses: optimiser's noise, devices left out, predicted blocks, parameters that tests determine.
 #pragma once
 
 #include <vector>

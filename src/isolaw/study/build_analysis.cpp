@@ -23,7 +23,6 @@ namespace {
 
 constexpr double no_value = std::numeric_limits<double>::infinity();
 
-// The least objective that the runs of a search and its analysis found.
 double least_objective(campaign::Contents const& contents, campaign::Search const& search) {
   double least = no_value;
   if (auto const* best = contents.best_run(search.device, search.law)) least = best->objective;
@@ -186,7 +185,6 @@ lot::DeviceEstimate reduced(laws::LawEntry const& entry, std::vector<double> con
   return estimate;
 }
 
-// Places in `names` of the parameters that no device's test determines.
 std::vector<std::size_t> undetermined_everywhere(LawResult const& law, std::vector<std::string> const& names) {
   std::vector<std::size_t> found;
   for (std::size_t n = 0; n < names.size(); ++n)

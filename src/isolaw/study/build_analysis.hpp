@@ -23,18 +23,14 @@ PredictionGrade graded(double fitted_objective, double predicted_objective, doub
 enum class Collapse { no, constant, far };
 std::string_view name(Collapse collapse);  // "no", "constant", "far"
 Collapse collapse(double fitted_objective, double predicted_objective, double worst_predicted);
-
 // Adds the analysis of a search to the fit that build_summary() has filled in; needs the forces of its best run.
 void add_analysis(DeviceFit& fit, campaign::Contents const& contents, campaign::Search const& search);
-
 // To be called when every device's fit of the law is filled in.
 void add_lot_analysis(LawResult& law, campaign::Contents const& contents);
-
 // True for each law that no other law beats in both coordinates. A law that lacks one of them is never on the front.
 using Coordinate = std::optional<double> (*)(LawResult const&);
 std::vector<bool> front_of(std::vector<LawResult> const& laws, Coordinate robust, Coordinate accurate);
 void mark_front(std::vector<LawResult>& laws, Coordinate robust, Coordinate accurate, bool LawResult::*on_front);
-
 // To be called after every law: the fronts without the optimiser's noise, and the devices that stand apart.
 void add_converged_views(Summary& summary);
 

@@ -120,8 +120,7 @@ ParameterFit parameter_fit(fit::SearchParameter const& searched, std::size_t ind
   return made;
 }
 
-// The cycle on which a fit is compared: the reported one; where laws are judged by a part of the record, the third of
-// the cycles in it (the last where there are fewer), of the block of largest amplitude.
+// The reported cycle; where a part of the record is judged, its third (or last) cycle at the largest amplitude.
 std::optional<data::Cycle> compared_cycle(data::Properties const& measured, data::FitRecord const& record) {
   if (record.scored.empty() || !measured.reported) return measured.reported;
   auto const is_scored = [&](data::Cycle const& cycle) {
@@ -140,7 +139,6 @@ std::optional<data::Cycle> compared_cycle(data::Properties const& measured, data
   return chosen;
 }
 
-// Errors of the best fit against the record the law saw.
 void compare_properties(DeviceFit& made, data::FitRecord const& record) {
   auto const time = record.has_time() ? std::span<double const>(record.time_s) : std::span<double const>();
   auto const measured = data::cyclic_properties(data::CycleView{record.disp_mm, record.force_kN, time, {}});
@@ -204,7 +202,6 @@ DeviceFit device_fit(campaign::Contents const& contents, campaign::Search const&
   return made;
 }
 
-// Device means of one parameter, in the order of the fits that have one.
 std::vector<double> means_of(LawResult const& law, std::size_t parameter) {
   std::vector<double> means;
   for (auto const& fit : law.devices)
@@ -236,7 +233,6 @@ void add_lot_statistics(LawResult& law) {
   law.beta_note = robustness.note;
 }
 
-// By the best run of the first device it was identified on.
 bool in_programs(LawResult const& law, laws::LawEntry const& entry) {
   auto const fit = std::ranges::find_if(law.devices, [](auto const& f) { return f.objective.best.has_value(); });
   if (fit == law.devices.end()) return false;
@@ -245,7 +241,6 @@ bool in_programs(LawResult const& law, laws::LawEntry const& entry) {
   return !std::holds_alternative<laws::NoForm>(entry.canonical(values));
 }
 
-// Accuracy of a law: mean over devices of the mean over runs; its spread is over all runs.
 void add_accuracy(LawResult& law, std::vector<double> const& all_objectives) {
   std::vector<double> means;
   for (auto const& fit : law.devices)

@@ -1,6 +1,5 @@
-// The results of a building's analyses, each number under one name with its unit and meaning: building.json, the page
-// and the tables are written from these rows; docs/building-json.md is checked against them. building::quantities() has
-// the quantities that are measured in a building.
+// The results of a building's analyses, each number with its name, unit and meaning: rows of building.json, the
+// page and the tables; docs/building-json.md is checked against them. building::quantities() has the measured ones.
 #pragma once
 
 #include "isolaw/building/answers.hpp"

@@ -16,7 +16,6 @@ namespace isolaw::study {
 
 namespace {
 
-// The findings against the law of the lot, and against the law of each tested device that stands in the building.
 std::vector<Finding> doubts_of(Summary const& summary, std::string_view law,
                                std::vector<building::BearingPlace> const& bearings) {
   std::vector<Finding> all;
@@ -80,8 +79,7 @@ building::LawSource source_of(campaign::Contents const& contents, Summary const&
   return source;
 }
 
-// The campaign with the parameters of the law's springs in place of the law's own; nullopt where the springs were not
-// fitted on every device and the lot.
+// With springs' parameters as the law's; nullopt where springs were not fitted on every device and the lot.
 std::optional<campaign::Contents> with_springs_of(campaign::Contents contents, std::string_view law) {
   bool any = false;
   for (auto& analysis : contents.device_analyses) {

@@ -15,7 +15,6 @@ namespace isolaw::study {
 // Throws Error where the law is not of this campaign or was not analysed.
 building::LawSource law_source(campaign::Contents const& contents, Summary const& summary, std::string_view law,
                                std::string_view where, building::BuildingFile const& file);
-
 // The law that the campaign recommends for a device not tested; throws Error where it recommends none.
 std::string recommended_law(Summary const& summary, std::string_view where);
 

@@ -11,7 +11,6 @@ namespace isolaw::study {
 // setting that is an option, but not how columns and units were read. LOT.toml stands in place of the files where a lot
 // file named the devices. Empty for an inspection.
 std::string command_again(Summary const& summary);
-// True where that command takes a lot file.
 bool takes_lot_file(Summary const& summary);
 
 }  // namespace isolaw::study

@@ -80,7 +80,6 @@ inline constexpr Result<data::Block> block_results[]{
      nested<data::Block>},
 };
 
-// How far a property keeps its value through the counted cycles of a block.
 inline constexpr Result<data::Stability> stability_results[]{
     {"ratio_to_third", "", "", "value in each counted cycle over that in the third", nested<data::Stability>},
     {"min_2_10", "-", "least of cycles 2-10", "least of these ratios over cycles 2 to 10, or as many as there are",
@@ -113,7 +112,6 @@ inline constexpr Result<Level> level_results[]{
     {"reference", "", "reference", "this is the counting block itself", get<&Level::reference>},
 };
 
-// A number of the device's vertical stiffness; undefined for a device without one.
 template <auto... members>
 Value of_vertical(DeviceResult const& device) {
   return device.vertical ? get<members...>(*device.vertical) : Value();

@@ -15,8 +15,7 @@ namespace isolaw::study {
 Finding prediction_of(Summary const& summary, LawResult const& law);
 
 struct Doubts {
-  // The limits of the rule set that the device or the lot does not keep, the devices that the lot's law leaves out, and
-  // the warnings about the law on the device.
+  // Limits that the device or the lot does not keep, devices that the lot's law leaves out, warnings about the law.
   std::vector<Finding> findings;
   Finding prediction;
   std::optional<Finding> objection;  // why the law should not be taken at all
@@ -24,15 +23,11 @@ struct Doubts {
 
 // The doubts about the law on one device or, without a device, about the one law of the lot.
 Doubts doubts(Summary const& summary, std::string_view law, std::optional<std::string_view> device);
-
 // "law bouc-wen, device 'a'" or "law bouc-wen, the lot", by which messages name the place of a law's parameters.
 std::string whose(std::string_view law, std::optional<std::string_view> device);
-
 // Throws Error where there is an objection, unless `anyway` overrules it; `where` is whose().
 void require_taken(Doubts const& doubts, std::string const& where, bool anyway);
-// The line that tells of an objection that --anyway has overruled.
 std::string let_through(std::string_view objection);
-
 // The part of the tests that a law was fitted to, in words: `part` is that of data::Selection, empty for all.
 std::string part_text(std::string_view part);
 

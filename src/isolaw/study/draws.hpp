@@ -25,17 +25,12 @@ struct Column {
   std::optional<std::size_t> place;
   double value = 0.0;
 };
-// A column for each parameter of a law, which must have a population.
 std::vector<Column> columns_of(LawResult const& law, laws::LawEntry const& entry);
-// The physical limits of the population's parameters.
 std::vector<lot::Limits> limits_of(lot::Population const& population, laws::LawEntry const& entry);
-
 // Draws `count` devices; device i depends on seed, law and i alone. `where` begins the messages. Throws Error where the
 // law is not of this campaign or has no population.
 Draws draw_devices(campaign::Contents const& contents, Summary const& summary, std::string_view law, std::size_t count,
                    std::uint64_t seed, std::string_view where);
-
-// Sentences on the population, and on the draws that the physical limits changed.
 std::vector<std::string> sentences(Draws const& draws);
 
 }  // namespace isolaw::study

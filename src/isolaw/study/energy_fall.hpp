@@ -15,7 +15,6 @@ namespace isolaw::study {
 // tenth steadily, a quarter of that or more in either half. `force_kN` is the law's force at the record's samples.
 std::optional<EnergyFall> energy_fall(data::Properties const& measured, data::FitRecord const& record,
                                       std::vector<double> const& force_kN);
-
 // True where the law loses half as much as the device, or more.
 bool follows(EnergyFall const& fall);
 

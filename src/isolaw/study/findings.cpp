@@ -35,12 +35,10 @@ bool describes(LawResult const& law) {
   return law.objective.mean && is_adequate(law);
 }
 
-// The laws that a comparison covers: "all", or "adequate" where some do not describe the devices.
 std::string among(Summary const& summary) {
   return std::ranges::all_of(summary.laws, is_adequate) ? "all" : "adequate";
 }
 
-// A finding that compares a law with the others, with its error and beta where it has them.
 Finding beside_others(Summary const& summary, FindingKind kind, LawResult const& law) {
   Finding finding{.kind = kind, .law = law.id, .words = {{"among", among(summary)}}};
   if (law.objective.mean) finding.numbers.push_back({"misfit", *law.objective.mean});
@@ -55,24 +53,21 @@ std::vector<bool> front_among_adequate(Summary const& summary) {
       [](auto const& law) { return law.objective.mean; });
 }
 
-// The same front without the optimiser's noise.
 std::vector<bool> converged_among_adequate(Summary const& summary) {
   return front_of(
       summary.laws, [](auto const& law) { return describes(law) ? law.beta_converged : std::nullopt; },
       [](auto const& law) { return law.objective_converged; });
 }
 
-// The place of the front's robust end: the last law that its box does not hold together. Place 0 means that the front
-// has no robust end: the box holds all laws but perhaps the most accurate one.
+// The last law that its box does not hold together; 0: the box holds all but perhaps the most accurate one.
 std::size_t robust_end(Summary const& summary, std::vector<std::size_t> const& front) {
   for (std::size_t place = front.size(); place-- > 1;)
     if (!pinned(summary.laws[front[place]]).decides()) return place;
   return 0;
 }
 
-// The place of the law between the front's ends that is nearest to the best of both, measured by the front's extent, or
-// the front's size where there is none. A law is no compromise where its prediction does not hold, its box holds it
-// together, or it leaves the front once the optimiser's noise is removed.
+// The law between the front's ends nearest to the best of both, by the front's extent; the front's size without one. A
+// compromise predicts, is not held together by its box, and stays on the front without the optimiser's noise.
 std::size_t compromise(Summary const& summary, std::vector<std::size_t> const& front) {
   auto const& laws = summary.laws;
   bool const analysed = std::ranges::any_of(laws, &LawResult::on_front_converged);

@@ -48,31 +48,20 @@ struct Findings {
 Findings findings(Summary const& summary);
 // Delta_n, the largest relative difference of a device's parameter from the lot's; empty when undefined or fixed.
 std::optional<double> largest_difference(LawResult const& law, std::size_t parameter);
-
-// Mean over the devices of the magnitude of an error; `error` is a member such as &DeviceFit::K_eff_error_percent.
 std::optional<double> mean_magnitude(LawResult const& law, std::optional<double> DeviceFit::*error);
-
 // The largest displacement in mm at which a law was shown to hold: in the whole tests where its prediction holds, else
 // in the part that it was fitted to. Empty where it was identified on no device.
 std::optional<double> largest_displacement(Summary const& summary, LawResult const& law);
-
 // Groups of two or more devices with the same record: the same samples or, where both were refused, the same file.
 std::vector<std::vector<DeviceResult const*>> devices_of_one_record(Summary const& summary);
-// Groups of two or more devices with the same compression test.
 std::vector<std::vector<DeviceResult const*>> devices_of_one_compression(Summary const& summary);
-
 // Indices of the laws by rising mean objective; laws without one come last, in their order.
 std::vector<std::size_t> by_objective(Summary const& summary);
-
-// Names of the devices that were read, in the order of the summary.
 std::vector<std::string> device_names(Summary const& summary);
-
 // nullptr where the law was not tried on the device.
 DeviceFit const* fit_of(LawResult const& law, std::string_view device);
-
 // A law's parameters as its first identified device lists them; empty when there is none.
 std::vector<ParameterFit> const& parameters_of(LawResult const& law);
-
 // Where a parameter stands in the vectors of a population, which is not its place in the law; nullopt for one that they
 // do not hold: fixed, tied, or redundant where the form is the reduced one.
 std::optional<std::size_t> place_of(lot::Population const& population, std::string_view parameter);

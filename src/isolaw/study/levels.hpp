@@ -19,7 +19,6 @@ struct Level {
   bool reference = false;                            // the block that counts
 };
 
-// A level for each block in which a cycle counts, in their order.
 std::vector<Level> levels_of(DeviceResult const& device);
 
 }  // namespace isolaw::study

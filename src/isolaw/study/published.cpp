@@ -85,8 +85,6 @@ void mark_front_of(ByNumber& laws) {
   for (std::size_t i = 0; i < laws.size(); ++i) laws[i].numbers.on_front = front[i];
 }
 
-// --- what the study states -------------------------------------------------------------------------------------------
-
 struct Judged {
   std::optional<bool> holds;
   std::string found;
@@ -97,7 +95,6 @@ std::string values_text(ByNumber const& laws, int number, Compared quantity) {
   return quantity == &PublishedNumbers::beta ? fmt::format("{:.3f}", shown) : fmt::format("{:.3g}", shown);
 }
 
-// The laws with their values of one quantity, the smallest first.
 std::string ordered(ByNumber const& laws, Numbers numbers, Compared quantity) {
   std::ranges::stable_sort(numbers, {}, [&](int number) { return number_of(laws, number, quantity); });
   std::vector<std::string> texts;
@@ -263,9 +260,6 @@ std::string verdict_of(std::vector<PublishedStatement> const& statements) {
   return text + fmt::format("; {} hold in its own Table A.5.", in_table);
 }
 
-// --- laws of the study in the campaign -------------------------------------------------------------------------------
-
-// Ids of the readings of a law in the table, the closest to its printed values first.
 std::vector<std::string> readings(table_a5::Law const& law) {
   std::vector<std::string> ids{std::string(law.id)};
   if (!law.other_reading.empty()) ids.emplace_back(law.other_reading);

@@ -11,7 +11,6 @@
 
 namespace isolaw::study {
 
-// Largest magnitudes.
 struct Range {
   double disp_mm = 0.0;
   std::optional<double> vel_mm_s;  // empty: no record has time

@@ -15,7 +15,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-// The error of a law for a purpose, and its errors on the devices.
 struct Known {
   double error = 0.0;
   std::vector<std::pair<std::string_view, double>> of_devices;
@@ -49,7 +48,6 @@ std::optional<Known> known_for_untested(LawResult const& law) {
   return over_devices(law, *loo, [](DeviceFit const& fit) { return fit.left_out_objective; });
 }
 
-// The error on the tests, without the optimiser's noise where there is an analysis.
 std::optional<Known> known_of_tests(LawResult const& law) {
   if (law.objective_converged)
     return over_devices(law, *law.objective_converged, [](DeviceFit const& fit) { return fit.optimum; });
@@ -67,7 +65,6 @@ std::size_t calibrated(LawResult const& law) {
   return static_cast<std::size_t>(std::ranges::count_if(parameters, &ParameterFit::free));
 }
 
-// The share of the examined parameters that the tests do not determine, over all devices; empty without analysis.
 std::optional<double> share_open(LawResult const& law) {
   int examined = 0, open = 0;
   for (auto const& fit : law.devices)
@@ -87,7 +84,6 @@ struct Candidate {
   std::vector<Finding> weak = {};  // why choosing it is not sure
 };
 
-// True for a law that may be taken: identified on every device, adequate, and not refuted by its prediction.
 bool may_be_taken(Summary const& summary, LawResult const& law) {
   auto const usable = device_names(summary).size();
   auto const identified = static_cast<std::size_t>(
@@ -95,7 +91,6 @@ bool may_be_taken(Summary const& summary, LawResult const& law) {
   return law.objective.mean && identified == usable && is_adequate(law) && law.prediction_holds();
 }
 
-// True where the mean errors differ by no more than their scatter over the devices explains.
 bool tie(Known const& best, Known const& other) {
   std::vector<double> differences;
   for (auto const& [device, error] : best.of_devices) {
@@ -141,8 +136,7 @@ std::vector<Finding> weaknesses(Summary const& summary, Candidate const& candida
   return found;
 }
 
-// Among laws that tie, one that nothing speaks against comes first, then one with fewer parameters, then one that
-// analysis programs have.
+// Among tied laws, one that nothing speaks against, then fewer parameters, then one that analysis programs have.
 bool preferred(Candidate const& a, Candidate const& b) {
   if (a.weak.empty() != b.weak.empty()) return a.weak.empty();
   if (a.parameters != b.parameters) return a.parameters < b.parameters;
@@ -154,7 +148,6 @@ bool predicts_blocks(Summary const& summary) {
   return std::ranges::any_of(summary.laws, [](auto const& law) { return law.predicted_objective.has_value(); });
 }
 
-// Says where the error of a law was found.
 std::string measure_of(bool untested, LawResult const& law) {
   if (!untested) return "fitted to each device";
   bool const of_blocks =
@@ -162,7 +155,6 @@ std::string measure_of(bool untested, LawResult const& law) {
   return of_blocks ? "on blocks it was not fitted to" : "on a device it was not fitted to";
 }
 
-// Tests and commands that would make the answer surer.
 std::vector<Finding> what_would_decide(Summary const& summary, Purpose purpose, bool open) {
   constexpr std::size_t few = 5;
   auto const devices = device_names(summary).size();
@@ -194,7 +186,6 @@ std::string title_of(Summary const& summary, Purpose purpose) {
   return devices ? "For a device not tested" : "For what was not tested";
 }
 
-// Why no law is left to recommend.
 std::vector<Finding> why_none(Summary const& summary, Purpose purpose) {
   auto const identified =
       std::ranges::count_if(summary.laws, [](auto const& law) { return law.objective.mean.has_value(); });
@@ -231,7 +222,6 @@ Recommendation none(Summary const& summary, Purpose purpose) {
   return answer;
 }
 
-// Why a law may not be taken; nullopt where it may.
 std::optional<Finding> ruled_out(Summary const& summary, LawResult const& law, bool known, double error) {
   auto const because = [&](FindingKind kind, std::string_view grade = {}) {
     Finding reason{.kind = kind, .law = law.id};
@@ -246,7 +236,6 @@ std::optional<Finding> ruled_out(Summary const& summary, LawResult const& law, b
   return error > fair_prediction ? because(FindingKind::out_error, grade_of_error(error)) : std::nullopt;
 }
 
-// The standing of every law: the chosen ones first, in their order.
 std::vector<Standing> standings_of(Summary const& summary, bool untested, std::vector<Candidate> const& chosen) {
   std::vector<Standing> standings, out;
   for (auto const& c : chosen)

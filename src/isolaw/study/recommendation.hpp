@@ -23,7 +23,6 @@ std::string_view name(Purpose purpose);  // "untested-device", "these-tests", "s
 enum class Sure { clear, tie, weak };
 std::string_view name(Sure sure);
 
-// How a law compares with the others for a purpose.
 enum class Rank { taken, tied, behind, ruled_out };
 std::string_view name(Rank place);  // "taken", "ties", "behind", "ruled out"
 struct Standing {
@@ -50,15 +49,11 @@ struct Recommendation {
   std::optional<Finding> programs;  // how an analysis gets the law where programs lack it
 };
 
-// True where two laws or more were identified; a single one was not chosen among others.
 bool compares_laws(Summary const& summary);
-
 // One for each purpose, in the order of Purpose; none for an inspection.
 std::vector<Recommendation> recommendations(Summary const& summary);
-
 // The answer that the page and the terminal open with; none for an inspection.
 std::optional<Finding> verdict(std::vector<Recommendation> const& recommendations);
-
 // Two laws tie where the mean difference of their errors over the devices is within this many of its standard errors. A
 // single device has no scatter: there they tie within this share of the smaller error.
 inline constexpr double tie_errors = 2.0, tie_share = 0.15;

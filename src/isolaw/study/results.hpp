@@ -68,7 +68,6 @@ Value nested(Object const&) {
 // Marks a number whose unit differs from object to object and stands beside it, as that of a parameter.
 inline constexpr std::string_view own_unit = "its own";
 
-// How the page's tables print a number.
 struct Printed {
   std::optional<int> decimals, significant;
 };
@@ -221,14 +220,12 @@ inline constexpr Result<DeviceFit> fit_results[]{
     {"energy_fall_percent", "%", "energy lost, law", "the same loss by the law", get<energy_fall_of_law>},
 };
 
-// The members of an object in `blocks` of a fit.
 inline constexpr Result<BlockScore> score_results[]{
     {"block", "", "block", "by its number", get<&BlockScore::block>},
     {"fitted", "", "fitted", "false: predicted", get<&BlockScore::fitted>},
     {"objective", "-", "OF", "on this block", get<&BlockScore::objective>},
 };
 
-// The members of `intervals` of a fit.
 inline constexpr Result<DeviceFit> interval_results[]{
     {"level", "-", "", "confidence", get<&DeviceFit::interval_level>},
     {"samples", "", "", "that were judged", get<&DeviceFit::interval_samples>},
@@ -258,7 +255,6 @@ inline constexpr Result<ParameterFit> parameter_results[]{
      word<&ParameterFit::paper_name>},
 };
 
-// Further members of a parameter that an analysis has examined.
 inline constexpr Result<ParameterAnalysis> analysis_results[]{
     {"identifiability", "", "identifiability", "the verdict; without it the keys below are absent",
      get<&ParameterAnalysis::identifiability>},

@@ -13,7 +13,6 @@ using wording::capitalised;
 using wording::enumerate;
 using wording::percent;
 using wording::with_decimals;
-
 // The name by which sentences call a law; its id is for what a user types.
 inline std::string called(LawResult const& law) {
   return std::string(laws::called(law.id));

@@ -38,7 +38,6 @@ struct ParameterAnalysis {
   std::vector<double> profile_value, profile_objective;
 };
 
-// The objective of a law on one block of a device's record.
 struct BlockScore {
   int block = 0;
   bool fitted = false;  // false: predicted
@@ -64,7 +63,6 @@ struct ParameterFit {
   std::optional<ParameterAnalysis> analysis;
 };
 
-// The fit of one law to one device.
 struct DeviceFit {
   std::string device;
   std::string refusal;  // why the law was not identified here ("" when it was)
@@ -165,7 +163,6 @@ struct DeviceResult {
   DeviceAcceptance acceptance;
 };
 
-// A device that stands apart from its lot, and the property by which it does.
 struct OutlyingDevice {
   std::string device, property, unit;
   std::string law;  // the law whose misfit is the property; empty: the property is the device's own
@@ -199,7 +196,6 @@ struct Summary {
 
 // True where a device or the lot does not keep some limit of a verified rule set.
 bool acceptance_failed(Summary const& summary);
-
 // Assesses the devices and the lot. Throws Error where the lot is smaller than the number of devices.
 void add_acceptance(Summary& summary, rules::RuleSet const& rules, rules::Design const& design,
                     std::optional<int> lot_size);

@@ -11,7 +11,6 @@ namespace {
 
 using Values = std::vector<std::optional<double>>;  // one for each device
 
-// Adds each device's relative distance from the mean of those with a value; a device without one gets none.
 void add_distances(Values const& values, std::vector<double>& sums, std::vector<int>& counts) {
   std::vector<double> known;
   for (auto const& value : values)

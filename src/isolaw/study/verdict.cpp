@@ -42,7 +42,6 @@ std::string short_title(rules::RuleSet const& rules) {
   return printable(rules.title.substr(0, rules.title.find_first_of(",:")));
 }
 
-// A requirement that fails on one device fails; else one that is open on a device is open.
 void add(std::vector<Requirement>& requirements, std::string const& name, Verdict verdict) {
   auto found = std::ranges::find(requirements, name, &Requirement::name);
   if (found == requirements.end()) {
@@ -105,7 +104,6 @@ void say_failures(OverallVerdict const& overall, std::size_t devices, std::vecto
   if (!lot_failures.empty()) parts.push_back(fmt::format("the lot fails: {}", fmt::join(lot_failures, "; ")));
 }
 
-// Names the design values that were stated but that no requirement or condition of the set uses.
 std::string not_compared(LotAcceptance const& acceptance, std::vector<Requirement> const& requirements) {
   auto const& test = acceptance.rules.test;
   std::vector<std::string> names;
@@ -120,7 +118,6 @@ std::string not_compared(LotAcceptance const& acceptance, std::vector<Requiremen
   return names.empty() ? std::string() : "stated and not compared: " + joined(names);
 }
 
-// Names the quantities that pass as measured and would fail if a doubt of value_doubts.hpp is right.
 std::string in_doubt(Summary const& summary) {
   struct Lost {
     std::string quantity, condition;

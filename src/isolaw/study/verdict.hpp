@@ -34,7 +34,6 @@ DeviceVerdict device_verdict(DeviceAcceptance const& acceptance);
 // with the rule set; nullopt where nothing was asked.
 std::optional<rules::Verdict> verdict_on(LotAcceptance const& lot, DeviceResult const& device);
 
-// A requirement of the set, listed once for all devices and sides: "K_eff", "sample size", "mean K_eff".
 struct Requirement {
   std::string name;
   rules::Verdict verdict = rules::Verdict::not_assessed;  // a pass where every device and side passes
@@ -59,11 +58,8 @@ struct OverallVerdict {
   std::string text() const { return word.empty() ? sentence : word + ": " + sentence; }
 };
 OverallVerdict overall_verdict(Summary const& summary);
-
 // A lot whose title says this holds no real devices; the example lot's does.
 inline constexpr std::string_view not_measured = "not measured";
-
-// The text of the overall verdict on a line of its own; empty without a rule set.
 std::string verdict_summary(Summary const& summary);
 // The limits of a verified rule set that the device does not keep or, without a device, the lot and its devices.
 std::optional<Finding> verdict_against(Summary const& summary, std::optional<std::string_view> device);

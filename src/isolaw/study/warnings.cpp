@@ -16,7 +16,6 @@ namespace {
 using Names = std::vector<std::string>;
 using enum FindingKind;
 
-// Collects the findings of a campaign within a scope.
 class Collector {
  public:
   Collector(Summary const& summary, Scope const& scope) : summary_(summary), scope_(scope) {
@@ -92,8 +91,7 @@ class Collector {
     return found != summary_.settings.end() && found->json != "\"all\"" && found->json != "\"\"";
   }
 
-  // Warns where a device loses energy from cycle to cycle and no law in scope follows: the laws then hold for a mean of
-  // its cycles.
+  // Where a device loses energy over cycles and no law in scope follows, the laws hold for a mean of its cycles.
   void degradation() {
     for (auto const* device : devices_) {
       EnergyFall const* nearest = nullptr;
@@ -174,7 +172,6 @@ class Collector {
   void parameters(LawResult const& law) {
     double fitted = 0.0, examined = 0.0;
     std::vector<Finding> open, bounds;
-    // Finds the finding on this parameter and side, or adds it.
     auto const about = [&](std::vector<Finding>& list, FindingKind kind, std::string const& parameter,
                            std::vector<FindingWord> const& words) -> Finding& {
       auto const found = std::ranges::find_if(
@@ -273,8 +270,7 @@ std::vector<Finding> Collector::record_findings(DeviceResult const& device) {
   return found;
 }
 
-// A record under two names counts twice and makes parameters look less scattered than they are. One compression test
-// cannot belong to two devices.
+// One record under two names makes parameters look less scattered; one compression test cannot be of two devices.
 std::vector<Finding> Collector::shared_records(Summary const& summary) {
   std::vector<Finding> found;
   auto const names_of = [](auto const& group) {

@@ -13,7 +13,6 @@ namespace isolaw::study {
 
 // A finer integration step that moves the objective by more than this is worth a warning.
 inline constexpr double large_integration_shift = 1e-3;
-
 // The part of a campaign that findings are wanted for: one law or all, on one device or all.
 struct Scope {
   std::optional<std::string_view> law = {}, device = {};
@@ -25,7 +24,6 @@ struct Scope {
 // Findings within the scope. Whether a law describes the devices, and which devices share a record, is judged on the
 // whole campaign whatever the scope.
 std::vector<Finding> warnings(Summary const& summary, Scope const& scope = {});
-
 // For each device, in the order of the summary: the findings on its record and on sharing it with other devices.
 std::vector<std::vector<Finding>> device_warnings(Summary const& summary);
 

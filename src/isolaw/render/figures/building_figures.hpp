@@ -9,10 +9,7 @@
 
 namespace isolaw::render {
 
-// The figures building_histograms and building_variance.
 std::vector<Figure> building_figures(building::Answers const& answers);
-
-// Writes and draws them in dir/figures, as write_figures() does.
 FigureOutcome write_building_figures(building::Answers const& answers, std::filesystem::path const& dir);
 
 }  // namespace isolaw::render

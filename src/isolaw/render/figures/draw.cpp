@@ -17,7 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A temporary folder, removed with everything in it.
 class Scratch {
  public:
   Scratch() {
@@ -37,8 +36,7 @@ class Scratch {
   fs::path path_;
 };
 
-// Cairo writes the time into a PDF. Replaces it by a fixed time of the same length: the same store gives the same
-// bytes.
+// Cairo writes the time into a PDF; a fixed time of the same length keeps equal stores equal in bytes.
 void remove_date(std::string& pdf) {
   constexpr std::string_view before = "/CreationDate (D:";
   auto const at = pdf.find(before);
@@ -49,7 +47,6 @@ void remove_date(std::string& pdf) {
     pdf.replace(digits, fixed.size(), fixed);
 }
 
-// Copies the SVG and the PDF, each only if it is complete; returns whether both were.
 bool take_over(fs::path const& from, fs::path const& to, std::string const& name) {
   auto const svg = text_of(figure_file(from, name, ".svg"));
   auto pdf = text_of(figure_file(from, name, ".pdf"));
@@ -64,8 +61,7 @@ bool take_over(fs::path const& from, fs::path const& to, std::string const& name
 // Few figures to a process: if one fails the rest of its batch starts again, and a small temporary folder is soon gone.
 constexpr std::size_t figures_per_process = 64;
 
-// Draws `names` in one process, and again from behind each figure that cannot be drawn; copies what is complete to
-// `dir`.
+// Draws `names` in one process, and again from behind each figure that fails; copies complete ones to `dir`.
 void draw_batch(fs::path const& dir, std::vector<std::string> names, FigureOutcome& outcome) {
   Scratch const scratch;
   if (scratch.path().empty()) {

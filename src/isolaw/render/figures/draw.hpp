@@ -10,10 +10,8 @@
 namespace isolaw::render {
 
 std::filesystem::path figure_file(std::filesystem::path const& dir, std::string const& name, char const* extension);
-
 // Empty if the file is missing or cannot be read.
 std::string text_of(std::filesystem::path const& path);
-
 // Draws `names` of `dir`; `outcome` gets their number and why some failed. Throws Error where files cannot be written.
 void draw(std::filesystem::path const& dir, std::vector<std::string> const& names, FigureOutcome& outcome);
 

@@ -1,4 +1,3 @@
-// The isolated building: histograms of its draws between the bound analyses, and the parts of their scatter.
 #include <algorithm>
 #include <array>
 
@@ -31,7 +30,6 @@ struct Line {
   int style = black, dash = 1;
 };
 
-// A row for each law, a column for each drawn quantity.
 Figure histograms_figure(building::Answers const& answers) {
   std::string const name = "building_histograms";
   std::string const about = "draws of the building between the bound analyses";
@@ -85,8 +83,6 @@ Figure histograms_figure(building::Answers const& answers) {
   return {name, table.take(), script.take()};
 }
 
-// Standard deviations of the logarithm of the bearings' displacement: between motions, within the lot, from the limited
-// number of tests, and between laws.
 Figure variance_figure(building::Answers const& answers) {
   std::string const name = "building_variance";
   std::string const about = "parts of the spread of the largest displacement of a bearing";

@@ -1,4 +1,3 @@
-// The best objective of a law's searches, step by step.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,7 +23,6 @@ Spread spread_of(std::vector<double> const& values) {
   return {num::median(values), least, greatest};
 }
 
-// The runs' best objectives at a step; a run that ended earlier keeps its last.
 void add_found(std::vector<double>& found, DeviceFit const& fit, std::size_t step) {
   for (auto const& history : fit.histories) {
     if (history.empty()) continue;
@@ -103,7 +101,6 @@ std::string device_panels_script(std::string const& name, std::string const& abo
   return script.take();
 }
 
-// The last curve covers all devices.
 std::string pooled_script(std::string const& name, std::string const& about, std::vector<Curves> const& curves,
                           std::string_view steps, std::size_t law) {
   Script script(name, about, single_column_mm, 62.0);

@@ -1,4 +1,3 @@
-// Accuracy against robustness, with names placed so that they hide nothing.
 #include <algorithm>
 #include <array>
 
@@ -43,13 +42,11 @@ double overlap(Box const& a, Box const& b) {
   return wide > 0.0 && tall > 0.0 ? wide * tall : 0.0;
 }
 
-// Rank of a name relative to its marker.
 struct NamePlace {
   double dx_mm = 0.0, dy_mm = 0.0;
   std::string_view align;
 };
 
-// Points along the line through the non-dominated laws, from left to right.
 template <class At>
 std::vector<std::pair<double, double>> along_front(std::vector<FrontPoint> points, At const& at) {
   constexpr int steps = 60;  // of each piece
@@ -132,7 +129,6 @@ std::vector<NamePlace> place_names(std::vector<FrontPoint> const& points, std::v
   return chosen;
 }
 
-// The same marks as on the page.
 std::string_view mark_of(FrontPoint const& point) {
   return point.stands ? "filled" : point.is_adequate ? "open" : "cross";
 }

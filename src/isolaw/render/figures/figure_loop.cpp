@@ -1,4 +1,3 @@
-// One law on one device: loop, force over time and residual.
 #include "isolaw/render/figures/figure_script.hpp"
 #include "isolaw/render/figures/figures_of.hpp"
 #include "isolaw/render/figures/gnuplot.hpp"

@@ -1,4 +1,3 @@
-// Draws the measured and the computed loops of one device, with a panel for each law.
 #include <algorithm>
 #include <cmath>
 
@@ -48,7 +47,6 @@ std::string loops_data(DeviceResult const& device, std::vector<LoopPanel> const&
   return table.take();
 }
 
-// Breaks a text into lines for the middle of a panel.
 std::vector<std::string> lines_of(std::string_view text, double width_mm) {
   constexpr std::size_t most_lines = 6;
   std::vector<std::string> lines{""};
@@ -67,7 +65,6 @@ std::vector<std::string> lines_of(std::string_view text, double width_mm) {
   return lines;
 }
 
-// Says why the loop is absent, in a frame of the same size as the others.
 void draw_absence(Script& script, LoopPanel const& panel, double width_mm) {
   auto const lines = lines_of(panel.absence, width_mm);
   double const middle = 0.5 * (static_cast<double>(lines.size()) - 1.0);

@@ -1,4 +1,3 @@
-// The objectives of the laws on the devices.
 #include <algorithm>
 
 #include "isolaw/base/words.hpp"

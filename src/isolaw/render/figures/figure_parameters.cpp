@@ -1,4 +1,3 @@
-// A law's parameters over the devices.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-// Stiffness and damping of the devices.
 #include <algorithm>
 #include <array>
 

@@ -1,5 +1,4 @@
-// The campaign against the printed values of the published study (Table A.5), in the study's own normalisation:
-// standard deviation over the runs divided by the magnitude of the mean.
+// The campaign against Table A.5, normalised as there: standard deviation over the runs by magnitude of the mean.
 #include <algorithm>
 #include <cmath>
 
@@ -66,7 +65,6 @@ struct Beside {
   Spreads here, printed;
 };
 
-// The study's laws that the campaign has results of.
 std::vector<Beside> laws_beside(Summary const& summary) {
   std::vector<Beside> laws;
   auto const known = study::published(summary);

@@ -1,4 +1,3 @@
-// The record of one device.
 #include <span>
 
 #include "isolaw/render/figures/figure_script.hpp"

@@ -19,7 +19,6 @@ std::size_t letters(std::string_view text) {
       std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
-// A step of 1, 2 or 5 times a power of ten; about `steps` of them make up `length`.
 double nice_step(double length, int steps) {
   double const raw = length / steps, power = std::pow(10.0, std::floor(std::log10(raw)));
   for (double const factor : {1.0, 2.0, 5.0})
@@ -86,8 +85,7 @@ Script::Script(std::string_view name, std::string_view about, double width_mm, d
   line("  set terminal pdfcairo size {}cm,{}cm enhanced font 'Sans,{}' fontscale 0.75 linewidth 0.75",
        to_text(width_mm / 10.0, 5), to_text(height_mm / 10.0, 5), to_text(font_pt, 3));
   line("}}");
-  // gnuplot measures offsets in letters, which differ between SVG and PDF; these bring labels equally close to the
-  // axes.
+  // gnuplot measures offsets in letters, which differ between SVG and PDF; these bring labels equally close.
   line("raise = kind eq 'svg' ? 0.75 : 0.35; inward = kind eq 'svg' ? 1.4 : 0.8");
   line("set output '{}.'.kind", name);
   for (std::size_t i = 0; i < law_look_count; ++i)

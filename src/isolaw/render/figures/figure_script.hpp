@@ -25,9 +25,7 @@ inline constexpr int blue = 1, vermillion = 2, green = 3, sky = 6, black = law_l
 constexpr int style_of(std::size_t law) {
   return static_cast<int>(look_of(law)) + 1;
 }
-// Line style and marker of the law at this place of the summary.
 std::string marked_style(std::size_t law);
-
 // First line of every script; isolaw removes only figures whose script begins with it.
 inline constexpr std::string_view script_mark = "# A figure of isolaw: ";
 
@@ -35,7 +33,6 @@ struct Margins {
   double left = 13.0, right = 3.0, bottom = 9.0, top = 3.0;  // around a panel's axes, mm
 };
 
-// Panels of one size, row by row.
 struct Grid {
   int columns = 1, rows = 1;
   double width_mm = single_column_mm, panel_height_mm = 40.0;  // whole figure; height of one panel's axes
@@ -59,7 +56,6 @@ class Script {
     text_ += "  " + fmt::format(format, std::forward<Args>(args)...) + "\n";
     return *this;
   }
-  // Sets the margins for panel number `panel`, counted row by row from the top left.
   void place(Grid const& grid, std::size_t panel);
   void margins(double left_mm, double right_mm, double bottom_mm, double top_mm);
   std::string take();
@@ -68,7 +64,6 @@ class Script {
   std::string text_;
   double width_mm_, height_mm_;
 };
-
 // A user's text for drawing: control characters spelled out, cut to the width.
 std::string shortened(std::string_view text, double width_mm);
 
@@ -78,7 +73,6 @@ constexpr std::string_view time_label(bool has_time) {
   return has_time ? "Time (s)" : "Sample";
 }
 
-// Units in the comment of a loop's data.
 constexpr std::string_view loop_units(bool has_time) {
   return has_time ? "time in s, displacement in mm, forces in kN"
                   : "time as samples of the file, displacement in mm, forces in kN";
@@ -99,10 +93,8 @@ struct Scale {
   std::string label;  // gnuplot's, with the unit: 'K1 (10^{3} N/m)'
 };
 Scale scale_for(Range const& range, std::string_view name, std::string_view unit);
-
 // A law's name below an axis, as a quoted string; a part in brackets goes to a second line.
 std::string law_tic(std::string name);
-
 // Logarithmic y axis with tics at decades, or closer where it spans few of them.
 void set_log_axis(Script& script, Range const& range);
 

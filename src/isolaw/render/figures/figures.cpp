@@ -25,7 +25,6 @@ void for_each_lot_figure(Summary const& summary, std::function<void(MaybeFigure 
   use(properties_figure(summary));
 }
 
-// Stems of file names for the devices; a device's files may end in a law's id.
 std::vector<std::string> device_stems(Summary const& summary) {
   std::vector<std::string> names, laws;
   for (auto const& device : summary.devices) names.push_back(device.name);
@@ -33,7 +32,6 @@ std::vector<std::string> device_stems(Summary const& summary) {
   return file_stems(names, laws);
 }
 
-// The typical device's loops, else those of the first device that has any.
 MaybeFigure loops_of_one_device(Summary const& summary) {
   auto const stems = device_stems(summary);
   if (auto const typical = typical_device(summary))

@@ -14,7 +14,6 @@
 namespace isolaw::render {
 
 enum class FigureChoice { none, lot, all };  // lot: with one device's loops as an example; all: every device's figures
-
 // Throws Error for other names than "none", "lot" and "all".
 FigureChoice figure_choice(std::string_view name);
 
@@ -23,10 +22,8 @@ struct Figure {
   std::string data, script;
 };
 
-// Makes one figure after the other, so that those of 160 devices need not be in memory at once. Leaves out figures
-// without anything to draw.
+// One figure after the other, since those of 160 devices fill the memory; leaves out those with nothing to draw.
 void for_each_figure(Summary const& summary, FigureChoice choice, std::function<void(Figure const&)> const& use);
-
 // File names made of letters, digits, '.', '-' and '_', short enough for a file system and different even where case
 // does not count. No stem equals another stem followed by an underscore and one of the endings.
 std::vector<std::string> file_stems(std::vector<std::string> const& names,
@@ -43,10 +40,8 @@ struct FigureOutcome {
 FigureOutcome write_figures(Summary const& summary, FigureChoice choice, std::filesystem::path const& dir);
 
 FigureOutcome write_figures(std::vector<Figure> const& figures, std::filesystem::path const& dir);
-
 // Removes isolaw's figures, recognised by the first line of their scripts, and nothing else in dir/figures.
 void remove_figures(std::filesystem::path const& dir);
-
 // Data of the lot's figures: file name relative to the report's directory, and text.
 std::vector<std::pair<std::string, std::string>> figure_data(Summary const& summary);
 

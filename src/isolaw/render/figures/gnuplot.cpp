@@ -39,7 +39,6 @@ constexpr int exit_not_started = 127;
   ::_exit(exit_not_started);
 }
 
-// All messages until the program ends; nullopt if the deadline comes first.
 std::optional<std::string> read_messages(int input, Clock::time_point deadline) {
   constexpr std::size_t longest = 1 << 16;
   std::string messages;

@@ -14,10 +14,8 @@ namespace isolaw::render {
 // A single-quoted string, in which gnuplot substitutes nothing; control characters are spelled out. Set `noenhanced`
 // wherever it is drawn, so that _, ^, {, }, @, & and ~ print as they are.
 std::string gnuplot_string(std::string_view text);
-
 // Our own text for labels in enhanced mode: "N/m^3" gets a raised exponent.
 std::string gnuplot_text(std::string_view text);
-// The same as a single-quoted string.
 std::string gnuplot_label(std::string_view text);
 
 // A data file: rows of numbers and quoted words, separated by spaces; two empty lines end a block (gnuplot's `index`).
@@ -33,7 +31,6 @@ class DataTable {
   std::string take();
 
  private:
-  // Each writes a blank after its text.
   void cell(std::string_view text);                // in double quotes; those inside the text become single quotes
   void cell(std::optional<double> const& number);  // all its digits; NaN for none
   void cell(double number) { cell(std::optional(number)); }

@@ -1,4 +1,3 @@
-// Writes, recognises and removes the files of figures.
 #include <algorithm>
 #include <fstream>
 #include <set>
@@ -19,7 +18,6 @@ void remove_drawings(fs::path const& dir, std::string const& name) {
   for (auto const* extension : {".svg", ".pdf"}) fs::remove(figure_file(dir, name, extension), ignored);
 }
 
-// Names of isolaw's figures in `dir`.
 std::vector<std::string> own_figures(fs::path const& dir) {
   std::vector<std::string> names;
   std::error_code ignored;

@@ -11,8 +11,6 @@ namespace isolaw::render {
 
 // Writes the members of the object that is open.
 void write_building(JsonWriter& out, building::Study const& study, building::Answers const& answers, Digits digits);
-
-// The warnings as sentences; those on the calibration come last.
 std::vector<std::string> building_warnings(building::Answers const& answers);
 
 std::string building_json(building::Study const& study, building::Answers const& answers);

@@ -30,8 +30,7 @@ void write_members(JsonWriter& out, std::string_view key, T const& value, Rest c
   if constexpr (sizeof...(rest) > 0) write_members(out, rest...);
 }
 
-// Writes the rows as members of the open object. `nested` is called with the key, which is written already, and writes
-// the object or array of a row that leaves it to the renderer.
+// `nested` is called with the key, which is written already, and writes what a row leaves to the renderer.
 template <class Object, std::size_t count, class Nested>
 void write_results(JsonWriter& out, Result<Object> const (&rows)[count], Object const& object, Digits digits,
                    Nested const& nested) {
@@ -45,7 +44,6 @@ void write_results(JsonWriter& out, Result<Object> const (&rows)[count], Object 
   }
 }
 
-// The same for rows of which none is nested.
 template <class Object, std::size_t count>
 void write_results(JsonWriter& out, Result<Object> const (&rows)[count], Object const& object, Digits digits) {
   write_results(out, rows, object, digits, [](std::string_view) {});
@@ -55,14 +53,10 @@ void write_profile(JsonWriter& out, ParameterAnalysis const& analysis, std::opti
 void write_intervals(JsonWriter& out, DeviceFit const& fit);
 void write_blocks(JsonWriter& out, std::vector<BlockScore> const& blocks, Digits digits);
 void write_outliers(JsonWriter& out, std::vector<OutlyingDevice> const& outliers, Digits digits);
-
-// Writes "recommendations", one for each purpose; laws are named by id.
 void write_recommendations(JsonWriter& out, study::Summary const& summary,
                            std::vector<study::Recommendation> const& recommendations);
-
 // Writes "published", the comparison with the published study; null where too few of its laws are in the campaign.
 void write_published(JsonWriter& out, study::Summary const& summary, Digits digits);
-
 // Writes an array under this key: one object for each sentence of the table (wording/table.hpp) with its kind, topic,
 // severity, action, law, devices, parameters and blocks. `each` holds the fields of every finding that it joins.
 void write_findings(JsonWriter& out, std::string_view key, std::vector<Finding> const& findings,

@@ -15,7 +15,6 @@ namespace isolaw::render {
 
 namespace {
 
-// Rounds times to the microsecond.
 double shown(double seconds) {
   return std::round(1e6 * seconds) / 1e6;
 }

@@ -19,7 +19,6 @@ struct RunFacts {
 };
 
 std::string run_json(RunFacts const& facts);
-
 // The time that each phase of a campaign took: an array with an object for each, as in run.json.
 std::string profile_json(campaign::Profile const& profile);
 

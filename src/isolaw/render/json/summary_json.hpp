@@ -15,7 +15,6 @@ std::string summary_json(Summary const& summary);
 // The same with a last member "profile", the array that profile_json() returns; without one if `profile` is empty. The
 // file has none, since times differ between runs.
 std::string summary_json(Summary const& summary, std::string_view profile);
-
 // The number of missing runs that the text of a summary.json states; nullopt if it states none.
 std::optional<std::size_t> missing_runs_in(std::string_view summary_json);
 

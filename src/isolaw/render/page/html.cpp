@@ -13,8 +13,7 @@
 namespace isolaw::render {
 namespace {
 
-// Only these two character sequences end or change a <script>. They occur in strings and regular expressions alone,
-// where a backslash before them changes nothing.
+// Only these sequences end or change a <script>; in strings and regular expressions a backslash changes nothing.
 std::string inline_script(std::string_view script) {
   std::string safe;
   safe.reserve(script.size());
@@ -48,7 +47,6 @@ std::string asked_json(campaign::Acceptance const& asked) {
   return out.take();
 }
 
-// The colours of the laws as variables of the style sheet, like its other colours.
 std::string law_colours() {
   std::string light, dark;
   for (std::size_t i = 0; i < law_look_count; ++i) {
@@ -59,7 +57,6 @@ std::string law_colours() {
                      light, dark);
 }
 
-// The template with title, state of acceptance, data and one of the joined scripts filled in.
 std::string page_of(std::string_view title, std::string_view asked, std::string_view data, std::string_view script) {
   std::map<std::string_view, std::string> const contents{
       {"title", html_escaped(title)},

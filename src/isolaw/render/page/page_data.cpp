@@ -31,8 +31,7 @@ constexpr int profile_digits = 6;
 constexpr double curve_levels = 20000.0;
 constexpr std::size_t convergence_points = 120;
 
-// A curve as integer differences of its quantised values, so that rounding does not add up to a drift. A sample that is
-// not finite repeats the one before.
+// Integer differences of quantised values: rounding makes no drift. A sample that is not finite repeats the last.
 void write_curve(JsonWriter& out, std::string_view key, std::vector<double> const& values,
                  std::vector<std::size_t> const& samples) {
   double lower = 0.0, upper = 0.0;
@@ -74,7 +73,7 @@ void write_curves(JsonWriter& out, Record const& record, std::vector<std::size_t
   write_curve(out, "force_kN", record.force_kN, drawn);
 }
 
-// The raw loop, thinned: point k of a curve is raw sample min(k stride, samples - 1).
+// Point k of a curve is raw sample min(k stride, samples - 1).
 void write_raw(JsonWriter& out, data::TestRecord const& raw, std::size_t most) {
   auto const drawn = drawn_samples(raw.size(), most);
   out.key("raw").begin_object();
@@ -135,8 +134,7 @@ void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const&
 // These results of a parameter are the same on every device, so the law holds them once.
 constexpr auto of_the_law = columns(parameter_results, {"unit", "free", "paper_name"});
 
-// One array for each property instead of one object for each parameter: property names are written once a fit,
-// parameter names once a law.
+// One array for each property: names of properties are written once a fit, those of parameters once a law.
 void write_parameter_columns(JsonWriter& out, std::vector<ParameterFit> const& parameters) {
   out.begin_object();
   for (auto const& row : parameter_results) {
@@ -173,8 +171,7 @@ void write_determination(JsonWriter& out, DeviceFit const& fit) {
   out.end_object();
 }
 
-// How the search went: after each generation or start the smallest, median and largest over the runs of the best
-// objective so far, as decimal logarithms. A run that ended earlier keeps its last value.
+// After each generation or start: least, median, largest log10 of the runs' best so far; ended runs keep their last.
 void write_convergence(JsonWriter& out, DeviceFit const& fit) {
   std::vector<std::vector<double>> runs;
   std::size_t steps = 0;
@@ -304,7 +301,6 @@ void write_conclusions(JsonWriter& out, Summary const& summary) {
   out.end_object();
 }
 
-// The order of the laws, the device that is shown first, and the laws that stand on each view's front.
 void write_shown(JsonWriter& out, Summary const& summary) {
   out.key("by_objective").begin_array();
   for (auto const law : by_objective(summary))
@@ -335,7 +331,6 @@ void write_thresholds(JsonWriter& out) {
   out.end_object();
 }
 
-// For each key the heading of the page's tables and how the numbers below it are printed.
 template <class Of, std::size_t count>
 void write_headings(JsonWriter& out, std::string_view kind, Result<Of> const (&rows)[count]) {
   out.key(kind).begin_object();

@@ -7,14 +7,15 @@
 namespace isolaw::render {
 namespace {
 
-// Text of a value; several cells are separated by commas.
 struct Cells {
   std::string operator()(std::monostate) const { return {}; }
   std::string operator()(bool flag) const { return flag ? "yes" : "no"; }
   std::string operator()(std::integral auto number) const { return std::to_string(number); }
   std::string operator()(double number) const { return to_text(number, 6); }
   std::string operator()(std::string_view text) const { return csv_cell(text); }
-  std::string operator()(std::vector<std::string> const* texts) const { return csv_cell(wording::enumerate(*texts, 99)); }
+  std::string operator()(std::vector<std::string> const* texts) const {
+    return csv_cell(wording::enumerate(*texts, 99));
+  }
   std::string operator()(Statistic const& statistic) const {
     return to_text(statistic.mean, 6) + ',' + to_text(statistic.std, 6) + ',' + to_text(statistic.best, 6);
   }

@@ -25,7 +25,6 @@ class CsvTable {
   void row(Of const&... cells) {
     add(cells...).end_row();
   }
-  // head() adds the headings of columns from study/results.hpp, cells() an object's values under them.
   template <class Of, std::size_t count>
   CsvTable& head(std::array<Result<Of>, count> const& columns) {
     for (auto const& column : columns)

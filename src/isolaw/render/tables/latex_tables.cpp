@@ -56,7 +56,6 @@ std::string latex_of_letter(std::string_view sequence) {
 
 constexpr std::size_t longest_head = 32;
 
-// A device's name, cut to the width of three columns.
 std::string device_head(std::string const& device) {
   auto const clean = printable(device);
   std::size_t end = 0;
@@ -71,7 +70,6 @@ std::string yes(bool flag) {
 
 constexpr int digits_of_std = 2;
 
-// Heading of a block of devices; columns without a device stay empty.
 std::string block_head(std::vector<std::string> const& devices, std::size_t columns) {
   std::string names = "& ", rules, words = "Law & Quantity";
   for (std::size_t i = 0; i < columns; ++i) {
@@ -122,7 +120,6 @@ std::string block_row(LawResult const& law, Quantity const& quantity, std::vecto
   return row;
 }
 
-// Width of a LaTeX number in letters, without its invisible markup.
 std::size_t visible(std::string_view number) {
   constexpr std::string_view times = "\\times";
   auto const hidden =
@@ -132,7 +129,6 @@ std::size_t visible(std::string_view number) {
          }));
 }
 
-// Longest texts of the columns, which are equally wide in all blocks.
 struct Letters {
   std::size_t law = 3, quantity = 8, head = 0, value = 5, std = 5;
 };
@@ -158,7 +154,6 @@ Letters longest_texts(Summary const& summary, std::vector<std::string> const& de
   return longest;
 }
 
-// The number of devices side by side that fit a 174 mm page in \footnotesize; three at most.
 std::size_t devices_side_by_side(Summary const& summary, std::vector<std::string> const& devices) {
   constexpr double page_mm = 174.0, letter_mm = 1.55, head_letter_mm = 1.75, gap_mm = 2.1;
   auto const letters = longest_texts(summary, devices);

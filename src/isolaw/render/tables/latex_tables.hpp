@@ -14,20 +14,12 @@ namespace isolaw::render {
 // A user's text with nothing left that acts as a command. Control characters, and characters that pdfLaTeX has no
 // letter for, are spelled out.
 std::string latex_text(std::string_view text);
-
 // "$1.600$", "$-2.320\times10^{5}$"; "--" for none.
 std::string latex_number(std::optional<double> const& number, int digits_shown = 4);
-
 // "kN/mm", "N/m$^{3}$"; "" for none.
 std::string latex_unit(std::string_view unit);
-
-// The content of table_a5.csv.
 std::string table_a5_tex(Summary const& summary);
-
-// The content of robustness.csv.
 std::string robustness_tex(Summary const& summary);
-
-// The content of front.csv.
 std::string front_tex(Summary const& summary);
 
 }  // namespace isolaw::render

@@ -1,4 +1,3 @@
-// Tables of cyclic properties, verdicts and the lot.
 #include <string>
 
 #include "isolaw/base/words.hpp"

@@ -11,7 +11,6 @@
 
 namespace isolaw::render {
 
-// A row of Table A.5.
 struct Quantity {
   std::string name, unit;
   bool free = true;
@@ -19,11 +18,9 @@ struct Quantity {
   std::string paper_name = {};   // the name in the paper's tables, if it differs
 };
 std::vector<Quantity> quantities_of(LawResult const& law);
-
 // All values are empty without a result.
 Statistic statistic_of(DeviceFit const& fit, Quantity const& quantity);
 Statistic statistic_of(LawResult const& law, std::string const& device, Quantity const& quantity);
-
 // The points of Fig. 14 by rising objective.
 std::vector<FrontPoint> by_accuracy(Summary const& summary, FrontView view);
 

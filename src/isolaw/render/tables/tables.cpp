@@ -11,7 +11,6 @@
 namespace isolaw::render {
 namespace {
 
-// "D3 upper; D5 lower"
 std::string devices_at_bound(LawResult const& law, std::size_t parameter) {
   std::vector<std::string> devices;
   for (auto const& fit : law.devices)
@@ -20,7 +19,7 @@ std::string devices_at_bound(LawResult const& law, std::size_t parameter) {
   return joined(devices, "; ");
 }
 
-// A bound of the search box, or "per device": boxes scaled from the record differ.
+// Boxes scaled from the record differ between devices; the table then says "per device".
 Value common_bound(LawResult const& law, std::size_t parameter, double ParameterFit::*bound) {
   std::optional<double> common;
   for (auto const& fit : law.devices) {

@@ -13,23 +13,15 @@ namespace isolaw::render {
 // deviation over the runs; last the parameter's spread over the lot, Delta_n of Eqs. (28)-(30). Bounds scaled from each
 // record read "per device" (they are in summary.json).
 std::string parameters_csv(Summary const& summary);
-
-// One row per law and device, refused devices first: objective, runs, errors of the best fit, integration shift, reason
-// for a missing result, number of missing runs.
+// One row per law and device, refused devices first: objective, runs, errors, shift, reason for a missing result.
 std::string objective_csv(Summary const& summary);
-
-// One row per law: mean objective, beta, front.
 std::string robustness_csv(Summary const& summary);
-
 // Like Table A.5 of Cucuzza et al. 2025: for each law and device the mean, the standard deviation over the runs and the
 // best run's value of the objective and of every parameter.
 std::string table_a5_csv(Summary const& summary);
-
 // Fig. 14 in numbers: the laws by rising objective, and which laws dominate them.
 std::string front_csv(Summary const& summary);
-
-// One row per device, block and cycle. Cycles that do not count say why, and a device without cycles has one row that
-// says why.
+// One row per device, block and cycle. Cycles that do not count, and devices without cycles, say why.
 std::string cycles_csv(Summary const& summary);
 // One row per device and limit of the rule set: value, design value, deviation, limit, verdict, reason.
 std::string tests_csv(Summary const& summary);
@@ -37,17 +29,12 @@ std::string levels_csv(Summary const& summary);
 std::string vertical_csv(Summary const& summary);
 // One row per quantity of the lot: spread, sample, outliers, limits on the mean.
 std::string lot_csv(Summary const& summary);
-// One row per quantity and source of lambda_spec: factors, upper and lower bound values.
 std::string lambda_csv(Summary const& summary);
-
 // A cell of untrusted text: quoted where needed, never a formula.
 std::string csv_cell(std::string_view text);
-
 // Identifiability and intervals, a row per law, device and free parameter; only the header without analyses.
 std::string identifiability_csv(Summary const& summary);
-// One row per law: results without the optimiser's noise, with devices left out, and on predicted blocks.
 std::string converged_csv(Summary const& summary);
-// One row per law and parameter: the lot's common value and the population.
 std::string lot_law_csv(Summary const& summary);
 // One row per law, device and part of the tests: the objective on parts that the law was and was not fitted to.
 std::string prediction_csv(Summary const& summary);

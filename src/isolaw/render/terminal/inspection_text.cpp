@@ -122,7 +122,6 @@ std::size_t longest_name(Summary const& summary) {
   return std::min<std::size_t>(longest, 32);
 }
 
-// The stiffness of a vertical test, or why there is none.
 std::string vertical_text(DeviceResult const& device) {
   auto const& test = device.vertical_test;
   if (!device.vertical) return "no vertical stiffness K_v, see the warnings";
@@ -238,7 +237,6 @@ void print_factors(std::string& text, rules::LotView const& lot) {
           t->min_cycle, printable(q.test_min_device), t->max, t->max_cycle, printable(q.test_max_device));
 }
 
-// Of several devices: what each table row leaves out, what many share once. A refusal stands in the row.
 void print_warnings(std::string& text, Summary const& summary) {
   std::vector<std::string> lines;
   auto findings = study::warnings(summary);
@@ -247,7 +245,6 @@ void print_warnings(std::string& text, Summary const& summary) {
   print_list(text, "Warnings", lines);
 }
 
-// What the rule set says of the lot as a whole.
 void print_lot_verdicts(std::string& text, LotAcceptance const& acceptance) {
   if (!acceptance.has_rules()) return;
   text += "\nLot\n";

@@ -40,7 +40,6 @@ std::string padded(std::string_view text, int width, bool right = false) {
   return right ? blanks + std::string(text) : std::string(text) + blanks;
 }
 
-// Prints any value in at most ten characters.
 std::string bounded(double value, int decimals, double largest = 1e5) {
   return std::abs(value) < largest ? fmt::format("{:.{}f}", value, decimals) : fmt::format("{:.2e}", value);
 }
@@ -56,15 +55,13 @@ std::string spread(std::optional<double> const& std) {
   return *std > 0.0 ? "<1e-4" : "0";
 }
 
-// A law's row in a table: its place, its name, cells aligned to the right, and a remark after them.
 struct Row {
   std::string place, id;
   std::vector<std::string> cells;
   std::string remark = {};
 };
 
-// Lays out the rows. A column is as wide as its longest text and two blanks, that of the names as its longest name and
-// `id_gap` blanks, and no column is narrower than the width given for it.
+// A column is as wide as its longest text and two blanks, the names' as the longest and `id_gap`; or wider as given.
 std::string table(std::vector<Row> const& rows, std::vector<int> widths, int id_width, int id_gap = 0) {
   widths.resize(rows.front().cells.size());
   for (auto const& row : rows) {
@@ -139,7 +136,6 @@ std::string converged_table(Summary const& summary, int width) {
              5, width);
 }
 
-// Objectives on each block, as means over the devices that have the block.
 std::string prediction_table(Summary const& summary) {
   std::map<int, bool> blocks;  // number, and whether it was fitted
   for (auto const& law : summary.laws)
@@ -177,7 +173,6 @@ std::string prediction_table(Summary const& summary) {
   return text;
 }
 
-// A raster of characters, each one column wide, addressed by column and row.
 class Canvas {
  public:
   Canvas(int width, int height)
@@ -205,7 +200,6 @@ class Canvas {
   std::vector<std::string> cells_;
 };
 
-// Puts a label beside, above or below its point; one that has no room is left out, since the table has it.
 void put_label(Canvas& canvas, int column, int row, std::string_view id) {
   int const length = static_cast<int>(id.size());  // identifiers of laws are ASCII
   std::array const places{
@@ -236,7 +230,6 @@ struct Axis {
   }
 };
 
-// Prints a tick's number in at most eight characters.
 std::string tick_text(double value) {
   return std::abs(value) < 1e3 ? fmt::format("{:.3f}", value) : fmt::format("{:.1e}", value);
 }
@@ -315,7 +308,6 @@ std::string heading(Summary const& summary, int width) {
   return wrapped("", text, 0, width);
 }
 
-// The answer, then each purpose with its law, the reasons and what would make it surer.
 std::string answers(Summary const& summary, Findings const& found, int width) {
   if (!found.verdict) return {};
   auto text = wrapped("", wording::sentence(*found.verdict), 0, width);
@@ -333,13 +325,11 @@ std::string answers(Summary const& summary, Findings const& found, int width) {
   return text + '\n';
 }
 
-// The first recommendation that names a law, beginning with the one for buildings; nullptr where none does.
 Recommendation const* taken(std::vector<Recommendation> const& recommendations) {
   auto const found = std::ranges::find_if(recommendations, [](auto const& each) { return each.law.has_value(); });
   return found == recommendations.end() ? nullptr : &*found;
 }
 
-// The laws as the answer ranks them: errors on the tests and on what they were not fitted to, number of parameters.
 std::string short_table(Summary const& summary, Recommendation const& answer) {
   constexpr std::size_t most = 8;
   auto const any = [&](auto has) { return std::ranges::any_of(summary.laws, has); };

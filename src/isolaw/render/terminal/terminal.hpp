@@ -12,9 +12,7 @@ namespace isolaw::render {
 // For the usual laws it has at most 25 lines: the law to take and how sure that is, the table of laws, warnings, and the
 // next command. `directory` is where the results lie, as the user would type it.
 std::string answer(Summary const& summary, std::string_view directory, int width = 80);
-// All tables, findings and warnings, and a plot of accuracy against robustness.
 std::string ranking(Summary const& summary, int width = 80);
-
 // Breaks `text` into lines of `width` columns that are indented by `indent`; the first one starts with `bullet`.
 std::string wrapped(std::string_view bullet, std::string_view text, int indent, int width);
 

@@ -1,5 +1,4 @@
-// The page of an isolated building: its sections in order. A file in building/ is a section; what pages share stands
-// beside this file.
+// The page of an isolated building. A file in building/ is a section; what pages share stands beside this file.
 
 import { assumedSection } from './building/assumed.js';
 import { checksSection } from './building/checks.js';
@@ -13,8 +12,6 @@ import { verdictSection } from './building/verdict.js';
 import { element } from './dom.js';
 import { followWindow, showSections } from './shell.js';
 import { count } from './text.js';
-
-// In the order of the page.
 const SECTIONS = [
   verdictSection, spreadSection, varianceSection, lawsSection, planSection, historySection, checksSection, assumedSection,
 ];

@@ -1,5 +1,3 @@
-// The choices of a report's reader.
-
 import { choices } from './choices.js';
 import {
   devices, drawable, examinedLaws, firstExamined, lotLaws, predictedByFit, ranking, report, tested,
@@ -7,7 +5,6 @@ import {
 import { FIRST, recommended } from './purposes.js';
 import { FIRST_VIEW } from './views.js';
 
-// The device that stands for the lot, where it can be shown.
 const shownFirst = (among) => among.find((device) => device.index === report.typical_device) ?? among[0];
 
 const reader = choices({

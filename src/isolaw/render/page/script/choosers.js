@@ -1,5 +1,3 @@
-// Controls that several sections share.
-
 import { choose, chooseDevice, chosen, onChoice } from './choice.js';
 import { chooser } from './controls.js';
 import { laws } from './report.js';

@@ -1,5 +1,3 @@
-// Controls of every page.
-
 import { element } from './dom.js';
 
 // A choice of [value, text]; `follow` is called with what is chosen.

@@ -1,5 +1,3 @@
-// CSV.
-
 import { element } from './dom.js';
 
 function csvCell(value) {

@@ -1,5 +1,3 @@
-// Blocks and cycles of a device.
-
 import { chosen } from './choice.js';
 import { headingOf, headingText, report, resultColumns } from './report.js';
 import { THIN, isNumber, printed, significant } from './text.js';
@@ -18,7 +16,6 @@ export const largestNumber = (device) => Math.max(1, ...countedCycles(device).ma
 export const chosenBlocks = (device) =>
   device.blocks.filter((block) => chosen.block === 'all' || block.number === chosen.block);
 
-// Without a complete cycle a block has no amplitude.
 export const amplitudeText = (block) =>
   counted(block).length > 0 ? '±' + significant(block.amplitude_mm, 3) + THIN + 'mm' : 'no complete cycle';
 

@@ -1,3 +1,1 @@
-// The data block of the page.
-
 export const data = JSON.parse(document.getElementById('isolaw-data').textContent);

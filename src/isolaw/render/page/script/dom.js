@@ -1,5 +1,3 @@
-// Elements of the document, and whether it is on paper.
-
 import { typeset, unset } from './symbols.js';
 
 // Commands and file names are not typeset.
@@ -19,7 +17,6 @@ export function element(tag, attributes = {}, ...children) {
 export const termList = (className, facts) =>
   element('dl', { class: className }, ...facts.flatMap(([term, text]) => [element('dt', {}, term), element('dd', {}, text)]));
 
-// All items where there are `most` or fewer, else `few` of them and the rest behind a click.
 export function shortList(items, most, few, className = null) {
   const shown = items.length <= most ? items.length : few;
   const list = (some) => element('ul', { class: className }, ...some);

@@ -87,7 +87,6 @@ export function redraw({ everything = false } = {}) {
   }
 }
 
-// Everything that depends on what changes is drawn again; what is out of sight waits until it is seen.
 export function redrawDependents(changes) {
   for (const [figure, place] of drawn) {
     if (!figure.depends?.some((key) => key in changes)) continue;

@@ -1,12 +1,9 @@
-// Panels for the properties that are followed from cycle to cycle, of a device or of the lot.
-
 import { FOLLOWED } from './cycles.js';
 import { lotQuantities } from './lot.js';
 import { paddedRange } from './plotting.js';
 import { fixed, isNumber } from './text.js';
 import { concerns } from './verdicts.js';
 
-// Three panels over the number of the cycle: side by side, or below one another where `stacked`.
 export function followedPanels(stacked, largest) {
   const layout = { annotations: [] };
   FOLLOWED.forEach((property, i) => {
@@ -27,14 +24,12 @@ export function followedPanels(stacked, largest) {
   return layout;
 }
 
-// The range that the limits of an assessment or of the lot allow about the design value; null where there is no limit.
 export function limitBand(limited) {
   const { nominal, lower_percent: lower, upper_percent: upper } = limited ?? {};
   if (!isNumber(nominal) || !(isNumber(lower) || isNumber(upper))) return null;
   return [lower, upper].map((percent) => (isNumber(percent) ? nominal * (1 + percent / 100) : null));
 }
 
-// Design value and limits of a followed property, from a device's assessments, or where these have none, from the lot.
 export function designOf(name, assessments) {
   const own = assessments.find((a) => concerns(a, name) && isNumber(a.nominal));
   const lot = lotQuantities.find((quantity) => quantity.quantity === name);
@@ -48,7 +43,6 @@ function steadyRange(values) {
   return [low - missing / 2, high + missing / 2];
 }
 
-// Sets the range of panel i and draws design value and limits where there are any.
 export function framePanel(layout, look, i, { nominal, band }, values) {
   const some = values.filter(isNumber);
   if (some.length === 0) return;

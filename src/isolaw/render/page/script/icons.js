@@ -15,7 +15,6 @@ export function icon(...shapes) {
   return svg;
 }
 
-// The tone of a law's role; every role on the front is good.
 const TONES = { 'held by its box': 'care', dominated: 'poor', 'not adequate': 'poor', 'not ranked': 'muted' };
 export const roleTone = (role) => TONES[role] ?? 'good';
 
@@ -23,8 +22,7 @@ const CIRCLE = 'M6 1 A5 5 0 1 1 5.99 1 Z',
   DIAMOND = 'M6 1 L11 6 L6 11 L1 6 Z',
   CROSS = 'M2 2 L10 10 M10 2 L2 10';
 
-// The front's markers, as in the plot: filled circle, open diamond for a law that is beaten, cross for one that does not
-// describe the devices.
+// As in the plot: filled circle, open diamond for a beaten law, cross for one that does not describe the devices.
 export function marker(role, tone = roleTone(role)) {
   const colour = 'var(--' + tone + ')';
   const path = role === 'not adequate' ? CROSS : tone === 'poor' ? DIAMOND : CIRCLE;

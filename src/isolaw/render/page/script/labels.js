@@ -1,11 +1,8 @@
-// Places for the labels of a plot.
-
 const MARKER = 8, // pixels about a point that belong to its marker
   LETTERS = 16; // height of a label
 
 const meet = (a, b) => a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
 
-// Whether a line from one point to another enters a box.
 function enters([x0, y0], [x1, y1], box) {
   const steps = Math.max(2, Math.ceil(Math.hypot(x1 - x0, y1 - y0) / 4));
   for (let k = 1; k < steps; ++k) {
@@ -16,10 +13,9 @@ function enters([x0, y0], [x1, y1], box) {
   return false;
 }
 
-// Where each label of a scatter goes: beside its point or, joined to it by a line, where there is room; on no point, on no
-// label and inside the plot, not on the stair that joins `stair`, the indices of points from left to right, where it can
-// be helped. points: [{x, y, width}], in pixels of a plot of that width and height, `others` those that have no label; gives
-// the middles of the labels.
+// Beside its point or, joined to it by a line, where there is room: inside the plot, on no point and no label, if
+// possible not on the stair through `stair`, indices of points from left to right; points: [{x, y, width}] in pixels;
+// `others` have no label. It gives the middles of the labels.
 export function labelPlaces(points, stair, width, height, others = []) {
   const markers = [...points, ...others].map(({ x, y }) => [x - MARKER, y - MARKER, x + MARKER, y + MARKER]);
   const steps = stair.slice(1).flatMap((to, k) => {
@@ -78,8 +74,7 @@ export function spread(wanted, gap, low, high) {
   return groups.flatMap((group) => Array(group.size).fill(group.sum / group.size)).map((value, i) => value + i * gap);
 }
 
-// Numbers of the loops, joined to their positive peaks: those of the outermost peaks in the margin at the right, the
-// others up and left of their peaks, where a hysteresis loop leaves room. `pixel` gives the place of a peak.
+// Numbers of the outermost peaks go to the right margin, others up and left, where a hysteresis loop leaves room.
 export function peakLabels(labels, pixel, room, height) {
   const gap = 15,
     columns = [];

@@ -1,5 +1,3 @@
-// How a law is named.
-
 import { element } from './dom.js';
 import { colourOf, isAgain } from './plotting.js';
 import { doesNotPredict, laws, report } from './report.js';
@@ -29,7 +27,6 @@ export const lawName = (law) =>
     ...(doesNotPredict(law) ? [' ', predictionBadge(law)] : []),
   );
 
-// A sentence about some laws, and a badge behind it for each of them that does not predict.
 export const withBadges = (text, about) => [text, ...about.filter(doesNotPredict).flatMap((law) => [' ', predictionBadge(law, law.name + ': ')])];
 
 export function predictionNote(among) {
@@ -40,7 +37,6 @@ export function predictionNote(among) {
     : '';
 }
 
-// Laws that do not describe the devices, however well they compare with others.
 const inadequate = new Set(
   report.findings.verdicts.filter((verdict) => verdict.role === 'not adequate').map((verdict) => verdict.law),
 );

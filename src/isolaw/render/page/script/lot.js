@@ -1,5 +1,3 @@
-// The lot as a rule set sees it.
-
 import { reportedCycle } from './cycles.js';
 import { report } from './report.js';
 import { count, isNumber, mean } from './text.js';
@@ -20,8 +18,7 @@ export const lotQuantities = (report.assessment?.lot?.quantities ?? []).map(
   }),
 );
 
-// The value of a device for a property of the lot: as it was assessed (the mean over both sides), else from its
-// vertical test or the reported cycle.
+// As it was assessed (the mean over both sides), else from the vertical test or the reported cycle.
 export function deviceValue(device, quantity) {
   const own = device.assessments.filter((a) => concerns(a, quantity) && isNumber(a.value));
   if (own.length > 0)

@@ -1,6 +1,5 @@
-// The report page: its sections in order. The build joins these modules into one script
-// (cmake/join_modules.cmake); a folder is a section, a figure a file in it. Text of the input reaches the document through
-// textContent only, and plots through plain().
+// cmake/join_modules.cmake joins these modules into one script; a folder is a section, a file in it a figure. Text of
+// the input reaches the document through textContent only, and plots through plain().
 
 import { accuracySection } from './accuracy/section.js';
 import { certificateSection } from './certificate/section.js';
@@ -21,8 +20,6 @@ import { followWindow, showSections } from './shell.js';
 import { count } from './text.js';
 import { verdictSection } from './verdict/section.js';
 import { WORDS } from './verdicts.js';
-
-// In the order of the page.
 const SECTIONS = [
   verdictSection, decisionSection, accuracySection, loopsSection, parametersSection, determinationSection, oneLawSection,
   predictionSection, publishedSection, propertiesSection, devicesSection, certificateSection, provenanceSection,

@@ -1,5 +1,3 @@
-// Shared by all plots.
-
 import { data } from './data.js';
 import { inFigure } from './symbols.js';
 import { isNumber, plain, significant } from './text.js';
@@ -27,7 +25,6 @@ export const symbolOf = (law) => SYMBOLS[law.index % SYMBOLS.length] + (isAgain(
 export const dashOf = (place) => DASHES[place % DASHES.length]; // by the order of the chosen laws: the first one is solid
 export const LEGEND = { orientation: 'h', x: 0, y: 1.02, xanchor: 'left', yanchor: 'bottom', font: { size: 12 } };
 
-// A layout in the page's typography; axes are merged over the common axis style.
 export function styled(layout, look) {
   const axis = {
     gridcolor: look.colour('grid'), zerolinecolor: look.colour('rule'), linecolor: look.colour('rule'), showline: true, exponentformat: 'SI', minexponent: 6,
@@ -73,7 +70,6 @@ export const PLOT_CONFIG = {
   toImageButtonOptions: { format: 'svg', filename: 'isolaw-figure' },
 };
 
-// The range of some values with a share of it free on both sides.
 export function paddedRange(values, share) {
   const low = Math.min(...values),
     high = Math.max(...values),
@@ -81,7 +77,6 @@ export function paddedRange(values, share) {
   return [low - margin, high + margin];
 }
 
-// The width of a text in a plot, in pixels.
 const pen = document.createElement('canvas').getContext('2d');
 export function textWidth(look, text, size) {
   pen.font = size + 'px ' + look.font;
@@ -98,7 +93,6 @@ export function namedAxis(names, most) {
   };
 }
 
-// The heading of a panel, above its left end in shares of the plot.
 export const panelHeading = (look, x, y, text, size = 12) => ({
   xref: 'paper', yref: 'paper', x, y, xanchor: 'left', yanchor: 'bottom', showarrow: false, text,
   font: { size, color: look.colour('ink') },

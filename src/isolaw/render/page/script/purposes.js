@@ -6,7 +6,6 @@ import { VIEWS, isPlaced } from './views.js';
 
 const byId = new Map(laws.map((law) => [law.id, law]));
 
-// The recommendations, and beside them the paper's question: accuracy against robustness.
 export const PURPOSES = [
   ...report.findings.recommendations.map((recommendation) => ({
     id: recommendation.purpose,
@@ -17,11 +16,7 @@ export const PURPOSES = [
   })),
   ...(VIEWS.length > 0 ? [{ id: 'robustness', title: 'Accuracy against robustness' }] : []),
 ];
-
-// The colour of an answer, by how sure it is.
 export const TONES = { clear: 'good', tie: 'care', weak: 'care' };
-
-// The first that has an answer.
 export const FIRST = (PURPOSES.find(({ recommendation }) => recommendation?.law) ?? PURPOSES[0])?.id;
 
 export const purposeOf = (id) => PURPOSES.find((purpose) => purpose.id === id);
@@ -45,7 +40,6 @@ export const recommended = (() => {
 
 export const viewOf = (id) => VIEWS.find((view) => view.id === id);
 
-// The laws that an answer names: those that share the first place, or those on the front.
 export function answering(purpose, viewId) {
   const { recommendation } = purpose;
   if (recommendation) return recommendation.law ? [recommendation.law, ...recommendation.ties].map((id) => byId.get(id)) : [];
@@ -60,11 +54,8 @@ export function answerOf(purpose, viewId) {
   if (view.id === 'runs') return report.findings.headline;
   return 'On the front ' + view.title + ': ' + enumerate(answering(purpose, viewId).map(({ name }) => name)) + '.';
 }
-
-// The laws of a view, from accurate to not.
 export const placedIn = (view) => laws.filter((law) => isPlaced(view, law)).sort((a, b) => view.accurate(a) - view.accurate(b));
 
-// Three numbers that carry the answer, each with what it is.
 export function numbersOf(purpose, viewId) {
   if (purpose.id === 'robustness') {
     const view = viewOf(viewId);

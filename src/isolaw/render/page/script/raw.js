@@ -1,11 +1,8 @@
-// The raw record as the data block has it, thinned.
-
 import { chosen } from './choice.js';
 import { curve, devices } from './report.js';
 
 export const rawIndex = (raw, k) => Math.min(k * raw.stride, raw.samples - 1);
 
-// A curve of the raw record at a fractional sample index.
 function valueAt(raw, values, index) {
   const k = Math.min(Math.max(0, Math.floor(index / raw.stride)), values.length - 2);
   const from = rawIndex(raw, k),
@@ -13,14 +10,12 @@ function valueAt(raw, values, index) {
   return values[k] + ((index - from) / (to - from || 1)) * (values[k + 1] - values[k]);
 }
 
-// The samples of a curve from one fractional sample index to another, the ends interpolated.
 export function slice(raw, values, first, last) {
   if (values.length < 2) return [...values];
   const inside = values.filter((_, k) => rawIndex(raw, k) > first && rawIndex(raw, k) < last);
   return [valueAt(raw, values, first), ...inside, valueAt(raw, values, last)];
 }
 
-// The place of a raw sample on the time axis, which counts samples where the record has no time.
 export function rawTime(device) {
   const { raw } = device;
   const t = raw?.time_s ? curve(raw.time_s) : null;

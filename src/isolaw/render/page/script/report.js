@@ -1,5 +1,3 @@
-// The data block of a campaign or an inspection.
-
 import { data } from './data.js';
 import { atTheHead, printed } from './text.js';
 
@@ -16,7 +14,6 @@ export const laws = report.laws.map((law, index) => {
   const fits = law.devices.map((fit) => ({
     ...fit,
     parameters: rowsOf(fit.parameters),
-    // Null for a parameter that was not examined.
     determination: fit.determination && rowsOf(fit.determination).map((row) => (row.identifiability ? row : null)),
   }));
   return { ...law, index, devices: fits, fitOn: new Map(fits.map((fit) => [fit.device, fit])) };
@@ -35,11 +32,8 @@ export const lotLaws = lawsByObjective.filter((law) => law.lot !== null);
 // Such a law misses the blocks that it was not fitted to.
 export const doesNotPredict = (law) => law.prediction_grade === 'poor' || law.prediction_grade === 'unusable';
 export const predictedLaws = lawsByObjective.filter((law) => law.predicted_objective !== null);
-
-// Best prediction first.
 export const predictedByFit = [...predictedLaws].sort((a, b) => a.predicted_objective - b.predicted_objective);
 
-// Places of the parameters that were examined on some device.
 export function examinedPlaces(law) {
   return law.parameters
     .map((_, place) => place)
@@ -50,8 +44,7 @@ export function firstExamined(law) {
   return law ? (examinedPlaces(law)[0] ?? 0) : 0;
 }
 
-// The program's headings of some results, or of all, and a function that gives an object's cells below them. A
-// statistic or a range has several cells.
+// The program's headings of results, and a function for an object's cells; a statistic or a range has several cells.
 export function resultColumns(kind, keys = Object.keys(report.headings[kind])) {
   const cell = (value) => (typeof value === 'boolean' ? (value ? 'yes' : 'no') : value);
   const cells = (value) => (value !== null && typeof value === 'object' ? Object.values(value) : [value]).map(cell);
@@ -72,7 +65,6 @@ export function fitData(keys, among = laws, fitsOf = (law) => law.devices) {
 export const headingText = ({ title, unit }) => title + (unit ? ' [' + unit + ']' : '');
 export const headingOf = (kind, key) => report.headings[kind][key][0];
 
-// A numeric result as a column of a table on the screen; `text` prints it for an object.
 export function numberColumn(kind, key, more = {}) {
   const heading = headingOf(kind, key);
   const { title, unit } = heading;

@@ -1,5 +1,3 @@
-// The parts that every page has: sections in order, the contents, and the redrawing of figures.
-
 import { element } from './dom.js';
 import { buildFigure, drawn, redraw, redrawDependents, render, reserve } from './figure.js';
 import { joinTables, partTables } from './tables.js';
@@ -61,7 +59,6 @@ function markCurrentSection(main, contents) {
   for (const section of main.children) observer.observe(section);
 }
 
-// Redraws the page for paper, for another width of the window, and for light or dark. Called after the sections.
 export function followWindow({ beforePrint = () => {}, afterPrint = () => {} } = {}) {
   // Paper gets light colours, its own width, and every figure and table, also those that were out of sight.
   window.addEventListener('beforeprint', () => {

@@ -17,7 +17,6 @@ const SET = new RegExp(
   'g',
 );
 
-// A text as pieces: strings, {letter, index} of symbols, {power} of exponents.
 function pieces(text) {
   const all = [];
   let from = 0;
@@ -38,7 +37,6 @@ function node(tag, text) {
   return child;
 }
 
-// As children of an element.
 export function typeset(text) {
   return pieces(text).flatMap((piece) => {
     if (typeof piece === 'string') return [piece];
@@ -46,8 +44,6 @@ export function typeset(text) {
     return [node('i', piece.letter), ...(piece.index ? [node('sub', piece.index)] : [])];
   });
 }
-
-// As plain text, for attributes.
 export const unset = (text) =>
   pieces(text)
     .map((piece) => (typeof piece === 'string' ? piece : piece.power ? 'e' + piece.power : piece.letter + piece.index))

@@ -1,5 +1,3 @@
-// The tables of the page: how they are built, and how their heads sort them.
-
 import { element } from './dom.js';
 import { DASH, MINUS } from './text.js';
 
@@ -73,16 +71,14 @@ function sortHeads(body, columns, heads, { label, order, follow, byItem }) {
   if (current) show();
 }
 
-// A column's name, with its place in a table that has the name twice.
 export function keyOf({ title, unit = '' }, place = 0, columns = [{ title, unit }]) {
   const name = (column) => (column.title.textContent ?? column.title) + '\n' + (column.unit ?? '');
   const own = name({ title, unit });
   return columns.findIndex((column) => name(column) === own) === place ? own : own + '\n' + place;
 }
 
-// columns: [{title, unit, number, pinned, by, size}]; rows: [{cells: [text or node], className, foot}]. Sorted by what `by`
-// makes of a row's item, else by the cells; `size`: by magnitude. `sorts`: false where rows have an order that matters;
-// `order` and `follow`: what is sorted by at first, and who is told.
+// columns: [{title, unit, number, pinned, by, size}]; rows: [{cells: [text or node], className, foot}]. `by` makes the
+// key from a row's item; `size`: by magnitude; `sorts`: false where rows have an order; `follow` hears of a new one.
 export function table(columns, rows, label, { sorts = rows.length > FEW_ROWS, order, follow, items = [] } = {}) {
   const align = (column) =>
     [
@@ -122,7 +118,6 @@ export function table(columns, rows, label, { sorts = rows.length > FEW_ROWS, or
   return element('div', { class: rows.length > 60 ? 'scroll long' : 'scroll', tabindex: '0', role: 'region', 'aria-label': label }, whole);
 }
 
-// A table with one row for each item. A column's `cell` makes the cell, `className` the class of the row.
 export function tableOf(columns, items, label, { className = () => null, ...more } = {}) {
   const rows = items.map((item, i) => ({
     className: className(item, i),
@@ -131,7 +126,6 @@ export function tableOf(columns, items, label, { className = () => null, ...more
   return table(columns, rows, label, { items, ...more });
 }
 
-// A row with some of the columns; a cell that spans several stands with the first of them that is there.
 function rowOfColumns(row, places) {
   const copy = row.cloneNode(false);
   let column = 0;

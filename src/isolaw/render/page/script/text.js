@@ -1,5 +1,3 @@
-// Text and numbers.
-
 export const MINUS = '\u2212';
 export const THIN = '\u202f';
 export const DASH = '\u2013';
@@ -36,7 +34,6 @@ export function superscript(exponent) {
   );
 }
 
-// Rounded to significant digits; very large and very small values as a power of ten.
 export function significant(value, digits = 3) {
   if (!isNumber(value)) return DASH;
   if (value === 0) return '0';
@@ -46,7 +43,6 @@ export function significant(value, digits = 3) {
   return typeset(Number(value.toPrecision(digits)).toFixed(Math.max(0, digits - 1 - exponent)));
 }
 
-// A result with the digits that the program prints it with.
 export const printed = (value, { decimals, significant: digits }) =>
   isNumber(decimals) ? fixed(value, decimals) : significant(value, digits ?? 4);
 

@@ -1,5 +1,3 @@
-// Verdicts of a rule set.
-
 import { element } from './dom.js';
 import { ROUND, icon } from './icons.js';
 import { report, resultColumns } from './report.js';
@@ -25,8 +23,6 @@ export const VERDICTS = {
   },
   'not assessed': { tone: 'muted', filled: false, path: 'M1.5 6 H10.5', mark: '', symbol: 'line-ew-open' },
 };
-
-// The words for the whole lot, in the colours of the verdicts on single limits.
 export const WORDS = { PASS: { tone: 'good', verdict: 'pass' }, FAIL: { tone: 'poor', verdict: 'fail' }, INCOMPLETE: { tone: 'care', verdict: 'not assessed' } };
 
 export function verdictBadge(verdict, text = verdict) {

@@ -1,7 +1,6 @@
 import { laws } from './report.js';
 import { isNumber } from './text.js';
 
-// Three views of accuracy against robustness, without those in which no law has both coordinates.
 export const VIEWS = [
   {
     id: 'runs',
@@ -40,8 +39,6 @@ export const VIEWS = [
     says: 'lower is more accurate on a tested device, further left better for a device that was not tested: one law, fitted to all others.',
   },
 ].filter((view) => laws.some((law) => isPlaced(view, law)));
-
-// The view without the optimiser's noise where there is one.
 export const FIRST_VIEW = (VIEWS.find(({ id }) => id === 'converged') ?? VIEWS[0])?.id;
 
 export function isPlaced(view, law) {

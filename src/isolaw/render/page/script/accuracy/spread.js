@@ -1,5 +1,3 @@
-// The spread of the runs on a device, and of the devices of a law.
-
 import { decadeTicks, namedAxis, symbolOf } from '../plotting.js';
 import { lawsByObjective, usable } from '../report.js';
 import { THIN, fixed, isNumber, mean, plain, signed, significant } from '../text.js';
@@ -42,7 +40,6 @@ const spreadEntries = () =>
       .filter(({ value }) => isNumber(value)),
   );
 
-// The difference of a device's mean objective from the mean over the devices, in percent of that.
 const relativeEntries = () =>
   lawsByObjective.flatMap((law) => {
     const entries = usable
@@ -56,7 +53,6 @@ const relativeEntries = () =>
 
 const lawsOf = (entries) => [...new Set(entries.map(({ law }) => law))];
 
-// The laws for whose values `of` is smallest and largest.
 function extremes(entries, of) {
   const found = lawsOf(entries)
     .map((law) => ({ law, value: of(entries.filter((entry) => entry.law === law).map(({ value }) => value)) }))
@@ -92,7 +88,6 @@ function relativeCaption() {
   );
 }
 
-// Marks of devices over the laws, side by side within a law.
 function byLaw(entries, look, text) {
   const shownLaws = lawsOf(entries);
   const places = new Map(usable.map((device, i) => [device, usable.length === 1 ? 0 : i / (usable.length - 1) - 0.5]));

@@ -1,5 +1,3 @@
-// Assumptions behind the numbers.
-
 import { element, termList } from '../dom.js';
 import { fixed, sentence, significant } from '../text.js';
 import { grouped, laws, study } from './study.js';

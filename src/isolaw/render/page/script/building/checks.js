@@ -1,5 +1,3 @@
-// The error of the integration, and the result of an equivalent linear analysis by hand.
-
 import { tableOf } from '../tables.js';
 import { deviation, fixed, mean, significant } from '../text.js';
 import { laws, study } from './study.js';

@@ -1,9 +1,6 @@
-// A histogram of the draws with lines for the nominal and the bound analyses.
-
 import { plain } from '../text.js';
 import { numberText, study } from './study.js';
 
-// Bars as shares of the draws in percent.
 export function bars(look, law, key, axes = {}) {
   const { from, width, counts } = law.quantities[key].histogram;
   const all = counts.reduce((sum, n) => sum + n, 0) || 1;
@@ -16,7 +13,6 @@ export function bars(look, law, key, axes = {}) {
   };
 }
 
-// Lines at the nominal and the bound analyses; with `labelled` their labels stand in rows above.
 export function bounds(look, law, key, { xref = 'x', yref = 'paper', low = 0, high = 1, labelled = false, span = null } = {}) {
   const of = law.quantities[key];
   const lines = [
@@ -46,7 +42,6 @@ export function bounds(look, law, key, { xref = 'x', yref = 'paper', low = 0, hi
   return { shapes: [between, ...shapes], annotations };
 }
 
-// The range of the draws and analyses of some laws, a little wider on both sides.
 export function spanOf(among, key) {
   const values = among.flatMap((law) => {
     const { histogram, lower, upper, nominal } = law.quantities[key];

@@ -1,5 +1,3 @@
-// The nominal building under one motion: displacement of the base over time and in plan, and the loop of all bearings.
-
 import { element } from '../dom.js';
 import { LEGEND, dashOf } from '../plotting.js';
 import { plain } from '../text.js';

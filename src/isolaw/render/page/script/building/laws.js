@@ -1,5 +1,3 @@
-// The laws compared: one quantity by each law, and how much of the draws each law's bounds cover.
-
 import { symbolOf } from '../plotting.js';
 import { tableOf } from '../tables.js';
 import { DASH, fixed, isNumber, plain } from '../text.js';

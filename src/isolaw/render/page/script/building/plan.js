@@ -1,5 +1,3 @@
-// The bearings in plan with their devices and displacements, and the twist of the building.
-
 import { tableOf } from '../tables.js';
 import { atTheHead, mean, plain, rangeText, unitText } from '../text.js';
 import { LEGEND } from '../plotting.js';
@@ -48,7 +46,6 @@ export const planSection = {
 
 const nameOf = ({ x_m: x, y_m: y }, i) => 'Bearing ' + (i + 1) + ' at ' + numberText(x) + ', ' + numberText(y) + ' m';
 
-// The displacement of a bearing over time: that of the centre of mass plus that of the rotation about it.
 function wayOf(law, place) {
   const { x_mm: x, y_mm: y, rotation_rad: turned } = law.loops,
     { centre, bearings } = study.plan;

@@ -1,5 +1,3 @@
-// The spread of the draws in one quantity, for each law and under each motion.
-
 import { LEGEND, namedAxis, panelHeading, symbolOf } from '../plotting.js';
 import { tableOf } from '../tables.js';
 import { atTheHead, plain, short } from '../text.js';

@@ -1,5 +1,3 @@
-// The data block of a building's page, and the choices of its reader.
-
 import { choices } from '../choices.js';
 import { chooser } from '../controls.js';
 import { data } from '../data.js';
@@ -18,7 +16,6 @@ export const axisTitle = (quantity) => quantity.title + (unitOf(quantity) ? ' ['
 export const valueText = (value, quantity) => withUnit(value, unitText(quantity.unit), 3);
 export const isCovered = (key) => key in first.coverage.of;
 
-// A standard deviation of ln, printed in percent of the value.
 export const spreadText = (std) => fixed(100 * std, std < 0.0995 ? 1 : 0) + '\u202f%';
 
 const reader = choices({
@@ -33,7 +30,6 @@ export const chosen = reader.chosen;
 export const choose = reader.choose;
 export const onChoice = reader.onChoice;
 
-// Several sections have a control for the same key; all of them follow the choice.
 function follower(label, key) {
   onChoice(() => (label.lastChild.value = chosen[key]));
   return label;

@@ -1,5 +1,3 @@
-// The parts of the spread of one quantity: motions, the lot, the uncertainty of the tests, the choice of a law.
-
 import { LEGEND } from '../plotting.js';
 import { atTheHead, plain } from '../text.js';
 import { chosen, first, laws, quantityChooser, quantityOf, spreadText, study } from './study.js';

@@ -1,5 +1,3 @@
-// The verdict first: one sentence, three numbers and one picture.
-
 import { element, shortList } from '../dom.js';
 import { sentence } from '../text.js';
 import { bars, bounds, histogramData, spanOf } from './histogram.js';

@@ -16,7 +16,6 @@ export const certificateBoundsFigure = {
   build: boundsTable,
 };
 
-// Bounds from property modification factors, or, without these, the smallest and largest value of the lot.
 function boundRows() {
   const factors = report.assessment?.lot?.factors ?? [];
   const quantity = (name) => lotQuantities.find((q) => q.quantity === name);

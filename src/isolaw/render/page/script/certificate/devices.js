@@ -16,7 +16,6 @@ export const certificateDevicesFigure = {
   build: certificateTable,
 };
 
-// Properties in the table: those of the lot where a rule set names them, else those of the reported cycle.
 const certificateProperties = () =>
   lotQuantities.length > 0
     ? lotQuantities.map((quantity) => ({

@@ -86,7 +86,6 @@ function certificateHead() {
   );
 }
 
-// The number is typed here and copied to the line above the signatures.
 function numberBlank() {
   const line = blank('Certificate number');
   line.addEventListener('input', () => {
@@ -95,7 +94,6 @@ function numberBlank() {
   return line;
 }
 
-// Every limit once, with its clause.
 function limitSentences() {
   const clauseOf = (quantity) =>
     devices.flatMap((device) => device.assessments).find((a) => a.clause && concerns(a, quantity))?.clause;

@@ -19,8 +19,7 @@ function certificateRemarks() {
     for (const device of devices) for (const text of textsOf(device)) found.set(text, [...(found.get(text) ?? []), device.name]);
     return [...found].map(([text, names]) => (all(names) ? 'all devices' : enumerate(names)) + ': ' + text);
   };
-  // Readings that an option or the lot file asked for, not those that the program recognised by itself; corrections,
-  // which are among them, are said apart.
+  // Readings that an option or the lot file asked for, without corrections, which are said apart.
   const told = ({ recognised, corrections }) =>
     recognised.map(({ option, sentence }) => (option ? sentence : '')).filter((text) => text && !corrections.includes(text));
   return [

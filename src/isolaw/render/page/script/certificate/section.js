@@ -1,5 +1,3 @@
-// The certificate: what a laboratory signs, on one or two pages of its own.
-
 import { element } from '../dom.js';
 import { report } from '../report.js';
 import { certificateBoundsFigure } from './bounds.js';

@@ -1,5 +1,3 @@
-// The signatures, and the records that the certificate is about.
-
 import { element } from '../dom.js';
 import { devices, report } from '../report.js';
 import { tableOf } from '../tables.js';

@@ -1,6 +1,5 @@
 import { devices } from '../report.js';
 
-// The verdict on a device, the quantities that fail, and where it passes, those that could not be assessed.
 export function deviceVerdict(device) {
   const { verdict } = device;
   const named = (wanted) => [

@@ -4,7 +4,6 @@ import { withBadges } from '../laws.js';
 import { PURPOSES, TONES, answerOf, answering, numbersOf, purposeOf } from '../purposes.js';
 import { sentence } from '../text.js';
 
-// The answer: one sentence, how sure it is, three numbers, the reasons, and the test that would tell more.
 export const answerFigure = { id: 'answer', title: '', depends: ['purpose', 'view'], controls: purposeControl, build: answer };
 
 function answer() {
@@ -28,7 +27,6 @@ function answer() {
   );
 }
 
-// Reasons that neither the sentence above nor the numbers beside it have given.
 function reasons({ law, why, reasons: all, weak }) {
   if (!law) return why;
   const closer = all.filter(({ kind }) => kind === 'why-closer-refused').map((one) => one.sentence);

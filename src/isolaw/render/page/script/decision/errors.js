@@ -1,11 +1,8 @@
-// The error of each law for the chosen purpose.
-
 import { chosen } from '../choice.js';
 import { NARROW, textWidth } from '../plotting.js';
 import { TONES, errorText, purposeOf, standingsOf } from '../purposes.js';
 import { isNumber, plain } from '../text.js';
 
-// A recommended law has the colour of its answer.
 const COLOURS = { behind: 'measured', 'ruled out': 'paper' };
 const colourOf = (place) => COLOURS[place] ?? TONES[purposeOf(chosen.purpose).recommendation.sure];
 const shown = () => standingsOf(purposeOf(chosen.purpose)).filter(({ error }) => isNumber(error));
@@ -34,7 +31,6 @@ export function errorsCaption() {
   return ['Error over the force\u2019s standard deviation', ...said].join('; ') + '.';
 }
 
-// Two strokes across the end of a cut bar, in pixels from that end.
 function breakMark(look, x, y) {
   const stroke = (from, colour, width) => ({
     type: 'line', layer: 'above', xsizemode: 'pixel', ysizemode: 'pixel', xanchor: x, yanchor: y, x0: from, x1: from + 8, y0: -16, y1: 16,

@@ -41,7 +41,6 @@ function frontData() {
   };
 }
 
-// Whether the law is on the front of the laws that describe the devices, as the list beside the plot has it.
 const stands = (view, law) => report.stands[view.id].includes(law.id);
 
 const shownView = () => VIEWS.find((view) => view.id === chosen.view);

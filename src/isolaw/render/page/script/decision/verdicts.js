@@ -29,7 +29,6 @@ const ROLES = { taken: 'most accurate', ties: 'most accurate', behind: 'not rank
 const said = (place, reason, kind) =>
   reason ? (kind === 'out-prediction' ? '' : ', ' + sentence(reason)) : place === 'behind' ? '' : ', ' + place;
 
-// The laws for the chosen purpose, best first.
 function verdictList() {
   const purpose = purposeOf(chosen.purpose);
   const items = purpose.recommendation
@@ -70,7 +69,6 @@ function rankedList() {
   });
 }
 
-// Warnings grouped by what a reader should do about them, folded, with their number.
 function cares() {
   const { warnings } = report.findings;
   if (warnings.length === 0)

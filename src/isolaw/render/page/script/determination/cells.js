@@ -1,12 +1,9 @@
-// Cells of the table of parameters by device, one of which is chosen.
-
 import { chooseDevice, chosen, onChoice } from '../choice.js';
 
 export function chooseCell(button) {
   if (button) chooseDevice(Number(button.dataset.device), { parameter: Number(button.dataset.parameter) });
 }
 
-// The cell that a key leads to, past those that were not examined.
 export function cellBeside(button, key) {
   const [dx, dy] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[key] ?? [0, 0];
   if (!button || (dx === 0 && dy === 0)) return null;

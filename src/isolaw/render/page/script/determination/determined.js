@@ -24,7 +24,6 @@ export const determinedFigure = {
   build: determinedTable,
 };
 
-// Word and shape say the same; the colour only repeats them.
 const DETERMINATIONS = {
   determined: { tone: 'good', path: ROUND, filled: true },
   'weakly determined': { tone: 'accent', path: ROUND, filled: false, mark: 'M6 .8 A5.2 5.2 0 0 0 6 11.2 Z' },

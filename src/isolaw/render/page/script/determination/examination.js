@@ -1,7 +1,6 @@
 import { chosen } from '../choice.js';
 import { laws } from '../report.js';
 
-// The analysis of a parameter on a device; null where it was not examined.
 export function examination(law, device, place) {
   const fit = law?.fitOn.get(device);
   const row = fit?.determination?.[place];

@@ -48,8 +48,7 @@ function profileData() {
   };
 }
 
-// The axis of a parameter: logarithmic where its values span many powers of ten (negative values too), else with a
-// factor as in tables.
+// Logarithmic where the values span many powers of ten (negative values too), else with a factor as in tables.
 function parameterAxis({ name, unit }, values) {
   const sizes = values.map(Math.abs),
     largest = Math.max(...sizes),

@@ -17,7 +17,6 @@ export const lotStabilityFigure = {
   draw: drawLotStability,
 };
 
-// The block of a device that is compared with the lot: the chosen one, else the reported one.
 function comparedBlock(device) {
   const number = chosen.block === 'all' ? device.reported?.block : chosen.block;
   return device.blocks.find((block) => block.number === number) ?? null;

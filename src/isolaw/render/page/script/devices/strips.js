@@ -149,7 +149,6 @@ function limitsSaid(quantity, band) {
   return parts.join(', ');
 }
 
-// Entries of the legend for lines, band and ring: traces without a point.
 function legendOfLines(look, rows) {
   const entry = (name, style) => ({ name, x: [null], y: [null], hoverinfo: 'skip', ...style });
   const line = (colour, dash) => ({ mode: 'lines', line: { color: look.colour(colour), width: 1.4, dash } });

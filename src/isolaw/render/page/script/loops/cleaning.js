@@ -1,5 +1,3 @@
-// The record before and after cleaning.
-
 import { chosen } from '../choice.js';
 import { rawIndex, rawTime } from '../raw.js';
 import { curve, devices, drawable } from '../report.js';

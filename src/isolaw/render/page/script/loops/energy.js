@@ -39,7 +39,6 @@ function energy({ t, x }, F, from, to) {
   return sum;
 }
 
-// Counted cycles within the record that the laws were fitted to, with the energy that each loop dissipates in them.
 function energies() {
   const device = devices[chosen.device],
     curves = record(device),
@@ -55,7 +54,6 @@ function energies() {
   return { device, fits, cycles };
 }
 
-// The error of a law's energy over all cycles, in percent of the measured energy.
 function totalError(cycles, place) {
   const measured = cycles.reduce((sum, one) => sum + one.measured, 0);
   return 100 * (cycles.reduce((sum, one) => sum + one.computed[place], 0) / measured - 1);

@@ -6,7 +6,6 @@ import { THIN, enumerate, plain, significant } from '../text.js';
 
 export const LOOP_HEIGHT = 400;
 
-// The chosen laws that have a force on the chosen device, each with its force.
 export function fitsOn(device, among) {
   return among
     .map((law) => ({ law, fit: law.fitOn.get(device.index), force: curve(law.fitOn.get(device.index)?.force_kN) }))
@@ -21,7 +20,6 @@ export const record = (device) => ({
   F: curve(device.record.force_kN),
 });
 
-// Curves of the record and of laws over displacement or time; `hover` is the template for a point's coordinates.
 export const measuredCurve = (look, x, y, hover) => ({
   name: 'measured', mode: 'lines', x, y, line: { color: look.colour('measured'), width: 3.5 }, opacity: 0.75,
   hovertemplate: hover + '<extra>measured</extra>',
@@ -45,7 +43,6 @@ export function forceRange(measured, computed) {
   return paddedRange(all.map((force) => Math.min(Math.max(force, low - spare), high + spare)), 0.06);
 }
 
-// Says which laws leave the scale, and how far.
 export function cutOff(among) {
   const device = devices[chosen.device],
     { F } = record(device);

@@ -35,7 +35,6 @@ function historyCaption() {
   );
 }
 
-// A band over the whole height of a plot for the time that laws were judged by.
 const scoredShape = (look, x0, x1) => ({
   type: 'rect', layer: 'below', yref: 'paper', x0, x1, y0: 0, y1: 1, line: { width: 0 },
   fillcolor: look.colour('scored'),

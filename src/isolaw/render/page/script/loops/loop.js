@@ -46,7 +46,6 @@ function loopCaption() {
   );
 }
 
-// Splits a line into the part where `inside` holds and the rest. Both contain the sample at which it changes.
 function parted(values, inside) {
   const near = (i, wanted) => inside[i] === wanted || inside[i - 1] === wanted || inside[i + 1] === wanted;
   return {

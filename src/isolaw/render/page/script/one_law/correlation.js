@@ -16,7 +16,6 @@ export const lotCorrelationFigure = {
   build: correlationTable,
 };
 
-// Pairs of parameters with a correlation, the strongest first.
 function correlations(law) {
   const { parameters = [], correlation = [] } = law.population ?? {};
   return correlation

@@ -15,7 +15,6 @@ export const lotParametersFigure = {
   build: lotParametersTable,
 };
 
-// A parameter's median and relative scatter over the lot, where it was estimated.
 function inPopulation(law, name) {
   const place = law.population?.parameters.indexOf(name) ?? -1;
   return { median: law.population?.medians[place] ?? null, scatter: law.population?.relative_std[place] ?? null };

@@ -18,7 +18,6 @@ const convergingLaws = ranking.filter((law) => law.devices.some((fit) => fit.con
 const MOST_CONVERGENCE_CURVES = 40;
 const stepName = report.settings.method === 'ga' ? 'generation' : 'descent';
 
-// The numbers of generations or starts, and the objective after each.
 function convergenceOf(fit) {
   if (!fit?.convergence) return null;
   const { steps, stride, runs } = fit.convergence;

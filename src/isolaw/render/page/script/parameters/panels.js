@@ -1,5 +1,3 @@
-// Left axis: values with their spread over the runs. Right axis: difference from the lot.
-
 import { chosen } from '../choice.js';
 import { isPrinting } from '../dom.js';
 import { NARROW, namedAxis, paddedRange, panelHeading } from '../plotting.js';
@@ -21,7 +19,6 @@ export const parameterPanelsFigure = {
   draw: drawPanels,
 };
 
-// Free parameters with a value on some device.
 const panelPlaces = (law) =>
   law.parameters
     .map((_, place) => place)
@@ -40,7 +37,6 @@ function panelGrid(panels, width) {
   return { columns, panel, heading, between, inner, height: PANEL_MARGIN.t + inner + PANEL_MARGIN.b };
 }
 
-// One parameter of a law over the devices, with the mean of the devices' means.
 function overDevices(law, place) {
   const entries = usable
     .map((device, x) => ({ device, x, row: law.fitOn.get(device.index)?.parameters[place] }))

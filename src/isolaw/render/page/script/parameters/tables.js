@@ -27,7 +27,6 @@ function bounds(law, place) {
 
 const isOpen = (fit, place) => fit.determination?.[place]?.identifiability === 'undetermined';
 
-// The name of a parameter, with the paper's where that is another.
 function nameCell({ name, paper_name: other }) {
   if (!other) return symbol(name);
   const small = element('small', { class: 'paper-name' }, 'paper: ' + symbol(other));

@@ -1,5 +1,3 @@
-// The measured and the computed loops of blocks that the laws were not fitted to.
-
 import { choose, chosen } from '../choice.js';
 import { deviceChooser } from '../choosers.js';
 import { chooser } from '../controls.js';
@@ -33,13 +31,11 @@ export const predictedLoopsFigure = {
   draw: drawPredicted,
 };
 
-// Blocks of a device that some law was not fitted to.
 function keptBlocks(device) {
   const kept = predictedByFit.flatMap((law) => law.fitOn.get(device.index)?.blocks ?? []).filter(({ fitted }) => !fitted);
   return device.blocks.filter(({ number }) => kept.some(({ block }) => block === number));
 }
 
-// The law that predicts best and the chosen one, on the blocks of the chosen device that are predicted.
 function predicted() {
   const device = devices[chosen.device];
   const { t, x, F } = record(device),

@@ -21,7 +21,6 @@ export const predictionSection = {
   figures: [predictionsFigure, predictedLoopsFigure],
 };
 
-// A column per block, and apart for a block that is fitted on some devices and predicted on others.
 function scoredBlocks() {
   const found = new Map();
   for (const law of predictedLaws)

@@ -1,5 +1,3 @@
-// The study's numbers beside those of the campaign, law by law.
-
 import { element } from '../dom.js';
 import { nameOf } from '../laws.js';
 import { laws, report, resultColumns } from '../report.js';
@@ -38,7 +36,6 @@ function lawTable() {
   return tableOf(columns, report.published.laws, 'Laws of the published study');
 }
 
-// How the study is read where it is open.
 function readings() {
   const notes = report.published.laws.flatMap(({ law: id }) =>
     (laws.find((law) => law.id === id)?.notes ?? []).map((note) =>

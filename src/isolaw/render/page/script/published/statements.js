@@ -1,5 +1,3 @@
-// Statements of the published study, and whether they hold here.
-
 import { element } from '../dom.js';
 import { report, resultColumns } from '../report.js';
 import { tableOf } from '../tables.js';

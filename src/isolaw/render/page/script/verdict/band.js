@@ -3,8 +3,7 @@ import { report } from '../report.js';
 import { capitalised, sentence } from '../text.js';
 import { WORDS, verdictBadge } from '../verdicts.js';
 
-// The verdict on the lot in a word and a sentence, the requirements that fail and pass, and the devices that the
-// sentence leaves out. The sentence itself names what was not assessed.
+// The sentence names what was not assessed, so here are those that fail and pass, and the devices that it omits.
 export const verdictFigure = { id: 'verdict', title: '', build: band };
 
 function band() {

@@ -1,5 +1,3 @@
-// The first section of an inspection: its verdict, and every device with its limits.
-
 import { lotStripsFigure } from '../devices/strips.js';
 import { assessmentsFigure } from '../properties/assessments.js';
 import { devices, inspection } from '../report.js';
