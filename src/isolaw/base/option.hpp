@@ -67,8 +67,7 @@ struct Option : OptionInfo {
   }
 };
 
-// The values given, by key.
-using Values = std::map<std::string, Json, std::less<>>;
+using Values = std::map<std::string, Json, std::less<>>;  // by key
 
 // The value of words from the command line; text stays text where the kind asks for a number and it is none.
 Json value_of(Kind kind, std::vector<std::string> const& words);
@@ -76,8 +75,7 @@ Json value_of(Kind kind, std::vector<std::string> const& words);
 std::string text_of(Json const& value);
 // The words of the command line that give an option its value; none for null, false and an empty list.
 std::vector<std::string> words_of(OptionInfo const& option, Json const& value);
-// For messages: 'text', 12, true.
-std::string shown(Json const& value);
+std::string shown(Json const& value);  // for messages: 'text', 12, true
 
 // Calls judge() and adds its complaints to the list, as complaints about `where` if they do not name an option.
 void about(std::string const& where, std::vector<Complaint>& complaints, std::function<void()> const& judge);

@@ -18,8 +18,7 @@ class NestingCheck {
  public:
   explicit NestingCheck(std::string_view text) : text_(text) {}
 
-  // The first line that nests deeper than any real file; 0 if there is none.
-  std::size_t deep_line() {
+  std::size_t deep_line() {  // 0 if no line nests deeper than any real file
     constexpr int deepest = 64;
     int depth = 0;
     std::vector<int> dots{0};  // dots in the name being read, for every table and list that is open
@@ -53,8 +52,7 @@ class NestingCheck {
   }
 
  private:
-  // Leaves at_ on the last character of the quoted text.
-  void skip_quoted(char quote) {
+  void skip_quoted(char quote) {  // leaves at_ on the last character
     auto const run = [&](std::size_t at) {
       std::size_t length = 0;
       while (at + length < text_.size() && text_[at + length] == quote && length < 5) ++length;

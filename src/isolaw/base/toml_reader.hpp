@@ -23,7 +23,7 @@ namespace isolaw {
 using Json = nlohmann::ordered_json;
 
 struct TomlMessages {
-  std::string kind;    // of file: "lot file"
+  std::string kind;    // such as "lot file"
   std::string advice;  // for a file that is not TOML
 };
 
@@ -59,18 +59,13 @@ class TomlTable {
   // Calls take() for a text, or for each text of a list.
   void strings(std::string_view key, std::function<void(std::string const&)> const& take,
                std::size_t longest = longest_text);
-  // Calls take() with the value of the key, if it is there. A list of a, b, c gives the calls [a], [a, b] and
-  // [a, b, c], less the items that take() refused; a table gives one call for each entry. A refusal becomes a complaint
-  // at the line of the item.
+  // Calls take() with the key's value, if present. A list a, b, c gives the calls [a], [a, b], [a, b, c], less refused
+  // items; a table gives one call per entry. A refusal becomes a complaint at the item's line.
   void json(std::string_view key, std::function<void(Json const&)> const& take, std::size_t longest = longest_text);
-  // The sub-table, or nullptr.
-  toml::table const* table(std::string_view key);
-  // The node of the key, or nullptr. The key counts as known from here on.
-  toml::node const* find(std::string_view key);
-  // Complains about every key that was not asked for.
-  void refuse_unknown();
+  toml::table const* table(std::string_view key);  // the sub-table, or nullptr
+  toml::node const* find(std::string_view key);    // the node or nullptr; the key then counts as known
+  void refuse_unknown();                           // complains about every key that was not asked for
   void complain(toml::node const& node, std::string found, std::string allowed, std::string advice = {});
-  // A complaint about the table as a whole.
   void complain(std::string found, std::string allowed, std::string advice = {}) {
     complain(table_, std::move(found), std::move(allowed), std::move(advice));
   }

@@ -9,8 +9,7 @@
 
 namespace isolaw::num {
 
-// The number of columns that are computed together. A table's stride is a multiple of it; columns beyond the last
-// candidate may hold any numbers.
+// Columns computed together. A stride is a multiple of it; columns beyond the last candidate may hold any numbers.
 inline constexpr std::size_t row_lanes = 8;
 constexpr std::size_t padded(std::size_t columns) {
   return (columns + row_lanes - 1) / row_lanes * row_lanes;
@@ -44,7 +43,6 @@ struct RowKernels {
 };
 inline constexpr std::size_t most_columns = 64;
 
-// The kernels of the instruction set in use; `scalar` uses the portable ones.
-RowKernels const& row_kernels();
+RowKernels const& row_kernels();  // those of the instruction set in use; portable ones for `scalar`
 
 }  // namespace isolaw::num
