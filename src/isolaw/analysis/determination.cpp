@@ -68,8 +68,7 @@ class Examination {
     return result_;
   }
 
-  // The law has no force at the point that was given.
-  Determination nothing_determined() {
+  Determination nothing_determined() {  // the law has no force at the given point
     for (auto const* p : free_)
       result_.parameters.push_back({.parameter = index_of(*p),
                                     .verdict = Verdict::undetermined,

@@ -96,7 +96,7 @@ Matrix variance_of_score(Sensitivity const& response, std::vector<double> const&
   return num::product_of_transposed(axes, eigen.values.cwiseMax(0.0), axes);
 }
 
-constexpr double variance_over_box = 1.0 / 12.0;  // of a uniform distribution over the unit interval
+constexpr double variance_over_box = 1.0 / 12.0;  // a uniform distribution over the unit interval
 
 // H^-1 V H^-1 in coordinates of the unit box. No direction gets more variance than a uniform distribution over the box.
 Matrix covariance_in_box(Matrix const& H, Matrix const& V) {

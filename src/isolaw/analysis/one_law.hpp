@@ -18,7 +18,7 @@ fit::SearchBox common_box(std::span<fit::SearchBox const* const> boxes);
 struct OneLaw {
   std::vector<double> parameters;  // all of the law's
   std::vector<double> objectives;  // one for each device
-  double mean = 0.0, worst = 0.0;  // of the objectives
+  double mean = 0.0, worst = 0.0;  // over the objectives
   int evaluations = 0;             // each of one device's record
 };
 

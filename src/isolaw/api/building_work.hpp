@@ -42,7 +42,7 @@ struct StudiedBuilding {
   building::Study study;
   bool complete = false;                     // false after an interruption
   std::size_t runs = 0;                      // in the store
-  std::optional<building::Answers> answers;  // of a complete study that is no part
+  std::optional<building::Answers> answers;  // those of a complete study that is no part
   // Rows of building::Layout::count() measures for the draws: [law][draw][motion]. NaN where a run gave none.
   std::vector<double> measured;
   building::Layout layout;

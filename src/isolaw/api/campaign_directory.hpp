@@ -11,11 +11,9 @@ namespace isolaw {
 
 inline constexpr char const* store_name = "campaign.sqlite";
 
-// Makes the directory and its parents where they are missing. Throws Error.
-void make_directory(std::filesystem::path const& directory);
+void make_directory(std::filesystem::path const& directory);  // with its parents; throws Error
 
-// A new temporary directory that the destructor removes. The constructor throws Error.
-class TemporaryDirectory {
+class TemporaryDirectory {  // removed by the destructor; the constructor throws Error
  public:
   TemporaryDirectory();
   TemporaryDirectory(TemporaryDirectory const&) = delete;
@@ -30,8 +28,7 @@ class TemporaryDirectory {
 // Lets one process at a time work in a directory. The lock ends with the process, however that ends.
 class DirectoryLock {
  public:
-  // Throws Error where another process holds the lock.
-  explicit DirectoryLock(std::filesystem::path const& directory);
+  explicit DirectoryLock(std::filesystem::path const& directory);  // throws Error where another process holds it
   DirectoryLock(DirectoryLock const&) = delete;
   DirectoryLock& operator=(DirectoryLock const&) = delete;
   ~DirectoryLock();

@@ -113,8 +113,7 @@ class Analysis {
     mark({Phase::determination, Phase::intervals});
   }
 
-  // Returns nullopt if interrupted.
-  std::optional<DeviceAnalysis> examined(Search const& search, Meter& meter) const {
+  std::optional<DeviceAnalysis> examined(Search const& search, Meter& meter) const {  // nullopt if interrupted
     auto const& best = *contents_.best_run(search.device, search.law);
     auto const model = law_on_device(contents_, search.device, search.law, best.refinement);
     auto const box = examined_box(search);

@@ -18,7 +18,6 @@ fit::SearchBox examined_box(Search const& search);
 // The box in which one law is fitted to all devices that have a DeviceAnalysis of this law.
 fit::SearchBox box_of_lot(Contents const& contents, std::string_view law);
 
-// A law on a device's record, integrated as the campaign's settings ask.
 fit::LawOnRecord law_on_device(Contents const& contents, std::size_t device, std::string_view law, int refinement = 1);
 
 struct AnalyseOptions {

@@ -61,8 +61,7 @@ opt::SearchResult search_by(Settings const& settings, Target const& target, fit:
              : opt::minimise_multistart(problem, stream, settings.multistart, interrupted);
 }
 
-// Marks the run as failed: keeps its statistics and drops its parameters.
-void fail(Run& run, std::string why) {
+void fail(Run& run, std::string why) {  // keeps its statistics and drops its parameters
   run.outcome = Outcome::no_finite_value;
   run.failure = std::move(why);
   run.objective = run.integration_shift = std::nan("");

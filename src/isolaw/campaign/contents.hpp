@@ -20,15 +20,14 @@ namespace isolaw::campaign {
 
 // The program that computed a part of a campaign.
 struct Maker {
-  std::string version;          // of isolaw
+  std::string version;
   std::string build;            // a hash of the sources that determine numbers; empty if not known
-  std::string instruction_set;  // of the search; empty if not known
+  std::string instruction_set;  // the search's; empty if not known
 
   bool operator==(Maker const&) const = default;
 };
 
-// Facts about a device that the lot file states, besides its record.
-struct DeviceInfo {
+struct DeviceInfo {  // as the lot file states it, besides the record
   std::string serial, lot, test_date;
   std::optional<double> temperature_C, rubber_thickness_mm, rubber_area_mm2;
 
@@ -111,7 +110,6 @@ struct LeftOutAnalysis {
   std::size_t maker = 0;
 };
 
-// Sort key of results, by device and law.
 inline constexpr auto by_device_and_law = [](auto const& item) {
   return std::tuple(item.device, std::string_view(item.law));
 };
@@ -135,8 +133,7 @@ struct Acceptance {
   bool operator==(Acceptance const&) const = default;
 };
 
-// A share of a campaign's runs for one of several machines: part `number` of `of`. It selects the runs to compute and
-// does not change their results.
+// A share of a campaign's runs for one of several machines: part `number` of `of`. Their results are the same.
 struct Part {
   int number = 1, of = 1;
 
@@ -146,8 +143,7 @@ inline constexpr int most_parts = 100'000;
 Part parse_part(std::string_view text);  // "3/40"; throws Error
 std::string text(Part const& part);      // the inverse
 
-// The name that stands for the law of the lot where a device may be named.
-inline constexpr std::string_view whole_lot = "lot";
+inline constexpr std::string_view whole_lot = "lot";  // stands for the law of the lot where a device may be named
 
 struct Contents {
   std::string title;
@@ -163,17 +159,14 @@ struct Contents {
   std::optional<Part> part = {};                     // the only part computed and stored here; nullopt: all
   EarlierAnalyses held_over = {};                    // from before the campaign grew; not stored
 
-  std::size_t expected_runs() const;  // of all parts, over the searches that were not refused
-  std::size_t expected_here() const;  // of this part
-  // The number of analyses of the whole campaign, given the present runs; 0 if the settings ask for none. A part makes
-  // no analyses itself.
+  std::size_t expected_runs() const;  // over all parts and the searches that were not refused
+  std::size_t expected_here() const;  // those of this part
+  // Analyses of the whole campaign, given the present runs; 0 if none are asked for. A part makes none itself.
   std::size_t expected_analyses() const;
   std::size_t analyses() const { return device_analyses.size() + lot_analyses.size() + left_out.size(); }
-  // Whether nothing is left to compute here.
   bool complete() const { return runs.size() == expected_here() && (part || analyses() >= expected_analyses()); }
 
-  // The usable run of least objective (the first one of several), or nullptr.
-  Run const* best_run(std::size_t device, std::string_view law) const;
+  Run const* best_run(std::size_t device, std::string_view law) const;  // the usable run of least objective, or nullptr
   DeviceAnalysis const* analysis_of(std::size_t device, std::string_view law) const;
   // The index of the named device; nullopt for `whole_lot`, unless a device is called so. Throws Error for other names.
   std::optional<std::size_t> device_or_lot(std::string_view name) const;

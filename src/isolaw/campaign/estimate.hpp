@@ -19,16 +19,14 @@ inline constexpr std::array task_kinds{TaskKind::run, TaskKind::device, TaskKind
 // Not thread-safe. `contents` must outlive it.
 class Estimate {
  public:
-  // Expects every run and analysis that `contents` lacks.
-  explicit Estimate(Contents const& contents);
+  explicit Estimate(Contents const& contents);  // expects every run and analysis that `contents` lacks
 
-  // No task of this kind is left, but for those that are expected from here on.
-  void expect_none(TaskKind kind);
+  void expect_none(TaskKind kind);  // but for tasks that are expected from here on
   void expect(TaskKind kind, std::string_view law) { ++tasks(kind, law).left; }
   void done(TaskKind kind, std::string_view law);
 
   double work_left_s(TaskKind kind) const;  // processor time on the machine that the costs of the laws are from
-  double share() const;                     // of all work, 0 to 1, what was stored before included
+  double share() const;                     // done of all work, 0 to 1, what was stored before included
   double left_s() const;                    // at the rate of the work since construction
 
  private:

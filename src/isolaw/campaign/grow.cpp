@@ -15,7 +15,6 @@ bool among(std::vector<std::string> const& laws, std::string_view law) {
   return std::ranges::find(laws, law) != laws.end();
 }
 
-// The overrides of these laws as text, in the order of `overrides`.
 std::vector<std::string> overrides_of(std::vector<fit::Override> const& overrides,
                                       std::vector<std::string> const& laws) {
   std::vector<std::string> texts;

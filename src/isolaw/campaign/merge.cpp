@@ -55,8 +55,7 @@ void require_one_maker(Path const& file, Contents const& part, Maker const& me) 
   }
 }
 
-// The first store, with which all others must agree.
-struct First {
+struct First {  // the first store, with which all others must agree
   Path file;
   Contents contents;  // without series
   std::vector<std::pair<std::string, std::string>> hashes;

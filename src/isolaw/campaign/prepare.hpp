@@ -14,8 +14,7 @@ namespace isolaw::campaign {
 // A device that cannot be used is kept with its reason. Throws Error if none is usable or the settings are not allowed.
 Contents prepare(Lot const& lot);
 
-// A record in memory. The rules for a device's name in a lot file apply to its name.
-struct NamedRecord {
+struct NamedRecord {  // a record in memory; its name must suit a lot file
   std::string name;
   data::TestRecord record;
   DeviceInfo info = {};
@@ -29,8 +28,6 @@ data::VerticalTest prepare_vertical(VerticalInput const& given, std::filesystem:
 
 // Reads and cleans the devices only, without laws and boxes. A device that cannot be used never makes it throw.
 Contents prepare_devices(Lot const& lot);
-
-// The search box of a law on a record under these settings.
 fit::SearchBox search_box(laws::LawEntry const& law, data::FitRecord const& record, Settings const& settings);
 
 }  // namespace isolaw::campaign

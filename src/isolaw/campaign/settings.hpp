@@ -46,8 +46,7 @@ struct Settings {
 std::vector<std::pair<std::string, std::string>> to_pairs(Settings const& settings);
 Settings settings_from_pairs(std::vector<std::pair<std::string, std::string>> const& pairs);
 
-// The set of laws that is fitted if none are asked for.
-inline constexpr std::string_view usual_laws = laws::law_sets[1].first;
+inline constexpr std::string_view usual_laws = laws::law_sets[1].first;  // fitted if none are asked for
 
 // Turns a list like "paper,gallardo" into ids without repetition: "paper", "usual" and "all" name sets, other words are
 // ids. Throws an Error that lists the laws.

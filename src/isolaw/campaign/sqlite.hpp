@@ -25,8 +25,7 @@ inline constexpr char const* advice_on_damaged =
 inline constexpr std::array beside{"-wal", "-shm", "-journal"};  // SQLite's own files beside a store
 
 [[noreturn]] void refuse_damaged(std::string file, std::string_view reason);
-// Throws Error for a pipe or a device: opening one could block, or start the device.
-void require_plain(std::filesystem::path const& file);
+void require_plain(std::filesystem::path const& file);  // throws Error for a pipe or device: opening one could block
 bool has_log(std::filesystem::path const& file);
 
 class Connection {
@@ -61,15 +60,12 @@ class Statement {
   Statement& operator=(Statement const&) = delete;
   ~Statement();
 
-  // Binds the next values. NaN is stored as NULL.
-  Statement& bind(auto const&... values) {
+  Statement& bind(auto const&... values) {  // binds the next values; NaN is stored as NULL
     (put(values), ...);
     return *this;
   }
-  // Runs an INSERT or UPDATE, makes the statement ready for the next row, and returns whether a row changed.
-  bool insert();
-  // Starts a SELECT over with other values.
-  Statement& again(auto const&... values) {
+  bool insert();  // runs an INSERT or UPDATE, makes it ready for the next row; whether a row changed
+  Statement& again(auto const&... values) {  // starts a SELECT over with other values
     start_over();
     return bind(values...);
   }
@@ -122,11 +118,9 @@ class Transaction {
   bool done_ = false;
 };
 
-// Whether the file stands alone, without a log or a journal, so that a copy of it can be read anywhere.
-bool is_plain(std::filesystem::path const& file);
-// The name beside `file` under which its successor is written.
-std::filesystem::path unfinished(std::filesystem::path const& file);
-void remove_unfinished(std::filesystem::path const& file);  // also one that a killed program left
+bool is_plain(std::filesystem::path const& file);                     // stands alone, without a log or journal
+std::filesystem::path unfinished(std::filesystem::path const& file);  // the name of its successor while written
+void remove_unfinished(std::filesystem::path const& file);            // also one that a killed program left
 // Removes the unfinished successor of `file` when destroyed, so declare it before connections to that.
 class Unfinished {
  public:
@@ -141,10 +135,8 @@ class Unfinished {
 // Replaces `file` by `whole`, a file that stands alone and is open nowhere. Whenever the program is stopped, either the
 // former or the new file is there and complete. Throws Error.
 void move_into_place(std::filesystem::path const& whole, std::filesystem::path const& file);
-// Writes a file that stands alone anew with its rows in the order of their keys, so that equal rows give equal files
-// byte by byte. Does nothing if that is so already, and keeps the old file if the new one cannot be written.
+// See Store::put_in_order.
 void put_in_order(std::filesystem::path const& file, std::function<void(Connection const&)> const& create_tables);
-// The faults that SQLite finds in the file itself; empty if it is sound. Throws Error if it cannot be read at all.
-std::vector<std::string> integrity(std::filesystem::path const& file);
+std::vector<std::string> integrity(std::filesystem::path const& file);  // see Store::integrity
 
 }  // namespace isolaw::campaign::sqlite

@@ -19,8 +19,7 @@ class Store {
   // complete and not yet in place. Throws Error if `file` is not a plain file or cannot be written.
   static Store create(std::filesystem::path const& file, Contents const& contents,
                       std::function<void()> const& before_replacing = {});
-  // Removes what a create() that was killed left beside the file.
-  static void remove_unfinished(std::filesystem::path const& file);
+  static void remove_unfinished(std::filesystem::path const& file);  // left by a killed create()
   // Opens an existing store to add results. Throws Error if it is missing, not a plain file (a pipe could block), not a
   // store, or of another schema, and for anything in what the campaign began with that isolaw would not write.
   static Store open(std::filesystem::path const& file);
@@ -30,12 +29,10 @@ class Store {
   // files, byte by byte, in whatever order and on however many machines their runs were computed. Does nothing if that
   // is so already, and keeps the old file if the new one cannot be written.
   static void put_in_order(std::filesystem::path const& file);
-  // Everything in it; the file is not changed. Throws Error as above.
-  static Contents read(std::filesystem::path const& file);
-  // What a campaign began with, without its records' series and without results.
+  static Contents read(std::filesystem::path const& file);  // everything; the file is not changed; throws as open()
+  // The beginning of a campaign, without its records' series and without results.
   static Contents read_beginning(std::filesystem::path const& file);
-  // The same with the series.
-  static Contents read_beginning_and_series(std::filesystem::path const& file);
+  static Contents read_beginning_and_series(std::filesystem::path const& file);  // the same with the series
   // The name and a hash of the rows for each table that holds what the campaign began with, also the series. The hash
   // does not depend on which part of a campaign the store holds.
   static std::vector<std::pair<std::string, std::string>> hashes_of_beginning(std::filesystem::path const& file);

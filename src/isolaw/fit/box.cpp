@@ -45,7 +45,6 @@ std::vector<double> forces_at_zero(data::FitRecord const& record) {
   return forces;
 }
 
-// The slope from the smallest to the largest displacement.
 double peak_to_peak_stiffness(data::FitRecord const& record) {
   auto const &x = record.disp_mm, &f = record.force_kN;
   std::size_t low = x.size(), high = x.size();

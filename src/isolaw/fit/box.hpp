@@ -27,12 +27,9 @@ struct Override {
   std::string text() const;  // as the user would type it
 };
 
-// The last override of the parameter, which is the one that counts; nullptr if there is none.
 Override const* last_override(std::span<Override const> overrides, laws::LawEntry const& law,
                               std::string_view parameter);
-
-// Limits in words: "above 0 kN/mm".
-std::string limits_text(laws::Interval const& limits, std::string_view unit);
+std::string limits_text(laws::Interval const& limits, std::string_view unit);  // "above 0 kN/mm"
 
 // Throws Error if the text has another form, the law or parameter is unknown, lower >= upper, the values leave the
 // physical limits, or the parameter is tied to itself or to one of another unit.
@@ -58,7 +55,6 @@ struct SearchBox {
   std::vector<double> contract(std::span<double const> values) const;
 
   std::size_t free_count() const;
-  // The values of all parameters at a point of the free parameters' unit box.
   void expand(std::span<double const> point, std::span<double> values) const;
 };
 

@@ -15,8 +15,7 @@
 
 namespace isolaw::fit {
 
-// integration_shift() compares with a path this many times finer.
-inline constexpr int shift_refinement = 20;
+inline constexpr int shift_refinement = 20;  // integration_shift() compares with a path this many times finer
 
 // The relative difference that another machine's objective may have for the same record and parameters, and its forces
 // relative to the peak force. Compilers and processors round differently and bring their own elementary functions. The
@@ -37,8 +36,7 @@ class LawOnMotion {
   // without samples, or without time if the law needs velocities.
   LawOnMotion(laws::LawEntry const& law, data::FitRecord const& motion, laws::Integration integration,
               laws::TurningPoints turning_points = laws::TurningPoints::as_sampled, int refinement = 1);
-  // The same law and history with `refinement` steps between samples.
-  LawOnMotion refined(int refinement) const;
+  LawOnMotion refined(int refinement) const;  // with this many steps between samples
 
   laws::LawEntry const& law() const { return *law_; }
   laws::Integration integration() const { return integration_; }
@@ -46,8 +44,7 @@ class LawOnMotion {
   laws::Path const& path() const { return path_; }
   laws::Path path(int refinement) const;
 
-  // Indices of samples that outline the loop: all next to a reversal, and fewer the farther from one.
-  std::vector<std::size_t> outline() const;
+  std::vector<std::size_t> outline() const;  // indices of samples: all next to a reversal, fewer farther from one
   // The same law on a part of the samples, given in rising order. If they include the reversals, a law that does not
   // depend on the rate gives the same forces there.
   LawOnMotion at(std::span<std::size_t const> samples) const;
@@ -73,13 +70,11 @@ class LawOnRecord {
   // than two samples, no duration, a constant force.
   LawOnRecord(laws::LawEntry const& law, data::FitRecord const& record, laws::Integration integration,
               laws::TurningPoints turning_points = laws::TurningPoints::as_sampled, int refinement = 1);
-  // The same law and record with `refinement` steps between samples.
-  LawOnRecord refined(int refinement) const;
+  LawOnRecord refined(int refinement) const;  // with this many steps between samples
   // The same law on the samples of the loop's outline only, each with the weight of those it stands for; its objective
   // is close to this one's. nullopt if more than 3/4 of the samples remain or the integration steps are the samples.
   std::optional<LawOnRecord> outline() const;
-  // Spreads shares of all samples over the samples of the outline.
-  std::vector<double> on_outline(std::span<double const> shares) const;
+  std::vector<double> on_outline(std::span<double const> shares) const;  // spreads shares of all samples over its own
 
   laws::LawEntry const& law() const { return motion_.law(); }
   int refinement() const { return motion_.refinement(); }
@@ -102,11 +97,9 @@ class LawOnRecord {
   void residual_rows(std::size_t count, std::function<void(std::size_t, std::span<double>)> const& candidate,
                      std::size_t stride, std::span<double> rows, InstructionSet set = instruction_set()) const;
 
-  // The weight of each sample; the objective is the sum of weight * |residual|.
-  std::span<double const> residual_weights() const { return share_; }
+  std::span<double const> residual_weights() const { return share_; }  // objective = sum of weight * |residual|
   std::size_t samples() const { return measured_.size(); }
-  // Standard deviation of the measured force.
-  double spread_kN() const { return spread_ * law().info.force.in_record_units; }
+  double spread_kN() const { return spread_ * law().info.force.in_record_units; }  // measured standard deviation
 
   std::vector<double> force_kN(std::span<double const> parameters) const { return motion_.force_kN(parameters); }
 

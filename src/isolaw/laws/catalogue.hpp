@@ -1,5 +1,4 @@
-// The laws by name, with their types erased, for everything that is decided at run time: command line, campaign,
-// reports.
+// The laws by name, with their types erased, for everything decided at run time: command line, campaign, reports.
 #pragma once
 
 #include <optional>
@@ -48,8 +47,7 @@ struct LawEntry {
   double redundant_value = 0.0;
   void (*reduce)(std::span<double> parameters) = nullptr;
 
-  // Index of the parameter of this name. Throws an Error that lists the law's parameters.
-  std::size_t index_of(std::string_view parameter) const;
+  std::size_t index_of(std::string_view parameter) const;  // throws an Error that lists the law's parameters
 };
 
 std::span<LawEntry const> catalogue();
@@ -60,14 +58,8 @@ inline constexpr std::pair<std::string_view, LawSet> law_sets[]{
 inline std::string_view name(LawSet set) {
   return law_sets[static_cast<std::size_t>(set)].first;
 }
-
-// Says in words what a law remembers of its path, for example "turning points".
-std::string_view memory_of(LawInfo const& law);
-
-// The law of this id. Throws an Error that lists the laws.
-LawEntry const& find_law(std::string_view id);
-
-// The law's name for people, for example "Bouc-Wen" for "bouc-wen"; the id itself where no law has it.
-std::string_view called(std::string_view id);
+std::string_view memory_of(LawInfo const& law);  // says in words what it remembers of its path
+LawEntry const& find_law(std::string_view id);   // throws an Error that lists the laws
+std::string_view called(std::string_view id);    // "Bouc-Wen" for "bouc-wen"; the id itself where no law has it
 
 }  // namespace isolaw::laws

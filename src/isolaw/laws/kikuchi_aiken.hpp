@@ -37,8 +37,7 @@ class Loops {
         c_(c * T(num::log2_e)),
         twice_c2_(T(2.0) * c * c) {}
 
-  // The force at the end of a step. at_peak(m) gives AtPeak of the largest |x| so far. The caller calls this at every
-  // step.
+  // The force at the end of a step, called at every step. at_peak(m) gives AtPeak of the largest |x| so far.
   template <class Functions>
   T force(Step const& step, Memory const& memory, Functions&& at_peak) {
     if (memory.kept != Memory::none) turn(memory.kept, step.x0);
@@ -90,8 +89,7 @@ class Loops {
     closing_ = T(2.0) - shape(2.0, true, true);
   }
 
-  // f(s) of a branch that has moved s peaks since its turning point.
-  T shape(double s, bool outer, bool bump) const {
+  T shape(double s, bool outer, bool bump) const {  // f(s) of a branch that has moved s peaks since its turn
     T f = T(2.0) - T(2.0) * exp2(-a_ * T(s));
     if (bump) f = f + b_ * T(s) * exp2(-c_ * T(s));
     if (!outer) return f;

@@ -1,5 +1,4 @@
 // The contract of a law: what the law's file declares, the record as the law sees it, and how a law runs over a record.
-//
 // A law is a struct with
 //   info                       LawInfo: id, name, title, source, units, traits, a note on how the source was read
 //   Params<T>                  its parameters, in the paper's symbols
@@ -94,7 +93,6 @@ struct ParameterInfo {
   }
 };
 
-// A ParameterInfo, written as one line of a law's table.
 constexpr ParameterInfo parameter(std::string_view name, std::string_view unit, std::string_view meaning,
                                   Interval physical, std::optional<Interval> published, ScaledInterval scaled,
                                   Scale scaled_search = Scale::linear, std::optional<double> fixed_by_default = {}) {
@@ -156,7 +154,7 @@ struct Step {
   bool reversal;                    // the direction differs from that of the step before
   bool sample;                      // the end is a sample of the record, where a force is wanted
   double peak0, peak1;              // largest |x| up to the start and the end of the step
-  double log2_abs_x0, log2_abs_x1;  // of |x| clamped to num::smallest_power_base
+  double log2_abs_x0, log2_abs_x1;  // |x| is clamped to num::smallest_power_base
 };
 
 // The path's memory at the end of a step: turning points, and peak and travel of each side, x >= 0 and x < 0. It
@@ -177,7 +175,7 @@ struct Memory {
   double pushed = 0.0;     // how far the largest |x| has grown at x > 0, less how far at x < 0
   double softening = 0.0;  // G: half the travel outwards and four times the travel back, never beyond side_peak
   double way_back = 0.0;   // C: travel towards 0
-  double log2_softening = 0.0, log2_way_back = 0.0;  // of G and C, clamped to num::smallest_power_base
+  double log2_softening = 0.0, log2_way_back = 0.0;  // G and C are clamped to num::smallest_power_base
   std::size_t side = 0;                              // 0: x >= 0, 1: x < 0
   bool softens = false, returns = false;             // G, C have changed since the last step that ended on this side
   bool peak_grows = false, side_peak_grows = false;  // whether the peak grows in this step
@@ -203,8 +201,7 @@ Path make_path(std::span<double const> x, std::span<double const> v, int refinem
 Path make_path_with_turning_points(std::span<double const> x, std::span<double const> v, std::span<double const> time,
                                    int refinement = 1, bool with_memory = true);
 
-// Fills in path.memory and path.deepest.
-void remember(Path& path);
+void remember(Path& path);  // fills in path.memory and path.deepest
 
 // The motion without its movements of less than `dead_band` (in the unit of x) to either side: after a turn of x it
 // rests while x moves two bands and catches up over the next four. Elsewhere it equals x.

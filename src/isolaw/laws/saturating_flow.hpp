@@ -1,12 +1,10 @@
 // The exact flow of the hysteretic laws between two reversals.
-//
 // Bouc-Wen's z and Abe's F2, divided by their saturation value and taken positive in the direction of motion, obey one
 // autonomous equation in dimensionless travel t:
 //     du/dt = 1 - u^n            for u >= 0  (from both sides towards saturation, u = 1)
 //     du/dt = 1 + kappa |u|^n    for u <  0  (unloading, u rises to 0)
 // Every device history between reversals is a piece of one curve u(t), counted from u = 0. On either side of 0 one
 // polynomial gives |u|: no table to search, no gather, no power per sample, no step size, no stability limit.
-//
 // A suitable variable keeps the polynomial short. With E = exp(-rate |t|) and x = (1 - E) / (1 + bend E):
 //   - u is analytic in exp(-n t) at saturation, so rate = n there, and n |kappa|^(1/n) where unloading tends to a rest;
 //     it is negative where unloading speeds up;
@@ -314,7 +312,6 @@ T SaturatingFlow<T, reach>::time_at(T const& u, Mask const& below) const {
   constexpr double ln2 = 0.69314718055994530942;
   T const one(1.0), size = abs(u), w = min(size, one), root = rounded(fifth_root(w));
   T x = rounded(w * polynomial<mixed>(&Side::inverse, below, root + root - one));
-  // Newton's method from the start that H gives.
   for (int pass = 0; pass < 2; ++pass) {
     auto const found = value_of<mixed>(below, x);
     x = x - (found.value - w) / found.slope;

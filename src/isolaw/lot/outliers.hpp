@@ -1,6 +1,5 @@
 // Finds devices that stand out from their lot in some property: a measured one, a parameter of a law, an error of its
 // fit. Source of the score: Iglewicz and Hoaglin 1993.
-//
 // The rules' lot view finds outliers among measured properties by the same score (num::modified_scores), but asks for
 // at least five values, since a verdict depends on them.
 #pragma once

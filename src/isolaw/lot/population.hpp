@@ -1,6 +1,5 @@
 // Estimates the population that a lot's devices come from, as a distribution of one law's parameters (centre, scatter
 // and correlation), and draws devices from it.
-//
 // Model: the estimate of device d is theta_d = mu + b_d + e_d in transformed coordinates (see Transform), with b_d ~
 // N(0, Sigma) the difference between devices and e_d ~ N(0, C_d) the error of its fit. The covariance S of the
 // estimates (divisor devices - 1) has the expected value Sigma + C, where C is the mean of the C_d. We therefore take
@@ -8,7 +7,6 @@
 // keep lambda - 1 and the others get no variance (Amemiya 1985, What should be done when an estimated between-group
 // covariance matrix is not nonnegative definite?; for equal C_d this Sigma makes S most likely). A direction thus has
 // no variance if the devices differ no more in it than their own uncertainty explains: the tests do not determine it.
-//
 // Rejected: drawing parameters one by one. Their errors and true values are strongly correlated, so that independent
 // draws give devices unlike any that was tested.
 #pragma once
@@ -86,8 +84,7 @@ struct Population {
 Population estimate_population(std::vector<std::string> const& names, std::span<DeviceEstimate const> devices,
                                std::span<std::size_t const> undetermined = {});
 
-// Physical limits of a parameter in its units; a value at a limit is inside.
-struct Limits {
+struct Limits {  // physical limits of a parameter in its units; a value at a limit is inside
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
 };

@@ -1,6 +1,5 @@
 // The robustness index: how far a law's parameters hold for the whole lot (Cucuzza et al. 2025, sections 5 and 6,
 // Eqs. 28-31).
-//
 // The input is a parameter's mean over the runs, one for each device. Differences are relative to the mean over the
 // devices. They are undefined if that mean is only rounding error (|mean| <= 1e-9 times the largest |value|) or if a
 // device's mean is not finite: the caller decides which devices take part.

@@ -1,6 +1,5 @@
 // One device against a rule set: every limit on a single device, with the measured value, its deviation from the design
 // value and a verdict.
-//
 // Only a set that somebody verified gives a pass or a fail, and only under the conditions that it asks for; everything
 // else is information, or not assessed with a reason. A value on the limit passes. Values are compared as measured,
 // never rounded, with a slack of 1e-12 of the bound, since 1.2 times a design value is rarely 20 % in binary to the
@@ -20,14 +19,13 @@ namespace isolaw::rules {
 enum class Verdict { pass, fail, information, not_assessed };
 std::string_view name(Verdict verdict);  // "pass", "fail", "information", "not assessed"
 
-// What is held to a limit: a property of one device, its change from cycle to cycle or between vertical loads, its mean
-// over the lot, or how many devices were tested.
+// The subject of a limit: a device's property, its change over cycles or loads, the lot's mean, or the sample size.
 enum class Subject { device, cycles, loads, lot, sample };
 std::string_view name(Subject subject);  // "device", "cycles", "loads", "lot", "sample"
 
 struct Assessment {
   std::string quantity;              // in words: "K_eff, positive side", "K_eff over cycles", "sample size"
-  std::optional<Quantity> property;  // of these; none of a sample
+  std::optional<Quantity> property;  // the property concerned; none for a sample
   Subject subject = Subject::device;
   Side side = Side::both;
   std::string clause, formula;
@@ -54,9 +52,7 @@ struct LoadPair {
 // information, quantities with a design value but no limit, and always K_v.
 std::vector<Assessment> assess(RuleSet const& rules, BlockValues const& block, Design const& design,
                                std::optional<LoadPair> const& loads = std::nullopt);
-
-// The text for a device whose record is a copy of another device's: "the same record as D01".
-std::string same_record_as(std::string_view device);
+std::string same_record_as(std::string_view device);  // "the same record as D01"
 
 // Takes the verdicts away from a device whose record is a copy: that record does not test it.
 void withhold_verdicts(std::vector<Assessment>& assessments, std::string_view copy_of);
@@ -72,12 +68,10 @@ std::string limit_text(std::optional<double> lower_percent, std::optional<double
 std::string deviation_text(double deviation_percent, std::optional<double> lower_percent,
                            std::optional<double> upper_percent);
 
-// Sets verdict and reason after a comparison: pass or fail where the set is verified and its conditions are met, else
-// information or not assessed with the reason.
+// Pass or fail where the set is verified and its conditions are met, else information or not assessed, with reason.
 void give_verdict(Assessment& assessment, RuleSet const& rules, bool holds, std::vector<std::string> const& unmet);
 
-// Compares value and design value with a limit and sets verdict, reason, clause and texts. `without` says why there is
-// no value.
+// Compares value and design value with a limit and fills in verdict and texts. `without`: why there is no value.
 void hold_to(Assessment& assessment, RuleSet const& rules, Limit const& limit, std::string_view without,
              std::vector<std::string> const& unmet);
 

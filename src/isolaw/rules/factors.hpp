@@ -2,7 +2,6 @@
 // the factors of ageing and environment, of the test and of the supply combine (ASCE/SEI 7, chapter 17; other standards
 // combine them the same way with other numbers, which the rule set holds).
 //
-// The scatter between devices is kept apart from that of the whole isolation system. The system is the sum of its
 // devices, and a sum scatters less: the spread of single devices would overstate the system's bounds several times.
 #pragma once
 

@@ -38,8 +38,7 @@ Vector<T> chosen(Condition const& condition, Vector<T> const& a, Vector<T> const
   return {select(condition, a.x, b.x), select(condition, a.y, b.y)};
 }
 
-// A straight step: its length and direction. At rest the direction is the zero vector, and only `moved` has
-// derivatives.
+// A straight step. At rest the direction is the zero vector, and only `moved` has derivatives.
 template <class T>
 struct Straight {
   Vector<T> moved, direction;
@@ -63,8 +62,7 @@ struct Split {
   Vector<T> joined(Vector<T> const& direction) const { return along * direction + across * turned(direction); }
 };
 
-// A fading memory of the motion: q' = rate (n - q) along a straight step. At rest only the derivatives move, as an
-// elastic step.
+// A fading memory of the motion: q' = rate (n - q) along a straight step; at rest only the derivatives move.
 template <class T>
 Vector<T> fading(Vector<T> const& q, Straight<T> const& way, T const& rate) {
   T const left = exp(-rate * way.length);
