@@ -20,7 +20,6 @@ namespace isolaw::analysis {
 
 enum class Verdict { determined, weakly_determined, undetermined, at_bound };
 std::string_view name(Verdict verdict);  // "determined", "weakly determined", "undetermined", "at its bound"
-
 // A rise of the objective is invisible in the loops up to visible_rise times its least value, or least_visible_rise.
 inline constexpr double visible_rise = 0.01, least_visible_rise = 1e-4;
 // A parameter is determined, or weakly determined, if its open range reaches no farther than this from its value,

@@ -18,13 +18,11 @@
 namespace isolaw {
 
 inline constexpr char const* building_store_name = "building.sqlite";
-
 // Puts a building (building::read_building, building::building_of) on bearings of a campaign's lot. A building that
 // names no law takes the one that the campaign recommends. `where` names the campaign in messages. Throws Error for a
 // law that was not analysed.
 building::Study building_study(building::BuildingFile file, campaign::Contents const& contents,
                                std::string const& where = "the campaign");
-
 // The study's model. Called before anything is written. Throws Error for a building or a lot that cannot be analysed.
 building::Model possible(building::Study const& study);
 
@@ -50,7 +48,6 @@ struct StudiedBuilding {
 
 // A quantity of every draw: [law][draw][motion]. Throws Error for an unknown quantity.
 std::vector<double> peaks_of(StudiedBuilding const& studied, std::string_view quantity);
-
 // Computes the runs that the directory does not hold yet (all without one) and writes the reports there. Store and
 // reports have the same bytes as the program's, whatever the number of threads. Throws Error for a building that cannot
 // be analysed, for another study in the directory, and for a part without a directory.

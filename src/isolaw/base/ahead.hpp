@@ -33,7 +33,6 @@ class HelpListener {
 class WorkerGroup {
  public:
   static WorkerGroup* current();  // the calling thread's group, or null
-
   // Computes offered items or sleeps until finished() is true, which is called with the group's mutex held.
   void help_until(std::function<bool()> const& finished);
   void changed();  // to be called after a change of anything that finished() looks at

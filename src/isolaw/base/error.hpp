@@ -22,7 +22,6 @@ struct Complaint {
 
 // "where: found; allowed: ...; try: ...", with control characters spelled out.
 std::string to_string(Complaint const& complaint);
-
 // The same as data: an array of objects with these parts, cleaned as in the message; an empty part is "".
 void write_complaints(JsonWriter& out, std::vector<Complaint> const& complaints);
 

@@ -21,7 +21,6 @@ struct ReadLimits {
 std::string read_file(std::filesystem::path const& file, ReadLimits const& limits);
 // "a pipe" or the like when the name, with links followed, belongs to something else than a plain file.
 std::optional<std::string> other_than_plain(std::filesystem::path const& file);
-
 // The real place of `file`, with links followed, if that is neither `folder` nor below it; nullopt if it is. For a part
 // that does not exist yet its name decides. A name that cannot be followed, such as a circle of links, is outside.
 std::optional<std::filesystem::path> leads_outside(std::filesystem::path const& file,

@@ -76,7 +76,6 @@ std::string text_of(Json const& value);
 // The words of the command line that give an option its value; none for null, false and an empty list.
 std::vector<std::string> words_of(OptionInfo const& option, Json const& value);
 std::string shown(Json const& value);  // for messages: 'text', 12, true
-
 // Calls judge() and adds its complaints to the list, as complaints about `where` if they do not name an option.
 void about(std::string const& where, std::vector<Complaint>& complaints, std::function<void()> const& judge);
 
@@ -101,7 +100,6 @@ double real_of(Json const& value, Limits const& limits);
 bool flag_of(Json const& value);
 std::string text_in(Json const& value);
 [[noreturn]] void refuse(Json const& value, std::string allowed);
-
 // at(&A::b, &B::c): a function that returns a.b.c of an A.
 constexpr auto at(auto... path) {
   return [=](auto& from) -> auto& {

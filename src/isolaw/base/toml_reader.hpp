@@ -29,7 +29,6 @@ struct TomlMessages {
 
 // Throws one Error with the line if the text nests deeper than any such file needs or is not TOML.
 toml::table parse_toml(std::string_view text, std::string const& file, TomlMessages const& messages);
-
 // Throws one Error of all complaints, if there are any; after most_complaints (below) it only says that there are more.
 void throw_complaints(std::vector<Complaint> complaints, std::string const& file);
 
@@ -39,7 +38,6 @@ class TomlTable {
   static constexpr std::size_t longest_text = 512;  // bytes, unless the caller says otherwise
   static constexpr std::size_t most_items = 1000;   // in a list
   static constexpr std::size_t most_complaints = 50;
-
   // `name` is how messages call the table: "[calibrate]"; empty for the file itself.
   TomlTable(toml::table const& table, std::string file, std::string name, std::vector<Complaint>& complaints);
 

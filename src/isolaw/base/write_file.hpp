@@ -7,7 +7,6 @@
 namespace isolaw {
 
 void write_file(std::filesystem::path const& path, std::string_view text);  // throws Error
-
 // Creates the folder if it is missing. Throws Error if that fails or if the name is a symbolic link.
 void make_folder(std::filesystem::path const& folder);
 

@@ -32,7 +32,6 @@ struct AnalyseOptions {
 
 // Whether every device has an analysis of each law with a usable run there. Fits to the lot start from these analyses.
 bool every_device_examined(Contents const& contents);
-
 // Makes the analyses that are missing and adds them to the store and to `contents`, whose runs must be complete and
 // sorted. The result depends on the runs and the settings alone. Returns how many threads the system allowed.
 std::size_t analyse(Contents& contents, Store& store, AnalyseOptions const& options);

@@ -58,7 +58,6 @@ struct Search {
 // no_finite_value. Interrupted runs are not kept.
 using opt::Outcome;
 std::string_view name(Outcome outcome);
-
 // The most integration steps per sample that a run may end with. The number of steps is a power of four.
 inline constexpr int finest_refinement = 64;
 

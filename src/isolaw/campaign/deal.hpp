@@ -13,7 +13,6 @@ namespace isolaw::campaign {
 class RunAssignment {
  public:
   RunAssignment(Contents const& contents, int parts);  // `contents` must hold the records
-
   // The part, from 1, of run `number` of contents.searches[search], which must not be refused.
   int part_of(std::size_t search, int number) const {
     return part_[search * runs_ + static_cast<std::size_t>(number) - 1];

@@ -61,7 +61,6 @@ struct LotFileOptions {
 inline constexpr std::size_t most_devices = 10'000;
 inline constexpr std::size_t longest_name = 512;           // bytes in a name, serial or title
 inline constexpr std::size_t largest_lot_file = 16 << 20;  // bytes
-
 // Throws one Error with every problem of the file and its line: syntax, unknown keys, wrong types, values that are not
 // allowed, text that is not printable, devices without a file, duplicate names, files outside the folder. The keys of
 // [calibrate] are the command line's options.

@@ -25,7 +25,6 @@ class RunWriter {  // many runs one after the other
 void write_row(sqlite::Connection const& db, DeviceAnalysis const& analysis);
 void write_row(sqlite::Connection const& db, LotAnalysis const& analysis);
 void write_row(sqlite::Connection const& db, LeftOutAnalysis const& analysis);
-
 // Without series, runs and analyses. Throws Error or nlohmann::json::exception for rows that no Contents can hold.
 Contents read_campaign(sqlite::Connection const& db);
 void read_runs(sqlite::Connection const& db, std::function<void(Run)> const& visit);  // in order, one at a time

@@ -21,7 +21,6 @@ struct Setting : Option<Settings> {
 // In the order of stores and reports: the method before the settings that it alone has.
 std::span<Setting const> setting_table();
 Setting const* find_setting(std::string_view key);  // nullptr for an unknown key
-
 // Sets one setting. A setting that only one method has also chooses that method, unless `method_given` says that the
 // method was named. Throws Error; the caller adds `where`.
 void take(Setting const& setting, Json const& value, bool method_given, Settings& settings);

@@ -30,7 +30,6 @@ struct Override {
 Override const* last_override(std::span<Override const> overrides, laws::LawEntry const& law,
                               std::string_view parameter);
 std::string limits_text(laws::Interval const& limits, std::string_view unit);  // "above 0 kN/mm"
-
 // Throws Error if the text has another form, the law or parameter is unknown, lower >= upper, the values leave the
 // physical limits, or the parameter is tied to itself or to one of another unit.
 Override parse_override(std::string_view text);
@@ -42,7 +41,6 @@ struct SearchParameter {
   std::optional<std::size_t> tied_to = {};  // index of the parameter whose value it takes, in which case it is not free
   double lower = 0.0, upper = 0.0;
   laws::Scale scale = laws::Scale::linear;
-
   // Maps the unit interval to values of the parameter, and back; both clamp to the interval.
   double at(double unit_coordinate) const;
   double coordinate(double value_) const;
@@ -50,7 +48,6 @@ struct SearchParameter {
 
 struct SearchBox {
   std::vector<SearchParameter> parameters;  // all parameters of the law, in its order
-
   // The point of the free parameters' unit box for these values of all parameters, clamped into the box.
   std::vector<double> contract(std::span<double const> values) const;
 
@@ -64,16 +61,13 @@ struct SearchBox {
 // that ends at zero holds six decades, one across zero six on each side.
 inline constexpr double wide_interval = 100.0;
 SearchBox on_logarithmic_scales(SearchBox box, laws::LawEntry const& law);
-
 // A best value this close to an edge, as a share of the interval on the search scale, counts as at the bound.
 inline constexpr double bound_tolerance = 1e-3;
 enum class AtBound { no, lower, upper };
 std::string_view name(AtBound bound);  // "", "lower", "upper"
 AtBound at_bound(SearchParameter const& parameter, double value);
-
 // Typical sizes of a record's quantities, in the units of the law. Throws Error for a record without samples.
 laws::RecordScales scales_of(data::FitRecord const& record, laws::LawInfo const& law);
-
 // For parameters that the paper does not calibrate, `published` uses the scaled interval. Throws Error for a parameter
 // that is tied to a tied one.
 SearchBox make_box(laws::LawEntry const& law, BoxKind kind, laws::RecordScales const& scales,

@@ -38,7 +38,6 @@ struct Spread {  // the largest differences between the forms, relative to the f
   double peak = 0.0, work = 0.0;
 };
 Spread spread_of(std::vector<OnAnEight> const& rules);
-
 // Work of springs over that of the law in the second cycle along one direction. The law must have an online form.
 double work_of_springs_on_a_line(LawInPlane const& law, double size_mm, double duration_s);
 

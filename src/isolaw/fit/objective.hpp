@@ -16,13 +16,11 @@
 namespace isolaw::fit {
 
 inline constexpr int shift_refinement = 20;  // integration_shift() compares with a path this many times finer
-
 // The relative difference that another machine's objective may have for the same record and parameters, and its forces
 // relative to the peak force. Compilers and processors round differently and bring their own elementary functions. The
 // largest differences that `./isolaw.sh compilers` has shown are 6e-14 and 1.2e-12 (bouc-wen in x87 arithmetic; 9e-14
 // without it). The rest is room for mathematical libraries and processors that were not at hand.
 inline constexpr double evaluation_tolerance = 1e-9;
-
 // The relative difference between a block's objective and the scalar one. Blocks use their own elementary functions and
 // fused multiply-adds; the largest difference seen is 1e-12 (hwang-wu), 3e-14 for the other laws. It may be larger for
 // an objective beyond 1e6, or if a Runge-Kutta step of `paper` is too long to be stable.
@@ -48,7 +46,6 @@ class LawOnMotion {
   // The same law on a part of the samples, given in rising order. If they include the reversals, a law that does not
   // depend on the rate gives the same forces there.
   LawOnMotion at(std::span<std::size_t const> samples) const;
-
   // Computed force [kN] at every sample; not finite if the law gives none. `parameters` are in the law's order and
   // units; `force` has as many elements as there are samples. Thread-safe.
   void force_kN(std::span<double const> parameters, std::span<double> force) const;
@@ -82,12 +79,10 @@ class LawOnRecord {
   // OF = mean over time of |measured - computed| / standard deviation of the measured force; +infinity if a computed
   // force is not finite. `parameters` are in the law's order and units; `work` is scratch space. Thread-safe.
   double objective(std::span<double const> parameters, std::vector<double>& work) const;
-
   // The same for `count` candidates, computed in blocks; candidate(i, values) writes the parameters of candidate i.
   // Agrees with the scalar objective within block_tolerance (if that is above 1e-3) at every place in a block.
   void objectives(std::size_t count, std::function<void(std::size_t, std::span<double>)> const& candidate,
                   std::span<double> values, InstructionSet set = instruction_set()) const;
-
   // (measured - computed force) / standard deviation of the measured force: that of sample j and candidate i is
   // values[i * samples() + j]. Not finite where a force is not. Agrees with the scalar path as objectives() does.
   void residuals(std::size_t count, std::function<void(std::size_t, std::span<double>)> const& candidate,

@@ -27,10 +27,8 @@ struct LawEntry {
   // and units. A force that overflows is infinite or NaN; a parameter that is not finite makes all NaN. Throws nothing.
   void (*evaluate)(std::span<double const> parameters, Path const& path, Integration integration,
                    std::span<double> force);
-
   // The law as analysis programs know it, for parameters in the law's order and units.
   Canonical (*canonical)(std::span<double const> parameters) = nullptr;
-
   // Conditions between several parameters. unmet() gives the first one that `parameters` break, for example found "K1 =
   // 1, K2 = 2" and statement "K1 >= K2"; nullopt where they keep all.
   std::vector<JointLimitEntry> joint_limits = {};
@@ -39,7 +37,6 @@ struct LawEntry {
     std::string_view statement;
   };
   std::optional<Unmet> unmet(std::span<double const> parameters) const;
-
   // For a law with a redundant parameter: its name, the parameters that it trades off with, and the value it is fixed
   // at. `reduce` changes parameters in place to those of the same forces with that value. Empty and null elsewhere.
   std::string_view redundant = {};
@@ -51,7 +48,6 @@ struct LawEntry {
 };
 
 std::span<LawEntry const> catalogue();
-
 // Words that name several laws at once. The sets nest: "all" holds "usual", which holds "paper".
 inline constexpr std::pair<std::string_view, LawSet> law_sets[]{
     {"paper", LawSet::paper}, {"usual", LawSet::usual}, {"all", LawSet::further}};

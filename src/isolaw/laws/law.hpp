@@ -194,7 +194,6 @@ struct Path {
 // x and v [samples] in the law's units; v is empty for a record without time. Needs at least one sample and refinement
 // >= 1. Every interval is cut into `refinement` equal steps, with displacement and velocity interpolated linearly.
 Path make_path(std::span<double const> x, std::span<double const> v, int refinement = 1, bool with_memory = true);
-
 // The same path, but also through the turning points between the samples: at each reversal it inserts the vertex of the
 // parabola through the three samples there, at rest. For smooth records; on a noisy one it follows the noise. `time`
 // [samples] increases.
@@ -202,7 +201,6 @@ Path make_path_with_turning_points(std::span<double const> x, std::span<double c
                                    int refinement = 1, bool with_memory = true);
 
 void remember(Path& path);  // fills in path.memory and path.deepest
-
 // The motion without its movements of less than `dead_band` (in the unit of x) to either side: after a turn of x it
 // rests while x moves two bands and catches up over the next four. Elsewhere it equals x.
 std::vector<double> followed(std::span<double const> x, double dead_band);

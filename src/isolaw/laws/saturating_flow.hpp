@@ -76,7 +76,6 @@ class SaturatingFlow {
  public:
   // Needs n > 0 and kappa > -1; kappa = 1 for Reach::beyond_saturation. Other values give results that are not finite.
   void fit(T const& n, T const& kappa);
-
   // time_at gives the place of u on the curve as a time, value_at the u at a time: value_at(time_at(u) + travel) is u
   // after that travel. The two are inverse within rounding, so that repeated conversion does not drift.
   T time_at(T const& u) const;

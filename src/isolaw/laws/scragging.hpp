@@ -9,7 +9,6 @@
 namespace isolaw::laws {
 
 inline constexpr double reference_mm = 100.0;
-
 // The force at 100 mm of a device whose force grows with the power 0.4 of the amplitude, about that of high damping
 // rubber.
 inline double force_at_reference(RecordScales const& s) {

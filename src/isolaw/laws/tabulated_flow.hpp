@@ -43,7 +43,6 @@ inline constexpr double unloading_w = 14.0;   // |1 + u| = 8e-7: where unloading
 inline constexpr double reach_w = 4.0;        // |u| = 55: beyond it the rate is frozen at its value there
 // Keys of the falling piece, 4.4 to 59, lie above those of the rising one.
 inline constexpr double falling_origin = 60.0;
-
 // Keeps a saturated u in the last cell of its piece; rounding would otherwise move it to the next.
 inline constexpr double just_below_one = 1.0 - 1e-15;
 

@@ -27,7 +27,6 @@ namespace isolaw::lot {
 // all devices have.
 enum class Transform { identity, logarithm };
 std::string_view name(Transform transform);
-
 // logarithm if all values are finite, have the same sign and none is zero: a scatter is then a fraction, and no draw
 // changes the sign. identity otherwise, also if there are no values.
 Transform transform_for(std::span<double const> values);
@@ -59,7 +58,6 @@ struct Population {
 
   std::vector<double> mean;     // mu; empty without devices
   std::vector<double> medians;  // mu in the units of the parameters
-
   // With fewer than two devices this and all that follows, except the note, is empty.
   SquareMatrix estimates;               // S
   SquareMatrix uncertainty;             // C
@@ -95,7 +93,6 @@ struct Sample {
   std::size_t pulled_back = 0;  // devices whose `most_tries` draws were all outside
 };
 inline constexpr std::uint32_t most_tries = 100;
-
 // Draws `count` devices from N(mu, Sigma), all parameters of a device together, as mu + Sigma^(1/2) z. The symmetric
 // root does not jump where eigenvalues coincide. Device i depends only on the stream's places (i, try), not on the
 // count. A draw outside `limits` (one per parameter, or none at all) is repeated. After `most_tries` the last one is

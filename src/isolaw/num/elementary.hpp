@@ -99,7 +99,6 @@ inline constexpr double fifth_root_guess = 0x1.7febced916873p+52;
 inline constexpr double log2_e = 0x1.71547652b82fep+0;
 inline constexpr double ln2_high = 0x1.62e42fee00000p-1;  // its product with an exponent is exact
 inline constexpr double ln2_low = 0x1.a39ef35793c76p-33;
-
 // Adding it to |x| < 2^51 rounds x to an integer; the sum's last bits hold that integer plus the bias of exponents.
 inline constexpr double shifter = 0x1.8p52 + 1023.0;
 inline constexpr double lowest_exponent = -1022.5, highest_exponent = 1023.5;

@@ -36,7 +36,6 @@ SearchResult minimise_genetic(Problem const& problem, num::Stream const& stream,
 
 // How a search ended whose best value after each generation is in `history`; interrupted if it would have gone on.
 Outcome outcome_of(std::span<double const> history, GeneticOptions const& options);
-
 // Roulette weights exp(-pressure v / worst finite v) of the values v; 0 for values that are not finite, and 1 for all
 // others if the worst is 0. If there are values below zero, all are measured from the smallest.
 std::vector<double> roulette_weights(std::span<double const> values, double pressure);
@@ -56,11 +55,9 @@ struct Cuts {
   std::size_t first = 0, second = 0;
 };
 Cuts draw_cuts(std::size_t dimension, num::Draws& draws);
-
 // Double-point crossover: exchanges the genes between two drawn cut points. Points of a single gene stay as they are.
 void crossover(std::span<double> a, std::span<double> b, num::Draws& draws);
 void mutate(std::span<double> point, double rate, num::Draws& draws);  // each gene with probability `rate`
-
 // The `count` smallest values, best first, as indices into the parents followed by the children. Failed points come
 // last; equal values keep their order, parents first. count <= parents + children.
 std::vector<std::size_t> survivors(std::span<double const> parents, std::span<double const> children,

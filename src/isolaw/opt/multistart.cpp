@@ -43,12 +43,10 @@ constexpr double gain_worth_staying = 3e-3;  // with a smaller gain, a delta tha
 // About half a decade, so that the minimum for the next delta lies within a few steps of this one's.
 constexpr double fall_of_delta = 0.3;
 constexpr double noise_of_gain = 1e-6;  // error of one-sided differences; a smaller gain counts as none
-
 // Over such a step, curvature changes the slope by some 1e-6 and rounding by 1e-9: far less than damping does.
 constexpr double difference_step = 1e-6;
 // Shares of the two curvatures in the bold steps; the bold one alone would be zero if no residual is near zero.
 constexpr double bold_share = 0.9, cautious_share = 0.1;
-
 // Trial steps of an iteration: one block of candidates. Half a block would cost as much (docs/performance.md).
 constexpr std::size_t tried = 8;
 constexpr double damping_ratio = 20.0;  // the trial steps use 1/20, 1, 20 and 400 times the present damping

@@ -53,24 +53,18 @@ struct LoadPair {
 std::vector<Assessment> assess(RuleSet const& rules, BlockValues const& block, Design const& design,
                                std::optional<LoadPair> const& loads = std::nullopt);
 std::string same_record_as(std::string_view device);  // "the same record as D01"
-
 // Takes the verdicts away from a device whose record is a copy: that record does not test it.
 void withhold_verdicts(std::vector<Assessment>& assessments, std::string_view copy_of);
-
 // Whether nominal (1 + lower/100) <= value <= nominal (1 + upper/100), with the slack of 1e-12.
 bool is_within(double value, double nominal, std::optional<double> lower_percent, std::optional<double> upper_percent);
-
 // "from -20 % to +20 %", "at least -25 %", "at most +10 %". A word comes first: spreadsheets take a sign for a formula.
 std::string limit_text(std::optional<double> lower_percent, std::optional<double> upper_percent);
-
 // "+19.9 %": one decimal, or as many as it takes for the text to lie on the same side of the limit as the value. With
 // one decimal, a deviation of 20.04 % would read as +20.0 %, which seems to be within 20 %.
 std::string deviation_text(double deviation_percent, std::optional<double> lower_percent,
                            std::optional<double> upper_percent);
-
 // Pass or fail where the set is verified and its conditions are met, else information or not assessed, with reason.
 void give_verdict(Assessment& assessment, RuleSet const& rules, bool holds, std::vector<std::string> const& unmet);
-
 // Compares value and design value with a limit and fills in verdict and texts. `without`: why there is no value.
 void hold_to(Assessment& assessment, RuleSet const& rules, Limit const& limit, std::string_view without,
              std::vector<std::string> const& unmet);

@@ -1,7 +1,7 @@
 // Property modification factors lambda: the possible properties of a lot as multiples of their design value, and how
 // the factors of ageing and environment, of the test and of the supply combine (ASCE/SEI 7, chapter 17; other standards
 // combine them the same way with other numbers, which the rule set holds).
-//
+// The scatter between devices is kept apart from that of the whole isolation system. The system is the sum of its
 // devices, and a sum scatters less: the spread of single devices would overstate the system's bounds several times.
 #pragma once
 
@@ -37,7 +37,6 @@ struct CombinedFactors {
 // test.min spec.min, not above min_not_above; f is the rule's system factor.
 CombinedFactors combine(FactorRule const& rule, FactorPair const& environment, FactorPair const& test,
                         FactorPair const& spec);
-
 // Half width of the 95 % interval of the mean over all `installed` devices, in percent of that mean, for a known
 // coefficient of variation `cov_percent` between devices: 1.960 standard deviations of the normal distribution,
 // two-sided. The mean of N independent devices scatters by CoV/sqrt(N): 2.6 % for N = 28 and CoV 7 %. Where n of them

@@ -63,11 +63,9 @@ struct DerivedValue {
   std::string reason;
 };
 std::vector<DerivedValue> derive(RuleSet const& rules, Quantity quantity, BlockValues const& block);
-
 // For statistics over a lot: the mean over the counting cycles and both sides of a per-side formula. nullopt where a
 // counting cycle is missing or the mean is not positive.
 std::optional<double> device_value(RuleSet const& rules, Quantity quantity, BlockValues const& block);
-
 // One sentence for each condition of the shear test that is unknown or differs from the set's conditions.
 std::vector<std::string> unmet_conditions(RuleSet const& rules, BlockValues const& block, Design const& design);
 

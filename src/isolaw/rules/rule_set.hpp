@@ -118,25 +118,19 @@ struct RuleSet {
 };
 
 inline constexpr std::size_t largest_rule_file = 256 << 10;  // bytes
-
 // Reads the text of a rule file; `file` names it in messages and RuleSet::origin. Throws one Error with every problem
 // and its line: syntax, unknown or missing keys, wrong types, values out of range, contradicting limits.
 RuleSet read_rule_text(std::string_view text, std::string const& file);
-
 // The sets that come with the program, in alphabetical order, without the template.
 std::span<RuleSet const> built_in_rule_sets();
 
 bool is_built_in(std::string_view name);
-
 // The text of the built-in set, else of the file, of this name; not checked. Throws Error if unreadable or empty.
 std::string load_rule_text(std::string_view name_or_file);
-
 // The same, read and checked. Throws Error as read_rule_text() does; for a missing file it names the built-in sets.
 RuleSet find_rule_set(std::string_view name_or_file);
-
 // The text of a built-in set or of "template", with comments. Throws Error with the allowed names.
 std::string_view rule_set_text(std::string_view name);
-
 // Number of devices to test in a lot of N = `lot_size`: min(N, max(least, ceil(share N))). 0 for an empty lot.
 int required_sample(SampleRule const& rule, int lot_size);
 
