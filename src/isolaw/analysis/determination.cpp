@@ -191,8 +191,7 @@ class Examination {
     double end = 0.0;                               // coordinate where the rise is reached, or the edge of the box
     bool open = false;                              // the rise is not reached inside the box
   };
-  // Both sides of a parameter's profile. The first lower objective found ends them.
-  struct Sides {
+  struct Sides {  // both sides of a parameter's profile; the first lower objective found ends them
     Side below = {}, above = {};
     int evaluations = 0;
     Point lower_at = {};

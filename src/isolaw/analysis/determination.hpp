@@ -26,8 +26,7 @@ inline constexpr double visible_rise = 0.01, least_visible_rise = 1e-4;
 // relative to the value (for a box that spans zero to at least a hundredth of the box).
 inline constexpr double determined_within = 0.05, weakly_determined_within = 0.5;
 
-// The least objective with the parameter held at each of these values, in rising order.
-struct Profile {
+struct Profile {  // the least objective with the parameter held at each of these values, in rising order
   std::vector<double> value;
   std::vector<double> objective;
 };

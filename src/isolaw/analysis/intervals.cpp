@@ -172,8 +172,7 @@ Serial serial(std::span<double const> series, double mean) {
 std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox const& box,
                                    std::span<double const> optimum, num::Stream const& stream,
                                    IntervalOptions const& options, Interrupted const& interrupted) {
-  // In `inner`, parameters at a bound are fixed there.
-  auto inner = box;
+  auto inner = box;  // in `inner`, parameters at a bound are fixed there
   for (std::size_t i = 0; i < box.parameters.size(); ++i) {
     auto& p = inner.parameters[i];
     if (fit::at_bound(p, optimum[i]) == fit::AtBound::no) continue;
@@ -192,8 +191,7 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
   auto const response = n > 0 ? sensitivity(problem, start) : Sensitivity();
   if (n > 0) result.evaluations += static_cast<int>(2 * n + 1);
   if (!response.residuals.allFinite()) {
-    // The law has no force at the optimum: the intervals are the whole box.
-    start.assign(n, 0.5);
+    start.assign(n, 0.5);  // the law has no force at the optimum: the intervals are the whole box
     covariance.diagonal().setConstant(variance_over_box);
   } else if (n > 0) {
     Vector const signs = response.residuals.array().sign();

@@ -53,9 +53,8 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
                                    std::span<double const> optimum, num::Stream const& stream,
                                    IntervalOptions const& options = {}, Interrupted const& interrupted = {});
 
-// The serial correlation of a series: the length of its blocks in samples, at least 1, by the rule's form for circular
-// blocks, and the tapered autocorrelation up to the lag where it has died out. A series of less than a dozen values
-// counts as independent.
+// The serial correlation of a series: the length of its circular blocks in samples, at least 1, and the tapered
+// autocorrelation up to the lag where it has died out. Less than a dozen values count as independent.
 struct Serial {
   double block = 1.0;
   std::vector<double> correlation = {1.0};  // by lag

@@ -18,9 +18,8 @@
 namespace isolaw {
 
 inline constexpr char const* building_store_name = "building.sqlite";
-// Puts a building (building::read_building, building::building_of) on bearings of a campaign's lot. A building that
-// names no law takes the one that the campaign recommends. `where` names the campaign in messages. Throws Error for a
-// law that was not analysed.
+// Puts a building (building::read_building, building::building_of) on bearings of a campaign's lot. A building without
+// a law takes the recommended one. `where` names the campaign in messages. Throws Error for a law not analysed.
 building::Study building_study(building::BuildingFile file, campaign::Contents const& contents,
                                std::string const& where = "the campaign");
 // The study's model. Called before anything is written. Throws Error for a building or a lot that cannot be analysed.

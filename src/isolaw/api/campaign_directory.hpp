@@ -37,8 +37,7 @@ class DirectoryLock {
   int descriptor_;
 };
 
-// How a continued campaign differs from the one that the directory held.
-struct Continued {
+struct Continued {                 // how a continued campaign differs from the one that the directory held
   std::vector<std::string> added;  // "2 devices", ...
   std::string released;            // the rule set of the stored campaign, where the continued one has none
   // "D01 (v.csv)" for devices whose compression test was not given again: it was kept, or the lot file dropped it.

@@ -16,8 +16,7 @@ struct ReadLimits {
   std::string_view when_missing = {};  // the same for a file that is missing
 };
 
-// Follows links. Throws Error for a file that is missing, too large (checked first), unreadable or not plain: a pipe
-// or a device is never waited for.
+// Follows links. Throws Error for a file that is missing, too large (checked first), unreadable or not plain.
 std::string read_file(std::filesystem::path const& file, ReadLimits const& limits);
 // "a pipe" or the like when the name, with links followed, belongs to something else than a plain file.
 std::optional<std::string> other_than_plain(std::filesystem::path const& file);

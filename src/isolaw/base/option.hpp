@@ -94,14 +94,12 @@ void lay_over(Rows const& rows, Values const& given, Target& target) {
   });
 }
 
-// These check a value given, and throw Error without `where`.
-int whole_of(Json const& value, Limits const& limits);
+int whole_of(Json const& value, Limits const& limits);  // these check a value given and throw Error without `where`
 double real_of(Json const& value, Limits const& limits);
 bool flag_of(Json const& value);
 std::string text_in(Json const& value);
 [[noreturn]] void refuse(Json const& value, std::string allowed);
-// at(&A::b, &B::c): a function that returns a.b.c of an A.
-constexpr auto at(auto... path) {
+constexpr auto at(auto... path) {  // at(&A::b, &B::c): a function that returns a.b.c of an A
   return [=](auto& from) -> auto& {
     return (from.*....*path);
   };
@@ -143,8 +141,7 @@ Option<Target> flag(std::string_view key, std::string help, Access place) {
           [place](Target& to, Json const& value) { place(to) = flag_of(value); }};
 }
 
-// An option that is one of several words, each of which stands for a value. If the values are true and false, these
-// may be given in place of the words.
+// An option that is one of several words, each of which stands for a value; true and false may be given in their place.
 template <class Target, class Access, class T, std::size_t N>
 Option<Target> word(std::string_view key, std::string help, Access place,
                     std::pair<std::string_view, T> const (&words)[N]) {

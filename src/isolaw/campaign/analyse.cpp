@@ -19,8 +19,7 @@
 namespace isolaw::campaign {
 namespace {
 
-// A law on all devices that have an analysis of it: the input of the fits to the lot.
-struct LawOnLot {
+struct LawOnLot {  // a law on all devices that have an analysis of it: the input of the fits to the lot
   std::string_view law;
   int refinement = 1;
   std::vector<std::size_t> devices = {};

@@ -18,8 +18,7 @@
 
 namespace isolaw::campaign {
 
-// The program that computed a part of a campaign.
-struct Maker {
+struct Maker {  // the program that computed a part of a campaign
   std::string version;
   std::string build;            // a hash of the sources that determine numbers; empty if not known
   std::string instruction_set;  // the search's; empty if not known
@@ -46,8 +45,7 @@ struct Device {
   bool usable() const { return refusal.empty(); }
 };
 
-// The search of one law on one device: its box, or the reason why there is none.
-struct Search {
+struct Search {  // a law on a device: its box, or the reason why there is none
   std::size_t device = 0;
   std::string law;
   std::string refusal = {};
@@ -79,8 +77,7 @@ struct Run {
   bool usable() const { return !parameters.empty(); }
 };
 
-// The analysis of a law on one device, at its least objective: what the test determines.
-struct DeviceAnalysis {
+struct DeviceAnalysis {  // a law on one device, at its least objective: what the test determines
   std::size_t device = 0;
   std::string law;
   int refinement = 1;  // that of the run it starts from
@@ -90,8 +87,7 @@ struct DeviceAnalysis {
   std::size_t maker = 0;
 };
 
-// One parameter vector for all devices that have a DeviceAnalysis of the law.
-struct LotAnalysis {
+struct LotAnalysis {  // one parameter vector for all devices that have a DeviceAnalysis of the law
   std::string law;
   int refinement = 1;                          // the largest of the devices'
   std::vector<std::size_t> devices;            // those that took part, in rising order
@@ -101,8 +97,7 @@ struct LotAnalysis {
   std::size_t maker = 0;
 };
 
-// The law of the lot without one device, judged on that device.
-struct LeftOutAnalysis {
+struct LeftOutAnalysis {  // the law of the lot without one device, judged on that device
   std::size_t device = 0;
   std::string law;
   analysis::LeftOut left_out = {};

@@ -1,5 +1,4 @@
-// How much of a campaign is done, and how long the rest takes: work done over all work, each task weighted by what its
-// law's file says that a step costs.
+// How much of a campaign is done, and how long the rest takes. Tasks are weighted by the step cost of their law.
 #pragma once
 
 #include <array>
@@ -16,8 +15,7 @@ namespace isolaw::campaign {
 enum class TaskKind { run, device, lot, left_out };
 inline constexpr std::array task_kinds{TaskKind::run, TaskKind::device, TaskKind::lot, TaskKind::left_out};
 
-// Not thread-safe. `contents` must outlive it.
-class Estimate {
+class Estimate {  // not thread-safe; `contents` must outlive it
  public:
   explicit Estimate(Contents const& contents);  // expects every run and analysis that `contents` lacks
 

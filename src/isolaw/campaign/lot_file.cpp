@@ -93,8 +93,7 @@ void set_date(DeviceInfo& info, Json const& value) {
   info.test_date = text;
 }
 
-// A key of a device's table that states a fact about the device.
-struct InfoOption : Option<DeviceInfo> {
+struct InfoOption : Option<DeviceInfo> {  // a key of a device's table that states a fact about the device
   Measure measure = Measure::text;
 };
 

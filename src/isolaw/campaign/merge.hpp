@@ -1,5 +1,4 @@
-// Merges the parts of a campaign into one store: checks that they belong to one campaign, one build and one instruction
-// set, and copies their runs.
+// Merges the parts of a campaign into one store, after checking that campaign, build and instruction set are the same.
 #pragma once
 
 #include <cstddef>

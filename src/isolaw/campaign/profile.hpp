@@ -27,8 +27,7 @@ struct PhaseCost {
   PhaseCost& operator+=(PhaseCost const& other);
 };
 
-// The cost of one process: work that a continued campaign had stored before is not included. Adding is thread-safe,
-// reading is not.
+// The cost of one process, without work that a continued campaign had stored. Adding is thread-safe, reading is not.
 class Profile {
  public:
   void add(Phase phase, PhaseCost const& cost);

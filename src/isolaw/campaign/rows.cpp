@@ -23,8 +23,7 @@ namespace {
 using sqlite::Connection;
 using sqlite::Statement;
 
-// All of a compression test but its series; empty: there is none.
-std::string to_json(data::VerticalTest const& test) {
+std::string to_json(data::VerticalTest const& test) {  // all of a compression test but its series; empty: there is none
   if (!test.given()) return {};
   nlohmann::ordered_json made;  // in the order of the alphabet, as stores always had it
   if (test.found_kN_per_mm) made["K_v_kN_per_mm"] = *test.found_kN_per_mm;

@@ -30,11 +30,9 @@ bool has_log(std::filesystem::path const& file);
 
 class Connection {
  public:
-  // Each may throw Error and std::bad_alloc.
-  static Connection create(std::filesystem::path const& file);
+  static Connection create(std::filesystem::path const& file);  // each may throw Error and std::bad_alloc
   static Connection to_write(std::filesystem::path const& file);
-  // Takes no locks and makes no files unless a log lies beside `file`, so that stores can be read on read-only media
-  // and on network shares without locks.
+  // Takes no locks and makes no files unless a log lies beside `file`: read-only media and network shares will do.
   static Connection to_read(std::filesystem::path const& file);
   static Connection in_memory();
 
@@ -52,8 +50,7 @@ class Connection {
   std::unique_ptr<sqlite3, Close> db_;
 };
 
-// A prepared statement whose values are bound in order, and whose columns are read in order.
-class Statement {
+class Statement {  // its values are bound in order, and its columns are read in order
  public:
   Statement(Connection const& db, std::string const& sql);
   Statement(Statement const&) = delete;
@@ -99,8 +96,7 @@ class Statement {
   int next_ = 0;
 };
 
-// Begins a transaction, and rolls it back when destroyed without commit().
-class Transaction {
+class Transaction {  // rolls back when destroyed without commit()
  public:
   explicit Transaction(Connection const& db) : db_(db) { db_.execute("BEGIN IMMEDIATE"); }
   Transaction(Transaction const&) = delete;

@@ -44,8 +44,7 @@ class Store {
   // A sentence for each table with rows that this program would not write for `contents`, which read() returned. The
   // values of series are not compared, since read() takes them as they are.
   static std::vector<std::string> foreign_rows(std::filesystem::path const& file, Contents const& contents);
-  // Each is one transaction; not thread-safe. Throws std::logic_error for a result that read() would refuse, and does
-  // not store it.
+  // Each is one transaction; not thread-safe. For a result that read() refuses: std::logic_error, and nothing is stored.
   void add(Run const& run);
   void add(DeviceAnalysis const& analysis);
   void add(LotAnalysis const& analysis);

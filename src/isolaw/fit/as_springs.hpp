@@ -13,8 +13,7 @@ namespace isolaw::fit {
 
 struct AsSprings {
   std::vector<double> parameters;  // the springs', in the law's order and units
-  // Eq. (27) on the record, or its mean over the records: for the law itself, for springs with the law's parameters,
-  // and for springs with `parameters`.
+  // Eq. (27), or its mean over the records: for the law, springs with its parameters, and springs with `parameters`.
   double law = 0.0, given = 0.0, fitted = 0.0;
 };
 

@@ -17,8 +17,7 @@ enum class BoxKind {
   scaled,     // called "auto" by the user: follows from the size of the record
 };
 
-// The option --set law.parameter=value|lo:hi|free|other parameter.
-struct Override {
+struct Override {  // the option --set law.parameter=value|lo:hi|free|other parameter
   std::string law;
   std::string parameter;
   std::optional<laws::Interval> interval;  // equal ends fix the parameter; nullopt: free in its box, or tied
@@ -68,8 +67,7 @@ std::string_view name(AtBound bound);  // "", "lower", "upper"
 AtBound at_bound(SearchParameter const& parameter, double value);
 // Typical sizes of a record's quantities, in the units of the law. Throws Error for a record without samples.
 laws::RecordScales scales_of(data::FitRecord const& record, laws::LawInfo const& law);
-// For parameters that the paper does not calibrate, `published` uses the scaled interval. Throws Error for a parameter
-// that is tied to a tied one.
+// `published` uses the scaled interval for parameters that the paper lacks. Throws Error for one tied to a tied one.
 SearchBox make_box(laws::LawEntry const& law, BoxKind kind, laws::RecordScales const& scales,
                    std::span<Override const> overrides);
 

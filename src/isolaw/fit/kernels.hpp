@@ -15,8 +15,7 @@ using num::InstructionSet;
 using num::name;
 using num::parse_instruction_set;
 
-// A record in the law's units; see LawOnRecord.
-struct KernelRecord {
+struct KernelRecord {  // a record in the law's units; see LawOnRecord
   laws::Path const& path;
   std::span<double const> measured, weight;
 };

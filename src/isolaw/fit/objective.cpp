@@ -245,8 +245,7 @@ void LawOnRecord::objectives(std::size_t count, std::function<void(std::size_t, 
     std::size_t const used = std::min(left, width);
     std::array<bool, wide_block> usable{};
     for (std::size_t lane = 0; lane < width; ++lane) {
-      // A block that is not full repeats its first candidate.
-      candidate(lane < used ? first + lane : first, one);
+      candidate(lane < used ? first + lane : first, one);  // a block that is not full repeats its first candidate
       usable[lane] = std::ranges::all_of(one, [](double value) { return std::isfinite(value); });
       for (std::size_t p = 0; p < dimension; ++p) block[p * width + lane] = one[p];
     }

@@ -26,8 +26,7 @@ inline constexpr double evaluation_tolerance = 1e-9;
 // an objective beyond 1e6, or if a Runge-Kutta step of `paper` is too long to be stable.
 inline constexpr double block_tolerance = 1e-11;
 
-// A law on a displacement history, whose force may be unknown.
-class LawOnMotion {
+class LawOnMotion {  // a law on a displacement history, whose force may be unknown
  public:
   // Every interval between samples is cut into `refinement` equal steps. A law that remembers its path follows the
   // displacement with the record's dead band. The history may be discarded afterwards. Throws Error for a history

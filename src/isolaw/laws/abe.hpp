@@ -81,8 +81,7 @@ Constants<T> constants(Params const& p, Step const& first) {
   return c;
 }
 
-// A whole step, or a straight piece of one, with the peaks at both ends.
-struct Piece {
+struct Piece {  // a whole step, or a straight piece of one, with the peaks at both ends
   double x0, x1, length, direction, peak0, peak1;
   template <class Whole>
   Piece(Whole const& whole, double from, double to)

@@ -20,8 +20,7 @@ namespace isolaw::laws {
 
 namespace kikuchi_aiken {
 
-// The functions of the peak: the force there, the equivalent damping ratio, the hysteretic share of the force, and the
-// exponent of the hardening part.
+// The functions of the peak: force, equivalent damping ratio, hysteretic share, and exponent of the hardening part.
 template <class T>
 struct AtPeak {
   T force, damping, share, exponent;

@@ -67,8 +67,7 @@ struct RecordScales {
   double work = 0.0;       // energy dissipated by the whole record
 };
 
-// A search interval in multiples of a size of the record (limits.hpp names the sizes).
-struct ScaledInterval {
+struct ScaledInterval {  // a search interval in multiples of a size of the record (limits.hpp names the sizes)
   double lower, upper;
   double (*size)(RecordScales const&);
 
@@ -135,17 +134,15 @@ struct LawInfo {
   std::string_view formula;    // lines of plain text with the parameters' names; x, v and F in the units above
   std::string_view note = "";  // how the source was read where it is incomplete, what the law was made for
   LawSet set = LawSet::further;
-  // Time of one step of one candidate [0.01 ns], as `isolaw bench` measured it once with 512-bit lanes. It orders runs
-  // by cost where no clock may be read (campaign/deal.hpp), so it need not be measured again when the law's code
-  // changes.
+  // Time of one step of one candidate [0.01 ns], once measured by `isolaw bench` with 512-bit lanes. It orders runs by
+  // cost where no clock may be read (campaign/deal.hpp) and need not follow changes of the law's code.
   unsigned step_cost = 500;
 };
 
 enum class Integration { converged, paper };
 enum class TurningPoints { as_sampled, interpolated };  // whether the path turns only at samples, or also between them
 
-// One step of the path, in the law's units. It depends on the record alone.
-struct Step {
+struct Step {                       // one step of the path, in the law's units; it depends on the record alone
   double x0, x1;                    // displacement before and after
   double v0, v1;                    // velocity before and after; 0 for a record without time
   double dx;                        // x1 - x0

@@ -1,6 +1,5 @@
 // Fills in the Memory of a path: turning points by Masing's rules, and for each side its peak, travel, softening and
-// way back.
-// Source: docs/laws.md, power-masing and gallardo.
+// way back. Source: docs/laws.md, power-masing and gallardo.
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -36,8 +36,7 @@ namespace flow_parts {
 
 inline constexpr std::size_t terms = 17, guesses = 6;
 
-// Numbers of the fit that are the same for all candidates. They are computed at the first call.
-struct Nodes {
+struct Nodes {  // numbers of the fit that are the same for all candidates, computed at the first call
   using Values = std::array<double, terms>;
   Values place;  // v, or |u|^(1/5) over its largest value, ascending in (0, 1)
   Values fifth;  // place^5
@@ -172,8 +171,7 @@ void SaturatingFlow<T, reach>::Side::fit(T const& n, T const& kappa, T const& re
     for (std::size_t k = 1; k < terms; ++k) sum = sum + T(matrix[row][k]) * values[k];
     return sum;
   };
-  // dt/d|u| without its pole where |u| comes to rest.
-  Coefficients smooth, nodal;
+  Coefficients smooth, nodal;  // dt/d|u| without its pole where |u| comes to rest
   for (std::size_t i = 0; i < terms; ++i) {
     T const u(largest_u * nodes.fifth[i]);
     T const flow = one + kappa * exp2(n * T(nodes.log2_fifth[i] + log2_largest)), pole = rounded(n * (one - rest * u));
@@ -244,8 +242,7 @@ void SaturatingFlow<T, reach>::fit(T const& n, T const& kappa) {
   T const one(1.0), zero(0.0);
   n_ = n;
   kappa_ = kappa;
-  // Written so that NaN counts as outside.
-  auto const within = [&](T const& x, double least, double largest) {
+  auto const within = [&](T const& x, double least, double largest) {  // written so that NaN counts as outside
     return select(x < T(least), zero, select(x <= T(largest), one, zero));
   };
   T const fitting = within(n, flow_parts::least_n, largest_n) *
@@ -330,8 +327,7 @@ auto SaturatingFlow<T, reach>::advance(T const& u, T const& travel) -> Advance {
   static_assert(beyond);
   T const one(1.0), zero(0.0), size = abs(u), w = min(size, T(largest_u));
   T const less = expm1(-(n_ * travel));
-  // s = 1 - E, of either sign, with its x and the u and slope there.
-  struct Start {
+  struct Start {  // s = 1 - E, of either sign, with its x and the u and slope there
     T s, x;
     Slope u;
     T per_end;

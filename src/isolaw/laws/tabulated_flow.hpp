@@ -51,9 +51,8 @@ constexpr std::size_t node_count(double first, double last) {
   return static_cast<std::size_t>(width / spacing + 0.5) + 1;
 }
 
-// The nodes of a reach: from -1 (or -55) through 0 up to saturation, then, beyond saturation, from 55 down to it.
-// Within saturation they are graded towards -1 as well, where the rate 1 + kappa |u|^n nearly vanishes for kappa close
-// to -1.
+// The nodes of a reach: from -1 (or -55) up to saturation, then, beyond saturation, from 55 down to it. Within
+// saturation they are graded towards -1 too, where the rate 1 + kappa |u|^n nearly vanishes for kappa close to -1.
 template <Reach reach>
 struct Layout {
   static constexpr bool falls = reach == Reach::beyond_saturation;

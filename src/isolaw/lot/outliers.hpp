@@ -1,7 +1,6 @@
-// Finds devices that stand out from their lot in some property: a measured one, a parameter of a law, an error of its
-// fit. Source of the score: Iglewicz and Hoaglin 1993.
-// The rules' lot view finds outliers among measured properties by the same score (num::modified_scores), but asks for
-// at least five values, since a verdict depends on them.
+// Finds devices that stand out from their lot in a measured property, a parameter of a law or an error of its fit.
+// Source of the score: Iglewicz and Hoaglin 1993. The rules' lot view uses the same score (num::modified_scores) for
+// measured properties, but asks for at least five values, since a verdict depends on them.
 #pragma once
 
 #include <cstddef>

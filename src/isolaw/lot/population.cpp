@@ -17,8 +17,7 @@ using num::Matrix;
 using num::Vector;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-// An eigenvalue below this share of the largest is rounding error.
-constexpr double rounding = 1e-13;
+constexpr double rounding = 1e-13;  // an eigenvalue below this share of the largest is rounding error
 // A direction has variance if more than this share of it remains; S = C would leave none in exact arithmetic.
 constexpr double least_remainder = 1e-10;
 

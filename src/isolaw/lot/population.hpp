@@ -23,8 +23,7 @@
 
 namespace isolaw::lot {
 
-// The coordinate in which a parameter is taken to be normally distributed: its value, or log|value| with the sign that
-// all devices have.
+// The coordinate in which a parameter is taken to be normal: its value, or log|value| with the sign of all devices.
 enum class Transform { identity, logarithm };
 std::string_view name(Transform transform);
 // logarithm if all values are finite, have the same sign and none is zero: a scatter is then a fraction, and no draw
@@ -33,8 +32,7 @@ Transform transform_for(std::span<double const> values);
 
 using SquareMatrix = std::vector<std::vector<double>>;  // [row][column]
 
-// The fit of one device, in the units of the parameters.
-struct DeviceEstimate {
+struct DeviceEstimate {        // the fit of one device, in the units of the parameters
   std::vector<double> values;  // [n] best fit
   // [n][n] covariance of its error; empty: no error. In log coordinates it becomes C_ij / (value_i value_j). It may be
   // singular, or huge in directions that the test does not determine. Only its symmetric part counts.
@@ -48,8 +46,7 @@ struct Direction {
   double ratio = 0.0;           // lambda: variance of the estimates over that of their errors, at most 1
 };
 
-// Vectors and matrices have an element for each parameter, in the order given, in transformed coordinates unless the
-// comment says otherwise.
+// Vectors and matrices have an element per parameter, in the order given, transformed unless a comment says otherwise.
 struct Population {
   std::vector<std::string> names;
   std::vector<Transform> transforms;

@@ -15,8 +15,7 @@ namespace isolaw::lot {
 // The difference of each device's mean from the mean over devices in percent, 100 (mu_d - mean) / mean as in Eq. (30);
 // positive if it is larger in magnitude. Empty if undefined.
 std::vector<double> percent_differences(std::span<double const> device_means);
-// Delta_n of one parameter, Eqs. (29)-(30): the largest |mu_d - mean| / |mean|. nullopt if undefined or if there are
-// fewer than two devices.
+// Delta_n of one parameter, Eqs. (29)-(30): the largest |mu_d - mean| / |mean|. nullopt if undefined or for one device.
 std::optional<double> largest_relative_difference(std::span<double const> device_means);
 
 struct Robustness {

@@ -314,8 +314,7 @@ ISOLAW_INLINE Indices<W> bisect(Values const& nodes, std::size_t cells, Batch<W>
         return first.part[i] + ((node.part[i] <= x.part[i]) & skip);
       })};
     }
-  // The last of the eight blocks may be longer. In another block the search may look past its end, where all nodes are
-  // greater than x.
+  // The last of the eight blocks may be longer. In another the search may look past the end, where nodes exceed x.
   for (std::size_t length = cells - 7 * block; length > 1;) {
     std::size_t const half = length / 2;
     auto const step = static_cast<std::int64_t>(half);

@@ -14,8 +14,7 @@
 
 namespace isolaw::opt {
 
-// campaign::setting_table() holds the limits of each option.
-struct GeneticOptions {
+struct GeneticOptions {             // campaign::setting_table() holds the limits of each option
   int population = 100;             // even, at least 4
   int generations = 50;             // at most; the initial population is generation 1
   double mutation_rate = 0.01;      // probability per gene

@@ -107,8 +107,7 @@ void write_cost(Cost const& cost, DeviationProblem const& problem, Found& result
   result.failed_evaluations = in_points(cost.failed);
 }
 
-// The problem or its outline, whichever is in use, and the cost so far.
-class Counting {
+class Counting {  // the problem or its outline, whichever is in use, and the cost so far
  public:
   explicit Counting(DeviationProblem const& problem) : problem_(&problem), whole_(problem) {}
 

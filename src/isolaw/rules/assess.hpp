@@ -1,5 +1,4 @@
-// One device against a rule set: every limit on a single device, with the measured value, its deviation from the design
-// value and a verdict.
+// One device against a rule set: every limit on it, with measured value, deviation from the design value and verdict.
 // Only a set that somebody verified gives a pass or a fail, and only under the conditions that it asks for; everything
 // else is information, or not assessed with a reason. A value on the limit passes. Values are compared as measured,
 // never rounded, with a slack of 1e-12 of the bound, since 1.2 times a design value is rarely 20 % in binary to the

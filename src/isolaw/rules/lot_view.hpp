@@ -37,8 +37,7 @@ inline constexpr std::size_t fewest_for_outliers = 5;
 enum class Spread { contract, device, system };
 std::string_view name(Spread spread);  // "contract", "device", "system"
 
-// Factors on the design value (on the lot's mean where there is none), and the property they give.
-struct Bound {
+struct Bound {         // factors on the design value (the lot's mean if there is none), and the property they give
   std::string source;  // "contract band", "observed", "statistical, each device", "statistical, system", ...
   Spread spread = Spread::device;
   FactorPair spec;           // lambda_spec of this source; min NaN where it gives no lower bound, and so all lower ones

@@ -18,10 +18,9 @@ std::string_view name(Quantity quantity);                       // as in rule fi
 std::string_view unit(Quantity quantity);                       // "kN/mm", "%", "kN mm", "kN"
 std::vector<Quantity> const& measured_quantities();  // those of every cycle, in the order of reports: all but K_v
 
-// The force and displacement that stiffness and damping are computed from.
-enum class Formula {
-  peak_to_peak,  // (F+ - F-)/(d+ - d-); E/(2 pi K D^2) with that K and D = (d+ - d-)/2
-  per_side,      // F/d of each side by itself; E/(2 pi F d)
+enum class Formula {  // force and displacement that stiffness and damping are computed from
+  peak_to_peak,       // (F+ - F-)/(d+ - d-); E/(2 pi K D^2) with that K and D = (d+ - d-)/2
+  per_side,           // F/d of each side by itself; E/(2 pi F d)
 };
 
 enum class Counting { one, mean, each };  // one cycle; the mean of a range; every cycle of a range within the limits

@@ -82,8 +82,7 @@ struct BoucWen {
       T const pull = c * at.along * power(square(at), fall);
       return Split<T>(one - pull * at.along, -pull * at.across);
     };
-    // The steepest slope is n |c|.
-    auto const longest = [&](Split<T> const& at, T const& c) {
+    auto const longest = [&](Split<T> const& at, T const& c) {  // the steepest slope is n |c|
       T const own = one / max(n * abs(c), one);
       return T(step_share) * max(min(sqrt(square(at)), own), T(least_distance));
     };

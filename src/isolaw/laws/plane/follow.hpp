@@ -60,8 +60,7 @@ void follow(Split<T>& q, T& l, T const& end, Slope const& slope, Longest const& 
     auto const next = sixth_order(q, l, h, slope);
     q.along = select(moves, next.along, q.along);
     q.across = select(moves, next.across, q.across);
-    // A NaN arrives too, so that the loop ends.
-    l = select(moves, select(bound < left, l + h, end), l);
+    l = select(moves, select(bound < left, l + h, end), l);  // a NaN arrives too, so that the loop ends
   }
 }
 
