@@ -76,9 +76,8 @@ double freedom_lost(std::size_t samples, std::size_t fitted, std::vector<double>
   return independent / std::max(independent - static_cast<double>(fitted), 0.25 * independent);
 }
 
-// V, the variance of the sum of weight * sign * derivatives, where the correlation of two signs depends only on their
-// distance. Rejected: an estimate from the products themselves. If a few samples decide on a parameter, the residuals
-// and with them the products are zero there.
+// V, the variance of the sum of weight * sign * derivatives; the correlation of signs depends on their distance only.
+// Rejected: the products themselves, which are zero where a few samples decide on a parameter.
 Matrix variance_of_score(Sensitivity const& response, std::vector<double> const& correlation) {
   Matrix const rows = response.weights.asDiagonal() * response.jacobian;
   Matrix sum = num::transposed_product(rows, rows);

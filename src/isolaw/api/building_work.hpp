@@ -1,5 +1,4 @@
-// The study of a building on devices drawn from a campaign's lot, shared by the command, Python and api/building.hpp.
-// Not public: these headers need Eigen.
+// A building on devices from a campaign's lot, for the command, Python and api/building.hpp. Not public: needs Eigen.
 #pragma once
 
 #include <cstddef>

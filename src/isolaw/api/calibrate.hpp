@@ -22,8 +22,7 @@ struct CalibrateOptions {
   std::optional<campaign::Part> part = {};              // compute only this share, for merge(); needs a directory
 };
 
-// A campaign's contents, and how they differ from what its directory held before.
-struct Calibrated : campaign::Contents {
+struct Calibrated : campaign::Contents {  // and how they differ from what the directory held before
   Continued continued = {};
 };
 

@@ -25,8 +25,7 @@ class TemporaryDirectory {  // removed by the destructor; the constructor throws
   std::filesystem::path path_;
 };
 
-// Lets one process at a time work in a directory. The lock ends with the process, however that ends.
-class DirectoryLock {
+class DirectoryLock {  // lets one process at a time work in a directory; ends with the process, however that ends
  public:
   explicit DirectoryLock(std::filesystem::path const& directory);  // throws Error where another process holds it
   DirectoryLock(DirectoryLock const&) = delete;
@@ -44,13 +43,11 @@ struct Continued {                 // how a continued campaign differs from the 
   std::vector<std::string> kept_vertical, dropped_vertical;
 };
 
-// A stored compression test that is not given again stays where only records are named. It is gone where a lot file,
-// which says everything about a device, leaves it out.
+// A stored compression test that is not given again: kept if only records are named, gone if a lot file leaves it out.
 enum class LeftOut { stays, is_gone };
 
-// Takes over into `contents` what the store's interrupted or finished campaign has computed. That campaign must have
-// the same settings and inputs, and the same or fewer devices, laws and runs; Error is thrown where it differs. Starts
-// anew where there is no store or `fresh` is true.
+// Takes over into `contents` what the store's campaign has computed. It must have the same settings and inputs, and the
+// same or fewer devices, laws and runs, or Error is thrown. Starts anew where there is no store or `fresh` is true.
 Continued open_or_create(std::filesystem::path const& file, campaign::Contents& contents, bool fresh,
                          LeftOut vertical = LeftOut::stays);
 

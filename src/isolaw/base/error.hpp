@@ -11,8 +11,7 @@ namespace isolaw {
 
 class JsonWriter;
 
-// One problem of an input. Empty parts are left out of the message.
-struct Complaint {
+struct Complaint {                      // one problem of an input; empty parts are left out of the message
   std::string where = {};               // "file:line", a key, an option
   std::string found = {};               // the value or the fault
   std::string allowed = {};             // the values that would have been accepted

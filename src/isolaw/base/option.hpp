@@ -94,7 +94,8 @@ void lay_over(Rows const& rows, Values const& given, Target& target) {
   });
 }
 
-int whole_of(Json const& value, Limits const& limits);  // these check a value given and throw Error without `where`
+// These check a value given, and throw Error without `where`.
+int whole_of(Json const& value, Limits const& limits);
 double real_of(Json const& value, Limits const& limits);
 bool flag_of(Json const& value);
 std::string text_in(Json const& value);

@@ -11,9 +11,8 @@
 namespace isolaw {
 namespace {
 
-// Measures how deep a statement nests, where each dot of a name counts as a level: toml++ takes tables apart by
-// recursion, and a name of a hundred thousand parts would overflow its stack. Quoted text and comments do not count;
-// text that is not TOML is left for the parser to refuse.
+// Measures how deep a statement nests, each dot of a name counting as a level: toml++ recurses, and a name of a hundred
+// thousand parts would overflow its stack. Quoted text and comments do not count; the parser refuses text not TOML.
 class NestingCheck {
  public:
   explicit NestingCheck(std::string_view text) : text_(text) {}

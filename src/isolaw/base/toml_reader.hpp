@@ -1,6 +1,5 @@
 // Reads TOML files from outside safely: bounds the nesting before the parser sees it, collects every mistake with its
-// line, converts no kind of value into another, and takes only printable text of bounded length. Each kind of file has
-// a reader of its own that knows what the keys mean.
+// line, converts no kind of value into another, and takes only printable text of bounded length.
 #pragma once
 
 #include <toml++/toml.h>

@@ -1,4 +1,4 @@
-// Writes files beside and then renames them, so that a reader never sees half of one.
+// Writes a file beside its place and then renames it, so that a reader never sees half of one.
 #pragma once
 
 #include <filesystem>

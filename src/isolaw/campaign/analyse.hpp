@@ -1,5 +1,4 @@
-// The analyses that follow the runs: what each device's test determines of a law, the one law fitted to all devices of
-// the lot, and that law fitted without each device in turn.
+// The analyses that follow the runs: each device's test, one law for all devices, and that law without each in turn.
 #pragma once
 
 #include <cstddef>

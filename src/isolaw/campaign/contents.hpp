@@ -108,8 +108,7 @@ inline constexpr auto by_device_and_law = [](auto const& item) {
   return std::tuple(item.device, std::string_view(item.law));
 };
 
-// Analyses of the campaign when it had fewer runs. That of a device is still valid if its best run is one of those,
-// that of the lot if those of all its devices are.
+// From when the campaign had fewer runs: valid for a device if its best run is one of those, for the lot if all are.
 struct EarlierAnalyses {
   int runs = 0;  // the number per device and law then
   std::vector<DeviceAnalysis> devices = {};
@@ -127,7 +126,7 @@ struct Acceptance {
   bool operator==(Acceptance const&) const = default;
 };
 
-// A share of a campaign's runs for one of several machines: part `number` of `of`. Their results are the same.
+// A share of a campaign's runs for one of several machines: part `number` of `of`. It changes no result.
 struct Part {
   int number = 1, of = 1;
 

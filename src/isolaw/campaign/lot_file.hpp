@@ -70,7 +70,7 @@ Lot read_lot_text(std::string_view text, std::filesystem::path const& file, LotF
 std::string name_of_file(std::filesystem::path const& file);        // printable and without blanks around it
 Lot lot_of_files(std::vector<std::filesystem::path> const& files);  // devices are named after their files
 
-using Particulars = std::map<std::string, std::string>;  // what a record's file states about its device, by key
+using Particulars = std::map<std::string, std::string>;  // statements of a record's file about its device, by key
 
 struct LotFileRemarks {             // comments for the person who edits the file
   bool open_keys = false;           // list the keys of a device that have no value yet

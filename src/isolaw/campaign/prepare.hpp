@@ -1,5 +1,4 @@
-// Turns a lot file, or records in memory, into a campaign's contents: reads and cleans the records and makes the search
-// boxes of every law on every device.
+// Makes a campaign's contents from a lot file or records in memory: cleans the records, makes every law's boxes.
 #pragma once
 
 #include <filesystem>

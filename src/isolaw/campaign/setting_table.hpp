@@ -30,8 +30,7 @@ void apply(Values const& given, Settings& settings);
 struct Sides {  // the two places that differ, as messages name them
   std::string one = "there", other = "now";
 };
-// "method: ga there, best now", for each setting that differs. Settings that only one of two methods has are left out:
-// the difference of method says enough.
+// "method: ga there, best now" for each setting that differs, without settings that only one of two methods has.
 std::vector<std::string> differences(Settings const& there, Settings const& now, Sides const& sides = {});
 
 // The options of the rules that tests are checked against. `rules` is stored as named; the file is not loaded here.

@@ -17,8 +17,7 @@ struct sqlite3_stmt;
 
 namespace isolaw::campaign::sqlite {
 
-// Advice for a damaged store. It names the command that computed the store, since `merge` reads stores of parts as well
-// and its own --fresh would not make them anew.
+// Names the command that computed the store: `merge` also reads parts, and its own --fresh would not make them anew.
 inline constexpr char const* advice_on_damaged =
     "copying it once more, or the command that computed it, with --fresh, which starts over";
 
@@ -117,8 +116,7 @@ class Transaction {  // rolls back when destroyed without commit()
 bool is_plain(std::filesystem::path const& file);                     // stands alone, without a log or journal
 std::filesystem::path unfinished(std::filesystem::path const& file);  // the name of its successor while written
 void remove_unfinished(std::filesystem::path const& file);            // also one that a killed program left
-// Removes the unfinished successor of `file` when destroyed, so declare it before connections to that.
-class Unfinished {
+class Unfinished {  // removes the unfinished successor of `file`; to be declared before connections to that
  public:
   explicit Unfinished(std::filesystem::path file) : file_(std::move(file)) {}
   Unfinished(Unfinished const&) = delete;
@@ -128,8 +126,7 @@ class Unfinished {
  private:
   std::filesystem::path file_;
 };
-// Replaces `file` by `whole`, a file that stands alone and is open nowhere. Whenever the program is stopped, either the
-// former or the new file is there and complete. Throws Error.
+// Replaces `file` by `whole`, which stands alone and is open nowhere. One of both is always complete. Throws Error.
 void move_into_place(std::filesystem::path const& whole, std::filesystem::path const& file);
 // See Store::put_in_order.
 void put_in_order(std::filesystem::path const& file, std::function<void(Connection const&)> const& create_tables);

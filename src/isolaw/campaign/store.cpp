@@ -147,8 +147,7 @@ Store::Taken Store::take_runs(std::filesystem::path const& other) {
   auto const theirs = Connection::to_read(other);
   require_schema(theirs, other);
   auto const maker = own_maker();
-  // The rows of a part are spread over the whole tree. A long log collects the changes of many parts before the file is
-  // written (16384 pages instead of SQLite's 1000).
+  // The rows of a part are spread over the tree: a long log collects many parts (16384 pages instead of SQLite's 1000).
   db_.execute("PRAGMA wal_autocheckpoint = 16384");
   Taken taken;
   Transaction transaction(db_);

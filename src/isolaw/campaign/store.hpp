@@ -44,7 +44,7 @@ class Store {
   // A sentence for each table with rows that this program would not write for `contents`, which read() returned. The
   // values of series are not compared, since read() takes them as they are.
   static std::vector<std::string> foreign_rows(std::filesystem::path const& file, Contents const& contents);
-  // Each is one transaction; not thread-safe. For a result that read() refuses: std::logic_error, and nothing is stored.
+  // Each is one transaction; not thread-safe. Throws std::logic_error, and stores nothing, if read() would refuse it.
   void add(Run const& run);
   void add(DeviceAnalysis const& analysis);
   void add(LotAnalysis const& analysis);
@@ -58,8 +58,7 @@ class Store {
     std::size_t added = 0, there = 0;
   };
   Taken take_runs(std::filesystem::path const& other);
-  // Copies the analyses that are not here yet from another store of this campaign, which must have all its runs, and
-  // returns their number. Likewise all of them or none.
+  // Copies, all or none, missing analyses from another store of this campaign with all its runs; returns their number.
   std::size_t take_analyses(std::filesystem::path const& other);
   // To be called after the last result: folds the write-ahead log into the file. Returns false if another program is
   // reading the store. The log then stays beside the file, and whoever next opens the store to write folds it in.

@@ -15,8 +15,7 @@ namespace {
 // A logarithmic scale that ends at zero covers six decades, then goes linearly to zero; one across zero does so twice.
 constexpr double decades_from_zero = 6.0 * 2.302585092994046;
 
-// value = linear_size sinh(c), with c from asinh(lower / linear_size) to asinh(upper / linear_size).
-struct AcrossZero {
+struct AcrossZero {  // value = linear_size sinh(c), c from asinh(lower / linear_size) to asinh(upper / linear_size)
   double linear_size, from, to;
 
   AcrossZero(double lower, double upper)

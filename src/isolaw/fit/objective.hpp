@@ -42,8 +42,7 @@ class LawOnMotion {  // a law on a displacement history, whose force may be unkn
   laws::Path path(int refinement) const;
 
   std::vector<std::size_t> outline() const;  // indices of samples: all next to a reversal, fewer farther from one
-  // The same law on a part of the samples, given in rising order. If they include the reversals, a law that does not
-  // depend on the rate gives the same forces there.
+  // The same law on part of the samples, in rising order; with the reversals, a law without rate gives the same forces.
   LawOnMotion at(std::span<std::size_t const> samples) const;
   // Computed force [kN] at every sample; not finite if the law gives none. `parameters` are in the law's order and
   // units; `force` has as many elements as there are samples. Thread-safe.
@@ -97,8 +96,7 @@ class LawOnRecord {
 
   std::vector<double> force_kN(std::span<double const> parameters) const { return motion_.force_kN(parameters); }
 
-  // How far the objective moves when integrated more finely: its distance from that of the converged integration on a
-  // path `shift_refinement` times finer.
+  // Distance of the objective from that of the converged integration on a path `shift_refinement` times finer.
   double integration_shift(std::span<double const> parameters) const;
 
  private:

@@ -75,8 +75,7 @@ class Loops {
     T const wanted = T(1.0) - T(0.5 * std::numbers::pi) * now.damping / now.share;
     // A NaN stays: max keeps it in its first argument, and b takes it from `wanted`.
     T const area = max(least_area_, wanted);
-    // Solves area a - 1 + exp(-2a) = 0. The left side is convex, so Newton's method falls on the root from above. From
-    // 1/area five steps leave only rounding for any area up to 1.
+    // Newton's method from above for the convex area a - 1 + exp(-2a) = 0: five steps from 1/area do for any area <= 1.
     T a = T(1.0) / area;
     for (int i = 0; i < 5; ++i) {
       T const e = exp2(T(-2.0 * num::log2_e) * a);

@@ -57,8 +57,7 @@ struct Interval {
 // How an interval is searched. logarithmic: in log|value|, but linearly closer to 0 than a millionth of its larger end.
 enum class Scale { linear, logarithmic };
 
-// The size of a record, in the law's units. Search boxes of devices of any size are scaled from it.
-struct RecordScales {
+struct RecordScales {      // the size of a record, in the law's units; boxes of devices of any size are scaled from it
   double disp = 0.0;       // largest |displacement|
   double force = 0.0;      // largest |force|
   double stiffness = 0.0;  // effective stiffness, peak to peak
@@ -208,8 +207,7 @@ using ParamsOf = typename Law::template Params<T>;
 template <class Law>
 inline constexpr std::size_t parameter_count = Law::template rows<double>.size();
 
-// Only the members of rows<T>: code for batches that used whole rows would carry a copy of the functions that the rows
-// name, compiled for its instruction set.
+// Only the members of rows<T>: whole rows would carry a copy of the functions they name, compiled per instruction set.
 template <class Law, class T>
 inline constexpr auto members = [] {
   std::array<T ParamsOf<Law, T>::*, parameter_count<Law>> pointers{};

@@ -12,8 +12,7 @@ namespace {
 
 // As the peak m grows, travel fades with this power of its growth: dN = |dx|/m - 60 N dm/m, so a first motion has 1/60.
 constexpr int forgetting = 60;
-// Share by which the followed motion is faster than x after a turn, until it equals x again.
-constexpr double catching_up = 0.5;
+constexpr double catching_up = 0.5;  // share by which the followed motion outruns x after a turn, until it equals x
 // Shares of the travel outwards and back that add to the softening G.
 constexpr double softening_outwards = 0.5, softening_back = 4.0;
 

@@ -46,8 +46,7 @@ struct Nodes {  // numbers of the fit that are the same for all candidates, comp
   // From values at the places to coefficients of the Chebyshev polynomials T_k(y), y = 2 place - 1, and from these to
   // coefficients of y^k. One matrix for both would lose six digits more.
   std::array<Values, terms> chebyshev, power;
-  // The same from only a few of the places, and T_k at all places. The fit subtracts this rough polynomial first: what
-  // is left is small and has smaller rounding errors.
+  // The same from only a few places, and T_k at all. The fit first subtracts this rough polynomial, to round less.
   static constexpr std::array<std::size_t, 7> few{0, 2, 5, 8, 11, 14, 16};
   std::array<std::array<double, few.size()>, few.size()> chebyshev_of_few;
   std::array<std::array<double, few.size()>, terms> at_places;
@@ -86,8 +85,7 @@ class SaturatingFlow {
     return value;
   }
 
-  // u after the given travel, also from beyond saturation, with the rates du/dt before and after. ratio = rate1 / rate0
-  // is well defined even where both vanish.
+  // u after the given travel, also from beyond saturation, with du/dt before and after; `ratio` holds where both are 0.
   struct Advance {
     T u, rate0, rate1, ratio;
   };

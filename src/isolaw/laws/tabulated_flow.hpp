@@ -36,13 +36,12 @@ struct Nodes {
   std::array<Cell, Count - 1> cells{};
 };
 
-inline constexpr double spacing = 1.0 / 3.0;  // between values of w, in all gradings
-inline constexpr double smallest_w = -12.0;   // |u| = 6e-6: between -6e-6 and 6e-6 the curve is a straight line
-inline constexpr double largest_w = 16.0;     // |1 - u| = 1e-7: closer to saturation u stays there
-inline constexpr double unloading_w = 14.0;   // |1 + u| = 8e-7: where unloading starts within saturation
-inline constexpr double reach_w = 4.0;        // |u| = 55: beyond it the rate is frozen at its value there
-// Keys of the falling piece, 4.4 to 59, lie above those of the rising one.
-inline constexpr double falling_origin = 60.0;
+inline constexpr double spacing = 1.0 / 3.0;    // between values of w, in all gradings
+inline constexpr double smallest_w = -12.0;     // |u| = 6e-6: between -6e-6 and 6e-6 the curve is a straight line
+inline constexpr double largest_w = 16.0;       // |1 - u| = 1e-7: closer to saturation u stays there
+inline constexpr double unloading_w = 14.0;     // |1 + u| = 8e-7: where unloading starts within saturation
+inline constexpr double reach_w = 4.0;          // |u| = 55: beyond it the rate is frozen at its value there
+inline constexpr double falling_origin = 60.0;  // falling keys, 4.4 to 59, lie above the rising ones
 // Keeps a saturated u in the last cell of its piece; rounding would otherwise move it to the next.
 inline constexpr double just_below_one = 1.0 - 1e-15;
 

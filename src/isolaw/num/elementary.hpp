@@ -221,7 +221,7 @@ template <class T>
   auto const split = elementary::split<T>(base);
   T const whole = elementary::whole_of<T>(split), m = elementary::mantissa_of<T>(split);
   T const s = (m - L::all(1.0)) / (m + L::all(1.0));
-  // base - base is NaN if base is not finite, else 0. Rejected: base * 0, which GCC 12 with -fno-signed-zeros makes 0.
+  // base - base is NaN if base is not finite, else 0. Rejected: base * 0: GCC 12 with -fno-signed-zeros makes it 0.
   T const fraction = s * elementary::polynomial<T>(elementary::power_log2_terms, s * s) + (base - base);
   // Its rounding error returns in `rest`. The expression leaves the compiler only one way to fuse it.
   T const exponent = p * (whole + fraction);

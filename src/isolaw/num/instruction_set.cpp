@@ -57,7 +57,8 @@ bool has_x86_64_v4() {
 #endif
 #endif
 
-constexpr std::array candidates {  // slowest first
+// Slowest first.
+constexpr std::array candidates {
   Candidate{InstructionSet::scalar, "scalar", always},
 #if defined(ISOLAW_X86_KERNELS)
       Candidate{InstructionSet::portable, "sse2", always}, Candidate{InstructionSet::avx2, "avx2", has_x86_64_v3},

@@ -31,7 +31,7 @@ struct NormalSums {
 };
 
 struct RowKernels {
-  // values[c] = sum of weight * |r|, rounded[c] = sum of weight * sqrt(r^2 + delta^2) over column c; padded(columns) each.
+  // values[c] = sum of weight * |r|, rounded[c] = sum of weight * sqrt(r^2 + delta^2) in column c; each padded.
   void (*sizes)(RowTable const& table, std::size_t columns, double delta, double* values, double* rounded);
   // The curvature of `cautious` is weight / size, that of the parabola that touches `size` from above. The curvature of
   // `bold` is cautious_share of that plus bold_share of the true one, weight * delta^2 / size^3. The arrays of `sums`

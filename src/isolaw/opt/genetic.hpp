@@ -56,7 +56,7 @@ struct Cuts {
 Cuts draw_cuts(std::size_t dimension, num::Draws& draws);
 // Double-point crossover: exchanges the genes between two drawn cut points. Points of a single gene stay as they are.
 void crossover(std::span<double> a, std::span<double> b, num::Draws& draws);
-void mutate(std::span<double> point, double rate, num::Draws& draws);  // each gene with probability `rate`
+void mutate(std::span<double> point, double rate, num::Draws& draws);  // redraws each gene with probability `rate`
 // The `count` smallest values, best first, as indices into the parents followed by the children. Failed points come
 // last; equal values keep their order, parents first. count <= parents + children.
 std::vector<std::size_t> survivors(std::span<double const> parents, std::span<double const> children,

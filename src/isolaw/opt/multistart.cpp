@@ -27,8 +27,7 @@ struct Stage {
   double least_gain = 0.0;   // over `patience` iterations at the last delta; below it the stage ends
   std::size_t patience = 4;  // more than one, since iterations stutter where a residual crosses zero
 };
-// At half the residuals' size the corner of the absolute value is still rounded off, and the outline's third of the
-// residuals finds the same valley as all of them (logged).
+// At half the residuals' size the corner is still rounded off, and the outline finds the same valley (logged).
 constexpr Stage approach{.smoothing = 0.5, .iterations = 25};
 // Goes only as far as the tolerance of a hit, 5e-4, since the end is only counted. The least gain is below it.
 constexpr Stage settle{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4};

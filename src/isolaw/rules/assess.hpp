@@ -42,8 +42,7 @@ struct Assessment {
 // Whether it holds that property of a device, one side of it or both, to a limit or its design value.
 bool is_of(Assessment const& assessment, Quantity property);
 
-// Properties of one device at the largest and smallest vertical load, for the limit on that variation.
-struct LoadPair {
+struct LoadPair {  // properties of one device at the largest and smallest vertical load, for the limit on variation
   BlockValues largest, smallest;
 };
 

@@ -39,13 +39,12 @@ CombinedFactors combine(FactorRule const& rule, FactorPair const& environment, F
                         FactorPair const& spec);
 // Half width of the 95 % interval of the mean over all `installed` devices, in percent of that mean, for a known
 // coefficient of variation `cov_percent` between devices: 1.960 standard deviations of the normal distribution. A mean
-// of N independent devices scatters by CoV/sqrt(N): 2.6 % for N = 28 and CoV 7 %. Where n of them are `tested`, only
+// of N independent devices scatters by CoV/sqrt(N): 2.6 % for N = 28 and CoV 7 %. With n of them `tested`, only the
 // others are unknown; the factor of a finite population, sqrt((N - n)/(N - 1)), gives 2.3 % for 6 tested devices and 0
 // for all. The lot's mean and CoV count as known, unlike in prediction_half_width_percent().
 double system_half_width_percent(double cov_percent, int installed, int tested);
 // The same half width about the mean of the `tested` devices, where mean and CoV are estimates: t(0.975, n - 1) CoV
-// sqrt(1/n - 1/N), the prediction of a finite population's mean (Cochran 1977, 2.8). N = 28, n = 6, CoV 7 %: 6.5 %. NaN
-// for fewer than two tested devices.
+// sqrt(1/n - 1/N) (Cochran 1977, 2.8). N = 28, n = 6, CoV 7 %: 6.5 %. NaN for fewer than two tested devices.
 double prediction_half_width_percent(double cov_percent, int installed, int tested);
 
 }  // namespace isolaw::rules

@@ -11,8 +11,8 @@ namespace {
 struct Names {
   std::string_view name, unit;
 };
+// In the order of Quantity.
 constexpr std::array<Names, 6> names{
-    // in the order of Quantity
     {{"K_eff", "kN/mm"}, {"damping", "%"}, {"energy", "kN mm"}, {"Q_d", "kN"}, {"K_d", "kN/mm"}, {"K_v", "kN/mm"}}};
 
 }  // namespace

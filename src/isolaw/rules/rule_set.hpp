@@ -42,8 +42,7 @@ struct TestConditions {
 
 enum class Scope { each, mean };  // every device by itself; the mean over the devices of the lot
 
-// A limit on the deviation from the design value. Both ends pass; a limit with one end only is one-sided.
-struct Limit {
+struct Limit {  // on the deviation from the design value; both ends pass; with one end only it is one-sided
   Quantity quantity = Quantity::K_eff;
   Scope scope = Scope::each;
   std::optional<double> lower_percent, upper_percent;
@@ -91,8 +90,7 @@ struct FactorRule {            // see combine() in factors.hpp
   std::vector<PropertyFactors> properties;
 };
 
-// An analysis may use mean properties where the extremes differ from the mean by no more than this.
-struct MeanAnalysisRule {
+struct MeanAnalysisRule {  // mean properties will do where the extremes differ from the mean by no more than this
   double within_percent = 0.0;
   std::string clause;
 };

@@ -1,5 +1,4 @@
-// tanh or tan, and 1 / cosh or 1 / cos, for the flows p' = 1 - c p^2, s' = -c p s with either sign of c. It needs only
-// arithmetic and exponentials, which every scalar has.
+// tanh or tan, and 1 / cosh or 1 / cos, for p' = 1 - c p^2, s' = -c p s with any c, by arithmetic and exponentials.
 #pragma once
 
 #include "isolaw/laws/law.hpp"
