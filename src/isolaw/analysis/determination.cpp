@@ -68,8 +68,7 @@ class Examination {
     return result_;
   }
 
-  // The law has no force at the point that was given.
-  Determination nothing_determined() {
+  Determination nothing_determined() {  // the law has no force at the given point
     for (auto const* p : free_)
       result_.parameters.push_back({.parameter = index_of(*p),
                                     .verdict = Verdict::undetermined,
@@ -135,10 +134,9 @@ class Examination {
   // Whether a change of the parameters by half would be visible if the law were linear.
   bool is_seen(double force_change) const { return weakly_determined_within * force_change >= visible_change(); }
 
-  // Adds a direction as a trade-off if it is not visible. alone[i] is the force change by parameter i alone, which is
-  // visible for each of them. The trade-off names the parameters that change by at least a tenth of the largest change.
-  // A small change counts too if the parameter is a strong one: then its share of the force change decides, which must
-  // be at least a tenth of the largest.
+  // Adds a direction as a trade-off if it is not visible; alone[i], the force change by parameter i alone, is.
+  // The trade-off names parameters that change by at least a tenth of the largest change; a strong one also if its
+  // share of the force change is at least a tenth of the largest.
   void add_direction(Vector const& direction, double singular_value, std::vector<std::size_t> const& acting,
                      Vector const& alone) {
     constexpr double takes_part = 0.1;
@@ -192,8 +190,7 @@ class Examination {
     double end = 0.0;                               // coordinate where the rise is reached, or the edge of the box
     bool open = false;                              // the rise is not reached inside the box
   };
-  // Both sides of a parameter's profile. The first lower objective found ends them.
-  struct Sides {
+  struct Sides {  // both sides of a parameter's profile; the first lower objective found ends them
     Side below = {}, above = {};
     int evaluations = 0;
     Point lower_at = {};

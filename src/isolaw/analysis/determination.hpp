@@ -1,6 +1,5 @@
 // Tells which parameters of a law a test determines: how far each may change before the loop gets visibly worse, and
 // which of them trade off against each other.
-//
 // A parameter is judged by the profile of the objective: it is held at a value and all others are fitted again. The
 // test leaves open the range in which the objective stays within `rise` of its least value (profiles: Raue et al. 2009,
 // Bioinformatics 25, 1923). Directions in which several parameters change together while the forces stay the same are
@@ -21,15 +20,13 @@ namespace isolaw::analysis {
 
 enum class Verdict { determined, weakly_determined, undetermined, at_bound };
 std::string_view name(Verdict verdict);  // "determined", "weakly determined", "undetermined", "at its bound"
-
 // A rise of the objective is invisible in the loops up to visible_rise times its least value, or least_visible_rise.
 inline constexpr double visible_rise = 0.01, least_visible_rise = 1e-4;
 // A parameter is determined, or weakly determined, if its open range reaches no farther than this from its value,
 // relative to the value (for a box that spans zero to at least a hundredth of the box).
 inline constexpr double determined_within = 0.05, weakly_determined_within = 0.5;
 
-// The least objective with the parameter held at each of these values, in rising order.
-struct Profile {
+struct Profile {  // the least objective with the parameter held at each of these values, in rising order
   std::vector<double> value;
   std::vector<double> objective;
 };

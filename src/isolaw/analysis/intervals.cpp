@@ -76,9 +76,8 @@ double freedom_lost(std::size_t samples, std::size_t fitted, std::vector<double>
   return independent / std::max(independent - static_cast<double>(fitted), 0.25 * independent);
 }
 
-// V, the variance of the sum of weight * sign * derivatives, where the correlation of two signs depends only on their
-// distance. Rejected: an estimate from the products themselves. If a few samples decide on a parameter, the residuals
-// and with them the products are zero there.
+// V, the variance of the sum of weight * sign * derivatives; the correlation of signs depends on their distance only.
+// Rejected: the products themselves, which are zero where a few samples decide on a parameter.
 Matrix variance_of_score(Sensitivity const& response, std::vector<double> const& correlation) {
   Matrix const rows = response.weights.asDiagonal() * response.jacobian;
   Matrix sum = num::transposed_product(rows, rows);
@@ -96,7 +95,7 @@ Matrix variance_of_score(Sensitivity const& response, std::vector<double> const&
   return num::product_of_transposed(axes, eigen.values.cwiseMax(0.0), axes);
 }
 
-constexpr double variance_over_box = 1.0 / 12.0;  // of a uniform distribution over the unit interval
+constexpr double variance_over_box = 1.0 / 12.0;  // a uniform distribution over the unit interval
 
 // H^-1 V H^-1 in coordinates of the unit box. No direction gets more variance than a uniform distribution over the box.
 Matrix covariance_in_box(Matrix const& H, Matrix const& V) {
@@ -172,8 +171,7 @@ Serial serial(std::span<double const> series, double mean) {
 std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox const& box,
                                    std::span<double const> optimum, num::Stream const& stream,
                                    IntervalOptions const& options, Interrupted const& interrupted) {
-  // In `inner`, parameters at a bound are fixed there.
-  auto inner = box;
+  auto inner = box;  // in `inner`, parameters at a bound are fixed there
   for (std::size_t i = 0; i < box.parameters.size(); ++i) {
     auto& p = inner.parameters[i];
     if (fit::at_bound(p, optimum[i]) == fit::AtBound::no) continue;
@@ -192,8 +190,7 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
   auto const response = n > 0 ? sensitivity(problem, start) : Sensitivity();
   if (n > 0) result.evaluations += static_cast<int>(2 * n + 1);
   if (!response.residuals.allFinite()) {
-    // The law has no force at the optimum: the intervals are the whole box.
-    start.assign(n, 0.5);
+    start.assign(n, 0.5);  // the law has no force at the optimum: the intervals are the whole box
     covariance.diagonal().setConstant(variance_over_box);
   } else if (n > 0) {
     Vector const signs = response.residuals.array().sign();

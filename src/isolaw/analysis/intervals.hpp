@@ -1,5 +1,4 @@
 // The uncertainty of fitted parameters, computed in two ways, for residuals that depend on their neighbours.
-//
 // Linearisation: the estimate by least absolute residuals is asymptotically normal with covariance H^-1 V H^-1 (Koenker
 // and Bassett 1978). H is the curvature of the expected objective, sum 2 f w J J^T, where f is the density of the
 // residuals at zero, from a kernel and their local size. V is the variance of the score w sign(r) J, where the signs
@@ -11,7 +10,6 @@
 // linear law nor residuals of one kind. Long correlation leaves few blocks: with three dozen independent samples,
 // intervals of 95 % cover 89 %. The length of the blocks follows from the correlation of the residuals' signs (Politis
 // and White 2004, corrected by Patton et al. 2009) and is at most an eighth of the samples.
-//
 // Both tell how far another record of the same device could move the fit if the law's misfit were noise. They do not
 // tell whether the law is true, and they are no distribution of the parameters.
 #pragma once
@@ -55,9 +53,8 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
                                    std::span<double const> optimum, num::Stream const& stream,
                                    IntervalOptions const& options = {}, Interrupted const& interrupted = {});
 
-// The serial correlation of a series: the length of its blocks in samples, at least 1, by the rule's form for circular
-// blocks, and the tapered autocorrelation up to the lag where it has died out. A series of less than a dozen values
-// counts as independent.
+// The serial correlation of a series: the length of its circular blocks in samples, at least 1, and the tapered
+// autocorrelation up to the lag where it has died out. Less than a dozen values count as independent.
 struct Serial {
   double block = 1.0;
   std::vector<double> correlation = {1.0};  // by lag

@@ -18,13 +18,12 @@ fit::SearchBox common_box(std::span<fit::SearchBox const* const> boxes);
 struct OneLaw {
   std::vector<double> parameters;  // all of the law's
   std::vector<double> objectives;  // one for each device
-  double mean = 0.0, worst = 0.0;  // of the objectives
+  double mean = 0.0, worst = 0.0;  // over the objectives
   int evaluations = 0;             // each of one device's record
 };
 
-// The law with the least mean objective, by descents from the devices' own optima (a dozen, evenly chosen, if there are
-// more) and from their median. optima[device] holds all of the law's parameters. nullopt if interrupted or if no start
-// has a finite force on every device.
+// The law with the least mean objective, by descents from the devices' own optima (at most a dozen, evenly chosen) and
+// their median. optima[device] holds all parameters. nullopt if interrupted or no start has finite forces everywhere.
 std::optional<OneLaw> least_mean(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,
                                  std::span<std::vector<double> const> optima, Interrupted const& interrupted = {});
 

@@ -15,8 +15,7 @@ namespace isolaw::analysis {
 // Called between the parts of long work, which is given up once it returns true.
 using Interrupted = std::function<bool()>;
 
-// The same residuals with other weights, which must sum to 1.
-class Reweighted final : public opt::DeviationProblem {
+class Reweighted final : public opt::DeviationProblem {  // the same residuals with other weights, which must sum to 1
  public:
   Reweighted(opt::DeviationProblem const& base, std::vector<double> weights);
   std::size_t dimension() const override { return base_.dimension(); }
@@ -37,8 +36,7 @@ class Reweighted final : public opt::DeviationProblem {
   std::unique_ptr<Reweighted> outline_;
 };
 
-// The problem in the other coordinates while one is held at a value.
-class Held final : public opt::DeviationProblem {
+class Held final : public opt::DeviationProblem {  // the problem in the other coordinates while one is held at a value
  public:
   Held(opt::DeviationProblem const& base, std::size_t coordinate, double value);
   std::size_t dimension() const override { return base_.dimension() - 1; }

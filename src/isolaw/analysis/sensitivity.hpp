@@ -11,18 +11,14 @@
 namespace isolaw::analysis {
 
 struct Sensitivity {
-  num::Vector residuals, weights;  // of the samples with a weight above 0
+  num::Vector residuals, weights;  // for the samples with a weight above 0
   num::Matrix jacobian;            // samples x free parameters: derivatives by coordinates of the unit box
 };
 
 // By central differences inside the box. A column is zero if a neighbour has no finite force.
 Sensitivity sensitivity(opt::DeviationProblem const& problem, std::span<double const> point);
-
-// d value / d coordinate of the unit box.
-double slope(fit::SearchParameter const& parameter, double coordinate);
-
-// The size that relative changes of a parameter refer to: |value|, but at least a hundredth of the box if the value is
-// zero or the box spans zero.
+double slope(fit::SearchParameter const& parameter, double coordinate);  // d value / d coordinate of the unit box
+// The size that relative changes refer to: |value|, at least a hundredth of the box if that spans zero or value is 0.
 double natural_size(fit::SearchParameter const& parameter, double value);
 
 std::vector<fit::SearchParameter const*> free_parameters(fit::SearchBox const& box);

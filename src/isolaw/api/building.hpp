@@ -69,9 +69,8 @@ class Building {
   std::shared_ptr<StudiedBuilding const> study_;
 };
 
-// The same settings, motions and campaign give the same bytes in the directory as the program, whatever the number of
-// threads. Throws Error for everything wrong in the building, for a law that was not analysed, and where the directory
-// holds another study.
+// Equal settings, motions and campaign give the same bytes in the directory as the program, whatever the number of
+// threads. Throws Error for a wrong building, a law that was not analysed, and another study in the directory.
 Building study_building(BuildingInput const& input, campaign::Contents const& contents,
                         BuildingOptions const& options = {});
 

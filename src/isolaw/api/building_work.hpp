@@ -1,5 +1,4 @@
-// The study of a building on devices drawn from a campaign's lot, shared by the command, Python and api/building.hpp.
-// Not public: these headers need Eigen.
+// A building on devices from a campaign's lot, for the command, Python and api/building.hpp. Not public: needs Eigen.
 #pragma once
 
 #include <cstddef>
@@ -18,13 +17,10 @@
 namespace isolaw {
 
 inline constexpr char const* building_store_name = "building.sqlite";
-
-// Puts a building (building::read_building, building::building_of) on bearings of a campaign's lot. A building that
-// names no law takes the one that the campaign recommends. `where` names the campaign in messages. Throws Error for a
-// law that was not analysed.
+// Puts a building (building::read_building, building::building_of) on bearings of a campaign's lot. A building without
+// a law takes the recommended one. `where` names the campaign in messages. Throws Error for a law not analysed.
 building::Study building_study(building::BuildingFile file, campaign::Contents const& contents,
                                std::string const& where = "the campaign");
-
 // The study's model. Called before anything is written. Throws Error for a building or a lot that cannot be analysed.
 building::Model possible(building::Study const& study);
 
@@ -42,7 +38,7 @@ struct StudiedBuilding {
   building::Study study;
   bool complete = false;                     // false after an interruption
   std::size_t runs = 0;                      // in the store
-  std::optional<building::Answers> answers;  // of a complete study that is no part
+  std::optional<building::Answers> answers;  // those of a complete study that is no part
   // Rows of building::Layout::count() measures for the draws: [law][draw][motion]. NaN where a run gave none.
   std::vector<double> measured;
   building::Layout layout;
@@ -50,7 +46,6 @@ struct StudiedBuilding {
 
 // A quantity of every draw: [law][draw][motion]. Throws Error for an unknown quantity.
 std::vector<double> peaks_of(StudiedBuilding const& studied, std::string_view quantity);
-
 // Computes the runs that the directory does not hold yet (all without one) and writes the reports there. Store and
 // reports have the same bytes as the program's, whatever the number of threads. Throws Error for a building that cannot
 // be analysed, for another study in the directory, and for a part without a directory.

@@ -22,20 +22,16 @@ struct CalibrateOptions {
   std::optional<campaign::Part> part = {};              // compute only this share, for merge(); needs a directory
 };
 
-// A campaign's contents, and how they differ from what its directory held before.
-struct Calibrated : campaign::Contents {
+struct Calibrated : campaign::Contents {  // and how they differ from what the directory held before
   Continued continued = {};
 };
 
 // Loads the text of the named rule set where it is not loaded yet, and checks it and the design values. Throws Error.
 void load_rules(campaign::Acceptance& acceptance);
-
 // Computes what is missing in the store's campaign, whose contents are given, and writes its reports beside the store;
-// a part has no reports. Returns the contents as another program would read them there, incomplete after an
-// interruption.
+// a part has none. Returns the contents as another program would read them, incomplete after an interruption.
 campaign::Contents finish_campaign(campaign::Contents contents, std::filesystem::path const& store,
                                    campaign::RunOptions const& options);
-
 // Fits `settings.laws` (the usual laws where empty) to every record, as `isolaw calibrate` does: the same settings,
 // records, names and seed give the same numbers, whatever the number of threads. After an interruption complete() is
 // false; the same call continues a campaign that has a directory. Throws Error for empty or repeated names, wrong

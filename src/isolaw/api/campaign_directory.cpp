@@ -73,8 +73,7 @@ DirectoryLock::~DirectoryLock() {
 
 Continued open_or_create(std::filesystem::path const& file, campaign::Contents& contents, bool fresh,
                          LeftOut vertical) {
-  // A kill between the two steps leaves the former store without its reports, which can be made again. There are never
-  // reports of one campaign beside the store of another.
+  // A kill between the two steps loses only reports, which can be made again; it never leaves another campaign's.
   auto const create = [&] {
     campaign::Store::create(file, contents, [&] { render::remove_outputs(file.parent_path()); });
   };

@@ -11,11 +11,9 @@ namespace isolaw {
 
 inline constexpr char const* store_name = "campaign.sqlite";
 
-// Makes the directory and its parents where they are missing. Throws Error.
-void make_directory(std::filesystem::path const& directory);
+void make_directory(std::filesystem::path const& directory);  // with its parents; throws Error
 
-// A new temporary directory that the destructor removes. The constructor throws Error.
-class TemporaryDirectory {
+class TemporaryDirectory {  // removed by the destructor; the constructor throws Error
  public:
   TemporaryDirectory();
   TemporaryDirectory(TemporaryDirectory const&) = delete;
@@ -27,11 +25,9 @@ class TemporaryDirectory {
   std::filesystem::path path_;
 };
 
-// Lets one process at a time work in a directory. The lock ends with the process, however that ends.
-class DirectoryLock {
+class DirectoryLock {  // lets one process at a time work in a directory; ends with the process, however that ends
  public:
-  // Throws Error where another process holds the lock.
-  explicit DirectoryLock(std::filesystem::path const& directory);
+  explicit DirectoryLock(std::filesystem::path const& directory);  // throws Error where another process holds it
   DirectoryLock(DirectoryLock const&) = delete;
   DirectoryLock& operator=(DirectoryLock const&) = delete;
   ~DirectoryLock();
@@ -40,21 +36,18 @@ class DirectoryLock {
   int descriptor_;
 };
 
-// How a continued campaign differs from the one that the directory held.
-struct Continued {
+struct Continued {                 // how a continued campaign differs from the one that the directory held
   std::vector<std::string> added;  // "2 devices", ...
   std::string released;            // the rule set of the stored campaign, where the continued one has none
   // "D01 (v.csv)" for devices whose compression test was not given again: it was kept, or the lot file dropped it.
   std::vector<std::string> kept_vertical, dropped_vertical;
 };
 
-// A stored compression test that is not given again stays where only records are named. It is gone where a lot file,
-// which says everything about a device, leaves it out.
+// A stored compression test that is not given again: kept if only records are named, gone if a lot file leaves it out.
 enum class LeftOut { stays, is_gone };
 
-// Takes over into `contents` what the store's interrupted or finished campaign has computed. That campaign must have
-// the same settings and inputs, and the same or fewer devices, laws and runs; Error is thrown where it differs. Starts
-// anew where there is no store or `fresh` is true.
+// Takes over into `contents` what the store's campaign has computed. It must have the same settings and inputs, and the
+// same or fewer devices, laws and runs, or Error is thrown. Starts anew where there is no store or `fresh` is true.
 Continued open_or_create(std::filesystem::path const& file, campaign::Contents& contents, bool fresh,
                          LeftOut vertical = LeftOut::stays);
 

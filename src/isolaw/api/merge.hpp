@@ -25,12 +25,10 @@ struct MergeCallOptions {
 campaign::Contents merge(std::filesystem::path const& directory, std::vector<std::filesystem::path> const& parts,
                          MergeCallOptions const& options = {});
 
-// The first half of merge(), for callers that hold the directory's lock and finish by other means: it reports missing
-// runs to options.missing and does not throw for them.
+// The first half of merge(), for callers that hold the lock: missing runs go to options.missing and do not throw.
 campaign::Merged merge_runs(DirectoryLock const& lock, std::filesystem::path const& directory,
                             std::vector<std::filesystem::path> const& parts, MergeCallOptions const& options);
-// The store of a part: `part` itself if it is a file, else `name` in it. Throws Error where that is the store in
-// `directory`, the directory that is merged into.
+// The store of a part: `part` itself if it is a file, else `name` in it. Throws Error if it is that of `directory`.
 std::filesystem::path store_of_part(std::filesystem::path const& part, std::filesystem::path const& directory,
                                     std::string const& name = store_name);
 

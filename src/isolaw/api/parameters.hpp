@@ -18,19 +18,16 @@ struct NamedValue {
 
 // Reads "Ke=2.5", in the law's units. Throws Error for a text of another form.
 NamedValue parse_named_value(std::string_view text, std::string const& where);
-
 // Reads a file of TOML or JSON with `name = value` for each parameter, in the law's units, at the top or in a table
 // with the law's id. Throws one Error with every value that is no number; parameters_in_order() checks the names.
 std::vector<NamedValue> read_parameter_file(std::filesystem::path const& file, laws::LawEntry const& law);
 
-// Whether values within their single limits must also meet the law's joint limits. A search may try values that do not:
-// their objective is infinite or poor.
+// Whether values must also meet the law's joint limits. A search may try others: their objective is infinite or poor.
 enum class Together { checked, left };
 
-// The values of all parameters of the law in its order and units. Parameters that are fixed by default may be missing.
-// Throws one Error with everything wrong: unknown or repeated names, missing parameters, values outside their physical
-// limits; where all of these are right, a joint limit that is not met. `where` is the place in messages about values
-// without a place of their own.
+// The values of all parameters in the law's order and units; parameters fixed by default may be missing. Throws one
+// Error with everything wrong: unknown or repeated names, missing parameters, values outside their physical limits,
+// else a joint limit that is not met. `where` is the place in messages about values without a place of their own.
 std::vector<double> parameters_in_order(laws::LawEntry const& law, std::vector<NamedValue> const& values,
                                         std::string const& where, Together together = Together::checked);
 

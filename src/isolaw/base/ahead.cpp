@@ -102,7 +102,6 @@ void WorkAhead::need(std::size_t i) {
   if (states_[i].compare_exchange_strong(expected, State::taken)) {
     perform(i);
   } else {
-    // Another thread is computing item i: this one computes further open items instead of waiting.
     while (states_[i] != State::done && do_one()) continue;
     states_[i].wait(State::taken);
   }

@@ -29,13 +29,11 @@ class HelpListener {
   HelpListener* before_;
 };
 
-// A group of threads that help one another: each WorkAhead that a member creates (see Membership) is offered to the others.
+// Threads that help one another: each WorkAhead that a member creates (see Membership) is offered to the others.
 class WorkerGroup {
  public:
   static WorkerGroup* current();  // the calling thread's group, or null
-
-  // Computes offered items, and sleeps while there are none, until finished() is true. finished() is called with the
-  // group's mutex held.
+  // Computes offered items or sleeps until finished() is true, which is called with the group's mutex held.
   void help_until(std::function<bool()> const& finished);
   void changed();  // to be called after a change of anything that finished() looks at
 
@@ -49,7 +47,6 @@ class WorkerGroup {
   std::vector<WorkAhead*> offered_;
 };
 
-// Makes the calling thread a member of the group for the lifetime of this object.
 class Membership {
  public:
   explicit Membership(WorkerGroup& crew);
@@ -62,17 +59,14 @@ class Membership {
 };
 
 // Items 0 to count - 1 of a piece of work. `work` may be called from several threads, at most once for each item, also
-// for items that are never needed; the result of one item must not depend on another. Without a group (see WorkerGroup) every
-// item is computed when it is needed.
+// for items never needed; no item's result may depend on another. Without a group items are computed when needed.
 class WorkAhead {
  public:
   WorkAhead(std::size_t count, std::function<void(std::size_t)> work);
   ~WorkAhead();  // begins no further item, and waits for those that helpers are computing
   WorkAhead(WorkAhead const&) = delete;
   WorkAhead& operator=(WorkAhead const&) = delete;
-
-  // Returns when item `i` is done. Throws what its work threw.
-  void need(std::size_t i);
+  void need(std::size_t i);  // returns when item `i` is done; throws what its work threw
 
  private:
   friend class WorkerGroup;
@@ -85,7 +79,7 @@ class WorkAhead {
   std::vector<std::atomic<State>> states_;
   std::vector<std::exception_ptr> failures_;
   std::atomic<std::size_t> next_open_ = 0;
-  std::size_t helpers_ = 0;  // guarded by the crew's mutex
+  std::size_t helpers_ = 0;  // guarded by the group's mutex
   WorkerGroup* crew_;
   HelpListener* watch_;
 };

@@ -11,18 +11,16 @@ namespace isolaw {
 
 class JsonWriter;
 
-// One problem of an input. Empty parts are left out of the message.
-struct Complaint {
+struct Complaint {                      // one problem of an input; empty parts are left out of the message
   std::string where = {};               // "file:line", a key, an option
-  std::string found = {};               // what was found there
-  std::string allowed = {};             // what would have been accepted
-  std::string advice = {};              // what to try
-  std::vector<std::string> names = {};  // of the columns there are, where one was looked for; not in the message
+  std::string found = {};               // the value or the fault
+  std::string allowed = {};             // the values that would have been accepted
+  std::string advice = {};              // a remedy to try
+  std::vector<std::string> names = {};  // the columns there are, where one was looked for; not in the message
 };
 
 // "where: found; allowed: ...; try: ...", with control characters spelled out.
 std::string to_string(Complaint const& complaint);
-
 // The same as data: an array of objects with these parts, cleaned as in the message; an empty part is "".
 void write_complaints(JsonWriter& out, std::vector<Complaint> const& complaints);
 

@@ -63,8 +63,7 @@ std::string read_file(fs::path const& file, ReadLimits const& limits) {
     if (size > limits.largest_bytes) refuse("is " + size_text(size, limits.largest_bytes), limits.when_too_large);
   };
 
-  // Checked before it is opened, since opening a device may set it going, and after, since the name may lead to
-  // another file by then.
+  // Checked before opening, which may set a device going, and after, since the name may lead elsewhere by then.
   struct stat status {};
   if (::stat(file.c_str(), &status) != 0) {
     bool const missing = errno == ENOENT || errno == ENOTDIR;

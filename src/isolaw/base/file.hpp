@@ -1,5 +1,4 @@
-// Safe access to files that a user names or someone else wrote: reads plain files of bounded size, and tells whether a
-// name leads out of a folder.
+// Reads plain files of bounded size that a user names or someone else wrote; tells whether a name leaves a folder.
 #pragma once
 
 #include <cstdint>
@@ -17,13 +16,10 @@ struct ReadLimits {
   std::string_view when_missing = {};  // the same for a file that is missing
 };
 
-// The bytes of the file. Links are followed. Throws Error if there is no such file, if it is a directory, pipe, socket
-// or device (these are never waited for), if it is too large (checked before reading) or cannot be read.
+// Follows links. Throws Error for a file that is missing, too large (checked first), unreadable or not plain.
 std::string read_file(std::filesystem::path const& file, ReadLimits const& limits);
-
 // "a pipe" or the like when the name, with links followed, belongs to something else than a plain file.
 std::optional<std::string> other_than_plain(std::filesystem::path const& file);
-
 // The real place of `file`, with links followed, if that is neither `folder` nor below it; nullopt if it is. For a part
 // that does not exist yet its name decides. A name that cannot be followed, such as a circle of links, is outside.
 std::optional<std::filesystem::path> leads_outside(std::filesystem::path const& file,

@@ -1,6 +1,5 @@
 // A finding is whatever the program has to say besides numbers: a warning, a doubt, an answer, a piece of advice. It
-// travels as fields. The module `wording` holds one table with a row for each kind, which makes the sentence when it is
-// printed; no code reads a sentence back.
+// travels as fields; the table of the module `wording` makes its sentence for printing. No code reads a sentence back.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +11,7 @@
 
 namespace isolaw {
 
-// The table in wording/table.cpp has its rows in the same order, which is the order in which findings are shown: the
-// most serious first.
+// In the order of the table in wording/table.cpp, which is the order of display: the most serious first.
 // clang-format off
 enum class FindingKind {
   // [campaign]
@@ -41,7 +39,7 @@ enum class FindingKind {
   no_cyclic_properties, signal_clipped, signal_stuck, signal_without_sign, signal_interrupted, signal_spike,
   cycle_gives_energy, cycle_not_stiff, not_cyclic, no_complete_cycle, no_cycle_counts, samples_too_few,
   vertical_test_refused,
-  // What is read may be wrong.
+  // Doubts about the data as read.
   units_implausible, vertical_stiffness_implausible, vertical_softer_than_expected, time_in_days,
   about_acceleration, cycle_unlike_neighbours, force_late, friction_in_force, samples_few, time_uneven, time_jumps,
   noise, drift, loop_open, speed_off, off_centre, starts_off_zero, several_amplitudes, damping_undefined,
@@ -53,7 +51,7 @@ enum class FindingKind {
   // How it was read: the word "text" says it.
   file_format, header_found, column_taken, columns_unused, units_given, time_scale, no_time_column, rows_read,
   test_chosen, file_joined, force_flipped,
-  // What was done to it: corrections, and the steps before laws are fitted to it.
+  // Corrections, and the steps before laws are fitted.
   spikes_repaired, skew_removed, friction_removed, inertia_removed, force_multiplied, centred, smoothed,
   not_smoothed, scored_in_part, all_samples_kept, velocity_computed, no_velocity, samples_thinned,
   // The condition under which a device's damping is another one: study/value_doubts.hpp.
@@ -85,7 +83,6 @@ struct Finding {
 
   bool operator==(Finding const&) const = default;
 
-  // `fallback` where the finding has no number of that name.
   double number(std::string_view name, double fallback = 0.0) const {
     auto const found = std::ranges::find(numbers, name, &FindingNumber::name);
     return found == numbers.end() ? fallback : found->value;
@@ -93,8 +90,7 @@ struct Finding {
   bool has_number(std::string_view name) const {
     return std::ranges::find(numbers, name, &FindingNumber::name) != numbers.end();
   }
-  // Empty where the finding has no word of that name.
-  std::string_view word(std::string_view name) const {
+  std::string_view word(std::string_view name) const {  // empty if there is none
     auto const found = std::ranges::find(words, name, &FindingWord::name);
     return found == words.end() ? std::string_view() : found->text;
   }

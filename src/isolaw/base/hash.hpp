@@ -7,9 +7,7 @@
 
 namespace isolaw {
 
-// In lower-case hexadecimal digits.
-std::string sha256(std::string_view bytes);
-
+std::string sha256(std::string_view bytes);  // in lower-case hexadecimal digits
 // 64-bit FNV-1a. Must stay the same on every machine and in every version, or seeds would give other results.
 constexpr std::uint64_t stable_hash(std::string_view bytes) noexcept {
   std::uint64_t hash = 0xcbf29ce484222325u;

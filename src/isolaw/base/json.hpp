@@ -30,10 +30,8 @@ class JsonWriter {
   JsonWriter& value(std::uint64_t number) { return put(std::to_string(number)); }
   JsonWriter& value(double number);  // null when not finite
   JsonWriter& value(std::optional<double> const& number);
-  // Rounded to `digits` significant digits, for numbers that are only drawn, not computed with.
-  JsonWriter& rounded(std::optional<double> const& number, int digits);
-  // An array of rounded numbers on a single line, in either layout; for curves.
-  JsonWriter& line(std::vector<double> const& numbers, int digits);
+  JsonWriter& rounded(std::optional<double> const& number, int digits);  // significant digits; for drawing only
+  JsonWriter& line(std::vector<double> const& numbers, int digits);  // rounded, on one line in any layout; for curves
   JsonWriter& null() { return put("null"); }
   // Inserts text that is JSON already. Text that does not parse is written as a string, so that no setting is lost.
   JsonWriter& json(std::string_view text);
@@ -61,9 +59,7 @@ class JsonWriter {
 
 // `number` with `digits` significant digits in its shortest form ("0.0791", "2.32e+05"); "" if empty or not finite.
 std::string to_text(std::optional<double> const& number, int digits);
-// The shortest text that reads back as the same double; "" if empty or not finite.
-std::string to_text(std::optional<double> const& number);
-
+std::string to_text(std::optional<double> const& number);  // the shortest that reads back the same; "" likewise
 // Makes JSON safe inside <script>: escapes "<", U+2028 and U+2029. It still parses to the same document.
 std::string script_safe(std::string_view json);
 

@@ -67,8 +67,7 @@ struct Option : OptionInfo {
   }
 };
 
-// The values given, by key.
-using Values = std::map<std::string, Json, std::less<>>;
+using Values = std::map<std::string, Json, std::less<>>;  // by key
 
 // The value of words from the command line; text stays text where the kind asks for a number and it is none.
 Json value_of(Kind kind, std::vector<std::string> const& words);
@@ -76,9 +75,7 @@ Json value_of(Kind kind, std::vector<std::string> const& words);
 std::string text_of(Json const& value);
 // The words of the command line that give an option its value; none for null, false and an empty list.
 std::vector<std::string> words_of(OptionInfo const& option, Json const& value);
-// For messages: 'text', 12, true.
-std::string shown(Json const& value);
-
+std::string shown(Json const& value);  // for messages: 'text', 12, true
 // Calls judge() and adds its complaints to the list, as complaints about `where` if they do not name an option.
 void about(std::string const& where, std::vector<Complaint>& complaints, std::function<void()> const& judge);
 
@@ -103,9 +100,7 @@ double real_of(Json const& value, Limits const& limits);
 bool flag_of(Json const& value);
 std::string text_in(Json const& value);
 [[noreturn]] void refuse(Json const& value, std::string allowed);
-
-// at(&A::b, &B::c): a function that returns a.b.c of an A.
-constexpr auto at(auto... path) {
+constexpr auto at(auto... path) {  // at(&A::b, &B::c): a function that returns a.b.c of an A
   return [=](auto& from) -> auto& {
     return (from.*....*path);
   };
@@ -147,8 +142,7 @@ Option<Target> flag(std::string_view key, std::string help, Access place) {
           [place](Target& to, Json const& value) { place(to) = flag_of(value); }};
 }
 
-// An option that is one of several words, each of which stands for a value. If the values are true and false, these
-// may be given in place of the words.
+// An option that is one of several words, each of which stands for a value; true and false may be given in their place.
 template <class Target, class Access, class T, std::size_t N>
 Option<Target> word(std::string_view key, std::string help, Access place,
                     std::pair<std::string_view, T> const (&words)[N]) {

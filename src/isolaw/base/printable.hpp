@@ -1,5 +1,4 @@
-// Makes text from other people's files safe for a terminal, a message or a table: control characters could move the
-// cursor, forge lines or reorder what is read.
+// Makes text from other people's files safe to show: control characters could move the cursor, forge or reorder lines.
 #pragma once
 
 #include <cstddef>
@@ -10,16 +9,11 @@ namespace isolaw {
 
 // The length of the UTF-8 sequence at the start of `bytes` (not empty); 0 if the bytes are no such sequence.
 std::size_t utf8_length(std::string_view bytes);
-
 // Whether the text is UTF-8 without control characters, line or paragraph separators and direction marks.
 bool is_printable(std::string_view text);
-
 // Spells out what is not printable: \n, \x1b, \u202e. With `keep_lines`, line breaks stay.
 std::string printable(std::string_view text, bool keep_lines = false);
-
-// The same, with several lines joined into one: "a; b".
-std::string on_one_line(std::string_view text);
-
+std::string on_one_line(std::string_view text);  // the same, with lines joined: "a; b"
 // The text in single quotes for a message, cut after 40 bytes, with control characters spelled out.
 std::string in_quotes(std::string_view text);
 

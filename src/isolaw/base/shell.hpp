@@ -1,4 +1,4 @@
-// Writes command lines that a reader can paste into a shell.
+// Writes command lines that a reader can paste into a POSIX shell.
 #pragma once
 
 #include <string>
@@ -6,7 +6,6 @@
 
 namespace isolaw {
 
-// The words in POSIX shell syntax, each in single quotes if it needs them.
 std::string shell_quoted(std::vector<std::string> const& words);
 
 }  // namespace isolaw

@@ -64,8 +64,7 @@ Symbol symbol_of(std::string_view name) {
   if (name == "OF") return {"OF", "\\mathit{OF}", {}};  // the objective function: one symbol of two letters
   if (auto const* letter = greek_at_head(name))
     return {letter->sign, letter->latex, index_of(name.substr(letter->name.size()))};
-  // "dbeta" is the degradation of beta: delta with beta as its index.
-  auto const rest = name.substr(1);
+  auto const rest = name.substr(1);  // "dbeta" is the degradation of beta: delta with beta as its index
   if (name.front() == 'd')
     if (auto const* degrading = greek_letter(rest)) return {"δ", "\\delta", std::string(degrading->sign)};
   return {name.substr(0, 1), {}, index_of(rest)};

@@ -21,7 +21,6 @@ Symbol symbol_of(std::string_view name);
 
 std::string latex_symbol(std::string_view name);    // "$\xi_{\mathrm{eff}}$"
 std::string gnuplot_symbol(std::string_view name);  // gnuplot's enhanced text: "{/:Italic ξ}_{eff}"
-
 // Words that are typeset wherever they occur in sentences and headings: some properties' names and all Greek letters.
 std::vector<std::string_view> symbol_words();
 

@@ -11,15 +11,13 @@
 namespace isolaw {
 namespace {
 
-// Measures how deep a statement nests, where each dot of a name counts as a level: toml++ takes tables apart by
-// recursion, and a name of a hundred thousand parts would overflow its stack. Quoted text and comments do not count;
-// text that is not TOML is left for the parser to refuse.
+// Measures how deep a statement nests, each dot of a name counting as a level: toml++ recurses, and a name of a hundred
+// thousand parts would overflow its stack. Quoted text and comments do not count; the parser refuses text not TOML.
 class NestingCheck {
  public:
   explicit NestingCheck(std::string_view text) : text_(text) {}
 
-  // The first line that nests deeper than any real file; 0 if there is none.
-  std::size_t deep_line() {
+  std::size_t deep_line() {  // 0 if no line nests deeper than any real file
     constexpr int deepest = 64;
     int depth = 0;
     std::vector<int> dots{0};  // dots in the name being read, for every table and list that is open
@@ -53,8 +51,7 @@ class NestingCheck {
   }
 
  private:
-  // Leaves at_ on the last character of the quoted text.
-  void skip_quoted(char quote) {
+  void skip_quoted(char quote) {  // leaves at_ on the last character
     auto const run = [&](std::size_t at) {
       std::size_t length = 0;
       while (at + length < text_.size() && text_[at + length] == quote && length < 5) ++length;

@@ -1,6 +1,5 @@
 // Reads TOML files from outside safely: bounds the nesting before the parser sees it, collects every mistake with its
-// line, converts no kind of value into another, and takes only printable text of bounded length. Each kind of file has
-// a reader of its own that knows what the keys mean.
+// line, converts no kind of value into another, and takes only printable text of bounded length.
 #pragma once
 
 #include <toml++/toml.h>
@@ -23,13 +22,12 @@ namespace isolaw {
 using Json = nlohmann::ordered_json;
 
 struct TomlMessages {
-  std::string kind;    // of file: "lot file"
+  std::string kind;    // such as "lot file"
   std::string advice;  // for a file that is not TOML
 };
 
 // Throws one Error with the line if the text nests deeper than any such file needs or is not TOML.
 toml::table parse_toml(std::string_view text, std::string const& file, TomlMessages const& messages);
-
 // Throws one Error of all complaints, if there are any; after most_complaints (below) it only says that there are more.
 void throw_complaints(std::vector<Complaint> complaints, std::string const& file);
 
@@ -39,7 +37,6 @@ class TomlTable {
   static constexpr std::size_t longest_text = 512;  // bytes, unless the caller says otherwise
   static constexpr std::size_t most_items = 1000;   // in a list
   static constexpr std::size_t most_complaints = 50;
-
   // `name` is how messages call the table: "[calibrate]"; empty for the file itself.
   TomlTable(toml::table const& table, std::string file, std::string name, std::vector<Complaint>& complaints);
 
@@ -59,18 +56,13 @@ class TomlTable {
   // Calls take() for a text, or for each text of a list.
   void strings(std::string_view key, std::function<void(std::string const&)> const& take,
                std::size_t longest = longest_text);
-  // Calls take() with the value of the key, if it is there. A list of a, b, c gives the calls [a], [a, b] and
-  // [a, b, c], less the items that take() refused; a table gives one call for each entry. A refusal becomes a complaint
-  // at the line of the item.
+  // Calls take() with the key's value, if present. A list a, b, c gives the calls [a], [a, b], [a, b, c], less refused
+  // items; a table gives one call per entry. A refusal becomes a complaint at the item's line.
   void json(std::string_view key, std::function<void(Json const&)> const& take, std::size_t longest = longest_text);
-  // The sub-table, or nullptr.
-  toml::table const* table(std::string_view key);
-  // The node of the key, or nullptr. The key counts as known from here on.
-  toml::node const* find(std::string_view key);
-  // Complains about every key that was not asked for.
-  void refuse_unknown();
+  toml::table const* table(std::string_view key);  // the sub-table, or nullptr
+  toml::node const* find(std::string_view key);    // the node or nullptr; the key then counts as known
+  void refuse_unknown();                           // complains about every key that was not asked for
   void complain(toml::node const& node, std::string found, std::string allowed, std::string advice = {});
-  // A complaint about the table as a whole.
   void complain(std::string found, std::string allowed, std::string advice = {}) {
     complain(table_, std::move(found), std::move(allowed), std::move(advice));
   }

@@ -26,8 +26,7 @@ inline constexpr Unit s{Dimension::time, "s", 1.0};
 // case are ignored, except that "mN" is unknown: load cells report meganewtons, never millinewtons.
 std::optional<Unit> parse_unit(std::string_view text);
 
-// The symbols of a dimension: "kN, N, MN, tonf, kgf, daN, kip, lbf".
-std::string known_units(Dimension dimension);
+std::string known_units(Dimension dimension);  // "kN, N, MN, tonf, kgf, daN, kip, lbf"
 
 std::string_view name(Dimension dimension);
 

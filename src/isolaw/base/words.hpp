@@ -11,8 +11,7 @@
 
 namespace isolaw {
 
-// Removes blanks and tabs at both ends.
-constexpr std::string_view trimmed(std::string_view text) {
+constexpr std::string_view trimmed(std::string_view text) {  // without blanks and tabs at both ends
   auto const first = text.find_first_not_of(" \t");
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
@@ -25,8 +24,7 @@ constexpr bool is_letter(char c) {  // ASCII only
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-// Changes ASCII letters only.
-inline std::string lower(std::string_view text) {
+inline std::string lower(std::string_view text) {  // changes ASCII letters only
   std::string out(text);
   for (char& c : out)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');

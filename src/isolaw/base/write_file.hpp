@@ -1,4 +1,4 @@
-// Writes files so that a reader never sees half of one.
+// Writes a file beside its place and then renames it, so that a reader never sees half of one.
 #pragma once
 
 #include <filesystem>
@@ -6,13 +6,10 @@
 
 namespace isolaw {
 
-// Writes beside the file and then renames: a reader sees the old or the new file, never a part. Throws Error.
-void write_file(std::filesystem::path const& path, std::string_view text);
-
+void write_file(std::filesystem::path const& path, std::string_view text);  // throws Error
 // Creates the folder if it is missing. Throws Error if that fails or if the name is a symbolic link.
 void make_folder(std::filesystem::path const& folder);
 
-// Removes partly written files that killed processes left in `folder`.
-void remove_unfinished_files(std::filesystem::path const& folder);
+void remove_unfinished_files(std::filesystem::path const& folder);  // left by killed processes
 
 }  // namespace isolaw

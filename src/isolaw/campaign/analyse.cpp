@@ -19,8 +19,7 @@
 namespace isolaw::campaign {
 namespace {
 
-// A law on all devices that have an analysis of it: the input of the fits to the lot.
-struct LawOnLot {
+struct LawOnLot {  // a law on all devices that have an analysis of it: the input of the fits to the lot
   std::string_view law;
   int refinement = 1;
   std::vector<std::size_t> devices = {};
@@ -113,8 +112,7 @@ class Analysis {
     mark({Phase::determination, Phase::intervals});
   }
 
-  // Returns nullopt if interrupted.
-  std::optional<DeviceAnalysis> examined(Search const& search, Meter& meter) const {
+  std::optional<DeviceAnalysis> examined(Search const& search, Meter& meter) const {  // nullopt if interrupted
     auto const& best = *contents_.best_run(search.device, search.law);
     auto const model = law_on_device(contents_, search.device, search.law, best.refinement);
     auto const box = examined_box(search);

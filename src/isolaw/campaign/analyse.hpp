@@ -1,5 +1,4 @@
-// The analyses that follow the runs: what each device's test determines of a law, the one law fitted to all devices of
-// the lot, and that law fitted without each device in turn.
+// The analyses that follow the runs: each device's test, one law for all devices, and that law without each in turn.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +17,6 @@ fit::SearchBox examined_box(Search const& search);
 // The box in which one law is fitted to all devices that have a DeviceAnalysis of this law.
 fit::SearchBox box_of_lot(Contents const& contents, std::string_view law);
 
-// A law on a device's record, integrated as the campaign's settings ask.
 fit::LawOnRecord law_on_device(Contents const& contents, std::size_t device, std::string_view law, int refinement = 1);
 
 struct AnalyseOptions {
@@ -33,7 +31,6 @@ struct AnalyseOptions {
 
 // Whether every device has an analysis of each law with a usable run there. Fits to the lot start from these analyses.
 bool every_device_examined(Contents const& contents);
-
 // Makes the analyses that are missing and adds them to the store and to `contents`, whose runs must be complete and
 // sorted. The result depends on the runs and the settings alone. Returns how many threads the system allowed.
 std::size_t analyse(Contents& contents, Store& store, AnalyseOptions const& options);

@@ -22,8 +22,7 @@
 namespace isolaw::campaign {
 namespace {
 
-// One law on one device. The LawOnRecord is a hundred times larger: each run makes its own, so that only those of
-// running tasks are in memory.
+// One law on one device. Each run makes its own LawOnRecord, a hundred times larger: memory holds only those running.
 struct Target {
   std::size_t place;  // index among the campaign's searches
   Search const* search;
@@ -61,8 +60,7 @@ opt::SearchResult search_by(Settings const& settings, Target const& target, fit:
              : opt::minimise_multistart(problem, stream, settings.multistart, interrupted);
 }
 
-// Marks the run as failed: keeps its statistics and drops its parameters.
-void fail(Run& run, std::string why) {
+void fail(Run& run, std::string why) {  // keeps its statistics and drops its parameters
   run.outcome = Outcome::no_finite_value;
   run.failure = std::move(why);
   run.objective = run.integration_shift = std::nan("");
@@ -85,16 +83,14 @@ Run finished(Target const& target, fit::LawOnRecord const& model, int number, op
   }
   run.parameters.resize(target.search->box.parameters.size());
   target.search->box.expand(result.best, run.parameters);
-  // Reported numbers come from the scalar path, whichever kernels the search used.
-  std::vector<double> work;
+  std::vector<double> work;  // reported numbers come from the scalar path, whichever kernels searched
   run.objective = model.objective(run.parameters, work);
   run.integration_shift = model.integration_shift(run.parameters);
   return run;
 }
 
-// If more than a thousandth of an optimum's value comes from the integration step, it is not an optimum of the law. The
-// law is then fitted again from there in finer steps, until steps two and four times finer agree. The run fails if
-// finer steps give no finite force.
+// If more than a thousandth of an optimum's value comes from the integration step, the law is fitted again from there
+// in finer steps, until steps two and four times finer agree. The run fails if they give no finite force.
 void refit_in_finer_steps(Target const& target, fit::LawOnRecord model, Run& run) {
   constexpr double tolerance = 1e-3;
   if (!model.law().info.traits.path_integrated) return;

@@ -16,11 +16,10 @@ struct Check {
   bool of_another_build = false;         // whether another build computed any part of the store
 };
 
-// Runs SQLite's own check, checks that indices and lengths fit, cleans each raw record again and makes the boxes again.
-// A run's parameters must lie in the box and give its objective; those of the optima, and of the laws of the lot with
-// and without each device, must give theirs. No profile may fall below its optimum. Intervals are not computed again.
-// Values are compared within fit::evaluation_tolerance, so that another machine may check. Throws Error when the file
-// is not a store at all.
+// Runs SQLite's own check, checks indices and lengths, cleans each raw record again and makes the boxes again. A run's
+// parameters must lie in the box and give its objective; those of the optima, and of the laws of the lot with and
+// without each device, must give theirs. No profile may fall below its optimum. Intervals are not computed again. All
+// values agree within fit::evaluation_tolerance, so that another machine may check. Throws Error if it is no store.
 Check check(std::filesystem::path const& file);
 
 }  // namespace isolaw::campaign

@@ -72,8 +72,7 @@ void require_refinement(int refinement) {
   if (refinement < 1 || refinement > finest_refinement) fail(fmt::format("{} steps per sample", refinement));
 }
 
-// Returns nullptr if the law was not searched on the device.
-Search const* search_of(Contents const& campaign, std::size_t device, std::string_view law) {
+Search const* search_of(Contents const& campaign, std::size_t device, std::string_view law) {  // nullptr: not searched
   auto const [first, last] = std::ranges::equal_range(campaign.searches, device, {}, &Search::device);
   auto const found = std::find_if(first, last, [&](Search const& s) { return s.law == law && s.refusal.empty(); });
   return found == last ? nullptr : &*found;

@@ -6,9 +6,7 @@
 
 namespace isolaw::campaign {
 
-// Each throws an Error that says what does not fit.
-void require_consistent(Contents const& contents);
-// Check one result against the devices, searches and settings of `campaign`.
+void require_consistent(Contents const& contents);  // throws an Error that says what does not fit
 void require_consistent(Contents const& campaign, Run const& run);
 void require_consistent(Contents const& campaign, DeviceAnalysis const& analysis);
 void require_consistent(Contents const& campaign, LotAnalysis const& analysis);

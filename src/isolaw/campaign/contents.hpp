@@ -19,17 +19,15 @@
 
 namespace isolaw::campaign {
 
-// The program that computed a part of a campaign.
-struct Maker {
-  std::string version;          // of isolaw
+struct Maker {  // the program that computed a part of a campaign
+  std::string version;
   std::string build;            // a hash of the sources that determine numbers; empty if not known
-  std::string instruction_set;  // of the search; empty if not known
+  std::string instruction_set;  // the search's; empty if not known
 
   bool operator==(Maker const&) const = default;
 };
 
-// Facts about a device that the lot file states, besides its record.
-struct DeviceInfo {
+struct DeviceInfo {  // as the lot file states it, besides the record
   std::string serial, lot, test_date;
   std::optional<double> temperature_C, rubber_thickness_mm, rubber_area_mm2;
 
@@ -49,8 +47,7 @@ struct Device {
   bool usable() const { return refusal.empty(); }
 };
 
-// The search of one law on one device: its box, or the reason why there is none.
-struct Search {
+struct Search {  // a law on a device: its box, or the reason why there is none
   std::size_t device = 0;
   std::string law;
   std::string refusal = {};
@@ -61,7 +58,6 @@ struct Search {
 // no_finite_value. Interrupted runs are not kept.
 using opt::Outcome;
 std::string_view name(Outcome outcome);
-
 // The most integration steps per sample that a run may end with. The number of steps is a power of four.
 inline constexpr int finest_refinement = 64;
 
@@ -83,8 +79,7 @@ struct Run {
   bool usable() const { return !parameters.empty(); }
 };
 
-// The analysis of a law on one device, at its least objective: what the test determines.
-struct DeviceAnalysis {
+struct DeviceAnalysis {  // a law on one device, at its least objective: what the test determines
   std::size_t device = 0;
   std::string law;
   int refinement = 1;  // that of the run it starts from
@@ -94,8 +89,7 @@ struct DeviceAnalysis {
   std::size_t maker = 0;
 };
 
-// One parameter vector for all devices that have a DeviceAnalysis of the law.
-struct LotAnalysis {
+struct LotAnalysis {  // one parameter vector for all devices that have a DeviceAnalysis of the law
   std::string law;
   int refinement = 1;                          // the largest of the devices'
   std::vector<std::size_t> devices;            // those that took part, in rising order
@@ -105,21 +99,18 @@ struct LotAnalysis {
   std::size_t maker = 0;
 };
 
-// The law of the lot without one device, judged on that device.
-struct LeftOutAnalysis {
+struct LeftOutAnalysis {  // the law of the lot without one device, judged on that device
   std::size_t device = 0;
   std::string law;
   analysis::LeftOut left_out = {};
   std::size_t maker = 0;
 };
 
-// Sort key of results, by device and law.
 inline constexpr auto by_device_and_law = [](auto const& item) {
   return std::tuple(item.device, std::string_view(item.law));
 };
 
-// Analyses of the campaign when it had fewer runs. That of a device is still valid if its best run is one of those,
-// that of the lot if those of all its devices are.
+// From when the campaign had fewer runs: valid for a device if its best run is one of those, for the lot if all are.
 struct EarlierAnalyses {
   int runs = 0;  // the number per device and law then
   std::vector<DeviceAnalysis> devices = {};
@@ -137,8 +128,7 @@ struct Acceptance {
   bool operator==(Acceptance const&) const = default;
 };
 
-// A share of a campaign's runs for one of several machines: part `number` of `of`. It selects the runs to compute and
-// does not change their results.
+// A share of a campaign's runs for one of several machines: part `number` of `of`. It changes no result.
 struct Part {
   int number = 1, of = 1;
 
@@ -148,8 +138,7 @@ inline constexpr int most_parts = 100'000;
 Part parse_part(std::string_view text);  // "3/40"; throws Error
 std::string text(Part const& part);      // the inverse
 
-// The name that stands for the law of the lot where a device may be named.
-inline constexpr std::string_view whole_lot = "lot";
+inline constexpr std::string_view whole_lot = "lot";  // stands for the law of the lot where a device may be named
 
 struct Contents {
   std::string title;
@@ -165,17 +154,14 @@ struct Contents {
   std::optional<Part> part = {};                     // the only part computed and stored here; nullopt: all
   EarlierAnalyses held_over = {};                    // from before the campaign grew; not stored
 
-  std::size_t expected_runs() const;  // of all parts, over the searches that were not refused
-  std::size_t expected_here() const;  // of this part
-  // The number of analyses of the whole campaign, given the present runs; 0 if the settings ask for none. A part makes
-  // no analyses itself.
+  std::size_t expected_runs() const;  // over all parts and the searches that were not refused
+  std::size_t expected_here() const;  // those of this part
+  // Analyses of the whole campaign, given the present runs; 0 if none are asked for. A part makes none itself.
   std::size_t expected_analyses() const;
   std::size_t analyses() const { return device_analyses.size() + lot_analyses.size() + left_out.size(); }
-  // Whether nothing is left to compute here.
   bool complete() const { return runs.size() == expected_here() && (part || analyses() >= expected_analyses()); }
 
-  // The usable run of least objective (the first one of several), or nullptr.
-  Run const* best_run(std::size_t device, std::string_view law) const;
+  Run const* best_run(std::size_t device, std::string_view law) const;  // the usable run of least objective, or nullptr
   DeviceAnalysis const* analysis_of(std::size_t device, std::string_view law) const;
   // The index of the named device; nullopt for `whole_lot`, unless a device is called so. Throws Error for other names.
   std::optional<std::size_t> device_or_lot(std::string_view name) const;

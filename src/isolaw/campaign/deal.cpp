@@ -11,14 +11,12 @@ namespace {
 
 using Costs = std::vector<std::tuple<std::uint64_t, std::size_t>>;
 
-// Costliest first.
-Costs in_order(Costs costs) {
+Costs in_order(Costs costs) {  // costliest first
   std::ranges::stable_sort(costs, [](auto const& a, auto const& b) { return std::get<0>(a) > std::get<0>(b); });
   return costs;
 }
 
-// Searches that were not refused.
-Costs dearest_first(Contents const& contents) {
+Costs dearest_first(Contents const& contents) {  // without refused searches
   Costs searches;
   for (std::size_t s = 0; s < contents.searches.size(); ++s)
     if (contents.searches[s].refusal.empty()) searches.emplace_back(relative_cost(contents, contents.searches[s]), s);

@@ -12,9 +12,7 @@ namespace isolaw::campaign {
 
 class RunAssignment {
  public:
-  // `contents` must hold the records.
-  RunAssignment(Contents const& contents, int parts);
-
+  RunAssignment(Contents const& contents, int parts);  // `contents` must hold the records
   // The part, from 1, of run `number` of contents.searches[search], which must not be refused.
   int part_of(std::size_t search, int number) const {
     return part_[search * runs_ + static_cast<std::size_t>(number) - 1];
@@ -31,7 +29,6 @@ std::vector<int> assign_analyses(Contents const& contents, int parts);
 // For each of settings.laws the part that fits the law to the lot and without each device.
 std::vector<int> assign_laws(Contents const& contents, int parts);
 
-// The estimated cost of a run; only ratios have a meaning.
-std::uint64_t relative_cost(Contents const& contents, Search const& search);
+std::uint64_t relative_cost(Contents const& contents, Search const& search);  // only ratios have a meaning
 
 }  // namespace isolaw::campaign

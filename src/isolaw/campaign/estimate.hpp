@@ -1,5 +1,4 @@
-// How much of a campaign is done, and how long the rest takes: work done over all work, each task weighted by what its
-// law's file says that a step costs.
+// How much of a campaign is done, and how long the rest takes. Tasks are weighted by the step cost of their law.
 #pragma once
 
 #include <array>
@@ -16,19 +15,16 @@ namespace isolaw::campaign {
 enum class TaskKind { run, device, lot, left_out };
 inline constexpr std::array task_kinds{TaskKind::run, TaskKind::device, TaskKind::lot, TaskKind::left_out};
 
-// Not thread-safe. `contents` must outlive it.
-class Estimate {
+class Estimate {  // not thread-safe; `contents` must outlive it
  public:
-  // Expects every run and analysis that `contents` lacks.
-  explicit Estimate(Contents const& contents);
+  explicit Estimate(Contents const& contents);  // expects every run and analysis that `contents` lacks
 
-  // No task of this kind is left, but for those that are expected from here on.
-  void expect_none(TaskKind kind);
+  void expect_none(TaskKind kind);  // but for tasks that are expected from here on
   void expect(TaskKind kind, std::string_view law) { ++tasks(kind, law).left; }
   void done(TaskKind kind, std::string_view law);
 
   double work_left_s(TaskKind kind) const;  // processor time on the machine that the costs of the laws are from
-  double share() const;                     // of all work, 0 to 1, what was stored before included
+  double share() const;                     // done of all work, 0 to 1, what was stored before included
   double left_s() const;                    // at the rate of the work since construction
 
  private:

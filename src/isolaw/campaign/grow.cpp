@@ -15,7 +15,6 @@ bool among(std::vector<std::string> const& laws, std::string_view law) {
   return std::ranges::find(laws, law) != laws.end();
 }
 
-// The overrides of these laws as text, in the order of `overrides`.
 std::vector<std::string> overrides_of(std::vector<fit::Override> const& overrides,
                                       std::vector<std::string> const& laws) {
   std::vector<std::string> texts;
@@ -24,8 +23,7 @@ std::vector<std::string> overrides_of(std::vector<fit::Override> const& override
   return texts;
 }
 
-// The stored settings, where those that may grow are as asked for.
-Settings grown(Settings settings, Settings const& asked) {
+Settings grown(Settings settings, Settings const& asked) {  // as stored; those that may grow are as asked for
   if (asked.analysis) settings.analysis = true;
   if (asked.springs) settings.springs = true;
   if (overrides_of(settings.overrides, settings.laws) == overrides_of(asked.overrides, settings.laws))

@@ -55,7 +55,6 @@ void require_rules(TomlTable& table, toml::node const& node, std::string const& 
                    "a name that isolaw rules lists, or a file in the folder of the lot file or below it");
 }
 
-// Reads [acceptance]: a built-in rule set or a file beside the lot file, design values, lot size.
 void read_acceptance(TomlTable& table, std::filesystem::path const& directory, LotFileOptions const& options,
                      Lot& lot) {
   auto& acceptance = lot.acceptance;
@@ -94,8 +93,7 @@ void set_date(DeviceInfo& info, Json const& value) {
   info.test_date = text;
 }
 
-// A key of a device's table that states a fact about the device.
-struct InfoOption : Option<DeviceInfo> {
+struct InfoOption : Option<DeviceInfo> {  // a key of a device's table that states a fact about the device
   Measure measure = Measure::text;
 };
 
@@ -293,7 +291,6 @@ Json shared_reading(Lot const& lot) {
   return shared;
 }
 
-// Inserts the keys in which `read` differs from the shared ones in [read].
 void insert_reading(toml::table& table, data::ReadOptions const& read, Json const& shared) {
   for (auto const& option : data::reading_table()) {
     auto const key = option.option();
@@ -442,8 +439,7 @@ void insert_vertical(toml::table& device, VerticalInput const& vertical, std::fi
   }
 }
 
-// The keys of a device without a value, as comments to be filled in.
-std::string open_keys(DeviceInfo const& info, Particulars const& hints) {
+std::string open_keys(DeviceInfo const& info, Particulars const& hints) {  // keys without a value, as comments
   std::string text;
   for (auto const& option : info_table()) {
     if (!option.get(info).is_null()) continue;

@@ -14,8 +14,7 @@
 
 namespace isolaw::campaign {
 
-// A compression test before it is read: a file, or just the stiffness.
-struct VerticalInput {
+struct VerticalInput {  // a compression test before it is read: a file, or just the stiffness
   std::filesystem::path file;
   std::string shown_file;
   data::ReadOptions read = {};
@@ -25,8 +24,7 @@ struct VerticalInput {
   bool given() const { return !file.empty() || stated_kN_per_mm; }
 };
 
-// One device before its record is read.
-struct DeviceInput {
+struct DeviceInput {  // one device before its record is read
   std::string name;
   std::vector<std::filesystem::path> files;  // read one after another as one history
   std::filesystem::path directory;           // that of the lot file; empty for files named on the command line
@@ -63,24 +61,18 @@ struct LotFileOptions {
 inline constexpr std::size_t most_devices = 10'000;
 inline constexpr std::size_t longest_name = 512;           // bytes in a name, serial or title
 inline constexpr std::size_t largest_lot_file = 16 << 20;  // bytes
-
 // Throws one Error with every problem of the file and its line: syntax, unknown keys, wrong types, values that are not
 // allowed, text that is not printable, devices without a file, duplicate names, files outside the folder. The keys of
 // [calibrate] are the command line's options.
 Lot read_lot_file(std::filesystem::path const& file, LotFileOptions const& options = {});
 // The same for a file's text; `file` serves messages and tells the folder.
 Lot read_lot_text(std::string_view text, std::filesystem::path const& file, LotFileOptions const& options = {});
+std::string name_of_file(std::filesystem::path const& file);        // printable and without blanks around it
+Lot lot_of_files(std::vector<std::filesystem::path> const& files);  // devices are named after their files
 
-// The device's name that follows from its record's file name: printable and without blanks around it.
-std::string name_of_file(std::filesystem::path const& file);
+using Particulars = std::map<std::string, std::string>;  // statements of a record's file about its device, by key
 
-// A lot of files named on the command line; devices are named after them.
-Lot lot_of_files(std::vector<std::filesystem::path> const& files);
-
-using Particulars = std::map<std::string, std::string>;  // what a record's file states about its device, by key
-
-// Comments for the person who edits the file.
-struct LotFileRemarks {
+struct LotFileRemarks {             // comments for the person who edits the file
   bool open_keys = false;           // list the keys of a device that have no value yet
   std::vector<Particulars> stated;  // for each device, statements of its file that could not be taken over
   std::vector<std::pair<std::filesystem::path, std::string>> left_out;  // files that are no devices, and why
@@ -90,8 +82,7 @@ struct LotFileRemarks {
 // file names below `directory` are relative to it.
 std::string lot_file_text(Lot const& lot, std::filesystem::path const& directory, LotFileRemarks const& remarks = {});
 
-// Copies a file's statements about its device into `info`, unless `info` has a value. Returns those that cannot be used
-// as they are, such as a temperature without a unit.
+// Copies a file's statements into `info` where it has no value. Returns those that cannot be used as they are.
 Particulars take_particulars(std::vector<std::pair<std::string, std::string>> const& particulars, DeviceInfo& info);
 
 }  // namespace isolaw::campaign

@@ -8,8 +8,7 @@
 
 namespace isolaw::campaign {
 
-// The running program.
-Maker this_maker();
+Maker this_maker();  // the running program
 // Whether both are one known build and thus compute the same; their instruction sets may differ.
 bool same_build(Maker const& a, Maker const& b);
 // "0.1.0, build 0123456789ab"; the different builds of several makers are joined by "and". No maker: this program.

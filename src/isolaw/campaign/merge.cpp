@@ -33,8 +33,7 @@ void require_sound(Path const& file, std::optional<Part> const& part) {
                  .advice = "copying it once more, or " + again(part)});
 }
 
-// All numbers of a campaign come from one build, and from one instruction set: two differ in last digits, so that the
-// merged store would depend on which parts ran where.
+// All numbers come from one build and instruction set: two differ in last digits, so the place of a part would matter.
 void require_one_maker(Path const& file, Contents const& part, Maker const& me) {
   for (auto const& maker : part.makers) {
     if (!same_build(maker, me))
@@ -55,8 +54,7 @@ void require_one_maker(Path const& file, Contents const& part, Maker const& me) 
   }
 }
 
-// The first store, with which all others must agree.
-struct First {
+struct First {  // the first store, with which all others must agree
   Path file;
   Contents contents;  // without series
   std::vector<std::pair<std::string, std::string>> hashes;

@@ -1,5 +1,4 @@
-// Merges the parts of a campaign into one store: checks that they belong to one campaign, one build and one instruction
-// set, and copies their runs.
+// Merges the parts of a campaign into one store, after checking that campaign, build and instruction set are the same.
 #pragma once
 
 #include <cstddef>
@@ -30,7 +29,6 @@ struct Merged {
 };
 // "5 runs are missing, of part 4/7 (4 runs), 5/7 (1 run)"; empty if none is missing.
 std::string missing_text(Merged const& merged);
-
 // Two refusals that merges of campaigns and of buildings share. The first throws Error if `absent` is not empty: `out`
 // was to be replaced. The second always does: `out` is complete and would be replaced by fewer runs.
 void refuse_absent(std::filesystem::path const& out, std::vector<std::string> const& absent);

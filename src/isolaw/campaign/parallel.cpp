@@ -23,8 +23,7 @@ std::size_t for_each_in_parallel(std::size_t count, std::size_t threads, std::fu
   std::exception_ptr failure;
   std::vector<std::size_t> left;
   left.reserve(threads);
-  // Returns false if memory ran out.
-  auto const work_through = [&] {
+  auto const work_through = [&] {  // returns false if memory ran out
     for (auto i = next++; i < count; i = next++) {
       try {
         work(i);

@@ -114,8 +114,7 @@ void check_names(std::vector<NamedRecord> const& records) {
   if (!complaints.empty()) throw Error(std::move(complaints));
 }
 
-// Refuses the device and drops its record, except for the file name and the hash.
-void refuse_device(Device& device, std::string why) {
+void refuse_device(Device& device, std::string why) {  // keeps only the file name and the hash
   device.refusal = std::move(why);
   data::TestRecord nothing;
   nothing.file = device.file;

@@ -1,5 +1,4 @@
-// Turns a lot file, or records in memory, into a campaign's contents: reads and cleans the records and makes the search
-// boxes of every law on every device.
+// Makes a campaign's contents from a lot file or records in memory: cleans the records, makes every law's boxes.
 #pragma once
 
 #include <filesystem>
@@ -14,8 +13,7 @@ namespace isolaw::campaign {
 // A device that cannot be used is kept with its reason. Throws Error if none is usable or the settings are not allowed.
 Contents prepare(Lot const& lot);
 
-// A record in memory. The rules for a device's name in a lot file apply to its name.
-struct NamedRecord {
+struct NamedRecord {  // a record in memory; its name must suit a lot file
   std::string name;
   data::TestRecord record;
   DeviceInfo info = {};
@@ -23,14 +21,10 @@ struct NamedRecord {
 };
 // The same for records in memory. Throws Error also for names that no lot file could hold.
 Contents prepare(std::vector<NamedRecord> records, Settings const& settings, std::string const& title);
-
 // Reads a compression test; one that gives no stiffness keeps the reason. Messages name files relative to `directory`.
 data::VerticalTest prepare_vertical(VerticalInput const& given, std::filesystem::path const& directory);
-
 // Reads and cleans the devices only, without laws and boxes. A device that cannot be used never makes it throw.
 Contents prepare_devices(Lot const& lot);
-
-// The search box of a law on a record under these settings.
 fit::SearchBox search_box(laws::LawEntry const& law, data::FitRecord const& record, Settings const& settings);
 
 }  // namespace isolaw::campaign

@@ -20,15 +20,14 @@ std::string_view name(Phase phase);
 
 struct PhaseCost {
   double cpu_s = 0.0;     // processor time of all threads
-  double kernel_s = 0.0;  // of it, in the laws' code
+  double kernel_s = 0.0;  // the part in the laws' code
   double wall_s = 0.0;    // elapsed time
   std::uint64_t evaluations = 0;
 
   PhaseCost& operator+=(PhaseCost const& other);
 };
 
-// The cost of one process: work that a continued campaign had stored before is not included. Adding is thread-safe,
-// reading is not.
+// The cost of one process, without work that a continued campaign had stored. Adding is thread-safe, reading is not.
 class Profile {
  public:
   void add(Phase phase, PhaseCost const& cost);
@@ -50,7 +49,7 @@ class Profile {
 class Meter final : HelpListener {
  public:
   explicit Meter(Profile* profile);
-  // Assigns to this phase what the thread did since its last lap of any meter, or since it constructed or restarted one.
+  // Assigns to this phase the work since the thread's last lap of any meter, or since it constructed or restarted one.
   void lap(Phase phase);
   static void restart();
   void count_evaluations(Phase phase, int evaluations) const;

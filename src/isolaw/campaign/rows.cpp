@@ -23,8 +23,7 @@ namespace {
 using sqlite::Connection;
 using sqlite::Statement;
 
-// All of a compression test but its series; empty: there is none.
-std::string to_json(data::VerticalTest const& test) {
+std::string to_json(data::VerticalTest const& test) {  // all of a compression test but its series; empty: there is none
   if (!test.given()) return {};
   nlohmann::ordered_json made;  // in the order of the alphabet, as stores always had it
   if (test.found_kN_per_mm) made["K_v_kN_per_mm"] = *test.found_kN_per_mm;
@@ -80,7 +79,6 @@ Statement& bind(Statement& row, DeviceInfo const& info) {
 class SeriesWriter {
  public:
   explicit SeriesWriter(Connection const& db) : row_(db, "INSERT INTO series VALUES (?, ?, ?, ?, ?)") {}
-  // What writes the series of a device.
   auto of(std::size_t id) {
     return [this, id](char const* kind, char const* channel, std::vector<double> const& values) {
       if (!values.empty()) row_.bind(id, kind, channel, values.size(), values).insert();
@@ -236,7 +234,7 @@ void write_analysis(Connection const& db, char const* insert, Analysis const& an
   row.bind(analysis.law, analysis_json(analysis), analysis.maker).insert();
 }
 
-// What describe() may change.
+// Store::describe() may change these.
 std::array<std::pair<char const*, std::string>, 5> descriptions(Contents const& contents) {
   auto const& a = contents.acceptance;
   return {{{"title", contents.title},
@@ -361,7 +359,7 @@ Contents read_campaign(Connection const& db) {
 void read_runs(Connection const& db, std::function<void(Run)> const& visit) {
   Statement parameter(db,
                       "SELECT device, law, number, value FROM run_parameter ORDER BY device, law, number, position");
-  std::tuple<std::size_t, std::string, int> owner;  // of the parameter that is next
+  std::tuple<std::size_t, std::string, int> owner;  // the next parameter's
   double value = 0.0;
   bool more = true;
   auto const next_parameter = [&] {
@@ -379,7 +377,7 @@ void read_runs(Connection const& db, std::function<void(Run)> const& visit) {
     run.read(r.evaluations, r.failed_evaluations, r.failure, r.history, r.maker);
     r.outcome = outcome_from(outcome);
     auto const key = std::tie(r.device, r.law, r.number);
-    while (more && owner < key) next_parameter();  // of no run
+    while (more && owner < key) next_parameter();  // these belong to no run
     for (; more && owner == key; next_parameter()) r.parameters.push_back(value);
     visit(std::move(r));
   }

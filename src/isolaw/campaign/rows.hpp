@@ -11,17 +11,13 @@ namespace isolaw::campaign {
 // All but runs and analyses: what a campaign begins with. `makers` must not be empty.
 void write_campaign(sqlite::Connection const& db, Contents const& contents, std::vector<Maker> const& makers);
 void write_row(sqlite::Connection const& db, std::size_t id, Maker const& maker);
-// What may change afterwards, see Store::describe.
-void write_descriptions(sqlite::Connection const& db, Contents const& contents);
+void write_descriptions(sqlite::Connection const& db, Contents const& contents);  // see Store::describe
 void write_row(sqlite::Connection const& db, Run const& run);
-// Many runs one after the other.
-class RunWriter {
+class RunWriter {  // many runs one after the other
  public:
   explicit RunWriter(sqlite::Connection const& db);
-  // False, and nothing written, where a run of that device, law and number is there.
-  bool add_if_new(Run const& run);
-  // Whether the one there is the same, bit by bit, whoever computed it.
-  bool is_there(Run const& run);
+  bool add_if_new(Run const& run);  // false, and nothing written, if a run of that device, law and number is there
+  bool is_there(Run const& run);    // whether the one there is the same, bit by bit, whoever computed it
 
  private:
   sqlite::Statement row_, parameter_, stored_, stored_parameters_;
@@ -29,19 +25,16 @@ class RunWriter {
 void write_row(sqlite::Connection const& db, DeviceAnalysis const& analysis);
 void write_row(sqlite::Connection const& db, LotAnalysis const& analysis);
 void write_row(sqlite::Connection const& db, LeftOutAnalysis const& analysis);
-
 // Without series, runs and analyses. Throws Error or nlohmann::json::exception for rows that no Contents can hold.
 Contents read_campaign(sqlite::Connection const& db);
-// The runs in their order, one at a time.
-void read_runs(sqlite::Connection const& db, std::function<void(Run)> const& visit);
+void read_runs(sqlite::Connection const& db, std::function<void(Run)> const& visit);  // in order, one at a time
 struct Analyses {
   std::vector<DeviceAnalysis> devices = {};
   std::vector<LotAnalysis> lots = {};
   std::vector<LeftOutAnalysis> left_out = {};
 };
 Analyses read_analyses(sqlite::Connection const& db);
-// All but runs and analyses.
-Contents read_campaign_and_series(sqlite::Connection const& db);
+Contents read_campaign_and_series(sqlite::Connection const& db);  // all but runs and analyses
 Contents read_contents(sqlite::Connection const& db);
 
 }  // namespace isolaw::campaign

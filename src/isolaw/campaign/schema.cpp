@@ -55,8 +55,7 @@ CREATE TABLE left_out (
 
 using Declarations = std::map<std::string, std::string>;  // by name
 
-// What a file declares: tables, and what another program may have added.
-Declarations declarations(Connection const& db) {
+Declarations declarations(Connection const& db) {  // tables, and additions of other programs
   Declarations found;
   Statement objects(db, "SELECT name, sql FROM sqlite_master");
   while (objects.row()) {

@@ -12,11 +12,9 @@ namespace isolaw::campaign {
 inline constexpr int schema_version = 10;
 
 void create_tables(sqlite::Connection const& db);
-// Throws Error for what is no store of ours, and for one of another schema. Tables must be declared word by word as ours:
-// a view or a computed column in place of one could run without end, or fill the memory; a trigger could change what is
-// written.
+// Throws Error for a file that is no store of ours or of another schema. Tables must be declared word by word as ours:
+// a view or a computed column could run without end or fill the memory; a trigger could change what is written.
 void require_schema(sqlite::Connection const& db, std::filesystem::path const& file);
-// A value of the table meta; empty where there is none.
-std::string meta(sqlite::Connection const& db, std::string_view key);
+std::string meta(sqlite::Connection const& db, std::string_view key);  // a value of the table meta; empty if none
 
 }  // namespace isolaw::campaign

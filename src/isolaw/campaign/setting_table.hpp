@@ -20,21 +20,17 @@ struct Setting : Option<Settings> {
 
 // In the order of stores and reports: the method before the settings that it alone has.
 std::span<Setting const> setting_table();
-// nullptr for an unknown key.
-Setting const* find_setting(std::string_view key);
-
+Setting const* find_setting(std::string_view key);  // nullptr for an unknown key
 // Sets one setting. A setting that only one method has also chooses that method, unless `method_given` says that the
 // method was named. Throws Error; the caller adds `where`.
 void take(Setting const& setting, Json const& value, bool method_given, Settings& settings);
 // Sets all settings that were given. Throws one Error of all complaints, each with its option.
 void apply(Values const& given, Settings& settings);
 
-// The two places that differ, as messages name them.
-struct Sides {
+struct Sides {  // the two places that differ, as messages name them
   std::string one = "there", other = "now";
 };
-// "method: ga there, best now", for each setting that differs. Settings that only one of two methods has are left out:
-// the difference of method says enough.
+// "method: ga there, best now" for each setting that differs, without settings that only one of two methods has.
 std::vector<std::string> differences(Settings const& there, Settings const& now, Sides const& sides = {});
 
 // The options of the rules that tests are checked against. `rules` is stored as named; the file is not loaded here.

@@ -35,7 +35,6 @@ struct Settings {
   bool analysis = true;  // also analyse: what the tests determine, intervals, one law for the lot
   int replicates = 100;  // bootstrap replicates of an analysis
   bool springs = false;  // the analyses also fit spring models for laws that have no coupled two-dimensional form
-
   // Sets a number of runs that was left open: 3 for `best`, whose runs differ by the last digits; 20 for `genetic`.
   void complete();
   void validate() const;  // throws Error
@@ -46,11 +45,8 @@ struct Settings {
 std::vector<std::pair<std::string, std::string>> to_pairs(Settings const& settings);
 Settings settings_from_pairs(std::vector<std::pair<std::string, std::string>> const& pairs);
 
-// The set of laws that is fitted if none are asked for.
-inline constexpr std::string_view usual_laws = laws::law_sets[1].first;
-
-// Turns a list like "paper,gallardo" into ids without repetition: "paper", "usual" and "all" name sets, other words are
-// ids. Throws an Error that lists the laws.
+inline constexpr std::string_view usual_laws = laws::law_sets[1].first;  // fitted if none are asked for
+// Turns "paper,gallardo" into ids without repetition; "paper", "usual", "all" name sets. Throws Error with the laws.
 std::vector<std::string> parse_laws(std::string_view text);
 int parse_lot_size(std::string_view text);  // 1 to 10,000,000
 

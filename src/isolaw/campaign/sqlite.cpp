@@ -277,8 +277,7 @@ bool is_plain(std::filesystem::path const& file) {
 }
 
 void put_in_order(std::filesystem::path const& file, std::function<void(Connection const&)> const& create_tables) {
-  // Bytes 24 to 27 of an SQLite file count the transactions that wrote to it.
-  std::array<char, 28> header{};
+  std::array<char, 28> header{};  // bytes 24 to 27 of an SQLite file count the transactions that wrote to it
   std::ifstream(file, std::ios::binary).read(header.data(), header.size());
   bool const written_once = header[24] == 0 && header[25] == 0 && header[26] == 0 && header[27] == 1;
   if (written_once || !is_plain(file)) return;

@@ -17,25 +17,21 @@ struct sqlite3_stmt;
 
 namespace isolaw::campaign::sqlite {
 
-// Advice for a damaged store. It names the command that computed the store, since `merge` reads stores of parts as well
-// and its own --fresh would not make them anew.
+// Names the command that computed the store: `merge` also reads parts, and its own --fresh would not make them anew.
 inline constexpr char const* advice_on_damaged =
     "copying it once more, or the command that computed it, with --fresh, which starts over";
 
 inline constexpr std::array beside{"-wal", "-shm", "-journal"};  // SQLite's own files beside a store
 
 [[noreturn]] void refuse_damaged(std::string file, std::string_view reason);
-// Throws Error for a pipe or a device: opening one could block, or start the device.
-void require_plain(std::filesystem::path const& file);
+void require_plain(std::filesystem::path const& file);  // throws Error for a pipe or device: opening one could block
 bool has_log(std::filesystem::path const& file);
 
 class Connection {
  public:
-  // Each may throw Error and std::bad_alloc.
-  static Connection create(std::filesystem::path const& file);
+  static Connection create(std::filesystem::path const& file);  // each may throw Error and std::bad_alloc
   static Connection to_write(std::filesystem::path const& file);
-  // Takes no locks and makes no files unless a log lies beside `file`, so that stores can be read on read-only media
-  // and on network shares without locks.
+  // Takes no locks and makes no files unless a log lies beside `file`: read-only media and network shares will do.
   static Connection to_read(std::filesystem::path const& file);
   static Connection in_memory();
 
@@ -53,23 +49,19 @@ class Connection {
   std::unique_ptr<sqlite3, Close> db_;
 };
 
-// A prepared statement whose values are bound in order, and whose columns are read in order.
-class Statement {
+class Statement {  // its values are bound in order, and its columns are read in order
  public:
   Statement(Connection const& db, std::string const& sql);
   Statement(Statement const&) = delete;
   Statement& operator=(Statement const&) = delete;
   ~Statement();
 
-  // Binds the next values. NaN is stored as NULL.
-  Statement& bind(auto const&... values) {
+  Statement& bind(auto const&... values) {  // binds the next values; NaN is stored as NULL
     (put(values), ...);
     return *this;
   }
-  // Runs an INSERT or UPDATE, makes the statement ready for the next row, and returns whether a row changed.
-  bool insert();
-  // Starts a SELECT over with other values.
-  Statement& again(auto const&... values) {
+  bool insert();  // runs an INSERT or UPDATE, makes it ready for the next row; whether a row changed
+  Statement& again(auto const&... values) {  // starts a SELECT over with other values
     start_over();
     return bind(values...);
   }
@@ -103,8 +95,7 @@ class Statement {
   int next_ = 0;
 };
 
-// Begins a transaction, and rolls it back when destroyed without commit().
-class Transaction {
+class Transaction {  // rolls back when destroyed without commit()
  public:
   explicit Transaction(Connection const& db) : db_(db) { db_.execute("BEGIN IMMEDIATE"); }
   Transaction(Transaction const&) = delete;
@@ -122,13 +113,10 @@ class Transaction {
   bool done_ = false;
 };
 
-// Whether the file stands alone, without a log or a journal, so that a copy of it can be read anywhere.
-bool is_plain(std::filesystem::path const& file);
-// The name beside `file` under which its successor is written.
-std::filesystem::path unfinished(std::filesystem::path const& file);
-void remove_unfinished(std::filesystem::path const& file);  // also one that a killed program left
-// Removes the unfinished successor of `file` when destroyed, so declare it before connections to that.
-class Unfinished {
+bool is_plain(std::filesystem::path const& file);                     // stands alone, without a log or journal
+std::filesystem::path unfinished(std::filesystem::path const& file);  // the name of its successor while written
+void remove_unfinished(std::filesystem::path const& file);            // also one that a killed program left
+class Unfinished {  // removes the unfinished successor of `file`; to be declared before connections to that
  public:
   explicit Unfinished(std::filesystem::path file) : file_(std::move(file)) {}
   Unfinished(Unfinished const&) = delete;
@@ -138,13 +126,10 @@ class Unfinished {
  private:
   std::filesystem::path file_;
 };
-// Replaces `file` by `whole`, a file that stands alone and is open nowhere. Whenever the program is stopped, either the
-// former or the new file is there and complete. Throws Error.
+// Replaces `file` by `whole`, which stands alone and is open nowhere. One of both is always complete. Throws Error.
 void move_into_place(std::filesystem::path const& whole, std::filesystem::path const& file);
-// Writes a file that stands alone anew with its rows in the order of their keys, so that equal rows give equal files
-// byte by byte. Does nothing if that is so already, and keeps the old file if the new one cannot be written.
+// See Store::put_in_order.
 void put_in_order(std::filesystem::path const& file, std::function<void(Connection const&)> const& create_tables);
-// The faults that SQLite finds in the file itself; empty if it is sound. Throws Error if it cannot be read at all.
-std::vector<std::string> integrity(std::filesystem::path const& file);
+std::vector<std::string> integrity(std::filesystem::path const& file);  // see Store::integrity
 
 }  // namespace isolaw::campaign::sqlite

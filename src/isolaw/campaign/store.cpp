@@ -38,8 +38,7 @@ void require_readable(Require&& require) {
   }
 }
 
-// The result as it will be read from the store.
-Run const& stored(Run const& run) {
+Run const& stored(Run const& run) {  // as it will be read from the store
   return run;
 }
 template <class Analysis>
@@ -98,8 +97,7 @@ void Store::remove_unfinished(std::filesystem::path const& file) {
 Store Store::create(std::filesystem::path const& file, Contents const& contents,
                     std::function<void()> const& before_replacing) {
   require_readable([&] { require_consistent(contents); });
-  // The store is written aside and moved into place when complete. So there is never half a store, and the one that it
-  // replaces is not lost if the disk is full or the program is killed.
+  // Written aside and moved into place, so that a full disk or a kill leaves the store that it replaces.
   sqlite::require_plain(file);
   remove_unfinished(file);
   auto const aside = sqlite::unfinished(file);
@@ -149,8 +147,7 @@ Store::Taken Store::take_runs(std::filesystem::path const& other) {
   auto const theirs = Connection::to_read(other);
   require_schema(theirs, other);
   auto const maker = own_maker();
-  // The rows of a part are spread over the whole tree. A long log collects the changes of many parts before the file is
-  // written (16384 pages instead of SQLite's 1000).
+  // The rows of a part are spread over the tree: a long log collects many parts (16384 pages instead of SQLite's 1000).
   db_.execute("PRAGMA wal_autocheckpoint = 16384");
   Taken taken;
   Transaction transaction(db_);

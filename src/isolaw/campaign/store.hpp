@@ -19,8 +19,7 @@ class Store {
   // complete and not yet in place. Throws Error if `file` is not a plain file or cannot be written.
   static Store create(std::filesystem::path const& file, Contents const& contents,
                       std::function<void()> const& before_replacing = {});
-  // Removes what a create() that was killed left beside the file.
-  static void remove_unfinished(std::filesystem::path const& file);
+  static void remove_unfinished(std::filesystem::path const& file);  // left by a killed create()
   // Opens an existing store to add results. Throws Error if it is missing, not a plain file (a pipe could block), not a
   // store, or of another schema, and for anything in what the campaign began with that isolaw would not write.
   static Store open(std::filesystem::path const& file);
@@ -30,12 +29,10 @@ class Store {
   // files, byte by byte, in whatever order and on however many machines their runs were computed. Does nothing if that
   // is so already, and keeps the old file if the new one cannot be written.
   static void put_in_order(std::filesystem::path const& file);
-  // Everything in it; the file is not changed. Throws Error as above.
-  static Contents read(std::filesystem::path const& file);
-  // What a campaign began with, without its records' series and without results.
+  static Contents read(std::filesystem::path const& file);  // everything; the file is not changed; throws as open()
+  // The beginning of a campaign, without its records' series and without results.
   static Contents read_beginning(std::filesystem::path const& file);
-  // The same with the series.
-  static Contents read_beginning_and_series(std::filesystem::path const& file);
+  static Contents read_beginning_and_series(std::filesystem::path const& file);  // the same with the series
   // The name and a hash of the rows for each table that holds what the campaign began with, also the series. The hash
   // does not depend on which part of a campaign the store holds.
   static std::vector<std::pair<std::string, std::string>> hashes_of_beginning(std::filesystem::path const& file);
@@ -47,9 +44,7 @@ class Store {
   // A sentence for each table with rows that this program would not write for `contents`, which read() returned. The
   // values of series are not compared, since read() takes them as they are.
   static std::vector<std::string> foreign_rows(std::filesystem::path const& file, Contents const& contents);
-
-  // Each is one transaction; not thread-safe. Throws std::logic_error for a result that read() would refuse, and does
-  // not store it.
+  // Each is one transaction; not thread-safe. Throws std::logic_error, and stores nothing, if read() would refuse it.
   void add(Run const& run);
   void add(DeviceAnalysis const& analysis);
   void add(LotAnalysis const& analysis);
@@ -63,8 +58,7 @@ class Store {
     std::size_t added = 0, there = 0;
   };
   Taken take_runs(std::filesystem::path const& other);
-  // Copies the analyses that are not here yet from another store of this campaign, which must have all its runs, and
-  // returns their number. Likewise all of them or none.
+  // Copies, all or none, missing analyses from another store of this campaign with all its runs; returns their number.
   std::size_t take_analyses(std::filesystem::path const& other);
   // To be called after the last result: folds the write-ahead log into the file. Returns false if another program is
   // reading the store. The log then stays beside the file, and whoever next opens the store to write folds it in.

@@ -12,8 +12,7 @@
 namespace isolaw::fit {
 namespace {
 
-// One spring, or two mirrored ones, with the factor of its force in the direction of the test.
-struct Share {
+struct Share {  // one spring, or two mirrored ones, with the factor of its force in the test's direction
   LawOnMotion law;
   double force;
 };
@@ -44,8 +43,7 @@ class SpringsOnRecord {
 
   std::size_t size() const { return measured_.size(); }
   std::span<double const> weights() const { return model_.residual_weights(); }
-  // Eq. (27) of the law itself, without springs.
-  double objective_of_law(std::span<double const> parameters) const {
+  double objective_of_law(std::span<double const> parameters) const {  // Eq. (27) of the law itself, without springs
     std::vector<double> work;
     return model_.objective(parameters, work);
   }

@@ -12,9 +12,8 @@
 namespace isolaw::fit {
 
 struct AsSprings {
-  std::vector<double> parameters;  // of the springs, in the law's order and units
-  // Eq. (27) on the record, or its mean over the records: for the law itself, for springs with the law's parameters,
-  // and for springs with `parameters`.
+  std::vector<double> parameters;  // the springs', in the law's order and units
+  // Eq. (27), or its mean over the records: for the law, springs with its parameters, and springs with `parameters`.
   double law = 0.0, given = 0.0, fitted = 0.0;
 };
 
@@ -23,7 +22,6 @@ struct AsSprings {
 // Returns `parameters` themselves if the descent does not improve on them or springs have no finite force there.
 AsSprings fitted_as_springs(laws::LawEntry const& law, data::FitRecord const& record, SearchBox const& box,
                             std::vector<double> parameters, int refinement = 1);
-// One set of parameters for the records of several devices.
 AsSprings fitted_as_springs(laws::LawEntry const& law, std::span<data::FitRecord const* const> records,
                             SearchBox const& box, std::vector<double> parameters, int refinement = 1);
 

@@ -15,8 +15,7 @@ namespace {
 // A logarithmic scale that ends at zero covers six decades, then goes linearly to zero; one across zero does so twice.
 constexpr double decades_from_zero = 6.0 * 2.302585092994046;
 
-// value = linear_size sinh(c), with c from asinh(lower / linear_size) to asinh(upper / linear_size).
-struct AcrossZero {
+struct AcrossZero {  // value = linear_size sinh(c), c from asinh(lower / linear_size) to asinh(upper / linear_size)
   double linear_size, from, to;
 
   AcrossZero(double lower, double upper)
@@ -45,7 +44,6 @@ std::vector<double> forces_at_zero(data::FitRecord const& record) {
   return forces;
 }
 
-// The slope from the smallest to the largest displacement.
 double peak_to_peak_stiffness(data::FitRecord const& record) {
   auto const &x = record.disp_mm, &f = record.force_kN;
   std::size_t low = x.size(), high = x.size();

@@ -17,8 +17,7 @@ enum class BoxKind {
   scaled,     // called "auto" by the user: follows from the size of the record
 };
 
-// The option --set law.parameter=value|lo:hi|free|other parameter.
-struct Override {
+struct Override {  // the option --set law.parameter=value|lo:hi|free|other parameter
   std::string law;
   std::string parameter;
   std::optional<laws::Interval> interval;  // equal ends fix the parameter; nullopt: free in its box, or tied
@@ -27,13 +26,9 @@ struct Override {
   std::string text() const;  // as the user would type it
 };
 
-// The last override of the parameter, which is the one that counts; nullptr if there is none.
 Override const* last_override(std::span<Override const> overrides, laws::LawEntry const& law,
                               std::string_view parameter);
-
-// Limits in words: "above 0 kN/mm".
-std::string limits_text(laws::Interval const& limits, std::string_view unit);
-
+std::string limits_text(laws::Interval const& limits, std::string_view unit);  // "above 0 kN/mm"
 // Throws Error if the text has another form, the law or parameter is unknown, lower >= upper, the values leave the
 // physical limits, or the parameter is tied to itself or to one of another unit.
 Override parse_override(std::string_view text);
@@ -45,7 +40,6 @@ struct SearchParameter {
   std::optional<std::size_t> tied_to = {};  // index of the parameter whose value it takes, in which case it is not free
   double lower = 0.0, upper = 0.0;
   laws::Scale scale = laws::Scale::linear;
-
   // Maps the unit interval to values of the parameter, and back; both clamp to the interval.
   double at(double unit_coordinate) const;
   double coordinate(double value_) const;
@@ -53,12 +47,10 @@ struct SearchParameter {
 
 struct SearchBox {
   std::vector<SearchParameter> parameters;  // all parameters of the law, in its order
-
   // The point of the free parameters' unit box for these values of all parameters, clamped into the box.
   std::vector<double> contract(std::span<double const> values) const;
 
   std::size_t free_count() const;
-  // The values of all parameters at a point of the free parameters' unit box.
   void expand(std::span<double const> point, std::span<double> values) const;
 };
 
@@ -68,18 +60,14 @@ struct SearchBox {
 // that ends at zero holds six decades, one across zero six on each side.
 inline constexpr double wide_interval = 100.0;
 SearchBox on_logarithmic_scales(SearchBox box, laws::LawEntry const& law);
-
 // A best value this close to an edge, as a share of the interval on the search scale, counts as at the bound.
 inline constexpr double bound_tolerance = 1e-3;
 enum class AtBound { no, lower, upper };
 std::string_view name(AtBound bound);  // "", "lower", "upper"
 AtBound at_bound(SearchParameter const& parameter, double value);
-
 // Typical sizes of a record's quantities, in the units of the law. Throws Error for a record without samples.
 laws::RecordScales scales_of(data::FitRecord const& record, laws::LawInfo const& law);
-
-// For parameters that the paper does not calibrate, `published` uses the scaled interval. Throws Error for a parameter
-// that is tied to a tied one.
+// `published` uses the scaled interval for parameters that the paper lacks. Throws Error for one tied to a tied one.
 SearchBox make_box(laws::LawEntry const& law, BoxKind kind, laws::RecordScales const& scales,
                    std::span<Override const> overrides);
 

@@ -1,5 +1,4 @@
-// Computes a law on a motion in two directions, and how far its two-dimensional forms differ there, between which tests
-// in one direction cannot decide.
+// A law on a motion in two directions, and how far its forms differ where tests in one direction cannot decide.
 #pragma once
 
 #include <string_view>
@@ -10,8 +9,7 @@
 
 namespace isolaw::fit {
 
-// The motion of an isolator that is at rest at the origin and reaches the first sample on a straight line. Without
-// time, velocities are empty.
+// An isolator at rest at the origin that reaches the first sample on a straight line. Without time: no velocities.
 struct PlaneMotion {
   std::vector<double> time_s;
   std::vector<laws::plane::Vector<double>> disp_mm, vel_mm_s;
@@ -36,12 +34,10 @@ struct OnAnEight {
 };
 // For A = size_mm and `duration_s` a turn, by each form of the law: coupled with either rule of softening, springs.
 std::vector<OnAnEight> on_a_figure_of_eight(LawInPlane const& law, double size_mm, double duration_s);
-// The largest differences between the forms, relative to the first.
-struct Spread {
+struct Spread {  // the largest differences between the forms, relative to the first
   double peak = 0.0, work = 0.0;
 };
 Spread spread_of(std::vector<OnAnEight> const& rules);
-
 // Work of springs over that of the law in the second cycle along one direction. The law must have an online form.
 double work_of_springs_on_a_line(LawInPlane const& law, double size_mm, double duration_s);
 

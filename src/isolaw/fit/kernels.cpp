@@ -22,7 +22,6 @@ laws::ParamsOf<Law, T> load(double const* parameters, std::size_t block = W) {
   return params;
 }
 
-// Objectives of W candidates; `parameters` holds `block` of them.
 template <class Law, std::size_t W, class T = num::Batch<W>>
 void sums(double const* parameters, std::size_t block, KernelRecord const& record, laws::Integration integration,
           double* out) {

@@ -76,8 +76,7 @@ std::vector<double> scored_values(data::FitRecord const& record, std::vector<dou
   return kept;
 }
 
-// Eq. (27) divides by the duration and by the standard deviation of the force: if either were only rounding error, a
-// candidate could get any objective, also a good one.
+// Eq. (27) divides by duration and standard deviation: if either were only rounding error, any objective could result.
 void require_something_to_fit(laws::LawInfo const& law, data::FitRecord const& record) {
   auto const refuse = [&](std::string found, std::string allowed) {
     throw Error({.where = "law " + std::string(law.id), .found = std::move(found), .allowed = std::move(allowed)});
@@ -142,8 +141,7 @@ laws::Path LawOnMotion::path(int refinement) const {
 }
 
 std::vector<std::size_t> LawOnMotion::outline() const {
-  // Laws bend most after a reversal, and the samples kept there decide which valley a search finds. Rejected: every
-  // third sample, which halves abe's chance.
+  // Laws bend most after a reversal, which decides the valley found. Rejected: every third sample halves abe's chance.
   constexpr std::size_t distance_per_gap = 6, widest_gap = 8;
   std::vector<std::size_t> samples;
   auto const reverses = [&](std::size_t i) {
@@ -245,8 +243,7 @@ void LawOnRecord::objectives(std::size_t count, std::function<void(std::size_t, 
     std::size_t const used = std::min(left, width);
     std::array<bool, wide_block> usable{};
     for (std::size_t lane = 0; lane < width; ++lane) {
-      // A block that is not full repeats its first candidate.
-      candidate(lane < used ? first + lane : first, one);
+      candidate(lane < used ? first + lane : first, one);  // a block that is not full repeats its first candidate
       usable[lane] = std::ranges::all_of(one, [](double value) { return std::isfinite(value); });
       for (std::size_t p = 0; p < dimension; ++p) block[p * width + lane] = one[p];
     }

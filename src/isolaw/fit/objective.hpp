@@ -15,30 +15,25 @@
 
 namespace isolaw::fit {
 
-// integration_shift() compares with a path this many times finer.
-inline constexpr int shift_refinement = 20;
-
+inline constexpr int shift_refinement = 20;  // integration_shift() compares with a path this many times finer
 // The relative difference that another machine's objective may have for the same record and parameters, and its forces
 // relative to the peak force. Compilers and processors round differently and bring their own elementary functions. The
 // largest differences that `./isolaw.sh compilers` has shown are 6e-14 and 1.2e-12 (bouc-wen in x87 arithmetic; 9e-14
 // without it). The rest is room for mathematical libraries and processors that were not at hand.
 inline constexpr double evaluation_tolerance = 1e-9;
-
 // The relative difference between a block's objective and the scalar one. Blocks use their own elementary functions and
 // fused multiply-adds; the largest difference seen is 1e-12 (hwang-wu), 3e-14 for the other laws. It may be larger for
 // an objective beyond 1e6, or if a Runge-Kutta step of `paper` is too long to be stable.
 inline constexpr double block_tolerance = 1e-11;
 
-// A law on a displacement history, whose force may be unknown.
-class LawOnMotion {
+class LawOnMotion {  // a law on a displacement history, whose force may be unknown
  public:
   // Every interval between samples is cut into `refinement` equal steps. A law that remembers its path follows the
   // displacement with the record's dead band. The history may be discarded afterwards. Throws Error for a history
   // without samples, or without time if the law needs velocities.
   LawOnMotion(laws::LawEntry const& law, data::FitRecord const& motion, laws::Integration integration,
               laws::TurningPoints turning_points = laws::TurningPoints::as_sampled, int refinement = 1);
-  // The same law and history with `refinement` steps between samples.
-  LawOnMotion refined(int refinement) const;
+  LawOnMotion refined(int refinement) const;  // with this many steps between samples
 
   laws::LawEntry const& law() const { return *law_; }
   laws::Integration integration() const { return integration_; }
@@ -46,12 +41,9 @@ class LawOnMotion {
   laws::Path const& path() const { return path_; }
   laws::Path path(int refinement) const;
 
-  // Indices of samples that outline the loop: all next to a reversal, and fewer the farther from one.
-  std::vector<std::size_t> outline() const;
-  // The same law on a part of the samples, given in rising order. If they include the reversals, a law that does not
-  // depend on the rate gives the same forces there.
+  std::vector<std::size_t> outline() const;  // indices of samples: all next to a reversal, fewer farther from one
+  // The same law on part of the samples, in rising order; with the reversals, a law without rate gives the same forces.
   LawOnMotion at(std::span<std::size_t const> samples) const;
-
   // Computed force [kN] at every sample; not finite if the law gives none. `parameters` are in the law's order and
   // units; `force` has as many elements as there are samples. Thread-safe.
   void force_kN(std::span<double const> parameters, std::span<double> force) const;
@@ -73,13 +65,11 @@ class LawOnRecord {
   // than two samples, no duration, a constant force.
   LawOnRecord(laws::LawEntry const& law, data::FitRecord const& record, laws::Integration integration,
               laws::TurningPoints turning_points = laws::TurningPoints::as_sampled, int refinement = 1);
-  // The same law and record with `refinement` steps between samples.
-  LawOnRecord refined(int refinement) const;
+  LawOnRecord refined(int refinement) const;  // with this many steps between samples
   // The same law on the samples of the loop's outline only, each with the weight of those it stands for; its objective
   // is close to this one's. nullopt if more than 3/4 of the samples remain or the integration steps are the samples.
   std::optional<LawOnRecord> outline() const;
-  // Spreads shares of all samples over the samples of the outline.
-  std::vector<double> on_outline(std::span<double const> shares) const;
+  std::vector<double> on_outline(std::span<double const> shares) const;  // spreads shares of all samples over its own
 
   laws::LawEntry const& law() const { return motion_.law(); }
   int refinement() const { return motion_.refinement(); }
@@ -87,12 +77,10 @@ class LawOnRecord {
   // OF = mean over time of |measured - computed| / standard deviation of the measured force; +infinity if a computed
   // force is not finite. `parameters` are in the law's order and units; `work` is scratch space. Thread-safe.
   double objective(std::span<double const> parameters, std::vector<double>& work) const;
-
   // The same for `count` candidates, computed in blocks; candidate(i, values) writes the parameters of candidate i.
   // Agrees with the scalar objective within block_tolerance (if that is above 1e-3) at every place in a block.
   void objectives(std::size_t count, std::function<void(std::size_t, std::span<double>)> const& candidate,
                   std::span<double> values, InstructionSet set = instruction_set()) const;
-
   // (measured - computed force) / standard deviation of the measured force: that of sample j and candidate i is
   // values[i * samples() + j]. Not finite where a force is not. Agrees with the scalar path as objectives() does.
   void residuals(std::size_t count, std::function<void(std::size_t, std::span<double>)> const& candidate,
@@ -102,16 +90,13 @@ class LawOnRecord {
   void residual_rows(std::size_t count, std::function<void(std::size_t, std::span<double>)> const& candidate,
                      std::size_t stride, std::span<double> rows, InstructionSet set = instruction_set()) const;
 
-  // The weight of each sample; the objective is the sum of weight * |residual|.
-  std::span<double const> residual_weights() const { return share_; }
+  std::span<double const> residual_weights() const { return share_; }  // objective = sum of weight * |residual|
   std::size_t samples() const { return measured_.size(); }
-  // Standard deviation of the measured force.
-  double spread_kN() const { return spread_ * law().info.force.in_record_units; }
+  double spread_kN() const { return spread_ * law().info.force.in_record_units; }  // measured standard deviation
 
   std::vector<double> force_kN(std::span<double const> parameters) const { return motion_.force_kN(parameters); }
 
-  // How far the objective moves when integrated more finely: its distance from that of the converged integration on a
-  // path `shift_refinement` times finer.
+  // Distance of the objective from that of the converged integration on a path `shift_refinement` times finer.
   double integration_shift(std::span<double const> parameters) const;
 
  private:

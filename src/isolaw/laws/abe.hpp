@@ -81,8 +81,7 @@ Constants<T> constants(Params const& p, Step const& first) {
   return c;
 }
 
-// A whole step, or a straight piece of one, with the peaks at both ends.
-struct Piece {
+struct Piece {  // a whole step, or a straight piece of one, with the peaks at both ends
   double x0, x1, length, direction, peak0, peak1;
   template <class Whole>
   Piece(Whole const& whole, double from, double to)
@@ -94,8 +93,7 @@ struct Piece {
         peak1(std::max(peak0, std::abs(to))) {}
 };
 
-// Integral of |dx| / Ut over the piece. `c` holds the constants of its start. The piece first runs inside the earlier
-// peak, at constant Ut, and may then extend the peak.
+// Integral of |dx| / Ut; `c` holds the constants of the start. Inside the earlier peak Ut is constant, then it grows.
 template <class T, class Params>
 T travel(Params const& p, Constants<T> const& c, Piece const& piece) {
   double const growth = piece.peak1 - piece.peak0;

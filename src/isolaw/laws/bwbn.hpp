@@ -136,8 +136,7 @@ struct Bwbn {
     T const direction(towards), length(way), half(0.5 * way), one(1.0), none(0.0), z = direction * state.z;
     T const work = max(state.e + half * state.share * z, none);
     T const zu = state.strength * exp2(-log2(one + p.dnu * work) / p.n), pace = p.A / zu;
-    // A falling strength leaves z above itself. From there z - zu decays as exp(-n t), the solution of u' = 1 - u^n
-    // near u = 1.
+    // A falling strength leaves z above itself: z - zu decays as exp(-n t), the solution of u' = 1 - u^n near u = 1.
     T const inside = min(z / zu, T(end_of_curve)), beyond = z / zu - inside;
     T const begin = state.flow.time_at(inside);
     // How fast the place on the curve advances per travel, at z and e.

@@ -14,8 +14,7 @@ struct BilinearForm {
   double K1, K2, uy;
 };
 
-// F = alpha Ke x + (1 - alpha) Ke z, dz/dx = 1 - |z|^n (beta sgn(z dx) + gamma).
-struct BoucWenForm {
+struct BoucWenForm {  // F = alpha Ke x + (1 - alpha) Ke z, dz/dx = 1 - |z|^n (beta sgn(z dx) + gamma)
   double alpha, Ke, beta, gamma, n;
 
   double z_max() const { return std::pow(beta + gamma, -1.0 / n); }  // the yield displacement
@@ -35,8 +34,7 @@ struct LimitCurvesForm {
   LimitCurve loading, unloading;
 };
 
-// The law is none of these forms. `lacking` names the part of it that they lack, or is empty.
-struct NoForm {
+struct NoForm {  // none of these forms; `lacking` names the part of the law that they lack, or is empty
   std::string_view lacking = {};
 };
 

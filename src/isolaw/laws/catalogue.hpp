@@ -1,5 +1,4 @@
-// The laws by name, with their types erased, for everything that is decided at run time: command line, campaign,
-// reports.
+// The laws by name, with their types erased, for everything decided at run time: command line, campaign, reports.
 #pragma once
 
 #include <optional>
@@ -28,10 +27,8 @@ struct LawEntry {
   // and units. A force that overflows is infinite or NaN; a parameter that is not finite makes all NaN. Throws nothing.
   void (*evaluate)(std::span<double const> parameters, Path const& path, Integration integration,
                    std::span<double> force);
-
   // The law as analysis programs know it, for parameters in the law's order and units.
   Canonical (*canonical)(std::span<double const> parameters) = nullptr;
-
   // Conditions between several parameters. unmet() gives the first one that `parameters` break, for example found "K1 =
   // 1, K2 = 2" and statement "K1 >= K2"; nullopt where they keep all.
   std::vector<JointLimitEntry> joint_limits = {};
@@ -40,7 +37,6 @@ struct LawEntry {
     std::string_view statement;
   };
   std::optional<Unmet> unmet(std::span<double const> parameters) const;
-
   // For a law with a redundant parameter: its name, the parameters that it trades off with, and the value it is fixed
   // at. `reduce` changes parameters in place to those of the same forces with that value. Empty and null elsewhere.
   std::string_view redundant = {};
@@ -48,26 +44,18 @@ struct LawEntry {
   double redundant_value = 0.0;
   void (*reduce)(std::span<double> parameters) = nullptr;
 
-  // Index of the parameter of this name. Throws an Error that lists the law's parameters.
-  std::size_t index_of(std::string_view parameter) const;
+  std::size_t index_of(std::string_view parameter) const;  // throws an Error that lists the law's parameters
 };
 
 std::span<LawEntry const> catalogue();
-
 // Words that name several laws at once. The sets nest: "all" holds "usual", which holds "paper".
 inline constexpr std::pair<std::string_view, LawSet> law_sets[]{
     {"paper", LawSet::paper}, {"usual", LawSet::usual}, {"all", LawSet::further}};
 inline std::string_view name(LawSet set) {
   return law_sets[static_cast<std::size_t>(set)].first;
 }
-
-// Says in words what a law remembers of its path, for example "turning points".
-std::string_view memory_of(LawInfo const& law);
-
-// The law of this id. Throws an Error that lists the laws.
-LawEntry const& find_law(std::string_view id);
-
-// The law's name for people, for example "Bouc-Wen" for "bouc-wen"; the id itself where no law has it.
-std::string_view called(std::string_view id);
+std::string_view memory_of(LawInfo const& law);  // says in words what it remembers of its path
+LawEntry const& find_law(std::string_view id);   // throws an Error that lists the laws
+std::string_view called(std::string_view id);    // "Bouc-Wen" for "bouc-wen"; the id itself where no law has it
 
 }  // namespace isolaw::laws

@@ -157,7 +157,7 @@ struct Gallardo {
 
   template <class T>
   static T elastic(Params<T> const& p, Side<T>& side, double x, Memory const& memory) {
-    constexpr double log2_reference = 6.64385618977472470;  // of reference_mm
+    constexpr double log2_reference = 6.64385618977472470;  // log2(reference_mm)
     if (memory.softens) {
       T const G(memory.log2_softening - log2_reference), rate(-num::log2_e);
       T const all = rate * p.fs1 * exp2(p.ps1 * G);

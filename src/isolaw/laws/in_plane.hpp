@@ -44,7 +44,6 @@ class InPlane {
 
 // Says why a law with these parameters has no coupled form; nullopt where it has one.
 std::optional<std::string> no_coupled_form(std::string_view law, std::span<double const> parameters);
-// Whether the peak so far softens the law's force, so that Softening matters for it.
-bool softens_with_the_peak(std::string_view law);
+bool softens_with_the_peak(std::string_view law);  // by the peak so far, so that Softening matters for it
 
 }  // namespace isolaw::laws

@@ -20,8 +20,7 @@ namespace isolaw::laws {
 
 namespace kikuchi_aiken {
 
-// The functions of the peak: the force there, the equivalent damping ratio, the hysteretic share of the force, and the
-// exponent of the hardening part.
+// The functions of the peak: force, equivalent damping ratio, hysteretic share, and exponent of the hardening part.
 template <class T>
 struct AtPeak {
   T force, damping, share, exponent;
@@ -37,8 +36,7 @@ class Loops {
         c_(c * T(num::log2_e)),
         twice_c2_(T(2.0) * c * c) {}
 
-  // The force at the end of a step. at_peak(m) gives AtPeak of the largest |x| so far. The caller calls this at every
-  // step.
+  // The force at the end of a step, called at every step. at_peak(m) gives AtPeak of the largest |x| so far.
   template <class Functions>
   T force(Step const& step, Memory const& memory, Functions&& at_peak) {
     if (memory.kept != Memory::none) turn(memory.kept, step.x0);
@@ -77,8 +75,7 @@ class Loops {
     T const wanted = T(1.0) - T(0.5 * std::numbers::pi) * now.damping / now.share;
     // A NaN stays: max keeps it in its first argument, and b takes it from `wanted`.
     T const area = max(least_area_, wanted);
-    // Solves area a - 1 + exp(-2a) = 0. The left side is convex, so Newton's method falls on the root from above. From
-    // 1/area five steps leave only rounding for any area up to 1.
+    // Newton's method from above for the convex area a - 1 + exp(-2a) = 0: five steps from 1/area do for any area <= 1.
     T a = T(1.0) / area;
     for (int i = 0; i < 5; ++i) {
       T const e = exp2(T(-2.0 * num::log2_e) * a);
@@ -90,8 +87,7 @@ class Loops {
     closing_ = T(2.0) - shape(2.0, true, true);
   }
 
-  // f(s) of a branch that has moved s peaks since its turning point.
-  T shape(double s, bool outer, bool bump) const {
+  T shape(double s, bool outer, bool bump) const {  // f(s) of a branch that has moved s peaks since its turn
     T f = T(2.0) - T(2.0) * exp2(-a_ * T(s));
     if (bump) f = f + b_ * T(s) * exp2(-c_ * T(s));
     if (!outer) return f;

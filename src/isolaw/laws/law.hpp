@@ -1,5 +1,4 @@
 // The contract of a law: what the law's file declares, the record as the law sees it, and how a law runs over a record.
-//
 // A law is a struct with
 //   info                       LawInfo: id, name, title, source, units, traits, a note on how the source was read
 //   Params<T>                  its parameters, in the paper's symbols
@@ -58,8 +57,7 @@ struct Interval {
 // How an interval is searched. logarithmic: in log|value|, but linearly closer to 0 than a millionth of its larger end.
 enum class Scale { linear, logarithmic };
 
-// The size of a record, in the law's units. Search boxes of devices of any size are scaled from it.
-struct RecordScales {
+struct RecordScales {      // the size of a record, in the law's units; boxes of devices of any size are scaled from it
   double disp = 0.0;       // largest |displacement|
   double force = 0.0;      // largest |force|
   double stiffness = 0.0;  // effective stiffness, peak to peak
@@ -68,8 +66,7 @@ struct RecordScales {
   double work = 0.0;       // energy dissipated by the whole record
 };
 
-// A search interval in multiples of a size of the record (limits.hpp names the sizes).
-struct ScaledInterval {
+struct ScaledInterval {  // a search interval in multiples of a size of the record (limits.hpp names the sizes)
   double lower, upper;
   double (*size)(RecordScales const&);
 
@@ -94,7 +91,6 @@ struct ParameterInfo {
   }
 };
 
-// A ParameterInfo, written as one line of a law's table.
 constexpr ParameterInfo parameter(std::string_view name, std::string_view unit, std::string_view meaning,
                                   Interval physical, std::optional<Interval> published, ScaledInterval scaled,
                                   Scale scaled_search = Scale::linear, std::optional<double> fixed_by_default = {}) {
@@ -137,17 +133,15 @@ struct LawInfo {
   std::string_view formula;    // lines of plain text with the parameters' names; x, v and F in the units above
   std::string_view note = "";  // how the source was read where it is incomplete, what the law was made for
   LawSet set = LawSet::further;
-  // Time of one step of one candidate [0.01 ns], as `isolaw bench` measured it once with 512-bit lanes. It orders runs
-  // by cost where no clock may be read (campaign/deal.hpp), so it need not be measured again when the law's code
-  // changes.
+  // Time of one step of one candidate [0.01 ns], once measured by `isolaw bench` with 512-bit lanes. It orders runs by
+  // cost where no clock may be read (campaign/deal.hpp) and need not follow changes of the law's code.
   unsigned step_cost = 500;
 };
 
 enum class Integration { converged, paper };
 enum class TurningPoints { as_sampled, interpolated };  // whether the path turns only at samples, or also between them
 
-// One step of the path, in the law's units. It depends on the record alone.
-struct Step {
+struct Step {                       // one step of the path, in the law's units; it depends on the record alone
   double x0, x1;                    // displacement before and after
   double v0, v1;                    // velocity before and after; 0 for a record without time
   double dx;                        // x1 - x0
@@ -156,7 +150,7 @@ struct Step {
   bool reversal;                    // the direction differs from that of the step before
   bool sample;                      // the end is a sample of the record, where a force is wanted
   double peak0, peak1;              // largest |x| up to the start and the end of the step
-  double log2_abs_x0, log2_abs_x1;  // of |x| clamped to num::smallest_power_base
+  double log2_abs_x0, log2_abs_x1;  // |x| is clamped to num::smallest_power_base
 };
 
 // The path's memory at the end of a step: turning points, and peak and travel of each side, x >= 0 and x < 0. It
@@ -177,7 +171,7 @@ struct Memory {
   double pushed = 0.0;     // how far the largest |x| has grown at x > 0, less how far at x < 0
   double softening = 0.0;  // G: half the travel outwards and four times the travel back, never beyond side_peak
   double way_back = 0.0;   // C: travel towards 0
-  double log2_softening = 0.0, log2_way_back = 0.0;  // of G and C, clamped to num::smallest_power_base
+  double log2_softening = 0.0, log2_way_back = 0.0;  // G and C are clamped to num::smallest_power_base
   std::size_t side = 0;                              // 0: x >= 0, 1: x < 0
   bool softens = false, returns = false;             // G, C have changed since the last step that ended on this side
   bool peak_grows = false, side_peak_grows = false;  // whether the peak grows in this step
@@ -196,16 +190,13 @@ struct Path {
 // x and v [samples] in the law's units; v is empty for a record without time. Needs at least one sample and refinement
 // >= 1. Every interval is cut into `refinement` equal steps, with displacement and velocity interpolated linearly.
 Path make_path(std::span<double const> x, std::span<double const> v, int refinement = 1, bool with_memory = true);
-
 // The same path, but also through the turning points between the samples: at each reversal it inserts the vertex of the
 // parabola through the three samples there, at rest. For smooth records; on a noisy one it follows the noise. `time`
 // [samples] increases.
 Path make_path_with_turning_points(std::span<double const> x, std::span<double const> v, std::span<double const> time,
                                    int refinement = 1, bool with_memory = true);
 
-// Fills in path.memory and path.deepest.
-void remember(Path& path);
-
+void remember(Path& path);  // fills in path.memory and path.deepest
 // The motion without its movements of less than `dead_band` (in the unit of x) to either side: after a turn of x it
 // rests while x moves two bands and catches up over the next four. Elsewhere it equals x.
 std::vector<double> followed(std::span<double const> x, double dead_band);
@@ -216,8 +207,7 @@ using ParamsOf = typename Law::template Params<T>;
 template <class Law>
 inline constexpr std::size_t parameter_count = Law::template rows<double>.size();
 
-// Only the members of rows<T>: code for batches that used whole rows would carry a copy of the functions that the rows
-// name, compiled for its instruction set.
+// Only the members of rows<T>: whole rows would carry a copy of the functions they name, compiled per instruction set.
 template <class Law, class T>
 inline constexpr auto members = [] {
   std::array<T ParamsOf<Law, T>::*, parameter_count<Law>> pointers{};

@@ -1,6 +1,5 @@
 // Fills in the Memory of a path: turning points by Masing's rules, and for each side its peak, travel, softening and
-// way back.
-// Source: docs/laws.md, power-masing and gallardo.
+// way back. Source: docs/laws.md, power-masing and gallardo.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -13,10 +12,7 @@ namespace {
 
 // As the peak m grows, travel fades with this power of its growth: dN = |dx|/m - 60 N dm/m, so a first motion has 1/60.
 constexpr int forgetting = 60;
-
-// Share by which the followed motion is faster than x after a turn, until it equals x again.
-constexpr double catching_up = 0.5;
-
+constexpr double catching_up = 0.5;  // share by which the followed motion outruns x after a turn, until it equals x
 // Shares of the travel outwards and back that add to the softening G.
 constexpr double softening_outwards = 0.5, softening_back = 4.0;
 
@@ -30,8 +26,7 @@ struct Side {
   double softening = 0.0, way_back = 0.0;
   double reported_softening = 0.0, reported_way_back = 0.0;
 
-  // Moves from x0 to x1, which are both on this side or 0.
-  void move(double x0, double x1) {
+  void move(double x0, double x1) {  // both are on this side or 0
     double const from = std::abs(x0), to = std::abs(x1);
     if (to > from)
       outwards(from, to);

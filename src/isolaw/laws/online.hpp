@@ -8,8 +8,7 @@
 
 namespace isolaw::laws {
 
-// A device that starts virgin at 0, in the law's units and seconds. Copies are independent of one another.
-class Online {
+class Online {  // starts virgin at 0, in the law's units and seconds; copies are independent of one another
  public:
   // `parameters` in the law's order; `dead_band` [law's length] of the record that a law with memory was fitted to; a
   // trial takes `parts` equal steps. Throws Error for a law without a form in online/.
@@ -23,8 +22,7 @@ class Online {
   struct Force {
     double force, by_x, by_v;  // and its derivatives by displacement and velocity at the end of the step, as computed
   };
-  // The force after a motion from the committed state to x, with the velocity v there; earlier trials do not matter.
-  // Laws have no clock, so a step has no duration.
+  // The force after a motion from the committed state to x, with the velocity v there. Without a clock: no duration.
   Force trial(double x, double v);
   void commit();  // makes the last trial the committed state
 

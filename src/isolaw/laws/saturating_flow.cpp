@@ -1,5 +1,4 @@
-// The matrices of the flow's fit. They are not in the header because every instruction set that kernels are compiled
-// for would then have its own copy.
+// The matrices of the flow's fit, kept out of the header because every instruction set would have its own copy.
 #include "isolaw/laws/saturating_flow.hpp"
 
 #include <algorithm>

@@ -1,12 +1,10 @@
 // The exact flow of the hysteretic laws between two reversals.
-//
 // Bouc-Wen's z and Abe's F2, divided by their saturation value and taken positive in the direction of motion, obey one
 // autonomous equation in dimensionless travel t:
 //     du/dt = 1 - u^n            for u >= 0  (from both sides towards saturation, u = 1)
 //     du/dt = 1 + kappa |u|^n    for u <  0  (unloading, u rises to 0)
 // Every device history between reversals is a piece of one curve u(t), counted from u = 0. On either side of 0 one
 // polynomial gives |u|: no table to search, no gather, no power per sample, no step size, no stability limit.
-//
 // A suitable variable keeps the polynomial short. With E = exp(-rate |t|) and x = (1 - E) / (1 + bend E):
 //   - u is analytic in exp(-n t) at saturation, so rate = n there, and n |kappa|^(1/n) where unloading tends to a rest;
 //     it is negative where unloading speeds up;
@@ -38,8 +36,7 @@ namespace flow_parts {
 
 inline constexpr std::size_t terms = 17, guesses = 6;
 
-// Numbers of the fit that are the same for all candidates. They are computed at the first call.
-struct Nodes {
+struct Nodes {  // numbers of the fit that are the same for all candidates, computed at the first call
   using Values = std::array<double, terms>;
   Values place;  // v, or |u|^(1/5) over its largest value, ascending in (0, 1)
   Values fifth;  // place^5
@@ -49,8 +46,7 @@ struct Nodes {
   // From values at the places to coefficients of the Chebyshev polynomials T_k(y), y = 2 place - 1, and from these to
   // coefficients of y^k. One matrix for both would lose six digits more.
   std::array<Values, terms> chebyshev, power;
-  // The same from only a few of the places, and T_k at all places. The fit subtracts this rough polynomial first: what
-  // is left is small and has smaller rounding errors.
+  // The same from only a few places, and T_k at all. The fit first subtracts this rough polynomial, to round less.
   static constexpr std::array<std::size_t, 7> few{0, 2, 5, 8, 11, 14, 16};
   std::array<std::array<double, few.size()>, few.size()> chebyshev_of_few;
   std::array<std::array<double, few.size()>, terms> at_places;
@@ -78,7 +74,6 @@ class SaturatingFlow {
  public:
   // Needs n > 0 and kappa > -1; kappa = 1 for Reach::beyond_saturation. Other values give results that are not finite.
   void fit(T const& n, T const& kappa);
-
   // time_at gives the place of u on the curve as a time, value_at the u at a time: value_at(time_at(u) + travel) is u
   // after that travel. The two are inverse within rounding, so that repeated conversion does not drift.
   T time_at(T const& u) const;
@@ -90,8 +85,7 @@ class SaturatingFlow {
     return value;
   }
 
-  // u after the given travel, also from beyond saturation, with the rates du/dt before and after. ratio = rate1 / rate0
-  // is well defined even where both vanish.
+  // u after the given travel, also from beyond saturation, with du/dt before and after; `ratio` holds where both are 0.
   struct Advance {
     T u, rate0, rate1, ratio;
   };
@@ -175,8 +169,7 @@ void SaturatingFlow<T, reach>::Side::fit(T const& n, T const& kappa, T const& re
     for (std::size_t k = 1; k < terms; ++k) sum = sum + T(matrix[row][k]) * values[k];
     return sum;
   };
-  // dt/d|u| without its pole where |u| comes to rest.
-  Coefficients smooth, nodal;
+  Coefficients smooth, nodal;  // dt/d|u| without its pole where |u| comes to rest
   for (std::size_t i = 0; i < terms; ++i) {
     T const u(largest_u * nodes.fifth[i]);
     T const flow = one + kappa * exp2(n * T(nodes.log2_fifth[i] + log2_largest)), pole = rounded(n * (one - rest * u));
@@ -247,8 +240,7 @@ void SaturatingFlow<T, reach>::fit(T const& n, T const& kappa) {
   T const one(1.0), zero(0.0);
   n_ = n;
   kappa_ = kappa;
-  // Written so that NaN counts as outside.
-  auto const within = [&](T const& x, double least, double largest) {
+  auto const within = [&](T const& x, double least, double largest) {  // written so that NaN counts as outside
     return select(x < T(least), zero, select(x <= T(largest), one, zero));
   };
   T const fitting = within(n, flow_parts::least_n, largest_n) *
@@ -314,7 +306,6 @@ T SaturatingFlow<T, reach>::time_at(T const& u, Mask const& below) const {
   constexpr double ln2 = 0.69314718055994530942;
   T const one(1.0), size = abs(u), w = min(size, one), root = rounded(fifth_root(w));
   T x = rounded(w * polynomial<mixed>(&Side::inverse, below, root + root - one));
-  // Newton's method from the start that H gives.
   for (int pass = 0; pass < 2; ++pass) {
     auto const found = value_of<mixed>(below, x);
     x = x - (found.value - w) / found.slope;
@@ -334,8 +325,7 @@ auto SaturatingFlow<T, reach>::advance(T const& u, T const& travel) -> Advance {
   static_assert(beyond);
   T const one(1.0), zero(0.0), size = abs(u), w = min(size, T(largest_u));
   T const less = expm1(-(n_ * travel));
-  // s = 1 - E, of either sign, with its x and the u and slope there.
-  struct Start {
+  struct Start {  // s = 1 - E, of either sign, with its x and the u and slope there
     T s, x;
     Slope u;
     T per_end;

@@ -9,9 +9,7 @@
 namespace isolaw::laws {
 
 inline constexpr double reference_mm = 100.0;
-
-// The force at 100 mm of a device whose force grows with the power 0.4 of the amplitude, about that of high damping
-// rubber.
+// The force at 100 mm if it grows with the power 0.4 of the amplitude, about as in high damping rubber.
 inline double force_at_reference(RecordScales const& s) {
   return s.force * std::pow(reference_mm / s.disp, 0.4);
 }

@@ -15,8 +15,7 @@ namespace isolaw::laws {
 
 inline constexpr int usual_springs = 16;
 
-// Factors of one spring: from the law's force to the spring's, and from the device's displacement along the spring to
-// the law's.
+// Factors from the law's force to a spring's, and from the device's displacement along a spring to the law's.
 struct SpringShares {
   double force, way;  // rf, rs / rf
 };

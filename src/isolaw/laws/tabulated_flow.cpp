@@ -1,5 +1,4 @@
-// The nodes of the flow's table. They are not in the header because every instruction set that kernels are compiled for
-// would then have its own copy.
+// The nodes of the flow's table, kept out of the header because every instruction set would have its own copy.
 #include "isolaw/laws/tabulated_flow.hpp"
 
 #include <cmath>
@@ -28,8 +27,7 @@ Point above_one(double w) {  // u = 1 + e^w
   return {1.0 + e, e, std::log1p(e) * num::log2_e};
 }
 
-// Writes the nodes of one grading, with w from `first` up or down to `last`, into `nodes` from index `at` on. Returns
-// the next free index.
+// Writes the nodes of one grading, with w from `first` to `last`, into `nodes` from index `at`; returns the next index.
 template <std::size_t Count, class Grading>
 std::size_t append(Nodes<Count>& nodes, std::size_t at, Grading grading, double first, double last) {
   constexpr double inner = 0.27639320225002103;  // (1 - 1/sqrt(5)) / 2

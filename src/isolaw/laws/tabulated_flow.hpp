@@ -1,7 +1,6 @@
 // The exact flow of the hysteretic laws between two reversals, from a table, where the polynomials of
 // saturating_flow.hpp do not hold. That file states the equation and the rejected alternatives. The curve u(t) is
 // tabulated once per candidate, which costs about 500 powers; each sample then costs a lookup, however large its step.
-//
 // Nodes are graded geometrically towards u = 0, where u^n is not smooth for n < 1, and towards saturation on both
 // sides. Times between nodes come from four-point Lobatto quadrature; u(t) within a cell is the quintic with the value,
 // slope and curvature of both ends.
@@ -37,14 +36,12 @@ struct Nodes {
   std::array<Cell, Count - 1> cells{};
 };
 
-inline constexpr double spacing = 1.0 / 3.0;  // between values of w, in all gradings
-inline constexpr double smallest_w = -12.0;   // |u| = 6e-6: between -6e-6 and 6e-6 the curve is a straight line
-inline constexpr double largest_w = 16.0;     // |1 - u| = 1e-7: closer to saturation u stays there
-inline constexpr double unloading_w = 14.0;   // |1 + u| = 8e-7: where unloading starts within saturation
-inline constexpr double reach_w = 4.0;        // |u| = 55: beyond it the rate is frozen at its value there
-// Keys of the falling piece, 4.4 to 59, lie above those of the rising one.
-inline constexpr double falling_origin = 60.0;
-
+inline constexpr double spacing = 1.0 / 3.0;    // between values of w, in all gradings
+inline constexpr double smallest_w = -12.0;     // |u| = 6e-6: between -6e-6 and 6e-6 the curve is a straight line
+inline constexpr double largest_w = 16.0;       // |1 - u| = 1e-7: closer to saturation u stays there
+inline constexpr double unloading_w = 14.0;     // |1 + u| = 8e-7: where unloading starts within saturation
+inline constexpr double reach_w = 4.0;          // |u| = 55: beyond it the rate is frozen at its value there
+inline constexpr double falling_origin = 60.0;  // falling keys, 4.4 to 59, lie above the rising ones
 // Keeps a saturated u in the last cell of its piece; rounding would otherwise move it to the next.
 inline constexpr double just_below_one = 1.0 - 1e-15;
 
@@ -53,9 +50,8 @@ constexpr std::size_t node_count(double first, double last) {
   return static_cast<std::size_t>(width / spacing + 0.5) + 1;
 }
 
-// The nodes of a reach: from -1 (or -55) through 0 up to saturation, then, beyond saturation, from 55 down to it.
-// Within saturation they are graded towards -1 as well, where the rate 1 + kappa |u|^n nearly vanishes for kappa close
-// to -1.
+// The nodes of a reach: from -1 (or -55) up to saturation, then, beyond saturation, from 55 down to it. Within
+// saturation they are graded towards -1 too, where the rate 1 + kappa |u|^n nearly vanishes for kappa close to -1.
 template <Reach reach>
 struct Layout {
   static constexpr bool falls = reach == Reach::beyond_saturation;
@@ -77,16 +73,12 @@ class TabulatedFlow {
   static constexpr std::size_t count = Layout::count;
 
  public:
-  // Fills the table in place, because it is large. Needs n > 0 and kappa > -1; other values give results that are not
-  // finite.
+  // Fills the table in place, because it is large. Values other than n > 0 and kappa > -1 give results not finite.
   void tabulate(T const& exponent, T const& unloading);
-
-  // As in SaturatingFlow: value_at(time_at(u) + travel) is u after that travel.
-  T time_at(T const& u) const { return place_of(u).time(); }
+  T time_at(T const& u) const { return place_of(u).time(); }  // see SaturatingFlow
   T value_at(T const& time) const { return value_of_key(place_at(time).key() + first_rate_ * min(time, T(0.0))); }
 
-  // u after the given travel, also from beyond saturation, and the rates du/dt before and after.
-  struct Advance {
+  struct Advance {  // as in SaturatingFlow
     T u, rate0, rate1;
   };
   Advance advance(T const& u, T const& travel) const {
@@ -101,16 +93,14 @@ class TabulatedFlow {
   }
 
  private:
-  // Slope and curvature of the key over time at a node.
-  struct Motion {
+  struct Motion {  // slope and curvature of the key over time at a node
     T rate, curvature;
   };
   static Motion motion_at(std::size_t i, T const& n, T const& kappa);
   static T duration_of(std::size_t cell, T const& n, T const& kappa, T const& rate0, T const& rate1);
   void fit_cell(std::size_t i, T const& duration, Motion const& a, Motion const& b);
 
-  // Within a cell the key is a polynomial of the time since the cell's begin. The table holds these values in this
-  // order.
+  // Within a cell the key is a polynomial of the time since its begin. The table holds these values in this order.
   struct Cell {
     T begin, duration;
     std::array<T, 6> c;
@@ -122,8 +112,7 @@ class TabulatedFlow {
     }
     T inside(T const& t) const { return max(T(0.0), min(t, duration)); }
   };
-  // A point of the curve: its cell and the time since the cell's begin.
-  struct Place {
+  struct Place {  // a point of the curve: its cell and the time since the cell's begin
     Cell cell;
     T t;
     T before;  // for a point before the first node: the (negative) time from it; else 0

@@ -17,8 +17,7 @@ using num::Matrix;
 using num::Vector;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-// An eigenvalue below this share of the largest is rounding error.
-constexpr double rounding = 1e-13;
+constexpr double rounding = 1e-13;  // an eigenvalue below this share of the largest is rounding error
 // A direction has variance if more than this share of it remains; S = C would leave none in exact arithmetic.
 constexpr double least_remainder = 1e-10;
 
@@ -83,8 +82,7 @@ void check(std::vector<std::string> const& names, std::span<DeviceEstimate const
   if (!complaints.empty()) throw Error(std::move(complaints));
 }
 
-// A device in transformed coordinates.
-struct Located {
+struct Located {  // a device in transformed coordinates
   Vector at;
   Matrix error;  // C_d
 };
@@ -113,14 +111,12 @@ std::vector<double> physical(Population const& population, Vector const& at) {
   return values;
 }
 
-// Replaces 0 by 1, for a divisor.
-Vector or_one(Vector v) {
+Vector or_one(Vector v) {  // replaces 0 by 1, for a divisor
   for (double& x : v) x = x > 0.0 ? x : 1.0;
   return v;
 }
 
-// Multiplies each element by the factors of its row and its column.
-Matrix scaled(Matrix const& m, Vector const& factors) {
+Matrix scaled(Matrix const& m, Vector const& factors) {  // by the factors of row and column
   return factors.asDiagonal() * m * factors.asDiagonal();
 }
 

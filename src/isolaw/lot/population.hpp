@@ -1,6 +1,5 @@
 // Estimates the population that a lot's devices come from, as a distribution of one law's parameters (centre, scatter
 // and correlation), and draws devices from it.
-//
 // Model: the estimate of device d is theta_d = mu + b_d + e_d in transformed coordinates (see Transform), with b_d ~
 // N(0, Sigma) the difference between devices and e_d ~ N(0, C_d) the error of its fit. The covariance S of the
 // estimates (divisor devices - 1) has the expected value Sigma + C, where C is the mean of the C_d. We therefore take
@@ -8,7 +7,6 @@
 // keep lambda - 1 and the others get no variance (Amemiya 1985, What should be done when an estimated between-group
 // covariance matrix is not nonnegative definite?; for equal C_d this Sigma makes S most likely). A direction thus has
 // no variance if the devices differ no more in it than their own uncertainty explains: the tests do not determine it.
-//
 // Rejected: drawing parameters one by one. Their errors and true values are strongly correlated, so that independent
 // draws give devices unlike any that was tested.
 #pragma once
@@ -25,19 +23,16 @@
 
 namespace isolaw::lot {
 
-// The coordinate in which a parameter is taken to be normally distributed: its value, or log|value| with the sign that
-// all devices have.
+// The coordinate in which a parameter is taken to be normal: its value, or log|value| with the sign of all devices.
 enum class Transform { identity, logarithm };
 std::string_view name(Transform transform);
-
 // logarithm if all values are finite, have the same sign and none is zero: a scatter is then a fraction, and no draw
 // changes the sign. identity otherwise, also if there are no values.
 Transform transform_for(std::span<double const> values);
 
 using SquareMatrix = std::vector<std::vector<double>>;  // [row][column]
 
-// The fit of one device, in the units of the parameters.
-struct DeviceEstimate {
+struct DeviceEstimate {        // the fit of one device, in the units of the parameters
   std::vector<double> values;  // [n] best fit
   // [n][n] covariance of its error; empty: no error. In log coordinates it becomes C_ij / (value_i value_j). It may be
   // singular, or huge in directions that the test does not determine. Only its symmetric part counts.
@@ -51,8 +46,7 @@ struct Direction {
   double ratio = 0.0;           // lambda: variance of the estimates over that of their errors, at most 1
 };
 
-// Vectors and matrices have an element for each parameter, in the order given, in transformed coordinates unless the
-// comment says otherwise.
+// Vectors and matrices have an element per parameter, in the order given, transformed unless a comment says otherwise.
 struct Population {
   std::vector<std::string> names;
   std::vector<Transform> transforms;
@@ -61,7 +55,6 @@ struct Population {
 
   std::vector<double> mean;     // mu; empty without devices
   std::vector<double> medians;  // mu in the units of the parameters
-
   // With fewer than two devices this and all that follows, except the note, is empty.
   SquareMatrix estimates;               // S
   SquareMatrix uncertainty;             // C
@@ -86,8 +79,7 @@ struct Population {
 Population estimate_population(std::vector<std::string> const& names, std::span<DeviceEstimate const> devices,
                                std::span<std::size_t const> undetermined = {});
 
-// Physical limits of a parameter in its units; a value at a limit is inside.
-struct Limits {
+struct Limits {  // physical limits of a parameter in its units; a value at a limit is inside
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
 };
@@ -98,7 +90,6 @@ struct Sample {
   std::size_t pulled_back = 0;  // devices whose `most_tries` draws were all outside
 };
 inline constexpr std::uint32_t most_tries = 100;
-
 // Draws `count` devices from N(mu, Sigma), all parameters of a device together, as mu + Sigma^(1/2) z. The symmetric
 // root does not jump where eigenvalues coincide. Device i depends only on the stream's places (i, try), not on the
 // count. A draw outside `limits` (one per parameter, or none at all) is repeated. After `most_tries` the last one is

@@ -17,8 +17,7 @@ bool all_finite(std::span<double const> values) {
   return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
 }
 
-// The mean that differences are relative to; nullopt if they are undefined.
-std::optional<double> reference_mean(std::span<double const> values) {
+std::optional<double> reference_mean(std::span<double const> values) {  // nullopt if differences are undefined
   if (values.empty() || !all_finite(values)) return std::nullopt;
   double largest = 0.0;
   for (double const value : values) largest = std::max(largest, std::abs(value));

@@ -1,5 +1,4 @@
 // A batch of W doubles that behaves like one double. Each lane holds one candidate of a population; lanes never mix.
-//
 // A batch consists of a few native vectors of the compiler (GCC and Clang, vector_size). A law's body thus runs in the
 // registers of the instruction set it is compiled for, and several independent vectors in flight hide each other's
 // latency. The names of the types contain the instruction set, so that objects compiled for different ones may be
@@ -75,7 +74,6 @@ template <std::size_t W>
 struct Mask : Pack<VectorMask, W / vector_lanes> {};
 template <std::size_t W>
 struct Bits : Pack<VectorBits, W / vector_lanes> {};
-// For each lane the index of a table's cell.
 template <std::size_t W>
 struct Indices : Pack<VectorMask, W / vector_lanes> {};
 
@@ -138,7 +136,6 @@ ISOLAW_OPERATOR(>>, int)
 
 }  // namespace ISOLAW_INSTRUCTION_SET
 
-// The operations that elementary.hpp needs.
 template <std::size_t W>
 struct Lanes<Batch<W>> {
   using L = Lanes<Vector>;
@@ -216,7 +213,6 @@ template <std::size_t W>
 ISOLAW_INLINE Batch<W> select(Mask<W> const& condition, Batch<W> const& a, Batch<W> const& b) {
   return Lanes<Batch<W>>::select(condition, a, b);
 }
-// Whether the mask is set in any lane, so that code can skip what no lane needs.
 template <std::size_t W>
 ISOLAW_INLINE bool any(Mask<W> const& mask) {
   VectorMask all = mask.part[0];
@@ -263,7 +259,6 @@ ISOLAW_INLINE Batch<W> rounded(Batch<W> a) {
   return a;
 }
 
-// base[index] for each lane.
 ISOLAW_INLINE Vector gather(double const* base, VectorMask const& index) {
 #if defined(__AVX512F__)
   return _mm512_mask_i64gather_pd(_mm512_setzero_pd(), 0xff, std::bit_cast<__m512i>(index), base, 8);
@@ -319,8 +314,7 @@ ISOLAW_INLINE Indices<W> bisect(Values const& nodes, std::size_t cells, Batch<W>
         return first.part[i] + ((node.part[i] <= x.part[i]) & skip);
       })};
     }
-  // The last of the eight blocks may be longer. In another block the search may look past its end, where all nodes are
-  // greater than x.
+  // The last of the eight blocks may be longer. In another the search may look past the end, where nodes exceed x.
   for (std::size_t length = cells - 7 * block; length > 1;) {
     std::size_t const half = length / 2;
     auto const step = static_cast<std::int64_t>(half);

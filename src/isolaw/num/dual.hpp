@@ -17,11 +17,9 @@ struct Dual {
 
   Dual() = default;
   explicit Dual(double v) : value(v) {}
-  // Independent variable number i.
-  Dual(double v, std::size_t i) : value(v) { slope[i] = 1.0; }
+  Dual(double v, std::size_t i) : value(v) { slope[i] = 1.0; }  // independent variable i
 
-  // f(u) from its value and derivative.
-  static Dual chain(Dual const& u, double f, double derivative) {
+  static Dual chain(Dual const& u, double f, double derivative) {  // f(u)
     Dual out(f);
     for (std::size_t i = 0; i < N; ++i) out.slope[i] = derivative * u.slope[i];
     return out;

@@ -1,6 +1,5 @@
 // 2^x, e^x, e^x - 1, log2 x, |x|^p and x^(1/5) without branches, tables or library calls. They serve code that computes
 // many lanes at once: loops over doubles that a compiler vectorises, and the same bodies on vectors.
-//
 //   function           largest error (with / without fused multiply-add; tests/unit checks it) and where it holds
 //   fast_exp2(x)       0.9 / 1.2 ULP in [-1022, 1023.5); +inf from 1023.5 on; gradual down to -1022.5, 0 below
 //   fast_exp(x)        0.9 / 1.2 ULP in [-708.3, 709.4]; +inf from 709.44 on; 0 below -708.75
@@ -11,13 +10,11 @@
 //                      finite where x or p is not; same range as fast_exp2
 // NaN gives NaN. +inf comes up to a factor of sqrt(2) early, and 0 replaces the smallest subnormal numbers: reaching
 // exactly to the ends of the format would cost a second scaling.
-//
 // Source: Cody and Waite 1980 (arguments reduced to half a binade around 1), fdlibm (log through s = (m-1) / (m+1)),
 // own coefficients (tools/elementary_coefficients.py). Departure: integers become doubles by adding 1.5 2^52, because
 // SSE2 and AVX2 cannot convert 64-bit integers.
 // Polynomials use Horner's scheme: it has the fewest operations, and lanes in flight hide its latency. Rejected: even
 // and odd powers apart (faster for one or two vectors, slower from four on), log2 without a division (twice the terms).
-//
 // Assumes round to nearest and IEEE NaN and infinity: never compile with -ffast-math or -ffinite-math-only.
 // -fno-trapping-math, -fno-signed-zeros and -fno-math-errno do no harm. Vectors are fused only with -ffp-contract=fast;
 // then every instruction set with fused multiply-add gives the same bits.
@@ -31,8 +28,7 @@
 
 namespace isolaw::num {
 
-// The operations that the functions need of a type besides + - * / and comparisons. This template serves the vectors of
-// GCC and Clang, `double __attribute__((vector_size(N)))`; a type made of several of them specialises it.
+// Operations besides + - * / and comparisons, here for native vectors; a type made of several specialises it.
 template <class T>
 struct Lanes {
   typedef std::uint64_t Bits __attribute__((vector_size(sizeof(T))));
@@ -103,7 +99,6 @@ inline constexpr double fifth_root_guess = 0x1.7febced916873p+52;
 inline constexpr double log2_e = 0x1.71547652b82fep+0;
 inline constexpr double ln2_high = 0x1.62e42fee00000p-1;  // its product with an exponent is exact
 inline constexpr double ln2_low = 0x1.a39ef35793c76p-33;
-
 // Adding it to |x| < 2^51 rounds x to an integer; the sum's last bits hold that integer plus the bias of exponents.
 inline constexpr double shifter = 0x1.8p52 + 1023.0;
 inline constexpr double lowest_exponent = -1022.5, highest_exponent = 1023.5;
@@ -127,8 +122,7 @@ template <class T, std::size_t Count>
   return horner<T>(terms, x, std::make_index_sequence<Count - 1>());
 }
 
-// `mantissa` times 2 to the integer that `shifted` holds (`exponent`, rounded); +inf and 0 outside the range. Rejected:
-// clamping the exponent first, for which GCC generates a separate branch.
+// mantissa 2^exponent, as `shifted` holds it; +inf and 0 outside the range. Rejected: clamping first (GCC branches).
 template <class T>
 [[gnu::always_inline]] inline T scale(T const& mantissa, T const& shifted, T const& exponent) {
   using L = Lanes<T>;
@@ -227,8 +221,7 @@ template <class T>
   auto const split = elementary::split<T>(base);
   T const whole = elementary::whole_of<T>(split), m = elementary::mantissa_of<T>(split);
   T const s = (m - L::all(1.0)) / (m + L::all(1.0));
-  // base - base is NaN if base is not finite, else 0. Rejected: base * 0, which GCC 12 takes for 0 in vectors with
-  // -fno-signed-zeros, NaN or not.
+  // base - base is NaN if base is not finite, else 0. Rejected: base * 0: GCC 12 with -fno-signed-zeros makes it 0.
   T const fraction = s * elementary::polynomial<T>(elementary::power_log2_terms, s * s) + (base - base);
   // Its rounding error returns in `rest`. The expression leaves the compiler only one way to fuse it.
   T const exponent = p * (whole + fraction);

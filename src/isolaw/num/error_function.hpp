@@ -48,8 +48,7 @@ template <class T, std::size_t Count>
 template <class T>
 T erf(T const& u) {
   using namespace error_function;
-  // With the arguments in this order, min() keeps NaN.
-  T const y = min(abs(u), T(6.0)), square = y * y;
+  T const y = min(abs(u), T(6.0)), square = y * y;  // with the arguments in this order, min() keeps NaN
   auto const inner = y < T(0.46875);
   T const top = select(inner, y * polynomial(inner_top, square), polynomial(outer_top, y));
   T const ratio = top / select(inner, polynomial(inner_bottom, square), polynomial(outer_bottom, y));

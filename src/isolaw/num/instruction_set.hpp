@@ -1,5 +1,4 @@
-// The choice of an instruction set. Code that computes populations, and sums over their residuals, is compiled once for
-// each of them.
+// The choice of the instruction set for code that is compiled once for each: populations and sums over residuals.
 #pragma once
 
 #include <string_view>
@@ -13,9 +12,7 @@ namespace isolaw::num {
 enum class InstructionSet { scalar, portable, avx2, avx512 };
 std::string_view name(InstructionSet set);
 
-// The sets that this program contains and this processor can run, slowest first.
-std::vector<InstructionSet> available_instruction_sets();
-
+std::vector<InstructionSet> available_instruction_sets();  // those of this program and processor, slowest first
 // The fastest available set, or the one that the environment variable ISOLAW_SIMD names, chosen at the first call.
 // Throws Error for an unknown name or a set that this processor cannot run.
 InstructionSet instruction_set();

@@ -31,9 +31,7 @@ struct Singular {
 };
 Singular singular_values(Matrix const& A);
 
-// The x of least norm among those that minimise |A x - b|.
-Vector least_squares(Matrix const& A, Vector const& b);
-
+Vector least_squares(Matrix const& A, Vector const& b);    // the x of least norm among those minimising |A x - b|
 Vector solve_symmetric(Matrix const& A, Vector const& b);  // A x = b for a symmetric A
 
 }  // namespace isolaw::num

@@ -67,8 +67,7 @@ std::size_t Draws::below(std::size_t n) {
   }
 }
 
-// Box and Muller 1958. Only the cosine is used and the second number dropped, so that every draw takes the same four
-// words, whatever was drawn before it.
+// Box and Muller 1958, the cosine only: every draw takes the same four words, whatever was drawn before it.
 double Draws::normal() {
   double const radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));  // 1 - u is never 0
   return radius * std::cos(2.0 * std::numbers::pi * uniform());

@@ -8,8 +8,7 @@
 
 namespace isolaw::num {
 
-// The generator itself: a bijection of 128-bit counters for each 64-bit key. counter[0] and the low half of `key` are
-// Random123's first words.
+// A bijection of 128-bit counters for each key; counter[0] and the low half of `key` are Random123's first words.
 std::array<std::uint32_t, 4> philox_4x32_10(std::array<std::uint32_t, 4> const& counter, std::uint64_t key);
 
 // A family of independent generators. The key identifies the user of the numbers (campaign seed, device, law, run).
@@ -17,8 +16,7 @@ class Stream {
  public:
   Stream() = default;
   explicit Stream(std::uint64_t key) : key_(key) {}
-  // A new stream for one part of a name: Stream(seed).split(hash of device).split(hash of law).split(run). The order of
-  // the parts matters.
+  // A stream for one part of a name, in order: Stream(seed).split(hash of device).split(hash of law).split(run).
   Stream split(std::uint64_t part) const;
   std::uint64_t key() const { return key_; }
 

@@ -9,8 +9,7 @@
 
 namespace isolaw::num {
 
-// The number of columns that are computed together. A table's stride is a multiple of it; columns beyond the last
-// candidate may hold any numbers.
+// Columns computed together. A stride is a multiple of it; columns beyond the last candidate may hold any numbers.
 inline constexpr std::size_t row_lanes = 8;
 constexpr std::size_t padded(std::size_t columns) {
   return (columns + row_lanes - 1) / row_lanes * row_lanes;
@@ -32,10 +31,8 @@ struct NormalSums {
 };
 
 struct RowKernels {
-  // values[c] = sum of weight * |r|, rounded[c] = sum of weight * sqrt(r^2 + delta^2), where r is column c's value;
-  // both have padded(columns) elements.
+  // values[c] = sum of weight * |r|, rounded[c] = sum of weight * sqrt(r^2 + delta^2) in column c; each padded.
   void (*sizes)(RowTable const& table, std::size_t columns, double delta, double* values, double* rounded);
-
   // The curvature of `cautious` is weight / size, that of the parabola that touches `size` from above. The curvature of
   // `bold` is cautious_share of that plus bold_share of the true one, weight * delta^2 / size^3. The arrays of `sums`
   // are for padded(columns) columns, at most most_columns.
@@ -44,7 +41,6 @@ struct RowKernels {
 };
 inline constexpr std::size_t most_columns = 64;
 
-// The kernels of the instruction set in use; `scalar` uses the portable ones.
-RowKernels const& row_kernels();
+RowKernels const& row_kernels();  // those of the instruction set in use; portable ones for `scalar`
 
 }  // namespace isolaw::num

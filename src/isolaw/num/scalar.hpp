@@ -1,6 +1,5 @@
 // The operations that a law's step may use, here for plain doubles. Dual and Batch offer the same set, so one body runs
 // on all three. Laws call the names unqualified: law.hpp brings the double overloads in, ADL finds the others.
-//
 //   abs exp exp2 log2 sqrt min max        as in <cmath>
 //   expm1(x), fifth_root(x)               e^x - 1 and, for x >= 0, x^(1/5)
 //   any(condition)                        whether it is true in any lane

@@ -15,8 +15,7 @@ struct Deviations {
   double sum_of_squares = nan;  // about the mean
 };
 
-// Corrected two-pass algorithm (Chan, Golub, LeVeque 1983). The deviations from the first pass's mean would sum to zero
-// if that mean were exact; their sum corrects both results.
+// Corrected two-pass algorithm (Chan, Golub, LeVeque 1983): the sum of deviations, 0 for an exact mean, corrects both.
 Deviations deviations(std::span<double const> values) {
   if (values.empty()) return {};
   auto const n = static_cast<double>(values.size());

@@ -13,13 +13,9 @@ struct Moments {
   double mean = 0.0;  // NaN when count is 0
   double std = 0.0;   // divides by n - 1; 0 when count is 1, NaN when it is 0
 };
-
-// Computed in two passes, so that a small spread about a large mean keeps its digits.
 Moments moments(std::span<double const> values);
-
 // Standard deviation that divides by n; the objective is relative to it. NaN when there are no values.
 double population_std(std::span<double const> values);
-
 // The middle value, or the mean of the two middle ones. NaN when there are no values or one of them is NaN.
 double median(std::span<double const> values);
 template <class Items, class Property>

@@ -1,5 +1,4 @@
-// Tolerance factors k of the normal distribution: with a given confidence, the interval mean +- k s of a sample holds a
-// given share of all values.
+// Tolerance factors k: the interval mean +- k s of a normal sample holds a given share of all values with confidence.
 #pragma once
 
 #include <cstddef>

@@ -12,8 +12,7 @@
 namespace isolaw::opt {
 namespace {
 
-// The sort key of a value. Failures, whatever their kind, rank behind all numbers.
-double rank_key(double value) {
+double rank_key(double value) {  // failures, whatever their kind, rank behind all numbers
   return std::isfinite(value) ? value : infinity;
 }
 
@@ -22,7 +21,6 @@ struct Population {
   std::vector<double> values;
 };
 
-// The random numbers of one individual or pair of a generation.
 num::Draws draws_at(num::Stream const& stream, int generation, std::size_t index) {
   return {stream, static_cast<std::uint32_t>(generation), static_cast<std::uint32_t>(index)};
 }
@@ -51,7 +49,6 @@ Points breed(Population const& parents, num::Stream const& stream, int generatio
   return children;
 }
 
-// The best `size` of parents and children, best first.
 Population select(Population const& parents, Population const& children, std::size_t size) {
   Population next{Points(children.points.dimension, size), std::vector<double>(size)};
   auto const kept = survivors(parents.values, children.values, size);
@@ -65,13 +62,11 @@ Population select(Population const& parents, Population const& children, std::si
   return next;
 }
 
-// Counts the generations since the last improvement. Gains are summed from there, not taken from one generation to the
-// next, so that slow steady progress counts.
+// Gains are summed from the last improvement, not from one generation to the next: slow steady progress counts.
 class Progress {
  public:
   explicit Progress(GeneticOptions const& options) : options_(options) {}
 
-  // Whether the search has stagnated with this generation, whose best value is given.
   bool stagnates(double best) {
     bool const first = generation_++ == 0;
     if (first || best < at_improvement_ - options_.stagnation_tolerance * std::abs(at_improvement_)) {

@@ -14,8 +14,7 @@
 
 namespace isolaw::opt {
 
-// campaign::setting_table() holds the limits of each option.
-struct GeneticOptions {
+struct GeneticOptions {             // campaign::setting_table() holds the limits of each option
   int population = 100;             // even, at least 4
   int generations = 50;             // at most; the initial population is generation 1
   double mutation_rate = 0.01;      // probability per gene
@@ -25,28 +24,22 @@ struct GeneticOptions {
 };
 
 // Outcomes: all_generations, also if the search stagnates with the last one; stagnated; no_finite_value if the whole
-// initial population failed and left nothing to breed from; interrupted, with a best point if a generation was done.
-// Evaluations: population x generations done.
-// Deterministic for a given stream: random numbers depend only on (stream, generation, individual or pair).
-// A value that is not finite marks a failed point, which survives only if nothing better exists. The method suits
-// values >= 0; see roulette_weights for others. `interrupted`, if given, is called before each generation.
-// A generation brings no improvement if its best value is not below (1 - tolerance) times the best at the last
-// improvement (for positive values), so that a flat problem stops after 1 + stagnation generations.
-// Throws Error for a problem without dimensions.
+// initial population failed; interrupted, with a best point if a generation was done. Evaluations: population x
+// generations done. Deterministic for a given stream: random numbers depend only on (stream, generation, individual or
+// pair). A value that is not finite marks a failed point, which survives only if nothing better exists. For values
+// >= 0; see roulette_weights for others. `interrupted`, if given, is called before each generation. A generation brings
+// no improvement if its best value is not below (1 - tolerance) times the best at the last improvement (for positive
+// values), so that a flat problem stops after 1 + stagnation generations. Throws Error for no dimensions.
 SearchResult minimise_genetic(Problem const& problem, num::Stream const& stream, GeneticOptions const& options = {},
                               std::function<bool()> const& interrupted = {});
 
 // How a search ended whose best value after each generation is in `history`; interrupted if it would have gone on.
 Outcome outcome_of(std::span<double const> history, GeneticOptions const& options);
-
-// --- the operators, each usable and tested alone ---------------------------------------------------------------------
-
 // Roulette weights exp(-pressure v / worst finite v) of the values v; 0 for values that are not finite, and 1 for all
 // others if the worst is 0. If there are values below zero, all are measured from the smallest.
 std::vector<double> roulette_weights(std::span<double const> values, double pressure);
 
-// Draws indices with probabilities proportional to their weights and with replacement, so that a point may be paired
-// with itself. Weights must be finite and not negative, at least one of them positive.
+// Draws indices by weight, with replacement (a point may be paired with itself). Weights are finite, >= 0, not all 0.
 class RouletteWheel {
  public:
   explicit RouletteWheel(std::span<double const> weights);
@@ -56,22 +49,16 @@ class RouletteWheel {
   std::vector<double> cumulative_;
 };
 
-// Two cut points 0 <= first < second <= dimension, every allowed pair equally likely. (0, dimension) is not allowed,
-// since it would swap the whole parents. dimension >= 2.
+// Equally likely cuts 0 <= first < second <= dimension >= 2, but (0, dimension), which would swap the whole parents.
 struct Cuts {
   std::size_t first = 0, second = 0;
 };
 Cuts draw_cuts(std::size_t dimension, num::Draws& draws);
-
 // Double-point crossover: exchanges the genes between two drawn cut points. Points of a single gene stay as they are.
 void crossover(std::span<double> a, std::span<double> b, num::Draws& draws);
-
-// Replaces each gene with probability `rate` by a new one, uniform in [0, 1).
-void mutate(std::span<double> point, double rate, num::Draws& draws);
-
-// The `count` smallest values of parents and children together, best first, as indices into the parents followed by the
-// children. Values that are not finite come last; equal values keep their order, so that parents come before children.
-// count <= parents + children.
+void mutate(std::span<double> point, double rate, num::Draws& draws);  // redraws each gene with probability `rate`
+// The `count` smallest values, best first, as indices into the parents followed by the children. Failed points come
+// last; equal values keep their order, parents first. count <= parents + children.
 std::vector<std::size_t> survivors(std::span<double const> parents, std::span<double const> children,
                                    std::size_t count);
 

@@ -20,8 +20,6 @@ namespace {
 // docs/performance.md, "The optimum"). Gains and distances of values are relative; coordinates are the unit box's.
 namespace tuning {
 
-// --- a descent -------------------------------------------------------------------------------------------------------
-
 // A stage lowers delta to `smoothing` times the mean residual and ends if it gains little there or after `iterations`.
 struct Stage {
   double smoothing;
@@ -29,8 +27,7 @@ struct Stage {
   double least_gain = 0.0;   // over `patience` iterations at the last delta; below it the stage ends
   std::size_t patience = 4;  // more than one, since iterations stutter where a residual crosses zero
 };
-// At half the residuals' size the corner of the absolute value is still rounded off, and the outline's third of the
-// residuals finds the same valley as all of them (logged).
+// At half the residuals' size the corner is still rounded off, and the outline finds the same valley (logged).
 constexpr Stage approach{.smoothing = 0.5, .iterations = 25};
 // Goes only as far as the tolerance of a hit, 5e-4, since the end is only counted. The least gain is below it.
 constexpr Stage settle{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4};
@@ -39,19 +36,16 @@ constexpr Stage finish{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4, 
 // Reaches about a ten-thousandth of the value, for many descents of which none is reported by itself.
 constexpr Stage finish_briefly{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4, .patience = 2};
 constexpr double rounding_after_outline = 0.03;  // delta after the outline's minimum, as a share of the value
-// For the digits that are reported.
-constexpr Stage polish{.smoothing = 0.003, .iterations = 60};
+constexpr Stage polish{.smoothing = 0.003, .iterations = 60};  // for the digits that are reported
 
 constexpr double gain_worth_staying = 3e-3;  // with a smaller gain, a delta that is not the stage's last is lowered
 // About half a decade, so that the minimum for the next delta lies within a few steps of this one's.
 constexpr double fall_of_delta = 0.3;
 constexpr double noise_of_gain = 1e-6;  // error of one-sided differences; a smaller gain counts as none
-
 // Over such a step, curvature changes the slope by some 1e-6 and rounding by 1e-9: far less than damping does.
 constexpr double difference_step = 1e-6;
 // Shares of the two curvatures in the bold steps; the bold one alone would be zero if no residual is near zero.
 constexpr double bold_share = 0.9, cautious_share = 0.1;
-
 // Trial steps of an iteration: one block of candidates. Half a block would cost as much (docs/performance.md).
 constexpr std::size_t tried = 8;
 constexpr double damping_ratio = 20.0;  // the trial steps use 1/20, 1, 20 and 400 times the present damping
@@ -61,8 +55,6 @@ constexpr double usual_damping = 1e-2;
 constexpr double most_damping = 1e8;                        // steps are along the gradient, and very short
 constexpr double least_carried = 1e-9, most_carried = 1e6;  // into the next iteration; a few rises undo them
 constexpr double least_curvature = 1e-9;  // relative to the largest; for directions that change no residual
-
-// --- a search --------------------------------------------------------------------------------------------------------
 
 constexpr double one_valley = 0.75;  // with this share of hits among scattered ends another valley is unlikely
 // Both together missed the best valley in 1 of 380 logged searches; 0.3 of all ends instead missed it in 6.
@@ -82,8 +74,6 @@ constexpr double promising = 1.5;
 constexpr double least_power_of_hop = -1.5, most_power_of_hop = -0.3;  // 0.03 to half the box: leaves the valley
 constexpr double least_power_of_last_hop = -2.0, most_power_of_last_hop = -0.5;  // 0.01 to 0.3: stays on its floor
 
-// --- the last digits of a search -------------------------------------------------------------------------------------
-
 constexpr double sharp = 0.2;  // tolerances of a hit; on a smooth floor the ends lie within this of each other
 // Ends polished on a ragged floor; polishing only the best stopped 0.1 % too high in 3 of 29 searches (logged).
 constexpr std::size_t polished = 6;
@@ -99,9 +89,8 @@ using num::Index;
 using num::Matrix;
 using num::Vector;
 
-// The number of residuals that were computed, and of those that belong to failed points.
 struct Cost {
-  std::size_t computed = 0, failed = 0;
+  std::size_t computed = 0, failed = 0;  // residuals computed, and those of failed points
   Cost& operator+=(Cost const& other) {
     computed += other.computed;
     failed += other.failed;
@@ -117,8 +106,7 @@ void write_cost(Cost const& cost, DeviationProblem const& problem, Found& result
   result.failed_evaluations = in_points(cost.failed);
 }
 
-// The problem or its outline, whichever is in use, and the cost so far.
-class Counting {
+class Counting {  // the problem or its outline, whichever is in use, and the cost so far
  public:
   explicit Counting(DeviationProblem const& problem) : problem_(&problem), whole_(problem) {}
 
@@ -141,7 +129,6 @@ class Counting {
     for (std::size_t i = 0; i < points.size(); ++i) count_failure(!std::isfinite(result.value[i]));
     return result;
   }
-  // Computes the residuals that table() then shows.
   void compute(Points const& points) {
     auto const weights = problem_->weights();
     stride_ = num::padded(points.size());
@@ -167,8 +154,7 @@ struct Located {
   double value = infinity;  // sum of weight * |residual|
 };
 
-// A descent from one point in three stages: approach() finds the valley, by the problem's outline if it has one;
-// settle() finds the valley's floor; polish() the last digits.
+// One descent: approach() finds the valley, by the outline if there is one; settle() its floor; polish() the digits.
 class Descent {
  public:
   Descent(DeviationProblem const& problem, std::span<double const> start, double rounding = 1.0)
@@ -183,7 +169,6 @@ class Descent {
   Cost const& cost() const { return problem_.cost(); }
 
   void approach() { problem_.has_outline() ? by_outline(tuning::approach) : go(tuning::approach); }
-  // Goes to the outline's minimum first, if there is an outline, and from there on with all residuals.
   void settle(tuning::Stage const& finish = tuning::finish) { floor_of_outline() ? go(finish) : go(tuning::settle); }
   void polish() { go(tuning::polish); }
 
@@ -278,8 +263,7 @@ class Descent {
     return result;
   }
 
-  // Returns the rounded sum before and after; they are equal if no step improved it.
-  std::pair<double, double> iterate() {
+  std::pair<double, double> iterate() {  // the rounded sum before and after; equal if no step improved it
     using namespace tuning;
     auto const here = slopes();
     auto const stretch = [](std::size_t i) { return std::pow(damping_ratio, static_cast<double>(i / 2) - 1.0); };
@@ -340,7 +324,6 @@ class Descent {
   double damping_ = tuning::usual_damping;
 };
 
-// Along each coordinate, each of `count` equal slices holds one point.
 Points latin_hypercube(std::size_t dimension, std::size_t count, num::Draws& draws) {
   Points points(dimension, count);
   std::vector<std::size_t> slice(count);
@@ -353,8 +336,7 @@ Points latin_hypercube(std::size_t dimension, std::size_t count, num::Draws& dra
   return points;
 }
 
-// A copy of a point with about half of its coordinates moved by normally distributed lengths; their standard deviation
-// lies between two powers of ten.
+// Moves about half of the coordinates by normal lengths; their standard deviation lies between two powers of ten.
 std::vector<double> disturbed(std::vector<double> x, double least_power, double most_power, num::Draws& draws) {
   double const size = std::pow(10.0, least_power + (most_power - least_power) * draws.uniform());
   for (double& coordinate : x)
@@ -366,14 +348,12 @@ std::vector<double> with_two_drawn_anew(std::vector<double> x, num::Draws& draws
   return x;
 }
 
-// A finished descent: its end after the approach and after settling, if it was settled.
 struct FinishedDescent {
   Located approached, settled;
   Cost to_approach, to_settle;
   bool usable = false;
 };
 
-// One search: its descents so far, and the rule that decides when they are enough.
 class Search {
  public:
   Search(DeviationProblem const& problem, num::Stream const& stream, MultistartOptions const& options)
@@ -460,7 +440,6 @@ class Search {
     return result;
   }
 
-  // Takes a descent into account, in the order of the starts.
   double count_in(FinishedDescent const& descent) {
     bool const settled = descent.approached.value < tuning::promising * result_.best_value;
     auto const& end = settled ? descent.settled : descent.approached;
@@ -472,8 +451,7 @@ class Search {
     return end.value;
   }
 
-  // Finds the last digits. If the hits scatter, the valley's floor is ragged: the next best ends are polished too, and
-  // small hops follow until several in a row gain nothing.
+  // If the hits scatter, the floor is ragged: the next best ends are polished, then small hops until they gain nothing.
   void refine(std::function<bool()> const& interrupted) {
     auto const polish = [&](std::vector<double> const& start) {
       Descent descent(problem_, start);

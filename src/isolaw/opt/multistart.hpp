@@ -1,5 +1,4 @@
 // Minimises a sum of absolute residuals over the unit box by descents from many starts.
-//
 // A round descends from points scattered over the box (Latin hypercube), then from disturbed copies of the best point
 // (hops, as in basin hopping). A descent is a Levenberg-Marquardt iteration with bounds. It minimises
 // sum w sqrt(r^2 + delta^2), which rounds off the corner of the absolute value; delta falls from the size of the
@@ -10,7 +9,6 @@
 // there are other valleys, after all starts if few descents ended there, and after a third more if many ended close to
 // it. In more than fourteen dimensions a round makes as many hops as scattered starts, and the search two and a half
 // times as many descents.
-//
 // Rejected: descending only from starts of low value. In the laws' boxes those lie in the wrong valleys.
 #pragma once
 
@@ -43,8 +41,7 @@ struct MultistartResult : SearchResult {
 // Outcomes: confirmed by enough hits; budget_spent after most_evaluations; interrupted; no_finite_value if no scattered
 // point of the first round had a value. An evaluation of the outline counts as its share of the residuals. The history
 // ends with the value after the final refinement. Deterministic for a given stream, however many threads help
-// (base/ahead.hpp). `interrupted`, if given, is called before each start.
-// Throws Error for a problem without dimensions.
+// (base/ahead.hpp). `interrupted`, if given, is called before each start. Throws Error for no dimensions.
 MultistartResult minimise_multistart(DeviationProblem const& problem, num::Stream const& stream,
                                      MultistartOptions const& options = {},
                                      std::function<bool()> const& interrupted = {});

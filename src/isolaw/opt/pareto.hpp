@@ -7,8 +7,7 @@
 namespace isolaw::opt {
 
 // Element i is true if no other point is at least as small in both objectives and smaller in one. Equal points do not
-// dominate each other. A point with a value that is not finite is never on the front and dominates nothing.
-// a and b hold one objective each, for the same points.
+// dominate each other. A point with a value that is not finite is never on the front. a[i] and b[i] belong to point i.
 std::vector<bool> non_dominated(std::span<double const> a, std::span<double const> b);
 
 }  // namespace isolaw::opt

@@ -1,5 +1,4 @@
-// The contract between an optimiser and the problem it minimises (a box, and the evaluation of a batch of points), and
-// the result of a search.
+// The contract between an optimiser and the problem it minimises, and the result of a search.
 #pragma once
 
 #include <cstddef>
@@ -36,8 +35,7 @@ class Problem {
   virtual void evaluate(Points const& points, std::span<double> values) const = 0;
 };
 
-// A problem whose value is a weighted sum of absolute residuals: sum of weights()[j] * |residual j|. With the residuals
-// a descent needs far fewer evaluations than with the value alone.
+// The value is sum of weights()[j] * |residual j|. Residuals need far fewer evaluations than the value alone.
 class DeviationProblem : public Problem {
  public:
   virtual std::span<double const> weights() const = 0;  // one for each residual, >= 0; their sum is 1
@@ -52,7 +50,6 @@ class DeviationProblem : public Problem {
   virtual std::vector<double> on_outline(std::span<double const> weights) const;
 };
 
-// The best point found, and the number of evaluations it took.
 struct Found {
   std::vector<double> best;  // in the unit box; empty when no point was finite
   double best_value = std::numeric_limits<double>::infinity();

@@ -1,6 +1,4 @@
-// One device against a rule set: every limit on a single device, with the measured value, its deviation from the design
-// value and a verdict.
-//
+// One device against a rule set: every limit on it, with measured value, deviation from the design value and verdict.
 // Only a set that somebody verified gives a pass or a fail, and only under the conditions that it asks for; everything
 // else is information, or not assessed with a reason. A value on the limit passes. Values are compared as measured,
 // never rounded, with a slack of 1e-12 of the bound, since 1.2 times a design value is rarely 20 % in binary to the
@@ -20,14 +18,13 @@ namespace isolaw::rules {
 enum class Verdict { pass, fail, information, not_assessed };
 std::string_view name(Verdict verdict);  // "pass", "fail", "information", "not assessed"
 
-// What is held to a limit: a property of one device, its change from cycle to cycle or between vertical loads, its mean
-// over the lot, or how many devices were tested.
+// The subject of a limit: a device's property, its change over cycles or loads, the lot's mean, or the sample size.
 enum class Subject { device, cycles, loads, lot, sample };
 std::string_view name(Subject subject);  // "device", "cycles", "loads", "lot", "sample"
 
 struct Assessment {
   std::string quantity;              // in words: "K_eff, positive side", "K_eff over cycles", "sample size"
-  std::optional<Quantity> property;  // of these; none of a sample
+  std::optional<Quantity> property;  // the property concerned; none for a sample
   Subject subject = Subject::device;
   Side side = Side::both;
   std::string clause, formula;
@@ -45,8 +42,7 @@ struct Assessment {
 // Whether it holds that property of a device, one side of it or both, to a limit or its design value.
 bool is_of(Assessment const& assessment, Quantity property);
 
-// Properties of one device at the largest and smallest vertical load, for the limit on that variation.
-struct LoadPair {
+struct LoadPair {  // properties of one device at the largest and smallest vertical load, for the limit on variation
   BlockValues largest, smallest;
 };
 
@@ -54,30 +50,20 @@ struct LoadPair {
 // information, quantities with a design value but no limit, and always K_v.
 std::vector<Assessment> assess(RuleSet const& rules, BlockValues const& block, Design const& design,
                                std::optional<LoadPair> const& loads = std::nullopt);
-
-// The text for a device whose record is a copy of another device's: "the same record as D01".
-std::string same_record_as(std::string_view device);
-
+std::string same_record_as(std::string_view device);  // "the same record as D01"
 // Takes the verdicts away from a device whose record is a copy: that record does not test it.
 void withhold_verdicts(std::vector<Assessment>& assessments, std::string_view copy_of);
-
 // Whether nominal (1 + lower/100) <= value <= nominal (1 + upper/100), with the slack of 1e-12.
 bool is_within(double value, double nominal, std::optional<double> lower_percent, std::optional<double> upper_percent);
-
 // "from -20 % to +20 %", "at least -25 %", "at most +10 %". A word comes first: spreadsheets take a sign for a formula.
 std::string limit_text(std::optional<double> lower_percent, std::optional<double> upper_percent);
-
 // "+19.9 %": one decimal, or as many as it takes for the text to lie on the same side of the limit as the value. With
 // one decimal, a deviation of 20.04 % would read as +20.0 %, which seems to be within 20 %.
 std::string deviation_text(double deviation_percent, std::optional<double> lower_percent,
                            std::optional<double> upper_percent);
-
-// Sets verdict and reason after a comparison: pass or fail where the set is verified and its conditions are met, else
-// information or not assessed with the reason.
+// Pass or fail where the set is verified and its conditions are met, else information or not assessed, with reason.
 void give_verdict(Assessment& assessment, RuleSet const& rules, bool holds, std::vector<std::string> const& unmet);
-
-// Compares value and design value with a limit and sets verdict, reason, clause and texts. `without` says why there is
-// no value.
+// Compares value and design value with a limit and fills in verdict and texts. `without`: why there is no value.
 void hold_to(Assessment& assessment, RuleSet const& rules, Limit const& limit, std::string_view without,
              std::vector<std::string> const& unmet);
 

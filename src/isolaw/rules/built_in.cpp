@@ -17,8 +17,7 @@ std::span<Embedded const> files();
 
 namespace {
 
-// The embedded files, named without their extension.
-std::vector<Embedded> const& texts() {
+std::vector<Embedded> const& texts() {  // named without their extension
   static std::vector<Embedded> const all = [] {
     std::vector<Embedded> named;
     for (auto const& file : files()) named.push_back({file.name.substr(0, file.name.rfind('.')), file.text});

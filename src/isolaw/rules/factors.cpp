@@ -10,8 +10,7 @@ namespace {
 
 constexpr double normal_97_5 = 1.959963984540054;  // two-sided 95 %
 
-// Quantile 0.975 of Student's t by the incomplete beta function: P(|t| > q) = I(freedom/(freedom + q^2); freedom/2,
-// 1/2).
+// Quantile 0.975 of Student's t: P(|t| > q) = I(freedom/(freedom + q^2); freedom/2, 1/2), an incomplete beta function.
 double student_97_5(double freedom) {
   double const x = boost::math::ibeta_inv(0.5 * freedom, 0.5, 0.05);
   return std::sqrt(freedom * (1.0 - x) / x);

@@ -1,7 +1,6 @@
 // Property modification factors lambda: the possible properties of a lot as multiples of their design value, and how
 // the factors of ageing and environment, of the test and of the supply combine (ASCE/SEI 7, chapter 17; other standards
 // combine them the same way with other numbers, which the rule set holds).
-//
 // The scatter between devices is kept apart from that of the whole isolation system. The system is the sum of its
 // devices, and a sum scatters less: the spread of single devices would overstate the system's bounds several times.
 #pragma once
@@ -38,17 +37,14 @@ struct CombinedFactors {
 // test.min spec.min, not above min_not_above; f is the rule's system factor.
 CombinedFactors combine(FactorRule const& rule, FactorPair const& environment, FactorPair const& test,
                         FactorPair const& spec);
-
 // Half width of the 95 % interval of the mean over all `installed` devices, in percent of that mean, for a known
-// coefficient of variation `cov_percent` between devices: 1.960 standard deviations of the normal distribution,
-// two-sided. The mean of N independent devices scatters by CoV/sqrt(N): 2.6 % for N = 28 and CoV 7 %. Where n of them
-// are `tested`, only the others are unknown; the factor of a finite population, sqrt((N - n)/(N - 1)), gives 2.3 % for
-// 6 tested devices and 0 for all. The lot's mean and CoV count as known; prediction_half_width_percent() does not
-// assume that.
+// coefficient of variation `cov_percent` between devices: 1.960 standard deviations of the normal distribution. A mean
+// of N independent devices scatters by CoV/sqrt(N): 2.6 % for N = 28 and CoV 7 %. With n of them `tested`, only the
+// others are unknown; the factor of a finite population, sqrt((N - n)/(N - 1)), gives 2.3 % for 6 tested devices and 0
+// for all. The lot's mean and CoV count as known, unlike in prediction_half_width_percent().
 double system_half_width_percent(double cov_percent, int installed, int tested);
 // The same half width about the mean of the `tested` devices, where mean and CoV are estimates: t(0.975, n - 1) CoV
-// sqrt(1/n - 1/N), the prediction of a finite population's mean (Cochran 1977, 2.8). N = 28, n = 6, CoV 7 %: 6.5 %. NaN
-// for fewer than two tested devices.
+// sqrt(1/n - 1/N) (Cochran 1977, 2.8). N = 28, n = 6, CoV 7 %: 6.5 %. NaN for fewer than two tested devices.
 double prediction_half_width_percent(double cov_percent, int installed, int tested);
 
 }  // namespace isolaw::rules

@@ -95,7 +95,6 @@ void compare_with_design(Design const& design, LotQuantity& view) {
   view.worst_device = below ? view.min_device : view.max_device;
 }
 
-// Says how the sample rule is not kept; empty where it is kept or the set has none.
 std::string unmet_sample(RuleSet const& rules, LotView const& lot, LotQuantity const& view) {
   if (rules.sample && !lot.required) return "size of the lot not known: give it, so that the sample can be judged";
   if (lot.required && view.tested < static_cast<std::size_t>(*lot.required))
@@ -166,8 +165,7 @@ void add_test_factors(std::span<DeviceValues const> devices, LotQuantity& view) 
     }
 }
 
-// Adds the bounds of each source of lambda_spec. All but the contract's are about the devices' mean, as factors on the base
-// value.
+// All bounds of lambda_spec but the contract's are about the devices' mean, as factors on the base value.
 void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& view) {
   if (!view.mean) return;
   double const base = view.nominal.value_or(*view.mean);

@@ -1,5 +1,4 @@
-// A production lot against a rule set: the spread of each property over the devices, sample size, outliers, limits on
-// the lot's mean, and property modification factors with the bounds that they give.
+// A production lot against a rule set: spread, sample size, outliers, limits on the mean, and factors with bounds.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +15,7 @@ namespace isolaw::rules {
 struct DeviceValues {
   std::string name;
   BlockValues block;  // the block that counts, the same for every device
-  // Name of another device here whose record this device's record copies. The device counts in means, but not as
-  // tested.
+  // Another device here whose record this one copies. This device counts in means, but not as tested.
   std::string copy_of = {};
 };
 
@@ -39,8 +37,7 @@ inline constexpr std::size_t fewest_for_outliers = 5;
 enum class Spread { contract, device, system };
 std::string_view name(Spread spread);  // "contract", "device", "system"
 
-// Factors on the design value (on the lot's mean where there is none), and the property they give.
-struct Bound {
+struct Bound {         // factors on the design value (the lot's mean if there is none), and the property they give
   std::string source;  // "contract band", "observed", "statistical, each device", "statistical, system", ...
   Spread spread = Spread::device;
   FactorPair spec;           // lambda_spec of this source; min NaN where it gives no lower bound, and so all lower ones
@@ -58,10 +55,10 @@ struct LotQuantity {
   std::vector<std::string> without;  // devices without one
   std::optional<double> mean, min, max;
   std::string min_device, max_device;
-  std::optional<double> std, cov_percent;         // of the sample; for two tested devices or more
+  std::optional<double> std, cov_percent;         // the sample's; for two tested devices or more
   std::optional<double> nominal;                  // design value
-  std::optional<double> mean_deviation_percent;   // of the mean from the design value
-  std::optional<double> worst_deviation_percent;  // of the device that deviates most from the design value
+  std::optional<double> mean_deviation_percent;   // between the mean and the design value
+  std::optional<double> worst_deviation_percent;  // that of the device farthest from the design value
   std::string worst_device;
   std::optional<double> fractile_5, fractile_95;        // mean +- 1.645 std
   std::optional<double> tolerance_factor;               // two-sided, exact: 95 % of devices with confidence 95 %
@@ -91,8 +88,7 @@ struct LotView {
   std::vector<LotQuantity> quantities;
 };
 
-// `lot_size` is the number of devices installed or produced, including tested ones. Throws Error where it is smaller
-// than the number of `devices`.
+// `lot_size`: devices installed or produced, tested ones included. Throws Error if it is smaller than `devices`.
 LotView lot_view(RuleSet const& rules, std::span<DeviceValues const> devices, Design const& design,
                  std::optional<int> lot_size = std::nullopt);
 

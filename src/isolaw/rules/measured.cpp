@@ -71,7 +71,6 @@ std::string cycles_text(CountingCycles const& cycles) {
   return fmt::format("cycles {} to {}", cycles.first, cycles.last);
 }
 
-// Says that the cycles that count are not all there; empty where they are.
 std::string missing_cycles(CountingCycles const& counting, BlockValues const& block) {
   for (int number = counting.first; number <= counting.last; ++number)
     if (block.find(number) == nullptr)

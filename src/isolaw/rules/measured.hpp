@@ -22,8 +22,7 @@ struct CycleValues {
   double of(Quantity quantity) const;  // peak to peak; NaN for K_v
 };
 
-// The vertical stiffness of a device, from its compression test.
-struct VerticalValue {
+struct VerticalValue {  // from the device's compression test
   std::optional<double> K_v_kN_per_mm;
   std::string formula = "F_v/d_v";
   std::string reason = "no vertical test is given";  // why there is no value
@@ -34,13 +33,12 @@ struct BlockValues {
   double amplitude_mm = 0.0;
   std::optional<double> frequency_Hz, shear_strain_percent, load_mean_kN;
   std::vector<CycleValues> cycles;  // the counted cycles, in order
-  VerticalValue vertical = {};      // of the device, the same for every block
+  VerticalValue vertical = {};      // the device's, the same for every block
 
   CycleValues const* find(int cycle) const;
 };
 
-// Design values of the devices. All are positive.
-struct Design {
+struct Design {  // design values of the devices; all are positive
   std::optional<double> K_eff_kN_per_mm, damping_percent, energy_kN_mm, Q_d_kN, K_d_kN_per_mm, K_v_kN_per_mm;
   std::optional<double> disp_mm;       // displacement at which they hold
   std::optional<double> frequency_Hz;  // frequency at which they hold
@@ -53,9 +51,8 @@ struct Design {
 // in kN, disp in mm, frequency in Hz. Throws Error for unknown or repeated names and for values that are not positive.
 Design parse_design(std::string_view text);
 
-// The side of the loop that a value is taken from; both: peak to peak, or a value that has no sides.
-enum class Side { both, positive, negative };
-std::string_view name(Side side);  // "both", "positive", "negative"
+enum class Side { both, positive, negative };  // both: peak to peak, or a value that has no sides
+std::string_view name(Side side);              // "both", "positive", "negative"
 
 // One value that a rule set derives from the counting cycles; both sides, or both extremes, are values of their own.
 struct DerivedValue {
@@ -66,11 +63,9 @@ struct DerivedValue {
   std::string reason;
 };
 std::vector<DerivedValue> derive(RuleSet const& rules, Quantity quantity, BlockValues const& block);
-
-// The value of a device for statistics over a lot: the mean over the counting cycles and, for a per-side formula, over
-// both sides. nullopt where a counting cycle is missing or the mean is not positive.
+// For statistics over a lot: the mean over the counting cycles and both sides of a per-side formula. nullopt where a
+// counting cycle is missing or the mean is not positive.
 std::optional<double> device_value(RuleSet const& rules, Quantity quantity, BlockValues const& block);
-
 // One sentence for each condition of the shear test that is unknown or differs from the set's conditions.
 std::vector<std::string> unmet_conditions(RuleSet const& rules, BlockValues const& block, Design const& design);
 

@@ -79,8 +79,7 @@ class RuleTable : public TomlTable {
         target.push_back(found);
       });
   }
-  // Reads two whole numbers, the first and the last cycle. Returns whether they are there and right.
-  bool cycles(std::string_view key, int& first, int& last) {
+  bool cycles(std::string_view key, int& first, int& last) {  // whether both are there and right
     auto const* node = find(key);
     if (node == nullptr) return false;
     std::vector<std::int64_t> ends;
@@ -106,7 +105,6 @@ class RuleTable : public TomlTable {
       throw Error({.where = "", .found = in_quotes(found), .allowed = joined(choices | std::views::transform(quoted))});
     });
   }
-  // Calls take() for each table of [[key]].
   template <class Take>
   void tables(std::string_view key, Take&& take) {
     auto const* node = find(key);

@@ -1,7 +1,6 @@
 // A rule set: the requirements of a standard or a contract on cyclic shear tests, as data read from TOML. It says how
 // properties are computed, at which cycles, under which conditions, within which limits, on how many devices, and with
 // which property modification factors. The program itself contains no number of a standard.
-//
 // A person who has compared a set with the text of its standard signs in `verified_by`. A set that nobody signed never
 // leads to a pass or a fail (assess.hpp). docs/rules.md explains the file, rules/template.toml is a commented example.
 #pragma once
@@ -14,17 +13,14 @@
 
 namespace isolaw::rules {
 
-// Properties that a limit can be about. K_v comes from a separate compression test.
-enum class Quantity { K_eff, damping, energy, Q_d, K_d, K_v };
-std::string_view name(Quantity quantity);  // as in rule files: "K_eff"
-std::string_view unit(Quantity quantity);  // "kN/mm", "%", "kN mm", "kN"
-// The properties measured in every cycle, in the order of reports: all but K_v.
-std::vector<Quantity> const& measured_quantities();
+enum class Quantity { K_eff, damping, energy, Q_d, K_d, K_v };  // K_v comes from a separate compression test
+std::string_view name(Quantity quantity);                       // as in rule files: "K_eff"
+std::string_view unit(Quantity quantity);                       // "kN/mm", "%", "kN mm", "kN"
+std::vector<Quantity> const& measured_quantities();  // those of every cycle, in the order of reports: all but K_v
 
-// The force and displacement that stiffness and damping are computed from.
-enum class Formula {
-  peak_to_peak,  // (F+ - F-)/(d+ - d-); E/(2 pi K D^2) with that K and D = (d+ - d-)/2
-  per_side,      // F/d of each side by itself; E/(2 pi F d)
+enum class Formula {  // force and displacement that stiffness and damping are computed from
+  peak_to_peak,       // (F+ - F-)/(d+ - d-); E/(2 pi K D^2) with that K and D = (d+ - d-)/2
+  per_side,           // F/d of each side by itself; E/(2 pi F d)
 };
 
 enum class Counting { one, mean, each };  // one cycle; the mean of a range; every cycle of a range within the limits
@@ -40,14 +36,13 @@ struct TestConditions {
   std::optional<double> strain_tolerance_percent;
   std::vector<double> frequencies_Hz;  // any of these is right
   std::optional<double> frequency_tolerance_percent;
-  std::optional<double> displacement_tolerance_percent;  // of the amplitude, from the design displacement
-  std::optional<double> load_tolerance_percent;          // of the mean vertical load, from the design load
+  std::optional<double> displacement_tolerance_percent;  // between the amplitude and the design displacement
+  std::optional<double> load_tolerance_percent;          // between the mean vertical load and the design load
 };
 
 enum class Scope { each, mean };  // every device by itself; the mean over the devices of the lot
 
-// A limit on the deviation from the design value. Both ends pass; a limit with one end only is one-sided.
-struct Limit {
+struct Limit {  // on the deviation from the design value; both ends pass; with one end only it is one-sided
   Quantity quantity = Quantity::K_eff;
   Scope scope = Scope::each;
   std::optional<double> lower_percent, upper_percent;
@@ -60,8 +55,7 @@ enum class Measure {
   loss_from_first,    // largest 1 - value/first
 };
 
-// Stability of a property over a range of cycles of one block. Stiffness and damping are always peak to peak here,
-// since they are only compared with themselves.
+// Stability over a range of cycles. Stiffness and damping are always peak to peak here, only compared with themselves.
 struct StabilityLimit {
   Quantity quantity = Quantity::K_eff;
   Measure measure = Measure::min_over_max;
@@ -70,7 +64,6 @@ struct StabilityLimit {
   std::string clause;
 };
 
-// Number of devices to test: the share of the lot, rounded up, at least `least` and at most the whole lot.
 struct SampleRule {
   double share_percent = 100.0;
   int least = 1;
@@ -90,16 +83,14 @@ struct PropertyFactors {
   std::optional<double> spec_min, spec_max;             // lambda_spec as agreed: the contract band
 };
 
-// How the factors of a property combine (combine() in factors.hpp).
-struct FactorRule {
+struct FactorRule {            // see combine() in factors.hpp
   double system_factor = 1.0;  // share of (lambda_ae - 1) that counts; f_a or psi in standards
   std::optional<double> max_not_below, min_not_above;
   std::string clause;
   std::vector<PropertyFactors> properties;
 };
 
-// An analysis may use mean properties where the extremes differ from the mean by no more than this.
-struct MeanAnalysisRule {
+struct MeanAnalysisRule {  // mean properties will do where the extremes differ from the mean by no more than this
   double within_percent = 0.0;
   std::string clause;
 };
@@ -124,28 +115,19 @@ struct RuleSet {
 };
 
 inline constexpr std::size_t largest_rule_file = 256 << 10;  // bytes
-
-// Reads the text of a rule file; `file` is its name for messages and RuleSet::origin. Throws one Error with every
-// problem and its line: syntax, unknown or missing keys, wrong types, values out of range, limits that contradict one
-// another.
+// Reads the text of a rule file; `file` names it in messages and RuleSet::origin. Throws one Error with every problem
+// and its line: syntax, unknown or missing keys, wrong types, values out of range, contradicting limits.
 RuleSet read_rule_text(std::string_view text, std::string const& file);
-
 // The sets that come with the program, in alphabetical order, without the template.
 std::span<RuleSet const> built_in_rule_sets();
 
 bool is_built_in(std::string_view name);
-
-// The text of the built-in set of this name, else of the file of this name, not yet checked. Throws Error for a file
-// that cannot be read or is empty.
+// The text of the built-in set, else of the file, of this name; not checked. Throws Error if unreadable or empty.
 std::string load_rule_text(std::string_view name_or_file);
-
-// The built-in set of this name, else the one in the file of this name. Throws Error as read_rule_text() does and, with
-// the names of the built-in sets, for a file that is not there.
+// The same, read and checked. Throws Error as read_rule_text() does; for a missing file it names the built-in sets.
 RuleSet find_rule_set(std::string_view name_or_file);
-
 // The text of a built-in set or of "template", with comments. Throws Error with the allowed names.
 std::string_view rule_set_text(std::string_view name);
-
 // Number of devices to test in a lot of N = `lot_size`: min(N, max(least, ceil(share N))). 0 for an empty lot.
 int required_sample(SampleRule const& rule, int lot_size);
 

@@ -73,8 +73,7 @@ struct AbeOf {
       return T(1.0);
   }
 
-  // Moves f along the way from `begin` to `end`. The largest distance so far is the current one if the piece `extends`
-  // it, else peak0.
+  // Moves f along the way from `begin` to `end`. The largest distance so far is the current one if `extends`, or peak0.
   template <class T>
   static void move(Params<T> const& p, Split<T>& f, Split<T> const& origin, T const& begin, T const& end,
                    T const& peak0, bool extends) {

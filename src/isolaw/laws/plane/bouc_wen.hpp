@@ -67,7 +67,6 @@ struct BoucWen {
     T const across_at_zero = z.across / sqrt(max(one - unloading * from * from, T(num::smallest_power_base)));
     z.across = select(unloads, select(passes, across_at_zero, z.across * back.sec * per), z.across);
     z.along = select(unloads, select(passes, zero, (from + back.tan) * per), z.along);
-    // The rest of the way, from p = 0 on.
     T const rest = select(unloads, max(travel - to_zero, zero), travel);
     Circular<T> const on(one, rest);
     T const p = max(z.along, zero), per_on = one / (one + p * on.tan);
@@ -83,13 +82,11 @@ struct BoucWen {
       T const pull = c * at.along * power(square(at), fall);
       return Split<T>(one - pull * at.along, -pull * at.across);
     };
-    // The steepest slope is n |c|.
-    auto const longest = [&](Split<T> const& at, T const& c) {
+    auto const longest = [&](Split<T> const& at, T const& c) {  // the steepest slope is n |c|
       T const own = one / max(n * abs(c), one);
       return T(step_share) * max(min(sqrt(square(at)), own), T(least_distance));
     };
     T l = zero;
-    // First the part up to p = 0.
     while (any(select(z.along < zero, travel - l, zero) > zero)) {
       auto const unloads = select(z.along < zero, travel - l, zero) > zero;
       T const left = travel - l, speed = rates(z, unloading).along, bound = longest(z, unloading) / max(speed, one);

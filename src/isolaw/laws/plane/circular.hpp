@@ -1,5 +1,4 @@
-// tanh or tan, and 1 / cosh or 1 / cos, for the flows p' = 1 - c p^2, s' = -c p s with either sign of c. It needs only
-// arithmetic and exponentials, which every scalar has.
+// tanh or tan, and 1 / cosh or 1 / cos, for p' = 1 - c p^2, s' = -c p s with any c, by arithmetic and exponentials.
 #pragma once
 
 #include "isolaw/laws/law.hpp"
@@ -36,8 +35,7 @@ struct Circular {
   static constexpr double half_pi = 1.57079632679489661923;
   static constexpr double smallest = 1e-4;  // below it the first two terms of the series have all digits but the last
 
-  // For angles up to pi/2: the series of an eighth of the angle, which is then doubled three times.
-  struct SineCosine {
+  struct SineCosine {  // up to pi/2: the series of an eighth of the angle, which is then doubled three times
     T sine, cosine;
     explicit SineCosine(T const& angle) : sine(angle), cosine(angle) {
       T const one(1.0), y = T(0.125) * angle, y2 = y * y;
@@ -58,8 +56,7 @@ struct Circular {
       cosine = one - fall;
     }
   };
-  // arctan(v) for v >= 0: a guess within 0.005, improved twice by a rule of fifth order.
-  static T arc(T const& v) {
+  static T arc(T const& v) {  // arctan(v) for v >= 0: a guess within 0.005, improved twice by a rule of fifth order
     T const one(1.0), per_v = one / max(v, T(num::smallest_power_base));
     T angle = select(v <= one, v / (one + T(0.28) * v * v), T(half_pi) - per_v / (one + T(0.28) * per_v * per_v));
     for (int i = 0; i < 2; ++i) {

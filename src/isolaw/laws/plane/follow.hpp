@@ -1,7 +1,6 @@
 // A differential law along a straight step: an explicit method of sixth order (Butcher 1964, seven stages). The place
 // of the point alone decides the length of a step, so a lane gets the same bits as when it runs alone, and no step is
 // tried twice.
-//
 // For n < 1 |q|^n is not smooth at the origin: near it a step is a share of the distance from it, down to
 // least_distance. The whole error stays below 1e-6 of the strength for exponents of 0.01 or more, and below 2e-7 from
 // 0.1 (tests/verification/plane_test.cpp).
@@ -61,8 +60,7 @@ void follow(Split<T>& q, T& l, T const& end, Slope const& slope, Longest const& 
     auto const next = sixth_order(q, l, h, slope);
     q.along = select(moves, next.along, q.along);
     q.across = select(moves, next.across, q.across);
-    // A NaN arrives too, so that the loop ends.
-    l = select(moves, select(bound < left, l + h, end), l);
+    l = select(moves, select(bound < left, l + h, end), l);  // a NaN arrives too, so that the loop ends
   }
 }
 

@@ -36,8 +36,7 @@ struct HistoryIntegralOf {
     constexpr bool by_axis = softening == Softening::by_axis;
     Vector<T> const size = by_axis ? Vector<T>{abs(to.x), abs(to.y)} : Vector<T>{norm(to), norm(to)};
     state.peaks = {max(state.peaks.x, size.x), max(state.peaks.y, size.y)};
-    // An unmoved device has no force and, for g < 1, no bounded slope.
-    auto const stiffness = [&](T const& peak) {
+    auto const stiffness = [&](T const& peak) {  // an unmoved device has no force and, for g < 1, no bounded slope
       return select(peak > T(0.0), p.K / reference * power(peak / reference, p.g - one), T(0.0));
     };
     Vector<T> const elastic{stiffness(state.peaks.x) * to.x, stiffness(state.peaks.y) * to.y};

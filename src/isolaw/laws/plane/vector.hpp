@@ -38,16 +38,14 @@ Vector<T> chosen(Condition const& condition, Vector<T> const& a, Vector<T> const
   return {select(condition, a.x, b.x), select(condition, a.y, b.y)};
 }
 
-// A straight step: its length and direction. At rest the direction is the zero vector, and only `moved` has
-// derivatives.
+// A straight step. At rest the direction is the zero vector, and only `moved` has derivatives.
 template <class T>
 struct Straight {
   Vector<T> moved, direction;
   T length;
 
   Straight(Vector<T> const& from, Vector<T> const& to) : moved(to - from), length(norm(moved)) {
-    // The square of a shorter step underflows.
-    T const shortest(1e-150);
+    T const shortest(1e-150);  // the square of a shorter step underflows
     auto const moves = length > shortest;
     direction = (T(1.0) / max(length, shortest)) * moved;
     direction = chosen(moves, direction, Vector<T>{T(0.0), T(0.0)});
@@ -63,8 +61,7 @@ struct Split {
   Vector<T> joined(Vector<T> const& direction) const { return along * direction + across * turned(direction); }
 };
 
-// A fading memory of the motion: q' = rate (n - q) along a straight step. At rest only the derivatives move, as an
-// elastic step.
+// A fading memory of the motion: q' = rate (n - q) along a straight step; at rest only the derivatives move.
 template <class T>
 Vector<T> fading(Vector<T> const& q, Straight<T> const& way, T const& rate) {
   T const left = exp(-rate * way.length);
