@@ -162,7 +162,7 @@ void warn_of_gaps(TestRecord& record) {
   record.warnings.push_back({.kind = FindingKind::time_jumps,
                              .numbers = {{"count", static_cast<double>(gaps.size())},
                                          {"length_s", gap.length_s},
-                                         {"sample", gap.after + 1.0},
+                                         {"sample", static_cast<double>(gap.after + 1)},
                                          {"time_s", record.time_s[gap.after]},
                                          {"taken_s", gap.taken_s}}});
 }

@@ -39,7 +39,7 @@ void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const&
   out.end_object();
   // sheet and test are null where the file has only one.
   write_members(out, "sheet", device.raw.layout.sheet, "test", device.raw.layout.test, "recognised",
-                wording::remarks(device.raw.recognised), "warnings", wording::sentences(findings, wording::anywhere));
+                wording::remarks(device.raw.recognised), "warnings", wording::remarks(findings));
   write_findings(out, "findings", findings, wording::anywhere);
   write_properties(out, lot, device);
   write_effects(out, device.effects);
