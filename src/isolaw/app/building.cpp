@@ -328,10 +328,6 @@ int merge_buildings(MergeArguments const& arguments) {
 void write_example_building(std::filesystem::path const& directory) {
   make_folder(directory);
   constexpr std::uint32_t motions = 7;
-  auto text = building::building_template();
-  // The template's one motion is the first of several.
-  auto const last = text.rfind("\n[[motion]]");
-  auto const block = text.substr(last);
   for (std::uint32_t i = 0; i < motions; ++i) {
     auto const motion = building::synthetic_motion(1940, i, {.step_s = 0.01, .duration_s = 20.0});
     for (auto const* axis : {"x", "y"}) {
@@ -341,13 +337,8 @@ void write_example_building(std::filesystem::path const& directory) {
         file += fmt::format("{:.2f},{:.6f}\n", 0.01 * static_cast<double>(k), 1e-3 * a[k]);
       write_file(directory / fmt::format("motion-{}-{}.csv", i + 1, axis), file);
     }
-    if (i == 0) continue;
-    auto next = block;
-    for (std::size_t at = 0; (at = next.find("motion-1-", at)) != std::string::npos; ++at)
-      next.replace(at, 9, fmt::format("motion-{}-", i + 1));
-    text += next;
   }
-  write_file(directory / "building.toml", text);
+  write_file(directory / "building.toml", building::building_template(motions));
 }
 
 }  // namespace isolaw::app

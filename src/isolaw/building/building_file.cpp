@@ -392,7 +392,7 @@ bool BuildingFile::along_x_alone() const {
   return std::ranges::all_of(motions, [](Motion const& motion) { return motion.y_mm_s2.empty(); });
 }
 
-std::string building_template() {
+std::string building_template(int motions) {
   std::string out =
       "# A building on isolators for `isolaw building`. Lines that start with # are explanations or not in use.\n";
   Settings settings;
@@ -406,7 +406,12 @@ std::string building_template() {
   write_table(out, grid_info, grid_keys(), GridRow{}, false, true);
   write_table(out, bearing_info, bearing_keys(), BearingRow{}, true, false);
   write_table(out, plan_info, plan_keys(), PlanRow{}, false, true);
-  write_table(out, motion_info, motion_keys(), MotionRow{}, true, true);
+  for (int i = 1; i <= motions; ++i) {
+    MotionRow motion;
+    motion.x = fmt::format("motion-{}-x.csv", i);
+    motion.y = fmt::format("motion-{}-y.csv", i);
+    write_table(out, motion_info, motion_keys(), motion, true, true);
+  }
   return out;
 }
 

@@ -75,6 +75,6 @@ BuildingFile read_building_text(std::string_view text, std::string const& name, 
                                 ReplacedKeys const& in_place = {});
 // `tables` by name, as in a file; paths of motions are relative to the working directory.
 BuildingFile building_of(Json const& tables, ReplacedKeys const& in_place = {});
-std::string building_template();
+std::string building_template(int motions = 1);
 
 }  // namespace isolaw::building

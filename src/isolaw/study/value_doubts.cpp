@@ -17,10 +17,9 @@ constexpr double least_share = 0.02;
 
 // As it is held to the rule set, the mean of both sides, else of the cycle that is reported.
 std::optional<double> stated_damping(DeviceResult const& device) {
-  auto const quantity = std::string(rules::name(rules::Quantity::damping));
   double sum = 0.0, count = 0.0;
   for (auto const& a : device.acceptance.assessments)
-    if (a.value && (a.quantity == quantity || a.quantity.starts_with(quantity + ","))) sum += *a.value, count += 1.0;
+    if (a.value && rules::is_of(a, rules::Quantity::damping)) sum += *a.value, count += 1.0;
   if (count > 0.0) return sum / count;
   return device.properties.reported ? device.properties.reported->damping() : std::nullopt;
 }

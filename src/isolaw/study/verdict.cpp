@@ -26,9 +26,10 @@ void add_once(std::vector<std::string>& names, std::string const& name) {
   if (std::ranges::find(names, name) == names.end()) names.push_back(name);
 }
 
-// "K_eff, positive side" gives "K_eff".
+// "K_eff" for either side of a device and for the lot's mean; a limit over cycles or loads has a name of its own.
 std::string property_of(rules::Assessment const& a) {
-  return printable(a.quantity.substr(0, a.quantity.find(',')));
+  bool const plain = a.subject == rules::Subject::device || a.subject == rules::Subject::lot;
+  return a.property && plain ? std::string(name(*a.property)) : printable(a.quantity);
 }
 
 std::string failure(rules::Assessment const& a) {
