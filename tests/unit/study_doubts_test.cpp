@@ -68,7 +68,8 @@ TEST(Adequacy, OfALawThatMissesTheForceOrTheStiffness) {
       with_it.front(),
       "Jankowski does not describe the devices. Its mean errors are too large: 51.0 % of the force's standard deviation."));
   for (auto& one : summary.laws) one.objective.mean = 0.5;
-  EXPECT_TRUE(contains(findings(summary).headline, "No law describes these devices. The nearest is ")) << findings(summary).headline;
+  EXPECT_TRUE(contains(findings(summary).headline, "No law describes these devices. The nearest is "))
+      << findings(summary).headline;
 }
 
 // Eight of ten parameters lie at one bound and so hardly scatter: beta is small, but nothing is robust about it.
@@ -130,7 +131,8 @@ TEST(Doubts, AreOfTheLawAndTheDevice) {
   EXPECT_TRUE(contains(of_second, "runs failed")) << of_second;
   EXPECT_FALSE(contains(of_second, "late")) << of_second;
   auto const of_lot = doubts(summary, "bilinear", std::nullopt).findings;
-  for (auto const* part : {"a channel may be late", "runs failed", "in the one law for all devices, K2 at its upper bound"})
+  for (auto const* part :
+       {"a channel may be late", "runs failed", "in the one law for all devices, K2 at its upper bound"})
     EXPECT_TRUE(contains(of_lot, part)) << part << "\n" << of_lot;
 }
 
@@ -159,8 +161,8 @@ TEST(Adequacy, OfALawWithoutBetaLeavesTheNext) {
   auto summary = fixture::lot(1, 3);
   EXPECT_TRUE(contains(findings(summary).headline, "Vaiana is the most accurate law; how robust it is"));
   miss_the_stiffness(law(summary, "vaiana"));
-  EXPECT_TRUE(contains(
-      findings(summary).headline, "Hwang-Wu is the most accurate law of those that describe the devices; how robust it is"))
+  EXPECT_TRUE(contains(findings(summary).headline,
+                       "Hwang-Wu is the most accurate law of those that describe the devices; how robust it is"))
       << findings(summary).headline;
   EXPECT_TRUE(contains(verdict(summary, "hwang-wu").findings, "the least of those that describe the devices"));
   EXPECT_TRUE(contains(verdict(summary, "bilinear").findings, "1.17 times that of Hwang-Wu"));

@@ -55,7 +55,8 @@ LawResult made(Law const& of) {
       parameter.upper = 2.0;
       if (p < of.at_bound) parameter.at_bound = fit::AtBound::upper;
       parameter.analysis = ParameterAnalysis{};
-      parameter.analysis->identifiability = p < of.open ? analysis::Verdict::undetermined : analysis::Verdict::determined;
+      parameter.analysis->identifiability =
+          p < of.open ? analysis::Verdict::undetermined : analysis::Verdict::determined;
       fit.parameters.push_back(parameter);
     }
     law.devices.push_back(fit);
@@ -114,8 +115,8 @@ TEST(Recommendation, IsNeverALawThatPredictsBadly) {
   auto const summary =
       summary_of({{"overfit", {0.01}, {}, 2.7}, {"poor", {0.015}, {}, 0.4}, {"sound", {0.05}, {}, 0.08}});
   for (auto const& made : recommendations(summary)) EXPECT_EQ(law_of(summary, made), "sound") << made.why;
-  EXPECT_TRUE(
-      contains(of(summary, Purpose::these_tests).why, "overfit is nearer to the tests (1.0 %), but its prediction is unusable"));
+  EXPECT_TRUE(contains(of(summary, Purpose::these_tests).why,
+                       "overfit is nearer to the tests (1.0 %), but its prediction is unusable"));
 }
 
 TEST(Recommendation, OfAFairPredictionIsWeakAndOneDeviceTiesByShare) {
@@ -216,7 +217,8 @@ TEST(Recommendation, OfTheSimplestMayLoseHalfOfTheBest) {
                                    {"rough", {0.09, 0.091, 0.092}, {0.10, 0.11, 0.12}, {}, 2}});
   auto const made = of(summary, Purpose::simplest);
   EXPECT_EQ(law_of(summary, made), "plain") << made.why;
-  EXPECT_TRUE(contains(made.why, "with 3 parameters. The most accurate law, best, is 5.1 % off and has 12 parameters")) << made.why;
+  EXPECT_TRUE(contains(made.why, "with 3 parameters. The most accurate law, best, is 5.1 % off and has 12 parameters"))
+      << made.why;
 }
 
 TEST(Recommendation, OfAnInspectionIsNone) {

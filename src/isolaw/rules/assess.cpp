@@ -33,7 +33,8 @@ Assessment compared(DerivedValue const& derived, Quantity quantity, Design const
   result.value = derived.value;
   result.unit = unit(quantity);
   result.nominal = design.of(quantity);
-  if (result.value && result.nominal) result.deviation_percent = 100.0 * (*result.value - *result.nominal) / *result.nominal;
+  if (result.value && result.nominal)
+    result.deviation_percent = 100.0 * (*result.value - *result.nominal) / *result.nominal;
   return result;
 }
 
@@ -83,8 +84,8 @@ Assessment assess_stability(RuleSet const& rules, StabilityLimit const& limit, B
   result.limit = is_ratio ? fmt::format("{:g} or more", limit.bound) : fmt::format("{:g} % or less", limit.bound);
   result.value = measured(limit, block);
   if (result.value)
-    give_verdict(result, rules, is_ratio ? is_at_least(*result.value, limit.bound) : is_at_most(*result.value, limit.bound),
-                 unmet);
+    give_verdict(result, rules,
+                 is_ratio ? is_at_least(*result.value, limit.bound) : is_at_most(*result.value, limit.bound), unmet);
   else
     result.reason = fmt::format("cycles {} to {} needed; block {} holds {} counted", limit.first, limit.last,
                                 block.number, block.cycles.size());

@@ -121,8 +121,7 @@ void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const&
         .member("option", finding.word("option"))
         .end_object();
   out.end_array();
-  write_members(out, "warnings", wording::remarks(findings), "cleaning",
-                wording::remarks(record.cleaning));
+  write_members(out, "warnings", wording::remarks(findings), "cleaning", wording::remarks(record.cleaning));
   write_findings(out, "findings", findings, wording::anywhere);
   write_scored(out, record);
   out.key("record").begin_object();
