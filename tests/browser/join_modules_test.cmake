@@ -51,7 +51,7 @@ if(failed OR low LESS 0 OR high LESS low)
   message(SEND_ERROR "joined wrong: ${said} ${joined}")
 endif()
 
-# Of two scripts of one folder each has what it reaches; what neither does is refused.
+# Two scripts of one folder each get the modules that they reach; a module that neither reaches is refused.
 macro(join_of_two)
   file(WRITE ${folder}/other.js "import { b } from './low/b.js';\nconsole.log(b);\n")
   file(WRITE ${folder}/low/b.js "export const b = 2;\n")

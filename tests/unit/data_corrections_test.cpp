@@ -124,7 +124,7 @@ TEST(Corrections, InertiaOfAMovingMassIsTakenOff) {
   for (std::size_t i = 0; i < record.size(); ++i) record.force_kN[i] -= mass * omega * omega * record.disp_mm[i] * 1e-6;
   EXPECT_NEAR(truth.K_eff_kN_per_mm - reported(record).K_eff_kN_per_mm, 0.049, 0.001);
   correct(record, {.moving_mass_kg = mass});
-  // What is left is 0.5 % of the 0.049 kN/mm.
+  // The tolerance is 1 % of the correction of 0.049 kN/mm.
   EXPECT_NEAR(reported(record).K_eff_kN_per_mm, truth.K_eff_kN_per_mm, 0.0005);
   EXPECT_NE(text_of(record.corrections).find("moving mass of 5000 kg"), std::string::npos);
 }

@@ -338,7 +338,7 @@ TEST(ErrorBudget, HoldsAreNoLateChannel) {
   EXPECT_LE(500 * found.late, found.estimated);
 }
 
-// What a device loses while it is held is no friction.
+// A device that creeps while it is held loses force, and that must not be taken for friction of the rig.
 TEST(ErrorBudget, CreepInHoldsIsNoFriction) {
   int assessed = 0;
   for (auto const waveform : {Waveform::trapezoid, Waveform::dwell})
@@ -356,7 +356,7 @@ TEST(ErrorBudget, CreepInHoldsIsNoFriction) {
   EXPECT_GT(assessed, 80);
 }
 
-// Of any length, where nothing hides them.
+// Holds of any length in a clean record must not be taken for a late channel.
 TEST(ErrorBudget, NoHoldAtTheExtremesIsALateChannel) {
   for (double hold = 0.02; hold < 0.45; hold += 0.02) {
     Motion motion;

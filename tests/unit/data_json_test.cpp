@@ -190,7 +190,7 @@ TEST_F(Json, TimeStampsAreReadAsInText) {
       std::string::npos);
 }
 
-// What would do nothing is not said to have been done.
+// An option that would do nothing here is refused; otherwise the user would believe that it was applied.
 TEST_F(Json, OptionsOfTextAreRefused) {
   auto const text = R"({"disp_mm": [0, 1, 2, 1], "force_kN": [1, 2, 3, 2]})";
   ReadOptions options;

@@ -270,7 +270,7 @@ std::string packed(std::string const& data) {
 
 class Mat5 : public Files {
  protected:
-  // What is refused of a file with this beside a sound force.
+  // The refusal of a file that holds these elements beside a sound force.
   std::string found(std::string const& elements) {
     auto const text = refusal(file_of(elements + array("force_kN", four_force, 4, 1)));
     std::string const start = "FILE: the .mat file cannot be read: ";

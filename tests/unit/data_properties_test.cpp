@@ -218,7 +218,7 @@ TEST(Cycles, HistoriesThatAreNoTestsDoNotCrash) {
   for (auto const* cycle : properties.complete()) EXPECT_LT(cycle->first, cycle->last);
 }
 
-// What energy below zero says is not hidden by what else is wrong.
+// A cycle that gives energy back is named even where the record has too few samples as well.
 TEST(Properties, EnergyGivenBackIsSaidBeforeFewSamples) {
   auto const properties = ellipse(12, 3, 100.0, 70.0, -0.3).properties();
   EXPECT_TRUE(properties.is_false);

@@ -1,4 +1,4 @@
-// What is said of several records at once: magnitudes as a range, and every sample, time, cycle and block with the
+// Sentences about several records at once: magnitudes stand as a range, and every sample, time, cycle and block with the
 // device that it belongs to.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Takes the place of wording/fill.cpp: every sentence of the table becomes the key of its kind, reversed. A program that
-// reads its own sentences anywhere then behaves differently.
+// Takes the place of wording/fill.cpp: every sentence of the table becomes the key of its kind, reversed. A program
+// that reads its own sentences anywhere then behaves differently.
 #include <algorithm>
 #include <string>
 

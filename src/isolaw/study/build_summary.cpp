@@ -96,7 +96,7 @@ DeviceResult device_result(campaign::Device const& device, int smooth) {
   auto budget = data::error_budget(device.raw, result.properties, smooth);
   result.notes = std::move(budget.notes);
   result.effects = std::move(budget.effects);
-  // What reading the record has warned of knew of no moving average: it belongs to what the laws are fitted to.
+  // The moving average belongs to the records that laws are fitted to, so reading could not warn of it.
   if (smooth > 1) {
     auto const read = data::error_budget(device.raw, result.properties).warnings;
     for (auto const& warning : budget.warnings)

@@ -1,4 +1,4 @@
-// What the measurement itself may have done to a value that is certified: the value, and what it would be if.
+// Doubts about a certified value that the measurement itself causes: the value, and what it would be otherwise.
 #pragma once
 
 #include <string>

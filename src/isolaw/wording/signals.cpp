@@ -1,4 +1,4 @@
-// What is said of the signals of records: faults that leave no cyclic properties, and what the measurement does to them.
+// Sentences about the signals of records: faults that leave no cyclic properties, and effects of the measurement.
 // Where several devices have the same, magnitudes stand as a range; a sample, a time or a cycle stands with its device.
 #include <fmt/format.h>
 
