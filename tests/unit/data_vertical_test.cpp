@@ -146,7 +146,7 @@ TEST(Vertical, NoiseMakesNoDeviceStiffer) {
     }
 }
 
-// A drawn compression test: loadings of many shapes, held or not, on devices that stiffen, settle, creep and lose energy.
+// A drawn compression test: loadings of many shapes, held or not, on devices that stiffen, settle and creep.
 VerticalTest drawn_test(Drawn& drawn) {
   int const samples = static_cast<int>(drawn.on_logs(20.0, 2000.0)), loadings = drawn.whole(1, 5);
   bool const triangle = drawn.chance(0.5), lifts_off = drawn.chance(0.2), friction = drawn.chance(0.3);

@@ -1,5 +1,5 @@
-// Sentences about several records at once: magnitudes stand as a range, and every sample, time, cycle and block with the
-// device that it belongs to.
+// Sentences about several records at once: magnitudes stand as a range, and every sample, time, cycle and block stands
+// with its device.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
