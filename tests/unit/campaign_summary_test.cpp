@@ -168,16 +168,16 @@ TEST(Summary, TheMeanOfALawIsTheMeanOfItsDevicesMeans) {
 TEST(Summary, AtBoundIsThatOfTheBestRun) {
   auto contents = two_devices();
   auto summary = build_summary(contents);
-  EXPECT_EQ(summary.laws[0].devices[0].parameters[0].at_bound, "lower");  // 1.0005 in [1, 2]
-  EXPECT_EQ(summary.laws[0].devices[0].parameters[1].at_bound, "");
+  EXPECT_EQ(summary.laws[0].devices[0].parameters[0].at_bound, fit::AtBound::lower);  // 1.0005 in [1, 2]
+  EXPECT_EQ(summary.laws[0].devices[0].parameters[1].at_bound, fit::AtBound::no);
   contents.runs[1].parameters = {1.002, 0.9498, 41.0};
   summary = build_summary(contents);
-  EXPECT_EQ(summary.laws[0].devices[0].parameters[0].at_bound, "");
-  EXPECT_EQ(summary.laws[0].devices[0].parameters[1].at_bound, "upper");
+  EXPECT_EQ(summary.laws[0].devices[0].parameters[0].at_bound, fit::AtBound::no);
+  EXPECT_EQ(summary.laws[0].devices[0].parameters[1].at_bound, fit::AtBound::upper);
   contents.searches[0].box.parameters[1].upper = 2.0;  // every device has its own box
-  EXPECT_EQ(build_summary(contents).laws[0].devices[0].parameters[1].at_bound, "");
+  EXPECT_EQ(build_summary(contents).laws[0].devices[0].parameters[1].at_bound, fit::AtBound::no);
   contents.runs[0].parameters = {1.0, 0.35, 10.0};  // bounds reached by runs other than the best do not count
-  EXPECT_EQ(build_summary(contents).laws[0].devices[0].parameters[0].at_bound, "");
+  EXPECT_EQ(build_summary(contents).laws[0].devices[0].parameters[0].at_bound, fit::AtBound::no);
 }
 
 TEST(Summary, ErrorsOfTheBestFitAgainstTheRecord) {
@@ -241,7 +241,7 @@ TEST(Summary, FixedParametersTakeNoPartInBeta) {
   auto const summary = build_summary(contents);
   EXPECT_NEAR(*summary.laws[0].beta, (0.2 + 1.0 / 11.0) / 2.0, 1e-14);
   EXPECT_FALSE(summary.laws[0].devices[0].parameters[2].free);
-  EXPECT_EQ(summary.laws[0].devices[0].parameters[2].at_bound, "");
+  EXPECT_EQ(summary.laws[0].devices[0].parameters[2].at_bound, fit::AtBound::no);
 }
 
 TEST(Summary, FailedRunsAreCountedAndTakeNoPart) {

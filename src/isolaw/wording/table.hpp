@@ -1,5 +1,5 @@
-// The one table of everything the program says besides numbers: a row for each kind of finding. Only here does a finding
-// become a sentence. After ccache's table of statistics and simdjson's table of errors.
+// The one table of everything the program says besides numbers, with a row for each kind of finding: only here does a
+// finding become a sentence. After ccache's table of statistics and simdjson's table of errors.
 #pragma once
 
 #include <span>
