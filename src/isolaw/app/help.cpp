@@ -78,7 +78,7 @@ void print_list(Options const& options) {
                option->get_required() ? " (required)" : "");
 }
 
-// "[Reading records](#reading-records) without `--to`", or "`--rules`, `--design` ([Everyday options](#everyday-options))"
+// "[Reading records](#reading-records) without `--to`", or "`--rules` ([Everyday options](#everyday-options))"
 std::string reference_to(Heading heading, Options const& shared, CLI::App const& command) {
   std::vector<std::string> with, without;
   for (auto const* option : shared) {

@@ -21,7 +21,7 @@ struct Printed {
 void print(study::Summary const& summary, std::filesystem::path const& directory, Printed how,
            std::string_view profile = {});
 
-// 1 if a device was refused, a law could not be fitted to a device, a run failed, or a limit of the rule set is exceeded.
+// 1 if a device was refused, a law could not be fitted to a device, a run failed, or a limit of the rules is exceeded.
 int exit_code(study::Summary const& summary);
 
 std::string what_is_missing(study::Summary const& summary);

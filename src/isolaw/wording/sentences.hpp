@@ -1,4 +1,4 @@
-// The sentences of the table that have to decide something about a signal or a step of cleaning. Each gets the findings of
+// Sentences of the table that have to decide something about a signal or a step of cleaning. Each gets the findings of
 // one group and returns what is said of them after "device-01: ".
 #pragma once
 

@@ -9,7 +9,7 @@
 namespace isolaw::render {
 
 // UTF-8 text of at most `width` columns (at least 60 are used), without colours or control characters from the input.
-// For the usual laws it has at most 25 lines: the law to take and how sure that is, the table of laws, warnings, and the
+// For the usual laws it has at most 25 lines: the law to take, how sure that is, the table of laws, warnings, and the
 // next command. `directory` is where the results lie, as the user would type it.
 std::string answer(Summary const& summary, std::string_view directory, int width = 80);
 std::string ranking(Summary const& summary, int width = 80);
