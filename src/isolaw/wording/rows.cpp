@@ -204,7 +204,7 @@ std::span<Row const> rows() {
              "Without the optimiser's noise the front is {same}{laws}[; of the mean of the runs it is {of_runs}]."),
       answer(
           converged_beta, "converged-beta", "best fits",
-          "From the best fits, without the parameters that the tests cannot fix or the search box decides, beta changes: ~{law} {beta_converged:%} instead of {beta:%}[{reduced}][, without {parameters}]~.",
+          "From the best fits, without the parameters that the tests cannot fix or the search box decides, beta changes: ~{law} {beta_converged:%} instead of {beta:%}[{reduced}][ (without {parameters})]~.",
           one_sentence),
       answer(
           converged_untested, "converged-untested", "best fits",
