@@ -171,7 +171,7 @@ TEST_F(Simulate, beyond_the_test_is_said_in_the_table) {
 TEST_F(Simulate, a_changed_law_takes_no_word_of_the_fitted_one) {
   calibrated("bilinear");
   Words const words{"simulate", "bilinear", "--from", "O", "--device", "d", "--motion", "d.csv"};
-  EXPECT_TRUE(contains(isolaw(words).out, "# prediction "));
+  EXPECT_TRUE(contains(isolaw(words).out, "# how well it predicts is not known"));
   auto const o = isolaw(words + Words{"--set", "K2=0.3"});
   ASSERT_EQ(o.code, 0) << o;
   for (auto const& text : {o.err, o.out}) {

@@ -8,6 +8,7 @@
 
 #include "contains.hpp"
 #include "finding_text.hpp"
+#include "isolaw/base/printable.hpp"
 #include "isolaw/study/adequacy.hpp"
 #include "isolaw/study/build_analysis.hpp"
 #include "isolaw/study/doubts.hpp"
@@ -292,7 +293,7 @@ TEST(Doubts, SayWhatIsNotKeptAndWhichDevicesWereRefused) {
   auto const count = summary.devices.size();
   summary.devices.back().status = "refused";
   auto const refused = fmt::format("The lot's law is made from the other devices of {}: {} was refused.", count,
-                                   summary.devices.back().name);
+                                   printable(summary.devices.back().name));
   EXPECT_TRUE(contains(doubts_of(summary, "bilinear", std::nullopt), refused))
       << doubts_of(summary, "bilinear", std::nullopt);
   EXPECT_FALSE(contains(doubts_of(summary, "bilinear", "D1"), refused));

@@ -16,7 +16,11 @@ using rules::Verdict;
 Assessment line(std::string quantity, Verdict verdict, std::optional<double> deviation = std::nullopt,
                 std::string limit = "from -20 % to +20 %") {
   Assessment made;
-  if (quantity == "K_v") made.property = rules::Quantity::K_v;
+  for (auto const property : {rules::Quantity::K_eff, rules::Quantity::damping, rules::Quantity::energy,
+                              rules::Quantity::Q_d, rules::Quantity::K_d, rules::Quantity::K_v}) {
+    auto const name = std::string(rules::name(property));
+    if (quantity == name || quantity.starts_with(name + ", ")) made.property = property;
+  }
   made.quantity = std::move(quantity);
   made.verdict = verdict;
   made.limit = std::move(limit);

@@ -349,7 +349,7 @@ std::span<Row const> rows() {
           "each tonne that moves between the device and the load cell takes {stiffness_kN_per_mm:2} kN/mm from the stiffness at {frequency_Hz:3} Hz, {percent:2} % of it (m w^2)."),
       fact(
           stands_still, "stands-still",
-          "the device stands still for {still_s:3} s in cycle {cycle} of block {block}, longer than its period[, and so in {others} more cycle{|s}]. Period, frequency and samples per cycle leave that out, but rubber recovers and cools meanwhile."),
+          "the device stands still <for {still_s:3} s in cycle {cycle} of block {block}, longer than its period[, and so in {others} more cycle{|s}]>. Period, frequency and samples per cycle leave that out, but rubber recovers and cools meanwhile."),
       fact(cut_off_zero, "cut-off-zero",
            "cycles are cut where displacement passes {centre_mm:4} mm, the centre of the motion."),
       fact(largest_speed, "largest-speed", "", wording::largest_speed),
@@ -379,7 +379,7 @@ std::span<Row const> rows() {
       fact(force_multiplied, "force-multiplied", "force multiplied by {factor:6}"),
       fact(
           centred, "centred",
-          "centred: {disp_mm:4} mm taken from displacement and {force_kN:4} kN from force, (max + min) / 2 over [cycle {cycle} of block {block}][{whole}]"),
+          "centred: {disp_mm:4} mm taken from displacement and {force_kN:4} kN from force, (max + min) / 2 over <[cycle {cycle} of block {block}][{whole}]>"),
       fact(
           smoothed, "smoothed",
           "displacement and force averaged over {window_samples} samples, fewer at the ends[: takes {percent:2} % from a sine of the test's frequency, {third_harmonic_percent:2} % from its third harmonic]"),
