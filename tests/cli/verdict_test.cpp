@@ -106,9 +106,9 @@ TEST_F(Terminal, a_copy_of_a_record_has_no_verdict_of_its_own_and_is_no_further_
     EXPECT_EQ(devices[2]["verdict"], "not assessed");
     EXPECT_EQ(devices[2]["verdict_text"], "not assessed: the same record as D1");
     for (auto const& line : devices[2]["assessments"]) EXPECT_NE(line["verdict"], "pass") << line;
-    EXPECT_EQ(devices[0]["warnings"], Json::parse(R"(["the same record as twin"])"));
+    EXPECT_EQ(devices[0]["findings"][0]["devices"], Json::parse(R"(["D1", "twin"])"));
     EXPECT_EQ(devices[1]["warnings"], Json::array());
-    EXPECT_EQ(devices[2]["warnings"], Json::parse(R"(["the same record as D1"])"));
+    EXPECT_EQ(devices[2]["findings"][0]["kind"], "same-record");
     EXPECT_EQ((*found)["assessment"]["lot"]["tested"], 2);
   }
   EXPECT_EQ(file["result"]["not_assessed"], Json::parse(R"([{"device": "twin", "remark": "the same record as D1"}])"));

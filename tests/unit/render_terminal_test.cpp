@@ -186,7 +186,7 @@ TEST(Answer, IsOneScreen) {
 TEST(Answer, NamesTheLawTheNextCommandAndTheReport) {
   auto const text = answer(fixture::analysed(fixture::lot(10, 7)), "out/lot");
   EXPECT_TRUE(contains(text, "Take Jankowski")) << text;
-  EXPECT_TRUE(contains(text, "isolaw export out/lot --law jankowski --device lot --to openseespy")) << text;
+  EXPECT_TRUE(contains(text, "isolaw export out/lot --law jankowski --device lot --to opensees-cpp")) << text;
   EXPECT_TRUE(contains(text, "out/lot/report.html")) << text;
 }
 

@@ -339,20 +339,22 @@ std::string short_table(Summary const& summary, Recommendation const& answer) {
     return error && std::isfinite(*error) ? fmt::format("{:.1f} %", 100.0 * *error) : std::string("–");
   };
   std::vector<Row> rows{{"", "law", {"fits"}}};
-  if (devices) rows.front().cells.insert(rows.front().cells.end(), {"another device", "worst"});
-  if (blocks) rows.front().cells.emplace_back("other blocks");
-  rows.front().cells.emplace_back("parameters");
+  if (devices) rows.front().cells.emplace_back("new device");
+  if (devices && !blocks) rows.front().cells.emplace_back("worst");
+  if (blocks) rows.front().cells.emplace_back("new blocks");
+  rows.front().cells.emplace_back("free");
   for (auto const& standing : answer.standings) {
     if (rows.size() > most) break;
     auto const& law = summary.laws[standing.law];
     Row row{standing.place == Rank::taken ? "●" : "○",
             printable(laws::called(law.id)),
             {percent(law.objective_converged ? law.objective_converged : law.objective.mean)}};
-    if (devices) row.cells.insert(row.cells.end(), {percent(law.loo_objective), percent(law.loo_worst)});
+    if (devices) row.cells.push_back(percent(law.loo_objective));
+    if (devices && !blocks) row.cells.push_back(percent(law.loo_worst));
     if (blocks) row.cells.push_back(percent(law.predicted_objective));
     row.cells.push_back(std::to_string(std::ranges::count_if(study::parameters_of(law), &ParameterFit::free)));
     if (standing.place == Rank::tied) row.remark = "   as good";
-    if (standing.reason) row.remark = "   " + wording::remark(*standing.reason);
+    if (standing.reason) row.remark = "   ruled out";
     rows.push_back(std::move(row));
   }
   auto text = table(rows, {}, 0, 1);
@@ -388,7 +390,7 @@ std::string wrapped(std::string_view bullet, std::string_view text, int indent, 
 
 std::string answer(Summary const& summary, std::string_view directory, int width) {
   width = std::max(width, 60);
-  constexpr int margin = 14;
+  constexpr int margin = 12;
   auto const found = findings(summary);
   auto text = heading(summary, width) + '\n';
   if (found.recommendations.empty()) return text;
@@ -413,12 +415,12 @@ std::string answer(Summary const& summary, std::string_view directory, int width
     text += wrapped(groups.empty() ? "Look at" : "",
                     fmt::format("{} more warnings: --details", every.size() - std::min(most, groups.size())), margin,
                     width);
+  // The command stays on one line, so that it can be copied.
   if (law != nullptr)
-    text += wrapped("Next",
-                    fmt::format("isolaw export {} --law {} --device {} --to {}", directory, summary.laws[*law->law].id,
-                                summary.laws[*law->law].lot ? "lot" : printable(study::device_names(summary).front()),
-                                law->programs ? "opensees-cpp" : "openseespy"),
-                    margin, width);
+    text += fmt::format("Next        isolaw export {} --law {} --device {} --to {}\n", directory,
+                        summary.laws[*law->law].id,
+                        summary.laws[*law->law].lot ? "lot" : printable(study::device_names(summary).front()),
+                        law->programs ? "opensees-cpp" : "openseespy");
   text += wrapped("Report", fmt::format("{}/report.html", directory), margin, width);
   return text;
 }
