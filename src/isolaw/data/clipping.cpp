@@ -175,19 +175,19 @@ class Clipping {
 
   // A device that yields runs into its plateaus as steeply as it leaves them.
   bool is_cut_off(std::vector<SampleRange> const& runs) const {
-    auto const beside = std::max<std::size_t>(3, pair_.half_cycle / 24);
+    auto const reach = std::max<std::size_t>(3, pair_.half_cycle / 24);
     std::vector<double> ratios, into;
     for (auto const& run : runs) {
-      if (run.size() <= least_plateau || run.first < beside || run.last + beside >= pair_.size()) continue;
+      if (run.size() <= least_plateau || run.first < reach || run.last + reach >= pair_.size()) continue;
       auto const slope = [&](std::size_t from, std::size_t to) {
         return std::abs(pair_.force.x[to] - pair_.force.x[from]) /
                std::max(std::abs(pair_.disp.x[to] - pair_.disp.x[from]), 1e-6 * pair_.disp.half_range);
       };
       // Within one sample a device that yields may be there; a cut-off force is not steeper there than before.
-      into.push_back(std::max(slope(run.first - beside, run.first - 1), slope(run.first - 1, run.first)));
-      ratios.push_back(into.back() / std::max(slope(run.last, run.last + beside), 1e-12));
+      into.push_back(std::max(slope(run.first - reach, run.first - 1), slope(run.first - 1, run.first)));
+      ratios.push_back(into.back() / std::max(slope(run.last, run.last + reach), 1e-12));
       double const clear = std::max(3.0 * pair_.force.quantum, 6.0 * pair_.force.noise);
-      if (std::abs(pair_.force.x[run.first - 1] - pair_.force.x[run.first - beside]) < clear) into.back() = 0.0;
+      if (std::abs(pair_.force.x[run.first - 1] - pair_.force.x[run.first - reach]) < clear) into.back() = 0.0;
     }
     return !ratios.empty() && num::median(into) > 0.1 * pair_.stiffness() && num::median(ratios) < 0.4;
   }
@@ -262,8 +262,8 @@ class Clipping {
     auto const next = std::ranges::lower_bound(pair_.turns, run.first);
     if (next == pair_.turns.begin() || next == pair_.turns.end() || *next > run.last + 1) return;
     auto const before = *(next - 1), tip = std::min(*next, run.last);
-    auto const beside = std::max<std::size_t>(3, pair_.half_cycle / 24);
-    if (run.last + beside >= pair_.size()) return;
+    auto const reach = std::max<std::size_t>(3, pair_.half_cycle / 24);
+    if (run.last + reach >= pair_.size()) return;
     auto const x = [&](std::size_t i) { return sign * pair_.disp.x[i]; };
     auto const y = [&](std::size_t i) { return sign * pair_.force.x[i]; };
     double const way = x(tip) - x(run.first);
@@ -285,7 +285,7 @@ class Clipping {
     tops.window += window;
     tops.rise_last += y(run.first) - y(run.first - 1);
     tops.last_way += x(run.first) - x(run.first - 1);
-    std::array<std::size_t, 4> const lags{1, 2, 4, beside};
+    std::array<std::size_t, 4> const lags{1, 2, 4, reach};
     for (std::size_t k = 0; k < lags.size(); ++k) {
       auto const after = std::min(run.last + lags[k], pair_.size() - 1);
       tops.drop[k] += level - y(after);

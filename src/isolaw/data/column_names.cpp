@@ -128,20 +128,20 @@ constexpr Translation japanese[]{{"加速度", "acceleration"},
                                  {"　", " "}};
 
 std::string narrow(std::string_view text) {
-  std::string made;
+  std::string narrowed;
   for (std::size_t i = 0; i < text.size(); ++i) {
     auto const byte = [&](std::size_t at) { return static_cast<unsigned char>(text[at]); };
     if (i + 2 < text.size() && byte(i) == 0xEF && (byte(i + 1) == 0xBC || byte(i + 1) == 0xBD)) {
       unsigned const code = (byte(i + 1) - 0xBCu) * 64u + (byte(i + 2) & 0x3Fu);  // from U+FF00
       if (code >= 1 && code <= 0x5E) {
-        made += static_cast<char>(0x20 + code);
+        narrowed += static_cast<char>(0x20 + code);
         i += 2;
         continue;
       }
     }
-    made += text[i];
+    narrowed += text[i];
   }
-  return made;
+  return narrowed;
 }
 
 bool is_ascii(std::string_view text) {
@@ -150,14 +150,14 @@ bool is_ascii(std::string_view text) {
 
 std::string translated(std::string_view text, bool words) {
   if (is_ascii(text)) return std::string(text);
-  auto made = narrow(text);
+  auto result = narrow(text);
   for (auto const& [from, to] : japanese) {
     bool const word = to.front() >= 'a' && to != "mm" && to != "cm";
     if (word && !words) continue;
-    for (auto at = made.find(from); at != std::string::npos; at = made.find(from, at))
-      made.replace(at, from.size(), word ? fmt::format(" {} ", to) : std::string(to));
+    for (auto at = result.find(from); at != std::string::npos; at = result.find(from, at))
+      result.replace(at, from.size(), word ? fmt::format(" {} ", to) : std::string(to));
   }
-  return made;
+  return result;
 }
 
 Words words_of(std::string_view name) {

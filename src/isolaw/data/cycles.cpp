@@ -226,7 +226,7 @@ std::vector<CycleCut> with_parts(std::vector<CycleCut> cycles, Motion const& mot
   return all;
 }
 
-Finding too_short(std::span<double const> x, Motion const& motion, Segmentation const& made) {
+Finding too_short(std::span<double const> x, Motion const& motion, Segmentation const& segmentation) {
   auto const [least, largest] = std::ranges::minmax(x);
   // Lobes of the first motion's side start at such a crossing.
   auto const first = std::ranges::find(motion.lobes, false, &Lobe::starts_open);
@@ -236,8 +236,8 @@ Finding too_short(std::span<double const> x, Motion const& motion, Segmentation 
           .numbers = {{"least_mm", least},
                       {"largest_mm", largest},
                       {"crossings", static_cast<double>(crossings)},
-                      {"centre_mm", made.centre_mm},
-                      {"noise_mm", 2.0 * made.band_mm}}};
+                      {"centre_mm", segmentation.centre_mm},
+                      {"noise_mm", 2.0 * segmentation.band_mm}}};
 }
 
 // Where a record starts or ends within a cycle, its piece is no irregular motion.
@@ -247,9 +247,10 @@ double regular_ends(std::vector<Shape> const& shapes, Swings const& swings, std:
     auto const from = static_cast<double>(at[k]), to = static_cast<double>(at[k + 1]);
     bool const before = from < shapes.front().first;
     if (!before && to <= shapes.back().last) continue;
-    auto const& beside = before ? shapes.front() : shapes.back();
-    if (!beside.regular || std::abs(swings.half[k] - beside.amplitude()) > as_large * beside.amplitude()) continue;
-    bool const crosses = before ? to > beside.first : from < beside.last;  // half of it belongs to the cycle
+    auto const& neighbour = before ? shapes.front() : shapes.back();
+    if (!neighbour.regular || std::abs(swings.half[k] - neighbour.amplitude()) > as_large * neighbour.amplitude())
+      continue;
+    bool const crosses = before ? to > neighbour.first : from < neighbour.last;  // half of it belongs to the cycle
     travel += (crosses ? 1.0 : 2.0) * swings.half[k];
   }
   return travel;
@@ -342,49 +343,49 @@ Segmentation segment(std::span<double const> disp_mm, std::span<double const> ti
   auto gaps = time_gaps(disp_mm, time_s);
   auto const moving = without_gaps(time_s, gaps);
   if (!moving.empty()) time_s = moving;
-  Segmentation made;
+  Segmentation segmentation;
   if (disp_mm.empty()) {
-    made.refusal = Finding{.kind = FindingKind::no_complete_cycle};
-    return made;
+    segmentation.refusal = Finding{.kind = FindingKind::no_complete_cycle};
+    return segmentation;
   }
   auto const found = reversals(disp_mm);
   Motion motion;
   motion.x = disp_mm;
   motion.time = time_s;
   motion.gaps = std::move(gaps);
-  made.band_mm = found.band_mm;
+  segmentation.band_mm = found.band_mm;
   if (found.at.size() < 2) {
-    made.refusal = too_short(disp_mm, motion, made);
-    return made;
+    segmentation.refusal = too_short(disp_mm, motion, segmentation);
+    return segmentation;
   }
   auto const swings = swings_of(disp_mm, found.at);
-  made.centre_mm = centre_of(disp_mm, swings, found.band_mm);
-  motion.centre = made.centre_mm;
+  segmentation.centre_mm = centre_of(disp_mm, swings, found.band_mm);
+  motion.centre = segmentation.centre_mm;
   motion.noise = noise_deviation(disp_mm);
-  motion.lobes = lobes(disp_mm, time_s, found, made.centre_mm);
+  motion.lobes = lobes(disp_mm, time_s, found, segmentation.centre_mm);
   for (auto& lobe : motion.lobes) lobe.has_gap = has_gap(motion.gaps, lobe.first, lobe.last);
   motion.groups = group_lobes(motion.lobes);
   if (motion.count(Part::cycle) == 0) {
-    made.refusal = too_short(disp_mm, motion, made);
-    made.cycles = with_parts({}, motion);
-    return made;
+    segmentation.refusal = too_short(disp_mm, motion, segmentation);
+    segmentation.cycles = with_parts({}, motion);
+    return segmentation;
   }
   std::vector<Shape> shapes;
   for (auto const& group : motion.groups)
     if (group.part == Part::cycle) shapes.push_back(motion.shape(group));
-  made.cycles = number_cycles(shapes, time_s.empty() ? "samples" : "s");
-  made.regular_share = regular_share(shapes, swings, motion, found.at);
-  made.cyclic = made.regular_share >= least_regular_share;
-  if (!made.cyclic) {
-    made.refusal = not_cyclic(shapes, made.regular_share);
-    for (auto& cut : made.cycles) {
+  segmentation.cycles = number_cycles(shapes, time_s.empty() ? "samples" : "s");
+  segmentation.regular_share = regular_share(shapes, swings, motion, found.at);
+  segmentation.cyclic = segmentation.regular_share >= least_regular_share;
+  if (!segmentation.cyclic) {
+    segmentation.refusal = not_cyclic(shapes, segmentation.regular_share);
+    for (auto& cut : segmentation.cycles) {
       cut.block = 1;
       cut.number = 0;
       cut.not_counted = not_cyclic_cycle;
     }
   }
-  made.cycles = with_parts(std::move(made.cycles), motion, made.cyclic);
-  return made;
+  segmentation.cycles = with_parts(std::move(segmentation.cycles), motion, segmentation.cyclic);
+  return segmentation;
 }
 
 }  // namespace isolaw::data

@@ -37,11 +37,12 @@ double largest_step(std::span<double const> x, std::size_t begin, std::size_t en
 class DropoutSearch {
  public:
   DropoutSearch(std::span<double const> x, std::span<double const> other, Other does)
-      : x_(x), other_(other), own_(size_of(x)), beside_(size_of(other)), does_(does) {}
+      : x_(x), other_(other), own_(size_of(x)), other_size_(size_of(other)), does_(does) {}
 
   std::vector<Dropout> find() const {
     std::vector<Dropout> found;
-    if (!(own_.half_range > 0.0) || !(beside_.half_range > 0.0) || !std::isfinite(own_.half_range + beside_.half_range))
+    if (!(own_.half_range > 0.0) || !(other_size_.half_range > 0.0) ||
+        !std::isfinite(own_.half_range + other_size_.half_range))
       return found;
     double const width = same_value * 2.0 * own_.half_range;
     std::size_t gone = 0;
@@ -74,13 +75,15 @@ class DropoutSearch {
     double const way = std::abs(x_[run.last + 1] - x_[run.first - 1]);
     if (way > 2.0 * step * static_cast<double>(count + 1) + gone_deviations * own_.noise) return false;
     for (auto const i : {run.first, run.last + 1})
-      if (std::abs(other_[i] - other_[i - 1]) / beside_.half_range > other_jumps * jump / own_.half_range) return false;
+      if (std::abs(other_[i] - other_[i - 1]) / other_size_.half_range > other_jumps * jump / own_.half_range)
+        return false;
     return does_ == Other::may_stand || (goes_on(run) && !turns_at_both_ends(run));
   }
 
   bool goes_on(SampleRange const& run) const {
     auto const [least, largest] = std::ranges::minmax(other_.subspan(run.first - 1, run.size() + 2));
-    return largest - least > std::max({other_goes_on * beside_.half_range, 4.0 * beside_.noise, 2.0 * beside_.quantum});
+    return largest - least >
+           std::max({other_goes_on * other_size_.half_range, 4.0 * other_size_.noise, 2.0 * other_size_.quantum});
   }
 
   // A force of friction jumps where the motion turns, and jumps back where it turns again.
@@ -94,7 +97,7 @@ class DropoutSearch {
   }
 
   std::span<double const> x_, other_;
-  Size own_, beside_;
+  Size own_, other_size_;
   Other does_;
 };
 
@@ -107,14 +110,14 @@ std::vector<Dropout> dropouts(std::span<double const> values, std::span<double c
 }
 
 std::vector<double> bridged(std::span<double const> values, std::vector<Dropout> const& gone) {
-  std::vector<double> made(values.begin(), values.end());
+  std::vector<double> filled(values.begin(), values.end());
   for (auto const& one : gone) {
     auto const [first, last] = one.samples;
     auto const intervals = static_cast<double>(one.samples.size() + 1);
     for (auto i = first; i <= last; ++i)
-      made[i] = one.before + (one.after - one.before) * static_cast<double>(i + 1 - first) / intervals;
+      filled[i] = one.before + (one.after - one.before) * static_cast<double>(i + 1 - first) / intervals;
   }
-  return made;
+  return filled;
 }
 
 }  // namespace isolaw::data

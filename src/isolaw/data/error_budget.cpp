@@ -129,11 +129,11 @@ class Assessment {
       };
       for (std::size_t k = 0; k < cycles.size(); ++k)
         for (auto const of : {&Cycle::F_plus_kN, &Cycle::F_minus_kN}) {
-          double beside = 0.0, count = 0.0;
+          double neighbours = 0.0, count = 0.0;
           for (auto const i : {k - 1, k + 1})
-            if (i < cycles.size()) beside += cycles[i]->*of, count += 1.0;
-          if (beside == 0.0) continue;
-          double const found = cycles[k]->*of / (beside / count);
+            if (i < cycles.size()) neighbours += cycles[i]->*of, count += 1.0;
+          if (neighbours == 0.0) continue;
+          double const found = cycles[k]->*of / (neighbours / count);
           if (!(std::abs(found - 1.0) > (count > 1.0 ? unlike_between : unlike_beside)) ||
               distance(found) < distance(share))
             continue;

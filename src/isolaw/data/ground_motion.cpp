@@ -43,13 +43,13 @@ struct PeerHeader {
 // "NPTS=  4000, DT= .01000 SEC", or the numbers before their names, and above it "IN UNITS OF G".
 std::optional<PeerHeader> peer_header(LineList const& lines) {
   constexpr std::size_t head = 10;
-  PeerHeader made;
+  PeerHeader header;
   for (std::size_t i = 0; i < std::min(head, lines.size()); ++i) {
     auto const small = lower(lines[i]);
     constexpr std::string_view before_unit = "units of ";
     if (auto const at = small.find(before_unit); at != std::string::npos) {
       auto const text = std::string_view(small).substr(at + before_unit.size());
-      made.unit_mm_s2 = parse_acceleration(text.substr(0, text.find_first_of(" .,;")));
+      header.unit_mm_s2 = parse_acceleration(text.substr(0, text.find_first_of(" .,;")));
     }
     if (small.find("npts") == std::string::npos || small.find("dt") == std::string::npos) continue;
     auto count = number_behind(small, "npts"), step = number_behind(small, "dt");
@@ -61,10 +61,10 @@ std::optional<PeerHeader> peer_header(LineList const& lines) {
       step = number_in<double>(cells[1]);
     }
     if (!count || !step || !(*count >= 1.0) || !(*count <= static_cast<double>(most_lines)) || !(*step > 0.0)) continue;
-    made.line = i;
-    made.count = static_cast<std::size_t>(*count);
-    made.step_s = *step;
-    return made;
+    header.line = i;
+    header.count = static_cast<std::size_t>(*count);
+    header.step_s = *step;
+    return header;
   }
   return std::nullopt;
 }
@@ -75,7 +75,7 @@ std::string not_numbers(std::size_t bad, std::string_view first) {
 }
 
 GroundMotion read_peer(LineList const& lines, PeerHeader const& header, std::string const& name) {
-  GroundMotion made{.file = name, .step_s = header.step_s, .acceleration_mm_s2 = {}, .recognised = {}};
+  GroundMotion motion{.file = name, .step_s = header.step_s, .acceleration_mm_s2 = {}, .recognised = {}};
   std::vector<Complaint> complaints;
   if (!header.unit_mm_s2)
     complaints.push_back({.where = name,
@@ -90,7 +90,7 @@ GroundMotion read_peer(LineList const& lines, PeerHeader const& header, std::str
       if (cell.empty()) continue;
       auto const value = number_in<double>(cell);
       if (value && std::isfinite(*value)) {
-        made.acceleration_mm_s2.push_back(*value * header.unit_mm_s2.value_or(1.0));
+        motion.acceleration_mm_s2.push_back(*value * header.unit_mm_s2.value_or(1.0));
         continue;
       }
       if (bad++ == 0) {
@@ -103,14 +103,14 @@ GroundMotion read_peer(LineList const& lines, PeerHeader const& header, std::str
     complaints.push_back({.where = fmt::format("{}:{}", name, bad_line),
                           .found = not_numbers(bad, first_bad),
                           .allowed = "finite numbers"});
-  else if (made.acceleration_mm_s2.size() != header.count)
+  else if (motion.acceleration_mm_s2.size() != header.count)
     complaints.push_back({.where = name,
-                          .found = counted(made.acceleration_mm_s2.size(), "value"),
+                          .found = counted(motion.acceleration_mm_s2.size(), "value"),
                           .allowed = fmt::format("NPTS = {}, as line {} says", header.count, header.line + 1),
                           .advice = "the file as it was downloaded: it may have been cut short"});
   if (!complaints.empty()) throw Error(std::move(complaints));
-  made.recognised = fmt::format("PEER AT2, {} samples every {} s", header.count, header.step_s);
-  return made;
+  motion.recognised = fmt::format("PEER AT2, {} samples every {} s", header.count, header.step_s);
+  return motion;
 }
 
 struct MotionColumns {
@@ -119,21 +119,21 @@ struct MotionColumns {
 };
 
 MotionColumns motion_columns(Header const& header, std::size_t count, std::string const& name) {
-  MotionColumns made;
+  MotionColumns columns;
   std::vector<Complaint> complaints;
   std::vector<std::string> accelerations;
   for (std::size_t i = 0; i < std::min(count, header.names.size()); ++i) {
     auto const unit =
         i < header.units.size() && !header.units[i].empty() ? header.units[i] : dissect_name(header.names[i]).unit;
     if (auto const in_mm_s2 = parse_acceleration(unit)) {
-      made.acceleration = i;
-      made.unit_mm_s2 = *in_mm_s2;
+      columns.acceleration = i;
+      columns.unit_mm_s2 = *in_mm_s2;
       accelerations.push_back(in_quotes(header.names[i]));
-    } else if (!made.time && meaning_of(header.names[i]).channel == Channel::time) {
-      made.time = i;
+    } else if (!columns.time && meaning_of(header.names[i]).channel == Channel::time) {
+      columns.time = i;
       auto const time = parse_unit(unit);
       if (time && time->dimension == Dimension::time)
-        made.time_s = time->in_record_units;
+        columns.time_s = time->in_record_units;
       else
         complaints.push_back({.where = name,
                               .found = fmt::format("column {} has no unit of time", in_quotes(header.names[i])),
@@ -150,7 +150,7 @@ MotionColumns motion_columns(Header const& header, std::size_t count, std::strin
                           .allowed = "one component in a file",
                           .advice = "a file for each, the second as --ground-motion-y"});
   if (!complaints.empty()) throw Error(std::move(complaints));
-  return made;
+  return columns;
 }
 
 // Each time may be rounded, as files with three decimals are.
@@ -180,7 +180,7 @@ GroundMotion read_columns(LineList const& lines, std::string const& name, std::o
   if (!dialect) throw Error({.where = name, .found = "no rows of numbers", .allowed = std::string(columns_allowed)});
   auto const header = recognise_header(lines, *dialect);
   auto const columns = motion_columns(header, dialect->columns, name);
-  GroundMotion made{.file = name, .step_s = 0.0, .acceleration_mm_s2 = {}, .recognised = {}};
+  GroundMotion motion{.file = name, .step_s = 0.0, .acceleration_mm_s2 = {}, .recognised = {}};
   std::vector<double> time_s;
   std::vector<std::string_view> cells;
   std::size_t bad = 0, bad_line = 0;
@@ -200,22 +200,23 @@ GroundMotion read_columns(LineList const& lines, std::string const& name, std::o
     };
     if (columns.time)
       if (auto const t = number(*columns.time)) time_s.push_back(*t * columns.time_s);
-    if (auto const a = number(*columns.acceleration)) made.acceleration_mm_s2.push_back(*a * columns.unit_mm_s2);
+    if (auto const a = number(*columns.acceleration)) motion.acceleration_mm_s2.push_back(*a * columns.unit_mm_s2);
   }
   if (bad > 0)
     throw Error({.where = fmt::format("{}:{}", name, bad_line),
                  .found = not_numbers(bad, first_bad),
                  .allowed = "finite numbers"});
-  if (made.acceleration_mm_s2.size() >= 2 && columns.time) made.step_s = step_of(time_s, name);
+  if (motion.acceleration_mm_s2.size() >= 2 && columns.time) motion.step_s = step_of(time_s, name);
   if (!columns.time && !step_s)
     throw Error({.where = name,
                  .found = "no column of time",
                  .allowed = "a column such as 'time [s]'",
                  .advice = "--ground-motion-dt SECONDS, the step between two samples"});
-  if (!columns.time) made.step_s = *step_s;
-  made.recognised = fmt::format("column {}, {} samples every {:.6g} s", in_quotes(header.names[*columns.acceleration]),
-                                made.acceleration_mm_s2.size(), made.step_s);
-  return made;
+  if (!columns.time) motion.step_s = *step_s;
+  motion.recognised =
+      fmt::format("column {}, {} samples every {:.6g} s", in_quotes(header.names[*columns.acceleration]),
+                  motion.acceleration_mm_s2.size(), motion.step_s);
+  return motion;
 }
 
 }  // namespace
@@ -245,18 +246,18 @@ GroundMotion read_ground_motion_text(std::string_view bytes, std::string const& 
   check_text(name, bytes);
   auto const lines = split_lines(bytes).lines;
   auto const peer = peer_header(lines);
-  auto made = peer ? read_peer(lines, *peer, name) : read_columns(lines, name, step_s);
-  if (step_s && !(std::abs(*step_s - made.step_s) <= 1e-3 * made.step_s))
+  auto motion = peer ? read_peer(lines, *peer, name) : read_columns(lines, name, step_s);
+  if (step_s && !(std::abs(*step_s - motion.step_s) <= 1e-3 * motion.step_s))
     throw Error({.where = "--ground-motion-dt",
-                 .found = fmt::format("{} s, and {} has samples every {:.6g} s", *step_s, name, made.step_s),
+                 .found = fmt::format("{} s, and {} has samples every {:.6g} s", *step_s, name, motion.step_s),
                  .allowed = "the step of the file, or none for a file that has one"});
-  if (made.acceleration_mm_s2.size() < fewest_accelerations)
+  if (motion.acceleration_mm_s2.size() < fewest_accelerations)
     throw Error({.where = name,
-                 .found = counted(made.acceleration_mm_s2.size(), "sample"),
+                 .found = counted(motion.acceleration_mm_s2.size(), "sample"),
                  .allowed = fmt::format("{} or more", fewest_accelerations)});
-  if (std::ranges::all_of(made.acceleration_mm_s2, [](double a) { return a == 0.0; }))
+  if (std::ranges::all_of(motion.acceleration_mm_s2, [](double a) { return a == 0.0; }))
     throw Error({.where = name, .found = "an acceleration of zero throughout", .allowed = "a motion of the ground"});
-  return made;
+  return motion;
 }
 
 }  // namespace isolaw::data

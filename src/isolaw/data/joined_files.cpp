@@ -95,8 +95,8 @@ std::map<std::string, ReadOptions> other_files(std::filesystem::path const& file
                             .found = in_quotes(spec),
                             .allowed = "a column of the file itself: every file has its own time",
                             .advice = "--columns time=COLUMN"});
-    auto [place, made] = others.try_emplace(split->file, shared);
-    if (made) place->second.columns.clear();
+    auto [place, is_new] = others.try_emplace(split->file, shared);
+    if (is_new) place->second.columns.clear();
     place->second.columns[channel] = split->column;
   }
   std::erase_if(options.columns, [](auto const& entry) { return file_column(entry.second).has_value(); });

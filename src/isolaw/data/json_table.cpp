@@ -342,10 +342,10 @@ class Handler {
     part.flaw_row = part.rows;
   }
   bool afford(std::size_t cells) {
-    bool const enough = cells <= left_;
-    if (!enough) refusal = "keys that most rows lack: the table would be far larger than the file";
-    left_ -= enough ? cells : 0;
-    return enough;
+    bool const affordable = cells <= left_;
+    if (!affordable) refusal = "keys that most rows lack: the table would be far larger than the file";
+    left_ -= affordable ? cells : 0;
+    return affordable;
   }
 
   std::size_t left_;  // cells: each takes two bytes of the file at least

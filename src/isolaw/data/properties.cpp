@@ -186,8 +186,8 @@ std::string waveform(Cycle const& cycle, CycleView const& view) {
     from_triangle += std::pow(y - (1.0 - 2.0 * part), 2.0);
     count += 1.0;
   }
-  constexpr double beside = 4.0;  // samples: one more on each side of either extreme
-  if (at_extremes > 2.0 * lingers * all + beside) return "other";
+  constexpr double margin = 4.0;  // samples: one more on each side of either extreme
+  if (at_extremes > 2.0 * lingers * all + margin) return "other";
   double const limit = same_shape * same_shape * count;
   if (count > 0.0 && from_sine <= std::min(limit, from_triangle)) return "sine";
   return count > 0.0 && from_triangle <= limit ? "triangle" : "other";

@@ -22,15 +22,15 @@ std::string asked_time(ReadOptions const& options, std::string_view dashes) {
 }
 std::vector<double> at_times(std::vector<double> const& at, std::vector<double> const& time,
                              std::vector<double> const& values) {
-  std::vector<double> made;
-  made.reserve(at.size());
+  std::vector<double> interpolated;
+  interpolated.reserve(at.size());
   std::size_t k = 0;
   for (double const t : at) {
     while (k + 2 < time.size() && time[k + 1] < t) ++k;
     double const share = std::clamp((t - time[k]) / (time[k + 1] - time[k]), 0.0, 1.0);
-    made.push_back(values[k] + share * (values[k + 1] - values[k]));
+    interpolated.push_back(values[k] + share * (values[k + 1] - values[k]));
   }
-  return made;
+  return interpolated;
 }
 
 double usual_interval(std::vector<double> const& time_s) {

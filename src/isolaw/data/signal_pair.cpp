@@ -17,12 +17,12 @@ double half_range_of(std::span<double const> x) {
 }
 
 Signal signal_of(std::span<double const> values, std::vector<Spike> const& off) {
-  Signal made{.x = {values.begin(), values.end()}};
-  for (auto const& spike : off) made.x[spike.at] = spike.expected;
-  made.half_range = half_range_of(made.x);
-  made.quantum = smallest_step(made.x, 2.0 * made.half_range);
-  made.noise = noise_deviation(made.x);
-  return made;
+  Signal signal{.x = {values.begin(), values.end()}};
+  for (auto const& spike : off) signal.x[spike.at] = spike.expected;
+  signal.half_range = half_range_of(signal.x);
+  signal.quantum = smallest_step(signal.x, 2.0 * signal.half_range);
+  signal.noise = noise_deviation(signal.x);
+  return signal;
 }
 
 std::size_t median_distance(std::vector<std::size_t> const& turns) {

@@ -105,17 +105,17 @@ std::vector<Spike> spikes(std::span<double const> values) {
   for (std::size_t i = 1; i + 1 < values.size(); ++i) {
     // Cheap first: most samples lie between their neighbours.
     if (std::abs(values[i] - (values[i - 1] + values[i + 1]) / 2.0) <= least / 4.0) continue;
-    auto const beside = neighbours_of(values, i);
-    double const off = std::abs(values[i] - beside.expected);
+    auto const neighbours = neighbours_of(values, i);
+    double const off = std::abs(values[i] - neighbours.expected);
     // The samples beside a jump or a corner lie on the line of those before it, or behind it.
     auto const on_line = [&](std::size_t near, std::size_t far) {
       return std::abs(values[i] - (2.0 * values[near] - values[far])) < on_one_side * off;
     };
     bool const at_an_end = i < 3 || i + 3 >= values.size();
-    double const contrast = spike_contrast * (at_an_end ? edge_contrast : 1.0) * beside.left;
+    double const contrast = spike_contrast * (at_an_end ? edge_contrast : 1.0) * neighbours.left;
     if ((i >= 2 && on_line(i - 1, i - 2)) || (i + 2 < values.size() && on_line(i + 1, i + 2))) continue;
     if (off > contrast / 3.0) others.push_back(off);
-    if (off > least && off > contrast) found.push_back({.at = i, .value = values[i], .expected = beside.expected});
+    if (off > least && off > contrast) found.push_back({.at = i, .value = values[i], .expected = neighbours.expected});
   }
   auto const most = std::max(fewest_texture, values.size() / samples_a_spike);
   auto const rank = std::max(fewest_others, values.size() / samples_an_other);
@@ -132,16 +132,16 @@ std::vector<Spike> spikes(std::span<double const> values) {
 
 bool is_of_every_turn(Spike const& spike, std::vector<Spike> const& all, std::span<double const> force,
                       std::span<std::size_t const> turns) {
-  constexpr std::size_t beside = 2, least_turns = 2;
+  constexpr std::size_t reach = 2, least_turns = 2;
   constexpr double as_much = 0.35;
-  auto const near = [](std::size_t a, std::size_t b) { return (a > b ? a - b : b - a) <= beside; };
+  auto const near = [](std::size_t a, std::size_t b) { return (a > b ? a - b : b - a) <= reach; };
   if (std::ranges::none_of(turns, [&](auto turn) { return near(turn, spike.at); })) return false;
   double const off = std::abs(spike.value - spike.expected);
   std::size_t others = 0;
   for (auto const turn : turns) {
     if (std::ranges::any_of(all, [&](Spike const& other) { return near(turn, other.at); })) continue;
     double most = 0.0;
-    for (auto i = std::max(turn, beside + 1) - beside; i <= turn + beside && i + 1 < force.size(); ++i)
+    for (auto i = std::max(turn, reach + 1) - reach; i <= turn + reach && i + 1 < force.size(); ++i)
       most = std::max(most, std::abs(force[i] - neighbours_of(force, i).expected));
     if (most > as_much * off) ++others;
   }

@@ -159,20 +159,21 @@ RecordPart read_channels(Tests const& tests, Table const& table, TestRecord reco
   if (!complaints.empty()) throw Error(std::move(complaints));
 
   RecordPart part{.record = std::move(record), .origin_s = rows.origin_s, .dated = rows.dated};
-  auto& made = part.record;
-  made.layout = resolved_layout(columns, table.header(), options, tests.sheet);
-  made.particulars = table.particulars();
+  auto& part_record = part.record;
+  part_record.layout = resolved_layout(columns, table.header(), options, tests.sheet);
+  part_record.particulars = table.particulars();
   for (auto const& each : tests.particulars)
-    if (std::ranges::find(made.particulars, each.first, &ParticularList::value_type::first) == made.particulars.end())
-      made.particulars.push_back(each);
-  append(made.recognised, tests.recognised);
-  append(made.recognised, table.recognised());
-  append(made.recognised, columns.recognised);
-  append(made.warnings, columns.warnings);
-  store_channels(rows, columns, skipped, made);
-  describe_part(rows, range, made.recognised);
-  append(made.recognised, rows.recognised);
-  describe_rows(rows, table.header(), made, wanted.time, of_header, made.recognised);
+    if (std::ranges::find(part_record.particulars, each.first, &ParticularList::value_type::first) ==
+        part_record.particulars.end())
+      part_record.particulars.push_back(each);
+  append(part_record.recognised, tests.recognised);
+  append(part_record.recognised, table.recognised());
+  append(part_record.recognised, columns.recognised);
+  append(part_record.warnings, columns.warnings);
+  store_channels(rows, columns, skipped, part_record);
+  describe_part(rows, range, part_record.recognised);
+  append(part_record.recognised, rows.recognised);
+  describe_rows(rows, table.header(), part_record, wanted.time, of_header, part_record.recognised);
   if (wanted.disp && wanted.force) part.exchange_advice = exchange_advice(columns, table.header());
   return part;
 }

@@ -185,10 +185,10 @@ std::string without_japanese(std::string_view cell) {
   constexpr std::pair<std::string_view, std::string_view> signs[]{{"\xE5\xB9\xB4", "-"}, {"\xE6\x9C\x88", "-"},
                                                                   {"\xE6\x97\xA5", " "}, {"\xE6\x99\x82", ":"},
                                                                   {"\xE5\x88\x86", ":"}, {"\xE7\xA7\x92", ""}};
-  std::string made(cell);
+  std::string text(cell);
   for (auto const& [sign, ordinary] : signs)
-    if (auto const at = made.find(sign); at != std::string::npos) made.replace(at, sign.size(), ordinary);
-  return std::string(trimmed(made));
+    if (auto const at = text.find(sign); at != std::string::npos) text.replace(at, sign.size(), ordinary);
+  return std::string(trimmed(text));
 }
 
 std::string date_text(long days) {
@@ -435,30 +435,30 @@ bool may_be_serial(double value) {
 
 StampedTime seconds_of(std::span<Stamp const> stamps, std::span<std::size_t const> lines, std::string const& where,
                        std::string_view row, std::optional<DateOrder> order, std::vector<Complaint>& complaints) {
-  StampedTime made;
-  if (stamps.empty()) return made;
+  StampedTime result;
+  if (stamps.empty()) return result;
   auto const& start = stamps.front();
-  made.dated = start.dated;
+  result.dated = start.dated;
   double const of_day = start.clock_s - start.zone_s.value_or(0.0);
   std::vector<double> times;
-  if (made.dated) {
+  if (result.dated) {
     auto read = DateReader(stamps, lines, where, row, complaints).read(order);
-    if (!read) return made;
+    if (!read) return result;
     auto const days = *days_in(start, read->order);
-    made.origin_s = static_cast<double>(days) * day_s + of_day;
-    made.sentences.push_back(
+    result.origin_s = static_cast<double>(days) * day_s + of_day;
+    result.sentences.push_back(
         fmt::format("time stamps: {}seconds from the first, {} {}", read->why.empty() ? "" : read->why + "; ",
                     read->in_either_order ? "at" : date_text(days) + " at", clock_text(start.clock_s)));
     times = std::move(read->times);
   } else {
-    made.origin_s = of_day;
+    result.origin_s = of_day;
     auto const midnights = count_midnights(stamps, times);
-    made.sentences.push_back(fmt::format("times of day: seconds from the first, {}{}", clock_text(start.clock_s),
-                                         midnights > 0 ? ", past midnight" : ""));
+    result.sentences.push_back(fmt::format("times of day: seconds from the first, {}{}", clock_text(start.clock_s),
+                                           midnights > 0 ? ", past midnight" : ""));
   }
-  if (refuse_coarse(times, where, complaints)) return made;
-  made.time_s = std::move(times);
-  return made;
+  if (refuse_coarse(times, where, complaints)) return result;
+  result.time_s = std::move(times);
+  return result;
 }
 
 }  // namespace isolaw::data

@@ -38,39 +38,39 @@ void turn(std::vector<double>& values) {
 }
 
 Compression compression_of(VerticalTest const& test) {
-  Compression made{.disp_mm = test.disp_mm, .load_kN = test.load_kN, .turned = {}};
-  auto const [least, largest] = std::ranges::minmax(made.load_kN);
+  Compression compression{.disp_mm = test.disp_mm, .load_kN = test.load_kN, .turned = {}};
+  auto const [least, largest] = std::ranges::minmax(compression.load_kN);
   if (-least > largest) {
-    turn(made.load_kN);
-    made.turned.emplace_back("vertical load is recorded negative in compression");
+    turn(compression.load_kN);
+    compression.turned.emplace_back("vertical load is recorded negative in compression");
   }
   auto const mean = [](std::vector<double> const& values) {
     double sum = 0.0;
     for (double const value : values) sum += value;
     return sum / static_cast<double>(values.size());
   };
-  double const mean_disp = mean(made.disp_mm), mean_load = mean(made.load_kN);
+  double const mean_disp = mean(compression.disp_mm), mean_load = mean(compression.load_kN);
   double together = 0.0;
-  for (std::size_t i = 0; i < made.load_kN.size(); ++i)
-    together += (made.disp_mm[i] - mean_disp) * (made.load_kN[i] - mean_load);
+  for (std::size_t i = 0; i < compression.load_kN.size(); ++i)
+    together += (compression.disp_mm[i] - mean_disp) * (compression.load_kN[i] - mean_load);
   if (together < 0.0) {
-    turn(made.disp_mm);
-    made.turned.emplace_back("vertical displacement is recorded negative in compression");
+    turn(compression.disp_mm);
+    compression.turned.emplace_back("vertical displacement is recorded negative in compression");
   }
-  return made;
+  return compression;
 }
 
 constexpr double noise_left = 0.0005;         // share of the range, by averaging
 constexpr std::size_t least_of_loading = 10;  // averages a loading is long at least
 
 std::vector<double> averaged(std::vector<double> const& x, std::size_t half) {
-  std::vector<double> sums(x.size() + 1, 0.0), made(x.size());
+  std::vector<double> sums(x.size() + 1, 0.0), averages(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) sums[i + 1] = sums[i] + x[i];
   for (std::size_t i = 0; i < x.size(); ++i) {
     auto const reach = std::min({half, i, x.size() - 1 - i});
-    made[i] = (sums[i + reach + 1] - sums[i - reach]) / static_cast<double>(2 * reach + 1);
+    averages[i] = (sums[i + reach + 1] - sums[i - reach]) / static_cast<double>(2 * reach + 1);
   }
-  return made;
+  return averages;
 }
 
 // Reversals are more than noise; a loading that the record ends in is among them.
@@ -136,20 +136,20 @@ struct Secant {
 // Leaves out creep under held loads: from the last time at the lower load to the first at the upper one.
 Secant secant_of(Compression const& c, Loading const& loading, LoadRange const& range) {
   auto const& load = c.load_kN;
-  Secant made;
+  Secant secant;
   auto end = loading.first;
   if (range.high_kN >= reached * load[loading.last]) {
     while (load[end] < reached * load[loading.last]) ++end;
-    made.high = {load[end], c.disp_mm[end]};
+    secant.high = {load[end], c.disp_mm[end]};
   } else {
     while (load[end] < range.high_kN) ++end;
-    made.high = end > loading.first ? between(c, end - 1, range.high_kN) : Point{load[end], c.disp_mm[end]};
+    secant.high = end > loading.first ? between(c, end - 1, range.high_kN) : Point{load[end], c.disp_mm[end]};
   }
   auto start = end;
   while (start > loading.first && load[start] > range.low_kN) --start;
-  made.low = load[start] <= range.low_kN && start < end ? between(c, start, range.low_kN)
-                                                        : Point{load[start], c.disp_mm[start]};
-  return made;
+  secant.low = load[start] <= range.low_kN && start < end ? between(c, start, range.low_kN)
+                                                          : Point{load[start], c.disp_mm[start]};
+  return secant;
 }
 
 LoadRange usual_loads(double largest_kN) {
@@ -187,12 +187,12 @@ void refuse_faults(VerticalTest const& test, Compression const& compression) {
   if (!complaints.empty()) throw Error(std::move(complaints));
 }
 
-void warn_about_size(VerticalStiffness& made) {
+void warn_about_size(VerticalStiffness& stiffness) {
   constexpr double softest = 1.0, stiffest = 1e5;
-  if (made.K_v_kN_per_mm >= softest && made.K_v_kN_per_mm <= stiffest) return;
-  made.warnings.push_back({.kind = FindingKind::vertical_stiffness_implausible,
-                           .numbers = {{"K_v_kN_per_mm", made.K_v_kN_per_mm}},
-                           .words = {{"than_any", made.K_v_kN_per_mm > stiffest ? "stiffer" : "softer"}}});
+  if (stiffness.K_v_kN_per_mm >= softest && stiffness.K_v_kN_per_mm <= stiffest) return;
+  stiffness.warnings.push_back({.kind = FindingKind::vertical_stiffness_implausible,
+                                .numbers = {{"K_v_kN_per_mm", stiffness.K_v_kN_per_mm}},
+                                .words = {{"than_any", stiffness.K_v_kN_per_mm > stiffest ? "stiffer" : "softer"}}});
 }
 
 std::string_view ordinal_end(int number) {
@@ -247,12 +247,12 @@ std::string curve_hash(VerticalTest const& test) {
 }
 
 VerticalStiffness vertical_stiffness(VerticalTest const& test) {
-  VerticalStiffness made;
+  VerticalStiffness stiffness;
   if (test.stated_kN_per_mm) {
-    made.K_v_kN_per_mm = *test.stated_kN_per_mm;
-    made.how = "as the laboratory states it";
-    warn_about_size(made);
-    return made;
+    stiffness.K_v_kN_per_mm = *test.stated_kN_per_mm;
+    stiffness.how = "as the laboratory states it";
+    warn_about_size(stiffness);
+    return stiffness;
   }
   if (test.load_kN.empty() || test.load_kN.size() != test.disp_mm.size())
     throw Error({.where = test.file, .found = "no samples of a vertical test"});
@@ -270,8 +270,8 @@ VerticalStiffness vertical_stiffness(VerticalTest const& test) {
   auto const& counting = loadings[place];
   auto const range = held_range(test, compression, counting);
   auto const secant = secant_of(compression, counting, range);
-  made.K_v_kN_per_mm = secant.K_v();
-  if (!std::isfinite(made.K_v_kN_per_mm) || made.K_v_kN_per_mm <= 0.0)
+  stiffness.K_v_kN_per_mm = secant.K_v();
+  if (!std::isfinite(stiffness.K_v_kN_per_mm) || stiffness.K_v_kN_per_mm <= 0.0)
     throw Error(
         {.where = test.file,
          .found = fmt::format(
@@ -279,19 +279,19 @@ VerticalStiffness vertical_stiffness(VerticalTest const& test) {
              secant.low.disp_mm, secant.high.disp_mm, secant.low.load_kN, secant.high.load_kN),
          .allowed = "a displacement that grows with the load",
          .advice = "naming the two columns"});
-  made.loads = LoadRange{secant.low.load_kN, secant.high.load_kN};
-  made.disp_low_mm = secant.low.disp_mm;
-  made.disp_high_mm = secant.high.disp_mm;
-  made.loading = number;
+  stiffness.loads = LoadRange{secant.low.load_kN, secant.high.load_kN};
+  stiffness.disp_low_mm = secant.low.disp_mm;
+  stiffness.disp_high_mm = secant.high.disp_mm;
+  stiffness.loading = number;
   for (auto const& each : loadings)
-    made.loadings_kN_per_mm.push_back(compression.load_kN[each.first] <= range.high_kN
-                                          ? secant_of(compression, each, range).K_v()
-                                          : made.K_v_kN_per_mm);
-  made.turned = compression.turned;
-  made.how = fmt::format("dF_v/dd_v, {}{} loading of {}, from {} to {} kN", number, ordinal_end(number), count,
-                         number_text(made.loads->low_kN), number_text(made.loads->high_kN));
-  warn_about_size(made);
-  return made;
+    stiffness.loadings_kN_per_mm.push_back(compression.load_kN[each.first] <= range.high_kN
+                                               ? secant_of(compression, each, range).K_v()
+                                               : stiffness.K_v_kN_per_mm);
+  stiffness.turned = compression.turned;
+  stiffness.how = fmt::format("dF_v/dd_v, {}{} loading of {}, from {} to {} kN", number, ordinal_end(number), count,
+                              number_text(stiffness.loads->low_kN), number_text(stiffness.loads->high_kN));
+  warn_about_size(stiffness);
+  return stiffness;
 }
 
 }  // namespace isolaw::data

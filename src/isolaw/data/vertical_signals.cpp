@@ -31,11 +31,11 @@ struct VerticalChannel {
 
 VerticalChannel channel_of(std::string name, std::string unit, std::span<double const> x) {
   auto const [least, largest] = std::ranges::minmax(x);
-  VerticalChannel made{
+  VerticalChannel channel{
       .name = std::move(name), .unit = std::move(unit), .x = x, .least = least, .range = largest - least};
-  made.width = std::max(
-      {same_value * made.range, standing_noise * noise_deviation(x), standing_quanta * smallest_step(x, made.range)});
-  return made;
+  channel.width = std::max({same_value * channel.range, standing_noise * noise_deviation(x),
+                            standing_quanta * smallest_step(x, channel.range)});
+  return channel;
 }
 
 std::vector<SampleRange> plateaus(VerticalChannel const& channel) {
@@ -138,11 +138,12 @@ void add_standing(VerticalChannel const& stands, StandingStill found, std::vecto
 }
 
 // A spike in both channels is a load that was there; a press that lifts off between loadings moves without one.
-std::vector<Spike> single(std::vector<Spike> found, std::vector<Spike> const& beside, std::span<double const> load) {
+std::vector<Spike> single(std::vector<Spike> found, std::vector<Spike> const& other_channel,
+                          std::span<double const> load) {
   auto const [least, largest] = std::ranges::minmax(load);
   double const unloaded = least + carries * (largest - least);
   std::erase_if(found, [&](Spike const& spike) {
-    bool const in_both = std::ranges::find(beside, spike.at, &Spike::at) != beside.end();
+    bool const in_both = std::ranges::find(other_channel, spike.at, &Spike::at) != other_channel.end();
     bool const lifted = load[spike.at] < unloaded && spike.value < spike.expected;
     return in_both || lifted;
   });
