@@ -29,9 +29,9 @@ using Runs = std::vector<campaign::Run const*>;
 Statistic statistic(std::vector<double> const& values) {
   if (values.empty()) return {};
   auto const m = num::moments(values);
-  Statistic made{.mean = m.mean, .std = std::nullopt, .best = std::nullopt};
-  if (m.count > 1) made.std = m.std;
-  return made;
+  Statistic result{.mean = m.mean, .std = std::nullopt, .best = std::nullopt};
+  if (m.count > 1) result.std = m.std;
+  return result;
 }
 
 template <class Get>
@@ -62,12 +62,12 @@ void add_vertical(DeviceResult& result) {
 }
 
 rules::VerticalValue vertical_value(DeviceResult const& device) {
-  rules::VerticalValue made;
-  if (!device.vertical_test.refusal.empty()) made.reason = "vertical test: " + device.vertical_test.refusal;
-  if (!device.vertical) return made;
-  made.K_v_kN_per_mm = device.vertical->K_v_kN_per_mm;
-  made.formula = device.vertical->how;
-  return made;
+  rules::VerticalValue value;
+  if (!device.vertical_test.refusal.empty()) value.reason = "vertical test: " + device.vertical_test.refusal;
+  if (!device.vertical) return value;
+  value.K_v_kN_per_mm = device.vertical->K_v_kN_per_mm;
+  value.formula = device.vertical->how;
+  return value;
 }
 
 DeviceResult device_result(campaign::Device const& device, int smooth) {
@@ -107,17 +107,17 @@ DeviceResult device_result(campaign::Device const& device, int smooth) {
 
 ParameterFit parameter_fit(fit::SearchParameter const& searched, std::size_t index, Runs const& usable,
                            campaign::Run const* best) {
-  ParameterFit made;
-  made.name = searched.name;
-  made.unit = searched.unit;
-  made.free = searched.free;
-  made.lower = searched.lower;
-  made.upper = searched.upper;
-  made.value = statistic(collect(usable, [&](campaign::Run const& run) { return run.parameters[index]; }));
-  if (best == nullptr) return made;
-  made.value.best = best->parameters[index];
-  made.at_bound = fit::at_bound(searched, *made.value.best);
-  return made;
+  ParameterFit fitted;
+  fitted.name = searched.name;
+  fitted.unit = searched.unit;
+  fitted.free = searched.free;
+  fitted.lower = searched.lower;
+  fitted.upper = searched.upper;
+  fitted.value = statistic(collect(usable, [&](campaign::Run const& run) { return run.parameters[index]; }));
+  if (best == nullptr) return fitted;
+  fitted.value.best = best->parameters[index];
+  fitted.at_bound = fit::at_bound(searched, *fitted.value.best);
+  return fitted;
 }
 
 // The reported cycle; where a part of the record is judged, its third (or last) cycle at the largest amplitude.
@@ -139,67 +139,67 @@ std::optional<data::Cycle> compared_cycle(data::Properties const& measured, data
   return chosen;
 }
 
-void compare_properties(DeviceFit& made, data::FitRecord const& record) {
+void compare_properties(DeviceFit& fitted, data::FitRecord const& record) {
   auto const time = record.has_time() ? std::span<double const>(record.time_s) : std::span<double const>();
   auto const measured = data::cyclic_properties(data::CycleView{record.disp_mm, record.force_kN, time, {}});
-  made.energy_fall = energy_fall(measured, record, made.force_kN);
+  fitted.energy_fall = energy_fall(measured, record, fitted.force_kN);
   auto const cycle = compared_cycle(measured, record);
   if (!cycle) return;
   auto const& reference = *cycle;
-  auto const computed = data::properties_on(reference, record.disp_mm, made.force_kN);
+  auto const computed = data::properties_on(reference, record.disp_mm, fitted.force_kN);
   auto const error = [](double value, double truth) {
     return truth != 0.0 ? std::optional(100.0 * (value - truth) / truth) : std::nullopt;
   };
-  made.K_eff_error_percent = error(computed.K_eff_kN_per_mm, reference.K_eff_kN_per_mm);
-  made.energy_error_percent = error(computed.energy_kN_mm, reference.energy_kN_mm);
-  made.damping_error_percent = error(computed.damping_percent, reference.damping_percent);
+  fitted.K_eff_error_percent = error(computed.K_eff_kN_per_mm, reference.K_eff_kN_per_mm);
+  fitted.energy_error_percent = error(computed.energy_kN_mm, reference.energy_kN_mm);
+  fitted.damping_error_percent = error(computed.damping_percent, reference.damping_percent);
 }
 
 DeviceFit device_fit(campaign::Contents const& contents, campaign::Search const& search, Runs const& runs) {
   auto const& device = contents.devices[search.device];
-  DeviceFit made;
-  made.device = device.name;
-  made.refusal = search.refusal;
-  if (!search.refusal.empty()) return made;
+  DeviceFit fitted;
+  fitted.device = device.name;
+  fitted.refusal = search.refusal;
+  if (!search.refusal.empty()) return fitted;
 
   Runs usable;
   for (auto const* run : runs) {
     if (run->usable()) usable.push_back(run);
-    made.histories.push_back(run->history);
+    fitted.histories.push_back(run->history);
   }
-  made.runs = static_cast<int>(runs.size());
-  made.missing_runs = contents.settings.runs - made.runs;
-  made.failed_runs = static_cast<int>(runs.size() - usable.size());
-  if (runs.empty()) made.failure = "no run has finished yet";
+  fitted.runs = static_cast<int>(runs.size());
+  fitted.missing_runs = contents.settings.runs - fitted.runs;
+  fitted.failed_runs = static_cast<int>(runs.size() - usable.size());
+  if (runs.empty()) fitted.failure = "no run has finished yet";
   for (auto const* run : runs) {
-    made.evaluations += static_cast<std::uint64_t>(run->evaluations);
-    made.failed_evaluations += static_cast<std::uint64_t>(run->failed_evaluations);
-    if (made.failure.empty()) made.failure = run->failure;
+    fitted.evaluations += static_cast<std::uint64_t>(run->evaluations);
+    fitted.failed_evaluations += static_cast<std::uint64_t>(run->failed_evaluations);
+    if (fitted.failure.empty()) fitted.failure = run->failure;
   }
   campaign::Run const* best = nullptr;
   for (auto const* run : usable)
     if (best == nullptr || run->objective < best->objective) best = run;
 
-  made.objective = statistic(collect(usable, [](campaign::Run const& run) { return run.objective; }));
+  fitted.objective = statistic(collect(usable, [](campaign::Run const& run) { return run.objective; }));
   auto const& law = laws::find_law(search.law);
   for (std::size_t i = 0; i < search.box.parameters.size(); ++i) {
-    made.parameters.push_back(parameter_fit(search.box.parameters[i], i, usable, best));
-    made.parameters.back().paper_name = law.parameters[law.index_of(made.parameters.back().name)].paper_name;
+    fitted.parameters.push_back(parameter_fit(search.box.parameters[i], i, usable, best));
+    fitted.parameters.back().paper_name = law.parameters[law.index_of(fitted.parameters.back().name)].paper_name;
   }
   for (std::size_t i = 0; i < search.box.parameters.size(); ++i)
     if (auto const other = search.box.parameters[i].tied_to)
-      made.parameters[i].tied_to = search.box.parameters[*other].name;
-  if (best == nullptr) return made;
+      fitted.parameters[i].tied_to = search.box.parameters[*other].name;
+  if (best == nullptr) return fitted;
 
-  made.objective.best = best->objective;
-  made.integration_shift = best->integration_shift;
+  fitted.objective.best = best->objective;
+  fitted.integration_shift = best->integration_shift;
   fit::LawOnRecord const model(laws::find_law(search.law), device.record, contents.settings.integration,
                                contents.settings.turning_points, best->refinement);
-  made.force_kN = model.force_kN(best->parameters);
-  made.refinement = best->refinement;
-  compare_properties(made, device.record);
-  add_analysis(made, contents, search);
-  return made;
+  fitted.force_kN = model.force_kN(best->parameters);
+  fitted.refinement = best->refinement;
+  compare_properties(fitted, device.record);
+  add_analysis(fitted, contents, search);
+  return fitted;
 }
 
 std::vector<double> means_of(LawResult const& law, std::size_t parameter) {
