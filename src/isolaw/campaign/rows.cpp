@@ -25,16 +25,16 @@ using sqlite::Statement;
 
 std::string to_json(data::VerticalTest const& test) {  // all of a compression test but its series; empty: there is none
   if (!test.given()) return {};
-  nlohmann::ordered_json made;  // in the order of the alphabet, as stores always had it
-  if (test.found_kN_per_mm) made["K_v_kN_per_mm"] = *test.found_kN_per_mm;
-  if (!test.curve_sha256.empty()) made["curve_sha256"] = test.curve_sha256;
-  made["file"] = test.file;
-  if (test.loads) made["loads_kN"] = {test.loads->low_kN, test.loads->high_kN};
-  made["recognised"] = nlohmann::ordered_json::parse(wording::findings_json(test.recognised));
-  made["refusal"] = test.refusal;
-  made["sha256"] = test.sha256;
-  if (test.stated_kN_per_mm) made["stated_kN_per_mm"] = *test.stated_kN_per_mm;
-  return made.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  nlohmann::ordered_json object;  // in the order of the alphabet, as stores always had it
+  if (test.found_kN_per_mm) object["K_v_kN_per_mm"] = *test.found_kN_per_mm;
+  if (!test.curve_sha256.empty()) object["curve_sha256"] = test.curve_sha256;
+  object["file"] = test.file;
+  if (test.loads) object["loads_kN"] = {test.loads->low_kN, test.loads->high_kN};
+  object["recognised"] = nlohmann::ordered_json::parse(wording::findings_json(test.recognised));
+  object["refusal"] = test.refusal;
+  object["sha256"] = test.sha256;
+  if (test.stated_kN_per_mm) object["stated_kN_per_mm"] = *test.stated_kN_per_mm;
+  return object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 data::VerticalTest vertical_of(std::string const& json) {
   if (json.empty()) return {};
@@ -118,10 +118,10 @@ void write_searches(Connection const& db, Contents const& contents) {
 }
 
 void read_makers(Connection const& db, Contents& contents) {
-  Statement maker(db, "SELECT version, build, instruction_set FROM maker ORDER BY id");
-  while (maker.row()) {
-    auto& made = contents.makers.emplace_back();
-    maker.read(made.version, made.build, made.instruction_set);
+  Statement row(db, "SELECT version, build, instruction_set FROM maker ORDER BY id");
+  while (row.row()) {
+    auto& maker = contents.makers.emplace_back();
+    row.read(maker.version, maker.build, maker.instruction_set);
   }
   if (contents.makers.empty()) throw Error({.found = "no word on the isolaw that made it"});
 }
@@ -219,11 +219,11 @@ template <class Analysis>
 void read_analyses(Connection const& db, char const* select, std::vector<Analysis>& analyses) {
   Statement row(db, select);
   while (row.row()) {
-    auto& made = analyses.emplace_back();
+    auto& analysis = analyses.emplace_back();
     std::string json;
-    if constexpr (requires { made.device; }) row.read(made.device);
-    row.read(made.law, json, made.maker);
-    read_analysis(json, made);
+    if constexpr (requires { analysis.device; }) row.read(analysis.device);
+    row.read(analysis.law, json, analysis.maker);
+    read_analysis(json, analysis);
   }
 }
 

@@ -71,7 +71,7 @@ bool has_log(std::filesystem::path const& file) {
 }
 
 void require_plain(std::filesystem::path const& file) {
-  for (auto const* suffix : {"", beside[0], beside[1], beside[2]})
+  for (auto const* suffix : {"", companion_suffixes[0], companion_suffixes[1], companion_suffixes[2]})
     if (auto const kind = other_than_plain(file.string() + suffix))
       throw Error({.where = file.string() + suffix,
                    .found = "is " + *kind,
@@ -248,7 +248,8 @@ void remove_unfinished(std::filesystem::path const& file) {
   std::error_code ignored;
   auto const aside = unfinished(file).string();
   for (auto const& name : {unfinished(aside).string(), aside})  // put_in_order() may have been writing `aside` anew
-    for (auto const* suffix : {beside[0], beside[1], beside[2], ""}) std::filesystem::remove(name + suffix, ignored);
+    for (auto const* suffix : {companion_suffixes[0], companion_suffixes[1], companion_suffixes[2], ""})
+      std::filesystem::remove(name + suffix, ignored);
 }
 
 void move_into_place(std::filesystem::path const& whole, std::filesystem::path const& file) {
@@ -260,7 +261,7 @@ void move_into_place(std::filesystem::path const& whole, std::filesystem::path c
       Connection::to_write(file).try_execute("PRAGMA journal_mode = DELETE");
     } catch (Error const&) {
     }
-  for (auto const* suffix : beside) std::filesystem::remove(file.string() + suffix, error);
+  for (auto const* suffix : companion_suffixes) std::filesystem::remove(file.string() + suffix, error);
   std::filesystem::rename(whole, file, error);
   if (error)
     throw Error({.where = file.string(),

@@ -21,7 +21,7 @@ namespace isolaw::campaign::sqlite {
 inline constexpr char const* advice_on_damaged =
     "copying it once more, or the command that computed it, with --fresh, which starts over";
 
-inline constexpr std::array beside{"-wal", "-shm", "-journal"};  // SQLite's own files beside a store
+inline constexpr std::array companion_suffixes{"-wal", "-shm", "-journal"};  // SQLite's own files beside a store
 
 [[noreturn]] void refuse_damaged(std::string file, std::string_view reason);
 void require_plain(std::filesystem::path const& file);  // throws Error for a pipe or device: opening one could block
