@@ -40,7 +40,7 @@ TEST(FitSprings, find_the_knee_that_they_lose) {
     // The three parameters of bilinear hold nothing that could undo the rounding of the knee.
     EXPECT_LE(made.fitted, (law.info.id == "bilinear" ? 1.0 : 0.6) * made.given) << id;
     // The stated objective must be that of the springs when they run online along the first of them.
-    auto online = LawInPlane{&law, made.parameters}.made(laws::Bidirectional::springs, {});
+    auto online = LawInPlane{&law, made.parameters}.form(laws::Bidirectional::springs, {});
     PlaneMotion motion{.time_s = record.time_s, .disp_mm = {}, .vel_mm_s = {}};
     for (std::size_t i = 0; i < record.size(); ++i) {
       motion.disp_mm.push_back({record.disp_mm[i], 0.0});

@@ -86,13 +86,13 @@ void print_arrangement(building::Study const& study, building::Answers const& an
     }
     std::vector<building::Point> places;
     for (auto const& b : study.file.bearings) places.push_back(b.at);
-    auto const made = building::arrange(places, study.file.frame.base.centre, stiffness);
+    auto const arrangement = building::arrange(places, study.file.frame.base.centre, stiffness);
     std::string text = fmt::format(
         "\n{}: eccentricity of stiffness {:.1f} mm, {:.1f} mm in the order of their names\nx_m,y_m,device\n", law.law,
-        made.eccentricity_mm, made.in_order_mm);
+        arrangement.eccentricity_mm, arrangement.in_order_mm);
     for (std::size_t i = 0; i < places.size(); ++i)
-      text +=
-          fmt::format("{:g},{:g},{}\n", places[i].x_mm / 1e3, places[i].y_mm / 1e3, printable(names[made.device[i]]));
+      text += fmt::format("{:g},{:g},{}\n", places[i].x_mm / 1e3, places[i].y_mm / 1e3,
+                          printable(names[arrangement.device[i]]));
     print(text);
   }
 }
@@ -183,23 +183,23 @@ int building(BuildingArguments const& a, std::vector<std::string> const& command
   if (shown_to_somebody)
     options.progress = [&](building::RunProgress const& progress) { show_progress(progress, start); };
   options.interrupted = interrupted;
-  auto const made = [&] {
+  auto const studied = [&] {
     SignalGuard const guard;
     return study_building(study, options);
   }();
   if (shown_to_somebody) say("\r\033[K");
   auto const file = out / building_store_name;
-  if (!made.complete) {
-    say("interrupted: {} are kept in {}\nto continue: {}\n", counted(made.runs, "finished run"), shown(file),
+  if (!studied.complete) {
+    say("interrupted: {} are kept in {}\nto continue: {}\n", counted(studied.runs, "finished run"), shown(file),
         to_continue(command_line));
     return exit_with_refusals;
   }
   if (part) {
     say("part {} of {}: {}, all of its share, in {}; once every part is there: isolaw merge OUT PARTS...\n",
-        part->number, part->of, counted(made.runs, "run"), shown(file));
+        part->number, part->of, counted(studied.runs, "run"), shown(file));
     return exit_done;
   }
-  auto const& answers = *made.answers;
+  auto const& answers = *studied.answers;
   if (figures != render::FigureChoice::none)
     say_drawn(render::write_building_figures(answers, out), out, "the same command");
   if (a.json)

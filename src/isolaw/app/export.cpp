@@ -37,22 +37,22 @@ int export_law(ExportArguments const& a) {
     campaign::apply(a.seed, settings);
     subject.model = programs::make_model(options, contents, summary, a.law, a.device, settings.seed);
   }
-  auto const made = programs::write_export(subject, target, units, a.anyway);
+  auto const exported = programs::write_export(subject, target, units, a.anyway);
   for (auto const& warning : wording::sentences(subject.doubts.findings, wording::with_law))
     say("warning: {}\n", printable(warning));
   for (auto const& sentence : subject.beyond) say("warning: {}\n", printable(sentence));
   if (subject.model)
     for (auto const& caution : programs::model_cautions(subject, units)) say("warning: {}\n", printable(caution));
-  for (auto const& caution : made.cautions) say("warning: {}\n", printable(caution));
-  for (auto const& objection : made.let_through) say("{}\n", printable(study::let_through(objection)));
+  for (auto const& caution : exported.cautions) say("warning: {}\n", printable(caution));
+  for (auto const& objection : exported.let_through) say("{}\n", printable(study::let_through(objection)));
   std::vector<std::filesystem::path> inputs;
   for (auto const* key : {"layout", "ground-motion", "ground-motion-y"})
     if (auto const given = a.model.find(key); given != a.model.end()) inputs.emplace_back(text_of(given->second));
   if (!a.out) {
-    std::fwrite(made.text.data(), 1, made.text.size(), stdout);
+    std::fwrite(exported.text.data(), 1, exported.text.size(), stdout);
     return exit_done;
   }
-  write_output(*a.out, made.text, inputs);
+  write_output(*a.out, exported.text, inputs);
   say("{}\n", shown(*a.out));
   return exit_done;
 }

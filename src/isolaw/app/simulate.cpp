@@ -64,7 +64,7 @@ Chosen chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
     throw Error({.where = a.from ? "--from" : "--device",
                  .found = "is given alone",
                  .allowed = "--from DIR with --device NAME, or --device lot for the one law of the lot"});
-  Chosen made;
+  Chosen chosen;
   std::vector<NamedValue> values;
   auto where = std::string("--parameters");
   if (a.parameters) {
@@ -73,20 +73,20 @@ Chosen chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
   } else if (a.from) {
     where = shown(*a.from);
     auto const contents = campaign::Store::read(*a.from / store_name);
-    made.law = fitted_law(contents, law.info.id, *a.device);
+    chosen.law = fitted_law(contents, law.info.id, *a.device);
     auto const device = contents.device_or_lot(*a.device) ? std::optional<std::string_view>(*a.device) : std::nullopt;
-    made.origin = device ? "device '" + *a.device + "'" : std::string("the lot");
-    made.changes = a.set;
-    if (made.changes.empty()) {
+    chosen.origin = device ? "device '" + *a.device + "'" : std::string("the lot");
+    chosen.changes = a.set;
+    if (chosen.changes.empty()) {
       if (auto const index = contents.device_or_lot(*a.device))
         for (auto const& search : contents.searches)
           if (search.device == *index && search.law == law.info.id)
-            made.fit = Chosen::Fit{contents.devices[*index].record, search.box};
-      made.doubts = study::doubts(study::build_summary(contents), law.info.id, device);
-      study::require_taken(made.doubts, study::whose(law.info.id, device), a.anyway);
+            chosen.fit = Chosen::Fit{contents.devices[*index].record, search.box};
+      chosen.doubts = study::doubts(study::build_summary(contents), law.info.id, device);
+      study::require_taken(chosen.doubts, study::whose(law.info.id, device), a.anyway);
     }
     for (std::size_t i = 0; i < law.parameters.size(); ++i)
-      values.push_back({.name = std::string(law.parameters[i].name), .value = made.law.parameters[i]});
+      values.push_back({.name = std::string(law.parameters[i].name), .value = chosen.law.parameters[i]});
   }
   std::vector<NamedValue> changes;
   for (auto const& text : a.set) changes.push_back(parse_named_value(text, "--set"));
@@ -95,7 +95,7 @@ Chosen chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
   });
   values.insert(values.end(), changes.begin(), changes.end());
   // The campaign accepted its fitted values: a search may end beyond a limit that its box crosses.
-  auto& taken = made.law;
+  auto& taken = chosen.law;
   taken.parameters =
       parameters_in_order(law, values, where, a.from && changes.empty() ? Together::left : Together::checked);
   campaign::Settings how;
@@ -110,7 +110,7 @@ Chosen chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
     throw Error({.where = "--refinement",
                  .found = fmt::format("{}", taken.refinement),
                  .allowed = fmt::format("1 to {} steps per sample", finest)});
-  return made;
+  return chosen;
 }
 
 std::vector<std::string> facts(Chosen const& chosen) {
@@ -213,29 +213,29 @@ std::optional<TwoDirections> two_directions(SimulateArguments const& a) {
     if (given == first || given == second) return given == first;
     throw Error({.where = option, .found = given, .allowed = fmt::format("{} or {}", first, second)});
   };
-  TwoDirections made{};
+  TwoDirections directions{};
   bool const coupled = word("--bidirectional", *a.bidirectional, "coupled", "springs");
-  made.how = coupled ? laws::Bidirectional::coupled : laws::Bidirectional::springs;
+  directions.how = coupled ? laws::Bidirectional::coupled : laws::Bidirectional::springs;
   if (a.softening) {
     if (!coupled)
       throw Error({.where = "--softening",
                    .found = "is given with springs, each of which keeps its own peak",
                    .allowed = "with --bidirectional coupled"});
-    if (!word("--softening", *a.softening, "distance", "axis")) made.softening = laws::plane::Softening::by_axis;
+    if (!word("--softening", *a.softening, "distance", "axis")) directions.softening = laws::plane::Softening::by_axis;
   }
   if (a.springs) {
     if (coupled)
       throw Error({.where = "--springs",
                    .found = "is given with a coupled law, whose parameters are those of one direction",
                    .allowed = "with --bidirectional springs"});
-    made.as_given = word("--springs", *a.springs, "given", "fitted");
+    directions.as_given = word("--springs", *a.springs, "given", "fitted");
   }
   if (!a.second_disp)
     throw Error({.where = "--bidirectional",
                  .found = "is given without the second displacement",
                  .allowed = "--second-disp COLUMN, and --columns disp=COLUMN for the first"});
-  made.second_disp = *a.second_disp;
-  return made;
+  directions.second_disp = *a.second_disp;
+  return directions;
 }
 
 void require_none_of_one_direction(FittedLaw const& law) {
@@ -255,13 +255,13 @@ double distance(laws::plane::Vector<double> const& a) {
 
 std::string fit_as_springs(laws::LawEntry const& law, Chosen const& chosen, FittedLaw& taken) {
   bool const stored = taken.springs.has_value();
-  auto const made =
+  auto const springs =
       stored ? *taken.springs
              : fit::fitted_as_springs(law, chosen.fit->record, chosen.fit->box, taken.parameters, taken.refinement);
-  taken.parameters = made.parameters;
+  taken.parameters = springs.parameters;
   return fmt::format(
              "springs with parameters of their own, fitted to {}: objective {:.4g}; {:.4g} with those of the law, whose own is {:.4g}",
-             chosen.fit ? "the device's record" : "the devices' records", made.fitted, made.given, made.law) +
+             chosen.fit ? "the device's record" : "the devices' records", springs.fitted, springs.given, springs.law) +
          (stored ? "; as the campaign stored them" : "");
 }
 std::vector<std::string> left_open(fit::LawInPlane const& law, TwoDirections const& two, fit::PlaneMotion const& motion,
@@ -374,7 +374,7 @@ int simulate_in_plane(SimulateArguments const& a, TwoDirections const& two, laws
   std::optional<std::string> springs_line;
   if (fits && (chosen.fit || stored)) springs_line = fit_as_springs(law, chosen, taken);
   fit::LawInPlane const in_plane{&law, taken.parameters, taken.dead_band_mm, taken.refinement};
-  auto const force_kN = fit::force_kN(law, in_plane.made(two.how, two.softening), motion);
+  auto const force_kN = fit::force_kN(law, in_plane.form(two.how, two.softening), motion);
   say_what_it_is(law, chosen, first);
   auto lines = beyond_what_is_known(law, taken, reach);
   if (springs_line) lines.push_back(*springs_line);

@@ -11,7 +11,7 @@ using laws::Bidirectional;
 using laws::plane::Softening;
 using laws::plane::Vector;
 
-laws::InPlane LawInPlane::made(Bidirectional how, Softening softening) const {
+laws::InPlane LawInPlane::form(Bidirectional how, Softening softening) const {
   auto const id = law->info.id;
   if (how == Bidirectional::coupled) return laws::InPlane::coupled(id, parameters, softening);
   return laws::InPlane::springs(
@@ -43,7 +43,7 @@ std::vector<OnAnEight> on_a_figure_of_eight(LawInPlane const& law, double size_m
   }
   std::vector<OnAnEight> results;
   auto const add = [&](std::string_view rule, Bidirectional how, Softening softening) {
-    auto const force = force_kN(*law.law, law.made(how, softening), motion);
+    auto const force = force_kN(*law.law, law.form(how, softening), motion);
     OnAnEight result{rule, 0.0, 0.0};
     for (std::size_t i = (turns - 1) * samples + 1; i < force.size(); ++i) {
       result.peak_kN = std::max(result.peak_kN, std::hypot(force[i].x, force[i].y));
@@ -65,7 +65,7 @@ double work_of_springs_on_a_line(LawInPlane const& law, double size_mm, double d
   double const length = size_mm / law.law->info.length.in_record_units;
   laws::Online alone(law.law->info.id, law.parameters, law.dead_band_mm / law.law->info.length.in_record_units,
                      law.refinement);
-  auto springs = law.made(Bidirectional::springs, Softening::by_distance);
+  auto springs = law.form(Bidirectional::springs, Softening::by_distance);
   double of_law = 0.0, of_springs = 0.0, before_law = 0.0, before_springs = 0.0, x0 = 0.0;
   for (int i = 0; i <= cycles * samples; ++i) {
     double const phase = 2.0 * std::numbers::pi * i / samples, rate = 2.0 * std::numbers::pi / duration_s;

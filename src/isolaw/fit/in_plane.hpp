@@ -21,7 +21,7 @@ struct LawInPlane {
   double dead_band_mm = 0.0;  // for springs only
   int refinement = 1;         // steps per sample, for springs only; coupled forms need no substeps
 
-  laws::InPlane made(laws::Bidirectional how, laws::plane::Softening softening) const;
+  laws::InPlane form(laws::Bidirectional how, laws::plane::Softening softening) const;
 };
 
 std::vector<laws::plane::Vector<double>> force_kN(laws::LawEntry const& law, laws::InPlane in_plane,
