@@ -227,7 +227,7 @@ class Examination {
 
   Side profile_side(std::size_t k, double sign, double reach, Vector const& follow, bool may_restart,
                     Sides& sides) const {
-    constexpr double enough = 4.0;  // times the rise, so that a figure shows more than the open range
+    constexpr double rises_shown = 4.0;  // times the rise, so that a figure shows more than the open range
     double const room = sign > 0.0 ? 1.0 - best_[k] : best_[k];
     Side side;
     double distance = 0.0, step = 0.5 * reach;
@@ -249,13 +249,13 @@ class Examination {
         sides.lower = std::min(value, polished.best_value);
         return side;
       }
-      if (side.points.empty() && value > best_value_ + enough * rise_ && step > 1e-7 && i < 6) {
+      if (side.points.empty() && value > best_value_ + rises_shown * rise_ && step > 1e-7 && i < 6) {
         step *= 0.2;
         others = without(best_, k);
         continue;
       }
       side.points.emplace_back(u, value);
-      if (value > best_value_ + enough * rise_) break;
+      if (value > best_value_ + rises_shown * rise_) break;
       if (!point.empty()) others = point;
       distance = next;
       step = side.points.size() < 4 ? step : 1.7 * step;

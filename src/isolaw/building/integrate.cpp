@@ -161,9 +161,9 @@ class ImplicitRun {
       Vector3 const residual = inertial + load + now.force;
       if (!residual.allFinite()) break;
       double const scale = std::max({size(inertial), size(load), size(now.force), 1e-12}), left = size(residual);
-      // Iterates to `all`; `enough` suffices once an iteration no longer reduces the residual to a tenth.
-      constexpr double enough = 1e-10, all = 1e-14, slow = 0.1;
-      found = left <= all * scale || (left <= enough * scale && left > slow * last);
+      // Iterates to `all`; `sufficient` will do once an iteration no longer reduces the residual to a tenth.
+      constexpr double sufficient = 1e-10, all = 1e-14, slow = 0.1;
+      found = left <= all * scale || (left <= sufficient * scale && left > slow * last);
       last = left;
       if (found) break;
       Matrix3 const tangent = i < newton ? Matrix3(now.stiffness + 2.0 / dt * now.damping) : first_;

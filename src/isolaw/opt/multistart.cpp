@@ -360,20 +360,20 @@ class Search {
       : problem_(problem), options_(options), stream_(stream) {}
 
   MultistartResult run(std::function<bool()> const& interrupted) {
-    for (std::uint32_t round = 0; !enough(); ++round) {
+    for (std::uint32_t round = 0; !is_confirmed(); ++round) {
       if (result_.evaluations >= options_.most_evaluations) return ended(Outcome::budget_spent);
       num::Draws draws(stream_, round, 0);
       auto const points = latin_hypercube(problem_.dimension(), static_cast<std::size_t>(options_.scattered), draws);
       std::vector<FinishedDescent> results(points.size());
       WorkAhead descents(points.size(), [&](std::size_t i) { results[i] = descent_from(points[i]); });
-      for (std::size_t i = 0; i < points.size() && !enough(); ++i) {
+      for (std::size_t i = 0; i < points.size() && !is_confirmed(); ++i) {
         if (interrupted && interrupted()) return ended(Outcome::interrupted);
         descents.need(i);
         scattered_.push_back(count_in(results[i]));
       }
       if (!result_.usable()) return ended(Outcome::no_finite_value);
       int const hops = is_wide() ? options_.scattered : options_.hops;
-      for (int hop = 1; hop <= hops && !enough(); ++hop) {
+      for (int hop = 1; hop <= hops && !is_confirmed(); ++hop) {
         if (interrupted && interrupted()) return ended(Outcome::interrupted);
         num::Draws hop_draws(stream_, round, static_cast<std::uint32_t>(hop));
         count_in(descent_from(
@@ -391,7 +391,7 @@ class Search {
     return std::ranges::count_if(values, [&](double value) { return value <= most; });
   }
 
-  bool enough() const {
+  bool is_confirmed() const {
     double const near = within(options_.hit_tolerance);
     auto const hits = count(ends_, near);
     return hits >= options_.hits && std::ssize(ends_) >= starts_for(hits, near);
