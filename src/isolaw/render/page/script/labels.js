@@ -33,17 +33,17 @@ export function labelPlaces(points, stair, width, height, others = []) {
     const sides = [[0, -1], [1, 0], [0, 1], [-1, 0], [1, -1], [1, 1], [-1, 1], [-1, -1]].map(([dx, dy]) => ({
       x: point.x + dx * (w + (dy === 0 ? MARKER + 2 : 4)),
       y: point.y + dy * (h + (dx === 0 ? MARKER + 1 : 4)),
-      beside: true,
+      adjacent: true,
     }));
     const anywhere = [];
     for (let y = h + 2; y <= height - h - 2; y += 3)
-      for (let x = w + 2; x <= width - w - 2; x += 6) anywhere.push({ x, y, beside: false });
-    const cost = ({ x, y, beside }, place) => {
+      for (let x = w + 2; x <= width - w - 2; x += 6) anywhere.push({ x, y, adjacent: false });
+    const cost = ({ x, y, adjacent }, place) => {
       const box = [x - w, y - h, x + w, y + h];
       if (box[0] < 1 || box[1] < 1 || box[2] > width - 1 || box[3] > height - 1) return Infinity;
       if ([...markers, ...placed].some((other) => meet(box, other))) return Infinity;
       const covered = steps.filter((step) => meet(box, step)).length + lines.filter(([from, to]) => enters(from, to, box)).length;
-      if (beside) return place + 30 * covered;
+      if (adjacent) return place + 30 * covered;
       const from = [point.x, point.y];
       const crossed = [...markers.filter((_, k) => k !== i), ...placed].filter((other) => enters(from, [x, y], other)).length;
       return 40 + Math.hypot(Math.max(0, Math.abs(x - point.x) - w), Math.max(0, Math.abs(y - point.y) - h)) + 200 * crossed + 30 * covered;
@@ -53,7 +53,7 @@ export function labelPlaces(points, stair, width, height, others = []) {
     const near = cheapest(sides);
     const best = (near.cost < 30 ? near : cheapest([...sides, ...anywhere])).candidate;
     placed.push([best.x - w, best.y - h, best.x + w, best.y + h]);
-    if (!best.beside) lines.push([[point.x, point.y], [best.x, best.y]]);
+    if (!best.adjacent) lines.push([[point.x, point.y], [best.x, best.y]]);
     point.label = best;
   }
   return points.map(({ label }) => label);

@@ -24,8 +24,8 @@ export const verdictSection = {
 };
 
 function band() {
-  const enough = study.bounds_are_enough;
-  const tone = enough === null ? 'muted' : enough ? 'good' : 'poor';
+  const sufficient = study.bounds_are_enough;
+  const tone = sufficient === null ? 'muted' : sufficient ? 'good' : 'poor';
   return element(
     'div',
     { class: 'band ' + tone },

@@ -170,11 +170,11 @@ function drawFront(look, width) {
       '<b>%{text}</b><br>' + view.names[1] + ' %{y:.4f}<br>' + view.names[0] + ' %{x:.3f}<extra></extra>',
   });
   const label = (law, i) => {
-    const { x, y, beside } = places[i];
+    const { x, y, adjacent } = places[i];
     return {
       x: view.robust(law), y: view.accurate(law), ax: x - points[i].x, ay: y - points[i].y, xanchor: 'center', yanchor: 'middle',
       text: plain(law.name), borderpad: 0, showarrow: true, arrowhead: 0, arrowwidth: 0.8, standoff: 8,
-      arrowcolor: beside ? 'rgba(0,0,0,0)' : look.colour('muted'),
+      arrowcolor: adjacent ? 'rgba(0,0,0,0)' : look.colour('muted'),
       font: { size: LABEL_SIZE, color: look.colour(edge.includes(law) ? 'ink' : 'muted') },
     };
   };
