@@ -20,7 +20,7 @@ class ImplicitRun {
   ImplicitRun(Model const& model, std::span<std::unique_ptr<Bearing> const> bearings, Motion const& motion,
               Options const& options)
       : model_(model),
-        skeleton_(model.skeleton()),
+        arrays_(model.arrays()),
         bearings_(bearings),
         options_(options),
         steps_(steps_of(motion, options.longest_step_s, options.rest_s)),
@@ -29,9 +29,9 @@ class ImplicitRun {
                 .samples = motion.x_mm_s2.size(),
                 .parts = steps_.parts,
                 .steps = steps_.count},
-        memory_(run_scalars(skeleton_.modes, model.layout())),
+        memory_(run_scalars(arrays_.modes, model.layout())),
         forces_(bearings.size()) {
-    start_run(run_, skeleton_, memory_.data());
+    start_run(run_, arrays_, memory_.data());
     prepare(steps_.dt);
   }
 
@@ -47,7 +47,7 @@ class ImplicitRun {
       keep_history(static_cast<double>(n + 1) * steps_.dt);
       g0[0] = g1[0], g0[1] = g1[1];
     }
-    finish_run(run_, skeleton_);
+    finish_run(run_, arrays_);
     out_.measured.assign(run_.measured, run_.measured + model_.layout().count());
     return std::move(out_);
   }
@@ -67,7 +67,7 @@ class ImplicitRun {
     Vector3 const force = total(run_.u, run_.v, 0.0).force;
     for (std::size_t j = 0; j < bearings_.size(); ++j) {
       bearings_[j]->commit();
-      double const* point = skeleton_.bearing_at + 2 * j;
+      double const* point = arrays_.bearing_at + 2 * j;
       double x, y;
       at_point(run_.u, point, x, y);
       run_.d[2 * j] = x, run_.d[2 * j + 1] = y;
@@ -75,8 +75,8 @@ class ImplicitRun {
     }
     Vector3 const A = -model_.structure().base_mass().inverse() * force;
     for (Eigen::Index i = 0; i < 3; ++i) run_.A[i] = A(i), run_.f[i] = force(i);
-    for (std::size_t k = 0; k < skeleton_.modes; ++k)
-      for (std::size_t i = 0; i < 3; ++i) run_.qa[k] -= skeleton_.participation[3 * k + i] * run_.A[i];
+    for (std::size_t k = 0; k < arrays_.modes; ++k)
+      for (std::size_t i = 0; i < 3; ++i) run_.qa[k] -= arrays_.participation[3 * k + i] * run_.A[i];
   }
 
   struct Total {
@@ -87,7 +87,7 @@ class ImplicitRun {
   Total total(double const (&u)[3], double const (&v)[3], double dt) {
     Total sum{Vector3::Zero(), Matrix3::Zero(), Matrix3::Zero()};
     for (std::size_t j = 0; j < bearings_.size(); ++j) {
-      double const* point = skeleton_.bearing_at + 2 * j;
+      double const* point = arrays_.bearing_at + 2 * j;
       Vector to, velocity;
       at_point(u, point, to.x, to.y);
       at_point(v, point, velocity.x, velocity.y);
@@ -129,7 +129,7 @@ class ImplicitRun {
       u0[i] = run_.u[i], v0[i] = run_.v[i];
       a0[i] = run_.A[i] - (i < 2 ? g0[i] : 0.0);
     }
-    modes_freely(run_, skeleton_, modes, on_base);
+    modes_freely(run_, arrays_, modes, on_base);
     Vector3 const ground(g1[0], g1[1], 0.0), speed = as_vector(v0), before = as_vector(a0);
     // The unknown is the part of the displacement that the acceleration at the end adds. The whole displacement is ten
     // thousand times as large, and its rounding would spoil the inertial force.
@@ -181,17 +181,17 @@ class ImplicitRun {
       run_.f[i] = now.force(i);
     }
     double const p0x = momentum_x_, p0y = momentum_y_;
-    modes_reach(run_, skeleton_, modes);
-    momentum_x_ = momentum(run_, skeleton_, 0);
-    momentum_y_ = momentum(run_, skeleton_, 1);
+    modes_reach(run_, arrays_, modes);
+    momentum_x_ = momentum(run_, arrays_, 0);
+    momentum_y_ = momentum(run_, arrays_, 1);
     for (std::size_t j = 0; j < bearings_.size(); ++j) {
       bearings_[j]->commit();
       double x, y;
-      at_point(run_.u, skeleton_.bearing_at + 2 * j, x, y);
-      measure_bearing(run_, skeleton_, j, x, y, forces_[j].x, forces_[j].y);
+      at_point(run_.u, arrays_.bearing_at + 2 * j, x, y);
+      measure_bearing(run_, arrays_, j, x, y, forces_[j].x, forces_[j].y);
     }
-    measure_displacements(run_, skeleton_, dt, u0, v0);
-    measure(run_, skeleton_, dt, u0, v0, g0, g1, p0x, p0y, momentum_x_, momentum_y_);
+    measure_displacements(run_, arrays_, dt, u0, v0);
+    measure(run_, arrays_, dt, u0, v0, g0, g1, p0x, p0y, momentum_x_, momentum_y_);
     ++out_.steps;
     return true;
   }
@@ -203,18 +203,18 @@ class ImplicitRun {
     h.base.push_back({run_.u[0], run_.u[1], run_.u[2]});
     h.velocity.push_back({run_.v[0], run_.v[1], run_.v[2]});
     h.shear_kN.push_back({run_.f[0], run_.f[1]});
-    if (options_.bearing_forces) h.bearing_kN.emplace_back(run_.force, run_.force + 2 * skeleton_.bearings);
-    std::vector<double> a(2 * (skeleton_.floors + 1));
-    for (std::size_t floor = 0; floor <= skeleton_.floors; ++floor) {
+    if (options_.bearing_forces) h.bearing_kN.emplace_back(run_.force, run_.force + 2 * arrays_.bearings);
+    std::vector<double> a(2 * (arrays_.floors + 1));
+    for (std::size_t floor = 0; floor <= arrays_.floors; ++floor) {
       double x, y;
-      acceleration_of(run_, skeleton_, floor, x, y);
+      acceleration_of(run_, arrays_, floor, x, y);
       a[2 * floor] = x, a[2 * floor + 1] = y;
     }
     h.acceleration.push_back(std::move(a));
   }
 
   Model const& model_;
-  StructureArrays skeleton_;
+  StructureArrays arrays_;
   std::span<std::unique_ptr<Bearing> const> bearings_;
   Options const& options_;
   Steps steps_;
@@ -263,7 +263,7 @@ Model::Model(Structure structure, Plan plan) : structure_(std::move(structure)),
     for (Eigen::Index j = 0; j < 3; ++j) mass_.push_back(structure_.mass()(i, j));
 }
 
-StructureArrays Model::skeleton() const {
+StructureArrays Model::arrays() const {
   return {.modes = structure_.modes(),
           .floors = structure_.floors(),
           .bearings = plan_.bearings.size(),
@@ -328,11 +328,11 @@ Response integrate(Model const& model, std::span<std::unique_ptr<Bearing> const>
 
 Response integrate_explicitly(Model const& model, std::span<std::unique_ptr<Bearing> const> bearings,
                               Motion const& motion, Options const& options) {
-  auto const skeleton = model.skeleton();
+  auto const arrays = model.arrays();
   auto const steps = steps_of(motion, options.longest_step_s, options.rest_s);
-  std::vector<double> memory(run_scalars(skeleton.modes, model.layout()));
+  std::vector<double> memory(run_scalars(arrays.modes, model.layout()));
   Run<double> run{};
-  start_run(run, skeleton, memory.data());
+  start_run(run, arrays, memory.data());
   auto const share = model.shares(steps.dt);
   Matrix3 const inverse = model.condensed_mass(steps.dt).inverse();
   double rows[9];
@@ -342,7 +342,7 @@ Response integrate_explicitly(Model const& model, std::span<std::unique_ptr<Bear
                       .samples = motion.x_mm_s2.size(),
                       .parts = steps.parts,
                       .steps = steps.count};
-  explicit_run(run, skeleton, {.dt = steps.dt, .share = share.data()}, rows, ground,
+  explicit_run(run, arrays, {.dt = steps.dt, .share = share.data()}, rows, ground,
                [&](std::size_t j, double x, double y, double vx, double vy, double& fx, double& fy) {
                  auto const trial = bearings[j]->trial({x, y}, {vx, vy}, steps.dt);
                  bearings[j]->commit();

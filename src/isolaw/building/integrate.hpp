@@ -63,14 +63,14 @@ struct Plan {
   std::vector<Point> corners = {};  // the slab's; empty: the rectangle around the bearings
 };
 
-// A structure and its plan. Owns the arrays that skeleton() points to.
+// A structure and its plan. Owns the arrays that arrays() points to.
 class Model {
  public:
   Model(Structure structure, Plan plan);
   Structure const& structure() const { return structure_; }
   Plan const& plan() const { return plan_; }
   Layout layout() const { return {structure_.floors(), plan_.bearings.size()}; }
-  StructureArrays skeleton() const;
+  StructureArrays arrays() const;
   std::vector<double> shares(double dt) const;  // [mode] ModeStep::share for steps of dt
   Matrix3 condensed_mass(double dt) const;      // M - sum share participation participation^T
   // Stiffness of all bearings about the base's centre of mass, sum T_j^T k_j T_j, from k_j [bearing] 2 x 2 by rows.

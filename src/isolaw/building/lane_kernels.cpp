@@ -18,25 +18,25 @@ void run_lanes(LaneRun const& in) {
   constexpr auto& members = laws::members<typename Law::OneDirection, T>;
   constexpr auto count = laws::parameter_count<typename Law::OneDirection>;
   auto* const states = static_cast<State*>(in.memory);
-  auto* const params = reinterpret_cast<Params*>(states + in.skeleton.bearings);
-  auto* const scalars = reinterpret_cast<T*>(params + in.skeleton.bearings);
-  for (std::size_t j = 0; j < in.skeleton.bearings; ++j) {
+  auto* const params = reinterpret_cast<Params*>(states + in.arrays.bearings);
+  auto* const scalars = reinterpret_cast<T*>(params + in.arrays.bearings);
+  for (std::size_t j = 0; j < in.arrays.bearings; ++j) {
     for (std::size_t i = 0; i < count; ++i)
       params[j].*members[i] = T::load(in.parameters + (j * count + i) * lane_width);
     states[j] = Law::template start<T>(params[j]);
   }
   Run<T> run;
-  start_run(run, in.skeleton, scalars);
+  start_run(run, in.arrays, scalars);
   T const per_length(1.0 / in.length), per_force(in.force);
   double const dt = in.step.dt;
-  explicit_run(run, in.skeleton, in.step, in.inverse, in.ground,
+  explicit_run(run, in.arrays, in.step, in.inverse, in.ground,
                [&](std::size_t j, T const& x, T const& y, T const&, T const&, T& fx, T& fy) ISOLAW_LAMBDA {
                  Point const from{per_length * run.d[2 * j], per_length * run.d[2 * j + 1]};
                  Point const to{per_length * x, per_length * y};
                  Point const force = Law::template step<T>(params[j], states[j], from, to, dt);
                  fx = per_force * force.x, fy = per_force * force.y;
                });
-  Layout const layout{in.skeleton.floors, in.skeleton.bearings};
+  Layout const layout{in.arrays.floors, in.arrays.bearings};
   for (std::size_t i = 0; i < layout.count(); ++i) run.measured[i].store(in.measured + i * lane_width);
 }
 

@@ -13,7 +13,7 @@ namespace isolaw::building {
 inline constexpr std::size_t lane_width = 8;
 
 struct LaneRun {
-  StructureArrays skeleton;
+  StructureArrays arrays;
   ModeStep step;
   double const* inverse = nullptr;  // [3][3], see explicit_run
   Ground ground;

@@ -68,7 +68,7 @@ std::vector<double> respond(Model const& model, std::string_view law, std::span<
       bearings * kernel->state_bytes + run_scalars(model.structure().modes(), layout) * kernel->memory_bytes_a_scalar;
   std::unique_ptr<void, Release> const memory(::operator new(bytes, alignment));
   std::vector<double> values(each * lane_width), measured(layout.count() * lane_width);
-  LaneRun run{.skeleton = model.skeleton(),
+  LaneRun run{.arrays = model.arrays(),
               .step = {.dt = steps.dt, .share = share.data()},
               .inverse = rows,
               .ground = {.x = motion.x_mm_s2.data(),
