@@ -187,7 +187,7 @@ TEST_F(Vertical, under_two_devices_is_said) {
         Words{command, "D1.csv", "D2.csv", "--vertical", "D1=compression.csv", "--vertical", "D2=compression.csv"};
     if (command == "calibrate") words = words + Words{"--out", "O"} + quick;
     auto const o = isolaw(words);
-    EXPECT_TRUE(contains(o.out + o.err, "D1 and D2 hold the same compression test, whose K_v counts 2 times")) << o;
+    EXPECT_TRUE(contains(o.out + o.err, "D1 and D2 hold the same compression test: its K_v counts 2 times")) << o;
   }
 }
 
