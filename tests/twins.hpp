@@ -48,12 +48,12 @@ inline Twin twin_of(laws::LawEntry const& law, data::FitRecord motion, fit::Sear
 
 // Narrower boxes where the usual one holds both signs: the truth then has the sign and size that devices have.
 inline std::vector<fit::Override> usual(std::string_view id) {
-  std::vector<fit::Override> made;
-  if (id == "bouc-wen") made.push_back(fit::parse_override("bouc-wen.gamma=0.0003:0.4"));
+  std::vector<fit::Override> overrides;
+  if (id == "bouc-wen") overrides.push_back(fit::parse_override("bouc-wen.gamma=0.0003:0.4"));
   if (id == "vaiana")
     for (auto const* text : {"vaiana.beta1+=0.01:10000", "vaiana.beta1-=-10000:-0.01"})
-      made.push_back(fit::parse_override(text));
-  return made;
+      overrides.push_back(fit::parse_override(text));
+  return overrides;
 }
 
 // Parameters held fixed: cycles of a bearing do not determine them, and searching them would take minutes.

@@ -628,7 +628,7 @@ async function look() {
     const rows = (id) => [...section.querySelectorAll(`#figure-${id} tbody tr`)].map((row) => row.textContent);
     const tones = { true: 'holds', false: 'does not', null: 'open' };
     const said = rows('published-statements');
-    const beside = rows('published-laws');
+    const lawRows = rows('published-laws');
     return {
       missing: false,
       laws: laws.length,
@@ -636,9 +636,9 @@ async function look() {
       statements:
         said.length === published.statements.length &&
         published.statements.every(({ text, here, found }, i) => [text, tones[here], found].every((word) => said[i].includes(asSet(word)))),
-      beside:
-        beside.length === published.laws.length &&
-        published.laws.every((law, i) => beside[i].startsWith(law.number + law.law) && beside[i].includes(law.published_objective.toFixed(4))),
+      byLaw:
+        lawRows.length === published.laws.length &&
+        published.laws.every((law, i) => lawRows[i].startsWith(law.number + law.law) && lawRows[i].includes(law.published_objective.toFixed(4))),
     };
   }
 }
@@ -873,7 +873,7 @@ async function check(browser, directory, one) {
   expect(!seen.scrolls && seen.wide.length === 0, name, 'wider than the window: ' + seen.wide.join(', '));
   const { published } = seen;
   expect(!published.missing && (published.verdict ?? true), name, 'the published study is missing, or its verdict is');
-  expect((published.statements ?? true) && (published.beside ?? true), name, 'a row of the published study is not shown');
+  expect((published.statements ?? true) && (published.byLaw ?? true), name, 'a row of the published study is not shown');
   expect(!identified || published.laws < 2 || published.verdict, name, 'no section of the published study');
   expect(seen.images === 0 && (seen.nastyName || one.state), name, 'a name from the input is not shown as text');
   expect(seen.unlabelled === 0, name, 'a control has no label');

@@ -17,18 +17,18 @@ struct Walk {
 };
 
 Walk walk_of(std::string const& csv) {
-  Walk made;
+  Walk walk;
   std::istringstream lines(csv);
   for (std::string line, cell; std::getline(lines, line);) {
     if (line.empty() || line.starts_with('#') || line.starts_with("time")) continue;
     std::vector<double> values;
     std::istringstream cells(line);
     while (std::getline(cells, cell, ',')) values.push_back(std::stod(cell));
-    made.disp_mm.push_back(values.at(1));
-    made.vel_mm_s.push_back(values.at(2));
-    made.force_kN.push_back(values.at(3));
+    walk.disp_mm.push_back(values.at(1));
+    walk.vel_mm_s.push_back(values.at(2));
+    walk.force_kN.push_back(values.at(3));
   }
-  return made;
+  return walk;
 }
 
 double largest(std::vector<double> const& force) {
@@ -93,16 +93,16 @@ TEST_F(Agreement, simulate_header_and_table_of_every_law_agree_at_every_step) {
     std::string const law(entry.info.id);
     SCOPED_TRACE(law);
     auto const exported = [&](std::string const& to, std::string const& file) {
-      auto const made = isolaw({"export", "C", "--law", law, "--device", "a", "--to", to, "--anyway", "--out", file});
-      EXPECT_EQ(made.code, 0) << made;
+      auto const output = isolaw({"export", "C", "--law", law, "--device", "a", "--to", to, "--anyway", "--out", file});
+      EXPECT_EQ(output.code, 0) << output;
     };
     exported("cpp", law + ".hpp");
     exported("csv", law + ".csv");
     auto const simulated = [&](std::string const& motion) {
-      auto const made = isolaw({"simulate", law, "--from", "C", "--device", "a", "--motion", motion, "--turning-points",
-                                "sampled", "--anyway"});
-      EXPECT_EQ(made.code, 0) << made;
-      return walk_of(made.out);
+      auto const output = isolaw({"simulate", law, "--from", "C", "--device", "a", "--motion", motion,
+                                  "--turning-points", "sampled", "--anyway"});
+      EXPECT_EQ(output.code, 0) << output;
+      return walk_of(output.out);
     };
     cases.push_back({law, walk_of(read(law + ".csv")), simulated("motion.csv")});
     // Along the table's own path; not for laws that depend on velocity, which simulate takes from the path's slope.

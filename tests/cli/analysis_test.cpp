@@ -232,10 +232,10 @@ TEST_F(Analysis, exports_say_what_is_known_against_the_law) {
                          "--replicates", "0", "--set", "bilinear.K1=0.1:1", "--out", "O"});
   ASSERT_EQ(o.code, 0) << o;
   for (auto const* target : {"opensees", "openseespy", "cpp", "opensees-cpp", "abaqus", "sheet", "csv", "json"}) {
-    auto const made = isolaw({"export", "O", "--law", "bilinear", "--device", "a", "--to", target});
-    EXPECT_EQ(made.code, 0) << made;
-    EXPECT_TRUE(contains(made.out, "Bilinear: K1 at its upper bound on a")) << target;
-    EXPECT_TRUE(contains(made.err, "warning: Bilinear: K1 at its upper bound on a")) << target;
+    auto const exported = isolaw({"export", "O", "--law", "bilinear", "--device", "a", "--to", target});
+    EXPECT_EQ(exported.code, 0) << exported;
+    EXPECT_TRUE(contains(exported.out, "Bilinear: K1 at its upper bound on a")) << target;
+    EXPECT_TRUE(contains(exported.err, "warning: Bilinear: K1 at its upper bound on a")) << target;
   }
   auto const simulated = isolaw({"simulate", "bilinear", "--from", "O", "--device", "a", "--motion", "a.csv"});
   EXPECT_TRUE(contains(simulated.err, "warning: Bilinear: K1 at its upper bound on a"));

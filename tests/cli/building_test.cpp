@@ -33,9 +33,9 @@ class Building : public InFreshDirectory {
       write(name, text);
       stiffness += 0.4;
     }
-    auto const made = isolaw({"calibrate", "a.csv", "b.csv", "c.csv", "--laws", "bilinear", "--runs", "1", "--analysis",
-                              "full", "--replicates", "40", "--figures", "none", "--out", "lot"});
-    ASSERT_EQ(made.code, 0) << made;
+    auto const calibration = isolaw({"calibrate", "a.csv", "b.csv", "c.csv", "--laws", "bilinear", "--runs", "1",
+                                     "--analysis", "full", "--replicates", "40", "--figures", "none", "--out", "lot"});
+    ASSERT_EQ(calibration.code, 0) << calibration;
   }
 };
 
@@ -55,14 +55,14 @@ TEST_F(Building, from_template_to_verdict) {
   change("laws = []", "laws = [\"bilinear\"]");
   write("case/building.toml", text);
   Words const command{"building", "case/building.toml", "--from", "lot", "--out", "B"};
-  auto const made = isolaw(command);
-  ASSERT_EQ(made.code, 0) << made;
-  auto const& answer = made.out;
+  auto const output = isolaw(command);
+  ASSERT_EQ(output.code, 0) << output;
+  auto const& answer = output.out;
   EXPECT_TRUE(answer.starts_with("Yes: with Bilinear the bounds cover ") ||
               answer.starts_with("No: with Bilinear the bounds cover ") ||
               answer.starts_with("No answer yet: with Bilinear the bounds cover "))
-      << made;
-  EXPECT_TRUE(contains(made.out, "energy error at most"));
+      << output;
+  EXPECT_TRUE(contains(output.out, "energy error at most"));
   auto const json = this->json("B/building.json");
   EXPECT_EQ(json["laws"][0]["id"], "bilinear");
   EXPECT_EQ(json["laws"][0]["draws"], 40);
@@ -70,7 +70,7 @@ TEST_F(Building, from_template_to_verdict) {
   EXPECT_LT(json["laws"][0]["energy_error"], 2e-3);
   for (auto const* key : {"inside", "lower", "upper"}) EXPECT_TRUE(json["laws"][0]["coverage"].contains(key));
   EXPECT_EQ(json["motions"].size(), 7u);
-  EXPECT_EQ(made.out.find(json["verdict"].get<std::string>()), 0u);
+  EXPECT_EQ(output.out.find(json["verdict"].get<std::string>()), 0u);
   EXPECT_EQ(json["plan"]["bearings"].size(), 28u);
   EXPECT_EQ(json["laws"][0]["histories"].size(), 7u);
   // Quantities with bounds are compared with them; for each of the others the output says why it has none.
@@ -78,8 +78,8 @@ TEST_F(Building, from_template_to_verdict) {
     EXPECT_NE(row["uncovered"].is_null(), !json["laws"][0]["coverage"]["of"].contains(row["key"])) << row;
   EXPECT_TRUE(json["laws"][0]["coverage"]["of"].contains("roof_acceleration_g"));
   // Columns of the table are separated by blanks.
-  for (std::size_t at = made.out.find("\nisolator_mm") + 1, rows = 0; rows < 13; ++rows) {
-    auto const line = made.out.substr(at, made.out.find('\n', at) - at);
+  for (std::size_t at = output.out.find("\nisolator_mm") + 1, rows = 0; rows < 13; ++rows) {
+    auto const line = output.out.substr(at, output.out.find('\n', at) - at);
     std::istringstream cells(line);
     EXPECT_EQ(std::distance(std::istream_iterator<std::string>(cells), {}), 10) << line;
     at += line.size() + 1;
@@ -355,11 +355,12 @@ TEST_F(Building, carries_the_doubts_of_the_calibration) {
   text.replace(text.find("laws = []"), 9, "laws = [\"bilinear\"]");
   text.replace(text.find("[[motion]]", text.find("[[motion]]") + 5), std::string::npos, "");
   write("case/building.toml", text);
-  auto const made = isolaw({"building", "case/building.toml", "--from", "doubtful", "--out", "B", "--figures", "none"});
-  ASSERT_EQ(made.code, 0) << made;
-  EXPECT_TRUE(contains(made.out, "warning: of the calibration of Bilinear: ")) << made;
-  EXPECT_TRUE(contains(made.out, "xy at its lower bound")) << made;
-  EXPECT_TRUE(contains(made.out, "warning: 1 motion: codes take the mean over 7 or more")) << made;
+  auto const output =
+      isolaw({"building", "case/building.toml", "--from", "doubtful", "--out", "B", "--figures", "none"});
+  ASSERT_EQ(output.code, 0) << output;
+  EXPECT_TRUE(contains(output.out, "warning: of the calibration of Bilinear: ")) << output;
+  EXPECT_TRUE(contains(output.out, "xy at its lower bound")) << output;
+  EXPECT_TRUE(contains(output.out, "warning: 1 motion: codes take the mean over 7 or more")) << output;
   auto const json = this->json("B/building.json");
   EXPECT_TRUE(contains(json["laws"][0]["doubts"].dump(), "xy at its lower bound"));
   EXPECT_TRUE(contains(json["warnings"].dump(), "xy at its lower bound"));
@@ -402,10 +403,10 @@ TEST_F(Building, takes_the_springs_that_the_campaign_fitted) {
   text.replace(text.find("[[motion]]", text.find("[[motion]]") + 5), std::string::npos, "");
   write("case/building.toml", text);
   auto const under = [&](std::string const& from) {
-    auto const made =
+    auto const output =
         isolaw({"building", "case/building.toml", "--from", from, "--out", "B" + from, "--figures", "none"});
-    EXPECT_EQ(made.code, 0) << made;
-    return std::pair(made.out, json("B" + from + "/building.json"));
+    EXPECT_EQ(output.code, 0) << output;
+    return std::pair(output.out, json("B" + from + "/building.json"));
   };
   auto const [given, of_given] = under("G");
   auto const [fitted, of_fitted] = under("W");

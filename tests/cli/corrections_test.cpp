@@ -118,8 +118,8 @@ TEST_F(Corrections, init_writes_them_and_calibrate_reads_them_back) {
   for (auto const& c : cases()) {
     SCOPED_TRACE(c.option + " " + c.value);
     write("rig.csv", rig_record(c.rig));
-    auto const made = isolaw({"init", "rig.csv", "--force", c.option, c.value});
-    EXPECT_EQ(made.code, 0) << made;
+    auto const output = isolaw({"init", "rig.csv", "--force", c.option, c.value});
+    EXPECT_EQ(output.code, 0) << output;
     EXPECT_TRUE(contains(read("lot.toml"), c.key + " = " + c.value)) << read("lot.toml");
     expect_device(inspected({"lot.toml"}));
     EXPECT_EQ(isolaw(Words{"calibrate", "lot.toml", "--out", "L", "--fresh"} + smallest_search).code, 0);

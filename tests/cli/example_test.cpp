@@ -142,10 +142,10 @@ TEST_F(Example, inspect_as_json_agrees_between_dialects) {
 }
 
 TEST_F(Example, init_writes_a_lot_file_that_calibrate_takes) {
-  auto const made = isolaw(Words{"init"} + all_records());
-  ASSERT_EQ(made.code, 0) << made;
-  EXPECT_TRUE(contains(made.out, "isolaw calibrate lot.toml"));
-  EXPECT_TRUE(contains(made.out, "unit kip from line 2"));
+  auto const output = isolaw(Words{"init"} + all_records());
+  ASSERT_EQ(output.code, 0) << output;
+  EXPECT_TRUE(contains(output.out, "isolaw calibrate lot.toml"));
+  EXPECT_TRUE(contains(output.out, "unit kip from line 2"));
   auto const text = read("lot.toml");
   EXPECT_EQ(count_of("[[device]]", text), 10u);
   EXPECT_TRUE(contains(text, "ex/device-01.csv"));
@@ -174,8 +174,8 @@ TEST_F(Example, init_overwrites_only_when_forced) {
 }
 
 TEST_F(Example, init_writes_elsewhere_with_names_relative_to_the_lot_file) {
-  auto const made = isolaw({"init", "ex/device-01.csv", "--out", "ex/own.toml"});
-  ASSERT_EQ(made.code, 0) << made;
+  auto const output = isolaw({"init", "ex/device-01.csv", "--out", "ex/own.toml"});
+  ASSERT_EQ(output.code, 0) << output;
   EXPECT_TRUE(contains(read("ex/own.toml"), "'device-01.csv'"));
   EXPECT_EQ(isolaw({"calibrate", "ex/own.toml", "--laws", "bilinear", "--runs", "1", "--population", "4",
                     "--generations", "1", "--out", "O"})
@@ -184,8 +184,8 @@ TEST_F(Example, init_writes_elsewhere_with_names_relative_to_the_lot_file) {
 }
 
 TEST_F(Example, init_records_the_options_it_was_given) {
-  auto const made = isolaw({"init", "ex/device-01.csv", "--columns", "time=none,load=none", "--dt", "0.02"});
-  ASSERT_EQ(made.code, 0) << made;
+  auto const output = isolaw({"init", "ex/device-01.csv", "--columns", "time=none,load=none", "--dt", "0.02"});
+  ASSERT_EQ(output.code, 0) << output;
   auto const o = isolaw({"calibrate", "lot.toml", "--laws", "jankowski", "--runs", "1", "--population", "4",
                          "--generations", "1", "--out", "O"});
   EXPECT_EQ(o.code, 0) << o;

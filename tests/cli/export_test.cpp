@@ -29,12 +29,12 @@ std::string loops(double stiffness) {
 
 // The number after the last comma of each line.
 std::vector<double> last_column(std::string const& csv) {
-  std::vector<double> made;
+  std::vector<double> values;
   std::istringstream lines(csv);
   for (std::string line; std::getline(lines, line);)
     if (auto const at = line.rfind(','); !line.starts_with('#') && at + 1 < line.size() && !line.ends_with(']'))
-      made.push_back(std::stod(line.substr(at + 1)));
-  return made;
+      values.push_back(std::stod(line.substr(at + 1)));
+  return values;
 }
 
 class Export : public InFreshDirectory {
@@ -65,10 +65,10 @@ std::string expected_fidelity(laws::LawEntry const& law, Json const& exported) {
 // Exports and simulate warn, in the file and on the terminal, that a law's devices failed the rules.
 TEST_F(Export, and_simulate_say_that_the_rule_set_is_not_kept_and_who_was_refused) {
   write("c.csv", "time [s],disp [mm],force [kN]\n0,1,2\n1,1,2\n2,1,2\n");
-  auto const made = isolaw(Words{"calibrate", "a.csv", "b.csv", "c.csv", "--laws", "bilinear", "--runs", "1",
-                                 "--analysis", "full", "--out", "C"} +
-                           held_to("K_eff=5,damping=1,disp=100"));
-  ASSERT_EQ(made.code, 1) << made;
+  auto const calibration = isolaw(Words{"calibrate", "a.csv", "b.csv", "c.csv", "--laws", "bilinear", "--runs", "1",
+                                        "--analysis", "full", "--out", "C"} +
+                                  held_to("K_eff=5,damping=1,disp=100"));
+  ASSERT_EQ(calibration.code, 1) << calibration;
   std::string const lot = "the lot does not keep its rule set: NTC 2018: 2 of 3 devices fail: a ";
   std::string const refused = "1 of the lot's 3 devices is refused, and no part of its law: c";
   auto const unwrapped = [](std::string const& text) {
@@ -205,10 +205,10 @@ double lambda_of(std::string const& table, std::string const& property, std::str
   std::string line;
   std::getline(lines, line);
   auto const cells = [](std::string const& text) {
-    std::vector<std::string> made;
+    std::vector<std::string> parts;
     std::istringstream stream(text);
-    for (std::string cell; std::getline(stream, cell, ',');) made.push_back(cell);
-    return made;
+    for (std::string cell; std::getline(stream, cell, ',');) parts.push_back(cell);
+    return parts;
   };
   auto const names = cells(line);
   auto const at = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
@@ -294,8 +294,8 @@ TEST_F(Export, of_a_law_without_result_says_why) {
 TEST_F(Export, of_devices_with_hostile_names_stays_a_comment) {
   write("lot.toml",
         "title = 'T [exec rm] \\'\n[[device]]\nname = 'x\"\"\"; } {$a`b` [exec touch HACKED] \\'\nfile = 'a.csv'\n");
-  auto const made = isolaw({"calibrate", "lot.toml", "--laws", "bilinear", "--runs", "1", "--out", "C"});
-  ASSERT_EQ(made.code, 0) << made;
+  auto const calibration = isolaw({"calibrate", "lot.toml", "--laws", "bilinear", "--runs", "1", "--out", "C"});
+  ASSERT_EQ(calibration.code, 0) << calibration;
   for (auto const& target : programs::targets()) {
     std::string const to(target.name);
     if (to == "json" || to == "sheet") continue;  // have no comments

@@ -56,10 +56,11 @@ TEST_F(Formats, several_tests_need_a_word) {
 
 TEST_F(Formats, init_passes_over_what_is_no_test_and_names_the_sheets_it_cannot_read) {
   auto const sheet = [](lxw_workbook* book, char const* name, std::vector<char const*> const& names, bool test) {
-    auto* made = workbook_add_worksheet(book, name);
+    auto* worksheet = workbook_add_worksheet(book, name);
     for (lxw_col_t c = 0; c < names.size(); ++c) {
-      worksheet_write_string(made, 0, c, names[c], nullptr);
-      for (lxw_row_t i = 0; i < 3; ++i) worksheet_write_number(made, i + 1, c, test ? i * (c + 1) % 3 : i, nullptr);
+      worksheet_write_string(worksheet, 0, c, names[c], nullptr);
+      for (lxw_row_t i = 0; i < 3; ++i)
+        worksheet_write_number(worksheet, i + 1, c, test ? i * (c + 1) % 3 : i, nullptr);
     }
   };
   auto* book = workbook_new(path("one.xlsx").c_str());

@@ -13,12 +13,12 @@ struct Moments {
 };
 
 Moments moments_of(std::vector<double> const& values) {
-  Moments made{.min = std::ranges::min(values), .max = std::ranges::max(values)};
+  Moments moments{.min = std::ranges::min(values), .max = std::ranges::max(values)};
   auto const n = static_cast<double>(values.size());
-  for (double const v : values) made.mean += v / n;
-  for (double const v : values) made.sd += (v - made.mean) * (v - made.mean) / (n - 1.0);
-  made.sd = std::sqrt(made.sd);
-  return made;
+  for (double const v : values) moments.mean += v / n;
+  for (double const v : values) moments.sd += (v - moments.mean) * (v - moments.mean) / (n - 1.0);
+  moments.sd = std::sqrt(moments.sd);
+  return moments;
 }
 
 class Inspect : public InFreshDirectory {

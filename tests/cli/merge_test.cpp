@@ -165,10 +165,10 @@ TEST_F(Merge, takes_what_others_have_examined_of_devices) {
   EXPECT_FALSE(exists("L1/summary.json"));
   ASSERT_EQ(fit("2/2").code, 0);
   auto const rows = [&](char const* table) {
-    std::vector<int> made;
+    std::vector<int> counts;
     for (auto const* store : {"L1/campaign.sqlite", "L2/campaign.sqlite"})
-      made.push_back(stored_rows(path(store), table));
-    return made;
+      counts.push_back(stored_rows(path(store), table));
+    return counts;
   };
   EXPECT_EQ(rows("lot_analysis"), (std::vector<int>{1, 2}));
   EXPECT_EQ(rows("left_out"), (std::vector<int>{2, 4}));

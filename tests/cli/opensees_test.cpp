@@ -78,8 +78,8 @@ TEST_F(InOpenSees, exports_of_the_measured_bearing) {
   ASSERT_EQ(tied.code, 0) << tied;
   EXPECT_EQ(check_all("cyclic-24-49-98pct", {"vaiana"}), 2);
   auto const exported = isolaw({"export", "C", "--law", "vaiana", "--device", "cyclic-24-49-98pct", "--to", "json"});
-  auto const made = Json::parse(exported.out);
-  EXPECT_EQ(made["fidelity"], "exact") << made["explanation"] << made["refused"];
+  auto const description = Json::parse(exported.out);
+  EXPECT_EQ(description["fidelity"], "exact") << description["explanation"] << description["refused"];
 }
 
 }  // namespace

@@ -107,9 +107,9 @@ TEST_F(Parts, displacement_and_force_in_two_files_also_from_a_lot_file) {
   EXPECT_EQ(lot["blocks"], both["blocks"]);
   EXPECT_TRUE(contains(said(lot), "force.csv is joined to disp.csv, row by row")) << "named as in the lot file";
   // init writes the channel's file relative to the lot file.
-  auto const made =
+  auto const output =
       isolaw({"init", "recs/disp.csv", "--columns", "force=recs/force.csv:force", "--out", "recs/made.toml"});
-  EXPECT_EQ(made.code, 0) << made;
+  EXPECT_EQ(output.code, 0) << output;
   EXPECT_TRUE(contains(read("recs/made.toml"), "force = 'force.csv:force [kN]'"));
   EXPECT_EQ(inspected({"recs/made.toml"})["blocks"], both["blocks"]);
 }

@@ -92,12 +92,12 @@ inline std::vector<ExpectedLaw> const& published_laws() {
 
 inline std::vector<ExpectedLaw> const& expected_laws() {
   static std::vector<ExpectedLaw> const listed = [] {
-    std::vector<ExpectedLaw> made;
+    std::vector<ExpectedLaw> expected;
     for (auto const& law : laws::catalogue()) {
-      made.push_back({.id = law.info.id, .parameters = {}});
-      for (auto const& p : law.parameters) made.back().parameters.emplace_back(p.name, p.unit);
+      expected.push_back({.id = law.info.id, .parameters = {}});
+      for (auto const& p : law.parameters) expected.back().parameters.emplace_back(p.name, p.unit);
     }
-    return made;
+    return expected;
   }();
   return listed;
 }

@@ -25,19 +25,19 @@ std::string without_comments(std::string const& text) {
 }
 
 Simulated parsed(std::string const& text) {
-  Simulated made;
+  Simulated table;
   std::istringstream in(without_comments(text));
-  std::getline(in, made.header);
-  made.columns.resize(static_cast<std::size_t>(std::ranges::count(made.header, ',')) + 1);
+  std::getline(in, table.header);
+  table.columns.resize(static_cast<std::size_t>(std::ranges::count(table.header, ',')) + 1);
   for (std::string line; std::getline(in, line);) {
     char const* at = line.data();
-    for (auto& column : made.columns) {
+    for (auto& column : table.columns) {
       double value = std::nan("");
       at = std::from_chars(at, line.data() + line.size(), value).ptr + 1;
       column.push_back(value);
     }
   }
-  return made;
+  return table;
 }
 
 class Simulate : public InFreshDirectory {
@@ -56,9 +56,9 @@ TEST_F(Simulate, on_a_devices_own_record_gives_the_force_of_the_report) {
   for (auto const& law : summary().laws) {
     auto const o = isolaw({"simulate", law.id, "--from", "O", "--device", "d", "--motion", "d.csv"});
     ASSERT_EQ(o.code, 0) << o;
-    auto const made = parsed(o.out);
-    EXPECT_EQ(made.header, "time [s],displacement [mm],velocity [mm/s],force [kN]");
-    EXPECT_EQ(made.columns.back(), law.devices.at(0).force_kN) << law.id;
+    auto const table = parsed(o.out);
+    EXPECT_EQ(table.header, "time [s],displacement [mm],velocity [mm/s],force [kN]");
+    EXPECT_EQ(table.columns.back(), law.devices.at(0).force_kN) << law.id;
   }
 }
 
@@ -190,9 +190,9 @@ TEST_F(Simulate, anyway_is_of_a_campaigns_law) {
 TEST_F(Simulate, the_one_law_of_a_lot) {
   write("r/a.csv", csv(record()));
   write("r/b.csv", csv(record({.strength_kN = 24.0})));
-  auto const made = isolaw(
+  auto const calibration = isolaw(
       {"calibrate", "r", "--laws", "bilinear", "--runs", "1", "--analysis", "full", "--replicates", "0", "--out", "O"});
-  ASSERT_EQ(made.code, 0) << made;
+  ASSERT_EQ(calibration.code, 0) << calibration;
   auto const o = isolaw({"simulate", "bilinear", "--from", "O", "--device", "lot", "--motion", "r/a.csv"});
   ASSERT_EQ(o.code, 0) << o;
   auto const lot = summary().laws.at(0).lot;
@@ -224,9 +224,9 @@ TEST_F(Simulate, what_was_read_and_stores_are_not_replaced) {
 TEST_F(Simulate, a_device_called_lot_is_that_device) {
   write("r/lot.csv", csv(record()));
   write("r/b.csv", csv(record({.strength_kN = 24.0})));
-  auto const made = isolaw(
+  auto const calibration = isolaw(
       {"calibrate", "r", "--laws", "bilinear", "--runs", "1", "--analysis", "full", "--replicates", "0", "--out", "O"});
-  ASSERT_EQ(made.code, 0) << made;
+  ASSERT_EQ(calibration.code, 0) << calibration;
   ASSERT_TRUE(summary().laws.at(0).lot);
   auto const exported = isolaw({"export", "O", "--law", "bilinear", "--device", "lot", "--to", "json"});
   ASSERT_EQ(exported.code, 0) << exported;
@@ -311,10 +311,10 @@ TEST_F(Simulate, measured_motions) {
   Words const start{"simulate", "bilinear", "--set", "K1=2", "--set", "K2=1", "--set", "xy=9", "--motion"};
   auto const o = isolaw(start + Words{orbit, "--columns", "disp=1", "--units", "disp=mm"});
   ASSERT_EQ(o.code, 0) << o;
-  auto const made = parsed(o.out);
-  ASSERT_EQ(made.columns.back().size(), 26000u);
-  auto const [least, most] = std::ranges::minmax(made.columns.front());
-  for (double const force : made.columns.back()) {
+  auto const table = parsed(o.out);
+  ASSERT_EQ(table.columns.back().size(), 26000u);
+  auto const [least, most] = std::ranges::minmax(table.columns.front());
+  for (double const force : table.columns.back()) {
     EXPECT_LE(force, 1.0 * most + 9.0 + 1e-9);
     EXPECT_GE(force, 1.0 * least - 9.0 - 1e-9);
   }

@@ -111,8 +111,8 @@ TEST_F(AnotherLawInTheProgram, IsExported) {
     EXPECT_EQ(o.code, 0) << target.name << o;
     EXPECT_NE(o.out.find(another_law), std::string::npos) << target.name;
   }
-  auto const made = Json::parse(to("json").out);
-  EXPECT_EQ(made["fidelity"], "re-fitted");
+  auto const exported = Json::parse(to("json").out);
+  EXPECT_EQ(exported["fidelity"], "re-fitted");
   EXPECT_NE(to("opensees").out.find("no material of OpenSees is known to be this law"), std::string::npos);
 }
 

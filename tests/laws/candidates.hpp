@@ -65,12 +65,12 @@ laws::RecordScales published_device() {
 // The published search box. A parameter without one (vaiana's sigmoid) gets that of an unknown device of the same size.
 template <class Law>
 std::array<laws::Interval, laws::parameter_count<Law>> box() {
-  std::array<laws::Interval, laws::parameter_count<Law>> made{};
-  for (std::size_t i = 0; i < made.size(); ++i) {
+  std::array<laws::Interval, laws::parameter_count<Law>> intervals{};
+  for (std::size_t i = 0; i < intervals.size(); ++i) {
     auto const& info = Law::template rows<double>[i].info;
-    made[i] = info.published ? *info.published : info.scaled(published_device<Law>());
+    intervals[i] = info.published ? *info.published : info.scaled(published_device<Law>());
   }
-  return made;
+  return intervals;
 }
 
 // Candidate number `index` of a fixed sequence, uniform in the box.

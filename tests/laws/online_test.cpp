@@ -20,16 +20,16 @@ struct Motion {
 
 // A motion in the law's units, with cycles of several sizes.
 Motion motion_of(laws::LawEntry const& law) {
-  Motion made;
+  Motion motion;
   double const size = 100.0 / law.info.length.in_record_units;
   for (double const share : {0.3, 1.0, 0.6, 1.5})
     for (int i = 0; i < 100; ++i) {
       double const phase = 2.0 * std::numbers::pi * i / 100.0;
       double const x = share * size * std::sin(phase);
-      made.x.push_back(std::abs(x) < 1e-9 * size ? 0.0 : x);
-      made.v.push_back(share * size * 2.0 * std::numbers::pi * std::cos(phase));
+      motion.x.push_back(std::abs(x) < 1e-9 * size ? 0.0 : x);
+      motion.v.push_back(share * size * 2.0 * std::numbers::pi * std::cos(phase));
     }
-  return made;
+  return motion;
 }
 
 std::vector<double> parameters_of(laws::LawEntry const& law, double share) {
@@ -39,12 +39,12 @@ std::vector<double> parameters_of(laws::LawEntry const& law, double share) {
                                   .strength = 30.0 / law.info.force.in_record_units,
                                   .velocity = 600.0 / law.info.length.in_record_units,
                                   .work = 1e5 / law.info.length.in_record_units / law.info.force.in_record_units};
-  std::vector<double> made;
+  std::vector<double> parameters;
   for (auto const& p : law.parameters) {
     auto const box = p.scaled(scales);
-    made.push_back(p.fixed_by_default.value_or(box.lower + share * (box.upper - box.lower)));
+    parameters.push_back(p.fixed_by_default.value_or(box.lower + share * (box.upper - box.lower)));
   }
-  return made;
+  return parameters;
 }
 
 std::vector<double> offline(laws::LawEntry const& law, std::vector<double> const& parameters, Motion const& motion) {
@@ -61,10 +61,10 @@ bool finite(std::vector<double> const& values) {
 
 class EveryLaw : public testing::TestWithParam<std::string> {};
 std::vector<std::string> ids() {
-  std::vector<std::string> made;
+  std::vector<std::string> names;
   for (auto const& law : laws::catalogue())
-    if (laws::has_online_form(law.info.id)) made.emplace_back(law.info.id);
-  return made;
+    if (laws::has_online_form(law.info.id)) names.emplace_back(law.info.id);
+  return names;
 }
 INSTANTIATE_TEST_SUITE_P(Online, EveryLaw, testing::ValuesIn(ids()));
 

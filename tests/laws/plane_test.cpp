@@ -21,15 +21,15 @@ using Walk = std::vector<Vector<double>>;
 Walk wander(double size, unsigned seed, std::size_t count = 400) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  Walk made{{0.0, 0.0}};
+  Walk walk{{0.0, 0.0}};
   Vector<double> goal{0.0, 0.0};
-  while (made.size() < count) {
+  while (walk.size() < count) {
     goal = {size * uniform(random), size * uniform(random)};
-    auto const from = made.back();
+    auto const from = walk.back();
     int const pieces = 2 + static_cast<int>(random() % 12);
-    for (int i = 1; i <= pieces; ++i) made.push_back(from + (static_cast<double>(i) / pieces) * (goal - from));
+    for (int i = 1; i <= pieces; ++i) walk.push_back(from + (static_cast<double>(i) / pieces) * (goal - from));
   }
-  return made;
+  return walk;
 }
 
 Vector<double> rotated(Vector<double> const& a, double angle) {
@@ -40,13 +40,13 @@ Vector<double> rotated(Vector<double> const& a, double angle) {
 template <class Law>
 std::vector<Vector<double>> forces(typename Law::template Params<double> const& p, Walk const& walk) {
   auto state = Law::template start<double>(p);
-  std::vector<Vector<double>> made;
+  std::vector<Vector<double>> response;
   auto from = walk.front();
   for (auto const& to : walk) {
-    made.push_back(Law::template step<double>(p, state, from, to, 0.005));
+    response.push_back(Law::template step<double>(p, state, from, to, 0.005));
     from = to;
   }
-  return made;
+  return response;
 }
 
 double peak_of(std::vector<Vector<double>> const& forces) {
@@ -240,7 +240,7 @@ TYPED_TEST(PlaneLaw, lanes_do_not_know_one_another) {
     std::vector<Walk> walks;
     for (unsigned lane = 0; lane < lanes; ++lane)
       walks.push_back(wander(Case<TypeParam>::size, alone ? 20 : 20 + lane));
-    std::vector<double> made;
+    std::vector<double> response;
     for (std::size_t i = 1; i < 100; ++i) {
       auto const at = [&](std::size_t index) {
         double x[lanes], y[lanes];
@@ -254,10 +254,10 @@ TYPED_TEST(PlaneLaw, lanes_do_not_know_one_another) {
       double x[lanes], y[lanes];
       f.x.store(x);
       f.y.store(y);
-      made.insert(made.end(), {x[0], y[0]});
+      response.insert(response.end(), {x[0], y[0]});
       EXPECT_EQ(alone, std::isfinite(x[5])) << i;
     }
-    return made;
+    return response;
   };
   EXPECT_EQ(run(true), run(false));
 }

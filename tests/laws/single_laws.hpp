@@ -24,10 +24,10 @@ inline std::vector<std::pair<std::string_view, double>> overflowing_values(laws:
       {"abe", {{"K2", 1e308}}},      {"abe-y0", {{"K2", 1e308}}},
       {"hwang-wu", {{"a1", 1e308}}}};
   if (auto const found = known.find(law.info.id); found != known.end()) return found->second;
-  std::vector<std::pair<std::string_view, double>> made;
+  std::vector<std::pair<std::string_view, double>> values;
   for (auto const& p : law.parameters)
-    if (std::isinf(p.physical.upper)) made.emplace_back(p.name, 1e308);
-  return made;
+    if (std::isinf(p.physical.upper)) values.emplace_back(p.name, 1e308);
+  return values;
 }
 
 // Candidates without a bounded force, which both integrations must flag: bouc-wen and bwbn with beta <= 0 or beta +

@@ -21,7 +21,7 @@ inline std::optional<Powers> powers_of(std::string_view unit) {
   std::map<std::string_view, double Powers::*> const known{{"N", &Powers::force},   {"kN", &Powers::force},
                                                            {"mm", &Powers::length}, {"cm", &Powers::length},
                                                            {"m", &Powers::length},  {"s", &Powers::time}};
-  Powers made;
+  Powers powers;
   double side = 1.0;
   for (std::size_t at = 0; at < unit.size();) {
     if (unit[at] == '/') side = -1.0;
@@ -34,10 +34,10 @@ inline std::optional<Powers> powers_of(std::string_view unit) {
     auto const found = known.find(word.substr(0, hat));
     if (found == known.end() && word != "1") return std::nullopt;
     if (found != known.end())
-      made.*found->second += side * (hat < word.size() && word[hat + 1] != 'n' ? word[hat + 1] - '0' : 1);
+      powers.*found->second += side * (hat < word.size() && word[hat + 1] != 'n' ? word[hat + 1] - '0' : 1);
     at += word.size();
   }
-  return made;
+  return powers;
 }
 
 // The additional power of length of a size that is defined at a fixed displacement.

@@ -48,6 +48,6 @@ class InFolder(unittest.TestCase):
 
 def program(*words, cwd=None):
     """Runs isolaw and returns its standard output."""
-    made = subprocess.run([BINARY, *map(str, words)], cwd=cwd, capture_output=True, text=True, timeout=300)
-    assert made.returncode in (0, 1), made.stderr
-    return made.stdout
+    process = subprocess.run([BINARY, *map(str, words)], cwd=cwd, capture_output=True, text=True, timeout=300)
+    assert process.returncode in (0, 1), process.stderr
+    return process.stdout

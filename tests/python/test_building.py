@@ -42,45 +42,47 @@ class Study(InFolder):
         (self.path / "b.toml").write_text(text)
         program("building", "b.toml", "--from", "lot", "--out", "P", "--figures", "none", "--jobs", "1", cwd=self.path)
         told = []
-        made = isolaw.building(self.path / "b.toml", self.path / "lot", out=self.path / "Y", jobs=2,
-                               progress=lambda done, total: told.append((done, total)))  # fmt: skip
+        building = isolaw.building(self.path / "b.toml", self.path / "lot", out=self.path / "Y", jobs=2,
+                                   progress=lambda done, total: told.append((done, total)))  # fmt: skip
         for name in ("building.sqlite", "building.json", "building.html", "tables/building.csv"):
             self.assertEqual((self.path / "P" / name).read_bytes(), (self.path / "Y" / name).read_bytes(), name)
         self.assertEqual(told[-1][0], told[-1][1])
-        self.assertEqual(made.results["laws"][0]["draws"], 12)
+        self.assertEqual(building.results["laws"][0]["draws"], 12)
         # The same from memory: motions are arrays, which get names.
         arrays_of = isolaw.building(PLAN, self.lot, [(0.02, ground(1), ground(2)), (0.02, ground(2), ground(3))])
-        np.testing.assert_array_equal(arrays_of.peaks(), made.peaks())
+        np.testing.assert_array_equal(arrays_of.peaks(), building.peaks())
         self.assertEqual(arrays_of.motions, ["motion 1", "motion 2"])
         pairs = isolaw.building(PLAN, self.lot, [(self.path / f"m{k}x.csv", self.path / f"m{k}y.csv") for k in (1, 2)])
-        np.testing.assert_array_equal(pairs.peaks(), made.peaks())
+        np.testing.assert_array_equal(pairs.peaks(), building.peaks())
 
     def test_arrays_are_what_is_answered(self):
-        made = isolaw.building(PLAN, self.lot, [(0.02, ground(1), ground(2)), (0.02, ground(2))], draws=20, seed=3)
-        self.assertEqual((made.laws, made.results["draws"], made.results["seed"]), (["bilinear"], 20, 3))
-        peaks = made.peaks()
+        building = isolaw.building(PLAN, self.lot, [(0.02, ground(1), ground(2)), (0.02, ground(2))], draws=20, seed=3)
+        self.assertEqual((building.laws, building.results["draws"], building.results["seed"]), (["bilinear"], 20, 3))
+        peaks = building.peaks()
         self.assertEqual(peaks.shape, (1, 20, 2))
-        law = made.results["laws"][0]
+        law = building.results["laws"][0]
         self.assertAlmostEqual(np.quantile(peaks.mean(axis=2), 0.5), law["peak_mm"]["p50"], places=9)
-        np.testing.assert_array_equal(made.displacements_mm.max(axis=3), peaks)
-        np.testing.assert_array_equal(made.drifts_mm.max(axis=3), made.peaks("drift_mm"))
-        self.assertEqual((made.displacements_mm.shape, made.drifts_mm.shape), ((1, 20, 2, 6), (1, 20, 2, 2)))
-        np.testing.assert_allclose(made.accelerations_mm_s2[..., -1] / 9806.65, made.peaks("roof_acceleration_g"))
+        np.testing.assert_array_equal(building.displacements_mm.max(axis=3), peaks)
+        np.testing.assert_array_equal(building.drifts_mm.max(axis=3), building.peaks("drift_mm"))
+        self.assertEqual((building.displacements_mm.shape, building.drifts_mm.shape), ((1, 20, 2, 6), (1, 20, 2, 2)))
+        roof_g = building.accelerations_mm_s2[..., -1] / 9806.65
+        np.testing.assert_allclose(roof_g, building.peaks("roof_acceleration_g"))
         with self.assertRaises(ValueError):
-            made.drifts_mm[0, 0, 0, 0] = 1.0
-        inside = made.coverage["isolator_mm"]
+            building.drifts_mm[0, 0, 0, 0] = 1.0
+        inside = building.coverage["isolator_mm"]
         self.assertEqual(inside["inside"][0], law["coverage"]["inside"])
         self.assertTrue(inside["lower"][0] <= inside["inside"][0] <= inside["upper"][0])
-        self.assertEqual(set(made.coverage), {key for key, row in made.quantities.items() if row["uncovered"] is None})
-        history = made.history("bilinear", 0)
+        covered = {key for key, row in building.quantities.items() if row["uncovered"] is None}
+        self.assertEqual(set(building.coverage), covered)
+        history = building.history("bilinear", 0)
         steps = len(history["time_s"])
         self.assertEqual(history["outcome"], "completed")
         self.assertEqual((history["base"].shape, history["shear_kN"].shape), ((steps, 3), (steps, 2)))
         self.assertEqual(history["acceleration_mm_s2"].shape, (steps, 3, 2))
         centre = np.hypot(history["base"][:, 0], history["base"][:, 1]).max()
         self.assertAlmostEqual(centre / law["quantities"]["centre_mm"]["by_motion"][0]["nominal"], 1.0, delta=0.02)
-        made.write(self.path / "W")
-        self.assertEqual(isolaw._json.loads((self.path / "W/building.json").read_text()), made.results)
+        building.write(self.path / "W")
+        self.assertEqual(isolaw._json.loads((self.path / "W/building.json").read_text()), building.results)
 
     def test_wrong_input_is_one_error(self):
         def refused(said, plan=PLAN, motions=((0.02, ground(1)),), **more):
@@ -100,28 +102,28 @@ class Study(InFolder):
         refused("jobs: -1", jobs=-1)
         with self.assertRaises(TypeError):
             isolaw.building(PLAN, self.lot, [(0.02, ground(1))], colour=1)
-        made = isolaw.building(PLAN, self.lot, [(0.02, ground(1))])
+        building = isolaw.building(PLAN, self.lot, [(0.02, ground(1))])
         with self.assertRaisesRegex(isolaw.Error, "quantity: 'colour'; allowed: isolator_mm, "):
-            made.peaks("colour")
+            building.peaks("colour")
         with self.assertRaisesRegex(isolaw.Error, "law: 'ozdemir'; allowed: bilinear"):
-            made.history("ozdemir")
+            building.history("ozdemir")
 
     def test_what_progress_raises_ends_it_and_the_same_call_goes_on(self):
-        class Enough(Exception):
+        class Stopped(Exception):
             pass
 
         def stop(done, total):
-            raise Enough
+            raise Stopped
 
         motions = [(0.02, ground(k), ground(k + 1)) for k in range(3)]
-        with self.assertRaises(Enough):
+        with self.assertRaises(Stopped):
             isolaw.building(PLAN, self.lot, motions, draws=300, out=self.path / "I", jobs=1, progress=stop)
         self.assertFalse((self.path / "I/building.json").exists())
-        made = isolaw.building(PLAN, self.lot, motions, draws=300, out=self.path / "I", jobs=2)
+        building = isolaw.building(PLAN, self.lot, motions, draws=300, out=self.path / "I", jobs=2)
         isolaw.building(PLAN, self.lot, motions, draws=300, out=self.path / "J", jobs=1)
         for name in ("building.sqlite", "building.json"):
             self.assertEqual((self.path / "I" / name).read_bytes(), (self.path / "J" / name).read_bytes(), name)
-        self.assertEqual(made.peaks().shape, (1, 300, 3))
+        self.assertEqual(building.peaks().shape, (1, 300, 3))
 
 
 if __name__ == "__main__":

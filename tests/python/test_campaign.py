@@ -20,31 +20,31 @@ class Campaigns(InFolder):
         program("calibrate", "r", "--laws", ",".join(LAWS), "--runs", "2", "--seed", "7", "--replicates", "0", "--out", "O",
                 cwd=cls.path)  # fmt: skip
         cls.printed = json.loads((cls.path / "O/summary.json").read_text())
-        cls.made = isolaw.calibrate(cls.files, LAWS, runs=2, seed=7, replicates=0, title="r", jobs=3)
+        cls.campaign = isolaw.calibrate(cls.files, LAWS, runs=2, seed=7, replicates=0, title="r", jobs=3)
 
     def test_numbers_are_those_of_the_program_bit_by_bit(self):
-        self.assertTrue(self.made.complete)
-        self.assertEqual(self.made.summary, self.printed)
+        self.assertTrue(self.campaign.complete)
+        self.assertEqual(self.campaign.summary, self.printed)
 
     def test_the_genetic_algorithm_too(self):
         how = {"method": "ga", "runs": 2, "population": 20, "generations": 5, "box": "published", "smooth": 3}
-        made = isolaw.calibrate(self.files, "bouc-wen", analysis=False, title="r", set=["bouc-wen.A=1:2"], **how)
+        campaign = isolaw.calibrate(self.files, "bouc-wen", analysis=False, title="r", set=["bouc-wen.A=1:2"], **how)
         program("calibrate", "r", "--laws", "bouc-wen", "--method", "ga", "--runs", "2", "--population", "20", "--generations", "5",
                 "--box", "published", "--smooth", "3", "--set", "bouc-wen.A=1:2", "--analysis", "none", "--out", "G",
                 cwd=self.path)  # fmt: skip
-        self.assertEqual(made.summary, json.loads((self.path / "G/summary.json").read_text()))
+        self.assertEqual(campaign.summary, json.loads((self.path / "G/summary.json").read_text()))
 
     def test_compression_tests_are_those_of_the_program(self):
         loads = [500.0 * (1.0 - np.cos(2.0 * np.pi * i / 100.0)) for i in range(300)]
         lines = [f"{load / 1200.0:.6f},{load:.3f}" for load in loads]
         (self.path / "v.csv").write_text("\n".join(["Vertical displacement [mm],Vertical load [kN]", *lines]) + "\n")
         vertical = {"a": self.path / "v.csv", "b": {"file": self.path / "v.csv", "loads": "400:900"}}
-        made = isolaw.calibrate(self.files, "bilinear", runs=1, analysis=False, vertical=vertical)
-        made.write(self.path / "V")
+        campaign = isolaw.calibrate(self.files, "bilinear", runs=1, analysis=False, vertical=vertical)
+        campaign.write(self.path / "V")
         table = (self.path / "V/tables/vertical.csv").read_text()
         self.assertRegex(table, "\na,1[12][0-9][0-9]")
         self.assertRegex(table, "\nb,1[12][0-9][0-9].*,400,")
-        self.assertTrue("hold the same compression test" in str(made.summary["warnings"]))
+        self.assertTrue("hold the same compression test" in str(campaign.summary["warnings"]))
         properties = isolaw.properties(isolaw.read_record(self.files[0]), vertical=1100.0)
         self.assertEqual(properties["vertical"]["K_v_kN_per_mm"], 1100.0)
         absent = isolaw.properties(isolaw.read_record(self.files[0]), vertical="nothere.csv")
@@ -56,51 +56,51 @@ class Campaigns(InFolder):
 
     def test_records_of_arrays_give_the_numbers_of_files(self):
         records = [isolaw.record(x, f, t, name=name) for name, (t, x, f) in (("a", arrays(20.0)), ("b", arrays(24.0)))]
-        made = isolaw.calibrate(records, LAWS, runs=2, seed=7, analysis=False)
-        for law, printed in zip(made.summary["laws"], self.printed["laws"]):
+        campaign = isolaw.calibrate(records, LAWS, runs=2, seed=7, analysis=False)
+        for law, printed in zip(campaign.summary["laws"], self.printed["laws"]):
             self.assertEqual(law["objective"], printed["objective"])
             self.assertEqual(law["beta"], printed["beta"])
 
     def test_a_directory_is_written_and_loaded(self):
         out = self.path / "P"
-        made = isolaw.calibrate(self.files, LAWS, runs=2, seed=7, replicates=0, title="r", out=out)
+        campaign = isolaw.calibrate(self.files, LAWS, runs=2, seed=7, replicates=0, title="r", out=out)
         self.assertEqual((out / "summary.json").read_bytes(), (self.path / "O/summary.json").read_bytes())
         for directory in (out, self.path / "O"):
-            self.assertEqual(isolaw.load(directory).summary, made.summary)
+            self.assertEqual(isolaw.load(directory).summary, campaign.summary)
         with self.assertRaisesRegex(isolaw.Error, "the campaign there differs: .*seed"):
             isolaw.calibrate(self.files, LAWS, runs=2, seed=8, replicates=0, out=out)
-        made.write(self.path / "W")
+        campaign.write(self.path / "W")
         self.assertEqual((self.path / "W/summary.json").read_bytes(), (out / "summary.json").read_bytes())
 
     def test_arrays_of_a_campaign(self):
         for law in LAWS:
-            runs = self.made.runs(law, "a")
+            runs = self.campaign.runs(law, "a")
             best = runs["objective"].argmin()
-            self.assertEqual(runs["parameters"][best].tolist(), list(self.made.parameters(law, "a").values()))
-            seen = self.made.fit_record("a")
-            force = self.made.force(law, "a")
+            self.assertEqual(runs["parameters"][best].tolist(), list(self.campaign.parameters(law, "a").values()))
+            seen = self.campaign.fit_record("a")
+            force = self.campaign.force(law, "a")
             self.assertEqual(len(force), len(seen["disp_mm"]))
-            self.assertTrue(np.shares_memory(force, self.made.force(law, "a")))
-            model = isolaw.Model(law, self.made.record("a"))
-            np.testing.assert_array_equal(model.force(self.made.parameters(law, "a")), force)
-            self.assertEqual(model.objective(self.made.parameters(law, "a")), runs["objective"].min())
+            self.assertTrue(np.shares_memory(force, self.campaign.force(law, "a")))
+            model = isolaw.Model(law, self.campaign.record("a"))
+            np.testing.assert_array_equal(model.force(self.campaign.parameters(law, "a")), force)
+            self.assertEqual(model.objective(self.campaign.parameters(law, "a")), runs["objective"].min())
             # the set fitted to the whole lot
             of_lot = next(one["lot"] for one in self.printed["laws"] if one["id"] == law)
-            self.assertEqual(list(self.made.parameters(law, "lot").values()), list(of_lot["parameters"].values())
+            self.assertEqual(list(self.campaign.parameters(law, "lot").values()), list(of_lot["parameters"].values())
                              if isinstance(of_lot["parameters"], dict) else of_lot["parameters"])  # fmt: skip
-        self.assertEqual(self.made.devices, ["a", "b"])
-        self.assertEqual(self.made.laws, LAWS)
+        self.assertEqual(self.campaign.devices, ["a", "b"])
+        self.assertEqual(self.campaign.laws, LAWS)
         for kind, accuracy in (("runs", "mean"), ("converged", None), ("loo", None)):
-            rows = self.made.front(kind)
+            rows = self.campaign.front(kind)
             self.assertEqual([row["law"] for row in rows], LAWS)
             self.assertTrue(any(row["on_front"] for row in rows))
             if accuracy:
                 self.assertEqual(rows[0]["accuracy"], self.printed["laws"][0]["objective"][accuracy])
 
     def test_what_is_not_there_is_said(self):
-        for wrong in (lambda: self.made.force("abe", "a"), lambda: self.made.runs("bilinear", "c"),
-                      lambda: self.made.record("c"), lambda: self.made.parameters("bilinear", "c"),
-                      lambda: isolaw.load(self.path / "nowhere"), lambda: self.made.front("best")):  # fmt: skip
+        for wrong in (lambda: self.campaign.force("abe", "a"), lambda: self.campaign.runs("bilinear", "c"),
+                      lambda: self.campaign.record("c"), lambda: self.campaign.parameters("bilinear", "c"),
+                      lambda: isolaw.load(self.path / "nowhere"), lambda: self.campaign.front("best")):  # fmt: skip
             with self.assertRaises(isolaw.Error):
                 wrong()
 
@@ -147,11 +147,11 @@ class Campaigns(InFolder):
         t, x, f = arrays()
         t, x, f = np.append(t, t[-1] + t[1:]), np.append(x, 0.6 * x[1:]), np.append(f, 0.7 * f[1:])
         given = {name: self.another(name, setting) for name, setting in isolaw.settings().items()}
-        made = isolaw.calibrate(isolaw.record(x, f, t, name="one"), **given).summary
-        self.assertEqual(made["seed"], given["seed"])
+        summary = isolaw.calibrate(isolaw.record(x, f, t, name="one"), **given).summary
+        self.assertEqual(summary["seed"], given["seed"])
         for name, setting in isolaw.settings().items():
-            key = next((k for k in made["settings"] if k.replace("-", "_") == name), None)
-            self.assertEqual(made["settings"][key] if key else made["seed"], given[name], name)
+            key = next((k for k in summary["settings"] if k.replace("-", "_") == name), None)
+            self.assertEqual(summary["settings"][key] if key else summary["seed"], given[name], name)
             wrong = ["?"] + ([setting["limits"][0] - 1] if setting["limits"] else [])
             for value in wrong:
                 with self.assertRaisesRegex(isolaw.Error, f"^{name}[: ]"):
@@ -162,10 +162,10 @@ class Campaigns(InFolder):
     def test_tests_are_held_to_rules_as_by_the_program(self):
         how = {"runs": 1, "analysis": False, "title": "r"}
         design = {"K_eff": 0.7, "damping": 15}
-        made = isolaw.calibrate(self.files, "bilinear", rules="ntc-2018", design=design, lot_size=28, **how)
+        campaign = isolaw.calibrate(self.files, "bilinear", rules="ntc-2018", design=design, lot_size=28, **how)
         program("calibrate", "r", "--laws", "bilinear", "--runs", "1", "--analysis", "none", "--rules", "ntc-2018",
                 "--design", "K_eff=0.7,damping=15", "--lot-size", "28", "--out", "R", cwd=self.path)  # fmt: skip
-        made.write(self.path / "V")
+        campaign.write(self.path / "V")
         for table in ("tests.csv", "lot.csv", "lambda.csv"):
             self.assertEqual((self.path / "V/tables" / table).read_bytes(), (self.path / "R/tables" / table).read_bytes())
 
@@ -191,13 +191,13 @@ class Campaigns(InFolder):
         isolaw.calibrate(self.files, "bilinear", runs=1, analysis=False, progress=lambda *told, **more: shares.append(more))
         self.assertEqual(shares[-1], {"share": 1.0, "left_s": 0.0})
 
-        class Enough(Exception):
+        class Stopped(Exception):
             pass
 
         def refuse(*_):
-            raise Enough
+            raise Stopped
 
-        with self.assertRaises(Enough):
+        with self.assertRaises(Stopped):
             isolaw.calibrate(self.files, "all", runs=50, progress=refuse, jobs=2)
 
 

@@ -49,14 +49,14 @@ class Dask(InFolder):
             self.assertEqual((out / name).read_bytes(), (self.path / "one" / name).read_bytes(), name)
 
     def run_example(self, out, runs=2, refused=""):
-        made = subprocess.run(
+        process = subprocess.run(
             [sys.executable, SOURCE / "examples/python/parts_with_dask.py", *self.files, "--parts", "3", "--laws", LAWS,
              "--runs", str(runs), "--out", out],
             capture_output=True, text=True, timeout=300, cwd=self.path,
         )  # fmt: skip
-        self.assertEqual(made.returncode, 1 if refused else 0, made.stderr)
-        self.assertIn(refused, made.stderr)
-        return made.stdout
+        self.assertEqual(process.returncode, 1 if refused else 0, process.stderr)
+        self.assertIn(refused, process.stderr)
+        return process.stdout
 
     def test_the_example_ends_as_one_machine_and_goes_on_after_a_loss(self):
         out = self.path / "parts"
@@ -80,9 +80,9 @@ class Dask(InFolder):
                                       local_directory=str(self.path)) as cluster:  # fmt: skip
             with distributed.Client(cluster) as client:
                 lossy = functools.partial(share_of_a_worker_that_is_lost, str(lost))
-                made = parts_with_dask.campaign(client, self.files, {"laws": LAWS, "runs": 2}, 3, out, lossy)
+                campaign = parts_with_dask.campaign(client, self.files, {"laws": LAWS, "runs": 2}, 3, out, lossy)
         self.assertTrue(lost.exists())  # a worker was lost
-        self.assertTrue(made.complete)
+        self.assertTrue(campaign.complete)
         self.expect_one_machines(out)
 
 

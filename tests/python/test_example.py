@@ -14,41 +14,42 @@ from devices import SOURCE
 class Examples(unittest.TestCase):
     def test_the_front_of_the_example_lot(self):
         with tempfile.TemporaryDirectory() as folder:
-            made = subprocess.run(
+            process = subprocess.run(
                 [sys.executable, SOURCE / "examples/python/front.py", "--out", folder, "--laws", "bilinear,bouc-wen",
                  "--runs", "2", "--generations", "5"],
                 capture_output=True, text=True, timeout=300,
             )  # fmt: skip
-            self.assertEqual(made.returncode, 0, made.stderr)
+            self.assertEqual(process.returncode, 0, process.stderr)
             with open(pathlib.Path(folder) / "front.csv", newline="") as file:
                 rows = list(csv.DictReader(file))
         self.assertEqual([row["law"] for row in rows], ["bilinear", "bouc-wen"])
         for row in rows:
             self.assertGreater(float(row["accuracy"]), 0.0)
             self.assertGreater(float(row["robustness"]), 0.0)
-            self.assertIn(row["law"], made.stdout)
+            self.assertIn(row["law"], process.stdout)
         self.assertTrue(any(row["on_front"] == "True" for row in rows))
 
     def test_a_building_on_the_example_lot(self):
         with tempfile.TemporaryDirectory() as folder:
-            made = subprocess.run(
+            process = subprocess.run(
                 [sys.executable, SOURCE / "examples/python/isolated_building.py", "--draws", "20", "--out", folder],
                 capture_output=True, text=True, timeout=300,
             )  # fmt: skip
-            self.assertEqual(made.returncode, 0, made.stderr)
+            self.assertEqual(process.returncode, 0, process.stderr)
             self.assertTrue((pathlib.Path(folder) / "building.html").exists())
-        self.assertRegex(made.stdout, r"^(Yes|No|No answer yet): with Bilinear the bounds cover \d+ % of 20 buildings")
-        self.assertEqual(made.stdout.count("a bearing moves"), 7)
+        verdict = r"^(Yes|No|No answer yet): with Bilinear the bounds cover \d+ % of 20 buildings"
+        self.assertRegex(process.stdout, verdict)
+        self.assertEqual(process.stdout.count("a bearing moves"), 7)
 
     def test_the_page_of_the_documentation(self):
         blocks = re.findall(r"```python\n(.*?)```", (SOURCE / "docs/python.md").read_text(), re.S)
         self.assertGreater(len(blocks), 0)
         with tempfile.TemporaryDirectory() as folder:  # another version's output in out/ would be refused
             (pathlib.Path(folder) / "examples").symlink_to(SOURCE / "examples")
-            made = subprocess.run(
+            process = subprocess.run(
                 [sys.executable, "-c", "\n".join(blocks)], cwd=folder, capture_output=True, text=True, timeout=300
             )  # fmt: skip
-        self.assertEqual(made.returncode, 0, made.stderr)
+        self.assertEqual(process.returncode, 0, process.stderr)
 
 
 if __name__ == "__main__":

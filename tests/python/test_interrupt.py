@@ -61,23 +61,23 @@ class Interrupt(unittest.TestCase):
         record = isolaw.record(x, f, t)
         how = {"runs": 12, "analysis": False, "jobs": 1}
 
-        class Enough(Exception):
+        class Stopped(Exception):
             pass
 
         def some(done, *_):
             if done >= 2:
-                raise Enough
+                raise Stopped
 
         with tempfile.TemporaryDirectory() as folder:
-            with self.assertRaises(Enough):
+            with self.assertRaises(Stopped):
                 isolaw.calibrate(record, "bouc-wen", out=folder, progress=some, **how)
             kept = isolaw.load(folder)
             there = len(kept.runs("bouc-wen", "record")["number"])
             self.assertFalse(kept.complete)
             self.assertGreaterEqual(there, 2)
-            made = isolaw.calibrate(record, "bouc-wen", out=folder, **how)
-        self.assertTrue(made.complete)
-        self.assertEqual(made.summary, isolaw.calibrate(record, "bouc-wen", **how).summary)
+            campaign = isolaw.calibrate(record, "bouc-wen", out=folder, **how)
+        self.assertTrue(campaign.complete)
+        self.assertEqual(campaign.summary, isolaw.calibrate(record, "bouc-wen", **how).summary)
 
 
 if __name__ == "__main__":

@@ -42,8 +42,8 @@ class Laws(unittest.TestCase):
 
     def test_results_go_into_the_callers_array(self):
         out = np.zeros(len(self.x))
-        made = isolaw.force("bilinear", BILINEAR, self.record, out=out)
-        self.assertTrue(np.shares_memory(made, out))
+        force = isolaw.force("bilinear", BILINEAR, self.record, out=out)
+        self.assertTrue(np.shares_memory(force, out))
         np.testing.assert_array_equal(out, isolaw.force("bilinear", BILINEAR, self.record))
         model = isolaw.Model("bilinear", self.record)
         values = np.zeros(5)

@@ -30,12 +30,12 @@ class Parts(unittest.TestCase):
                 cwd=self.path)  # fmt: skip
         directories = [self.path / "P2", self.path / "P3/campaign.sqlite", self.path / "P1", self.path / "P1"]
         told = []
-        made = isolaw.merge(self.path / "O", directories, progress=lambda done, total, *more: told.append(total))
-        self.assertTrue(made.complete and told)
+        merged = isolaw.merge(self.path / "O", directories, progress=lambda done, total, *more: told.append(total))
+        self.assertTrue(merged.complete and told)
         isolaw.calibrate(self.files, LAWS, runs=2, replicates=0, title="r", out=self.path / "W")
         for name in ("campaign.sqlite", "summary.json", "report.html"):
             self.assertEqual((self.path / "O" / name).read_bytes(), (self.path / "W" / name).read_bytes(), name)
-        self.assertEqual(isolaw.load(self.path / "O").summary, made.summary)
+        self.assertEqual(isolaw.load(self.path / "O").summary, merged.summary)
 
     def test_what_is_missing_is_named_and_what_is_there_kept(self):
         self.part(1)

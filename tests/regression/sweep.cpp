@@ -81,9 +81,9 @@ struct Difference {
 
 // Cycles with reversals at many samples, small loops in large ones and uneven peaks; 100 samples a cycle.
 data::FitRecord record(File& file) {
-  auto made = law_tests::record_of(law_tests::irregular(1, 208.0, 3, 100), 0.02, 0.67, 45.0);
-  for (auto* channel : {&made.time_s, &made.disp_mm, &made.vel_mm_s, &made.force_kN}) file.pass(*channel);
-  return made;
+  auto cycles = law_tests::record_of(law_tests::irregular(1, 208.0, 3, 100), 0.02, 0.67, 45.0);
+  for (auto* channel : {&cycles.time_s, &cycles.disp_mm, &cycles.vel_mm_s, &cycles.force_kN}) file.pass(*channel);
+  return cycles;
 }
 
 Difference sweep(laws::LawEntry const& law, laws::Integration integration, data::FitRecord const& record, File& file) {

@@ -15,24 +15,25 @@ inline ParameterAnalysis analysed(ParameterFit const& parameter, double objectiv
   using analysis::Verdict;
   constexpr std::array verdicts{Verdict::determined, Verdict::weakly_determined, Verdict::undetermined,
                                 Verdict::at_bound};
-  ParameterAnalysis made;
-  made.identifiability = verdicts[place % 4];
-  made.optimum = *parameter.value.best;
-  double const width = std::abs(made.optimum) * (made.identifiability == Verdict::determined ? 0.02 : 0.3);
-  made.open_lower = made.optimum - width;
-  made.open_upper = made.optimum + width;
-  made.open_above = made.identifiability == Verdict::at_bound;
-  made.linear_lower = made.optimum - 0.7 * width;
-  made.linear_upper = made.optimum + 0.7 * width;
+  ParameterAnalysis parameter_analysis;
+  parameter_analysis.identifiability = verdicts[place % 4];
+  parameter_analysis.optimum = *parameter.value.best;
+  double const width =
+      std::abs(parameter_analysis.optimum) * (parameter_analysis.identifiability == Verdict::determined ? 0.02 : 0.3);
+  parameter_analysis.open_lower = parameter_analysis.optimum - width;
+  parameter_analysis.open_upper = parameter_analysis.optimum + width;
+  parameter_analysis.open_above = parameter_analysis.identifiability == Verdict::at_bound;
+  parameter_analysis.linear_lower = parameter_analysis.optimum - 0.7 * width;
+  parameter_analysis.linear_upper = parameter_analysis.optimum + 0.7 * width;
   if (place % 2 == 0) {
-    made.bootstrap_lower = made.optimum - 0.8 * width;
-    made.bootstrap_upper = made.optimum + 0.9 * width;
+    parameter_analysis.bootstrap_lower = parameter_analysis.optimum - 0.8 * width;
+    parameter_analysis.bootstrap_upper = parameter_analysis.optimum + 0.9 * width;
   }
   for (int i = -4; i <= 4; ++i) {
-    made.profile_value.push_back(made.optimum + i * width / 3.0);
-    made.profile_objective.push_back(objective + rise * i * i / 9.0);
+    parameter_analysis.profile_value.push_back(parameter_analysis.optimum + i * width / 3.0);
+    parameter_analysis.profile_objective.push_back(objective + rise * i * i / 9.0);
   }
-  return made;
+  return parameter_analysis;
 }
 
 inline void analyse(DeviceFit& fit, std::size_t device) {
@@ -54,22 +55,22 @@ inline void analyse(DeviceFit& fit, std::size_t device) {
 }
 
 inline lot::Population population(LawResult const& law) {
-  lot::Population made;
-  made.devices = law.devices.size();
-  made.note = "the devices differ in one direction";
+  lot::Population estimate;
+  estimate.devices = law.devices.size();
+  estimate.note = "the devices differ in one direction";
   for (auto const& parameter : law.devices.front().parameters) {
-    made.names.push_back(parameter.name);
-    made.medians.push_back(*parameter.value.mean);
-    made.relative_std.push_back(0.1);
+    estimate.names.push_back(parameter.name);
+    estimate.medians.push_back(*parameter.value.mean);
+    estimate.relative_std.push_back(0.1);
   }
-  auto const n = made.names.size();
-  made.correlation.assign(n, std::vector<double>(n, 0.0));
+  auto const n = estimate.names.size();
+  estimate.correlation.assign(n, std::vector<double>(n, 0.0));
   for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) made.correlation[i][j] = i == j ? 1.0 : (i + j) % 2 == 0 ? 0.83 : -0.61;
-  made.relative_std.back() = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t j = 0; j < n; ++j) estimate.correlation[i][j] = i == j ? 1.0 : (i + j) % 2 == 0 ? 0.83 : -0.61;
+  estimate.relative_std.back() = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i = 0; i + 1 < n; ++i)
-    made.correlation[i][n - 1] = made.correlation[n - 1][i] = std::numeric_limits<double>::quiet_NaN();
-  return made;
+    estimate.correlation[i][n - 1] = estimate.correlation[n - 1][i] = std::numeric_limits<double>::quiet_NaN();
+  return estimate;
 }
 
 inline void analyse(LawResult& law) {

@@ -18,12 +18,12 @@ namespace {
 std::vector<double> series(std::size_t length, double correlation, std::uint32_t number) {
   num::Draws draws(num::Stream(7), number, 0);
   double value = draws.normal();
-  std::vector<double> made;
+  std::vector<double> values;
   for (std::size_t i = 0; i < length; ++i) {
-    made.push_back(value);
+    values.push_back(value);
     value = correlation * value + std::sqrt(1.0 - correlation * correlation) * draws.normal();
   }
-  return made;
+  return values;
 }
 
 double block_length(std::vector<double> const& series) {
@@ -101,20 +101,21 @@ void expect_equal(Intervals const& a, Intervals const& b) {
 
 TEST_F(IntervalsOf, HoldTheOptimumAndAreInOrder) {
   disturb();
-  auto const made = found(50);
-  EXPECT_EQ(made.samples, 181u);
-  EXPECT_GE(made.block, 1u);
-  EXPECT_EQ(made.replicates, 50);
-  ASSERT_EQ(made.parameters.size(), 3u);
-  ASSERT_EQ(made.covariance.size(), 9u);
+  auto const estimate = found(50);
+  EXPECT_EQ(estimate.samples, 181u);
+  EXPECT_GE(estimate.block, 1u);
+  EXPECT_EQ(estimate.replicates, 50);
+  ASSERT_EQ(estimate.parameters.size(), 3u);
+  ASSERT_EQ(estimate.covariance.size(), 9u);
   for (std::size_t i = 0; i < 3; ++i) {
-    auto const& p = made.parameters[i];
+    auto const& p = estimate.parameters[i];
     EXPECT_LT(p.linear_lower, optimum_[i]);
     EXPECT_GT(p.linear_upper, optimum_[i]);
     EXPECT_LT(*p.bootstrap_lower, *p.bootstrap_upper);
-    for (std::size_t j = 0; j < 3; ++j) EXPECT_NEAR(made.covariance[3 * i + j], made.covariance[3 * j + i], 1e-15);
+    for (std::size_t j = 0; j < 3; ++j)
+      EXPECT_NEAR(estimate.covariance[3 * i + j], estimate.covariance[3 * j + i], 1e-15);
     // On linear scales the interval is 1.96 standard deviations on either side.
-    double const deviation = std::sqrt(made.covariance[4 * i]);
+    double const deviation = std::sqrt(estimate.covariance[4 * i]);
     EXPECT_NEAR(p.linear_upper - optimum_[i], 1.959964 * deviation, 1e-5 * deviation);
   }
 }
@@ -141,9 +142,9 @@ TEST_F(IntervalsOf, SameStreamSameIntervals) {
 
 TEST_F(IntervalsOf, NoBootstrapWhereNoneIsAsked) {
   disturb();
-  auto const made = found(0);
-  EXPECT_EQ(made.replicates, 0);
-  for (auto const& p : made.parameters) EXPECT_FALSE(p.bootstrap_lower || p.bootstrap_upper);
+  auto const estimate = found(0);
+  EXPECT_EQ(estimate.replicates, 0);
+  for (auto const& p : estimate.parameters) EXPECT_FALSE(p.bootstrap_lower || p.bootstrap_upper);
 }
 
 // The record has no errors at all, or only rounding errors.
@@ -151,9 +152,9 @@ TEST_F(IntervalsOf, WithoutErrorsCollapse) {
   for (double const rounding : {0.0, 1e-13}) {
     for (std::size_t i = 0; i < twin_.record.force_kN.size(); ++i)
       twin_.record.force_kN[i] *= 1.0 + (i % 2 == 0 ? rounding : -rounding);
-    auto const made = found();
-    for (double const c : made.covariance) EXPECT_TRUE(std::isfinite(c));
-    for (auto const& p : made.parameters) {
+    auto const estimate = found();
+    for (double const c : estimate.covariance) EXPECT_TRUE(std::isfinite(c));
+    for (auto const& p : estimate.parameters) {
       double const truth = twin_.truth[p.parameter];
       for (double const end : {p.linear_lower, p.linear_upper, *p.bootstrap_lower, *p.bootstrap_upper})
         EXPECT_NEAR(end, truth, 1e-6 * truth) << twin_.box.parameters[p.parameter].name;
@@ -163,50 +164,50 @@ TEST_F(IntervalsOf, WithoutErrorsCollapse) {
 
 TEST_F(IntervalsOf, NothingFreeGivesNone) {
   take({"bilinear.K1=4", "bilinear.K2=0.6", "bilinear.xy=20"});
-  auto const made = found();
-  EXPECT_TRUE(made.parameters.empty());
-  EXPECT_TRUE(made.covariance.empty());
-  EXPECT_EQ(made.replicates, 0);
+  auto const estimate = found();
+  EXPECT_TRUE(estimate.parameters.empty());
+  EXPECT_TRUE(estimate.covariance.empty());
+  EXPECT_EQ(estimate.replicates, 0);
 }
 
 TEST_F(IntervalsOf, OneFree) {
   take({"bilinear.K1=4", "bilinear.K2=0.6"});
   disturb();
-  auto const made = found();
-  ASSERT_EQ(made.parameters.size(), 1u);
-  EXPECT_EQ(made.parameters[0].parameter, 2u);
-  EXPECT_LT(made.parameters[0].linear_lower, made.parameters[0].linear_upper);
-  EXPECT_EQ(made.covariance.size(), 1u);
+  auto const estimate = found();
+  ASSERT_EQ(estimate.parameters.size(), 1u);
+  EXPECT_EQ(estimate.parameters[0].parameter, 2u);
+  EXPECT_LT(estimate.parameters[0].linear_lower, estimate.parameters[0].linear_upper);
+  EXPECT_EQ(estimate.covariance.size(), 1u);
 }
 
 TEST_F(IntervalsOf, AParameterAtItsBoundIsThatValue) {
   twin_.box.parameters[1].lower = 1.3 * twin_.truth[1];
   disturb();
   ASSERT_EQ(fit::at_bound(twin_.box.parameters[1], optimum_[1]), fit::AtBound::lower);
-  auto const made = found();
-  auto const& held = made.parameters[1];
+  auto const estimate = found();
+  auto const& held = estimate.parameters[1];
   for (double const end : {held.linear_lower, held.linear_upper, *held.bootstrap_lower, *held.bootstrap_upper})
     EXPECT_EQ(end, optimum_[1]);
-  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(made.covariance[3 + i], 0.0);
-  EXPECT_LT(made.parameters[0].linear_lower, made.parameters[0].linear_upper);
-  EXPECT_GT(made.covariance[8], 0.0);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(estimate.covariance[3 + i], 0.0);
+  EXPECT_LT(estimate.parameters[0].linear_lower, estimate.parameters[0].linear_upper);
+  EXPECT_GT(estimate.covariance[8], 0.0);
 }
 
 TEST_F(IntervalsOf, EveryParameterAtItsBound) {
   for (auto& p : twin_.box.parameters) p.upper = p.lower + 0.1 * (p.upper - p.lower);
   for (std::size_t i = 0; i < 3; ++i) optimum_[i] = twin_.box.parameters[i].upper;
-  auto const made = found();
-  for (auto const& p : made.parameters) EXPECT_EQ(p.linear_lower, p.linear_upper);
-  EXPECT_EQ(made.replicates, 0);
+  auto const estimate = found();
+  for (auto const& p : estimate.parameters) EXPECT_EQ(p.linear_lower, p.linear_upper);
+  EXPECT_EQ(estimate.replicates, 0);
 }
 
 // A parameter without effect on the force may lie anywhere in its box, and must not disturb the others.
 TEST_F(IntervalsOf, OfWhatDoesNotActSpanTheBox) {
   take({"jankowski.a5=4e3:1e4"}, "jankowski");
   disturb();
-  auto const made = found(0);
+  auto const estimate = found(0);
   auto const idle = twin_.law->index_of("a5");
-  for (auto const& p : made.parameters) {
+  for (auto const& p : estimate.parameters) {
     auto const& parameter = twin_.box.parameters[p.parameter];
     double const share = (p.linear_upper - p.linear_lower) / (parameter.upper - parameter.lower);
     if (p.parameter == idle) {
@@ -221,22 +222,22 @@ TEST_F(IntervalsOf, ATiedParameterHasNoneOfItsOwn) {
   take({"vaiana.Kb-=Kb+"}, "vaiana");
   disturb();
   EXPECT_EQ(optimum_[twin_.law->index_of("Kb-")], optimum_[twin_.law->index_of("Kb+")]);
-  auto const made = found(5);
-  EXPECT_EQ(made.parameters.size(), twin_.box.free_count());
-  for (auto const& p : made.parameters) EXPECT_NE(p.parameter, twin_.law->index_of("Kb-"));
+  auto const estimate = found(5);
+  EXPECT_EQ(estimate.parameters.size(), twin_.box.free_count());
+  for (auto const& p : estimate.parameters) EXPECT_NE(p.parameter, twin_.law->index_of("Kb-"));
 }
 
 // Without a finite force nothing is known, so the intervals are the whole box.
 TEST_F(IntervalsOf, WithoutAForceAreTheBox) {
   optimum_[1] = std::nan("");
-  auto const made = found(3);
-  EXPECT_EQ(made.replicates, 0);
-  for (auto const& p : made.parameters) {
+  auto const estimate = found(3);
+  EXPECT_EQ(estimate.replicates, 0);
+  for (auto const& p : estimate.parameters) {
     EXPECT_EQ(p.linear_lower, twin_.box.parameters[p.parameter].lower);
     EXPECT_EQ(p.linear_upper, twin_.box.parameters[p.parameter].upper);
     EXPECT_FALSE(p.bootstrap_lower || p.bootstrap_upper);
   }
-  for (double const c : made.covariance) EXPECT_TRUE(std::isfinite(c));
+  for (double const c : estimate.covariance) EXPECT_TRUE(std::isfinite(c));
 }
 
 TEST_F(IntervalsOf, Interrupted) {

@@ -179,11 +179,11 @@ fit::SearchBox common(fit::SearchBox const& a, fit::SearchBox const& b) {
 }
 
 TEST(CommonBox, IsTheHull) {
-  auto const a = box_of({}), b = box_of({}, 0.5), made = common(a, b);
+  auto const a = box_of({}), b = box_of({}, 0.5), hull = common(a, b);
   for (std::size_t i = 0; i < a.parameters.size(); ++i) {
-    EXPECT_EQ(made.parameters[i].lower, std::min(a.parameters[i].lower, b.parameters[i].lower));
-    EXPECT_EQ(made.parameters[i].upper, std::max(a.parameters[i].upper, b.parameters[i].upper));
-    EXPECT_EQ(made.parameters[i].scale, a.parameters[i].scale);
+    EXPECT_EQ(hull.parameters[i].lower, std::min(a.parameters[i].lower, b.parameters[i].lower));
+    EXPECT_EQ(hull.parameters[i].upper, std::max(a.parameters[i].upper, b.parameters[i].upper));
+    EXPECT_EQ(hull.parameters[i].scale, a.parameters[i].scale);
   }
   EXPECT_NE(a.parameters[0].upper, b.parameters[0].upper);
 }
@@ -192,9 +192,9 @@ TEST(CommonBox, AScaleThatDiffersBecomesLinear) {
   auto const a = box_of({"vaiana.beta1+=1:100"}), b = box_of({"vaiana.beta1+=-1:100"});
   auto const i = laws::find_law("vaiana").index_of("beta1+");
   ASSERT_NE(a.parameters[i].scale, b.parameters[i].scale);
-  auto const made = common(a, b).parameters[i];
-  EXPECT_EQ(made.scale, laws::Scale::linear);
-  EXPECT_EQ(made.lower, -1.0);
+  auto const parameter = common(a, b).parameters[i];
+  EXPECT_EQ(parameter.scale, laws::Scale::linear);
+  EXPECT_EQ(parameter.lower, -1.0);
 }
 
 TEST(CommonBox, RefusesWhatIsFixedDifferently) {

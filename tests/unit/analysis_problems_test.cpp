@@ -48,21 +48,21 @@ class Plain final : public opt::DeviationProblem {
 };
 
 opt::Points points(std::size_t dimension, std::vector<double> values) {
-  opt::Points made;
-  made.dimension = dimension;
-  made.values = std::move(values);
-  return made;
+  opt::Points candidates;
+  candidates.dimension = dimension;
+  candidates.values = std::move(values);
+  return candidates;
 }
 
 std::vector<double> values_of(opt::Problem const& problem, opt::Points const& at) {
-  std::vector<double> made(at.size());
-  problem.evaluate(at, made);
-  return made;
+  std::vector<double> values(at.size());
+  problem.evaluate(at, values);
+  return values;
 }
 std::vector<double> residuals_of(opt::DeviationProblem const& problem, opt::Points const& at) {
-  std::vector<double> made(at.size() * problem.weights().size());
-  problem.residuals(at, made);
-  return made;
+  std::vector<double> residuals(at.size() * problem.weights().size());
+  problem.residuals(at, residuals);
+  return residuals;
 }
 
 TEST(Reweighted, HasTheResidualsAndTheNewWeights) {

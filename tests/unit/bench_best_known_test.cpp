@@ -129,12 +129,12 @@ TEST(ProblemKey, IsTheSameOnEveryScaleAndDespiteRounding) {
 TEST(BestKnown, TextReadsBackForEveryLaw) {
   std::vector<BestKnown> entries;
   for (auto const& law : laws::catalogue()) {
-    auto made = entry(fmt::format("{:04x}", law.index), 0.1 + 0.2);
-    made.law = law.info.id;
-    made.parameters.clear();
+    auto best = entry(fmt::format("{:04x}", law.index), 0.1 + 0.2);
+    best.law = law.info.id;
+    best.parameters.clear();
     for (std::size_t i = 0; i < law.parameters.size(); ++i)
-      made.parameters.push_back((static_cast<double>(i) - 2.0) / 3.0);
-    entries.push_back(made);
+      best.parameters.push_back((static_cast<double>(i) - 2.0) / 3.0);
+    entries.push_back(best);
   }
   auto const read = read_best_known(best_known_text(entries), "best.toml");
   ASSERT_EQ(read.size(), entries.size());

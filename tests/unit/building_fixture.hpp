@@ -37,7 +37,7 @@ inline Plan grid(std::size_t along, std::size_t across, double spacing_mm) {
 // A motion of several frequencies under a bell-shaped envelope, different along x and y.
 inline Motion shaking(double step_s = 0.01, double duration_s = 12.0, double peak_g = 0.15) {
   using std::numbers::pi;
-  Motion made{.name = "shaking", .step_s = step_s, .x_mm_s2 = {}};
+  Motion motion{.name = "shaking", .step_s = step_s, .x_mm_s2 = {}};
   auto const samples = static_cast<std::size_t>(duration_s / step_s) + 1;
   for (std::size_t i = 0; i < samples; ++i) {
     double const t = static_cast<double>(i) * step_s;
@@ -46,10 +46,10 @@ inline Motion shaking(double step_s = 0.01, double duration_s = 12.0, double pea
       return std::sin(2.0 * pi * 0.45 * t + phase) + 0.6 * std::sin(2.0 * pi * 1.3 * t + 2.0 * phase) +
              0.4 * std::sin(2.0 * pi * 3.1 * t + 3.0 * phase);
     };
-    made.x_mm_s2.push_back(peak_g * 9806.65 / 1.6 * bell * waves(0.3));
-    made.y_mm_s2.push_back(0.8 * peak_g * 9806.65 / 1.6 * bell * waves(1.7));
+    motion.x_mm_s2.push_back(peak_g * 9806.65 / 1.6 * bell * waves(0.3));
+    motion.y_mm_s2.push_back(0.8 * peak_g * 9806.65 / 1.6 * bell * waves(1.7));
   }
-  return made;
+  return motion;
 }
 
 // Bearings that carry 1600 Mg together: period 2.5 s after yielding, strength 6 % of the weight, yield at 10 mm.
@@ -59,9 +59,9 @@ inline Values usual_bilinear(std::size_t bearings) {
 }
 
 inline Bearings equal_bearings(std::size_t count, std::string_view law, Values const& parameters) {
-  Bearings made;
-  for (std::size_t j = 0; j < count; ++j) made.push_back(make_bearing(law, parameters, Coupling::coupled));
-  return made;
+  Bearings copies;
+  for (std::size_t j = 0; j < count; ++j) copies.push_back(make_bearing(law, parameters, Coupling::coupled));
+  return copies;
 }
 
 }  // namespace isolaw::building

@@ -144,7 +144,7 @@ TEST(BuildingIntegrate, modes_are_the_whole_equations) {
   auto const motion = shaking();
   double const k = 1.6 * std::pow(2.0 * std::numbers::pi / 2.0, 2);
   // A yield displacement of 1e9 mm: the bearing never yields.
-  auto const made =
+  auto const response =
       integrate(Model(structure, {.bearings = {{0.0, 0.0}}}), equal_bearings(1, "bilinear", {k, 0.0, 1e9}), motion,
                 {.longest_step_s = 0.01, .histories = true});
 
@@ -172,10 +172,10 @@ TEST(BuildingIntegrate, modes_are_the_whole_equations) {
     a = 4.0 / (dt * dt) * (next - u) - 4.0 / dt * v - a;
     u = next, v = speed;
     for (Eigen::Index d = 0; d < 2; ++d) {
-      worst = std::max(worst, std::abs(u(d) - made.history.base[i][static_cast<std::size_t>(d)]));
+      worst = std::max(worst, std::abs(u(d) - response.history.base[i][static_cast<std::size_t>(d)]));
       largest = std::max(largest, std::abs(u(d)));
       double const roof = a(9 + d) + (d == 0 ? motion.x_mm_s2[i] : motion.y_mm_s2[i]);
-      worst_a = std::max(worst_a, std::abs(roof - made.history.acceleration[i][static_cast<std::size_t>(6 + d)]));
+      worst_a = std::max(worst_a, std::abs(roof - response.history.acceleration[i][static_cast<std::size_t>(6 + d)]));
       largest_a = std::max(largest_a, std::abs(roof));
     }
   }
@@ -195,10 +195,10 @@ class Nothing final : public Bearing {
 TEST(BuildingIntegrate, what_does_not_converge_is_an_outcome) {
   Bearings bearings;
   bearings.push_back(std::make_unique<Nothing>());
-  auto const made = run(three_floors(), {.bearings = {{0.0, 0.0}}}, bearings, shaking());
-  EXPECT_EQ(made.outcome, Outcome::not_converged);
-  EXPECT_NE(made.why.find("no equilibrium at"), std::string::npos) << made.why;
-  EXPECT_GT(made.halvings, 0u);
+  auto const response = run(three_floors(), {.bearings = {{0.0, 0.0}}}, bearings, shaking());
+  EXPECT_EQ(response.outcome, Outcome::not_converged);
+  EXPECT_NE(response.why.find("no equilibrium at"), std::string::npos) << response.why;
+  EXPECT_GT(response.halvings, 0u);
 }
 
 TEST(BuildingIntegrate, refuses_what_is_no_building) {
@@ -207,7 +207,7 @@ TEST(BuildingIntegrate, refuses_what_is_no_building) {
   frame.floors[1].below.stiffness.setZero();
   frame.damping = {1.5};
   try {
-    Structure const made(frame);
+    Structure const structure(frame);
     FAIL();
   } catch (Error const& e) {
     EXPECT_EQ(e.complaints().size(), 3u) << e.what();

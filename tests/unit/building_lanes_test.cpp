@@ -20,16 +20,16 @@ Model usual_model() {
 }
 
 Values scattered(std::string_view law, Values const& nominal, double scatter) {
-  Values made;
+  Values values;
   for (std::size_t draw = 0; draw < draws; ++draw)
     for (std::size_t j = 0; j < bearings; ++j) {
       num::Draws numbers(num::Stream(3), static_cast<std::uint32_t>(draw), static_cast<std::uint32_t>(j));
       double const factor = std::exp(scatter * numbers.normal());
       // Scale the force alone: whatever the law's form, this gives a device of the same shape.
       for (std::size_t i = 0; i < nominal.size(); ++i)
-        made.push_back(nominal[i] * (law == "bilinear" ? (i < 2 ? factor : 1.0) : (i == 1 ? factor : 1.0)));
+        values.push_back(nominal[i] * (law == "bilinear" ? (i < 2 ? factor : 1.0) : (i == 1 ? factor : 1.0)));
     }
-  return made;
+  return values;
 }
 
 Values row(Values const& all, std::size_t draw, std::size_t count) {
@@ -44,11 +44,11 @@ TEST(BuildingLanes, lanes_are_the_scalar_path) {
   auto const values = scattered("bilinear", usual_bilinear(bearings), 0.2);
   auto const scalar = respond(model, "bilinear", values, motion, {}, Coupling::coupled, num::InstructionSet::scalar);
   for (auto const set : num::available_instruction_sets()) {
-    auto const made = respond(model, "bilinear", values, motion, {}, Coupling::coupled, set);
-    ASSERT_EQ(made.size(), draws * count);
-    for (std::size_t i = 0; i < made.size(); ++i) {
+    auto const lanes = respond(model, "bilinear", values, motion, {}, Coupling::coupled, set);
+    ASSERT_EQ(lanes.size(), draws * count);
+    for (std::size_t i = 0; i < lanes.size(); ++i) {
       if (i % count == static_cast<std::size_t>(Measure::balance)) continue;
-      EXPECT_NEAR(made[i], scalar[i], 1e-7 * std::abs(scalar[i]) + 1e-9) << num::name(set) << " " << i % count;
+      EXPECT_NEAR(lanes[i], scalar[i], 1e-7 * std::abs(scalar[i]) + 1e-9) << num::name(set) << " " << i % count;
     }
   }
 }
@@ -63,9 +63,9 @@ TEST(BuildingLanes, no_draw_notices_another) {
     EXPECT_EQ(respond(model, "bilinear", row(values, draw, each), motion, {}), row(together, draw, count)) << draw;
   // A draw whose parameters are not finite must not disturb its neighbours either.
   values[each] = std::nan("");
-  auto const beside = respond(model, "bilinear", values, motion, {});
-  EXPECT_EQ(row(beside, 0, count), row(together, 0, count));
-  EXPECT_FALSE(std::isfinite(beside[count + static_cast<std::size_t>(Measure::balance)]));
+  auto const with_nan = respond(model, "bilinear", values, motion, {});
+  EXPECT_EQ(row(with_nan, 0, count), row(together, 0, count));
+  EXPECT_FALSE(std::isfinite(with_nan[count + static_cast<std::size_t>(Measure::balance)]));
 }
 
 TEST(BuildingLanes, held_to_the_implicit_path) {
@@ -75,12 +75,12 @@ TEST(BuildingLanes, held_to_the_implicit_path) {
   auto const each = bearings * usual_bilinear(1).size(), count = model.layout().count();
   auto const lanes = respond(model, "bilinear", values, motion, {});
   for (std::size_t const draw : {std::size_t{0}, std::size_t{5}}) {
-    Bearings made;
+    Bearings drawn_bearings;
     for (std::size_t j = 0; j < bearings; ++j) {
       auto const of_draw = row(values, draw, each);
-      made.push_back(make_bearing("bilinear", row(of_draw, j, 3), Coupling::coupled));
+      drawn_bearings.push_back(make_bearing("bilinear", row(of_draw, j, 3), Coupling::coupled));
     }
-    auto const implicit = integrate(model, made, motion);
+    auto const implicit = integrate(model, drawn_bearings, motion);
     for (std::size_t i = 0; i < count; ++i) {
       if (i == static_cast<std::size_t>(Measure::balance)) continue;
       // Compare the displacement left at the end with the largest one, since it is small itself.
@@ -103,10 +103,10 @@ TEST(BuildingLanes, stable_below_stiff_floors) {
       auto const one = usual_bilinear(bearings);
       values.insert(values.end(), one.begin(), one.end());
     }
-    auto const made = respond(model, "bilinear", values, shaking(), {});
-    EXPECT_LT(std::abs(made[static_cast<std::size_t>(Measure::balance)]), 1e-3) << period_s;
+    auto const lanes = respond(model, "bilinear", values, shaking(), {});
+    EXPECT_LT(std::abs(lanes[static_cast<std::size_t>(Measure::balance)]), 1e-3) << period_s;
     auto const implicit = integrate(model, equal_bearings(bearings, "bilinear", usual_bilinear(bearings)), shaking());
-    EXPECT_NEAR(made[static_cast<std::size_t>(Measure::isolator)], implicit.of(Measure::isolator),
+    EXPECT_NEAR(lanes[static_cast<std::size_t>(Measure::isolator)], implicit.of(Measure::isolator),
                 2e-3 * implicit.of(Measure::isolator));
   }
 }

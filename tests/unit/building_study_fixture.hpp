@@ -15,34 +15,34 @@ namespace isolaw::building {
 // A population over two parameters of bilinear, K1 and K2.
 inline LawSource bilinear_source(double scatter, std::size_t count) {
   auto const nominal = usual_bilinear(count);
-  LawSource made{.law = "bilinear",
-                 .lot = nominal,
-                 .devices = {},
-                 .population = {},
-                 .place = {0, 1, std::nullopt},
-                 .median = nominal,
-                 .limits = {{}, {}},
-                 .tested_mm = 0.0};
-  auto& p = made.population;
+  LawSource source{.law = "bilinear",
+                   .lot = nominal,
+                   .devices = {},
+                   .population = {},
+                   .place = {0, 1, std::nullopt},
+                   .median = nominal,
+                   .limits = {{}, {}},
+                   .tested_mm = 0.0};
+  auto& p = source.population;
   p.names = {"K1", "K2"};
   p.transforms = {lot::Transform::logarithm, lot::Transform::logarithm};
   p.signs = {1.0, 1.0};
   p.devices = 6;
   p.mean = {std::log(nominal[0]), std::log(nominal[1])};
   p.medians = {std::exp(p.mean[0]), std::exp(p.mean[1])};
-  made.median = {p.medians[0], p.medians[1], nominal[2]};
+  source.median = {p.medians[0], p.medians[1], nominal[2]};
   double const v = scatter * scatter;
   p.covariance = {{v, 0.8 * v}, {0.8 * v, v}};
   p.uncertainty = {{0.01 * v, 0.0}, {0.0, 0.01 * v}};
   p.estimates = {{1.01 * v, 0.8 * v}, {0.8 * v, 1.01 * v}};
   p.directions = 2;
   p.std = {scatter, scatter};
-  return made;
+  return source;
 }
 
 inline Study usual_study(double scatter, int count, int populations = 0) {
-  Study made;
-  auto& f = made.file;
+  Study study;
+  auto& f = study.file;
   f.settings = {.title = "test",
                 .laws = {"bilinear"},
                 .draws = count,
@@ -56,8 +56,8 @@ inline Study usual_study(double scatter, int count, int populations = 0) {
     f.bearings.push_back({.at = at, .stands = Stands::draw, .device = {}});
   for (std::uint32_t i = 0; i < 2; ++i)
     f.motions.push_back(synthetic_motion(5, i, {.step_s = 0.02, .duration_s = 6.0, .peak_g = 0.4}));
-  made.laws = {bilinear_source(scatter, 6)};
-  return made;
+  study.laws = {bilinear_source(scatter, 6)};
+  return study;
 }
 
 }  // namespace isolaw::building

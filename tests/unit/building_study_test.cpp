@@ -54,13 +54,13 @@ class BuildingFileTest : public testing::Test {
 };
 
 TEST_F(BuildingFileTest, the_template_is_a_building) {
-  auto const made = read(building_template());
-  EXPECT_EQ(made.frame.floors.size(), 5u);
-  EXPECT_EQ(made.bearings.size(), 28u);
-  EXPECT_EQ(made.motions.size(), 1u);
-  EXPECT_EQ(made.motions[0].y_mm_s2.size(), 20u);
-  EXPECT_NEAR(made.motions[0].x_mm_s2[3], 250.0, 1e-9);
-  Structure const structure(made.frame);
+  auto const description = read(building_template());
+  EXPECT_EQ(description.frame.floors.size(), 5u);
+  EXPECT_EQ(description.bearings.size(), 28u);
+  EXPECT_EQ(description.motions.size(), 1u);
+  EXPECT_EQ(description.motions[0].y_mm_s2.size(), 20u);
+  EXPECT_NEAR(description.motions[0].x_mm_s2[3], 250.0, 1e-9);
+  Structure const structure(description.frame);
   EXPECT_NEAR(2.0 * std::numbers::pi / structure.frequency_rad_s()[0], 0.5, 1e-9);
   auto const file = (folder_ / "motion-1-x.csv").string();
   auto const given = read_building_text(building_template(), "b.toml", folder_, {.motions = read_motions({file})});
@@ -96,11 +96,11 @@ TEST_F(BuildingFileTest, what_is_given_is_laid_over_and_a_mapping_is_a_file) {
     return read_building_text(building_template(), "b.toml", folder_,
                               {.motions = {shaken}, .settings = std::move(settings)});
   };
-  auto const made = read_with({{"draws", 7}, {"laws", Json::array({"bilinear"})}}, motion);
-  EXPECT_EQ(made.settings.draws, 7);
-  EXPECT_EQ(made.settings.laws, std::vector<std::string>{"bilinear"});
-  EXPECT_EQ(made.motions.at(0).x_mm_s2, motion.x_mm_s2);
-  EXPECT_EQ(made.bearings.size(), 28u);
+  auto const description = read_with({{"draws", 7}, {"laws", Json::array({"bilinear"})}}, motion);
+  EXPECT_EQ(description.settings.draws, 7);
+  EXPECT_EQ(description.settings.laws, std::vector<std::string>{"bilinear"});
+  EXPECT_EQ(description.motions.at(0).x_mm_s2, motion.x_mm_s2);
+  EXPECT_EQ(description.bearings.size(), 28u);
   auto const wrong = refusal_of([&] { read_with({{"draws", 0}, {"colour", 1}}, motion); });
   EXPECT_TRUE(contains(wrong, "b.toml: draws: 0") && contains(wrong, "unknown key 'colour'")) << wrong;
   auto nan = motion;
@@ -255,8 +255,8 @@ TEST_F(BuildingRuns, answers) {
   auto const study = usual_study(0.07, 120, 4);
   RunStore store(file_, properties_of(study), false);
   run_all(study, store, 1);
-  auto const made = answer(study, store);
-  auto const& law = made.laws.at(0);
+  auto const answers = answer(study, store);
+  auto const& law = answers.laws.at(0);
   EXPECT_EQ(law.failed, 0u);
   EXPECT_LT(law.worst_balance, 2e-3);
   auto const& isolator = law.distributions[0];
@@ -280,16 +280,17 @@ TEST_F(BuildingRuns, answers) {
     EXPECT_LT(std::abs(checked.draws_error_percent), 0.5);
     EXPECT_GT(checked.equivalent_mm, 0.0);
   }
-  EXPECT_TRUE(contains(made.verdict, ": with Bilinear the bounds cover ") && contains(made.verdict, "of 120 buildings"))
-      << made.verdict;
-  auto const motions = std::ranges::find(made.warnings, FindingKind::motions_too_few, &Finding::kind);
-  ASSERT_NE(motions, made.warnings.end());
+  EXPECT_TRUE(contains(answers.verdict, ": with Bilinear the bounds cover ") &&
+              contains(answers.verdict, "of 120 buildings"))
+      << answers.verdict;
+  auto const motions = std::ranges::find(answers.warnings, FindingKind::motions_too_few, &Finding::kind);
+  ASSERT_NE(motions, answers.warnings.end());
   EXPECT_EQ(motions->number("motions"), 2.0);
   EXPECT_TRUE(contains(*motions, "2 motions: codes take the mean over 7 or more")) << text_of(*motions);
   if (law.coverage[0].inside < wanted_share)
-    EXPECT_EQ(made.bounds_are_enough, false);
+    EXPECT_EQ(answers.bounds_are_enough, false);
   else
-    EXPECT_EQ(made.bounds_are_enough.has_value(), law.coverage[0].interval_low >= wanted_share);
+    EXPECT_EQ(answers.bounds_are_enough.has_value(), law.coverage[0].interval_low >= wanted_share);
   std::uint64_t drawn = 0;
   for (auto const count : isolator.histogram.counts) drawn += count;
   EXPECT_EQ(drawn, 120u);
@@ -335,9 +336,9 @@ TEST_F(BuildingRuns, without_draws_bounds_have_nothing_to_cover) {
   for (auto& bearing : study.file.bearings) bearing.stands = Stands::lot;
   RunStore store(file_, properties_of(study), false);
   run_all(study, store, 1);
-  auto const made = answer(study, store);
-  EXPECT_TRUE(contains(made.verdict, "No bearing is a draw")) << made.verdict;
-  EXPECT_FALSE(made.bounds_are_enough.has_value());
+  auto const answers = answer(study, store);
+  EXPECT_TRUE(contains(answers.verdict, "No bearing is a draw")) << answers.verdict;
+  EXPECT_FALSE(answers.bounds_are_enough.has_value());
 }
 
 // Three buildings within the bounds prove nothing about a share of 95 %.
@@ -345,12 +346,13 @@ TEST_F(BuildingRuns, a_few_draws_do_not_show_that_bounds_are_enough) {
   auto study = usual_study(0.001, 3);
   RunStore store(file_, properties_of(study), false);
   run_all(study, store, 1);
-  auto const made = answer(study, store);
-  EXPECT_EQ(made.laws.front().coverage.front().inside, 1.0);
-  EXPECT_FALSE(made.bounds_are_enough.has_value());
-  EXPECT_TRUE(contains(made.verdict, "No answer yet: with Bilinear the bounds cover 100 % of 3 buildings"))
-      << made.verdict;
-  EXPECT_TRUE(says(made.warnings, "3 draws are too few to show a share of 95 %: no answer yet.")) << made.warnings;
+  auto const answers = answer(study, store);
+  EXPECT_EQ(answers.laws.front().coverage.front().inside, 1.0);
+  EXPECT_FALSE(answers.bounds_are_enough.has_value());
+  EXPECT_TRUE(contains(answers.verdict, "No answer yet: with Bilinear the bounds cover 100 % of 3 buildings"))
+      << answers.verdict;
+  EXPECT_TRUE(says(answers.warnings, "3 draws are too few to show a share of 95 %: no answer yet."))
+      << answers.warnings;
 }
 
 // The second law lies far from the first, so the bounds of the first do not cover it.
@@ -363,18 +365,19 @@ TEST_F(BuildingRuns, bounds_of_one_law_are_held_to_the_others) {
   study.file.settings.laws.push_back(other.law);
   RunStore store(file_, properties_of(study), false);
   run_all(study, store, 1);
-  auto const made = answer(study, store);
-  ASSERT_TRUE(made.laws[1].by_first_bounds.has_value());
-  EXPECT_LT(*made.laws[1].by_first_bounds, wanted_share) << made.verdict;
-  EXPECT_EQ(made.bounds_are_enough, false);
-  ASSERT_EQ(made.verdict.size(), 3u) << made.verdict;
-  EXPECT_TRUE(wording::sentence(made.verdict[0]).starts_with("No: with Bilinear the bounds cover ")) << made.verdict;
-  EXPECT_EQ(wording::sentence(made.verdict[1]), "With Bilinear the same bounds cover 0 %.");
-  EXPECT_EQ(wording::sentence(made.verdict[2]), "The choice of the law matters more than the scatter of the lot.");
+  auto const answers = answer(study, store);
+  ASSERT_TRUE(answers.laws[1].by_first_bounds.has_value());
+  EXPECT_LT(*answers.laws[1].by_first_bounds, wanted_share) << answers.verdict;
+  EXPECT_EQ(answers.bounds_are_enough, false);
+  ASSERT_EQ(answers.verdict.size(), 3u) << answers.verdict;
+  EXPECT_TRUE(wording::sentence(answers.verdict[0]).starts_with("No: with Bilinear the bounds cover "))
+      << answers.verdict;
+  EXPECT_EQ(wording::sentence(answers.verdict[1]), "With Bilinear the same bounds cover 0 %.");
+  EXPECT_EQ(wording::sentence(answers.verdict[2]), "The choice of the law matters more than the scatter of the lot.");
   // If draws hardly scatter, the factors they need lie within the accuracy of the grid and are no basis for design.
-  EXPECT_EQ(made.verdict[0].word("factors"), "near");
-  EXPECT_TRUE(contains(made.verdict[0], "; factors within 2 % of 1, the step of the search, would cover 95 %."))
-      << made.verdict;
+  EXPECT_EQ(answers.verdict[0].word("factors"), "near");
+  EXPECT_TRUE(contains(answers.verdict[0], "; factors within 2 % of 1, the step of the search, would cover 95 %."))
+      << answers.verdict;
 }
 
 // The same law listed twice: the bounds of the first must cover as many draws of the second.
@@ -386,10 +389,10 @@ TEST_F(BuildingRuns, bounds_of_one_law_cover_as_much_of_the_same_law) {
   study.file.settings.laws.push_back(study.laws.front().law);
   RunStore store(file_, properties_of(study), false);
   run_all(study, store, 1);
-  auto const made = answer(study, store);
-  auto const inside = made.laws[0].coverage.front().inside;
+  auto const answers = answer(study, store);
+  auto const inside = answers.laws[0].coverage.front().inside;
   EXPECT_TRUE(inside > 0.0 && inside < 1.0) << inside;
-  EXPECT_EQ(made.laws[1].by_first_bounds, inside);
+  EXPECT_EQ(answers.laws[1].by_first_bounds, inside);
 }
 
 TEST(BuildingAnswers, factors_are_said_where_they_mean_something) {
@@ -418,18 +421,18 @@ TEST_F(BuildingRuns, bounds_on_one_side_of_the_nominal_building_are_told) {
     });
     changed.add(rows);
   }
-  auto const made = answer(study, changed);
+  auto const answers = answer(study, changed);
   fs::remove(other);
-  auto const& coverage = made.laws[0].coverage[0];
+  auto const& coverage = answers.laws[0].coverage[0];
   EXPECT_EQ(coverage.inside, 0.0);
   ASSERT_TRUE(coverage.monotony.has_value());
   EXPECT_EQ(coverage.monotony->kind, FindingKind::bounds_not_monotonic);
-  EXPECT_EQ(coverage.monotony->number("nominal"), made.laws[0].distributions[0].nominal);
+  EXPECT_EQ(coverage.monotony->number("nominal"), answers.laws[0].distributions[0].nominal);
   EXPECT_EQ(coverage.monotony->word("side"), "below");
   EXPECT_TRUE(coverage.not_monotonic.starts_with("both bound analyses (")) << coverage.not_monotonic;
-  EXPECT_TRUE(contains(made.verdict, "since the nominal building itself is outside them")) << made.verdict;
-  EXPECT_TRUE(contains(made.warnings, "Bilinear: ignore the 0 % for bearing displacement: both bound analyses ("))
-      << made.warnings;
+  EXPECT_TRUE(contains(answers.verdict, "since the nominal building itself is outside them")) << answers.verdict;
+  EXPECT_TRUE(contains(answers.warnings, "Bilinear: ignore the 0 % for bearing displacement: both bound analyses ("))
+      << answers.warnings;
 }
 
 // Doubts about the calibration come from the campaign. One that both laws have is told once, and one about a tested
@@ -451,17 +454,17 @@ TEST_F(BuildingRuns, says_what_is_known_against_a_law) {
   study.file.settings.laws.push_back(study.laws[1].law);
   RunStore store(file_, properties_of(study), false);
   run_all(study, store, 1);
-  auto const made = answer(study, store);
-  EXPECT_EQ(made.laws[0].doubts, study.laws[0].doubts);
-  EXPECT_EQ(made.calibration, study.laws[0].doubts);
+  auto const answers = answer(study, store);
+  EXPECT_EQ(answers.laws[0].doubts, study.laws[0].doubts);
+  EXPECT_EQ(answers.calibration, study.laws[0].doubts);
   std::string const of_device =
       "device-01 stands apart from its lot: effective stiffness 0.81 kN/mm (+31 % from the median).";
-  auto const warnings = render::building_warnings(made);
+  auto const warnings = render::building_warnings(answers);
   EXPECT_EQ(std::ranges::count(warnings, "From the calibration: " + of_device), 1);
   EXPECT_EQ(std::ranges::count(warnings, "From the calibration: Bilinear: the tests cannot fix Dy (2 of 3 devices)."),
             1);
   for (auto const& warning : warnings) EXPECT_FALSE(contains(warning, "device-01: device-01")) << warning;
-  auto const json = Json::parse(render::building_json(study, made));
+  auto const json = Json::parse(render::building_json(study, answers));
   EXPECT_EQ(json["laws"][1]["doubts"], Json::array({of_device}));
   ASSERT_EQ(json["calibration"].size(), 2u);
   EXPECT_EQ(json["calibration"][0]["kind"], "not-determined");
@@ -492,15 +495,15 @@ TEST_F(BuildingRuns, of_springs_are_told_one_by_one_and_can_be_interrupted) {
     EXPECT_TRUE(run_all(study, store, 2));
   }
   RunStore const store(file_, properties_of(study), false);
-  auto const made = answer(study, store);
-  EXPECT_EQ(form(made.laws[0]), "springs");
+  auto const answers = answer(study, store);
+  EXPECT_EQ(form(answers.laws[0]), "springs");
 }
 
 // Reference values of the Clopper-Pearson interval: form from Brown, Cai and DasGupta 2001, digits from R's binom.test.
 TEST(BuildingAnswers, binomial_interval) {
-  auto const made = binomial_interval(95, 100);
-  EXPECT_NEAR(made[0], 0.8871651, 1e-6);
-  EXPECT_NEAR(made[1], 0.9835681, 1e-6);
+  auto const interval = binomial_interval(95, 100);
+  EXPECT_NEAR(interval[0], 0.8871651, 1e-6);
+  EXPECT_NEAR(interval[1], 0.9835681, 1e-6);
   EXPECT_EQ(binomial_interval(20, 20)[1], 1.0);
   EXPECT_NEAR(binomial_interval(20, 20)[0], std::pow(0.025, 1.0 / 20.0), 1e-9);
 }
@@ -508,17 +511,17 @@ TEST(BuildingAnswers, binomial_interval) {
 // On a closed loop of a bilinear device K = K2 + Qd / D, and the damping is 4 Qd (D - Dy) / (2 pi K D^2).
 TEST(BuildingAnswers, effective_stiffness_and_damping) {
   double const K1 = 6.0, K2 = 0.9, Qd = 30.0, Dy = Qd / (K1 - K2), D = 150.0;
-  auto const made = effective("bilinear", Values{K1, K2, Dy}, D, Coupling::coupled);
-  EXPECT_NEAR(made.stiffness_kN_mm, K2 + Qd / D, 1e-12);
-  EXPECT_NEAR(made.damping, 4.0 * Qd * (D - Dy) / (2.0 * std::numbers::pi * (K2 + Qd / D) * D * D), 2e-3);
+  auto const properties = effective("bilinear", Values{K1, K2, Dy}, D, Coupling::coupled);
+  EXPECT_NEAR(properties.stiffness_kN_mm, K2 + Qd / D, 1e-12);
+  EXPECT_NEAR(properties.damping, 4.0 * Qd * (D - Dy) / (2.0 * std::numbers::pi * (K2 + Qd / D) * D * D), 2e-3);
 }
 
 TEST(BuildingAnswers, histograms_hold_every_value) {
-  auto const made = histogram({1.0, 2.0, 2.5, 4.0, 5.0, 3.0, 1.5, 5.0});
-  EXPECT_EQ(made.counts.size(), 4u);
-  EXPECT_EQ(made.counts, (std::vector<std::uint64_t>{2, 2, 1, 3}));
-  EXPECT_EQ(made.from, 1.0);
-  EXPECT_EQ(made.width, 1.0);
+  auto const bins = histogram({1.0, 2.0, 2.5, 4.0, 5.0, 3.0, 1.5, 5.0});
+  EXPECT_EQ(bins.counts.size(), 4u);
+  EXPECT_EQ(bins.counts, (std::vector<std::uint64_t>{2, 2, 1, 3}));
+  EXPECT_EQ(bins.from, 1.0);
+  EXPECT_EQ(bins.width, 1.0);
   auto const same = histogram(Values(7, 3.0));
   EXPECT_EQ(same.counts, std::vector<std::uint64_t>{7});
   EXPECT_LT(same.from, 3.0);
@@ -529,9 +532,9 @@ TEST(BuildingAnswers, histograms_hold_every_value) {
 TEST(BuildingAnswers, arrangement) {
   auto const places = grid(4, 2, 5000.0).bearings;
   Values const stiffness{1.00, 1.02, 1.05, 1.10, 0.93, 0.97, 1.01, 0.90};
-  auto const made = arrange(places, {}, stiffness);
-  EXPECT_LT(made.eccentricity_mm, 0.1 * made.in_order_mm);
-  auto sorted = made.device;
+  auto const arrangement = arrange(places, {}, stiffness);
+  EXPECT_LT(arrangement.eccentricity_mm, 0.1 * arrangement.in_order_mm);
+  auto sorted = arrangement.device;
   std::ranges::sort(sorted);
   for (std::size_t i = 0; i < sorted.size(); ++i) EXPECT_EQ(sorted[i], i);
 }

@@ -14,14 +14,14 @@ namespace {
 class ShareOfCampaign : public testing::Folder {
  protected:
   Lot lot(bool analysis) const {
-    Lot made;
-    made.settings.laws = parse_laws("bilinear");
-    made.settings.analysis = analysis;
-    made.settings.replicates = 0;
-    made.settings.runs = 3;
-    made.devices = {testing::device_input("soft", {write("soft.csv", testing::record_text(1.0))}),
-                    testing::device_input("stiff", {write("stiff.csv", testing::record_text(1.3))})};
-    return made;
+    Lot lot_of_two;
+    lot_of_two.settings.laws = parse_laws("bilinear");
+    lot_of_two.settings.analysis = analysis;
+    lot_of_two.settings.replicates = 0;
+    lot_of_two.settings.runs = 3;
+    lot_of_two.devices = {testing::device_input("soft", {write("soft.csv", testing::record_text(1.0))}),
+                          testing::device_input("stiff", {write("stiff.csv", testing::record_text(1.3))})};
+    return lot_of_two;
   }
   std::filesystem::path file() const { return folder / "campaign.sqlite"; }
 };

@@ -275,9 +275,9 @@ TEST_F(LotFileTest, RulesOutsideTheFolderHaveTheirLine) {
     expect_parts(complaints(lot(name)), {"lot.toml:2: rules: '" + name + "' leads outside, to /",
                                          "a built-in rule set, or a file in the folder of the lot file or below it"});
   std::ofstream(folder / "own.toml") << "title = \"own\"\n";
-  auto const beside = read(lot("own.toml"), {.is_built_in_rules = built_in});
-  EXPECT_TRUE(beside.rules_are_file);
-  EXPECT_EQ(beside.acceptance.rules_file, (folder / "own.toml").string());
+  auto const own = read(lot("own.toml"), {.is_built_in_rules = built_in});
+  EXPECT_TRUE(own.rules_are_file);
+  EXPECT_EQ(own.acceptance.rules_file, (folder / "own.toml").string());
   auto const known = read(lot("known"), {.is_built_in_rules = built_in});
   EXPECT_FALSE(known.rules_are_file);
   EXPECT_EQ(known.acceptance.rules_file, "known");

@@ -16,14 +16,14 @@ namespace {
 class ProfileOfCampaign : public testing::Folder {
  protected:
   Lot lot(std::string laws, bool analysis) const {
-    Lot made;
-    made.settings.laws = parse_laws(laws);
-    made.settings.analysis = analysis;
-    made.settings.replicates = 40;
-    made.settings.complete();
-    made.devices = {testing::device_input("soft", {write("soft.csv", testing::record_text(1.0))}),
-                    testing::device_input("stiff", {write("stiff.csv", testing::record_text(1.3))})};
-    return made;
+    Lot lot_of_two;
+    lot_of_two.settings.laws = parse_laws(laws);
+    lot_of_two.settings.analysis = analysis;
+    lot_of_two.settings.replicates = 40;
+    lot_of_two.settings.complete();
+    lot_of_two.devices = {testing::device_input("soft", {write("soft.csv", testing::record_text(1.0))}),
+                          testing::device_input("stiff", {write("stiff.csv", testing::record_text(1.3))})};
+    return lot_of_two;
   }
   Contents run_with(Profile* profile, Lot const& of, int jobs) const {
     auto contents = prepare(of);
@@ -61,13 +61,14 @@ TEST_F(ProfileOfCampaign, EvaluationsOfAPhaseAreThoseThatItsResultsSay) {
   auto const contents = run_with(&profile, lot("bilinear,jankowski", true), 2);
   std::uint64_t runs = 0, determination = 0, intervals = 0, lots = 0, left_out = 0;
   for (auto const& run : contents.runs) runs += static_cast<std::uint64_t>(run.evaluations);
-  for (auto const& made : contents.device_analyses) {
-    determination += static_cast<std::uint64_t>(made.determination.evaluations);
-    intervals += static_cast<std::uint64_t>(made.intervals.evaluations);
+  for (auto const& of_device : contents.device_analyses) {
+    determination += static_cast<std::uint64_t>(of_device.determination.evaluations);
+    intervals += static_cast<std::uint64_t>(of_device.intervals.evaluations);
   }
-  for (auto const& made : contents.lot_analyses)
-    lots += static_cast<std::uint64_t>(made.mean.evaluations + made.worst.law.evaluations);
-  for (auto const& made : contents.left_out) left_out += static_cast<std::uint64_t>(made.left_out.evaluations);
+  for (auto const& of_lot : contents.lot_analyses)
+    lots += static_cast<std::uint64_t>(of_lot.mean.evaluations + of_lot.worst.law.evaluations);
+  for (auto const& of_others : contents.left_out)
+    left_out += static_cast<std::uint64_t>(of_others.left_out.evaluations);
   EXPECT_EQ(profile[Phase::search].evaluations, runs);
   EXPECT_EQ(profile[Phase::determination].evaluations, determination);
   EXPECT_EQ(profile[Phase::intervals].evaluations, intervals);

@@ -35,18 +35,18 @@ class CampaignTest : public testing::Folder {
  protected:
   // Two devices of different stiffness; the records have time.
   Lot lot(std::string_view laws = "bilinear,bouc-wen,jankowski") const {
-    Lot made;
-    made.settings.analysis = false;  // analyses have tests of their own
-    made.title = "test lot";
-    made.settings.laws = parse_laws(laws);
-    made.settings.method = Method::genetic;
-    made.settings.runs = 3;
-    made.settings.genetic.population = 10;
-    made.settings.genetic.generations = 5;
-    made.settings.seed = 42;
-    made.devices = {device_input("soft", {write("soft.csv", record_text(1.0))}),
-                    device_input("stiff", {write("stiff.csv", record_text(1.3))})};
-    return made;
+    Lot lot_of_two;
+    lot_of_two.settings.analysis = false;  // analyses have tests of their own
+    lot_of_two.title = "test lot";
+    lot_of_two.settings.laws = parse_laws(laws);
+    lot_of_two.settings.method = Method::genetic;
+    lot_of_two.settings.runs = 3;
+    lot_of_two.settings.genetic.population = 10;
+    lot_of_two.settings.genetic.generations = 5;
+    lot_of_two.settings.seed = 42;
+    lot_of_two.devices = {device_input("soft", {write("soft.csv", record_text(1.0))}),
+                          device_input("stiff", {write("stiff.csv", record_text(1.3))})};
+    return lot_of_two;
   }
   std::filesystem::path file(std::string_view name = "campaign.sqlite") const { return folder / name; }
 

@@ -113,10 +113,10 @@ TEST(EverySetting, ComesBackFromTheWordsOfTheCommandLine) {
     for (auto const& word : words)
       if (word != "--" + setting.option()) values.push_back(word);
     EXPECT_LT(values.size(), words.size());
-    Settings made;
-    apply({{std::string(setting.key), value_of(setting.kind, values)}}, made);
-    EXPECT_EQ(setting.get(made), another(setting));
-    EXPECT_EQ(made.method, setting.of.value_or(setting.key == "method" ? Method::genetic : Method::best));
+    Settings settings;
+    apply({{std::string(setting.key), value_of(setting.kind, values)}}, settings);
+    EXPECT_EQ(setting.get(settings), another(setting));
+    EXPECT_EQ(settings.method, setting.of.value_or(setting.key == "method" ? Method::genetic : Method::best));
   }
 }
 
@@ -125,8 +125,8 @@ TEST(EverySetting, RefusesWhatItMayNotBeByItsName) {
     for (auto const& value : not_allowed(setting)) {
       SCOPED_TRACE(fmt::format("{} {}", setting.key, value.dump()));
       auto const given = refusal_of([&] {
-        Settings made;
-        apply({{std::string(setting.key), value}}, made);
+        Settings settings;
+        apply({{std::string(setting.key), value}}, settings);
       });
       EXPECT_TRUE(given.starts_with(setting.where())) << given;
       EXPECT_TRUE(holds(given, shown(value)) || setting.key == "set") << given;
@@ -147,20 +147,20 @@ TEST(EverySetting, IsMissedWhereAStoreLacksIt) {
 }
 
 TEST(Settings, WhatOneMethodAloneHasChoosesItUnlessAnotherOneIsNamed) {
-  Settings made;
-  apply({{"population", 40}}, made);
-  EXPECT_EQ(made.method, Method::genetic);
-  EXPECT_EQ(made.genetic.population, 40);
+  Settings settings;
+  apply({{"population", 40}}, settings);
+  EXPECT_EQ(settings.method, Method::genetic);
+  EXPECT_EQ(settings.genetic.population, 40);
   EXPECT_EQ(
       refusal_of([&] {
-        apply({{"population", 40}, {"method", "best"}}, made);
+        apply({{"population", 40}, {"method", "best"}}, settings);
       }),
       "--population: belongs to method ga, but the method is best; allowed: with method ga, or without a method: it then chooses ga");
 }
 
 TEST(Settings, EverythingWrongIsSaidAtOnce) {
-  Settings made;
-  auto const said = refusal_of([&] { apply({{"runs", 0}, {"smooth", 4}}, made); });
+  Settings settings;
+  auto const said = refusal_of([&] { apply({{"runs", 0}, {"smooth", 4}}, settings); });
   EXPECT_EQ(said, "--runs: 0; allowed: 1 to 100000\n--smooth: 4; allowed: an odd number of samples, 1 for none");
 }
 
@@ -251,15 +251,15 @@ TEST(Words, Laws) {
 
 TEST(Words, ThinningIsANumberOrAll) {
   auto const& thinning = *find_setting("samples-per-cycle");
-  Settings made;
-  thinning.set(made, "all");
-  EXPECT_EQ(made.clean.samples_per_cycle, std::nullopt);
+  Settings settings;
+  thinning.set(settings, "all");
+  EXPECT_EQ(settings.clean.samples_per_cycle, std::nullopt);
   for (Json const& number : {Json(150), Json("150")}) {
-    thinning.set(made, number);
-    EXPECT_EQ(made.clean.samples_per_cycle, 150);
+    thinning.set(settings, number);
+    EXPECT_EQ(settings.clean.samples_per_cycle, 150);
   }
   for (auto const* text : {"", "many", "200.5", "200 ", "1e2", "99999999999", "19"})
-    EXPECT_TRUE(holds(refusal_of([&] { thinning.set(made, text); }), "20 or more, or all")) << text;
+    EXPECT_TRUE(holds(refusal_of([&] { thinning.set(settings, text); }), "20 or more, or all")) << text;
 }
 
 }  // namespace

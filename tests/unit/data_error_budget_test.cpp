@@ -39,12 +39,12 @@ Motion skewed(double late_s, double K = 0.5, double Q = 30.0, double alpha = 0.0
   for (std::size_t i = 1; i < fine.disp_mm.size(); ++i)
     fine.force_kN[i] += std::copysign(friction_kN, fine.disp_mm[i] - fine.disp_mm[i - 1]);
   auto const shift = std::lround(late_s / fine.dt_s);
-  Motion made;
+  Motion coarse;
   for (long i = 0; i <= 20000; i += 20) {
-    made.add(fine.disp_mm[static_cast<std::size_t>(i)]);
-    made.force_kN.push_back(fine.force_kN[static_cast<std::size_t>(std::max(0L, i - shift))]);
+    coarse.add(fine.disp_mm[static_cast<std::size_t>(i)]);
+    coarse.force_kN.push_back(fine.force_kN[static_cast<std::size_t>(std::max(0L, i - shift))]);
   }
-  return made;
+  return coarse;
 }
 
 TEST(ErrorBudget, ACleanRecordHasNotesAndNoWarnings) {
@@ -296,10 +296,10 @@ SkewCount called_late(unsigned first_seed, int count, double late_rad, Bounds co
     double const samples = late_rad / (2.0 * pi) * plan.samples;
     for (std::size_t i = 0; i < sharp.size(); ++i)
       motion.force_kN[i] = value_at(sharp, std::max(0.0, static_cast<double>(i) - samples));
-    auto const made = finish(random, plan, motion);
-    auto const properties = cyclic_properties(made.view());
+    auto const record = finish(random, plan, motion);
+    auto const properties = cyclic_properties(record.view());
     if (!properties.reported) continue;
-    auto const skew = estimate_skew(made.view(), properties);
+    auto const skew = estimate_skew(record.view(), properties);
     if (!skew) continue;
     ++found.estimated;
     if (skew->significant() && skew->force_late > 0.0) ++found.late;
@@ -347,11 +347,11 @@ TEST(ErrorBudget, CreepInHoldsIsNoFriction) {
       auto plan = draw(random, {.most_disp_noise = 0.001, .most_force_noise = 0.003, .most_samples = 400}, true);
       plan.device = Device::relaxing;
       plan.waveform = waveform;
-      auto const made = finish(random, plan, true_motion(plan));
-      auto const properties = cyclic_properties(made.view());
+      auto const record = finish(random, plan, true_motion(plan));
+      auto const properties = cyclic_properties(record.view());
       if (!properties.reported) continue;
       ++assessed;
-      EXPECT_EQ(find(error_budget(made.view(), properties), "damping by the jump"), nullptr) << made.text;
+      EXPECT_EQ(find(error_budget(record.view(), properties), "damping by the jump"), nullptr) << record.text;
     }
   EXPECT_GT(assessed, 80);
 }

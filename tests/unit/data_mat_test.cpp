@@ -14,7 +14,7 @@ enum class Form { v5, v7, v73, v73_packed };
 class Matlab : public Files, public ::testing::WithParamInterface<Form> {
  protected:
   template <class Fill>
-  std::string made(Fill&& fill) {
+  std::string mat_of(Fill&& fill) {
     auto const file = write("", "made.mat");
     {
       bool const packed = GetParam() == Form::v7 || GetParam() == Form::v73_packed;
@@ -46,7 +46,7 @@ void expect_values(TestRecord const& record) {
 }
 
 TEST_P(Matlab, VectorsByTheirNames) {
-  auto const record = read(made([](MatWriter& w) { w.all(named).array("Kx", {3.0}).text("note", "first test"); }));
+  auto const record = read(mat_of([](MatWriter& w) { w.all(named).array("Kx", {3.0}).text("note", "first test"); }));
   expect_values(record);
   EXPECT_EQ(record.layout.columns,
             (std::map<Channel, std::string>{
@@ -58,7 +58,7 @@ TEST_P(Matlab, VectorsByTheirNames) {
 // 2024-05-02 09:00:00 and half a second on: datenum is a spreadsheet's day and 693960 more.
 TEST_P(Matlab, DatenumIsReadAsSeconds) {
   double const start = 45414.0 + 693960.0 + 9.0 / 24.0;
-  auto const record = read(made([&](MatWriter& w) {
+  auto const record = read(mat_of([&](MatWriter& w) {
     w.array("datenum", {start, start + 0.5 / 86400.0, start + 1.0 / 86400.0, start + 1.5 / 86400.0})
         .array("disp_mm", four_disp)
         .array("force_kN", four_force);
@@ -66,15 +66,15 @@ TEST_P(Matlab, DatenumIsReadAsSeconds) {
   ASSERT_EQ(record.time_s.size(), 4u);
   EXPECT_NEAR(record.time_s[3], 1.5, 1e-4);
   EXPECT_TRUE(says(record.recognised, "2024-05-02 at 09:00:00")) << text_of(record.recognised.back());
-  auto const odd =
-      made([&](MatWriter& w) { w.array("datenum", time_s).array("disp_mm", four_disp).array("force_kN", four_force); });
+  auto const odd = mat_of(
+      [&](MatWriter& w) { w.array("datenum", time_s).array("disp_mm", four_disp).array("force_kN", four_force); });
   EXPECT_NE(refusal(odd).find("0 is no day of a test; allowed: days of MATLAB's datenum, 1954 to 2119"),
             std::string::npos)
       << refusal(odd);
 }
 
 TEST_P(Matlab, CharactersThatAreTimeStampsAreRead) {
-  auto const record = read(made([](MatWriter& w) {
+  auto const record = read(mat_of([](MatWriter& w) {
     w.texts("t", {"2024-05-02T10:00:00.0", "2024-05-02T10:00:00.1", "2024-05-02T10:00:00.2", "2024-05-02T10:00:00.4"})
         .array("disp_mm", four_disp)
         .array("force_kN", four_force);
@@ -85,7 +85,7 @@ TEST_P(Matlab, CharactersThatAreTimeStampsAreRead) {
 }
 
 TEST_P(Matlab, TimesThatAreNoNumbersAreAskedFor) {
-  auto const file = made([](MatWriter& w) {
+  auto const file = mat_of([](MatWriter& w) {
     w.texts("t", {"first ", "second", "third ", "fourth"}).array("disp_mm", four_disp).array("force_kN", four_force);
   });
   auto const said = refusal(file);
@@ -102,7 +102,7 @@ TEST_P(Matlab, TimesThatAreNoNumbersAreAskedFor) {
 }
 
 TEST_P(Matlab, VariablesAskedFor) {
-  auto const text = made([](MatWriter& w) {
+  auto const text = mat_of([](MatWriter& w) {
     w.array("Tout", time_s)
         .array("dist", four_disp)
         .array("forc", four_force)
@@ -132,12 +132,12 @@ TEST_P(Matlab, ColumnsOfAMatrixAndLongRows) {
   for (std::size_t i = 0; i < time_s.size(); ++i) wide.insert(wide.end(), {time_s[i], four_disp[i], four_force[i]});
   auto options = units;
   options.columns = parse_columns("time=m:1,disp=m:2,force=m:3");
-  expect_values(read(made([](MatWriter& w) { w.array("m", matrix(), 3); }), options));
-  expect_values(read(made([&](MatWriter& w) { w.array("m", wide, 4); }), options));  // 3 rows, 4 columns
+  expect_values(read(mat_of([](MatWriter& w) { w.array("m", matrix(), 3); }), options));
+  expect_values(read(mat_of([&](MatWriter& w) { w.array("m", wide, 4); }), options));  // 3 rows, 4 columns
 }
 
 TEST_P(Matlab, StructsOneLevelDeep) {
-  auto const text = made([](MatWriter& w) { w.structure("test", {named}).array("Kx", {3.0}); });
+  auto const text = mat_of([](MatWriter& w) { w.structure("test", {named}).array("Kx", {3.0}); });
   auto const record = read(text);
   expect_values(record);
   EXPECT_EQ(record.layout.columns.at(Channel::disp), "test.disp_mm");
@@ -153,7 +153,7 @@ TEST_P(Matlab, StructsOneLevelDeep) {
 TEST_P(Matlab, SeveralStructsAreSeveralTests) {
   auto shorter = named;
   for (auto& [name, values] : shorter) values.pop_back();
-  auto const text = made([&](MatWriter& w) { w.structure("first", {named}).structure("second", {shorter}); });
+  auto const text = mat_of([&](MatWriter& w) { w.structure("first", {named}).structure("second", {shorter}); });
   EXPECT_EQ(
       refusal(text),
       "FILE: tables 'first', 'second' may each be the test; allowed: one of them; try: --sheet first, or isolaw init, which makes a device of each");
@@ -169,7 +169,7 @@ TEST_P(Matlab, SeveralStructsAreSeveralTests) {
 }
 
 TEST_P(Matlab, OtherTypesOfNumbers) {
-  auto const record = read(made([](MatWriter& w) {
+  auto const record = read(mat_of([](MatWriter& w) {
     w.integers("disp_mm", {0, 300, -300, 7}).array("force_kN", {1.0, 2.0, 3.0, 200.0});
   }));
   EXPECT_EQ(record.disp_mm, (std::vector{0.0, 300.0, -300.0, 7.0}));
@@ -180,40 +180,40 @@ TEST_P(Matlab, FaultsAreAtTheirVariableAndElement) {
   auto bad = named;
   bad[1].second[2] = std::nan("");
   EXPECT_EQ(
-      refusal(made([&](MatWriter& w) { w.all(bad); })),
+      refusal(mat_of([&](MatWriter& w) { w.all(bad); })),
       "FILE:disp_mm:3: 'nan' in variable 'disp_mm' is not a finite number; allowed: a finite number; try: export the record again, or test again");
   bad = named;
   bad[0].second[3] = 0.1;
   EXPECT_EQ(
-      refusal(made([&](MatWriter& w) { w.structure("s", {bad}); })),
+      refusal(mat_of([&](MatWriter& w) { w.structure("s", {bad}); })),
       "FILE:s.time_s:4: time goes back from 0.2 to 0.1 s; allowed: time that increases from row to row; try: --rows A:B for one test of several, or leave time out with --columns time=none and give --dt");
   bad = named;
   bad[2].second.pop_back();
   EXPECT_EQ(
-      refusal(made([&](MatWriter& w) { w.all(bad); })),
+      refusal(mat_of([&](MatWriter& w) { w.all(bad); })),
       "FILE: the channels differ in length: variable 'time_s' has 4 values, variable 'disp_mm' has 4 values, variable 'force_kN' has 3 values; allowed: columns of equal length; try: --columns time=...,disp=...,force=... with columns that belong together");
 }
 
 TEST_P(Matlab, AUnitIsNeverAssumed) {
-  EXPECT_EQ(refusal(made([](MatWriter& w) { w.array("disp", four_disp).array("force_kN", four_force); })),
+  EXPECT_EQ(refusal(mat_of([](MatWriter& w) { w.array("disp", four_disp).array("force_kN", four_force); })),
             "FILE: variable 'disp' (disp) has no unit; allowed: mm, cm, m, in; try: --units disp=mm");
 }
 
 TEST_P(Matlab, AChannelThatIsNotThere) {
   EXPECT_EQ(
-      refusal(made([](MatWriter& w) { w.array("disp_mm", four_disp); })),
+      refusal(mat_of([](MatWriter& w) { w.array("disp_mm", four_disp); })),
       "FILE: no variable is recognised as the horizontal force; allowed: variables disp_mm (4 x 1 double); try: --columns force=NAME");
 }
 
 TEST_P(Matlab, NoArrays) {
   EXPECT_EQ(
-      refusal(made([](MatWriter& w) { w.array("Kx", {3.0}).text("note", "first test"); })),
+      refusal(mat_of([](MatWriter& w) { w.array("Kx", {3.0}).text("note", "first test"); })),
       "FILE: no arrays of numbers; variables Kx (1 x 1 double, no channel), note (1 x 10 char); allowed: real vectors or matrices of 3 rows or more, at the top or in structs one level deep; try: save time, displacement and force as vectors, or export them as CSV");
 }
 
 // Cut anywhere, a file is read as far as it goes or refused; every byte that differs is survived.
 TEST_P(Matlab, DamagedFilesEndInAMessage) {
-  auto const sound = made([](MatWriter& w) { w.all(named).structure("test", {named}); });
+  auto const sound = mat_of([](MatWriter& w) { w.all(named).structure("test", {named}); });
   auto const step =
       std::max<std::size_t>(1, sound.size() / (GetParam() == Form::v5 || GetParam() == Form::v7 ? 500 : 40));
   for (std::size_t i = 0; i < sound.size(); i += step) {
@@ -359,7 +359,7 @@ class Mat73 : public Files {
  protected:
   // A file of the HDF5 library with MATLAB's block before it.
   template <class Fill>
-  std::string made(Fill&& fill) {
+  std::string mat_of(Fill&& fill) {
     auto const file = write("", "made.h5");
     auto const creation = H5Pcreate(H5P_FILE_CREATE);
     H5Pset_userblock(creation, 512);
@@ -384,9 +384,9 @@ class Mat73 : public Files {
 
 TEST_F(Mat73, LinksAndDataElsewhereLeadNowhere) {
   auto const secret = write(std::string(4 * 8, 'x'), "secret.bin");
-  auto const outside = made([&](hid_t file) { add(file, "force_kN", four_force); });
+  auto const outside = mat_of([&](hid_t file) { add(file, "force_kN", four_force); });
   auto const target = write(outside, "target.h5");
-  auto const text = made([&](hid_t file) {
+  auto const text = mat_of([&](hid_t file) {
     add(file, "force_kN", four_force);
     H5Lcreate_external(target.c_str(), "/force_kN", file, "disp_mm", H5P_DEFAULT, H5P_DEFAULT);
     H5Lcreate_soft("/force_kN", file, "disp_cm", H5P_DEFAULT, H5P_DEFAULT);
@@ -396,7 +396,7 @@ TEST_F(Mat73, LinksAndDataElsewhereLeadNowhere) {
           "no variable is recognised as the horizontal displacement; allowed: variables force_kN (4 x 1 double); try"),
       std::string::npos)
       << refusal(text);
-  auto const kept_elsewhere = made([&](hid_t file) {
+  auto const kept_elsewhere = mat_of([&](hid_t file) {
     add(file, "force_kN", four_force);
     auto const creation = H5Pcreate(H5P_DATASET_CREATE);
     H5Pset_external(creation, secret.c_str(), 0, 4 * 8);
@@ -412,7 +412,7 @@ TEST_F(Mat73, LinksAndDataElsewhereLeadNowhere) {
 
 // A set of a thousand million values that were never written takes no space in the file.
 TEST_F(Mat73, ValuesThatAreNotThere) {
-  auto const text = made([&](hid_t file) {
+  auto const text = mat_of([&](hid_t file) {
     add(file, "force_kN", four_force);
     hsize_t const sizes[2] = {1, 1'000'000'000};
     auto const space = H5Screate_simple(2, sizes, nullptr);
@@ -425,7 +425,7 @@ TEST_F(Mat73, ValuesThatAreNotThere) {
 
 // A datetime is six numbers that say where it is kept.
 TEST_F(Mat73, ADatetimeIsAskedFor) {
-  auto const text = made([&](hid_t file) {
+  auto const text = mat_of([&](hid_t file) {
     add(file, "disp_mm", four_disp);
     add(file, "force_kN", four_force);
     add(file, "t", {3707764736.0, 2.0, 1.0, 1.0, 1.0, 1.0});
@@ -450,7 +450,7 @@ TEST_F(Mat73, ADatetimeIsAskedFor) {
 }
 
 TEST_F(Mat73, UnitsInAttributes) {
-  auto const text = made([&](hid_t file) {
+  auto const text = mat_of([&](hid_t file) {
     add(file, "force_kN", four_force);
     add(file, "disp", four_disp);
     auto const type = H5Tcopy(H5T_C_S1);

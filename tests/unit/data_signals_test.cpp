@@ -20,8 +20,8 @@ namespace {
 
 constexpr unsigned records = 600;
 
-std::vector<SignalFault> faults_of(Made const& made) {
-  return signal_faults(made.disp_mm, made.force_kN_, made.time_s);
+std::vector<SignalFault> faults_of(Recording const& record) {
+  return signal_faults(record.disp_mm, record.force_kN_, record.time_s);
 }
 
 bool names(std::vector<SignalFault> const& faults, std::string_view channel, FaultKind kind) {
@@ -51,11 +51,11 @@ void clip(std::vector<double>& x, double level, int sides) {
   }
 }
 
-bool near_a_turn(Plan const& plan, Made const& made, std::size_t where, std::size_t reach) {
-  auto turns = reversals(made.disp_mm).at;
+bool near_a_turn(Plan const& plan, Recording const& record, std::size_t where, std::size_t reach) {
+  auto turns = reversals(record.disp_mm).at;
   auto const rest = static_cast<std::size_t>(plan.samples / 4);
   for (int k = 0; k <= plan.cycles; ++k) turns.push_back(rest + static_cast<std::size_t>(k * plan.samples));
-  turns.push_back(made.disp_mm.size() - rest);
+  turns.push_back(record.disp_mm.size() - rest);
   return std::ranges::any_of(turns, [&](auto turn) { return std::max(turn, where) - std::min(turn, where) < reach; });
 }
 
@@ -78,18 +78,18 @@ Rate rate_of(unsigned first_seed, bool holds, std::function<Found(Plan&, Drawn&)
 }
 
 // Whether the fault of this depth is found; what is not is printed.
-Found found_at(double depth, auto const& made, std::string const& channel) {
-  auto const faults = faults_of(made);
+Found found_at(double depth, auto const& record, std::string const& channel) {
+  auto const faults = faults_of(record);
   if (stands(faults, channel)) return Found::yes;
-  std::cout << "not found: depth " << depth << ", " << made.text << text_of(faults) << "\n";
+  std::cout << "not found: depth " << depth << ", " << record.text << text_of(faults) << "\n";
   return Found::no;
 }
 
 TEST(Signals, a_true_record_is_left_alone) {
   auto const rate = rate_of(0, true, [](Plan& plan, Drawn& random) {
-    auto const made = finish(random, plan, true_motion(plan));
-    auto const faults = faults_of(made);
-    EXPECT_TRUE(faults.empty()) << made.text << text_of(faults);
+    auto const record = finish(random, plan, true_motion(plan));
+    auto const faults = faults_of(record);
+    EXPECT_TRUE(faults.empty()) << record.text << text_of(faults);
     return faults.empty() ? Found::yes : Found::no;
   });
   EXPECT_EQ(rate.drawn, static_cast<int>(records));
@@ -107,9 +107,9 @@ TEST(Signals, clipped_displacement_is_found_from_one_percent_of_the_amplitude) {
         plan.disp_noise = std::min(plan.disp_noise, 0.01 * depth);
         clip(motion.disp_mm, (1.0 - depth) * plan.amplitude_mm, sides);
       }
-      auto made = finish(random, plan, motion);
-      if (noise_first) clip(made.disp_mm, (1.0 - depth) * plan.amplitude_mm, sides);
-      return found_at(depth, made, "displacement");
+      auto record = finish(random, plan, motion);
+      if (noise_first) clip(record.disp_mm, (1.0 - depth) * plan.amplitude_mm, sides);
+      return found_at(depth, record, "displacement");
     });
     EXPECT_GT(rate.drawn, 200);
     // In noise that comes after, a clipped triangle may be a trapezoid.
@@ -122,9 +122,9 @@ TEST(Signals, trapezoids_with_short_holds_are_left_alone) {
     plan.waveform = Waveform::trapezoid;
     double const hold = random.between(0.02, 0.12);  // of a cycle, at each peak
     plan.overdriven = 1.0 / (1.0 - 2.0 * hold);
-    auto const made = finish(random, plan, true_motion(plan));
-    auto const faults = faults_of(made);
-    if (!faults.empty()) std::cout << "hold " << hold << ", " << made.text << text_of(faults) << "\n";
+    auto const record = finish(random, plan, true_motion(plan));
+    auto const faults = faults_of(record);
+    if (!faults.empty()) std::cout << "hold " << hold << ", " << record.text << text_of(faults) << "\n";
     return faults.empty() ? Found::yes : Found::no;
   });
   EXPECT_GT(rate.drawn, 300);
@@ -137,10 +137,10 @@ TEST(Signals, clipped_force_is_found_from_three_percent) {
     int const sides = random.whole(0, 2);
     if (samples_beyond(plan, depth) < 8.0 || plan.device == Device::viscous || plan.device == Device::friction)
       return Found::left_out;
-    auto made = finish(random, plan, true_motion(plan));
-    auto const [least, largest] = std::ranges::minmax(made.force_kN_);
-    clip(made.force_kN_, (1.0 - depth) * std::min(largest, -least), sides);
-    return found_at(depth, made, "force");
+    auto record = finish(random, plan, true_motion(plan));
+    auto const [least, largest] = std::ranges::minmax(record.force_kN_);
+    clip(record.force_kN_, (1.0 - depth) * std::min(largest, -least), sides);
+    return found_at(depth, record, "force");
   });
   EXPECT_GT(rate.drawn, 200);
   EXPECT_LE(200 * rate.missed, rate.drawn);
@@ -200,9 +200,9 @@ TEST(Signals, a_device_that_yields_flat_is_left_alone) {
       z = rigid && step != 0.0 ? std::copysign(1.0, step) : std::clamp(z + step / way, -1.0, 1.0);
       motion.force_kN[i] = 100.0 * (z + hardening * before / plan.amplitude_mm);
     }
-    auto const made = finish(random, plan, motion);
-    auto const faults = faults_of(made);
-    EXPECT_TRUE(faults.empty()) << "yields at " << way << ", hardens by " << hardening << ", " << made.text
+    auto const record = finish(random, plan, motion);
+    auto const faults = faults_of(record);
+    EXPECT_TRUE(faults.empty()) << "yields at " << way << ", hardens by " << hardening << ", " << record.text
                                 << text_of(faults);
     return faults.empty() ? Found::yes : Found::no;
   });
@@ -213,21 +213,21 @@ TEST(Signals, a_device_that_yields_flat_is_left_alone) {
 TEST(Signals, spikes_are_found_from_five_percent_of_the_peak) {
   for (bool const of_force : {true, false}) {
     auto const rate = rate_of(30000, false, [&](Plan& plan, Drawn& random) {
-      auto made = finish(random, plan, true_motion(plan));
-      auto& x = of_force ? made.force_kN_ : made.disp_mm;
+      auto record = finish(random, plan, true_motion(plan));
+      auto& x = of_force ? record.force_kN_ : record.disp_mm;
       double const size = random.on_logs(0.05, 2.0) * (random.chance(0.5) ? 1.0 : -1.0);
       auto const where = static_cast<std::size_t>(random.whole(3, static_cast<int>(x.size()) - 4));
       if (std::abs(size) < 20.0 * (of_force ? plan.force_noise : plan.disp_noise)) return Found::left_out;
       // A jump or a corner of the signal itself beside it.
-      if (near_a_turn(plan, made, where, of_force ? 8 : 4)) return Found::left_out;
-      x[where] += size * (of_force ? made.force_kN : made.amplitude_mm);
-      auto const faults = faults_of(made);
+      if (near_a_turn(plan, record, where, of_force ? 8 : 4)) return Found::left_out;
+      x[where] += size * (of_force ? record.force_kN : record.amplitude_mm);
+      auto const faults = faults_of(record);
       bool const found = faults.size() == 1 && faults.front().kind == FaultKind::spike &&
                          faults.front().channel == (of_force ? "force" : "displacement") &&
                          faults.front().samples == std::vector{where};
       if (!found)
         std::cout << "not found: "
-                  << "size " << size << " at " << where << ", " << made.text << text_of(faults) << "\n";
+                  << "size " << size << " at " << where << ", " << record.text << text_of(faults) << "\n";
       return found ? Found::yes : Found::no;
     });
     EXPECT_GT(rate.drawn, 200);
@@ -238,26 +238,26 @@ TEST(Signals, spikes_are_found_from_five_percent_of_the_peak) {
 TEST(Signals, a_stuck_channel_is_found) {
   for (bool const of_force : {true, false}) {
     auto const rate = rate_of(40000, false, [&](Plan& plan, Drawn& random) {
-      auto made = finish(random, plan, true_motion(plan));
-      auto& x = of_force ? made.force_kN_ : made.disp_mm;
+      auto record = finish(random, plan, true_motion(plan));
+      auto& x = of_force ? record.force_kN_ : record.disp_mm;
       int const length = std::max(8, static_cast<int>(plan.samples * random.on_logs(0.05, 0.5)));
       auto const rest = plan.samples / 4;
       auto const from =
           static_cast<std::size_t>(random.whole(rest + 5, rest + plan.samples * plan.cycles - length - 5));
       auto const to = from + static_cast<std::size_t>(length);
       double const level = x[from];
-      double const amplitude = of_force ? made.force_kN : made.amplitude_mm;
+      double const amplitude = of_force ? record.force_kN : record.amplitude_mm;
       // Where it goes on it is elsewhere, in the middle of a motion; a force without noise may also be one that yields.
       bool const jumps = std::abs(x[to] - level) > (of_force ? 0.3 : 0.15) * amplitude;
-      bool const moves = std::abs(made.disp_mm[to] - made.disp_mm[from]) > 0.15 * made.amplitude_mm;
+      bool const moves = std::abs(record.disp_mm[to] - record.disp_mm[from]) > 0.15 * record.amplitude_mm;
       if (!jumps || !moves || plan.device == Device::viscous || plan.device == Device::friction ||
-          near_a_turn(plan, made, to, 8))
+          near_a_turn(plan, record, to, 8))
         return Found::left_out;
       for (auto i = from; i < to; ++i) x[i] = level;
-      auto const faults = faults_of(made);
+      auto const faults = faults_of(record);
       bool const found = stands(faults, of_force ? "force" : "displacement");
       if (!found)
-        std::cout << "not found: " << length << " from " << from << ", " << made.text << text_of(faults) << "\n";
+        std::cout << "not found: " << length << " from " << from << ", " << record.text << text_of(faults) << "\n";
       return found ? Found::yes : Found::no;
     });
     EXPECT_GT(rate.drawn, 120);
@@ -296,9 +296,9 @@ TEST(Signals, a_channel_that_drops_out_is_found) {
   for (bool const of_force : {true, false})
     for (bool const to_nought : {true, false}) {
       auto const rate = rate_of(130000, false, [&](Plan& plan, Drawn& random) {
-        auto made = finish(random, plan, true_motion(plan));
-        auto& x = of_force ? made.force_kN_ : made.disp_mm;
-        double const amplitude = of_force ? made.force_kN : made.amplitude_mm;
+        auto record = finish(random, plan, true_motion(plan));
+        auto& x = of_force ? record.force_kN_ : record.disp_mm;
+        double const amplitude = of_force ? record.force_kN : record.amplitude_mm;
         int const length = random.whole(3, std::min(20, plan.samples / 8));
         auto const rest = plan.samples / 4;
         auto const from =
@@ -311,16 +311,16 @@ TEST(Signals, a_channel_that_drops_out_is_found) {
         if (!one_way || off < 0.3 * amplitude ||
             off < 20.0 * amplitude * (of_force ? plan.force_noise : plan.disp_noise))
           return Found::left_out;
-        if (near_a_turn(plan, made, from, 8 + static_cast<std::size_t>(length)) ||
-            near_a_turn(plan, made, to, 8 + static_cast<std::size_t>(length)))
+        if (near_a_turn(plan, record, from, 8 + static_cast<std::size_t>(length)) ||
+            near_a_turn(plan, record, to, 8 + static_cast<std::size_t>(length)))
           return Found::left_out;
         for (auto i = from; i < to; ++i) x[i] = level;
-        auto const faults = faults_of(made);
+        auto const faults = faults_of(record);
         bool const found = faults.size() == 1 && faults.front().kind == FaultKind::dropout &&
                            faults.front().channel == (of_force ? "force" : "displacement") &&
                            faults.front().samples == std::vector{from};
         if (!found)
-          std::cout << "not found: " << length << " from " << from << ", " << made.text << text_of(faults) << "\n";
+          std::cout << "not found: " << length << " from " << from << ", " << record.text << text_of(faults) << "\n";
         return found ? Found::yes : Found::no;
       });
       EXPECT_GT(rate.drawn, 100);
@@ -335,9 +335,9 @@ TEST(Signals, a_true_record_does_not_drop_out) {
     auto plan = draw(random, {.most_disp_noise = seed % 2 == 0 ? 0.0 : 0.002, .fewest_samples = 20}, true);
     if (seed % 4 == 0) plan.device = Device::friction;
     if (seed % 8 == 0) plan.disp_noise = plan.force_noise = 0.0;
-    auto const made = finish(random, plan, true_motion(plan));
-    EXPECT_TRUE(dropouts(made.disp_mm, made.force_kN_, Other::may_stand).empty()) << made.text;
-    EXPECT_TRUE(dropouts(made.force_kN_, made.disp_mm, Other::moves).empty()) << made.text;
+    auto const record = finish(random, plan, true_motion(plan));
+    EXPECT_TRUE(dropouts(record.disp_mm, record.force_kN_, Other::may_stand).empty()) << record.text;
+    EXPECT_TRUE(dropouts(record.force_kN_, record.disp_mm, Other::moves).empty()) << record.text;
   }
 }
 
@@ -361,11 +361,11 @@ TEST(Signals, a_dropout_is_said_with_its_samples) {
 TEST(Signals, a_channel_without_its_sign_is_found) {
   for (bool const of_force : {true, false}) {
     auto const rate = rate_of(50000, false, [&](Plan& plan, Drawn& random) {
-      auto made = finish(random, plan, true_motion(plan));
-      for (double& value : of_force ? made.force_kN_ : made.disp_mm) value = std::abs(value);
-      auto const faults = faults_of(made);
+      auto record = finish(random, plan, true_motion(plan));
+      for (double& value : of_force ? record.force_kN_ : record.disp_mm) value = std::abs(value);
+      auto const faults = faults_of(record);
       bool const found = names(faults, of_force ? "force" : "displacement", FaultKind::rectified);
-      if (!found) std::cout << "not found: " << made.text << text_of(faults) << "\n";
+      if (!found) std::cout << "not found: " << record.text << text_of(faults) << "\n";
       return found ? Found::yes : Found::no;
     });
     EXPECT_LE(200 * rate.missed, rate.drawn);
@@ -476,11 +476,11 @@ TEST(Signals, a_time_gap_over_a_peak_leaves_the_cycles_their_numbers) {
       x.erase(x.begin() + static_cast<std::ptrdiff_t>(first), x.begin() + static_cast<std::ptrdiff_t>(first) + 55);
     };
     cut(motion.time_s), cut(motion.disp_mm), cut(motion.force_kN);
-    auto const made = motion.cut();
-    ASSERT_EQ(made.cycles.size(), 5u) << first;
-    auto const& with_gap = made.cycles[first / 200];
+    auto const segmentation = motion.cut();
+    ASSERT_EQ(segmentation.cycles.size(), 5u) << first;
+    auto const& with_gap = segmentation.cycles[first / 200];
     EXPECT_NE(with_gap.not_counted.find("the time jumps within it"), std::string::npos) << with_gap.not_counted;
-    EXPECT_EQ(counted_per_block(made), std::vector<int>{4}) << first;
+    EXPECT_EQ(counted_per_block(segmentation), std::vector<int>{4}) << first;
   }
 }
 

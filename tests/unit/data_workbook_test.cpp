@@ -41,8 +41,8 @@ TEST_F(Workbook, IsReadAsExcelWritesIt) {
 
 TEST_F(Workbook, FormulasSharedTextsTitlesAndUnitRows) {
   auto const file = place();
-  auto* made = workbook_new(file.c_str());
-  auto* sheet = workbook_add_worksheet(made, nullptr);
+  auto* workbook = workbook_new(file.c_str());
+  auto* sheet = workbook_add_worksheet(workbook, nullptr);
   worksheet_write_string(sheet, 0, 0, "Shear test of bearing 7", nullptr);
   worksheet_write_string(sheet, 1, 0, "Operator", nullptr);
   worksheet_write_string(sheet, 1, 1, "N.N.", nullptr);
@@ -59,7 +59,7 @@ TEST_F(Workbook, FormulasSharedTextsTitlesAndUnitRows) {
   }
   worksheet_write_string(sheet, 7, 4, "noise", nullptr);
   worksheet_write_string(sheet, 6, 9, "far to the right", nullptr);
-  workbook_close(made);
+  workbook_close(workbook);
   auto const record = read(bytes_of(file));
   EXPECT_EQ(record.disp_mm, (std::vector{0.0, 5.0, 10.0, 15.0}));
   EXPECT_EQ(record.force_kN, (std::vector{0.0, 1.0, 0.0, 1.0}));

@@ -677,10 +677,10 @@ void expect_usable(data::FitRecord const& record, std::string const& what) {
 
 TEST(Scales, OfDegenerateRecordsAreStillUsable) {
   auto const record = [](std::vector<double> x, std::vector<double> f) {
-    data::FitRecord made{
+    data::FitRecord fit_record{
         .time_s = {}, .disp_mm = std::move(x), .vel_mm_s = {}, .force_kN = std::move(f), .cleaning = {}};
-    for (std::size_t i = 0; i < made.disp_mm.size(); ++i) made.time_s.push_back(static_cast<double>(i));
-    return made;
+    for (std::size_t i = 0; i < fit_record.disp_mm.size(); ++i) fit_record.time_s.push_back(static_cast<double>(i));
+    return fit_record;
   };
   expect_usable(record({50, 100, 150, 100, 50}, {10, 60, 90, 20, 5}), "no crossing of zero");
   expect_usable(record({-50, -100, -150, -100}, {-10, -60, -90, -20}), "never positive");

@@ -34,13 +34,13 @@ TEST(FitSprings, find_the_knee_that_they_lose) {
             : std::vector{9e5, 8e5, 3e4, 2.5e4, 60.0, 50.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
     record.force_kN = LawOnMotion(law, record, laws::Integration::converged).force_kN(parameters);
     auto const box = make_box(law, BoxKind::scaled, scales_of(record, law.info), {});
-    auto const made = fitted_as_springs(law, record, box, parameters);
-    EXPECT_LT(made.law, 1e-12) << id;
-    EXPECT_GT(made.given, 0.004) << id;
+    auto const springs = fitted_as_springs(law, record, box, parameters);
+    EXPECT_LT(springs.law, 1e-12) << id;
+    EXPECT_GT(springs.given, 0.004) << id;
     // The three parameters of bilinear hold nothing that could undo the rounding of the knee.
-    EXPECT_LE(made.fitted, (law.info.id == "bilinear" ? 1.0 : 0.6) * made.given) << id;
+    EXPECT_LE(springs.fitted, (law.info.id == "bilinear" ? 1.0 : 0.6) * springs.given) << id;
     // The stated objective must be that of the springs when they run online along the first of them.
-    auto online = LawInPlane{&law, made.parameters}.form(laws::Bidirectional::springs, {});
+    auto online = LawInPlane{&law, springs.parameters}.form(laws::Bidirectional::springs, {});
     PlaneMotion motion{.time_s = record.time_s, .disp_mm = {}, .vel_mm_s = {}};
     for (std::size_t i = 0; i < record.size(); ++i) {
       motion.disp_mm.push_back({record.disp_mm[i], 0.0});
@@ -54,7 +54,7 @@ TEST(FitSprings, find_the_knee_that_they_lose) {
         EXPECT_NEAR(f.y, 0.0, 1e-9);
       }
     }
-    EXPECT_NEAR(objective_on(record, along, {}), made.fitted, 1e-6) << id;
+    EXPECT_NEAR(objective_on(record, along, {}), springs.fitted, 1e-6) << id;
   }
 }
 

@@ -254,9 +254,10 @@ TEST(Population, RefusesWhatIsNoEstimateAllAtOnce) {
 }
 
 Population correlated() {
-  Population made = estimate_population(two, with({{1.0, -1.0}, {1.3, -1.4}, {0.8, 0.5}, {1.1, 0.4}, {0.7, -0.8}}));
-  EXPECT_EQ(made.transforms, (std::vector{Transform::logarithm, Transform::identity}));
-  return made;
+  Population population =
+      estimate_population(two, with({{1.0, -1.0}, {1.3, -1.4}, {0.8, 0.5}, {1.1, 0.4}, {0.7, -0.8}}));
+  EXPECT_EQ(population.transforms, (std::vector{Transform::logarithm, Transform::identity}));
+  return population;
 }
 
 TEST(PopulationSample, HasTheMomentsOfThePopulation) {

@@ -152,12 +152,12 @@ TEST(Replays, find_a_wrong_normalisation) {
 // hardening has no such substitute and is fitted again.
 TEST(Replays, refuse_the_material_that_turns_into_no_number) {
   auto const fast = subject_of("vaiana", vaiana_parameters(0.0, 0.0, 150.0));  // alpha times travel: 45
-  auto const made = realise(fast);
-  ASSERT_FALSE(made.refused.empty());
-  EXPECT_NE(made.refused[0].find("HystereticAsym"), std::string::npos);
-  EXPECT_NE(made.refused[0].find("NaN"), std::string::npos);
-  EXPECT_EQ(made.fidelity, Fidelity::exact_in_limit);
-  EXPECT_EQ(made.forms[0].nominal.id, "material_bouc_wen");
+  auto const realisation = realise(fast);
+  ASSERT_FALSE(realisation.refused.empty());
+  EXPECT_NE(realisation.refused[0].find("HystereticAsym"), std::string::npos);
+  EXPECT_NE(realisation.refused[0].find("NaN"), std::string::npos);
+  EXPECT_EQ(realisation.fidelity, Fidelity::exact_in_limit);
+  EXPECT_EQ(realisation.forms[0].nominal.id, "material_bouc_wen");
 
   // The material stands the travel of the test, but not half as much again.
   auto const beyond = realise(subject_of("vaiana", vaiana_parameters(0.0, 0.0, 90.0)));
@@ -173,15 +173,15 @@ TEST(Refits, say_their_error_and_are_the_same_again) {
   auto parameters = vaiana_parameters();
   parameters[1] *= 1.05;  // unloading now differs from loading
   auto const subject = subject_of("vaiana", parameters);
-  auto const made = realise(subject), again = realise(subject);
-  ASSERT_EQ(made.fidelity, Fidelity::refitted);
-  EXPECT_EQ(made.substitute_parameters, again.substitute_parameters);
-  EXPECT_EQ(made.substitute, "bouc-wen");
-  auto const& error = made.forms[0].from_law;
+  auto const realisation = realise(subject), again = realise(subject);
+  ASSERT_EQ(realisation.fidelity, Fidelity::refitted);
+  EXPECT_EQ(realisation.substitute_parameters, again.substitute_parameters);
+  EXPECT_EQ(realisation.substitute, "bouc-wen");
+  auto const& error = realisation.forms[0].from_law;
   EXPECT_GT(error.rms, 0.1);
   EXPECT_LT(error.rms, 5.0);
   // The stated error must be that of the written text.
-  auto const script = opensees_script(subject, made, unit_systems[2]);
+  auto const script = opensees_script(subject, realisation, unit_systems[2]);
   auto const force = of_script(script, "material", "nominal", unit_systems[2], subject.histories[0]);
   EXPECT_NEAR(100.0 * largest_difference(force, subject.histories[0].law_kN) / peak_of(subject.histories[0].law_kN),
               error.largest, 1e-6);

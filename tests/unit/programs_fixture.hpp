@@ -19,40 +19,40 @@ using namespace isolaw::programs;
 
 // One cycle at each amplitude [mm] with `samples` steps, from rest at zero.
 inline History cycles(std::vector<double> const& amplitudes_mm, int samples, double frequency_Hz = 0.5) {
-  History made;
-  made.device = "D";
+  History history;
+  history.device = "D";
   double const omega = 2.0 * std::numbers::pi * frequency_Hz;
   for (std::size_t c = 0; c < amplitudes_mm.size(); ++c)
     for (int i = c == 0 ? 0 : 1; i <= samples; ++i) {
       double const phase = 2.0 * std::numbers::pi * i / samples;
-      made.time_s.push_back((static_cast<double>(c) + static_cast<double>(i) / samples) / frequency_Hz);
-      made.disp_mm.push_back(i == samples ? 0.0 : amplitudes_mm[c] * std::sin(phase));
-      made.vel_mm_s.push_back(amplitudes_mm[c] * omega * std::cos(phase));
+      history.time_s.push_back((static_cast<double>(c) + static_cast<double>(i) / samples) / frequency_Hz);
+      history.disp_mm.push_back(i == samples ? 0.0 : amplitudes_mm[c] * std::sin(phase));
+      history.vel_mm_s.push_back(amplitudes_mm[c] * omega * std::cos(phase));
     }
-  return made;
+  return history;
 }
 
 inline Subject subject_of(std::string_view law, std::vector<double> parameters, int samples = 200,
                           double amplitude_mm = 150.0) {
-  Subject made;
-  made.version = "test";
-  made.title = "a lot";
-  made.law = &laws::find_law(law);
-  made.device = "D";
-  made.parameters = std::move(parameters);
-  made.histories.push_back(cycles({0.3 * amplitude_mm, amplitude_mm, amplitude_mm}, samples));
-  made.protocol = cycles({0.5 * amplitude_mm, amplitude_mm}, 80);
-  for (auto* history : {&made.histories[0], &made.protocol})
-    history->law_kN = law_force(*made.law, made.parameters, *history);
-  made.histories[0].measured_kN = made.histories[0].law_kN;
-  made.tested.disp_mm = made.design_disp_mm = amplitude_mm;
-  made.frequency_Hz = 0.5;
-  made.K_eff_kN_per_mm = 0.7;
-  made.damping_percent = 15.0;
-  made.bounds = {.lower = BoundFactors{.stiffness = 0.9, .strength = 0.8, .overall = 0.87, .separate = true},
-                 .upper = BoundFactors{.stiffness = 1.1, .strength = 1.3, .overall = 1.15, .separate = true},
-                 .source = "the test"};
-  return made;
+  Subject subject;
+  subject.version = "test";
+  subject.title = "a lot";
+  subject.law = &laws::find_law(law);
+  subject.device = "D";
+  subject.parameters = std::move(parameters);
+  subject.histories.push_back(cycles({0.3 * amplitude_mm, amplitude_mm, amplitude_mm}, samples));
+  subject.protocol = cycles({0.5 * amplitude_mm, amplitude_mm}, 80);
+  for (auto* history : {&subject.histories[0], &subject.protocol})
+    history->law_kN = law_force(*subject.law, subject.parameters, *history);
+  subject.histories[0].measured_kN = subject.histories[0].law_kN;
+  subject.tested.disp_mm = subject.design_disp_mm = amplitude_mm;
+  subject.frequency_Hz = 0.5;
+  subject.K_eff_kN_per_mm = 0.7;
+  subject.damping_percent = 15.0;
+  subject.bounds = {.lower = BoundFactors{.stiffness = 0.9, .strength = 0.8, .overall = 0.87, .separate = true},
+                    .upper = BoundFactors{.stiffness = 1.1, .strength = 1.3, .overall = 1.15, .separate = true},
+                    .source = "the test"};
+  return subject;
 }
 
 inline std::vector<double> const bilinear_parameters{2.5, 0.4, 18.0};
@@ -78,7 +78,7 @@ inline double peak_of(std::vector<double> const& force) {
 // The commands of one variant of a procedure, as a reader of the Tcl text finds them.
 inline std::vector<Command> commands_in(std::string const& script, std::string const& procedure,
                                         std::string const& variant) {
-  std::vector<Command> made;
+  std::vector<Command> commands;
   std::istringstream lines(script);
   std::string line, in_procedure, in_variant;
   while (std::getline(lines, line)) {
@@ -97,9 +97,9 @@ inline std::vector<Command> commands_in(std::string const& script, std::string c
     Command command{.name = words[1], .arguments = {}};
     for (std::size_t i = tags; i < words.size() && !words[i].starts_with("{*}"); ++i)
       command.arguments.push_back(std::stod(words[i]));
-    made.push_back(std::move(command));
+    commands.push_back(std::move(command));
   }
-  return made;
+  return commands;
 }
 
 }  // namespace isolaw::programs_test

@@ -9,35 +9,35 @@ namespace isolaw::programs_test {
 
 // A ground motion of four cycles near the period of the building; tests use it along x, and some along y too.
 inline data::GroundMotion shaking(double amplitude_mm_s2, double step_s = 0.01, double duration_s = 4.5) {
-  data::GroundMotion made{.file = "made here", .step_s = step_s, .acceleration_mm_s2 = {}, .recognised = "made here"};
+  data::GroundMotion motion{.file = "made here", .step_s = step_s, .acceleration_mm_s2 = {}, .recognised = "made here"};
   for (int i = 0; i * step_s <= duration_s; ++i)
-    made.acceleration_mm_s2.push_back(amplitude_mm_s2 * std::sin(3.2 * i * step_s) * std::min(1.0, 0.5 * i * step_s));
-  return made;
+    motion.acceleration_mm_s2.push_back(amplitude_mm_s2 * std::sin(3.2 * i * step_s) * std::min(1.0, 0.5 * i * step_s));
+  return motion;
 }
 
 inline constexpr double carried_kN = 588.4;  // carried by one isolator: a period near two seconds
 
 // Isolators in the corners of a rectangle; the two at the larger y carry `heavier` more.
 inline Model four(double amplitude_mm_s2, double heavier = 0.0) {
-  Model made;
-  made.layout = "made here";
+  Model model;
+  model.layout = "made here";
   for (auto const& [name, x, y] :
        {std::tuple("A", 0.0, 0.0), {"B", 6000.0, 0.0}, {"C", 0.0, 4000.0}, {"D", 6000.0, 4000.0}})
-    made.bearings.push_back({.name = name,
-                             .x_mm = x,
-                             .y_mm = y,
-                             .angle_deg = 0.0,
-                             .load_kN = carried_kN * (y > 0.0 ? 1.0 + heavier : 1.0),
-                             .K_v_kN_per_mm = 500.0});
-  for (auto const& b : made.bearings) made.weight_kN += b.load_kN;
-  for (auto const& b : made.bearings) {
-    made.x_mm += b.x_mm * b.load_kN / made.weight_kN;
-    made.y_mm += b.y_mm * b.load_kN / made.weight_kN;
+    model.bearings.push_back({.name = name,
+                              .x_mm = x,
+                              .y_mm = y,
+                              .angle_deg = 0.0,
+                              .load_kN = carried_kN * (y > 0.0 ? 1.0 + heavier : 1.0),
+                              .K_v_kN_per_mm = 500.0});
+  for (auto const& b : model.bearings) model.weight_kN += b.load_kN;
+  for (auto const& b : model.bearings) {
+    model.x_mm += b.x_mm * b.load_kN / model.weight_kN;
+    model.y_mm += b.y_mm * b.load_kN / model.weight_kN;
   }
-  made.gyration_mm = 2100.0;
-  made.weight_from = made.centre_from = made.gyration_from = made.K_v_from = "made here";
-  made.motions = {shaking(amplitude_mm_s2)};
-  return made;
+  model.gyration_mm = 2100.0;
+  model.weight_from = model.centre_from = model.gyration_from = model.K_v_from = "made here";
+  model.motions = {shaking(amplitude_mm_s2)};
+  return model;
 }
 
 }  // namespace isolaw::programs_test

@@ -16,7 +16,7 @@ namespace {
 using Table = std::map<std::string, std::vector<double>>;
 
 Table table_of(std::string const& csv) {
-  Table made;
+  Table table;
   std::istringstream lines(csv);
   std::string line, cell;
   std::vector<std::string> names;
@@ -25,9 +25,9 @@ Table table_of(std::string const& csv) {
   while (std::getline(header, cell, ',')) names.push_back(cell.substr(0, cell.find(" [")));
   while (std::getline(lines, line)) {
     std::istringstream cells(line);
-    for (std::size_t i = 0; std::getline(cells, cell, ','); ++i) made[names.at(i)].push_back(std::stod(cell));
+    for (std::size_t i = 0; std::getline(cells, cell, ','); ++i) table[names.at(i)].push_back(std::stod(cell));
   }
-  return made;
+  return table;
 }
 
 std::vector<double> sum(std::vector<double> a, std::vector<double> const& b) {
@@ -68,10 +68,10 @@ std::vector<double> response(double mass, std::vector<double> const& ground, dou
 
 // The ground motion at the steps of the analysis, `pieces` to a sample.
 std::vector<double> in_pieces(std::vector<double> const& values, int pieces) {
-  std::vector<double> made{values.front()};
+  std::vector<double> steps{values.front()};
   for (std::size_t i = 1; i < values.size(); ++i)
-    for (int k = 1; k <= pieces; ++k) made.push_back(values[i - 1] + (values[i] - values[i - 1]) * k / pieces);
-  return made;
+    for (int k = 1; k <= pieces; ++k) steps.push_back(values[i - 1] + (values[i] - values[i - 1]) * k / pieces);
+  return steps;
 }
 
 struct Building {
@@ -125,9 +125,10 @@ TEST_F(ModelInOpenSees, a_symmetric_building_moves_as_one_mass_on_one_isolator) 
     double const dt = numbers.motion_step_s / numbers.pieces, mass = numbers.mass / 4.0;
     auto const commands = in_units(form.nominal, unit_systems[0]);
     auto const at_samples = [&](std::vector<double> const& path) {
-      std::vector<double> made;
-      for (std::size_t i = 0; i < path.size(); i += static_cast<std::size_t>(numbers.pieces)) made.push_back(path[i]);
-      return made;
+      std::vector<double> samples;
+      for (std::size_t i = 0; i < path.size(); i += static_cast<std::size_t>(numbers.pieces))
+        samples.push_back(path[i]);
+      return samples;
     };
     auto const of_form =
         at_samples(response(mass, ground, dt, [&](auto const& path) { return replay(commands, path).back(); }));

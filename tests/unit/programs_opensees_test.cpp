@@ -111,16 +111,16 @@ class InTime : public OpenSees {
             "  puts \"at [nodeDisp 2 1] [lindex [eleForce 1] " +
             (plane ? "3" : "6") + "]\"\n}\n");
     EXPECT_EQ(run_tcl("shaken.tcl"), 0) << read("printed");
-    Response made;
+    Response response;
     std::istringstream lines(read("printed"));
     for (std::string line, word; std::getline(lines, line);) {
       std::istringstream values(line);
       double x = 0.0, f = 0.0;
       if (!(values >> word >> x >> f) || word != "at") continue;
-      made.disp.push_back(x);
-      made.force.push_back(f);
+      response.disp.push_back(x);
+      response.force.push_back(f);
     }
-    return made;
+    return response;
   }
 };
 

@@ -164,11 +164,11 @@ TEST_F(Folder, headers_check_themselves) {
 constexpr char const* python_stub = R"text(
 import math
 
-made = {}
+materials = {}
 
 
 def wipe():
-    made.clear()
+    materials.clear()
 
 
 def model(*arguments):
@@ -246,7 +246,7 @@ class HystereticAsym:
 
 class Multiplier:
     def __init__(self, other, factor):
-        self.other, self.factor = made[other], factor
+        self.other, self.factor = materials[other], factor
 
     def set(self, x):
         return self.factor * self.other.set(x)
@@ -254,7 +254,7 @@ class Multiplier:
 
 class Parallel:
     def __init__(self, *others):
-        self.others = [made[other] for other in others]
+        self.others = [materials[other] for other in others]
 
     def set(self, x):
         return sum(other.set(x) for other in self.others)
@@ -286,14 +286,14 @@ class elastomericBearingBoucWen:
 
 
 def uniaxialMaterial(kind, tag, *arguments):
-    made[tag] = globals()[kind](*arguments)
+    materials[tag] = globals()[kind](*arguments)
 
 
 def element(kind, tag, i, j, *arguments):
     global driven
     if kind == "zeroLength":
         assert arguments[0] == "-mat" and arguments[2:] == ("-dir", 2)
-        driven = made[arguments[1]]
+        driven = materials[arguments[1]]
         return
     print("element", kind, tag, i, j, *arguments)
     driven = globals()[kind](*arguments)

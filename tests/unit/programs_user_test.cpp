@@ -23,10 +23,10 @@ History path_of(Subject const& subject) {
   struct Part {
     double amplitude_mm, frequency_Hz;
   };
-  History made;
-  made.device = "D";
-  made.refinement = subject.refinement;
-  made.dead_band_mm = subject.dead_band_mm;
+  History path;
+  path.device = "D";
+  path.refinement = subject.refinement;
+  path.dead_band_mm = subject.dead_band_mm;
   for (int i = 0; i <= points; ++i) {
     double const t = step_s * i, omega = 2.0 * std::numbers::pi / (points * step_s);
     double const size = 1.2 * std::sin(0.5 * omega * t), growth = 0.6 * omega * std::cos(0.5 * omega * t);
@@ -37,11 +37,11 @@ History path_of(Subject const& subject) {
       x += size * value;
       v += growth * value + size * rate * amplitude_mm * std::cos(rate * t);
     }
-    made.time_s.push_back(t);
-    made.disp_mm.push_back(x);
-    made.vel_mm_s.push_back(v);
+    path.time_s.push_back(t);
+    path.disp_mm.push_back(x);
+    path.vel_mm_s.push_back(v);
   }
-  return made;
+  return path;
 }
 
 struct OfLaw {
@@ -53,7 +53,7 @@ struct OfLaw {
 
 // Every law of the catalogue, with parameters that fill its memory.
 std::vector<OfLaw> every_law() {
-  std::vector<OfLaw> made;
+  std::vector<OfLaw> cases;
   for (auto const& law : laws::catalogue())
     for (double const share : {0.5, 0.35, 0.1}) {
       auto parameters = inside_box(law, share);
@@ -65,11 +65,11 @@ std::vector<OfLaw> every_law() {
       of.path = path_of(of.subject);
       of.force_kN = law_force(law, of.subject.parameters, of.path);
       if (!std::ranges::all_of(of.force_kN, [](double f) { return std::isfinite(f); })) continue;
-      made.push_back(std::move(of));
+      cases.push_back(std::move(of));
       break;
     }
-  EXPECT_EQ(made.size(), laws::catalogue().size());
-  return made;
+  EXPECT_EQ(cases.size(), laws::catalogue().size());
+  return cases;
 }
 
 UnitSystem const& metres = unit_systems[1];
@@ -144,9 +144,9 @@ TEST_F(OpenSeesMaterial, is_every_law_in_the_program_itself) {
   ASSERT_NE(end, std::string::npos);
   auto folders = file.substr(begin, end - begin);
   for (std::size_t at = 0; (at = folders.find("\n//", at)) != std::string::npos;) folders.replace(at, 3, " ");
-  auto const compiled = [&](std::string const& from, std::string const& made) {
+  auto const compiled = [&](std::string const& from, std::string const& library) {
     return run(fmt::format("s='{}/SRC'; " ISOLAW_COMPILER " -std=c++17 -fPIC -shared {} '{}' -o {}", source, folders,
-                           from, made));
+                           from, library));
   };
   // One library holds all materials; each is found by a link with its own name.
   ASSERT_EQ(compiled("all.cpp", "all.so"), 0) << read("printed").substr(0, 3000);
@@ -274,7 +274,7 @@ struct Call {
   double energy[8] = {}, params[3] = {0.0, 0.25, 0.5}, step = 0.1, next = 1.0;
   int flags[5] = {1, 0, 1, 0, 0}, nodes = 2, right_sides = 1;
 
-  void made(int procedure, int task, int perturbation = 0) {
+  void call(int procedure, int task, int perturbation = 0) {
     flags[0] = procedure, flags[2] = task, flags[3] = perturbation;
     int freedoms = static_cast<int>(u.size()), count = static_cast<int>(svars.size()), given = static_cast<int>(properties.size()), one = 1;
     rhs.assign(u.size() * static_cast<std::size_t>(right_sides), 7.0), matrix.assign(u.size() * u.size(), 7.0);
@@ -299,30 +299,30 @@ int main() {
   c.svars.assign(32, 0.0);
   c.params[0] = -0.1;
   c.moved(10.0);
-  c.made(11, 1);
+  c.call(11, 1);
   std::printf("%.10g %.10g %.10g\n", c.rhs[0], c.rhs[1], c.matrix[0]);  // 0.9 of the force 25, of the slope 2.5
   c.moved(30.0);
-  c.made(11, 5);
+  c.call(11, 5);
   std::printf("%.10g\n", c.rhs[0]);  // 0.9 * 49.8 + 0.05 * (25 + 0)
-  c.made(11, 1);
+  c.call(11, 1);
   std::printf("%.10g\n", c.rhs[0]);  // 0.9 * 49.8 + 0.1 * 25
   c.moved(31.0);
-  c.made(11, 5);
+  c.call(11, 5);
   std::printf("%.10g\n", c.rhs[0]);  // 0.9 * 50.2 + 0.05 * (49.8 + 25)
   auto const before = c.svars;
   c.du = {0.0, -2.0, 0.0, -3.0};
   c.right_sides = 2;
   c.u[1] = 30.0;
-  c.made(1, 100);
+  c.call(1, 100);
   std::printf("%.10g %.10g %d\n", c.rhs[0], c.rhs[2], c.svars == before);  // the slope of the direction before
   c.right_sides = 1;
-  c.made(1, 1, 1);
+  c.call(1, 1, 1);
   std::printf("%.10g %.10g %d\n", c.rhs[0], c.matrix[3], c.svars == before);
-  c.made(41, 2);
+  c.call(41, 2);
   std::printf("%.10g %.10g %d\n", c.rhs[0], c.matrix[3], c.svars == before);
-  c.made(41, 4);
+  c.call(41, 4);
   std::printf("%.10g %.10g\n", c.rhs[0], c.matrix[3]);
-  c.made(11, 6);
+  c.call(11, 6);
   std::printf("%.10g %.10g\n", c.rhs[0], c.matrix[3]);
   // In a plane, along (3, 4) / 5.
   Call plane;
@@ -330,25 +330,25 @@ int main() {
   plane.properties = {2.0, 3.0, 4.0};
   plane.u = {1.0, 1.0, 7.0, 9.0};  // 10 along it
   plane.du = plane.v = {0.0, 0.0, 0.0, 0.0};
-  plane.made(1, 1);
+  plane.call(1, 1);
   std::printf("%.10g %.10g %.10g %.10g\n", plane.rhs[0], plane.rhs[1], plane.rhs[2], plane.rhs[3]);
   std::printf("%.10g %.10g %.10g\n", plane.matrix[0], plane.matrix[1], plane.matrix[2]);
   // No number, and what is refused.
   plane.u[0] = std::nan("");
-  plane.made(1, 1);
+  plane.call(1, 1);
   std::printf("%.10g\n", plane.next);
   plane.properties = {2.0};
-  plane.made(1, 1);
+  plane.call(1, 1);
   plane.properties = {-2.0, 3.0, 4.0};
-  plane.made(1, 1);
+  plane.call(1, 1);
   plane.nodes = 3;
-  plane.made(1, 1);
+  plane.call(1, 1);
   Call small;
   small.svars.assign(5, 0.0);
   small.moved(1.0);
-  small.made(1, 1);
+  small.call(1, 1);
   small.svars[0] = 2.5;
-  small.made(1, 1);
+  small.call(1, 1);
 }
 )text");
   ASSERT_EQ(run(ISOLAW_COMPILER " -std=c++17 -Wall -Wextra -Werror calls.cpp -o calls"), 0)
@@ -392,10 +392,10 @@ int main() {
     double const velocity = (x - in_time.u[1]) / 0.1;
     at_rest.moved(x, 1e9);
     in_time.moved(x, velocity);
-    at_rest.made(1, 1);
-    in_time.made(11, 1);
+    at_rest.call(1, 1);
+    in_time.call(11, 1);
     std::printf("%d ", at_rest.rhs == in_time.rhs && at_rest.matrix == in_time.matrix && at_rest.svars == in_time.svars);
-    in_time.made(11, 3);
+    in_time.call(11, 3);
     std::printf("%d ", in_time.matrix[0] != 0.0);
   }
 }
@@ -418,7 +418,7 @@ int main() {{
   for (int turns = 0; turns < 2000; ++turns) {{
     auto const before = c.svars;
     c.moved((turns % 2 == 0 ? 150.0 : -150.0) * std::pow(0.99, turns));
-    c.made(1, 1);
+    c.call(1, 1);
     if (c.svars == before) {{
       std::printf("%d\n", turns);
       return 0;

@@ -50,7 +50,7 @@ struct Case {
 };
 
 Case const& usual_case() {
-  static auto const made = [] {
+  static auto const usual = [] {
     Case of{.study = building::usual_study(0.07, 60, 3), .answers = {}};
     of.study.file.settings.title = "Bau </script> <b>1</b>";
     of.study.file.bearings[0] = {.at = of.study.file.bearings[0].at, .stands = building::Stands::lot, .device = {}};
@@ -62,7 +62,7 @@ Case const& usual_case() {
     fs::remove(file);
     return of;
   }();
-  return made;
+  return usual;
 }
 
 TEST(BuildingJson, keys_are_documented_in_their_order) {

@@ -36,9 +36,9 @@ namespace {
 namespace fs = std::filesystem;
 
 std::map<std::string, Figure> figures_of(Summary const& summary, FigureChoice choice = FigureChoice::lot) {
-  std::map<std::string, Figure> made;
-  for_each_figure(summary, choice, [&](Figure const& figure) { made[figure.name] = figure; });
-  return made;
+  std::map<std::string, Figure> by_name;
+  for_each_figure(summary, choice, [&](Figure const& figure) { by_name[figure.name] = figure; });
+  return by_name;
 }
 
 using Row = std::vector<std::string>;
@@ -56,15 +56,15 @@ Row cells(std::string const& line) {
 }
 
 Blocks blocks(std::string const& data) {
-  Blocks made{{}};
+  Blocks table{{}};
   std::istringstream lines(data);
   int empty = 0;
   for (std::string line; std::getline(lines, line);) {
     empty = line.empty() ? empty + 1 : 0;
-    if (empty == 2) made.emplace_back();
-    if (!line.empty() && line.front() != '#') made.back().push_back(cells(line));
+    if (empty == 2) table.emplace_back();
+    if (!line.empty() && line.front() != '#') table.back().push_back(cells(line));
   }
-  return made;
+  return table;
 }
 
 double value(std::string const& cell) {
@@ -117,8 +117,8 @@ TEST(FileStems, AnEndingMakesNoOtherName) {
 
 // The published study's laws as the study draws them, std over mean; its printed values are in blocks of their own.
 TEST(Figures, OfThePublishedStudyHaveItsPrintedValues) {
-  auto const made = figures_of(fixture::lot(3, 7));
-  auto const objective = blocks(made.at("published_objective").data);
+  auto const figures = figures_of(fixture::lot(3, 7));
+  auto const objective = blocks(figures.at("published_objective").data);
   ASSERT_EQ(objective.size(), 14u) << "seven laws, here and published";
   ASSERT_EQ(objective[0].size(), 3u);
   ASSERT_EQ(objective[1].size(), 10u);
@@ -127,9 +127,9 @@ TEST(Figures, OfThePublishedStudyHaveItsPrintedValues) {
   EXPECT_EQ(value(objective[1][0][3]), 0.00524);
   EXPECT_NEAR(value(objective[1][0][4]), 0.00524 / 0.11, 1e-12);
 
-  auto const bilinear = blocks(made.at("published_parameters_bilinear").data);
+  auto const bilinear = blocks(figures.at("published_parameters_bilinear").data);
   ASSERT_EQ(bilinear.size(), 6u) << "three parameters";
-  EXPECT_EQ(value(bilinear[0][0][2]), value(blocks(made.at("parameters_bilinear").data)[0][0][2]));
+  EXPECT_EQ(value(bilinear[0][0][2]), value(blocks(figures.at("parameters_bilinear").data)[0][0][2]));
   EXPECT_NEAR(value(bilinear[0][0][4]), value(bilinear[0][0][3]) / value(bilinear[0][0][2]), 1e-12);
   auto const& yield = bilinear[5];
   ASSERT_EQ(yield.size(), 10u);
@@ -138,8 +138,8 @@ TEST(Figures, OfThePublishedStudyHaveItsPrintedValues) {
   double mean = 0.0;
   for (auto const& row : yield) mean += value(row[2]) / 10.0;
   EXPECT_NEAR(value(yield[2][5]), 100.0 * (52.2 / mean - 1.0), 1e-9);
-  EXPECT_TRUE(made.contains("published_parameters_abe"));
-  EXPECT_TRUE(made.contains("published_parameters_abe-y0"));
+  EXPECT_TRUE(figures.contains("published_parameters_abe"));
+  EXPECT_TRUE(figures.contains("published_parameters_abe-y0"));
 }
 
 TEST(Figures, OfThePublishedStudyNeedTwoOfItsLaws) {
@@ -153,13 +153,13 @@ TEST(Figures, OfThePublishedStudyNeedTwoOfItsLaws) {
 // Figs. 5 and 7 are drawn by default: the loops of all laws on one device, and those of all devices.
 TEST(Figures, LoopsOfAllLawsAndEachDeviceAgainstTheMeanAreDrawnByDefault) {
   auto const summary = fixture::lot(3, 7);
-  auto const made = figures_of(summary);
+  auto const figures = figures_of(summary);
   auto const is_of_loops = [](auto const& one) { return one.first.starts_with("loops_"); };
-  ASSERT_EQ(std::ranges::count_if(made, is_of_loops), 1);
-  auto const& loops = std::ranges::find_if(made, is_of_loops)->second;
+  ASSERT_EQ(std::ranges::count_if(figures, is_of_loops), 1);
+  auto const& loops = std::ranges::find_if(figures, is_of_loops)->second;
   for (auto const& law : summary.laws)
     EXPECT_NE(loops.script.find("'" + called(law)), std::string::npos) << law.id << " has no panel";
-  EXPECT_TRUE(made.contains("objective_by_device"));
+  EXPECT_TRUE(figures.contains("objective_by_device"));
 }
 
 TEST(FigureChoice, IsOneOfThree) {
@@ -238,9 +238,10 @@ TEST(Figures, FrontsOfAnalysesAreThereWithThem) {
   summary.laws[0].objective_converged = 0.12;
   summary.laws[0].beta_converged = 0.3;
   summary.laws[0].loo_objective = 0.2;
-  auto const made = figures_of(summary);
-  EXPECT_EQ(blocks(made.at("front_converged").data)[0], (std::vector<Row>{{"bilinear", "0.3", "0.12", "0", "open"}}));
-  EXPECT_EQ(blocks(made.at("front_left_out").data)[0], (std::vector<Row>{{"bilinear", "0.2", "0.12", "0", "open"}}));
+  auto const figures = figures_of(summary);
+  EXPECT_EQ(blocks(figures.at("front_converged").data)[0],
+            (std::vector<Row>{{"bilinear", "0.3", "0.12", "0", "open"}}));
+  EXPECT_EQ(blocks(figures.at("front_left_out").data)[0], (std::vector<Row>{{"bilinear", "0.2", "0.12", "0", "open"}}));
 }
 
 TEST(Figures, ObjectiveOfEveryDeviceAndGapsWhereThereIsNone) {
@@ -350,10 +351,10 @@ TEST(Figures, PropertiesWithDesignValueAndLimits) {
 
 TEST(Figures, LoopsAndRecordsOfEveryDevice) {
   auto summary = fixture::lot();
-  auto const made = figures_of(summary, FigureChoice::all);
+  auto const figures = figures_of(summary, FigureChoice::all);
   auto const& record = summary.devices[1].record;
   auto const& fit = summary.laws[2].devices[1];
-  auto const loops = blocks(made.at("loops_D2_hwang-wu").data);
+  auto const loops = blocks(figures.at("loops_D2_hwang-wu").data);
   ASSERT_EQ(loops[0].size(), record.size());
   for (std::size_t i : {std::size_t{0}, record.size() / 2, record.size() - 1}) {
     EXPECT_EQ(value(loops[0][i][0]), record.time_s[i]);
@@ -362,11 +363,11 @@ TEST(Figures, LoopsAndRecordsOfEveryDevice) {
     EXPECT_EQ(value(loops[0][i][3]), fit.force_kN[i]);
     EXPECT_EQ(value(loops[0][i][4]), record.force_kN[i] - fit.force_kN[i]);
   }
-  auto const cleaned = blocks(made.at("record_D2").data);
+  auto const cleaned = blocks(figures.at("record_D2").data);
   ASSERT_EQ(cleaned.size(), 2u);
   EXPECT_EQ(value(cleaned[0][7][1]), summary.devices[1].raw.disp_mm[7]);
   EXPECT_EQ(value(cleaned[1][7][1]), record.disp_mm[7]);
-  EXPECT_EQ(std::ranges::count_if(made, [](auto const& named) { return named.first.starts_with("loops_"); }), 9 + 3);
+  EXPECT_EQ(std::ranges::count_if(figures, [](auto const& named) { return named.first.starts_with("loops_"); }), 9 + 3);
 }
 
 TEST(Figures, LoopsOfAllLawsOfTheDeviceThatStandsForTheLotAlone) {
@@ -483,10 +484,10 @@ TEST_F(Drawn, EveryFigureTwice) {
   auto const outcome = write_figures(summary, FigureChoice::all, dir_);
   EXPECT_EQ(outcome.reason, "");
   EXPECT_EQ(outcome.drawn, outcome.figures);
-  auto const made = figures_of(summary, FigureChoice::all);
-  EXPECT_EQ(outcome.figures, made.size());
-  EXPECT_EQ(contents().size(), 4 * made.size());
-  for (auto const& [name, _] : made) {
+  auto const figures = figures_of(summary, FigureChoice::all);
+  EXPECT_EQ(outcome.figures, figures.size());
+  EXPECT_EQ(contents().size(), 4 * figures.size());
+  for (auto const& [name, _] : figures) {
     SCOPED_TRACE(name);
     EXPECT_NO_THROW(text_of_svg(content(figure(name + ".svg"))));
     EXPECT_TRUE(content(figure(name + ".pdf")).starts_with("%PDF"));
@@ -548,9 +549,9 @@ TEST_F(Drawn, WithoutGnuplotDataAndScriptsAreThere) {
   auto const outcome = write_figures(summary, FigureChoice::lot, dir_);
   EXPECT_TRUE(outcome.program_missing);
   EXPECT_EQ(outcome.drawn, 0u);
-  auto const made = figures_of(summary);
-  EXPECT_EQ(contents().size(), 2 * made.size());
-  for (auto const& [name, one] : made) {
+  auto const figures = figures_of(summary);
+  EXPECT_EQ(contents().size(), 2 * figures.size());
+  for (auto const& [name, one] : figures) {
     EXPECT_EQ(content(figure(name + ".dat")), one.data);
     EXPECT_EQ(content(figure(name + ".gp")), one.script);
   }

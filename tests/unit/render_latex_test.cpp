@@ -17,10 +17,10 @@ namespace isolaw::render {
 namespace {
 
 std::vector<std::string> lines(std::string const& text) {
-  std::vector<std::string> made;
+  std::vector<std::string> rows;
   std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) made.push_back(line);
-  return made;
+  for (std::string line; std::getline(in, line);) rows.push_back(line);
+  return rows;
 }
 
 std::size_t count(std::string_view part, std::string_view text) {

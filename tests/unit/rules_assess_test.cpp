@@ -272,10 +272,10 @@ TEST(VerticalStiffness, WithoutATestIsNotAssessedByAnySet) {
 }
 
 BlockValues with_vertical(double K_v_kN_per_mm) {
-  auto made = block();
-  made.vertical.K_v_kN_per_mm = K_v_kN_per_mm;
-  made.vertical.formula = "as it was measured";
-  return made;
+  auto values = block();
+  values.vertical.K_v_kN_per_mm = K_v_kN_per_mm;
+  values.vertical.formula = "as it was measured";
+  return values;
 }
 
 TEST(VerticalStiffness, IsHeldToTheSetThatNamesIt) {

@@ -31,14 +31,14 @@ inline CycleValues cycle(int number, double force_factor = 1.0) {
 
 // Cycles 1 to `count` at 0.5 Hz, the forces of the third multiplied by `third`.
 inline BlockValues block(double third = 1.0, int count = 3) {
-  BlockValues made{.number = 1,
-                   .amplitude_mm = 100.0,
-                   .frequency_Hz = 0.5,
-                   .shear_strain_percent = 100.0,
-                   .load_mean_kN = {},
-                   .cycles = {}};
-  for (int n = 1; n <= count; ++n) made.cycles.push_back(cycle(n, n == 3 ? third : 1.0));
-  return made;
+  BlockValues values{.number = 1,
+                     .amplitude_mm = 100.0,
+                     .frequency_Hz = 0.5,
+                     .shear_strain_percent = 100.0,
+                     .load_mean_kN = {},
+                     .cycles = {}};
+  for (int n = 1; n <= count; ++n) values.cycles.push_back(cycle(n, n == 3 ? third : 1.0));
+  return values;
 }
 
 inline std::string const head = R"(id = "contract"

@@ -20,7 +20,7 @@ namespace isolaw::data::testing {
 enum class Waveform { sine, triangle, stages, trapezoid, dwell, one_sided };
 enum class Device { rubber, lead, friction, relaxing, viscous, bouc_wen };  // the last is not drawn by draw()
 
-struct Made {
+struct Recording {
   std::string text;  // what was drawn
   double amplitude_mm = 0.0, force_kN = 0.0;
   std::vector<double> time_s, disp_mm, force_kN_;
@@ -177,26 +177,26 @@ inline Clean true_motion(Plan const& plan) {
   return clean;
 }
 
-inline Made finish(Drawn& random, Plan const& plan, Clean clean) {
-  Made made;
-  made.amplitude_mm = plan.amplitude_mm;
+inline Recording finish(Drawn& random, Plan const& plan, Clean clean) {
+  Recording record;
+  record.amplitude_mm = plan.amplitude_mm;
   auto const [low, high] = std::ranges::minmax(clean.force_kN);
-  made.force_kN = (high - low) / 2.0;
+  record.force_kN = (high - low) / 2.0;
   add_noise(random, clean.disp_mm, plan.disp_noise * plan.amplitude_mm);
-  add_noise(random, clean.force_kN, plan.force_noise * made.force_kN);
+  add_noise(random, clean.force_kN, plan.force_noise * record.force_kN);
   digitise(clean.disp_mm, plan.bits, 1.25 * plan.amplitude_mm);
-  digitise(clean.force_kN, plan.bits, 1.25 * made.force_kN);
-  made.time_s = clean.time_s;
-  made.disp_mm = clean.disp_mm;
-  made.force_kN_ = clean.force_kN;
+  digitise(clean.force_kN, plan.bits, 1.25 * record.force_kN);
+  record.time_s = clean.time_s;
+  record.disp_mm = clean.disp_mm;
+  record.force_kN_ = clean.force_kN;
   static char const* const waveforms[]{"sine", "triangle", "stages", "trapezoid", "dwell", "one-sided"};
   static char const* const devices[]{"rubber", "lead", "friction", "relaxing", "viscous", "bouc-wen"};
-  made.text = std::string(waveforms[static_cast<int>(plan.waveform)]) + " " + devices[static_cast<int>(plan.device)] +
-              " N=" + std::to_string(plan.samples) + " cycles=" + std::to_string(plan.cycles) +
-              " bits=" + std::to_string(plan.bits) + " noise=" + std::to_string(plan.disp_noise) + "," +
-              std::to_string(plan.force_noise) + " f=" + std::to_string(plan.frequency_Hz) +
-              " D=" + std::to_string(plan.amplitude_mm);
-  return made;
+  record.text = std::string(waveforms[static_cast<int>(plan.waveform)]) + " " + devices[static_cast<int>(plan.device)] +
+                " N=" + std::to_string(plan.samples) + " cycles=" + std::to_string(plan.cycles) +
+                " bits=" + std::to_string(plan.bits) + " noise=" + std::to_string(plan.disp_noise) + "," +
+                std::to_string(plan.force_noise) + " f=" + std::to_string(plan.frequency_Hz) +
+                " D=" + std::to_string(plan.amplitude_mm);
+  return record;
 }
 
 }  // namespace isolaw::data::testing

@@ -49,15 +49,15 @@ LawResult& the(Summary& summary, std::string const& id) {
   return *std::ranges::find(summary.laws, id, &LawResult::id);
 }
 
-PublishedStatement const& statement(Published const& made, std::string const& start) {
+PublishedStatement const& statement(Published const& comparison, std::string const& start) {
   auto const found =
-      std::ranges::find_if(made.statements, [&](auto const& one) { return one.text.starts_with(start); });
-  EXPECT_NE(found, made.statements.end()) << start;
+      std::ranges::find_if(comparison.statements, [&](auto const& one) { return one.text.starts_with(start); });
+  EXPECT_NE(found, comparison.statements.end()) << start;
   return *found;
 }
 
-PublishedLaw const& row(Published const& made, std::string const& id) {
-  return *std::ranges::find(made.laws, id, &PublishedLaw::law);
+PublishedLaw const& row(Published const& comparison, std::string const& id) {
+  return *std::ranges::find(comparison.laws, id, &PublishedLaw::law);
 }
 
 // Each law states whether it belongs to the study; the printed table has numbers for exactly those, by the same ids.
@@ -73,15 +73,15 @@ TEST(PublishedTable, has_a_row_for_each_law_of_the_study) {
 }
 
 TEST(Published, ItsOwnNumbersAreFoundAgain) {
-  auto const made = published(campaign_of_table());
-  ASSERT_TRUE(made);
-  ASSERT_EQ(made->laws.size(), 6u);
+  auto const comparison = published(campaign_of_table());
+  ASSERT_TRUE(comparison);
+  ASSERT_EQ(comparison->laws.size(), 6u);
   // From the printed table, computed without this program.
   std::map<int, std::pair<double, double>> const expected{{1, {0.137, 0.1421}}, {2, {0.079, 0.3030}},
                                                           {3, {0.088, 0.2164}}, {4, {0.089, 0.2171}},
                                                           {5, {0.085, 0.2590}}, {6, {0.117, 0.3341}}};
   std::vector<int> front;
-  for (auto const& law : made->laws) {
+  for (auto const& law : comparison->laws) {
     EXPECT_TRUE(law.compared);
     EXPECT_NEAR(*law.printed.objective, expected.at(law.number).first, 5e-5);
     EXPECT_NEAR(*law.printed.beta, expected.at(law.number).second, 5e-5);
@@ -92,8 +92,8 @@ TEST(Published, ItsOwnNumbersAreFoundAgain) {
     if (law.printed.on_front) front.push_back(law.number);
   }
   EXPECT_EQ(front, (std::vector<int>{1, 2, 3, 5}));
-  EXPECT_NEAR(*row(*made, "vaiana").printed.std_over_runs, 1.45e-4, 1e-5);
-  for (auto const& one : made->statements) {
+  EXPECT_NEAR(*row(*comparison, "vaiana").printed.std_over_runs, 1.45e-4, 1e-5);
+  for (auto const& one : comparison->statements) {
     ASSERT_TRUE(one.here) << one.text << ": " << one.found;
     EXPECT_EQ(*one.here, one.in_table) << one.text;
   }
@@ -101,19 +101,19 @@ TEST(Published, ItsOwnNumbersAreFoundAgain) {
 
 // Three statements of the study do not follow from its own table.
 TEST(Published, StatementsOfTheStudyInItsOwnTable) {
-  auto const made = published(campaign_of_table());
-  ASSERT_TRUE(made);
+  auto const comparison = published(campaign_of_table());
+  ASSERT_TRUE(comparison);
   std::vector<std::string> wrong;
-  for (auto const& one : made->statements)
+  for (auto const& one : comparison->statements)
     if (!one.in_table) wrong.push_back(one.text.substr(0, one.text.find(' ', 10)));
   EXPECT_EQ(wrong.size(), 3u);
-  EXPECT_FALSE(statement(*made, "Laws 2 to 6").in_table) << "law 6 has 0.117";
-  EXPECT_FALSE(statement(*made, "Law 5 is both").in_table) << "beta of law 4 is smaller";
-  EXPECT_FALSE(statement(*made, "Laws 3 and 4").in_table) << "law 1 scatters less than law 4";
-  EXPECT_EQ(made->verdict,
+  EXPECT_FALSE(statement(*comparison, "Laws 2 to 6").in_table) << "law 6 has 0.117";
+  EXPECT_FALSE(statement(*comparison, "Law 5 is both").in_table) << "beta of law 4 is smaller";
+  EXPECT_FALSE(statement(*comparison, "Laws 3 and 4").in_table) << "law 1 scatters less than law 4";
+  EXPECT_EQ(comparison->verdict,
             "7 of 10 statements of the published study hold here, 3 do not; 7 hold in its own Table A.5.");
   EXPECT_EQ(
-      statement(*made, "Law 5 is both").found,
+      statement(*comparison, "Law 5 is both").found,
       "objective Abe (constant yield) 0.085, Bouc-Wen 0.089, Hwang-Wu 0.117; beta Bouc-Wen 0.217, Abe (constant yield) 0.259, Hwang-Wu 0.334");
 }
 
@@ -121,32 +121,32 @@ TEST(Published, OtherNumbersAreJudgedAnew) {
   auto summary = campaign_of_table();
   the(summary, "bilinear").beta = 0.5;
   the(summary, "hwang-wu").beta = 0.01;
-  auto const made = published(summary);
-  EXPECT_EQ(statement(*made, "Law 1 is the most robust").here, false);
-  EXPECT_TRUE(statement(*made, "Law 1 is the most robust").in_table);
-  EXPECT_EQ(statement(*made, "From law 1").here, false);
-  EXPECT_EQ(statement(*made, "Laws 1, 2, 3 and 5").here, false);
-  EXPECT_TRUE(row(*made, "hwang-wu").here.on_front);
-  EXPECT_FALSE(row(*made, "hwang-wu").printed.on_front);
-  EXPECT_EQ(statement(*made, "Laws 2 and 5").here, true);
-  EXPECT_TRUE(made->verdict.starts_with("3 of 10 statements")) << made->verdict;
+  auto const comparison = published(summary);
+  EXPECT_EQ(statement(*comparison, "Law 1 is the most robust").here, false);
+  EXPECT_TRUE(statement(*comparison, "Law 1 is the most robust").in_table);
+  EXPECT_EQ(statement(*comparison, "From law 1").here, false);
+  EXPECT_EQ(statement(*comparison, "Laws 1, 2, 3 and 5").here, false);
+  EXPECT_TRUE(row(*comparison, "hwang-wu").here.on_front);
+  EXPECT_FALSE(row(*comparison, "hwang-wu").printed.on_front);
+  EXPECT_EQ(statement(*comparison, "Laws 2 and 5").here, true);
+  EXPECT_TRUE(comparison->verdict.starts_with("3 of 10 statements")) << comparison->verdict;
 }
 
 TEST(Published, WhatCannotBeJudgedIsOpenWithItsReason) {
   auto summary = campaign_of_table();
   std::erase_if(summary.laws, [](auto const& law) { return law.id == "bouc-wen"; });
   for (auto& law : summary.laws) law.beta.reset();  // as with one device
-  auto const made = published(summary);
-  EXPECT_EQ(statement(*made, "Laws 2 to 6").here, std::nullopt);
-  EXPECT_EQ(statement(*made, "Laws 2 to 6").found, "no objective of law 4");
-  EXPECT_EQ(statement(*made, "Law 1 is").here, std::nullopt);
-  EXPECT_EQ(statement(*made, "Law 1 is").found, "no beta of law 1");
-  EXPECT_EQ(statement(*made, "Laws 2 and 5").here, true);
-  EXPECT_FALSE(row(*made, "bouc-wen").compared);
-  EXPECT_EQ(row(*made, "bouc-wen").here.objective, std::nullopt);
-  EXPECT_TRUE(row(*made, "bouc-wen").printed.objective);
-  for (auto const& law : made->laws) EXPECT_FALSE(law.here.on_front) << law.law << " has no beta";
-  EXPECT_NE(made->verdict.find("cannot be judged"), std::string::npos) << made->verdict;
+  auto const comparison = published(summary);
+  EXPECT_EQ(statement(*comparison, "Laws 2 to 6").here, std::nullopt);
+  EXPECT_EQ(statement(*comparison, "Laws 2 to 6").found, "no objective of law 4");
+  EXPECT_EQ(statement(*comparison, "Law 1 is").here, std::nullopt);
+  EXPECT_EQ(statement(*comparison, "Law 1 is").found, "no beta of law 1");
+  EXPECT_EQ(statement(*comparison, "Laws 2 and 5").here, true);
+  EXPECT_FALSE(row(*comparison, "bouc-wen").compared);
+  EXPECT_EQ(row(*comparison, "bouc-wen").here.objective, std::nullopt);
+  EXPECT_TRUE(row(*comparison, "bouc-wen").printed.objective);
+  for (auto const& law : comparison->laws) EXPECT_FALSE(law.here.on_front) << law.law << " has no beta";
+  EXPECT_NE(comparison->verdict.find("cannot be judged"), std::string::npos) << comparison->verdict;
 }
 
 TEST(Published, NeedsTwoOfItsLaws) {
@@ -180,13 +180,13 @@ TEST(Published, TwoReadingsOfLaw5) {
   other.objective.mean = 0.5;
   for (auto& fit : other.devices) fit.objective.mean = 0.5;
   summary.laws.push_back(other);
-  auto const made = published(summary);
-  ASSERT_EQ(made->laws.size(), 7u);
-  EXPECT_TRUE(row(*made, "abe-y0").compared);
-  EXPECT_FALSE(row(*made, "abe").compared);
-  EXPECT_EQ(row(*made, "abe").number, 5);
-  EXPECT_DOUBLE_EQ(*row(*made, "abe").here.objective, 0.5);
-  EXPECT_EQ(statement(*made, "Laws 2 and 5").here, true);
+  auto const comparison = published(summary);
+  ASSERT_EQ(comparison->laws.size(), 7u);
+  EXPECT_TRUE(row(*comparison, "abe-y0").compared);
+  EXPECT_FALSE(row(*comparison, "abe").compared);
+  EXPECT_EQ(row(*comparison, "abe").number, 5);
+  EXPECT_DOUBLE_EQ(*row(*comparison, "abe").here.objective, 0.5);
+  EXPECT_EQ(statement(*comparison, "Laws 2 and 5").here, true);
 
   std::erase_if(summary.laws, [](auto const& law) { return law.id == "abe-y0"; });
   EXPECT_TRUE(row(*published(summary), "abe").compared);

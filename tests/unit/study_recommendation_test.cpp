@@ -26,7 +26,7 @@ double mean(std::vector<double> const& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-LawResult made(Law const& of) {
+LawResult result_of(Law const& of) {
   LawResult law;
   law.id = of.id;
   law.objective = {mean(of.errors), 0.0, std::ranges::min(of.errors)};
@@ -72,28 +72,28 @@ Summary summary_of(std::vector<Law> const& laws) {
     device.status = "ok";
     summary.devices.push_back(device);
   }
-  for (auto const& law : laws) summary.laws.push_back(made(law));
+  for (auto const& law : laws) summary.laws.push_back(result_of(law));
   return summary;
 }
 
 Recommendation of(Summary const& summary, Purpose purpose) {
-  auto const made = recommendations(summary);
-  EXPECT_EQ(made.size(), 3u);
-  return made.at(static_cast<std::size_t>(purpose));
+  auto const all = recommendations(summary);
+  EXPECT_EQ(all.size(), 3u);
+  return all.at(static_cast<std::size_t>(purpose));
 }
 
-std::string law_of(Summary const& summary, Recommendation const& made) {
-  return made.law ? summary.laws[*made.law].id : "none";
+std::string law_of(Summary const& summary, Recommendation const& recommendation) {
+  return recommendation.law ? summary.laws[*recommendation.law].id : "none";
 }
 
 TEST(Recommendation, OfAClearWinnerIsClear) {
   auto const summary = summary_of(
       {{"near", {0.02, 0.021, 0.022}, {0.03, 0.031, 0.032}}, {"far", {0.08, 0.081, 0.082}, {0.09, 0.091, 0.092}}});
   for (auto const purpose : {Purpose::untested_device, Purpose::these_tests, Purpose::simplest}) {
-    auto const made = of(summary, purpose);
-    EXPECT_EQ(law_of(summary, made), "near");
-    EXPECT_EQ(made.sure, Sure::clear) << made.why;
-    EXPECT_TRUE(made.ties.empty());
+    auto const recommendation = of(summary, purpose);
+    EXPECT_EQ(law_of(summary, recommendation), "near");
+    EXPECT_EQ(recommendation.sure, Sure::clear) << recommendation.why;
+    EXPECT_TRUE(recommendation.ties.empty());
   }
   EXPECT_NEAR(*of(summary, Purpose::untested_device).error, 0.031, 1e-12);
   EXPECT_NEAR(*of(summary, Purpose::these_tests).error, 0.021, 1e-12);
@@ -102,19 +102,21 @@ TEST(Recommendation, OfAClearWinnerIsClear) {
 TEST(Recommendation, OfLawsWithinTheScatterOfTheDevicesIsATie) {
   auto const summary = summary_of({{"a", {0.030, 0.050, 0.040}, {0.040, 0.060, 0.050}, {}, 9},
                                    {"b", {0.045, 0.035, 0.043}, {0.055, 0.045, 0.054}, {}, 4}});
-  auto const made = of(summary, Purpose::untested_device);
-  EXPECT_EQ(made.sure, Sure::tie) << made.why;
-  EXPECT_EQ(law_of(summary, made), "b");  // fewer parameters
-  EXPECT_EQ(made.ties, std::vector<std::size_t>{0});
-  EXPECT_TRUE(contains(made.why, "a differs from it by less than the scatter over the devices")) << made.why;
-  EXPECT_FALSE(made.surer.empty());
+  auto const recommendation = of(summary, Purpose::untested_device);
+  EXPECT_EQ(recommendation.sure, Sure::tie) << recommendation.why;
+  EXPECT_EQ(law_of(summary, recommendation), "b");  // fewer parameters
+  EXPECT_EQ(recommendation.ties, std::vector<std::size_t>{0});
+  EXPECT_TRUE(contains(recommendation.why, "a differs from it by less than the scatter over the devices"))
+      << recommendation.why;
+  EXPECT_FALSE(recommendation.surer.empty());
 }
 
 // A law may come nearest to the tests that it was fitted to and be wrong elsewhere.
 TEST(Recommendation, IsNeverALawThatPredictsBadly) {
   auto const summary =
       summary_of({{"overfit", {0.01}, {}, 2.7}, {"poor", {0.015}, {}, 0.4}, {"sound", {0.05}, {}, 0.08}});
-  for (auto const& made : recommendations(summary)) EXPECT_EQ(law_of(summary, made), "sound") << made.why;
+  for (auto const& recommendation : recommendations(summary))
+    EXPECT_EQ(law_of(summary, recommendation), "sound") << recommendation.why;
   EXPECT_TRUE(contains(of(summary, Purpose::these_tests).why,
                        "overfit is nearer to the tests (1.0 %), but its prediction is unusable"));
 }
@@ -122,22 +124,23 @@ TEST(Recommendation, IsNeverALawThatPredictsBadly) {
 TEST(Recommendation, OfAFairPredictionIsWeakAndOneDeviceTiesByShare) {
   auto const summary = summary_of(
       {{"bouc-wen", {0.072}, {}, 0.190, 6}, {"abe", {0.047}, {}, 0.210, 13}, {"bilinear", {0.098}, {}, 0.240, 3}});
-  auto const made = of(summary, Purpose::untested_device);
-  EXPECT_EQ(law_of(summary, made), "bouc-wen");
-  EXPECT_EQ(made.ties, std::vector<std::size_t>{1});
-  EXPECT_EQ(made.sure, Sure::weak);
-  EXPECT_TRUE(contains(made.why, "Abe differs from it by less than one device can tell")) << made.why;
-  EXPECT_EQ(made.weak.front().kind, FindingKind::weak_prediction_fair);
+  auto const recommendation = of(summary, Purpose::untested_device);
+  EXPECT_EQ(law_of(summary, recommendation), "bouc-wen");
+  EXPECT_EQ(recommendation.ties, std::vector<std::size_t>{1});
+  EXPECT_EQ(recommendation.sure, Sure::weak);
+  EXPECT_TRUE(contains(recommendation.why, "Abe differs from it by less than one device can tell"))
+      << recommendation.why;
+  EXPECT_EQ(recommendation.weak.front().kind, FindingKind::weak_prediction_fair);
   EXPECT_EQ(law_of(summary, of(summary, Purpose::simplest)), "bilinear");
 }
 
 TEST(Recommendation, IsNoneWhereAllCollapse) {
   auto const summary = summary_of({{"a", {0.03}, {}, 5.0}, {"b", {0.06}, {}, 0.5}});
-  for (auto const& made : recommendations(summary)) {
-    EXPECT_FALSE(made.law);
-    EXPECT_FALSE(made.error);
-    EXPECT_EQ(made.why.front().kind, FindingKind::none_predicts);
-    EXPECT_EQ(made.why.front().other_laws, (std::vector<std::string>{"a", "b"}));
+  for (auto const& recommendation : recommendations(summary)) {
+    EXPECT_FALSE(recommendation.law);
+    EXPECT_FALSE(recommendation.error);
+    EXPECT_EQ(recommendation.why.front().kind, FindingKind::none_predicts);
+    EXPECT_EQ(recommendation.why.front().other_laws, (std::vector<std::string>{"a", "b"}));
   }
   EXPECT_TRUE(contains(study::verdict(recommendations(summary)), "No law can be recommended"));
 }
@@ -157,10 +160,11 @@ TEST(Recommendation, OfOneDeviceFittedWholeIsForTheseTestsAlone) {
 TEST(Recommendation, IsWeakWhereTheSearchDidNotConverge) {
   auto summary =
       summary_of({{"a", {0.03, 0.031}, {0.04, 0.041}, {}, 4, 0, 0, 0.1}, {"b", {0.08, 0.081}, {0.09, 0.091}}});
-  auto const made = of(summary, Purpose::these_tests);
-  EXPECT_EQ(law_of(summary, made), "a");
-  EXPECT_EQ(made.sure, Sure::weak);
-  EXPECT_TRUE(contains(made.weak, "only 10 % of its searches reached the best fit found")) << made.weak;
+  auto const recommendation = of(summary, Purpose::these_tests);
+  EXPECT_EQ(law_of(summary, recommendation), "a");
+  EXPECT_EQ(recommendation.sure, Sure::weak);
+  EXPECT_TRUE(contains(recommendation.weak, "only 10 % of its searches reached the best fit found"))
+      << recommendation.weak;
   summary = summary_of({{"a", {0.03, 0.031}, {0.04, 0.041}}});
   summary.expected_runs = 10;
   EXPECT_EQ(of(summary, Purpose::these_tests).sure, Sure::weak);
@@ -178,12 +182,12 @@ TEST(Recommendation, IsWeakWhereTheTestsLeaveParametersOpenOrTheBoxHoldsThem) {
 // With one law there is no choice, however near it comes.
 TEST(Recommendation, OfTheOnlyLawIsWeak) {
   auto const summary = summary_of({{"only", {0.02, 0.021, 0.022}, {0.03, 0.031, 0.032}}});
-  for (auto const& made : recommendations(summary)) {
-    EXPECT_EQ(law_of(summary, made), "only");
-    EXPECT_EQ(made.sure, Sure::weak) << made.why;
-    EXPECT_TRUE(contains(made.answer, "Take only, with care: ")) << text_of(made.answer);
-    EXPECT_TRUE(contains(made.weak, "no other law was identified to compare it with")) << made.weak;
-    EXPECT_TRUE(contains(made.surer, "other laws to compare it with (--laws)")) << made.surer;
+  for (auto const& recommendation : recommendations(summary)) {
+    EXPECT_EQ(law_of(summary, recommendation), "only");
+    EXPECT_EQ(recommendation.sure, Sure::weak) << recommendation.why;
+    EXPECT_TRUE(contains(recommendation.answer, "Take only, with care: ")) << text_of(recommendation.answer);
+    EXPECT_TRUE(contains(recommendation.weak, "no other law was identified to compare it with")) << recommendation.weak;
+    EXPECT_TRUE(contains(recommendation.surer, "other laws to compare it with (--laws)")) << recommendation.surer;
   }
 }
 
@@ -202,23 +206,24 @@ TEST(Recommendation, LeavesOutALawThatWasRefusedOnADevice) {
   summary.laws[0].devices[1] = DeviceFit{};
   summary.laws[0].devices[1].device = "D1";
   summary.laws[0].devices[1].refusal = "no time channel";
-  for (auto const& made : recommendations(summary)) EXPECT_EQ(law_of(summary, made), "whole");
+  for (auto const& recommendation : recommendations(summary)) EXPECT_EQ(law_of(summary, recommendation), "whole");
   // A device that could not be read takes no part in the choice.
   DeviceResult refused;
   refused.name = "bad";
   refused.status = "refused";
   summary.devices.push_back(refused);
-  for (auto const& made : recommendations(summary)) EXPECT_EQ(law_of(summary, made), "whole");
+  for (auto const& recommendation : recommendations(summary)) EXPECT_EQ(law_of(summary, recommendation), "whole");
 }
 
 TEST(Recommendation, OfTheSimplestMayLoseHalfOfTheBest) {
   auto const summary = summary_of({{"best", {0.040, 0.041, 0.042}, {0.05, 0.051, 0.052}, {}, 12},
                                    {"plain", {0.055, 0.056, 0.057}, {0.070, 0.071, 0.072}, {}, 3},
                                    {"rough", {0.09, 0.091, 0.092}, {0.10, 0.11, 0.12}, {}, 2}});
-  auto const made = of(summary, Purpose::simplest);
-  EXPECT_EQ(law_of(summary, made), "plain") << made.why;
-  EXPECT_TRUE(contains(made.why, "with 3 parameters. The most accurate law, best, is 5.1 % off and has 12 parameters"))
-      << made.why;
+  auto const recommendation = of(summary, Purpose::simplest);
+  EXPECT_EQ(law_of(summary, recommendation), "plain") << recommendation.why;
+  EXPECT_TRUE(contains(recommendation.why,
+                       "with 3 parameters. The most accurate law, best, is 5.1 % off and has 12 parameters"))
+      << recommendation.why;
 }
 
 TEST(Recommendation, OfAnInspectionIsNone) {

@@ -15,18 +15,18 @@ using rules::Verdict;
 
 Assessment line(std::string quantity, Verdict verdict, std::optional<double> deviation = std::nullopt,
                 std::string limit = "from -20 % to +20 %") {
-  Assessment made;
+  Assessment assessment;
   for (auto const property : {rules::Quantity::K_eff, rules::Quantity::damping, rules::Quantity::energy,
                               rules::Quantity::Q_d, rules::Quantity::K_d, rules::Quantity::K_v}) {
     auto const name = std::string(rules::name(property));
-    if (quantity == name || quantity.starts_with(name + ", ")) made.property = property;
+    if (quantity == name || quantity.starts_with(name + ", ")) assessment.property = property;
   }
-  made.quantity = std::move(quantity);
-  made.verdict = verdict;
-  made.limit = std::move(limit);
-  made.deviation_percent = deviation;
-  if (deviation) made.deviation = rules::deviation_text(*deviation, -20.0, 20.0);
-  return made;
+  assessment.quantity = std::move(quantity);
+  assessment.verdict = verdict;
+  assessment.limit = std::move(limit);
+  assessment.deviation_percent = deviation;
+  if (deviation) assessment.deviation = rules::deviation_text(*deviation, -20.0, 20.0);
+  return assessment;
 }
 
 DeviceVerdict verdict_of(std::vector<Assessment> const& lines) {
@@ -158,15 +158,15 @@ TEST(OverallVerdict, FailsByADeviceOrTheLotWhateverIsOpen) {
   add(summary, "D01", {line("K_eff", Verdict::pass), line("damping", Verdict::not_assessed)});
   add(summary, "D02", {line("K_eff", Verdict::fail, 23.0), line("damping", Verdict::pass)});
   add(summary, "D03", {}, "refused");
-  auto made = overall_verdict(summary);
+  auto overall = overall_verdict(summary);
   EXPECT_EQ(
-      made.text(),
+      overall.text(),
       "FAIL: NTC 2018: 1 of 3 devices fails: D02 K_eff +23.0 %; pass on 0 of 2 requirements with 2 of 3 devices; not assessed: damping; "
       "without a verdict: D03");
-  ASSERT_EQ(made.failing.size(), 1u);
-  EXPECT_EQ(made.failing[0].device, "D02");
-  EXPECT_EQ(made.mark, "FAIL");
-  EXPECT_EQ(made.requirements[0].verdict, Verdict::fail);
+  ASSERT_EQ(overall.failing.size(), 1u);
+  EXPECT_EQ(overall.failing[0].device, "D02");
+  EXPECT_EQ(overall.mark, "FAIL");
+  EXPECT_EQ(overall.requirements[0].verdict, Verdict::fail);
 
   auto lot = verified_lot();
   add(lot, "D01", {line("K_eff", Verdict::pass)});
@@ -228,12 +228,12 @@ TEST(OverallVerdict, OneRecordIsNoTestOfTwoDevices) {
   auto& copy = summary.devices[1].acceptance;
   copy.copy_of = "D01";
   rules::withhold_verdicts(copy.assessments, copy.copy_of);
-  auto const made = overall_verdict(summary);
-  EXPECT_EQ(made.text(),
+  auto const overall = overall_verdict(summary);
+  EXPECT_EQ(overall.text(),
             "INCOMPLETE: NTC 2018: pass on 1 of 1 requirement with 1 of 2 devices; without a verdict: D02");
-  ASSERT_EQ(made.not_assessed.size(), 1u);
-  EXPECT_EQ(made.not_assessed[0].remark, "the same record as D01");
-  EXPECT_EQ(made.mark, "INCOMPLETE");
+  ASSERT_EQ(overall.not_assessed.size(), 1u);
+  EXPECT_EQ(overall.not_assessed[0].remark, "the same record as D01");
+  EXPECT_EQ(overall.mark, "INCOMPLETE");
   EXPECT_EQ(device_verdict(copy).text(), "not assessed: the same record as D01");
   EXPECT_EQ(device_verdict(copy).brief(), "not assessed");
 }

@@ -77,28 +77,28 @@ TEST(Building, frequencies_of_an_eccentric_deck) {
 // A spring and a dashpot along x, in parallel with a law's bearing.
 class Dashpot final : public Bearing {
  public:
-  Dashpot(double stiffness, double damping, std::unique_ptr<Bearing> beside)
-      : k_(stiffness), c_(damping), beside_(std::move(beside)) {}
+  Dashpot(double stiffness, double damping, std::unique_ptr<Bearing> parallel)
+      : k_(stiffness), c_(damping), parallel_(std::move(parallel)) {}
   BearingForce trial(Vector const& to, Vector const& velocity, double dt) override {
-    auto made = beside_ ? beside_->trial(to, velocity, dt) : BearingForce{.force = {0.0, 0.0}};
-    made.force.x += k_ * to.x + c_ * velocity.x;
-    made.force.y += k_ * to.y + c_ * velocity.y;
+    auto total = parallel_ ? parallel_->trial(to, velocity, dt) : BearingForce{.force = {0.0, 0.0}};
+    total.force.x += k_ * to.x + c_ * velocity.x;
+    total.force.y += k_ * to.y + c_ * velocity.y;
     for (std::size_t i = 0; i < 2; ++i) {
-      made.by_displacement[i][i] += k_;
-      made.by_velocity[i][i] += c_;
+      total.by_displacement[i][i] += k_;
+      total.by_velocity[i][i] += c_;
     }
-    return made;
+    return total;
   }
   void commit() override {
-    if (beside_) beside_->commit();
+    if (parallel_) parallel_->commit();
   }
   std::unique_ptr<Bearing> copy() const override {
-    return std::make_unique<Dashpot>(k_, c_, beside_ ? beside_->copy() : nullptr);
+    return std::make_unique<Dashpot>(k_, c_, parallel_ ? parallel_->copy() : nullptr);
   }
 
  private:
   double k_, c_;
-  std::unique_ptr<Bearing> beside_;
+  std::unique_ptr<Bearing> parallel_;
 };
 
 Model rigid_mass(double mass_Mg) {
@@ -149,34 +149,34 @@ Released release(double step_s) {
       .name = "none", .step_s = step_s, .x_mm_s2 = std::vector<double>(static_cast<std::size_t>(4.0 / step_s), 0.0)};
   auto const run = integrate(rigid_mass(100.0), bearings, still,
                              {.longest_step_s = step_s, .histories = true, .pulled_to = {150.0, 0.0}});
-  Released made;
+  Released released;
   auto const& h = run.history;
   // Moving back by twice the yield displacement makes the bearing slide.
   double const slides = 150.0 - 2.0 * 30.0 / 5.1;
   for (std::size_t i = 1; i < h.time_s.size(); ++i) {
     double const x0 = h.base[i - 1][0], x1 = h.base[i][0], v0 = h.velocity[i - 1][0], v1 = h.velocity[i][0];
-    if (made.elastic_s == 0.0 && x1 <= slides) {
+    if (released.elastic_s == 0.0 && x1 <= slides) {
       double const part = (x0 - slides) / (x0 - x1);
-      made.elastic_s = h.time_s[i - 1] + part * step_s;
-      made.speed_mm_s = v0 + part * (v1 - v0);
+      released.elastic_s = h.time_s[i - 1] + part * step_s;
+      released.speed_mm_s = v0 + part * (v1 - v0);
     }
     if (v0 * v1 < 0.0) {
       double const part = v0 / (v0 - v1);
-      if (made.turns_mm.empty()) made.half_cycle_s = h.time_s[i - 1] + part * step_s;
-      made.turns_mm.push_back(x0 + 0.5 * v0 * part * step_s);
+      if (released.turns_mm.empty()) released.half_cycle_s = h.time_s[i - 1] + part * step_s;
+      released.turns_mm.push_back(x0 + 0.5 * v0 * part * step_s);
     }
   }
-  return made;
+  return released;
 }
 
 TEST(Building, free_vibration_on_a_bilinear_bearing) {
   constexpr std::array turns{-86.647602, 26.888963, 4.595838};
-  auto const made = release(1e-4);
-  ASSERT_GE(made.turns_mm.size(), turns.size());
-  for (std::size_t i = 0; i < turns.size(); ++i) EXPECT_NEAR(made.turns_mm[i], turns[i], 2e-5) << i;
-  EXPECT_NEAR(made.elastic_s, 0.124144550, 1e-7);
-  EXPECT_NEAR(made.speed_mm_s, -174.696969, 2e-4);
-  EXPECT_NEAR(made.half_cycle_s, 1.002422303, 2e-7);
+  auto const released = release(1e-4);
+  ASSERT_GE(released.turns_mm.size(), turns.size());
+  for (std::size_t i = 0; i < turns.size(); ++i) EXPECT_NEAR(released.turns_mm[i], turns[i], 2e-5) << i;
+  EXPECT_NEAR(released.elastic_s, 0.124144550, 1e-7);
+  EXPECT_NEAR(released.speed_mm_s, -174.696969, 2e-4);
+  EXPECT_NEAR(released.half_cycle_s, 1.002422303, 2e-7);
   // The error falls as the square of the step, even when the law has a corner inside a step.
   auto const error = [&](double step_s) { return std::abs(release(step_s).turns_mm[0] - turns[0]); };
   double const coarse = error(8e-3), fine = error(1e-3);
@@ -324,12 +324,12 @@ Independent by_odeint(Frame const& frame, double damping, Plan const& plan, std:
   };
   namespace odeint = boost::numeric::odeint;
   auto stepper = odeint::make_controlled(1e-8, 1e-8, odeint::runge_kutta_dopri5<State>());
-  Independent made;
+  Independent reference;
   auto const keep = [&] {
-    made.base.push_back({state[0], state[1], state[2]});
+    reference.base.push_back({state[0], state[1], state[2]});
     for (std::size_t j = 0; j < bearings; ++j) {
       auto const d = place(j, state.data());
-      made.peak_mm = std::max(made.peak_mm, std::hypot(d[0], d[1]));
+      reference.peak_mm = std::max(reference.peak_mm, std::hypot(d[0], d[1]));
     }
   };
   keep();
@@ -338,7 +338,7 @@ Independent by_odeint(Frame const& frame, double damping, Plan const& plan, std:
     odeint::integrate_adaptive(stepper, rates, state, from, from + motion.step_s, 0.5 * motion.step_s);
     keep();
   }
-  return made;
+  return reference;
 }
 
 void compare(Frame const& frame, double damping, Plan const& plan, std::vector<BoucWenValues> const& laws,

@@ -35,9 +35,9 @@ std::ostream& operator<<(std::ostream& out, CoverageCase const& c) {
 }
 
 std::vector<fit::Override> overrides_of(CoverageCase const& c) {
-  std::vector<fit::Override> made;
-  for (auto const& text : c.set) made.push_back(fit::parse_override(c.law + "." + text));
-  return made;
+  std::vector<fit::Override> overrides;
+  for (auto const& text : c.set) overrides.push_back(fit::parse_override(c.law + "." + text));
+  return overrides;
 }
 
 // Counts the intervals of all determined parameters in all records, and those that hold the true value.
@@ -63,9 +63,9 @@ Count covered(CoverageCase const& c) {
       for (auto const& p : judged->parameters) determined[p.parameter] = p.verdict == Verdict::determined;
     }
 
-    auto const made =
+    auto const estimate =
         intervals(model, twin.box, optimum, stream.split(static_cast<std::uint64_t>(i)), {.replicates = c.replicates});
-    for (auto const& p : made->parameters) {
+    for (auto const& p : estimate->parameters) {
       if (!determined[p.parameter]) continue;
       double const truth = twin.truth[p.parameter];
       ++count.intervals;

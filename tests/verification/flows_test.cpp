@@ -184,10 +184,10 @@ TEST(Bwbn, Values) {
   constexpr std::array<double, 6> e{17.6159797, 36.62436, 55.99685, 75.43654, 120.80004, 179.58997};
   constexpr int steps = 1000;
   auto const params = laws::unpack<Bwbn, double>(joint);
-  auto const made = laws::make_path(through(path, steps), {});
-  auto state = Bwbn::start<double>(params, made.steps.front(), laws::Integration::converged);
-  for (std::size_t i = 0; i < made.steps.size(); ++i) {
-    double const force = Bwbn::step<double>(params, state, made.steps[i]);
+  auto const fine_path = laws::make_path(through(path, steps), {});
+  auto state = Bwbn::start<double>(params, fine_path.steps.front(), laws::Integration::converged);
+  for (std::size_t i = 0; i < fine_path.steps.size(); ++i) {
+    double const force = Bwbn::step<double>(params, state, fine_path.steps[i]);
     if (i == 0 || i % steps != 0) continue;
     std::size_t const corner = i / steps - 1;
     // A little more than half of the last printed digit; e has as few as five digits.

@@ -79,19 +79,19 @@ class Stepwise {
 // Forces at the corners.
 std::vector<double> exact(Values<Gallardo> const& values, std::vector<double> const& corners, int steps = 1) {
   auto const all = forces<Gallardo>(values, laws::make_path(through(corners, steps), {}));
-  std::vector<double> made;
-  for (std::size_t i = 0; i < all.size(); i += static_cast<std::size_t>(steps)) made.push_back(all[i]);
-  return made;
+  std::vector<double> at_corners;
+  for (std::size_t i = 0; i < all.size(); i += static_cast<std::size_t>(steps)) at_corners.push_back(all[i]);
+  return at_corners;
 }
 std::vector<double> stepwise(Values<Gallardo> const& values, std::vector<double> const& corners, int steps) {
   Stepwise law(values);
-  std::vector<double> made;
+  std::vector<double> at_corners;
   auto const x = through(corners, steps);
   for (std::size_t i = 0; i < x.size(); ++i) {
     double const force = i == 0 ? 0.0 : law.to(x[i]);
-    if (i % static_cast<std::size_t>(steps) == 0) made.push_back(force);
+    if (i % static_cast<std::size_t>(steps) == 0) at_corners.push_back(force);
   }
-  return made;
+  return at_corners;
 }
 
 // Converts parameters for strains over a height of 156 mm to strains over 100 mm.

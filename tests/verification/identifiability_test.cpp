@@ -18,9 +18,9 @@ namespace {
 using Names = std::set<std::string>;
 
 std::vector<fit::Override> overrides(std::vector<std::string> const& texts) {
-  std::vector<fit::Override> made;
-  for (auto const& text : texts) made.push_back(fit::parse_override(text));
-  return made;
+  std::vector<fit::Override> parsed;
+  for (auto const& text : texts) parsed.push_back(fit::parse_override(text));
+  return parsed;
 }
 
 fit::LawOnRecord model_of(twins::Twin const& twin) {
@@ -43,9 +43,9 @@ Names names_of(TradeOff const& trade_off, twins::Twin const& twin) {
 }
 
 std::vector<std::string> sentences(Determination const& judged) {
-  std::vector<std::string> made;
-  for (auto const& t : judged.trade_offs) made.push_back(t.sentence);
-  return made;
+  std::vector<std::string> texts;
+  for (auto const& t : judged.trade_offs) texts.push_back(t.sentence);
+  return texts;
 }
 
 void expect_all_determined(Determination const& judged, twins::Twin const& twin) {

@@ -34,11 +34,11 @@ struct CompoundResponse {
 CompoundResponse of_compound(std::vector<double> const& strain) {
   auto const path = laws::make_path(strain, {});
   CompoundLoops loops(path, 10.19171, 5.0);
-  CompoundResponse made;
+  CompoundResponse response;
   for (std::size_t i = 0; i < path.steps.size(); ++i)
-    made.stress.push_back(loops.force(path.steps[i], path.memory[i], compound));
-  made.a = loops.a(), made.b = loops.b();
-  return made;
+    response.stress.push_back(loops.force(path.steps[i], path.memory[i], compound));
+  response.a = loops.a(), response.b = loops.b();
+  return response;
 }
 
 double work_along(std::vector<double> const& x, std::vector<double> const& force, std::size_t from, std::size_t to) {

@@ -70,19 +70,19 @@ template <class Law>
 Turn turn(P<Law> const& p, double radius, int corners, int turns = 4) {
   auto state = Law::template start<double>(p);
   Vector<double> from{0.0, 0.0}, force{0.0, 0.0};
-  Turn made{};
+  Turn last_turn{};
   for (int k = 0; k <= turns * corners; ++k) {
     double const angle = 2.0 * pi * k / corners;
     Vector<double> const to{radius * std::cos(angle), radius * std::sin(angle)};
     auto const before = force;
     force = Law::template step<double>(p, state, from, to, 0.01);
-    if (k > (turns - 1) * corners) made.work += 0.5 * laws::plane::dot(before + force, to - from);
+    if (k > (turns - 1) * corners) last_turn.work += 0.5 * laws::plane::dot(before + force, to - from);
     from = to;
   }
-  made.size = std::hypot(force.x, force.y);
-  made.lag = std::atan2(-force.x, force.y);  // behind the direction of motion, which is y here
-  made.lag = std::abs(made.lag) * 180.0 / pi;
-  return made;
+  last_turn.size = std::hypot(force.x, force.y);
+  last_turn.lag = std::atan2(-force.x, force.y);  // behind the direction of motion, which is y here
+  last_turn.lag = std::abs(last_turn.lag) * 180.0 / pi;
+  return last_turn;
 }
 // A polygon errs by the square of its chords' angle: two polygons are extrapolated to the circle.
 template <class Law>
@@ -212,7 +212,7 @@ TEST(PlaneLaws, the_form_in_components_turns_with_the_axes) {
   auto const force = [&](double angle, double beta, bool in_components) {
     double const c = std::cos(angle), s = std::sin(angle), gamma = 1.0 - beta;
     Vector<double> from{0.0, 0.0}, z{0.0, 0.0};
-    std::vector<Vector<double>> made;
+    std::vector<Vector<double>> forces;
     for (int i = 1; i <= 2 * samples; ++i) {
       double const phase = 2.0 * pi * i / samples, x = 5.0 * std::sin(phase), y = 2.5 * std::sin(2.0 * phase);
       Vector<double> const to{c * x - s * y, s * x + c * y}, d = to - from;
@@ -220,9 +220,9 @@ TEST(PlaneLaws, the_form_in_components_turns_with_the_axes) {
       double const size = in_components ? std::abs(d.x * z.x) + std::abs(d.y * z.y) : std::abs(along);
       z = z + d - (beta * size + gamma * along) * z;
       from = to;
-      if (i > samples) made.push_back({c * z.x + s * z.y, c * z.y - s * z.x});
+      if (i > samples) forces.push_back({c * z.x + s * z.y, c * z.y - s * z.x});
     }
-    return made;
+    return forces;
   };
   for (double const beta : {0.5, 0.9})
     for (bool const in_components : {true, false}) {

@@ -156,10 +156,10 @@ class Laboratory {
 
 Matrix matrix(SquareMatrix const& rows) {
   auto const n = static_cast<Index>(rows.size());
-  Matrix made(n, n);
+  Matrix square(n, n);
   for (Index i = 0; i < n; ++i)
-    for (Index j = 0; j < n; ++j) made(i, j) = rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-  return made;
+    for (Index j = 0; j < n; ++j) square(i, j) = rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+  return square;
 }
 
 // The moments of the parameters' logarithms: true, of the devices drawn, and recovered from the tests.
@@ -189,18 +189,18 @@ Recovered recover(Lot const& lot, double level, double noise) {
     for (double const x : drawn.col(d)) values.push_back(std::exp(x));
     estimates.push_back(laboratory.fitted(laboratory.test(values, noise, draws)));
   }
-  Recovered made;
-  made.population = estimate_population(lot.names, estimates);
-  made.true_mean = centre;
-  made.drawn_mean = drawn.rowwise().mean();
-  made.mean = Eigen::Map<Vector const>(made.population.mean.data(), n);
-  made.true_covariance = root * root.transpose();
-  Matrix const centred = drawn.colwise() - made.drawn_mean;
-  made.drawn_covariance = centred * centred.transpose() / freedom;
-  made.covariance = matrix(made.population.covariance);
-  made.S = matrix(made.population.estimates);
-  made.C = matrix(made.population.uncertainty);
-  return made;
+  Recovered moments;
+  moments.population = estimate_population(lot.names, estimates);
+  moments.true_mean = centre;
+  moments.drawn_mean = drawn.rowwise().mean();
+  moments.mean = Eigen::Map<Vector const>(moments.population.mean.data(), n);
+  moments.true_covariance = root * root.transpose();
+  Matrix const centred = drawn.colwise() - moments.drawn_mean;
+  moments.drawn_covariance = centred * centred.transpose() / freedom;
+  moments.covariance = matrix(moments.population.covariance);
+  moments.S = matrix(moments.population.estimates);
+  moments.C = matrix(moments.population.uncertainty);
+  return moments;
 }
 
 // Every entry must lie within 3.5 of its standard errors, whose squares are `variance`.

@@ -10,9 +10,9 @@ namespace isolaw::programs {
 namespace {
 
 std::vector<double> line(double from, double to, int steps) {
-  std::vector<double> made;
-  for (int i = 1; i <= steps; ++i) made.push_back(from + (to - from) * i / steps);
-  return made;
+  std::vector<double> points;
+  for (int i = 1; i <= steps; ++i) points.push_back(from + (to - from) * i / steps);
+  return points;
 }
 
 std::vector<double> operator+(std::vector<double> a, std::vector<double> const& b) {

@@ -28,17 +28,17 @@ struct Walked {
   double work = 0.0;
 };
 Walked walked(Springs springs, std::vector<Vector<double>> const& path, std::size_t round = 0) {
-  Walked made;
+  Walked response;
   Vector<double> from{0.0, 0.0}, force{0.0, 0.0};
   for (std::size_t i = 0; i < path.size(); ++i) {
     auto const before = force;
     force = springs.trial(path[i], {0.0, 0.0}).force;
     springs.commit();
-    if (i + round >= path.size()) made.work += 0.5 * laws::plane::dot(before + force, path[i] - from);
-    made.forces.push_back(force);
+    if (i + round >= path.size()) response.work += 0.5 * laws::plane::dot(before + force, path[i] - from);
+    response.forces.push_back(force);
     from = path[i];
   }
-  return made;
+  return response;
 }
 
 TEST(Springs, strength_depends_on_the_angle_by_so_much) {

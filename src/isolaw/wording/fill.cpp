@@ -162,6 +162,7 @@ class Filler {
   static std::string print(double value, std::string_view spec) {
     if (spec.empty()) return fmt::format("{}", value);
     if (spec == "%") return percent(value);
+    if (spec == "few%") return value == 0.0 ? "none" : "only " + percent(value);
     if (spec == "%1") return with_decimals(100.0 * value, 1) + " %";
     if (spec == "0%") return fmt::format("{:.0f} %", 100.0 * value);
     if (spec == ",") {

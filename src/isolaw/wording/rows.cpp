@@ -91,7 +91,7 @@ std::span<Row const> rows() {
           prediction_unusable, "prediction-unusable", "prediction", serious, laws, each_alone, everywhere, law,
           "its prediction is unusable: {objectives}.{collapse} Do not use it for other amplitudes or frequencies than those it was fitted to[, up to {fitted_to_mm:3} mm]."),
       campaign(searches_disagree, "searches-disagree", "search", caution, search, by_words, everywhere, law,
-               "only {share:%} of the runs came within 0.1 % of the best fit of this campaign."),
+               "{share:few%} of the runs came within 0.1 % of the best fit of this campaign."),
       campaign(
           not_determined, "not-determined", "undetermined", caution, parameters, by_law, everywhere, law,
           "the tests cannot fix ~{parameters}[ ({affected} of {examined} devices)]~.[ {reduced_form} searches a form with the same loops and without the redundant parameter.]"),
@@ -144,7 +144,7 @@ std::span<Row const> rows() {
       answer(weak_error, "weak-error", "confidence", "an error of {error:%} is only {grade}"),
       answer(weak_only_law, "weak-only-law", "confidence", "no other law was identified to compare it with"),
       answer(weak_incomplete, "weak-incomplete", "confidence", "the campaign is not complete"),
-      answer(weak_search, "weak-search", "confidence", "only {share:%} of its searches reached the best fit found"),
+      answer(weak_search, "weak-search", "confidence", "{share:few%} of its searches reached the best fit found"),
       answer(weak_bounds, "weak-bounds", "confidence",
              "{count} of its {calibrated} parameters lie at a bound on half of the devices or more"),
       answer(weak_open, "weak-open", "confidence", "the tests cannot fix {share:%} of its parameters"),

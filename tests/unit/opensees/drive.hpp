@@ -16,8 +16,8 @@ inline void require(bool holds, char const* what) {
   if (!holds) std::printf("%s\n", what);
 }
 
-inline std::unique_ptr<UniaxialMaterial> made(void* (*parse)(), std::vector<std::string> const& given,
-                                              bool in_python = false) {
+inline std::unique_ptr<UniaxialMaterial> material_of(void* (*parse)(), std::vector<std::string> const& given,
+                                                     bool in_python = false) {
   words = given;
   next_word = 0;
   python = in_python;
@@ -29,16 +29,16 @@ void drive(void* (*parse)(), Point const (&motion)[count]) {
   for (bool const in_python : {false, true}) {
     for (std::vector<std::string> const& wrong :
          {std::vector<std::string>{}, {"x"}, {"1", "most"}, {"1", "-2"}, {"1", "0"}, {"1", "1", "1"}})
-      require(made(parse, wrong, in_python) == nullptr && OPS_GetNumRemainingInputArgs() >= 0,
+      require(material_of(parse, wrong, in_python) == nullptr && OPS_GetNumRemainingInputArgs() >= 0,
               "wrong arguments are taken");
-    auto const own = made(parse, {"4", "1.5"}, in_python), plain = made(parse, {"4"}, in_python);
+    auto const own = material_of(parse, {"4", "1.5"}, in_python), plain = material_of(parse, {"4"}, in_python);
     require(own != nullptr && plain != nullptr, "arguments are refused");
     own->setTrialStrain(motion[3].x, motion[3].v);
     plain->setTrialStrain(motion[3].x, motion[3].v);
     require(std::abs(own->getStress() - 1.5 * plain->getStress()) <= 1e-12 * std::abs(own->getStress()),
             "the factor is lost");
   }
-  auto m = made(parse, {"4", "upper"});
+  auto m = material_of(parse, {"4", "upper"});
   require(m != nullptr && m->getTag() == 4, "not made");
   std::unique_ptr<UniaxialMaterial> other(m->getCopy()), fresh(m->getCopy());
   require(m->getTangent() == m->getInitialTangent(), "the first tangent is not that of the start");

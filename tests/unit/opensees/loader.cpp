@@ -8,7 +8,7 @@ class Domain;
 class UniaxialMaterial;
 extern Domain* ops_TheActiveDomain;
 int getLibraryFunction(char const* library, char const* function, void** library_handle, void** function_handle);
-bool OPS_addUniaxialMaterial(UniaxialMaterial* made);
+bool OPS_addUniaxialMaterial(UniaxialMaterial* material);
 extern "C" {
 int OPS_ResetInputNoBuilder(void* data, Tcl_Interp* interpreter, int first, int count, char const** words,
                             Domain* domain);
@@ -22,8 +22,8 @@ static int loaded_material(void* data, Tcl_Interp* interpreter, int count, char 
   OPS_ResetInputNoBuilder(data, interpreter, 2, count, words, ops_TheActiveDomain);
   void* (*parse)() = nullptr;
   std::memcpy(&parse, &function, sizeof(parse));
-  auto* const made = static_cast<UniaxialMaterial*>(parse());
-  return made != nullptr && OPS_addUniaxialMaterial(made) ? 0 : 1;
+  auto* const material = static_cast<UniaxialMaterial*>(parse());
+  return material != nullptr && OPS_addUniaxialMaterial(material) ? 0 : 1;
 }
 
 int Loader_Init(Tcl_Interp* interpreter) {
