@@ -330,6 +330,16 @@ Recommendation const* taken(std::vector<Recommendation> const& recommendations) 
   return found == recommendations.end() ? nullptr : &*found;
 }
 
+bool says_the_same(FindingKind weakness, FindingKind warning) {
+  using enum FindingKind;
+  switch (weakness) {
+    case weak_search: return warning == searches_disagree;
+    case weak_bounds: return warning == held_by_box;
+    case weak_open: return warning == not_determined;
+    default: return false;
+  }
+}
+
 std::string short_table(Summary const& summary, Recommendation const& answer) {
   constexpr std::size_t most = 8;
   auto const any = [&](auto has) { return std::ranges::any_of(summary.laws, has); };
@@ -402,10 +412,11 @@ std::string answer(Summary const& summary, std::string_view directory, int width
     text += wrapped("", fmt::format("Low confidence: {}.", wording::paragraph(shown.weak, "; ")), 2, width);
   text += '\n' + short_table(summary, shown) + '\n';
   if (!shown.surer.empty()) text += wrapped("To be surer", wording::paragraph(shown.surer, "; ") + ".", margin, width);
-  // Warnings about laws that are not taken stay with the details.
+  // Left to the details: warnings about laws that are not recommended, and what the lines on confidence have said.
   auto concerned = found.warnings;
   std::erase_if(concerned, [&](Finding const& finding) {
-    return law != nullptr && !finding.law.empty() && finding.law != summary.laws[*law->law].id;
+    return (law != nullptr && !finding.law.empty() && finding.law != summary.laws[*law->law].id) ||
+           std::ranges::any_of(shown.weak, [&](auto const& weak) { return says_the_same(weak.kind, finding.kind); });
   });
   auto const groups = wording::grouped(concerned), every = wording::grouped(found.warnings);
   constexpr std::size_t most = 2;
