@@ -44,7 +44,7 @@ class Analysis : public InFreshDirectory {
 };
 
 TEST_F(Analysis, tells_what_tests_determine_and_what_an_engineer_meets) {
-  auto const o = isolaw(campaign("O"));
+  auto const o = isolaw(campaign("O", {"--details"}));
   ASSERT_EQ(o.code, 0) << o;
   for (auto const* part : {"Without the optimiser's noise", "Taken for a device that was not tested",
                            "Share of the parameters that the tests determine"})
@@ -180,7 +180,7 @@ TEST_F(Analysis, what_one_block_was_fitted_to_predicts_the_other) {
   auto const simulated = isolaw({"simulate", "bilinear", "--from", "O", "--device", "a", "--motion", "a.csv"});
   for (auto const& text : {simulated.err, simulated.out}) {
     EXPECT_TRUE(contains(text, "device 'a', block 1 of the tests alone, up to 50 mm; tested up to 100 mm")) << text;
-    EXPECT_TRUE(contains(text, "prediction good: objective 0.0")) << text;
+    EXPECT_TRUE(contains(text, "prediction is good: objective 0.0")) << text;
   }
   EXPECT_TRUE(contains(simulated.err, "what the law was fitted to"));
   EXPECT_FALSE(contains(simulated.err, "nothing was measured"));
@@ -198,7 +198,9 @@ TEST_F(Analysis, a_law_that_cannot_predict_is_refused_unless_asked_for_anyway) {
   auto const o = isolaw({"calibrate", "a.csv", "--laws", "bilinear,hwang-wu", "--runs", "1", "--analysis", "none",
                          "--fit-blocks", "1", "--out", "O"});
   ASSERT_EQ(o.code, 0) << o;
-  EXPECT_TRUE(contains(o.out, "unusable"));
+  EXPECT_TRUE(contains(o.out, "Hwang-Wu"));
+  EXPECT_TRUE(contains(o.out, "ruled out"));
+  EXPECT_TRUE(contains(isolaw({"report", "O", "--details", "--figures", "none"}).out, "unusable"));
   auto const laws = json("O/summary.json")["laws"];
   EXPECT_EQ(laws[0]["prediction_grade"], "good");
   EXPECT_EQ(laws[1]["prediction_grade"], "unusable");
@@ -212,12 +214,13 @@ TEST_F(Analysis, a_law_that_cannot_predict_is_refused_unless_asked_for_anyway) {
     expect_refused(isolaw(command), {"law hwang-wu, device 'a'", "its prediction is unusable: objective ", "--anyway"});
     auto const anyway = isolaw(command + Words{"--anyway"});
     EXPECT_EQ(anyway.code, 0) << anyway;
-    EXPECT_TRUE(contains(anyway.err, "let through: its prediction is unusable: objective ")) << anyway.err;
+    EXPECT_TRUE(contains(anyway.err, "taken because of --anyway, although its prediction is unusable: objective "))
+        << anyway.err;
     EXPECT_TRUE(contains(anyway.out, "its prediction is unusable: ")) << anyway.out;
   }
   // The nearest material is also far off at the amplitude that was not fitted.
   auto const script = isolaw(commands[0] + Words{"--anyway"});
-  EXPECT_TRUE(contains(script.err, "let through: uniaxialMaterial BoucWen"));
+  EXPECT_TRUE(contains(script.err, "taken because of --anyway, although uniaxialMaterial BoucWen"));
   EXPECT_TRUE(contains(script.err, ", the nearest there is, is far off: largest "));
   EXPECT_TRUE(contains(script.out, "# Far off: "));
   EXPECT_TRUE(contains(isolaw(commands[3] + Words{"--anyway"}).out, "FAR OFF, "));

@@ -358,7 +358,7 @@ TEST_F(Building, carries_the_doubts_of_the_calibration) {
   auto const output =
       isolaw({"building", "case/building.toml", "--from", "doubtful", "--out", "B", "--figures", "none"});
   ASSERT_EQ(output.code, 0) << output;
-  EXPECT_TRUE(contains(output.out, "warning: of the calibration of Bilinear: ")) << output;
+  EXPECT_TRUE(contains(output.out, "warning: From the calibration: Bilinear: ")) << output;
   EXPECT_TRUE(contains(output.out, "xy at its lower bound")) << output;
   EXPECT_TRUE(contains(output.out, "warning: 1 motion: codes take the mean over 7 or more")) << output;
   auto const json = this->json("B/building.json");

@@ -186,11 +186,11 @@ TEST_F(Check, removed_runs_are_missing_and_the_reports_tell_of_them) {
   // report describes the incomplete store, and its output then agrees with the store.
   auto const report = isolaw({"report", "O"});
   EXPECT_EQ(report.code, 1) << report;
-  EXPECT_TRUE(contains(report.out, "not complete: 7 of 8 runs are there"));
+  EXPECT_TRUE(contains(report.out, "7 of 8 runs are done"));
   EXPECT_TRUE(contains(report.out, "2 laws, 7 of 8 runs, seed 1"));
   EXPECT_EQ(json("O/summary.json")["complete"], false);
   EXPECT_EQ(json("O/summary.json")["missing_runs"], 1);
-  EXPECT_TRUE(contains(read("O/report.html"), "not complete: 7 of 8 runs are there"));
+  EXPECT_TRUE(contains(read("O/report.html"), "7 of 8 runs are done"));
   EXPECT_TRUE(contains(read("O/tables/objective.csv"), ",ok,,1\r\n"));
   EXPECT_EQ(isolaw({"check", "O"}).code, 0);
 }

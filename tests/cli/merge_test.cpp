@@ -122,7 +122,7 @@ TEST_F(Merge, of_seven_parts_in_any_order_one_killed_one_twice_is_what_one_machi
   auto const o = isolaw(merge({3, 7, 2, 1, 6, 4, 5}, {"again"}));
   expect_message(o, 1, {"24 runs copied, ", " there already"});  // a device was refused
   expect_as_one_machine();
-  EXPECT_EQ(o.out, isolaw(campaign("W")).out);
+  EXPECT_EQ(without_folder(o.out, "O"), without_folder(isolaw(campaign("W")).out, "W"));
 }
 
 TEST_F(Merge, has_no_run_in_two_parts_and_every_run_in_one) {
@@ -410,7 +410,7 @@ TEST_F(Merge, part_is_an_ordinary_store_that_knows_it_is_one) {
   expect_message(o, 1, {"this is part 3 of 7", "isolaw merge OUT PARTS..."});
   EXPECT_EQ(json("P3/summary.json")["part"], 3);
   EXPECT_EQ(json("P3/summary.json")["parts"], 7);
-  EXPECT_TRUE(contains(read("P3/report.html"), "part 3 alone of 7: "));
+  EXPECT_TRUE(contains(read("P3/report.html"), "This is part 3 of 7. "));
   auto const checked = isolaw({"check", "P3"});
   EXPECT_EQ(checked.code, 0) << checked;
   EXPECT_TRUE(contains(checked.out, "this is part 3 of 7"));

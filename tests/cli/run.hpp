@@ -16,6 +16,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -207,6 +208,16 @@ inline void expect_message(Outcome const& o, int code, std::vector<std::string> 
   EXPECT_EQ(o.code, code) << o;
   for (auto const& part : parts) EXPECT_TRUE(contains(o.err, part)) << "exit code " << o.code;
   EXPECT_EQ(o.err.find("internal error"), std::string::npos) << o;
+}
+
+// Text of the terminal without the line breaks that fit it to its width.
+inline std::string unwrapped(std::string const& text) {
+  return std::regex_replace(text, std::regex("\n +"), " ");
+}
+
+// What calibrate and report print, without the name of the folder that they wrote into.
+inline std::string without_folder(std::string const& text, std::string const& folder) {
+  return std::regex_replace(text, std::regex("\\b" + folder + "(?=/report.html| --law)"), "FOLDER");
 }
 
 // Wrong usage: exit code 2, the message on stderr, nothing on stdout.

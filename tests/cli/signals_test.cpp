@@ -152,13 +152,11 @@ TEST_F(Signals, no_law_follows_a_device_that_degrades) {
     if (warning["topic"] == "degradation") said.push_back(warning["sentence"]);
   ASSERT_EQ(said.size(), 1u) << summary["warnings"];
   EXPECT_TRUE(
-      said.front().starts_with("degrading: the energy of a cycle falls by 36 % from cycle 3 to 25 of block 1, "
-                               "and no law follows this degradation over cycles"))
+      said.front().starts_with("degrading: the energy of a cycle falls by 36 % from cycle 3 to cycle 25 of block 1"))
       << said.front();
-  auto unwrapped = o.out;
-  for (std::size_t at = 0; (at = unwrapped.find("\n    ", at)) != std::string::npos;) unwrapped.replace(at, 5, " ");
-  EXPECT_NE(unwrapped.find("no law follows this degradation over cycles"), std::string::npos) << o;
-  EXPECT_NE(read("out/report.html").find("no law follows this degradation over cycles"), std::string::npos);
+  EXPECT_TRUE(contains(said.front(), "No law follows that"));
+  EXPECT_TRUE(contains(unwrapped(o.out), said.front())) << o;
+  EXPECT_TRUE(contains(read("out/report.html"), said.front()));
   auto const& fits = summary["laws"][0]["devices"];
   EXPECT_NEAR(fits[0]["measured_energy_fall_percent"].get<double>(), 36.0, 2.0);
   EXPECT_NEAR(fits[0]["energy_fall_percent"].get<double>(), 0.0, 1.0);

@@ -20,6 +20,7 @@ SENTENCES = {
     "sentence", "why", "would_decide", "answer", "reason", "programs", "headline", "warnings", "recognised", "notes",
     "corrections", "cleaning", "message", "verdict_text", "properties_refusal", "prediction", "objection", "verdict",
     "doubts", "not_monotonic", "refusal", "condition", "converged", "remark", "choice",
+    "counting_block_choice",
 }
 
 

@@ -63,7 +63,7 @@ void require_taken(Doubts const& doubts, std::string const& where, bool anyway) 
 }
 
 std::string let_through(std::string_view objection) {
-  return fmt::format("taken because of --anyway, although {}", objection);
+  return fmt::format("warning: taken because of --anyway, although {}", objection);
 }
 
 std::string part_text(std::string_view part) {

@@ -333,10 +333,14 @@ Recommendation const* taken(std::vector<Recommendation> const& recommendations) 
 bool says_the_same(FindingKind weakness, FindingKind warning) {
   using enum FindingKind;
   switch (weakness) {
-    case weak_search: return warning == searches_disagree;
-    case weak_bounds: return warning == held_by_box;
-    case weak_open: return warning == not_determined;
-    default: return false;
+    case weak_search:
+      return warning == searches_disagree;
+    case weak_bounds:
+      return warning == held_by_box;
+    case weak_open:
+      return warning == not_determined;
+    default:
+      return false;
   }
 }
 
@@ -362,9 +366,11 @@ std::string short_table(Summary const& summary, Recommendation const& answer) {
     if (devices) row.cells.push_back(percent(law.loo_objective));
     if (devices && !blocks) row.cells.push_back(percent(law.loo_worst));
     if (blocks) row.cells.push_back(percent(law.predicted_objective));
-    row.cells.push_back(std::to_string(std::ranges::count_if(study::parameters_of(law), &ParameterFit::free)));
+    auto const free = std::ranges::count_if(study::parameters_of(law), &ParameterFit::free);
+    row.cells.push_back(free > 0 ? std::to_string(free) : "–");
     if (standing.place == Rank::tied) row.remark = "   as good";
-    if (standing.reason) row.remark = "   ruled out";
+    if (standing.reason)
+      row.remark = standing.reason->kind == FindingKind::out_not_identified ? "   not identified" : "   ruled out";
     rows.push_back(std::move(row));
   }
   auto text = table(rows, {}, 0, 1);
