@@ -43,9 +43,9 @@ void show_progress(building::RunProgress const& progress, std::chrono::steady_cl
 
 void print_answers(building::Study const& study, building::Answers const& answers) {
   auto text = wording::paragraph(answers.verdict) + "\n\n";
-  text +=
-      fmt::format("{} motions, {} bearings, weight {:.0f} kN; means over the motions, fractiles over {} draws\n",
-                  study.file.motions.size(), study.file.bearings.size(), answers.weight_kN, study.file.settings.draws);
+  text += fmt::format("{}, {}, weight {:.0f} kN; means over the motions, fractiles over {}\n",
+                      counted(study.file.motions.size(), "motion"), counted(study.file.bearings.size(), "bearing"),
+                      answers.weight_kN, counted(study.file.settings.draws, "draw"));
   auto const quantities = building::quantities();
   for (auto const& warning : render::building_warnings(answers)) text += fmt::format("warning: {}\n", warning);
   for (auto const& law : answers.laws) {

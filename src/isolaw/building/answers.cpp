@@ -355,9 +355,8 @@ std::vector<std::string> assumed_of(Study const& study, Answers const& answers) 
   sentences.push_back(fmt::format(
       "The bound analyses take every bearing at its nominal values, forces times {:.2f} and {:.2f}: stiffness and strength alike.",
       s.lower, s.upper));
-  sentences.push_back(
-      fmt::format("A building's response is its mean over the {} motions, each as the building file scales it.",
-                  study.file.motions.size()));
+  sentences.push_back(fmt::format("A building's response is its mean over {}, each scaled as the building file says.",
+                                  counted(study.file.motions.size(), "motion")));
   sentences.push_back(
       s.populations > 1
           ? fmt::format("The population is as uncertain as the tests leave it: {} populations of {} draws.",
