@@ -25,9 +25,7 @@ as_root() { if [ "$(id -u)" -eq 0 ]; then step "$@"; else step sudo "$@"; fi; }
 build_packages=(ca-certificates cmake g++ gnuplot-nox libboost-dev libcli11-dev libeigen3-dev libexpat1-dev libfmt-dev libgtest-dev libhdf5-dev
   libmatio-dev libminizip-dev librandom123-dev libsqlite3-dev libssl-dev libtomlplusplus-dev libxlsxwriter-dev
   ninja-build nlohmann-json3-dev npm pybind11-dev python3-dev python3-numpy zlib1g-dev)
-test_packages=(chromium g++-aarch64-linux-gnu gfortran make munge parallel python3-distributed qemu-user slurm-client slurmctld slurmd tcl xz-utils)
-# What OpenSees needs, where it lies beside the checkout: tests run exports in it, and are skipped without.
-[ -x ../shared/opensees/OpenSees ] && test_packages+=(liblapack3 libgfortran5)
+test_packages=(chromium g++-aarch64-linux-gnu gfortran make munge parallel python3-distributed python3-tk python3-venv qemu-user slurm-client slurmctld slurmd tcl xz-utils)
 
 install_missing() {
   command -v dpkg-query >/dev/null || { echo "isolaw.sh: not a Debian system; install the packages listed here by other means" >&2; return; }
@@ -85,6 +83,7 @@ case "${1:-help}" in
     setup "${test_packages[@]}"
     # The test of the page that skips without it.
     [ -e node_modules/axe-core/axe.min.js ] || step npm ci --no-audit --no-fund --loglevel=error
+    step tools/opensees.sh build/opensees
     build
     step ctest --preset "$preset" -j "$one_waits" "${@:2}"
     ;;

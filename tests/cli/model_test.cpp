@@ -1,7 +1,7 @@
-// isolaw export of a whole building: the example lot's laws to both targets, run in OpenSees if it is installed beside
-// the checkout; and wrong requests.
+// isolaw export of a whole building: the example lot's laws to both targets, run in OpenSees; and wrong requests.
 #include "cli/models.hpp"
 #include "cli/records.hpp"
+#include "opensees.hpp"
 
 namespace isolaw::cli_test {
 namespace {
@@ -27,21 +27,18 @@ class ExportedModel : public InFreshDirectory {
   Words const whole_{"--layout", "layout.csv", "--axial", "900kN/mm", "--ground-motion", "x.csv"};
 };
 
-// Skipped if OpenSees is not installed.
 class ExportedModelInOpenSees : public ExportedModel {
  protected:
   void SetUp() override {
-    if (!fs::exists(program_)) GTEST_SKIP() << "OpenSees is not here: " << program_;
+    if (!here_.is_there()) GTEST_SKIP() << here_.lacking();
     ExportedModel::SetUp();
-    write("starts.tcl", "puts ready\n");
-    if (auto const o = finished({program_, "starts.tcl"}); !contains(o.out + o.err, "ready"))
-      GTEST_SKIP() << "OpenSees does not start (needs Debian's tcl, liblapack3, libgfortran5): " << o;
-    write("openseespy/__init__.py", "");
-    fs::create_symlink(program_.parent_path() / "opensees.so", path("openseespy/opensees.so"));
   }
   Outcome finished(Words const& command) { return Process(command, path("."), path("out"), path("err")).wait(); }
 
-  fs::path const program_ = data.parent_path() / "opensees/OpenSees";
+  Outcome run_tcl(Words const& arguments) { return finished(Words{here_.python, here_.tcl_script} + arguments); }
+  Outcome run_python(Words const& arguments) { return finished(Words{here_.python} + arguments); }
+
+  OpenSeesHere const here_;
 };
 
 TEST_F(ExportedModelInOpenSees, of_the_example_lot_runs_in_both_languages) {
@@ -55,9 +52,9 @@ TEST_F(ExportedModelInOpenSees, of_the_example_lot_runs_in_both_languages) {
     ASSERT_EQ(o.code, 0) << o;
     o = exported(law, "openseespy-model", both + Words{"--out", "m.py"});
     ASSERT_EQ(o.code, 0) << o;
-    auto const tcl = finished({program_, "m.tcl", "run", "tcl"});
+    auto const tcl = run_tcl({"m.tcl", "run", "tcl"});
     EXPECT_EQ(tcl.code, 0) << law << tcl;
-    auto const python = finished({"python3", "m.py", "run", "python"});
+    auto const python = run_python({"m.py", "run", "python"});
     EXPECT_EQ(python.code, 0) << law << python;
     EXPECT_FALSE(contains(tcl.out + tcl.err + python.out + python.err, "WARNING ")) << tcl << python;
     EXPECT_EQ(read("tcl/peaks.csv"), read("python/peaks.csv")) << law;
@@ -67,8 +64,8 @@ TEST_F(ExportedModelInOpenSees, of_the_example_lot_runs_in_both_languages) {
         for (auto const* folder : {"tcl", "python"})
           EXPECT_EQ(std::ranges::count(read(fmt::format("{}/{}/{}", folder, bound, file)), '\n'), 402) << law << bound;
     }
-    EXPECT_EQ(finished({program_, "m.tcl", "check"}).code, 0) << law;
-    EXPECT_EQ(finished({"python3", "m.py"}).code, 0) << law;
+    EXPECT_EQ(run_tcl({"m.tcl", "check"}).code, 0) << law;
+    EXPECT_EQ(run_python({"m.py"}).code, 0) << law;
     fs::remove_all(path("tcl"));
     fs::remove_all(path("python"));
   }
@@ -79,13 +76,13 @@ TEST_F(ExportedModelInOpenSees, draws_of_the_lot_run) {
   for (auto const* law : {"bilinear", "bouc-wen"}) {
     auto const o = exported(law, "opensees-model", whole_ + Words{"--draws", "3", "--out", "m.tcl"});
     ASSERT_EQ(o.code, 0) << o;
-    auto const run = finished({program_, "m.tcl", "run", law});
+    auto const run = run_tcl({"m.tcl", "run", law});
     EXPECT_EQ(run.code, 0) << law << run;
     auto const said = run.out + run.err;
     for (auto const* row : {"\nnominal ", "\ndraw_1 ", "\ndraw_3 ", "\nmean ", "\nlargest "})
       EXPECT_TRUE(contains(said, row)) << law << said;
     EXPECT_NE(read(std::string(law) + "/draw_1/slab.csv"), read(std::string(law) + "/draw_2/slab.csv"));
-    EXPECT_EQ(finished({program_, "m.tcl", "check"}).code, 0) << law;
+    EXPECT_EQ(run_tcl({"m.tcl", "check"}).code, 0) << law;
   }
 }
 

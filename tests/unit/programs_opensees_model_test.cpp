@@ -235,7 +235,7 @@ TEST_F(ModelInOpenSees, python_does_what_tcl_does_in_any_units) {
     auto subject = subject_of(b.law, b.parameters);
     subject.model = model;
     write("model.py", openseespy_model(subject, realisation, unit_systems[0]));
-    EXPECT_EQ(run("python3 model.py run python"), 0) << read("printed");
+    EXPECT_EQ(run_python("model.py run python"), 0) << read("printed");
     EXPECT_EQ(read("tcl/peaks.csv"), read("python/peaks.csv"));
     // Tcl is given values of the program with twenty decimals.
     for (auto const* file : {"lower/slab.csv", "nominal/bearings.csv"}) {
@@ -247,14 +247,14 @@ TEST_F(ModelInOpenSees, python_does_what_tcl_does_in_any_units) {
       }
     }
     write("model.py", openseespy_model(subject, realisation, unit_systems[1]));
-    EXPECT_EQ(run("python3 model.py run metres nominal"), 0) << read("printed");
+    EXPECT_EQ(run_python("model.py run metres nominal"), 0) << read("printed");
     auto const mm = slab("tcl").at("ux");
     auto metres = slab("metres").at("ux");
     for (double& x : metres) x *= 1e3;
     EXPECT_LT(largest_difference(metres, mm), 1e-5 * peak_of(mm)) << b.name;
     EXPECT_FALSE(fs::exists(folder_ / "metres/lower"));
     // The file still checks its materials.
-    EXPECT_EQ(run("python3 model.py"), 0) << read("printed");
+    EXPECT_EQ(run_python("model.py"), 0) << read("printed");
     EXPECT_EQ(run_tcl("model.tcl check"), 0) << read("printed");
   }
 }
@@ -285,7 +285,7 @@ TEST_F(ModelInOpenSees, what_fails_ends_with_another_exit_code) {
   EXPECT_EQ(run_tcl("model.tcl run out nonsense"), 1) << read("printed");
   EXPECT_TRUE(contains(read("printed"), "no case nonsense; there is: lower nominal upper")) << read("printed");
   write("model.py", openseespy_model(subject, realisation, unit_systems[0]));
-  EXPECT_EQ(run("python3 model.py run out nonsense"), 1) << read("printed");
+  EXPECT_EQ(run_python("model.py run out nonsense"), 1) << read("printed");
   EXPECT_TRUE(contains(read("printed"), "no case nonsense")) << read("printed");
   // The program does not know this bearing.
   auto broken = script;

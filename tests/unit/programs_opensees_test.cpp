@@ -1,5 +1,5 @@
-// Exported scripts in the real OpenSees (Tcl, and as a module of Python), where it lies beside the checkout: their own
-// checks, and analyses in time whose forces are compared with the replay along the displacements reached.
+// Exported scripts in the real OpenSees, in Tcl and Python: their own checks, and analyses in time whose forces are
+// compared with the replay along the displacements reached.
 #include <fmt/format.h>
 
 #include "isolaw/base/words.hpp"
@@ -13,8 +13,8 @@ struct Exported {
   std::vector<double> parameters;
   double acceleration_mm_s2 = 450.0;  // of the ground; it moves the mass as far as the tests did
 };
-// menegotto-pinto becomes Steel02, which that OpenSees was compiled without.
 std::vector<Exported> const exported{{"corner", "bilinear", bilinear_parameters, 900.0},
+                                     {"branches", "menegotto-pinto", menegotto_pinto_parameters},
                                      {"smooth", "bouc-wen", bouc_wen_parameters},
                                      {"curves", "vaiana", vaiana_parameters()},
                                      {"hardening curves", "vaiana", vaiana_parameters(800.0, 12.0)},
@@ -37,7 +37,7 @@ TEST_F(OpenSees, scripts_check_themselves) {
       EXPECT_EQ(read("printed").find("FAIL"), std::string::npos) << said << read("printed");
       EXPECT_EQ(read("printed").find("WARNING"), std::string::npos) << said << read("printed");
       write("bearing.py", openseespy_script(subject, realisation, units));
-      EXPECT_EQ(run("python3 bearing.py"), 0) << said << read("printed");
+      EXPECT_EQ(run_python("bearing.py"), 0) << said << read("printed");
     }
 }
 

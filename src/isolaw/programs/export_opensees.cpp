@@ -70,7 +70,7 @@ std::string check_procedure(SelfCheck const& check) {
   proc forces {function variant} {
     variable disp
     wipe
-    model basic -ndm 2 -ndf 3
+    namespace eval :: { model basic -ndm 2 -ndf 3 }
     node 1 0.0 0.0
     node 2 0.0 0.0
     fix 1 1 1 1

@@ -1,0 +1,24 @@
+// The OpenSees in which exported scripts are tried: the module for Python that tools/opensees.sh installs from PyPI, in
+// the build folder or where the environment variable ISOLAW_OPENSEES says. It also runs Tcl scripts here
+// (opensees/tcl_script.py). `xara` is a fork with an interpreter of Tcl of its own.
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+namespace isolaw {
+
+struct OpenSeesHere {
+  std::filesystem::path folder =
+      std::getenv("ISOLAW_OPENSEES") != nullptr ? std::getenv("ISOLAW_OPENSEES") : ISOLAW_OPENSEES_DIR;
+  std::string python = (folder / "openseespy/bin/python").string();
+  std::string xara = (folder / "xara/bin/python").string();
+  std::string tcl_script = ISOLAW_SOURCE_DIR "/tests/opensees/tcl_script.py";
+
+  bool is_there() const { return std::filesystem::exists(folder / "openseespy/installed"); }
+  bool has_xara() const { return std::filesystem::exists(folder / "xara/installed"); }
+  std::string lacking() const { return "OpenSees is not in " + folder.string() + "; tools/opensees.sh installs it"; }
+};
+
+}  // namespace isolaw

@@ -1,0 +1,58 @@
+"""Runs a Tcl script in OpenSees as OpenSees.exe would: tcl_script.py FILE [ARGUMENTS...].
+
+The package index has OpenSees as a module of Python only. Here Tcl's own interpreter reads the script, and every command
+of OpenSees in it is passed to that module, whose parser of arguments is the one of both languages. What this cannot show:
+the few commands that OpenSees' Tcl program defines by itself. Needs python3-tk and openseespy (tools/opensees.sh).
+"""
+
+import os
+import sys
+import tkinter
+
+import openseespy.opensees as ops
+
+tcl = tkinter.Tcl()
+
+
+def number(word: str):
+    for kind in (int, float):
+        try:
+            return kind(word)
+        except ValueError:
+            pass
+    return word
+
+
+def called(name: str, *words: str) -> str:
+    # The block of a pattern holds commands; any other argument of several words is a list of values.
+    block = words[-1] if name == "pattern" and len(words) > 3 else None
+    arguments = []
+    for word in words[:-1] if block is not None else words:
+        parts = tcl.splitlist(word) if " " in word.strip() else (word,)
+        arguments.extend(number(part) for part in parts)
+    result = getattr(ops, name)(*arguments)
+    if block is not None:
+        tcl.eval(block)
+    values = result if isinstance(result, (list, tuple)) else [] if result is None else [result]
+    return " ".join(repr(value) if isinstance(value, float) else str(value) for value in values)
+
+
+def end(code: str = "0") -> None:
+    tcl.eval("flush stdout; flush stderr")
+    os._exit(int(code))
+
+
+tcl.createcommand("exit", end)
+builtin = set(tcl.splitlist(tcl.eval("info commands")))
+for command in dir(ops):
+    if not command.startswith("_") and callable(getattr(ops, command)) and command not in builtin:
+        tcl.createcommand(command, lambda *words, name=command: called(name, *words))
+
+script = sys.argv[1]
+tcl.setvar("argv0", script)
+tcl.setvar("argv", tcl.call("list", *sys.argv[2:]))
+tcl.setvar("argc", str(len(sys.argv) - 2))
+try:
+    tcl.evalfile(script)
+except tkinter.TclError as error:
+    print(error, tcl.getvar("errorInfo"), file=sys.stderr)
