@@ -72,7 +72,7 @@ class WorkAhead {
   friend class WorkerGroup;
   enum class State : unsigned char { open, taken, done };
   bool has_open() const { return next_open_ < states_.size(); }
-  bool do_one();  // false where no item is open
+  bool do_one();  // returns false if no item is open
   void perform(std::size_t i);
 
   std::function<void(std::size_t)> work_;

@@ -191,7 +191,7 @@ void TomlTable::refuse_unknown() {
 }
 
 void TomlTable::complain(toml::node const& node, std::string found, std::string allowed, std::string advice) {
-  if (complaints_.size() > most_complaints) return;  // keeps one more than is shown: throw_complaints then mentions it
+  if (complaints_.size() > most_complaints) return;  // one more than is shown makes throw_complaints mention more
   complaints_.push_back(
       {.where = where(node), .found = std::move(found), .allowed = std::move(allowed), .advice = std::move(advice)});
 }
