@@ -33,7 +33,7 @@ void require_sound(Path const& file, std::optional<Part> const& part) {
                  .advice = "copying it once more, or " + again(part)});
 }
 
-// All numbers come from one build and instruction set: two differ in last digits, so the place of a part would matter.
+// All numbers must come from one build and instruction set, or they would depend on which machine computed a part.
 void require_one_maker(Path const& file, Contents const& part, Maker const& me) {
   for (auto const& maker : part.makers) {
     if (!same_build(maker, me))
