@@ -79,7 +79,7 @@ class RuleTable : public TomlTable {
         target.push_back(found);
       });
   }
-  bool cycles(std::string_view key, int& first, int& last) {  // whether both are there and right
+  bool cycles(std::string_view key, int& first, int& last) {  // returns whether the key holds a valid range
     auto const* node = find(key);
     if (node == nullptr) return false;
     std::vector<std::int64_t> ends;
