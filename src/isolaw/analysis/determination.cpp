@@ -135,8 +135,8 @@ class Examination {
   bool is_seen(double force_change) const { return weakly_determined_within * force_change >= visible_change(); }
 
   // Adds a direction as a trade-off if its force change is not visible. alone[i] is the force change by parameter i
-  // alone. The trade-off names at least two parameters: those whose change is at least a tenth of the largest, and
-  // those whose part in the force change is.
+  // alone. The trade-off names at least two parameters: all with at least a tenth of the largest change, or with at
+  // least a tenth of the largest force change.
   void add_direction(Vector const& direction, double singular_value, std::vector<std::size_t> const& acting,
                      Vector const& alone) {
     constexpr double takes_part = 0.1;

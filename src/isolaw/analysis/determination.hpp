@@ -1,4 +1,4 @@
-// Tells which parameters of a law a test determines: how far each may change before the loop gets visibly worse, and
+// Finds which parameters of a law a test determines: how far each may change before the loop gets visibly worse, and
 // which of them trade off against each other.
 // A parameter is judged by the profile of the objective: it is held at a value and all others are fitted again. The
 // test leaves open the range in which the objective stays within `rise` of its least value (profiles: Raue et al. 2009,

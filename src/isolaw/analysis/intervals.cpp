@@ -143,7 +143,7 @@ Serial serial(std::span<double const> series, double mean) {
   double const size = static_cast<double>(n), variance = covariance(0);
   constexpr double rounding = 1e-20;
   if (n < 12 || !(variance > rounding * mean * mean)) return result;
-  // `last` becomes the last lag before `in_a_row` lags whose correlation is no larger than that of independent values.
+  // `last` becomes the last lag before `in_a_row` lags whose correlation is no larger than for independent values.
   auto const in_a_row = static_cast<std::size_t>(std::max(5.0, std::sqrt(std::log10(size))));
   auto const most = static_cast<std::size_t>(std::ceil(std::sqrt(size))) + in_a_row;
   double const threshold = 2.0 * std::sqrt(std::log10(size) / size);

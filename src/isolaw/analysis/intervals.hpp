@@ -47,8 +47,8 @@ struct IntervalOptions {
   int replicates = 100;  // 0: no bootstrap
 };
 
-// `optimum` holds all of the law's parameters, at the least objective. A parameter at its bound is held there, and its
-// intervals are that single value. nullopt if interrupted.
+// `optimum` holds all of the law's parameters, at the least objective. A parameter at its bound is kept at the bound,
+// and its intervals are that single value. nullopt if interrupted.
 std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox const& box,
                                    std::span<double const> optimum, num::Stream const& stream,
                                    IntervalOptions const& options = {}, Interrupted const& interrupted = {});

@@ -1,4 +1,4 @@
-// Fits one parameter vector of a law to all devices of a lot, and tells how well it fits each of them.
+// Fits one parameter vector of a law to all devices of a lot, and computes how well it fits each of them.
 #pragma once
 
 #include <cstddef>

@@ -58,8 +58,8 @@ class Membership {
   WorkerGroup* before_;
 };
 
-// Items 0 to count - 1 of a piece of work. `work` may be called from several threads, at most once for each item, also
-// for items never needed; no item's result may depend on another. Without a group items are computed when needed.
+// Items 0 to count - 1 of a piece of work. Several threads may call `work`, at most once for each item and also for
+// items that nobody needs; no item's result may depend on another. Without a group items are computed when needed.
 class WorkAhead {
  public:
   WorkAhead(std::size_t count, std::function<void(std::size_t)> work);

@@ -1,4 +1,4 @@
-// Reads plain files of bounded size that a user names or someone else wrote; tells whether a name leaves a folder.
+// Reads plain files of bounded size that a user names or someone else wrote; checks whether a name leaves a folder.
 #pragma once
 
 #include <cstdint>

@@ -46,8 +46,8 @@ struct OptionInfo {
   std::string help = {};
   std::optional<Limits> limits = {};
   std::vector<std::string_view> words = {};  // the values allowed, if it takes one of a few words
-  std::string_view keyword = {};             // in Python, if that is not the key with underscores
-  std::string_view type = {};                // in Python, if kind and words do not say it
+  std::string_view keyword = {};             // the name in Python, if it is not the key with underscores
+  std::string_view type = {};                // the type in Python, if kind and words do not decide it
   Heading heading = Heading::search;         // the heading of most settings
 
   std::string option() const;  // the name in a lot file and, after two dashes, on the command line
@@ -94,7 +94,7 @@ void lay_over(Rows const& rows, Values const& given, Target& target) {
   });
 }
 
-// These check a value given, and throw Error without `where`.
+// These check a value, and throw Error without `where`.
 int whole_of(Json const& value, Limits const& limits);
 double real_of(Json const& value, Limits const& limits);
 bool flag_of(Json const& value);

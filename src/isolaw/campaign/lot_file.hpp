@@ -55,7 +55,7 @@ struct LotFileOptions {
   bool other_out = false;      // --out is given, so that the file's `out` is ignored
   // Whether a name belongs to a built-in rule set; the module `rules` answers this. If empty, every name is a file.
   std::function<bool(std::string_view)> is_built_in_rules = {};
-  std::function<void(std::string_view)> check_design = {};  // checks design values, also by `rules`; throws Error
+  std::function<void(std::string_view)> check_design = {};  // checks design values (module `rules`); throws Error
 };
 
 inline constexpr std::size_t most_devices = 10'000;

@@ -33,7 +33,7 @@ struct Sides {  // the two places that differ, as messages name them
 // "method: ga there, best now" for each setting that differs, without settings that only one of two methods has.
 std::vector<std::string> differences(Settings const& there, Settings const& now, Sides const& sides = {});
 
-// The options of the rules that tests are checked against. `rules` is stored as named; the file is not loaded here.
+// The options of the rules that tests are checked against. `rules` holds the name only; other code loads the file.
 std::span<Option<Acceptance> const> acceptance_table();
 
 }  // namespace isolaw::campaign

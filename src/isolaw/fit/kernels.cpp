@@ -34,7 +34,7 @@ void sums(double const* parameters, std::size_t block, KernelRecord const& recor
   sum.store(out);
 }
 
-// Laws that keep so many values in registers that eight vectors at once cost more than four twice.
+// Laws that keep many values in registers, so that eight vectors at once cost more than twice four vectors.
 template <class Law>
 inline constexpr bool crowded = requires {
   Law::crowded;

@@ -1,4 +1,4 @@
-// Finds devices that stand out from their lot in a measured property, a parameter of a law or an error of its fit.
+// Finds devices that differ from their lot in a measured property, a parameter of a law or an error of its fit.
 // Source of the score: Iglewicz and Hoaglin 1993. The rules' lot view uses the same score (num::modified_scores) for
 // measured properties, but asks for at least five values, since a verdict depends on them.
 #pragma once

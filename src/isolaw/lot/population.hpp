@@ -43,7 +43,7 @@ struct DeviceEstimate {        // the fit of one device, in the units of the par
 // the standard deviation from scatter and uncertainty together.
 struct Direction {
   std::vector<double> weights;  // [n], of length 1; the largest is positive
-  double ratio = 0.0;           // lambda: variance of the estimates over that of their errors, at most 1
+  double ratio = 0.0;           // lambda: variance of the estimates / variance of their errors, at most 1
 };
 
 // Vectors and matrices have an element per parameter, in the order given, transformed unless a comment says otherwise.

@@ -117,7 +117,7 @@ class Counting {  // the problem or its outline, whichever is in use, and the co
 
   std::size_t dimension() const { return problem_->dimension(); }
 
-  // For each point the sums of weight * |residual| and of weight * sqrt(residual^2 + delta^2); infinite if it failed.
+  // Sums of weight * |residual| and of weight * sqrt(residual^2 + delta^2) for each point; infinite if the point failed.
   struct Sizes {
     std::vector<double> value, rounded;
   };
@@ -286,7 +286,7 @@ class Descent {
     return {here.value, here.value};
   }
 
-  // The point after a damped Newton step inside the box. A coordinate on an edge keeps its value if it would leave.
+  // The point after a damped Newton step in the box. A coordinate on an edge stays on it if the step leads outside.
   void propose(Matrix const& H, Vector const& g, double damping, std::span<double> point) const {
     std::ranges::copy(here_.x, point.begin());
     std::vector<Index> free;
@@ -427,7 +427,7 @@ class Search {
   }
 
   // May run before its turn, on another thread. It settles the descent if its value is near enough to the best value
-  // known at that time. That value can only fall until the descent's turn, so every descent that must be settled is.
+  // known by then. That value can only fall until the descent's turn, so a descent that must be settled has been settled.
   FinishedDescent descent_from(std::span<double const> start) const {
     FinishedDescent result;
     Descent descent(problem_, start);

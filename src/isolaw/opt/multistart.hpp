@@ -6,9 +6,9 @@
 // differences in one batch, and every iteration tries several steps at once. If the problem has an outline (about a
 // third of the residuals, with the same valleys), a descent first minimises it; only the last steps use all residuals.
 // The search ends when enough descents have ended at the best value: early if nearly all scattered ones did, later if
-// there are other valleys, after all starts if few descents ended there, and after a third more if many ended close to
-// it. In more than fourteen dimensions a round makes as many hops as scattered starts, and the search two and a half
-// times as many descents.
+// there are other valleys, after all starts if few descents ended at that value, and after a third more if many ended
+// close to it. In more than fourteen dimensions a round makes as many hops as scattered starts, and a search makes two
+// and a half times as many descents.
 // Rejected: descending only from starts of low value. In the laws' boxes such starts lie in the wrong valleys.
 #pragma once
 

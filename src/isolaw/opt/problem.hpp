@@ -54,7 +54,7 @@ struct Found {
   std::vector<double> best;  // in the unit box; empty when no point was finite
   double best_value = std::numeric_limits<double>::infinity();
   int evaluations = 0;         // points that were computed
-  int failed_evaluations = 0;  // those of them whose value was not finite
+  int failed_evaluations = 0;  // how many of them had no finite value
 
   bool usable() const { return !best.empty(); }
 };

@@ -1,8 +1,7 @@
 // Compares one device with a rule set: each limit gives a measured value, a deviation from the design value, a verdict.
 // Only a set that somebody verified gives a pass or a fail, and only under the conditions that it asks for; everything
 // else is information, or not assessed with a reason. A value on the limit passes. Values are compared as measured,
-// never rounded, with a slack of 1e-12 of the bound, since 1.2 times a design value is rarely 20 % in binary to the
-// last bit.
+// never rounded, with a slack of 1e-12 of the bound, since in binary 1.2 times a value is rarely exactly 20 % more.
 #pragma once
 
 #include <optional>

@@ -55,7 +55,7 @@ enum class Measure {
   loss_from_first,    // largest 1 - value/first
 };
 
-// Stability over a range of cycles. It always uses peak to peak stiffness and damping, in any set.
+// Stability over a range of cycles. It compares cycles with each other, so stiffness and damping are peak to peak.
 struct StabilityLimit {
   Quantity quantity = Quantity::K_eff;
   Measure measure = Measure::min_over_max;
