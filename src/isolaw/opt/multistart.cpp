@@ -117,7 +117,7 @@ class Counting {  // the problem or its outline, whichever is in use, and the co
 
   std::size_t dimension() const { return problem_->dimension(); }
 
-  // Sums of weight * |residual| and of weight * sqrt(residual^2 + delta^2) for each point; infinite if the point failed.
+  // Sums of weight * |residual| and of weight * sqrt(residual^2 + delta^2) for each point; infinite for a failed point.
   struct Sizes {
     std::vector<double> value, rounded;
   };
@@ -427,7 +427,7 @@ class Search {
   }
 
   // May run before its turn, on another thread. It settles the descent if its value is near enough to the best value
-  // known by then. That value can only fall until the descent's turn, so a descent that must be settled has been settled.
+  // known by then. That value can only fall until the descent's turn, so a descent that must be settled is settled here.
   FinishedDescent descent_from(std::span<double const> start) const {
     FinishedDescent result;
     Descent descent(problem_, start);
