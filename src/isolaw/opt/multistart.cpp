@@ -427,7 +427,7 @@ class Search {
   }
 
   // May run before its turn, on another thread. It settles the descent if its value is near enough to the best value
-  // known then. That value can only fall until the descent's turn, so each descent that must be settled is settled here.
+  // known then. That value can only fall until the descent's turn, so each descent that must be settled has been.
   FinishedDescent descent_from(std::span<double const> start) const {
     FinishedDescent result;
     Descent descent(problem_, start);
