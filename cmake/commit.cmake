@@ -6,7 +6,7 @@ set(commit "unknown commit")
 file(STRINGS ${ROOT}/cmake/COMMIT packed LIMIT_COUNT 1)
 if(packed MATCHES "^[0-9a-f]+$")
   set(commit ${packed})
-elseif(EXISTS ${ROOT}/.git)  # not that of a repository around an unpacked archive
+elseif(EXISTS ${ROOT}/.git)  # not the commit of a repository around an unpacked archive
   find_program(git git)
   if(git)
     execute_process(COMMAND ${git} -C ${ROOT} rev-parse --short HEAD RESULT_VARIABLE failed OUTPUT_VARIABLE head

@@ -1,5 +1,5 @@
 # Everything comes from the distribution's packages; nothing is downloaded while building (docs/decisions/0001).
-find_package(Boost REQUIRED)  # headers alone
+find_package(Boost REQUIRED)  # only its headers
 find_package(CLI11 REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(EXPAT REQUIRED)

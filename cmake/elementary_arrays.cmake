@@ -6,9 +6,10 @@ function(elementary_table set)
   target_include_directories(elementary_${set} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(elementary_${set} PRIVATE ISOLAW_ELEMENTARY_TABLE=elementary_${set})
   target_link_libraries(elementary_${set} PRIVATE isolaw_warnings)
-  # After isolaw_warnings, which forbids fusing. -O3 in every build type: only then do loops become vectors.
+  # -O3 in every build type, since only then do loops become vectors.
   target_compile_options(elementary_${set} PRIVATE ${ARGN} -O3 -fno-math-errno -fno-trapping-math -fno-signed-zeros
                          $<$<CXX_COMPILER_ID:GNU>:-fschedule-insns -fsched-pressure>)
+  # A source's options come after those of isolaw_warnings, which forbid fused multiply-adds.
   set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/unit/elementary_arrays.cpp
                               TARGET_DIRECTORY elementary_${set} PROPERTIES COMPILE_OPTIONS -ffp-contract=fast)
   target_link_libraries(elementary_arrays INTERFACE $<TARGET_OBJECTS:elementary_${set}>)

@@ -1,5 +1,5 @@
-# Writes OUTPUT, which defines isolaw::MODULE::sources_hash: a hash of the sources in FOLDERS and FILES (relative to ROOT),
-# those that decide numbers. Comments, spacing, line ends and the place of the checkout do not change it.
+# Writes OUTPUT, which defines isolaw::MODULE::sources_hash: a hash of the sources in FOLDERS and FILES (relative to
+# ROOT) that decide numbers. Comments, spacing, line ends and the place of the checkout do not change the hash.
 # cmake -DROOT=... -DMODULE=... -DFOLDERS=a,b -DFILES=c,d -DOUTPUT=... -P sources_hash.cmake
 set(names "")
 string(REPLACE "," ";" FOLDERS "${FOLDERS}")

@@ -7,8 +7,8 @@ target_compile_options(isolaw_warnings INTERFACE
 # g++ 12 warns of overlapping copies in string concatenations where there are none (GCC bug 105651).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(isolaw_warnings INTERFACE -Wno-restrict)
-  # At -O1 and -O3 it warns of null pointers and uninitialised values in the standard library. At the developer preset's -O2
-  # it does not, and there both warnings are errors.
+  # At -O1 and -O3 it warns of null pointers and uninitialised values in the standard library. At -O2 it does not, so
+  # both warnings remain errors in the developer preset.
   target_compile_options(isolaw_warnings INTERFACE
     $<$<CONFIG:Release>:-Wno-null-dereference> $<$<CONFIG:Release>:-Wno-maybe-uninitialized>)
 endif()

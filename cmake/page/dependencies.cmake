@@ -16,7 +16,7 @@ add_library(page_fmt INTERFACE)
 target_link_libraries(page_fmt INTERFACE page_headers)
 target_compile_definitions(page_fmt INTERFACE FMT_HEADER_ONLY)
 add_library(fmt::fmt ALIAS page_fmt)
-# An instance has one thread.
+# A program in a browser has one thread.
 add_library(page_threads INTERFACE)
 add_library(Threads::Threads ALIAS page_threads)
 
@@ -47,12 +47,12 @@ target_include_directories(page_expat SYSTEM PUBLIC ${from}/expat/expat/lib)
 add_library(EXPAT::EXPAT ALIAS page_expat)
 
 page_library(page_sqlite ${from}/sqlite3/made/sqlite3.c)
-# No other program has a database open: nothing is loaded at run time, no file is mapped except what connections share.
+# SQLite without locks for threads, without extensions that are loaded at run time, and without reading mapped files.
 target_compile_definitions(page_sqlite PRIVATE SQLITE_THREADSAFE=0 SQLITE_OMIT_LOAD_EXTENSION SQLITE_MAX_MMAP_SIZE=0)
 target_include_directories(page_sqlite SYSTEM PUBLIC ${from}/sqlite3/made)
 add_library(SQLite::SQLite3 ALIAS page_sqlite)
 
-# Only SHA-256.
+# Nettle for SHA-256 only, in place of OpenSSL.
 page_library(page_nettle ${from}/nettle/sha256.c ${from}/nettle/sha256-compress.c ${from}/nettle/write-be32.c)
 target_include_directories(page_nettle SYSTEM PUBLIC ${from})
 add_library(OpenSSL::Crypto ALIAS page_nettle)
@@ -64,7 +64,7 @@ set(ISOLAW_HDF5_INCLUDE "")
 set(ISOLAW_RANDOM123 ${from}/include)
 include(plotly)
 
-# Options for every source and for linking: 128-bit lanes as the portable kernels have them (num/batch.hpp), and
+# Options for every source and for linking: 128-bit vectors, which the portable kernels use (num/batch.hpp), and
 # WebAssembly's own exceptions, which cost nothing unless one is thrown.
 set(ISOLAW_PAGE_OPTIONS -fwasm-exceptions -msimd128)
 add_compile_options(${ISOLAW_PAGE_OPTIONS} "$<$<COMPILE_LANGUAGE:CXX>:SHELL:-include ${PROJECT_SOURCE_DIR}/cmake/page/gaps.hpp>"

@@ -1,5 +1,5 @@
 // Parts of C++20 that the program uses and emscripten's libc++ 13 lacks; included before every source of the page
-// (-include). Range algorithms call those over iterators. Views are not lazy, which no caller notices.
+// (-include). Range algorithms call the algorithms over iterators. Views are not lazy, which no caller notices.
 #pragma once
 
 #ifdef __cplusplus

@@ -29,7 +29,7 @@ Point with(Point point, std::size_t coordinate, double value) {
   return point;
 }
 
-// Computes the profiles from an optimum. If one of them finds a lower objective, everything starts again from there.
+// Computes the profiles from an optimum. If one finds a lower objective, everything starts again from that point.
 class Examination {
  public:
   Examination(fit::LawOnRecord const& model, fit::SearchBox const& box, Point optimum, Interrupted const& interrupted)
@@ -68,7 +68,7 @@ class Examination {
     return result_;
   }
 
-  Determination nothing_determined() {  // the law has no force at the given point
+  Determination nothing_determined() {  // for a law without a finite force at the given point
     for (auto const* p : free_)
       result_.parameters.push_back({.parameter = index_of(*p),
                                     .verdict = Verdict::undetermined,
@@ -101,7 +101,7 @@ class Examination {
     return best_[k] <= fit::bound_tolerance || best_[k] >= 1.0 - fit::bound_tolerance;
   }
 
-  // Finds the parameters without effect, and the singular values and directions of the others by relative changes.
+  // Finds the parameters without effect, and the singular values and directions for relative changes of the others.
   void look_around() {
     auto const response = sensitivity(problem_, best_);
     result_.evaluations += static_cast<int>(2 * free_.size() + 1);
@@ -134,9 +134,9 @@ class Examination {
   // Whether a change of the parameters by half would be visible if the law were linear.
   bool is_seen(double force_change) const { return weakly_determined_within * force_change >= visible_change(); }
 
-  // Adds a direction as a trade-off if it is not visible; alone[i], the force change by parameter i alone, is.
-  // The trade-off names parameters that change by at least a tenth of the largest change; a strong one also if its
-  // share of the force change is at least a tenth of the largest.
+  // Adds a direction as a trade-off if its force change is not visible. alone[i] is the force change by parameter i
+  // alone. The trade-off names at least two parameters: all with at least a tenth of the largest change, or with at
+  // least a tenth of the largest force change.
   void add_direction(Vector const& direction, double singular_value, std::vector<std::size_t> const& acting,
                      Vector const& alone) {
     constexpr double takes_part = 0.1;
@@ -169,7 +169,7 @@ class Examination {
     result_.trade_offs.push_back(std::move(found));
   }
 
-  // To first order: how far coordinate k can go until the others can no longer make up for it, and how they follow it.
+  // Estimates to first order how far coordinate k can go while the others make up for it, and how they follow it.
   std::pair<double, Vector> first_order(std::size_t k) const {
     auto const column = static_cast<Index>(k);
     Matrix others(weighted_.rows(), weighted_.cols() - 1);
@@ -199,7 +199,7 @@ class Examination {
     bool found_lower() const { return !lower_at.empty(); }
   };
 
-  // False if a profile found a lower objective; the profiles after it are then not used.
+  // Returns false if a profile found a lower objective; the profiles after it are then not used.
   bool profile_all(bool may_restart) {
     std::vector<Sides> sides(free_.size());
     WorkAhead profiles(sides.size(), [&](std::size_t k) { sides[k] = profiled(k, may_restart); });

@@ -1,4 +1,4 @@
-// Tells which parameters of a law a test determines: how far each may change before the loop gets visibly worse, and
+// Finds which parameters of a law a test determines: how far each may change before the loop gets visibly worse, and
 // which of them trade off against each other.
 // A parameter is judged by the profile of the objective: it is held at a value and all others are fitted again. The
 // test leaves open the range in which the objective stays within `rise` of its least value (profiles: Raue et al. 2009,
@@ -23,7 +23,7 @@ std::string_view name(Verdict verdict);  // "determined", "weakly determined", "
 // A rise of the objective is invisible in the loops up to visible_rise times its least value, or least_visible_rise.
 inline constexpr double visible_rise = 0.01, least_visible_rise = 1e-4;
 // A parameter is determined, or weakly determined, if its open range reaches no farther than this from its value,
-// relative to the value (for a box that spans zero to at least a hundredth of the box).
+// relative to the value (or to a hundredth of the box, if the box spans zero and this is larger).
 inline constexpr double determined_within = 0.05, weakly_determined_within = 0.5;
 
 struct Profile {  // the least objective with the parameter held at each of these values, in rising order
@@ -32,7 +32,7 @@ struct Profile {  // the least objective with the parameter held at each of thes
 };
 
 struct ParameterDetermination {
-  std::size_t parameter = 0;  // index among the law's
+  std::size_t parameter = 0;  // index among the law's parameters
   Verdict verdict = Verdict::determined;
   double lower = 0.0, upper = 0.0;              // the open range, in the law's units
   bool open_below = false, open_above = false;  // the range ends at the edge of the box, before the objective has risen
@@ -41,9 +41,9 @@ struct ParameterDetermination {
 
 // Parameters that can change together without a visible change of the loop; or a single one that has no effect.
 struct TradeOff {
-  std::vector<std::size_t> parameters;  // indices among the law's
+  std::vector<std::size_t> parameters;  // indices among the law's parameters
   std::vector<double> change;           // the relative change of each; the largest is 1
-  double force_change = 0.0;            // the force's root mean square change then, relative to its standard deviation
+  double force_change = 0.0;            // resulting root mean square change of the force / its standard deviation
   std::string sentence;
 };
 
@@ -52,7 +52,7 @@ struct Determination {
   std::vector<double> optimum;
   double objective = 0.0;
   double rise = 0.0;  // the rise of the objective that ends the open ranges
-  // Singular values of the Jacobian by relative changes, falling; without parameters at a bound or without effect.
+  // Singular values of the Jacobian for relative changes, falling; without parameters at a bound or without effect.
   std::vector<double> singular_values;
   std::vector<ParameterDetermination> parameters;  // the free ones, in order
   std::vector<TradeOff> trade_offs;

@@ -58,8 +58,8 @@ double density_at_zero(Vector const& residuals, Index fitted) {
   return sum / (count * width * std::sqrt(2.0 * std::numbers::pi));
 }
 
-// H. Each sample's weight is the density of its residual at zero, estimated from its surroundings: its own residual
-// says nothing if a few samples decide on a parameter, since the fit passes through them.
+// Computes H. Each sample's weight is the density of its residual at zero, estimated from the samples around it. Its
+// own residual would say nothing if a few samples decide on a parameter, since the fit passes through them.
 Matrix curvature(Sensitivity const& response) {
   Vector const size = local_size(response.residuals);
   double const density = density_at_zero(response.residuals.cwiseQuotient(size), response.jacobian.cols());
@@ -76,8 +76,8 @@ double freedom_lost(std::size_t samples, std::size_t fitted, std::vector<double>
   return independent / std::max(independent - static_cast<double>(fitted), 0.25 * independent);
 }
 
-// V, the variance of the sum of weight * sign * derivatives; the correlation of signs depends on their distance only.
-// Rejected: the products themselves, which are zero where a few samples decide on a parameter.
+// Computes V, the variance of the sum of weight * sign * derivatives. The correlation of two signs depends only on
+// their distance. Rejected: the products of signs themselves, which are zero if a few samples decide on a parameter.
 Matrix variance_of_score(Sensitivity const& response, std::vector<double> const& correlation) {
   Matrix const rows = response.weights.asDiagonal() * response.jacobian;
   Matrix sum = num::transposed_product(rows, rows);
@@ -143,7 +143,7 @@ Serial serial(std::span<double const> series, double mean) {
   double const size = static_cast<double>(n), variance = covariance(0);
   constexpr double rounding = 1e-20;
   if (n < 12 || !(variance > rounding * mean * mean)) return result;
-  // `last` becomes the last lag before `in_a_row` lags whose correlation is no larger than that of independent values.
+  // `last` becomes the last lag before `in_a_row` lags whose correlation is no larger than for independent values.
   auto const in_a_row = static_cast<std::size_t>(std::max(5.0, std::sqrt(std::log10(size))));
   auto const most = static_cast<std::size_t>(std::ceil(std::sqrt(size))) + in_a_row;
   double const threshold = 2.0 * std::sqrt(std::log10(size) / size);
@@ -171,7 +171,7 @@ Serial serial(std::span<double const> series, double mean) {
 std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox const& box,
                                    std::span<double const> optimum, num::Stream const& stream,
                                    IntervalOptions const& options, Interrupted const& interrupted) {
-  auto inner = box;  // in `inner`, parameters at a bound are fixed there
+  auto inner = box;  // in `inner`, parameters at a bound are fixed at it
   for (std::size_t i = 0; i < box.parameters.size(); ++i) {
     auto& p = inner.parameters[i];
     if (fit::at_bound(p, optimum[i]) == fit::AtBound::no) continue;

@@ -10,8 +10,8 @@
 // linear law nor residuals of one kind. Long correlation leaves few blocks: with three dozen independent samples,
 // intervals of 95 % cover 89 %. The length of the blocks follows from the correlation of the residuals' signs (Politis
 // and White 2004, corrected by Patton et al. 2009) and is at most an eighth of the samples.
-// Both tell how far another record of the same device could move the fit if the law's misfit were noise. They do not
-// tell whether the law is true, and they are no distribution of the parameters.
+// Both estimate how far another record of the same device could move the fit if the law's misfit were noise. They do
+// not show whether the law is true, and they are no distribution of the parameters.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@
 namespace isolaw::analysis {
 
 struct ParameterInterval {
-  std::size_t parameter = 0;                      // index among the law's
+  std::size_t parameter = 0;                      // index among the law's parameters
   double linear_lower = 0.0, linear_upper = 0.0;  // these and the next are inside the box, in the law's units
   std::optional<double> bootstrap_lower = {}, bootstrap_upper = {};
 };
@@ -47,8 +47,8 @@ struct IntervalOptions {
   int replicates = 100;  // 0: no bootstrap
 };
 
-// `optimum` holds all of the law's parameters, at the least objective. A parameter at its bound is held there, and its
-// intervals are that single value. nullopt if interrupted.
+// `optimum` holds all of the law's parameters, at the least objective. A parameter at its bound is kept at the bound,
+// and its intervals are that single value. nullopt if interrupted.
 std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox const& box,
                                    std::span<double const> optimum, num::Stream const& stream,
                                    IntervalOptions const& options = {}, Interrupted const& interrupted = {});

@@ -48,7 +48,7 @@ std::vector<double> median_point(std::span<std::vector<double> const> points) {
   return medians;
 }
 
-// The law of all devices, and those optima of the other devices that have the least mean over the others.
+// The law of all devices, and the optima of other devices that have the least mean over all devices but this one.
 std::vector<std::vector<double>> starts_without(Joint const& problem, fit::SearchBox const& box,
                                                 std::span<double const> parameters_of_all,
                                                 std::span<std::vector<double> const> optima, std::size_t device) {

@@ -74,7 +74,7 @@ class Joint final : public opt::DeviationProblem {
   void add(fit::LawOnRecord const& model, double share);
 
   fit::SearchBox const& box_;
-  std::vector<fit::LawOnRecord const*> models_;  // those with a share above 0
+  std::vector<fit::LawOnRecord const*> models_;  // the records with a share above 0
   std::vector<double> weights_;
   std::vector<fit::LawOnRecord> fewer_;  // the models' outlines, to which outline_ refers
   std::unique_ptr<Joint> outline_;

@@ -18,7 +18,8 @@ struct Sensitivity {
 // By central differences inside the box. A column is zero if a neighbour has no finite force.
 Sensitivity sensitivity(opt::DeviationProblem const& problem, std::span<double const> point);
 double slope(fit::SearchParameter const& parameter, double coordinate);  // d value / d coordinate of the unit box
-// The size that relative changes refer to: |value|, at least a hundredth of the box if that spans zero or value is 0.
+// Relative changes of a parameter are divided by this size: |value|. If the box spans zero or the value is 0, it is at
+// least a hundredth of the box's width.
 double natural_size(fit::SearchParameter const& parameter, double value);
 
 std::vector<fit::SearchParameter const*> free_parameters(fit::SearchBox const& box);

@@ -58,8 +58,8 @@ class Membership {
   WorkerGroup* before_;
 };
 
-// Items 0 to count - 1 of a piece of work. `work` may be called from several threads, at most once for each item, also
-// for items never needed; no item's result may depend on another. Without a group items are computed when needed.
+// Items 0 to count - 1 of a piece of work. Several threads may call `work`, at most once for each item and also for
+// items that nobody needs; no item's result may depend on another. Without a group items are computed when needed.
 class WorkAhead {
  public:
   WorkAhead(std::size_t count, std::function<void(std::size_t)> work);
@@ -72,7 +72,7 @@ class WorkAhead {
   friend class WorkerGroup;
   enum class State : unsigned char { open, taken, done };
   bool has_open() const { return next_open_ < states_.size(); }
-  bool do_one();  // false where no item is open
+  bool do_one();  // returns false if no item is open
   void perform(std::size_t i);
 
   std::function<void(std::size_t)> work_;

@@ -16,12 +16,12 @@ struct Complaint {                      // one problem of an input; empty parts 
   std::string found = {};               // the value or the fault
   std::string allowed = {};             // the values that would have been accepted
   std::string advice = {};              // a remedy to try
-  std::vector<std::string> names = {};  // the columns there are, where one was looked for; not in the message
+  std::vector<std::string> names = {};  // the record's columns, if a column was not found; not in the message
 };
 
 // "where: found; allowed: ...; try: ...", with control characters spelled out.
 std::string to_string(Complaint const& complaint);
-// The same as data: an array of objects with these parts, cleaned as in the message; an empty part is "".
+// Writes the complaints as an array of objects with these parts, cleaned as in the message; an empty part is "".
 void write_complaints(JsonWriter& out, std::vector<Complaint> const& complaints);
 
 class Error : public std::runtime_error {

@@ -63,7 +63,7 @@ std::string read_file(fs::path const& file, ReadLimits const& limits) {
     if (size > limits.largest_bytes) refuse("is " + size_text(size, limits.largest_bytes), limits.when_too_large);
   };
 
-  // Checked before opening, which may set a device going, and after, since the name may lead elsewhere by then.
+  // Checks before opening, which may set a device going, and again after, since the name may lead to another file then.
   struct stat status {};
   if (::stat(file.c_str(), &status) != 0) {
     bool const missing = errno == ENOENT || errno == ENOTDIR;

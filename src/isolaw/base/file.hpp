@@ -1,4 +1,4 @@
-// Reads plain files of bounded size that a user names or someone else wrote; tells whether a name leaves a folder.
+// Reads plain files of bounded size that a user names or someone else wrote; checks whether a name leaves a folder.
 #pragma once
 
 #include <cstdint>
@@ -18,10 +18,10 @@ struct ReadLimits {
 
 // Follows links. Throws Error for a file that is missing, too large (checked first), unreadable or not plain.
 std::string read_file(std::filesystem::path const& file, ReadLimits const& limits);
-// "a pipe" or the like when the name, with links followed, belongs to something else than a plain file.
+// "a pipe" or the like if the name, with links followed, belongs to anything but a plain file; otherwise nullopt.
 std::optional<std::string> other_than_plain(std::filesystem::path const& file);
-// The real place of `file`, with links followed, if that is neither `folder` nor below it; nullopt if it is. For a part
-// that does not exist yet its name decides. A name that cannot be followed, such as a circle of links, is outside.
+// The real place of `file`, with links followed, if it is outside `folder`; otherwise nullopt. A part of the path that
+// does not exist yet is judged by its name. A name that cannot be followed, such as a circle of links, is outside.
 std::optional<std::filesystem::path> leads_outside(std::filesystem::path const& file,
                                                    std::filesystem::path const& folder);
 

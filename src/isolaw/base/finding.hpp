@@ -35,7 +35,7 @@ enum class FindingKind {
   building_bounds_cover, covering_factors, building_bounds_cover_with, building_law_or_lot, building_no_draws,
   displacement_beyond_tests, bounds_not_monotonic, bounds_cover_less, springs_as_given, building_runs_failed,
   draws_too_few, motions_too_few,
-  // [records] A signal that cannot be true, and why else there are no cyclic properties.
+  // [records] Signals that cannot be true, and other reasons why there are no cyclic properties.
   no_cyclic_properties, signal_clipped, signal_stuck, signal_without_sign, signal_interrupted, signal_spike,
   cycle_gives_energy, cycle_not_stiff, not_cyclic, no_complete_cycle, no_cycle_counts, samples_too_few,
   vertical_test_refused,
@@ -48,13 +48,13 @@ enum class FindingKind {
   // Notes: numbers worth knowing of a record.
   samples_per_cycle, force_early, jump_of_force, rig_friction, moving_mass, stands_still, cut_off_zero,
   largest_speed, average_over_samples,
-  // How it was read: the word "text" says it.
+  // How the record was read. The finding's word named "text" holds the description.
   file_format, header_found, column_taken, columns_unused, units_given, time_scale, no_time_column, rows_read,
   test_chosen, file_joined, force_flipped,
   // Corrections, and the steps before laws are fitted.
   spikes_repaired, skew_removed, friction_removed, inertia_removed, force_multiplied, centred, smoothed,
   not_smoothed, scored_in_part, all_samples_kept, velocity_computed, no_velocity, samples_thinned,
-  // The condition under which a device's damping is another one: study/value_doubts.hpp.
+  // The condition under which a device's damping would differ (study/value_doubts.hpp).
   if_late_force_is_moved, if_force_is_early, if_jump_is_of_rig, if_rig_rubs,
 };
 // clang-format on

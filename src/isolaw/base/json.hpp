@@ -59,7 +59,7 @@ class JsonWriter {
 
 // `number` with `digits` significant digits in its shortest form ("0.0791", "2.32e+05"); "" if empty or not finite.
 std::string to_text(std::optional<double> const& number, int digits);
-std::string to_text(std::optional<double> const& number);  // the shortest that reads back the same; "" likewise
+std::string to_text(std::optional<double> const& number);  // the shortest that reads back as the same number, or ""
 // Makes JSON safe inside <script>: escapes "<", U+2028 and U+2029. It still parses to the same document.
 std::string script_safe(std::string_view json);
 

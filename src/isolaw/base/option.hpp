@@ -32,9 +32,9 @@ std::string_view title(Heading heading);
 struct Limits {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
-  std::string words = {};  // for messages and help, where "least to most" would not say it
+  std::string words = {};  // for messages and help, if "least to most" does not describe the limits
   int step = 1;            // between allowed whole numbers, counted from the least
-  bool or_zero = false;    // zero is allowed too and stands for none
+  bool or_zero = false;    // zero is allowed too and means none
 
   bool allow(double value) const;
   std::string text() const;
@@ -46,9 +46,9 @@ struct OptionInfo {
   std::string help = {};
   std::optional<Limits> limits = {};
   std::vector<std::string_view> words = {};  // the values allowed, if it takes one of a few words
-  std::string_view keyword = {};             // in Python, if that is not the key with underscores
-  std::string_view type = {};                // in Python, if kind and words do not say it
-  Heading heading = Heading::search;         // that of most settings
+  std::string_view keyword = {};             // the name in Python, if it is not the key with underscores
+  std::string_view type = {};                // the type in Python, if kind and words do not decide it
+  Heading heading = Heading::search;         // the heading of most settings
 
   std::string option() const;  // the name in a lot file and, after two dashes, on the command line
   std::string python() const;
@@ -58,7 +58,7 @@ struct OptionInfo {
 
 template <class Target>
 struct Option : OptionInfo {
-  std::function<Json(Target const&)> get;         // null: not given
+  std::function<Json(Target const&)> get;         // gives null if the option was not given
   std::function<void(Target&, Json const&)> set;  // throws Error; the caller adds `where`
 
   Option under(Heading chosen) && {
@@ -69,14 +69,14 @@ struct Option : OptionInfo {
 
 using Values = std::map<std::string, Json, std::less<>>;  // by key
 
-// The value of words from the command line; text stays text where the kind asks for a number and it is none.
+// The value of words from the command line. Text that is not a number stays text, even if the kind asks for a number.
 Json value_of(Kind kind, std::vector<std::string> const& words);
-// The value as the command line takes it back; the items of a list are joined by commas.
+// The value as it is written on the command line; the items of a list are joined by commas.
 std::string text_of(Json const& value);
 // The words of the command line that give an option its value; none for null, false and an empty list.
 std::vector<std::string> words_of(OptionInfo const& option, Json const& value);
 std::string shown(Json const& value);  // for messages: 'text', 12, true
-// Calls judge() and adds its complaints to the list, as complaints about `where` if they do not name an option.
+// Calls judge() and adds its complaints to the list. Those that do not name an option become complaints about `where`.
 void about(std::string const& where, std::vector<Complaint>& complaints, std::function<void()> const& judge);
 
 // Calls judge(row) for every row of a table and throws one Error with all complaints.
@@ -94,7 +94,7 @@ void lay_over(Rows const& rows, Values const& given, Target& target) {
   });
 }
 
-// These check a value given, and throw Error without `where`.
+// These check a value, and throw Error without `where`.
 int whole_of(Json const& value, Limits const& limits);
 double real_of(Json const& value, Limits const& limits);
 bool flag_of(Json const& value);
@@ -142,7 +142,7 @@ Option<Target> flag(std::string_view key, std::string help, Access place) {
           [place](Target& to, Json const& value) { place(to) = flag_of(value); }};
 }
 
-// An option that is one of several words, each of which stands for a value; true and false may be given in their place.
+// An option that takes one of several words, each with its value. If the values are true and false, these serve too.
 template <class Target, class Access, class T, std::size_t N>
 Option<Target> word(std::string_view key, std::string help, Access place,
                     std::pair<std::string_view, T> const (&words)[N]) {

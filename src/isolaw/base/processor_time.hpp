@@ -1,4 +1,4 @@
-// Processor time in seconds. Unlike elapsed time, other work on the machine hardly lengthens it.
+// Processor time in seconds. Other work on the machine hardly lengthens it, unlike elapsed time.
 #pragma once
 
 #include <ctime>

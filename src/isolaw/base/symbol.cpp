@@ -12,7 +12,7 @@ struct Letter {
   std::string_view name, sign, latex;
 };
 
-// The first name that a text begins with is taken, so a name would have to stand before any that is its beginning.
+// The first of these names that a text begins with is used. If one name began another, the longer would come first.
 constexpr auto greek = std::to_array<Letter>({
     {"alpha", "α", "\\alpha"},
     {"beta", "β", "\\beta"},

@@ -11,8 +11,8 @@
 namespace isolaw {
 namespace {
 
-// Measures how deep a statement nests, each dot of a name counting as a level: toml++ recurses, and a name of a hundred
-// thousand parts would overflow its stack. Quoted text and comments do not count; the parser refuses text not TOML.
+// Measures how deep a statement nests. Each dot of a name counts as a level, since toml++ recurses: a name of a hundred
+// thousand parts would overflow its stack. Quoted text and comments do not count. The parser checks everything else.
 class NestingCheck {
  public:
   explicit NestingCheck(std::string_view text) : text_(text) {}
@@ -191,7 +191,7 @@ void TomlTable::refuse_unknown() {
 }
 
 void TomlTable::complain(toml::node const& node, std::string found, std::string allowed, std::string advice) {
-  if (complaints_.size() > most_complaints) return;  // keeps one more than is shown: throw_complaints then mentions it
+  if (complaints_.size() > most_complaints) return;  // one more than is shown makes throw_complaints mention more
   complaints_.push_back(
       {.where = where(node), .found = std::move(found), .allowed = std::move(allowed), .advice = std::move(advice)});
 }

@@ -28,7 +28,7 @@ struct TomlMessages {
 
 // Throws one Error with the line if the text nests deeper than any such file needs or is not TOML.
 toml::table parse_toml(std::string_view text, std::string const& file, TomlMessages const& messages);
-// Throws one Error of all complaints, if there are any; after most_complaints (below) it only says that there are more.
+// Throws one Error with all complaints, if there are any. If there are more than most_complaints, it only says so.
 void throw_complaints(std::vector<Complaint> complaints, std::string const& file);
 
 // Reads the keys of one table, collects complaints about them, and remembers which keys were asked for.
@@ -70,7 +70,7 @@ class TomlTable {
  protected:
   // Whether the text is printable and short enough for terminals, tables and pages; complains if it is not.
   bool accept_text(toml::node const& node, std::string_view key, std::string const& text, std::size_t longest);
-  // Whether action() threw no Error. The Error's complaints are collected.
+  // Calls action() and returns whether it threw no Error. Collects the complaints of an Error.
   bool guarded(toml::node const& node, std::string_view key, std::function<void()> const& action);
 
  private:

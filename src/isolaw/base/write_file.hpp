@@ -1,4 +1,4 @@
-// Writes a file beside its place and then renames it, so that a reader never sees half of one.
+// Writes a file beside its place and then renames it, so that a reader never sees half a file.
 #pragma once
 
 #include <filesystem>

@@ -62,7 +62,7 @@ class Analysis {
  private:
   bool interrupted() const { return options_.interrupted && options_.interrupted(); }
 
-  // Analyses of the campaign when it had fewer runs stay valid where the best run is still one of those.
+  // Analyses from when the campaign had fewer runs stay valid if the best run is still one of those runs.
   void take_earlier_analyses() {
     auto& earlier = contents_.held_over;
     auto const best_is_earlier = [&](std::size_t device, std::string const& law) {

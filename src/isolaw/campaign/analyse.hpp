@@ -1,4 +1,4 @@
-// The analyses that follow the runs: each device's test, one law for all devices, and that law without each in turn.
+// The analyses after the runs: each device's test, one law for all devices, and that law without each device in turn.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace isolaw::campaign {
 
-// The box in which a device's analysis moves the parameters: that of the search, on the logarithmic scales of `best`.
+// The box in which a device's analysis moves the parameters: the search's box, with the logarithmic scales of `best`.
 fit::SearchBox examined_box(Search const& search);
 // The box in which one law is fitted to all devices that have a DeviceAnalysis of this law.
 fit::SearchBox box_of_lot(Contents const& contents, std::string_view law);
@@ -29,7 +29,7 @@ struct AnalyseOptions {
   std::optional<Part> share = {};
 };
 
-// Whether every device has an analysis of each law with a usable run there. Fits to the lot start from these analyses.
+// Whether every device has an analysis of each law that has a usable run on it. Fits to the lot start from these.
 bool every_device_examined(Contents const& contents);
 // Makes the analyses that are missing and adds them to the store and to `contents`, whose runs must be complete and
 // sorted. The result depends on the runs and the settings alone. Returns how many threads the system allowed.

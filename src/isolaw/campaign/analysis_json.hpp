@@ -1,5 +1,5 @@
 // Converts a DeviceAnalysis, LotAnalysis or LeftOutAnalysis to the JSON text that the store holds, and back. Numbers
-// keep their last digit; one that is not finite is null. Device, law and maker are columns of their own in the store.
+// keep their last digit; numbers that are not finite become null. Device, law and maker have their own columns.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace isolaw::campaign {
 template <class Analysis>
 std::string analysis_json(Analysis const& analysis);
 
-// Throws nlohmann::json::exception or Error if the text is not such an analysis.
+// Throws nlohmann::json::exception or Error if the text is not an analysis of this type.
 template <class Analysis>
 void read_analysis(std::string_view json, Analysis& analysis);
 

@@ -22,7 +22,7 @@
 namespace isolaw::campaign {
 namespace {
 
-// One law on one device. Each run makes its own LawOnRecord, a hundred times larger: memory holds only those running.
+// One law on one device. A LawOnRecord is a hundred times larger, so only running tasks hold one.
 struct Target {
   std::size_t place;  // index among the campaign's searches
   Search const* search;
@@ -89,8 +89,8 @@ Run finished(Target const& target, fit::LawOnRecord const& model, int number, op
   return run;
 }
 
-// If more than a thousandth of an optimum's value comes from the integration step, the law is fitted again from there
-// in finer steps, until steps two and four times finer agree. The run fails if they give no finite force.
+// If more than a thousandth of an optimum's value comes from the integration step, the law is fitted again from this
+// optimum in finer steps, until steps two and four times finer agree. The run fails if they give no finite force.
 void refit_in_finer_steps(Target const& target, fit::LawOnRecord model, Run& run) {
   constexpr double tolerance = 1e-3;
   if (!model.law().info.traits.path_integrated) return;
@@ -204,7 +204,7 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
       refit_in_finer_steps(target, std::move(model), run);
     std::scoped_lock const lock(one_writer);
     note(run);
-    store.add(run);  // after this nothing may fail: a task that ran out of memory is tried again
+    store.add(run);  // after this nothing may fail, since a task that ran out of memory is repeated
     ++progress.done;
     meter.count_evaluations(Phase::search, run.evaluations);
     estimate.done(TaskKind::run, run.law);

@@ -24,7 +24,7 @@ struct RunOptions {
   int jobs = 0;                                    // threads, up to most_jobs; 0: one per core
   std::function<void(Progress const&)> progress;   // called from one thread at a time; must not throw
   std::function<bool()> interrupted;               // called between generations or starts, from any thread
-  std::function<void(int)> short_of_threads = {};  // called at the end with their number if the system gave fewer
+  std::function<void(int)> short_of_threads = {};  // called at the end with the number of threads, if it was smaller
   Profile* profile = nullptr;                      // the time and work of the phases are added to it
   std::optional<Part> share = {};                  // the share of the analyses to make: see AnalyseOptions
 };

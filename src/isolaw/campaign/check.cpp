@@ -20,7 +20,7 @@
 namespace isolaw::campaign {
 namespace {
 
-// On a record that the law itself computed the objective is near zero and nothing but rounding.
+// If the law itself computed the record, the objective is near zero and consists of rounding errors.
 constexpr double smallest_objective = 1e-3;
 bool close_objectives(double a, double b) {
   return std::abs(a - b) <= fit::evaluation_tolerance * std::max({std::abs(a), std::abs(b), smallest_objective});

@@ -17,9 +17,9 @@ struct Check {
 };
 
 // Runs SQLite's own check, checks indices and lengths, cleans each raw record again and makes the boxes again. A run's
-// parameters must lie in the box and give its objective; those of the optima, and of the laws of the lot with and
-// without each device, must give theirs. No profile may fall below its optimum. Intervals are not computed again. All
-// values agree within fit::evaluation_tolerance, so that another machine may check. Throws Error if it is no store.
+// parameters must lie in the box. The parameters of runs, of optima, and of the laws of the lot with and without each
+// device must give the stored objectives. No profile may fall below its optimum. Intervals are not computed again. All
+// values agree within fit::evaluation_tolerance, so another machine may check. Throws Error if the file is no store.
 Check check(std::filesystem::path const& file);
 
 }  // namespace isolaw::campaign

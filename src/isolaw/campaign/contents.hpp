@@ -39,7 +39,7 @@ struct Device {
   std::string file;  // as given, relative to the lot file
   DeviceInfo info;
   std::string refusal = {};                // why the device is left out; empty for a usable one
-  std::vector<Complaint> complaints = {};  // the same part by part, where the records were read just now
+  std::vector<Complaint> complaints = {};  // the refusal in parts, as reading the records gave them; not stored
   data::TestRecord raw = {};
   data::FitRecord record = {};       // the cleaned record that laws are fitted to
   data::VerticalTest vertical = {};  // no law depends on it, so it may change before a campaign is continued
@@ -70,7 +70,7 @@ struct Run {
   double integration_shift = 0.0;  // how far the objective moves on a much finer path
   int refinement = 1;              // the number of integration steps per sample that the run ended with
   int evaluations = 0;
-  int failed_evaluations = 0;           // those of them that gave no finite force
+  int failed_evaluations = 0;           // how many of them gave no finite force
   std::string failure = {};             // why the run is not usable; empty for a usable one
   std::vector<double> parameters = {};  // all of the law's; empty for a run that is not usable
   std::vector<double> history = {};     // best objective after each generation or descent
@@ -82,7 +82,7 @@ struct Run {
 struct DeviceAnalysis {  // a law on one device, at its least objective: what the test determines
   std::size_t device = 0;
   std::string law;
-  int refinement = 1;  // that of the run it starts from
+  int refinement = 1;  // the refinement of the run that it starts from
   analysis::Determination determination;
   analysis::Intervals intervals;
   std::optional<fit::AsSprings> springs = {};  // if they were asked for and the optimum has no coupled form
@@ -91,8 +91,8 @@ struct DeviceAnalysis {  // a law on one device, at its least objective: what th
 
 struct LotAnalysis {  // one parameter vector for all devices that have a DeviceAnalysis of the law
   std::string law;
-  int refinement = 1;                          // the largest of the devices'
-  std::vector<std::size_t> devices;            // those that took part, in rising order
+  int refinement = 1;                          // the largest refinement of the devices
+  std::vector<std::size_t> devices;            // the devices that took part, in rising order
   analysis::OneLaw mean = {};                  // the law of least mean objective; its objectives follow `devices`
   analysis::LeastWorst worst = {};             // the law with the least objective of the worst device
   std::optional<fit::AsSprings> springs = {};  // fitted from `mean`, under the same conditions as for a device
@@ -110,9 +110,9 @@ inline constexpr auto by_device_and_law = [](auto const& item) {
   return std::tuple(item.device, std::string_view(item.law));
 };
 
-// From when the campaign had fewer runs: valid for a device if its best run is one of those, for the lot if all are.
+// Analyses from when the campaign had fewer runs. An analysis stays valid if the best runs it starts from are the same.
 struct EarlierAnalyses {
-  int runs = 0;  // the number per device and law then
+  int runs = 0;  // the number of runs per device and law at that time
   std::vector<DeviceAnalysis> devices = {};
   std::vector<LotAnalysis> lots = {};
   std::vector<LeftOutAnalysis> left_out = {};
@@ -138,7 +138,7 @@ inline constexpr int most_parts = 100'000;
 Part parse_part(std::string_view text);  // "3/40"; throws Error
 std::string text(Part const& part);      // the inverse
 
-inline constexpr std::string_view whole_lot = "lot";  // stands for the law of the lot where a device may be named
+inline constexpr std::string_view whole_lot = "lot";  // named in place of a device for the law of the lot
 
 struct Contents {
   std::string title;
@@ -155,7 +155,7 @@ struct Contents {
   EarlierAnalyses held_over = {};                    // from before the campaign grew; not stored
 
   std::size_t expected_runs() const;  // over all parts and the searches that were not refused
-  std::size_t expected_here() const;  // those of this part
+  std::size_t expected_here() const;  // the runs of this part
   // Analyses of the whole campaign, given the present runs; 0 if none are asked for. A part makes none itself.
   std::size_t expected_analyses() const;
   std::size_t analyses() const { return device_analyses.size() + lot_analyses.size() + left_out.size(); }

@@ -40,7 +40,8 @@ std::vector<int> even_by_cost(Costs const& costs, std::size_t count, int parts) 
 std::uint64_t relative_cost(Contents const& contents, Search const& search) {
   auto const& settings = contents.settings;
   auto const free = std::max<std::uint64_t>(search.box.free_count(), 1);
-  // A population has one size; descents need evaluations like the square of the free parameters (see estimate.cpp).
+  // With the genetic algorithm every law costs the same number of evaluations. With descents the number grows with the
+  // square of the number of free parameters (see estimate.cpp).
   auto const evaluations = settings.method == Method::genetic ? 1 : free * free;
   return laws::find_law(search.law).info.step_cost * evaluations * contents.devices[search.device].record.size();
 }

@@ -9,10 +9,10 @@ namespace isolaw::campaign {
 Estimate::Estimate(Contents const& contents) : contents_(contents), tasks_(contents.settings.laws.size()) {
   auto const& settings = contents.settings;
   bool const genetic = settings.method == Method::genetic;
-  // A step takes longer than the law's file says [0.01 ns]: there is code around the law, of which descents have more.
+  // Seconds for a step cost of 1, which is 0.01 ns in the law alone. Descents run more code around the law.
   constexpr double population_s = 1.5e-11, descent_s = 3.5e-11;
-  // Evaluations of each device's record by the square of the free parameters: between those of the example lot and
-  // those of a measured bearing. After the genetic algorithm a device's analysis first looks for the least objective.
+  // Evaluations per device's record, divided by the square of the number of free parameters, between the values of the
+  // example lot and of a measured bearing. After the genetic algorithm an analysis first looks for the least objective.
   constexpr double of_run = 100.0, of_device = 230.0, of_lot = 58.0, of_left_out = 4.5;
   double const run_s =
       genetic ? population_s * settings.genetic.population * settings.genetic.generations : descent_s * of_run;

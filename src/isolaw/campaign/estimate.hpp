@@ -19,12 +19,12 @@ class Estimate {  // not thread-safe; `contents` must outlive it
  public:
   explicit Estimate(Contents const& contents);  // expects every run and analysis that `contents` lacks
 
-  void expect_none(TaskKind kind);  // but for tasks that are expected from here on
+  void expect_none(TaskKind kind);  // except tasks that expect() adds later
   void expect(TaskKind kind, std::string_view law) { ++tasks(kind, law).left; }
   void done(TaskKind kind, std::string_view law);
 
-  double work_left_s(TaskKind kind) const;  // processor time on the machine that the costs of the laws are from
-  double share() const;                     // done of all work, 0 to 1, what was stored before included
+  double work_left_s(TaskKind kind) const;  // processor time on the machine where the costs of the laws were measured
+  double share() const;                     // of all work that is done, 0 to 1, including what was stored before
   double left_s() const;                    // at the rate of the work since construction
 
  private:

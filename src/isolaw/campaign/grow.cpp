@@ -23,7 +23,7 @@ std::vector<std::string> overrides_of(std::vector<fit::Override> const& override
   return texts;
 }
 
-Settings grown(Settings settings, Settings const& asked) {  // as stored; those that may grow are as asked for
+Settings grown(Settings settings, Settings const& asked) {  // the stored settings, but as asked for where they may grow
   if (asked.analysis) settings.analysis = true;
   if (asked.springs) settings.springs = true;
   if (overrides_of(settings.overrides, settings.laws) == overrides_of(asked.overrides, settings.laws))

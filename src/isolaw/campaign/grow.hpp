@@ -1,4 +1,4 @@
-// Lets a campaign grow: the results of one with fewer devices, laws or runs, and otherwise the same, are used again.
+// Lets a campaign grow: uses the results of a campaign with fewer devices, laws or runs that is otherwise the same.
 #pragma once
 
 #include <string>
@@ -15,9 +15,9 @@ std::vector<std::string> obstacles(Contents const& stored, Contents const& asked
 // Everything asked for beyond the stored campaign, in words: "2 devices", "law gallardo", "20 runs instead of 10", or
 // another order of the devices. Empty if the stored campaign was asked for the same, whether or not it is complete.
 std::vector<std::string> growth(Contents const& stored, Contents const& asked);
-// Moves to `asked` the results that a campaign begun with everything would compute as well: runs, analyses of a device,
-// and those of the lot if it has the same devices. If more runs are asked for, the analyses go to Contents::held_over
-// until the new runs tell which of them are still valid.
+// Moves to `asked` the results that a campaign begun with everything would compute as well: runs, analyses of devices
+// and, if the devices are the same, of the lot. If more runs are asked for, the analyses go to Contents::held_over
+// until the new runs show which of them are still valid.
 void take_over(Contents stored, Contents& asked);
 
 }  // namespace isolaw::campaign

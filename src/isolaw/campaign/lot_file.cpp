@@ -124,7 +124,7 @@ std::vector<InfoOption> const& info_table() {
   return table;
 }
 
-// Visits the options for reading a compression test, which are those that a motion has too.
+// Visits the options for reading a compression test. A motion has the same options.
 template <class Visit>
 void for_each_vertical_option(Visit&& visit) {
   for (auto const& option : data::reading_table())
@@ -401,7 +401,7 @@ Lot lot_of_files(std::vector<std::filesystem::path> const& files) {
     DeviceInput device;
     auto const stem = name_of_file(file);
     device.name = stem;
-    // The folder tells files of one name apart, or a number if that is not enough.
+    // Files of one name get their folder's name in front, or a number if that is not enough.
     if (names.contains(device.name))
       device.name = trimmed(printable(file.parent_path().filename().string()) + "/" + stem);
     for (int i = 2; !names.insert(device.name).second; ++i) device.name = fmt::format("{} ({})", stem, i);

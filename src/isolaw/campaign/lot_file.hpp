@@ -27,7 +27,7 @@ struct VerticalInput {  // a compression test before it is read: a file, or just
 struct DeviceInput {  // one device before its record is read
   std::string name;
   std::vector<std::filesystem::path> files;  // read one after another as one history
-  std::filesystem::path directory;           // that of the lot file; empty for files named on the command line
+  std::filesystem::path directory;           // the lot file's; empty for files named on the command line
   std::string shown_file;                    // the name in reports
   DeviceInfo info;
   data::ReadOptions read;
@@ -53,9 +53,9 @@ struct Lot {
 struct LotFileOptions {
   bool allow_outside = false;  // --allow-outside
   bool other_out = false;      // --out is given, so that the file's `out` is ignored
-  // Whether a name is that of a built-in rule set, which only the module `rules` knows. If empty, every name is a file.
+  // Whether a name belongs to a built-in rule set; the module `rules` answers this. If empty, every name is a file.
   std::function<bool(std::string_view)> is_built_in_rules = {};
-  std::function<void(std::string_view)> check_design = {};  // checks design values, also by `rules`; throws Error
+  std::function<void(std::string_view)> check_design = {};  // checks design values (module `rules`); throws Error
 };
 
 inline constexpr std::size_t most_devices = 10'000;
@@ -65,7 +65,7 @@ inline constexpr std::size_t largest_lot_file = 16 << 20;  // bytes
 // allowed, text that is not printable, devices without a file, duplicate names, files outside the folder. The keys of
 // [calibrate] are the command line's options.
 Lot read_lot_file(std::filesystem::path const& file, LotFileOptions const& options = {});
-// The same for a file's text; `file` serves messages and tells the folder.
+// The same for a file's text. Messages name `file`, and other files are sought in its folder.
 Lot read_lot_text(std::string_view text, std::filesystem::path const& file, LotFileOptions const& options = {});
 std::string name_of_file(std::filesystem::path const& file);        // printable and without blanks around it
 Lot lot_of_files(std::vector<std::filesystem::path> const& files);  // devices are named after their files

@@ -33,7 +33,7 @@ void require_sound(Path const& file, std::optional<Part> const& part) {
                  .advice = "copying it once more, or " + again(part)});
 }
 
-// All numbers come from one build and instruction set: two differ in last digits, so the place of a part would matter.
+// All numbers must come from one build and instruction set, or they would depend on which machine computed a part.
 void require_one_maker(Path const& file, Contents const& part, Maker const& me) {
   for (auto const& maker : part.makers) {
     if (!same_build(maker, me))
@@ -169,7 +169,7 @@ Merged merge(Path const& out, std::vector<Path> const& parts, MergeOptions const
   auto const me = this_maker();
   Merged merged;
   std::optional<First> first;
-  Path dealt;               // the first store that tells the number of parts
+  Path dealt;               // the first store that states the number of parts
   std::vector<Path> whole;  // stores that are not parts: their analyses are copied too
   auto const examine = [&](Path const& file) {
     auto const campaign = Store::read_beginning(file);
@@ -239,7 +239,7 @@ Merged merge(Path const& out, std::vector<Path> const& parts, MergeOptions const
   }
   tell_missing(target, merged, options);
   if (merged.missing == 0) {
-    // Analyses start from the best of all runs, so only those of complete stores are copied.
+    // Analyses start from the best of all runs, so only analyses from complete stores are copied.
     auto const runs = whole.empty() ? 0 : runs_in(target);
     std::erase_if(whole, [&](Path const& file) { return runs_in(file) < runs; });
     if (!whole.empty()) {

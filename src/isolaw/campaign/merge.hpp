@@ -20,17 +20,17 @@ struct MissingRun {
 };
 
 struct Merged {
-  std::size_t added = 0, there = 0;  // runs copied, and runs that were there already or came twice
+  std::size_t added = 0, there = 0;  // runs copied, and runs that `out` held already or that came twice
   std::size_t analyses = 0;          // copied
   std::size_t missing = 0;
-  int parts = 0;                          // the number of parts of the campaign; 0 if no store tells it
+  int parts = 0;                          // the number of parts of the campaign; 0 if no store holds it
   std::vector<std::string> absent;        // given paths that do not exist
   std::map<int, std::size_t> missing_of;  // missing runs by MissingRun::part
 };
 // "5 runs are missing, of part 4/7 (4 runs), 5/7 (1 run)"; empty if none is missing.
 std::string missing_text(Merged const& merged);
-// Two refusals that merges of campaigns and of buildings share. The first throws Error if `absent` is not empty: `out`
-// was to be replaced. The second always does: `out` is complete and would be replaced by fewer runs.
+// Two refusals that merges of campaigns and of buildings share. The first throws Error if `absent` is not empty, since
+// parts that are missing must not replace `out`. The second always throws: fewer runs would replace a complete `out`.
 void refuse_absent(std::filesystem::path const& out, std::vector<std::string> const& absent);
 [[noreturn]] void refuse_to_replace_whole(std::filesystem::path const& out, Merged const& merged);
 

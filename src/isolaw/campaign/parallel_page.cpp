@@ -1,4 +1,4 @@
-// parallel.hpp in a browser: an instance there has one thread, and other workers compute other parts (docs/page.md).
+// parallel.hpp in a browser, where a program has one thread; other web workers compute other parts (docs/page.md).
 #include "isolaw/campaign/parallel.hpp"
 
 namespace isolaw::campaign {

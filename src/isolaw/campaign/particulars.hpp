@@ -11,7 +11,7 @@ namespace isolaw::campaign {
 enum class Measure { text, temperature_C, length_mm, area_mm2 };
 
 // The number that `text` states, in the unit of the measure. nullopt if it has no number or no known unit, or if a
-// single comma stands before exactly three digits: that may group digits ("282,743 mm2") or begin a fraction.
+// single comma precedes exactly three digits: that may group digits ("282,743 mm2") or begin a fraction.
 std::optional<double> stated(std::string_view text, Measure measure);
 
 }  // namespace isolaw::campaign

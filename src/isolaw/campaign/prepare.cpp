@@ -148,7 +148,7 @@ Contents with_searches(Contents contents, std::vector<std::string> const& laws) 
   for (auto& device : contents.devices) refuse_false_signals(device);
   contents.settings.laws = laws.empty() ? parse_laws(usual_laws) : laws;
   contents.settings.validate();
-  // Not checked in validate(), so that stores with such settings can still be read.
+  // validate() does not check this, so that stores with settings outside the limits can still be read.
   for (auto const& id : contents.settings.laws)
     fit::require_joint_limits(laws::find_law(id), contents.settings.overrides);
   if (std::ranges::none_of(contents.devices, &Device::usable)) {

@@ -21,9 +21,9 @@ struct NamedRecord {  // a record in memory; its name must suit a lot file
 };
 // The same for records in memory. Throws Error also for names that no lot file could hold.
 Contents prepare(std::vector<NamedRecord> records, Settings const& settings, std::string const& title);
-// Reads a compression test; one that gives no stiffness keeps the reason. Messages name files relative to `directory`.
+// Reads a compression test. A test without a stiffness keeps the reason. Messages name files relative to `directory`.
 data::VerticalTest prepare_vertical(VerticalInput const& given, std::filesystem::path const& directory);
-// Reads and cleans the devices only, without laws and boxes. A device that cannot be used never makes it throw.
+// Only reads and cleans the devices, without laws and boxes. Does not throw for devices that cannot be used.
 Contents prepare_devices(Lot const& lot);
 fit::SearchBox search_box(laws::LawEntry const& law, data::FitRecord const& record, Settings const& settings);
 

@@ -12,8 +12,8 @@ namespace {
 // When the calling thread began what it has not assigned to a phase yet [s].
 thread_local double cpu_began_s = 0.0, began_s = 0.0;
 
-// The calling thread's work since then. The laws' code is timed by elapsed time, which also passes while other
-// threads use the processor: its share of the elapsed time is taken as its share of the processor time.
+// The calling thread's work since that time. The laws' code is timed by elapsed time, which also passes while other
+// threads use the processor, so its share of the processor time is assumed to equal its share of the elapsed time.
 PhaseCost take_work() {
   double const cpu_s = thread_time_s() - cpu_began_s, elapsed_s = processor_time_s(CLOCK_MONOTONIC) - began_s;
   double const kernel_s = elapsed_s > 0.0 ? fit::kernel_time_s * std::min(1.0, cpu_s / elapsed_s) : 0.0;

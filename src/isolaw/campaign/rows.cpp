@@ -23,9 +23,9 @@ namespace {
 using sqlite::Connection;
 using sqlite::Statement;
 
-std::string to_json(data::VerticalTest const& test) {  // all of a compression test but its series; empty: there is none
+std::string to_json(data::VerticalTest const& test) {  // a compression test without its series; empty if there is none
   if (!test.given()) return {};
-  nlohmann::ordered_json object;  // in the order of the alphabet, as stores always had it
+  nlohmann::ordered_json object;  // in alphabetical order
   if (test.found_kN_per_mm) object["K_v_kN_per_mm"] = *test.found_kN_per_mm;
   if (!test.curve_sha256.empty()) object["curve_sha256"] = test.curve_sha256;
   object["file"] = test.file;
@@ -359,7 +359,7 @@ Contents read_campaign(Connection const& db) {
 void read_runs(Connection const& db, std::function<void(Run)> const& visit) {
   Statement parameter(db,
                       "SELECT device, law, number, value FROM run_parameter ORDER BY device, law, number, position");
-  std::tuple<std::size_t, std::string, int> owner;  // the next parameter's
+  std::tuple<std::size_t, std::string, int> owner;  // the run of the next parameter
   double value = 0.0;
   bool more = true;
   auto const next_parameter = [&] {

@@ -1,4 +1,4 @@
-// The rows of a store, of the present schema, to Contents and back.
+// Converts the rows of a store of the present schema to Contents and back.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 
 namespace isolaw::campaign {
 
-// All but runs and analyses: what a campaign begins with. `makers` must not be empty.
+// Writes what a campaign begins with: everything but runs and analyses. `makers` must not be empty.
 void write_campaign(sqlite::Connection const& db, Contents const& contents, std::vector<Maker> const& makers);
 void write_row(sqlite::Connection const& db, std::size_t id, Maker const& maker);
 void write_descriptions(sqlite::Connection const& db, Contents const& contents);  // see Store::describe
@@ -16,8 +16,8 @@ void write_row(sqlite::Connection const& db, Run const& run);
 class RunWriter {  // many runs one after the other
  public:
   explicit RunWriter(sqlite::Connection const& db);
-  bool add_if_new(Run const& run);  // false, and nothing written, if a run of that device, law and number is there
-  bool is_there(Run const& run);    // whether the one there is the same, bit by bit, whoever computed it
+  bool add_if_new(Run const& run);  // writes nothing and returns false if the store has this device, law and number
+  bool is_there(Run const& run);    // whether the stored run is the same, bit by bit, whoever computed it
 
  private:
   sqlite::Statement row_, parameter_, stored_, stored_parameters_;

@@ -59,7 +59,7 @@ void set_seed(S& s, Json const& value) {
   s.seed = *seed;
 }
 
-// A row whose value is a number or a word that stands for none; `type` is the Python type of both.
+// A row whose value is a number or a word that means no number; `type` is the Python type of both.
 template <class Access>
 Setting number_or(std::string_view word, std::string_view type, Access place, Option<S> row) {
   row.get = [=](S const& s) { return place(s) ? Json(*place(s)) : Json(word); };
@@ -127,7 +127,7 @@ std::vector<Setting> make_settings() {
                "sampled (default), or interpolated: the motion turns between samples, for smooth records",
                at(&S::turning_points), turnings)},
       {number<S>("runs", "independent runs per law and device", at(&S::runs), {.least = 1, .most = 1e5}, "3; ga: 20")},
-      // The upper limits keep the count of evaluations an int; that of the pressure keeps every weight above zero.
+      // The upper limits keep the count of evaluations an int; the pressure's limit keeps every weight above zero.
       {number<S>("population", "with --method ga: individuals", at(&S::genetic, &Ga::population),
                  {.least = 4, .most = 1e5, .words = "an even number from 4 to 100000", .step = 2}),
        ga},

@@ -11,8 +11,8 @@
 namespace isolaw::campaign {
 
 struct Setting : Option<Settings> {
-  std::optional<Method> of = {};  // the only method that has it, if not all do
-  bool stored_only = false;       // a constant of its method, kept with the results: no way to set it
+  std::optional<Method> of = {};  // the only method that has this setting; nullopt if all have it
+  bool stored_only = false;       // a constant of its method, kept with the results; users cannot set it
 
   bool belongs_to(Method method) const { return !of || *of == method; }
   std::string where() const { return stored_only ? std::string(key) : Option::where(); }
@@ -33,7 +33,7 @@ struct Sides {  // the two places that differ, as messages name them
 // "method: ga there, best now" for each setting that differs, without settings that only one of two methods has.
 std::vector<std::string> differences(Settings const& there, Settings const& now, Sides const& sides = {});
 
-// The options of the rules that tests are checked against. `rules` is stored as named; the file is not loaded here.
+// The options of the rules that tests are checked against. `rules` holds the name only; other code loads the file.
 std::span<Option<Acceptance> const> acceptance_table();
 
 }  // namespace isolaw::campaign

@@ -247,15 +247,15 @@ std::filesystem::path unfinished(std::filesystem::path const& file) {
 void remove_unfinished(std::filesystem::path const& file) {
   std::error_code ignored;
   auto const aside = unfinished(file).string();
-  for (auto const& name : {unfinished(aside).string(), aside})  // put_in_order() may have been writing `aside` anew
+  for (auto const& name : {unfinished(aside).string(), aside})  // put_in_order() may have been rewriting `aside`
     for (auto const* suffix : {companion_suffixes[0], companion_suffixes[1], companion_suffixes[2], ""})
       std::filesystem::remove(name + suffix, ignored);
 }
 
 void move_into_place(std::filesystem::path const& whole, std::filesystem::path const& file) {
-  // SQLite would take a log of the former file for the new file's, so the log must go. It is folded in first: if the
-  // program is killed here, the former file is then complete without it. The former file may have another schema or be
-  // damaged; a log that cannot be folded in is lost.
+  // SQLite would apply a log of the former file to the new file, so the log is removed. It is first folded into the
+  // former file, which is then complete without the log if the program is killed before the rename. The former file may
+  // have another schema or be damaged; a log that cannot be folded in is lost.
   std::error_code error;
   if (std::filesystem::exists(file, error) && !is_plain(file)) try {
       Connection::to_write(file).try_execute("PRAGMA journal_mode = DELETE");

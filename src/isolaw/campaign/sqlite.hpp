@@ -1,4 +1,4 @@
-// SQLite's handles as objects that close themselves. Their errors speak of a campaign store.
+// SQLite's handles as objects that close themselves. Their error messages are about a campaign store.
 #pragma once
 
 #include <array>
@@ -31,7 +31,7 @@ class Connection {
  public:
   static Connection create(std::filesystem::path const& file);  // each may throw Error and std::bad_alloc
   static Connection to_write(std::filesystem::path const& file);
-  // Takes no locks and makes no files unless a log lies beside `file`: read-only media and network shares will do.
+  // Takes no locks and makes no files unless a log lies beside `file`, so read-only media and network shares work.
   static Connection to_read(std::filesystem::path const& file);
   static Connection in_memory();
 
@@ -60,7 +60,7 @@ class Statement {  // its values are bound in order, and its columns are read in
     (put(values), ...);
     return *this;
   }
-  bool insert();  // runs an INSERT or UPDATE, makes it ready for the next row; whether a row changed
+  bool insert();  // runs an INSERT or UPDATE, gets ready for the next row, returns whether a row changed
   Statement& again(auto const&... values) {  // starts a SELECT over with other values
     start_over();
     return bind(values...);
@@ -70,7 +70,7 @@ class Statement {  // its values are bound in order, and its columns are read in
   // Reads the next columns. Throws Error for a number too large for an int and a series that ends within a number.
   void read(auto&... values) { (take(values), ...); }
   std::string text();       // reads the next column
-  std::string whole_row();  // all values of the row with their kinds, as a text that differs where they do
+  std::string whole_row();  // all values of the row with their kinds; different rows give different texts
 
  private:
   void start_over();
@@ -113,10 +113,10 @@ class Transaction {  // rolls back when destroyed without commit()
   bool done_ = false;
 };
 
-bool is_plain(std::filesystem::path const& file);                     // stands alone, without a log or journal
-std::filesystem::path unfinished(std::filesystem::path const& file);  // the name of its successor while written
-void remove_unfinished(std::filesystem::path const& file);            // also one that a killed program left
-class Unfinished {  // removes the unfinished successor of `file`; to be declared before connections to that
+bool is_plain(std::filesystem::path const& file);                     // whether it has no log or journal beside it
+std::filesystem::path unfinished(std::filesystem::path const& file);  // the name of a new version while it is written
+void remove_unfinished(std::filesystem::path const& file);            // also one left by a killed program
+class Unfinished {  // removes the unfinished new version of `file`; declare it before connections to that version
  public:
   explicit Unfinished(std::filesystem::path file) : file_(std::move(file)) {}
   Unfinished(Unfinished const&) = delete;
@@ -126,7 +126,7 @@ class Unfinished {  // removes the unfinished successor of `file`; to be declare
  private:
   std::filesystem::path file_;
 };
-// Replaces `file` by `whole`, which stands alone and is open nowhere. One of both is always complete. Throws Error.
+// Replaces `file` by `whole`, which has no log and is not open. A complete file exists at any time. Throws Error.
 void move_into_place(std::filesystem::path const& whole, std::filesystem::path const& file);
 // See Store::put_in_order.
 void put_in_order(std::filesystem::path const& file, std::function<void(Connection const&)> const& create_tables);

@@ -79,7 +79,7 @@ void write_results(Connection const& db, Contents const& contents) {
   transaction.commit();
 }
 
-// The rows of a table, each as one text that tells values and their kinds apart.
+// The rows of a table, each as one text that differs if values or their kinds differ.
 std::vector<std::string> rows_of(Connection const& db, std::string const& columns_and_table) {
   std::vector<std::string> found;
   Statement rows(db, "SELECT " + columns_and_table);
@@ -97,7 +97,7 @@ void Store::remove_unfinished(std::filesystem::path const& file) {
 Store Store::create(std::filesystem::path const& file, Contents const& contents,
                     std::function<void()> const& before_replacing) {
   require_readable([&] { require_consistent(contents); });
-  // Written aside and moved into place, so that a full disk or a kill leaves the store that it replaces.
+  // Writes another file and then renames it, so that the old store remains if the disk fills or the program is killed.
   sqlite::require_plain(file);
   remove_unfinished(file);
   auto const aside = sqlite::unfinished(file);
@@ -147,7 +147,7 @@ Store::Taken Store::take_runs(std::filesystem::path const& other) {
   auto const theirs = Connection::to_read(other);
   require_schema(theirs, other);
   auto const maker = own_maker();
-  // The rows of a part are spread over the tree: a long log collects many parts (16384 pages instead of SQLite's 1000).
+  // The rows of a part are spread over the tree, so the log collects many parts (16384 pages instead of SQLite's 1000).
   db_.execute("PRAGMA wal_autocheckpoint = 16384");
   Taken taken;
   Transaction transaction(db_);

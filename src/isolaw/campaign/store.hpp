@@ -15,25 +15,25 @@ namespace isolaw::campaign {
 class Store {
  public:
   // Makes a store of `contents` with its results, and replaces a file of that name. If this fails or the program is
-  // killed, either the former or the new file is there and complete. `before_replacing` is called when the new one is
-  // complete and not yet in place. Throws Error if `file` is not a plain file or cannot be written.
+  // killed, either the former or the new file exists and is complete. `before_replacing` is called when the new file is
+  // complete but does not have its name yet. Throws Error if `file` is not a plain file or cannot be written.
   static Store create(std::filesystem::path const& file, Contents const& contents,
                       std::function<void()> const& before_replacing = {});
   static void remove_unfinished(std::filesystem::path const& file);  // left by a killed create()
   // Opens an existing store to add results. Throws Error if it is missing, not a plain file (a pipe could block), not a
   // store, or of another schema, and for anything in what the campaign began with that isolaw would not write.
   static Store open(std::filesystem::path const& file);
-  // Whether the file stands alone, without a write-ahead log, so that a copy of it can be read anywhere.
+  // Whether the file has no write-ahead log beside it, so that a copy of it can be read anywhere.
   static bool is_plain(std::filesystem::path const& file);
-  // Writes a store that stands alone anew with its rows in the order of their keys. Equal campaigns then give equal
-  // files, byte by byte, in whatever order and on however many machines their runs were computed. Does nothing if that
-  // is so already, and keeps the old file if the new one cannot be written.
+  // Writes a store without a log again, with its rows in the order of their keys. Equal campaigns then give equal
+  // files, byte by byte, in whatever order and on however many machines their runs were computed. Does nothing if the
+  // rows are in order already, and keeps the old file if the new one cannot be written.
   static void put_in_order(std::filesystem::path const& file);
   static Contents read(std::filesystem::path const& file);  // everything; the file is not changed; throws as open()
   // The beginning of a campaign, without its records' series and without results.
   static Contents read_beginning(std::filesystem::path const& file);
   static Contents read_beginning_and_series(std::filesystem::path const& file);  // the same with the series
-  // The name and a hash of the rows for each table that holds what the campaign began with, also the series. The hash
+  // For each table that holds what the campaign began with, series included: its name and a hash of its rows. The hash
   // does not depend on which part of a campaign the store holds.
   static std::vector<std::pair<std::string, std::string>> hashes_of_beginning(std::filesystem::path const& file);
   // Calls visit(device, law, number) for every run, in this order of keys.
@@ -44,7 +44,7 @@ class Store {
   // A sentence for each table with rows that this program would not write for `contents`, which read() returned. The
   // values of series are not compared, since read() takes them as they are.
   static std::vector<std::string> foreign_rows(std::filesystem::path const& file, Contents const& contents);
-  // Each is one transaction; not thread-safe. Throws std::logic_error, and stores nothing, if read() would refuse it.
+  // Each is one transaction; not thread-safe. Stores nothing and throws std::logic_error if read() would refuse it.
   void add(Run const& run);
   void add(DeviceAnalysis const& analysis);
   void add(LotAnalysis const& analysis);
@@ -52,8 +52,8 @@ class Store {
   // Writes the title, the devices' facts and compression tests, the requirements for the tests, and whether to analyse.
   // No law depends on these, so they may change before a campaign is continued.
   void describe(Contents const& contents);
-  // Copies the runs of another store of this campaign, which this program made. A run that is here already must be the
-  // same there. Copies all or, with an Error, none; holds one row at a time in memory.
+  // Copies the runs of another store of this campaign, which this program made. A run that both stores hold must be the
+  // same in both. Copies all runs or, with an Error, none; holds one row at a time in memory.
   struct Taken {
     std::size_t added = 0, there = 0;
   };
@@ -66,7 +66,7 @@ class Store {
 
  private:
   Store(sqlite::Connection db, Contents campaign) : db_(std::move(db)), campaign_(std::move(campaign)) {}
-  std::size_t own_maker();  // index of this program among the makers, which it is added to if need be
+  std::size_t own_maker();  // index of this program among the makers; adds it if it is missing
   template <class Result>
   void add_result(Result result);
 

@@ -17,7 +17,7 @@ struct Share {  // one spring, or two mirrored ones, with the factor of its forc
   double force;
 };
 
-// The springs around the circle of one device, on its record. The test's direction is that of spring 0.
+// The springs around the circle that represent one device, on its record. The test moves along spring 0.
 class SpringsOnRecord {
  public:
   SpringsOnRecord(laws::LawEntry const& law, data::FitRecord const& record, int refinement)

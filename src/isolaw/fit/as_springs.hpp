@@ -1,5 +1,5 @@
 // Fits a law in the form of springs around the circle, as it is used in two directions (laws/springs.hpp). With the
-// law's own parameters springs keep its stiffness and strength along one direction but not its knee: they need others.
+// law's own parameters springs keep its stiffness and strength along one direction but not its knee.
 #pragma once
 
 #include <span>
@@ -19,7 +19,7 @@ struct AsSprings {
 
 // Descends once from the law's `parameters` inside their box, on the record that they were fitted to. The motion is in
 // the first spring's direction; integration is converged, reversals are at samples, with `refinement` steps a sample.
-// Returns `parameters` themselves if the descent does not improve on them or springs have no finite force there.
+// Returns `parameters` themselves if the descent does not improve on them or springs with them have no finite force.
 AsSprings fitted_as_springs(laws::LawEntry const& law, data::FitRecord const& record, SearchBox const& box,
                             std::vector<double> parameters, int refinement = 1);
 AsSprings fitted_as_springs(laws::LawEntry const& law, std::span<data::FitRecord const* const> records,

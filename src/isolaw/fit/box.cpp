@@ -12,7 +12,7 @@
 namespace isolaw::fit {
 namespace {
 
-// A logarithmic scale that ends at zero covers six decades, then goes linearly to zero; one across zero does so twice.
+// A logarithmic scale that ends at zero covers six decades, then goes linearly to zero; across zero, on both sides.
 constexpr double decades_from_zero = 6.0 * 2.302585092994046;
 
 struct AcrossZero {  // value = linear_size sinh(c), c from asinh(lower / linear_size) to asinh(upper / linear_size)
@@ -61,7 +61,7 @@ std::string limits_text(laws::Interval const& limits, std::string_view unit) {
   auto const in_unit = [&](double value) {
     return unit == "1" ? fmt::format("{}", value) : fmt::format("{} {}", value, unit);
   };
-  // laws::positive starts at the smallest positive number: it stands for a strict limit.
+  // laws::positive starts at the smallest positive number, which means "above zero".
   bool const above = limits.lower == laws::positive.lower, from = above || std::isfinite(limits.lower);
   bool const to = std::isfinite(limits.upper);
   if (!from && !to) return unit == "1" ? std::string("any number") : fmt::format("any number of {}", unit);

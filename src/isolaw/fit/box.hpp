@@ -13,7 +13,7 @@
 namespace isolaw::fit {
 
 enum class BoxKind {
-  published,  // Table 4 of Cucuzza et al. 2025; we supply two bounds that are missing there. Always linear.
+  published,  // Table 4 of Cucuzza et al. 2025; we supply two bounds that the table lacks. Always linear.
   scaled,     // called "auto" by the user: follows from the size of the record
 };
 
@@ -30,7 +30,7 @@ Override const* last_override(std::span<Override const> overrides, laws::LawEntr
                               std::string_view parameter);
 std::string limits_text(laws::Interval const& limits, std::string_view unit);  // "above 0 kN/mm"
 // Throws Error if the text has another form, the law or parameter is unknown, lower >= upper, the values leave the
-// physical limits, or the parameter is tied to itself or to one of another unit.
+// physical limits, or the parameter is tied to itself or to a parameter of another unit.
 Override parse_override(std::string_view text);
 
 struct SearchParameter {
@@ -54,10 +54,10 @@ struct SearchBox {
   void expand(std::span<double const> point, std::span<double> values) const;
 };
 
-// The same box with logarithmic scales: for free intervals of one sign whose ends differ by a factor of `wide_interval`
-// or more, and for all intervals of one sign, also those that end at zero, for which the law asks for such a scale. On
-// a linear scale a parameter that matters by its order of magnitude would be sought in the last decade only. A scale
-// that ends at zero holds six decades, one across zero six on each side.
+// The same box with logarithmic scales for two kinds of free intervals of one sign: if the ends differ by a factor of
+// `wide_interval` or more, and, even if the interval ends at zero, if the law asks for such a scale. On a linear scale
+// a parameter that matters by its order of magnitude would be sought in the last decade only. A scale that ends at zero
+// covers six decades, a scale across zero covers six on each side.
 inline constexpr double wide_interval = 100.0;
 SearchBox on_logarithmic_scales(SearchBox box, laws::LawEntry const& law);
 // A best value this close to an edge, as a share of the interval on the search scale, counts as at the bound.
@@ -67,7 +67,8 @@ std::string_view name(AtBound bound);  // "", "lower", "upper"
 AtBound at_bound(SearchParameter const& parameter, double value);
 // Typical sizes of a record's quantities, in the units of the law. Throws Error for a record without samples.
 laws::RecordScales scales_of(data::FitRecord const& record, laws::LawInfo const& law);
-// `published` uses the scaled interval for parameters that the paper lacks. Throws Error for one tied to a tied one.
+// `published` uses the scaled interval for parameters that the paper lacks. Throws Error for a parameter tied to a
+// parameter that is itself tied.
 SearchBox make_box(laws::LawEntry const& law, BoxKind kind, laws::RecordScales const& scales,
                    std::span<Override const> overrides);
 

@@ -1,4 +1,5 @@
-// A law on a motion in two directions, and how far its forms differ where tests in one direction cannot decide.
+// Computes a law under a motion in two directions. A law has several two-dimensional forms, and tests in one direction
+// cannot tell which is right, so this also computes how far they differ.
 #pragma once
 
 #include <string_view>
@@ -9,7 +10,7 @@
 
 namespace isolaw::fit {
 
-// An isolator at rest at the origin that reaches the first sample on a straight line. Without time: no velocities.
+// An isolator's motion from rest at the origin, straight to the first sample. Without time there are no velocities.
 struct PlaneMotion {
   std::vector<double> time_s;
   std::vector<laws::plane::Vector<double>> disp_mm, vel_mm_s;
@@ -27,18 +28,18 @@ struct LawInPlane {
 std::vector<laws::plane::Vector<double>> force_kN(laws::LawEntry const& law, laws::InPlane in_plane,
                                                   PlaneMotion const& motion);
 
-// Results on the second turn of a figure of eight, x = A sin p and y = A/2 sin 2p, with 200 samples a turn.
+// Results on the second turn of a figure of eight, x = size_mm sin p, y = size_mm / 2 sin 2p, with 200 samples a turn.
 struct OnAnEight {
   std::string_view rule;  // the two-dimensional form: "coupled", "springs", ...
   double peak_kN, work_kN_mm;
 };
-// For A = size_mm and `duration_s` a turn, by each form of the law: coupled with either rule of softening, springs.
+// One result per form of the law: coupled, with either rule of softening, and springs. A turn takes `duration_s`.
 std::vector<OnAnEight> on_a_figure_of_eight(LawInPlane const& law, double size_mm, double duration_s);
 struct Spread {  // the largest differences between the forms, relative to the first
   double peak = 0.0, work = 0.0;
 };
 Spread spread_of(std::vector<OnAnEight> const& rules);
-// Work of springs over that of the law in the second cycle along one direction. The law must have an online form.
+// The work of springs divided by the law's own, in the second cycle along one direction. The law needs an online form.
 double work_of_springs_on_a_line(LawInPlane const& law, double size_mm, double duration_s);
 
 }  // namespace isolaw::fit

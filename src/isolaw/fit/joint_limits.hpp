@@ -1,5 +1,5 @@
 // Checks overrides and search boxes against limits that concern several parameters of a law together (laws/law.hpp). A
-// box that is partly outside such a limit is searched as it is.
+// box that is partly outside such a limit is searched unchanged.
 #pragma once
 
 #include <span>

@@ -8,7 +8,8 @@ namespace isolaw::fit {
 // Elapsed time of the calling thread in the laws' code [s]; the caller may reset it.
 inline thread_local double kernel_time_s = 0.0;
 
-// Adds its lifetime to kernel_time_s. Reading this clock takes some 40 ns, a processor clock thirty times longer.
+// Adds the time for which the object lives to kernel_time_s. It reads the steady clock, which takes about 40 ns; the
+// processor-time clock takes thirty times as long.
 class KernelTimer {
  public:
   KernelTimer() = default;

@@ -1,6 +1,6 @@
-// The laws compiled for batches of candidates, once for every instruction set. ISOLAW_KERNELS is the name of the only
-// object that this file may define for others: the name of every function that is not inlined must contain the
-// instruction set, which it does if it takes batches (tests/kernels checks it).
+// Compiles the laws for batches of candidates, once for every instruction set. ISOLAW_KERNELS, such as kernels_avx2, is
+// the only object that other files may use. Every function that is not inlined must have the instruction set in its
+// name. A function that takes batches has it; tests/kernels checks this.
 #include "isolaw/fit/kernels.hpp"
 
 #include <algorithm>
@@ -34,13 +34,13 @@ void sums(double const* parameters, std::size_t block, KernelRecord const& recor
   sum.store(out);
 }
 
-// Laws that keep so many values in registers that eight vectors at once cost more than four and four.
+// Laws that keep many values in registers, so that eight vectors at once cost more than twice four vectors.
 template <class Law>
 inline constexpr bool crowded = requires {
   Law::crowded;
 };
 
-// A wide block that needs more registers than there are is computed in parts.
+// Computes a wide block in parts if it needs more registers than there are.
 template <class Law, std::size_t Block, class T = num::Batch<Block>>
 void objectives(double const* parameters, KernelRecord const& record, laws::Integration integration, double* out) {
   constexpr auto part = Block > 8 * num::vector_lanes ? narrow_block

@@ -42,7 +42,7 @@ class LawOnMotion {  // a law on a displacement history, whose force may be unkn
   laws::Path path(int refinement) const;
 
   std::vector<std::size_t> outline() const;  // indices of samples: all next to a reversal, fewer farther from one
-  // The same law on part of the samples, in rising order; with the reversals, a law without rate gives the same forces.
+  // The same law on samples in rising order. If they include the reversals, a rate-independent law gives equal forces.
   LawOnMotion at(std::span<std::size_t const> samples) const;
   // Computed force [kN] at every sample; not finite if the law gives none. `parameters` are in the law's order and
   // units; `force` has as many elements as there are samples. Thread-safe.
@@ -66,10 +66,10 @@ class LawOnRecord {
   LawOnRecord(laws::LawEntry const& law, data::FitRecord const& record, laws::Integration integration,
               laws::TurningPoints turning_points = laws::TurningPoints::as_sampled, int refinement = 1);
   LawOnRecord refined(int refinement) const;  // with this many steps between samples
-  // The same law on the samples of the loop's outline only, each with the weight of those it stands for; its objective
-  // is close to this one's. nullopt if more than 3/4 of the samples remain or the integration steps are the samples.
+  // The same law on the samples of the loop's outline only, each with the weight of the samples that it represents; its
+  // objective is close to this one's. nullopt if more than 3/4 of the samples remain or samples are integration steps.
   std::optional<LawOnRecord> outline() const;
-  std::vector<double> on_outline(std::span<double const> shares) const;  // spreads shares of all samples over its own
+  std::vector<double> on_outline(std::span<double const> shares) const;  // spreads shares over the outline
 
   laws::LawEntry const& law() const { return motion_.law(); }
   int refinement() const { return motion_.refinement(); }
@@ -78,11 +78,11 @@ class LawOnRecord {
   // force is not finite. `parameters` are in the law's order and units; `work` is scratch space. Thread-safe.
   double objective(std::span<double const> parameters, std::vector<double>& work) const;
   // The same for `count` candidates, computed in blocks; candidate(i, values) writes the parameters of candidate i.
-  // Agrees with the scalar objective within block_tolerance (if that is above 1e-3) at every place in a block.
+  // Agrees with the scalar objective within block_tolerance at every place in a block, for objectives above 1e-3.
   void objectives(std::size_t count, std::function<void(std::size_t, std::span<double>)> const& candidate,
                   std::span<double> values, InstructionSet set = instruction_set()) const;
-  // (measured - computed force) / standard deviation of the measured force: that of sample j and candidate i is
-  // values[i * samples() + j]. Not finite where a force is not. Agrees with the scalar path as objectives() does.
+  // (measured - computed force) / standard deviation of the measured force, for sample j and candidate i in
+  // values[i * samples() + j]. Not finite if the force is not. Agrees with the scalar path as closely as objectives().
   void residuals(std::size_t count, std::function<void(std::size_t, std::span<double>)> const& candidate,
                  std::span<double> values, InstructionSet set = instruction_set()) const;
   // The same with the candidates side by side: sample j of candidate i is rows[j * stride + i]. `stride` is at least
@@ -96,7 +96,7 @@ class LawOnRecord {
 
   std::vector<double> force_kN(std::span<double const> parameters) const { return motion_.force_kN(parameters); }
 
-  // Distance of the objective from that of the converged integration on a path `shift_refinement` times finer.
+  // Distance of the objective from its value with converged integration on a path `shift_refinement` times finer.
   double integration_shift(std::span<double const> parameters) const;
 
  private:
@@ -110,7 +110,7 @@ class LawOnRecord {
 };
 
 // Eq. (27) over the samples where `scored` is not 0, for forces that a law gave over the whole history. NaN if no two
-// neighbours are scored or the measured force does not change there.
+// neighbours are scored or the measured force is the same at all scored samples.
 double objective_on(data::FitRecord const& record, std::span<double const> force_kN, std::vector<double> scored);
 
 // The search for a law's free parameters on a record as a problem in the unit box. Keeps references to both arguments.

@@ -1,4 +1,4 @@
-// Finds devices that stand out from their lot in a measured property, a parameter of a law or an error of its fit.
+// Finds devices that differ from their lot in a measured property, a parameter of a law or an error of its fit.
 // Source of the score: Iglewicz and Hoaglin 1993. The rules' lot view uses the same score (num::modified_scores) for
 // measured properties, but asks for at least five values, since a verdict depends on them.
 #pragma once
@@ -22,7 +22,7 @@ struct Outlier {
 inline constexpr std::size_t fewest_for_outliers = 4;
 // The smallest standard deviation, as a share of |median|: the error of a property from one record.
 inline constexpr double least_scatter = 0.005;
-// values[property][device] is NaN if the device lacks the property; names[property] serves messages. A device is an
+// values[property][device] is NaN if the device lacks the property; messages use names[property]. A device is an
 // outlier if its modified z-score is beyond 3.5 among the devices that have the property, at least fewest_for_outliers.
 // Largest score first, equal scores by property, then device. Throws Error if there are not as many names as
 // properties, for rows of different lengths, and for infinite values.

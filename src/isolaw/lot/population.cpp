@@ -18,7 +18,7 @@ using num::Vector;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double rounding = 1e-13;  // an eigenvalue below this share of the largest is rounding error
-// A direction has variance if more than this share of it remains; S = C would leave none in exact arithmetic.
+// A direction has variance if more than this share of it remains. If S = C, none remains in exact arithmetic.
 constexpr double least_remainder = 1e-10;
 
 std::size_t as_size(Index i) {
@@ -127,9 +127,9 @@ std::vector<double> unit_direction(Vector v) {
   return plain(Vector(v[largest] < 0.0 ? -v : v));
 }
 
-// Sigma by S x = lambda C x, solved as S x = m T x with T = S + C and m = lambda / (1 + lambda) between 0 and 1, so
-// that C and S may be singular or zero. lambda - 1 times C is 2 m - 1 times T. Coordinates are scaled by the diagonal
-// of T, so that units do not matter. Directions outside the range of T have neither scatter nor error and are left out.
+// Computes Sigma from S x = lambda C x, solved as S x = m T x with T = S + C and m = lambda / (1 + lambda), which is
+// between 0 and 1, so that C and S may be singular or zero. lambda - 1 times C is 2 m - 1 times T. The diagonal of T
+// scales the coordinates, so units do not matter. Directions outside the range of T are left out: they have no scatter.
 Matrix between_devices(Matrix const& S, Matrix const& C, Population& population) {
   Vector const scale = or_one((S + C).diagonal().cwiseMax(0.0).cwiseSqrt());
   Vector const shrink = scale.cwiseInverse();
@@ -168,7 +168,8 @@ Vector alone(Matrix const& C) {
   return num::apply(Matrix(parts.vectors.cwiseAbs2()), inverse).cwiseInverse().cwiseProduct(scale.cwiseAbs2());
 }
 
-// Takes those of `undetermined` out of S that have no effect, see estimate_population.
+// Sets the rows and columns of S to zero for those parameters in `undetermined` whose estimates scatter no more than
+// their error. estimate_population says why.
 void silence(Matrix& S, Matrix const& C, std::span<std::size_t const> undetermined) {
   Vector const error = alone(C);
   for (auto const parameter : undetermined) {
@@ -283,7 +284,7 @@ Population estimate_population(std::vector<std::string> const& names, std::span<
   auto const n = static_cast<Index>(names.size());
   auto const count = static_cast<double>(devices.size());
   Vector const first = transformed(population, devices.front()).at;
-  Vector mean = first;  // summed as differences from it, so that equal devices have exactly no scatter
+  Vector mean = first;  // adds differences from `first`, so that equal devices have exactly no scatter
   for (auto const& device : located) mean += (device.at - first) / count;
   population.mean = plain(mean);
   population.medians = physical(population, mean);
@@ -331,7 +332,7 @@ Sample sample(Population const& population, std::size_t count, num::Stream const
     if (!found) ++result.pulled_back;
     while (!found) {
       z *= 0.5;
-      // A median may lie on its limit: then z is halved until it no longer moves that median.
+      // If a median lies on its limit, z is halved until it no longer moves that median.
       values = z.norm() > 1e-12 ? physical(population, mean + num::apply(root, z)) : population.medians;
       found = inside(values, limits) || z.norm() <= 1e-12;
     }

@@ -2,8 +2,8 @@
 // and correlation), and draws devices from it.
 // Model: the estimate of device d is theta_d = mu + b_d + e_d in transformed coordinates (see Transform), with b_d ~
 // N(0, Sigma) the difference between devices and e_d ~ N(0, C_d) the error of its fit. The covariance S of the
-// estimates (divisor devices - 1) has the expected value Sigma + C, where C is the mean of the C_d. We therefore take
-// Sigma = S - C, where that is positive: in the generalised eigenproblem S x = lambda C x directions with lambda > 1
+// estimates (divisor devices - 1) has the expected value Sigma + C, where C is the mean of the C_d. We therefore use
+// Sigma = S - C where this is positive: in the generalised eigenproblem S x = lambda C x, directions with lambda > 1
 // keep lambda - 1 and the others get no variance (Amemiya 1985, What should be done when an estimated between-group
 // covariance matrix is not nonnegative definite?; for equal C_d this Sigma makes S most likely). A direction thus has
 // no variance if the devices differ no more in it than their own uncertainty explains: the tests do not determine it.
@@ -43,7 +43,7 @@ struct DeviceEstimate {        // the fit of one device, in the units of the par
 // the standard deviation from scatter and uncertainty together.
 struct Direction {
   std::vector<double> weights;  // [n], of length 1; the largest is positive
-  double ratio = 0.0;           // lambda: variance of the estimates over that of their errors, at most 1
+  double ratio = 0.0;           // lambda: variance of the estimates / variance of their errors, at most 1
 };
 
 // Vectors and matrices have an element per parameter, in the order given, transformed unless a comment says otherwise.
@@ -63,19 +63,19 @@ struct Population {
   std::vector<Direction> undetermined;  // directions without variance, smallest ratio first
   std::vector<double> std;              // standard deviations by Sigma
   std::vector<double> relative_std;  // std itself for logarithmic parameters, std / |mean| for others; NaN if mean is 0
-  SquareMatrix correlation;          // NaN off the diagonal if one of both parameters has no variance
+  SquareMatrix correlation;          // NaN off the diagonal if either parameter has no variance
   std::string note;                  // why there is no covariance or why its rank is too low; empty otherwise
 
   bool has_covariance() const { return !covariance.empty(); }
 };
 
 // names[n] and devices[d]; transform_for chooses the transforms from the devices' values. A single device gives a mean
-// but no covariance, no device gives neither; `note` tells so. Throws Error, with all complaints, for vectors and
+// but no covariance, no device gives neither; `note` says so. Throws Error, with all complaints, for vectors and
 // matrices of another size than names, values that are not finite or whose squares are not, and negative variances.
 // `undetermined` are indices of parameters that no device's test determines. Such a parameter has no effect if its
-// estimates scatter no more than its error would if all others were known; it is then taken out of S first, or its
-// chance correlations with parameters that do differ would give it a scatter in a lot of a dozen devices. Ke and A stay
-// for a law that depends only on their product. Cost: n^3 + devices n^2.
+// estimates scatter no more than its error would if all others were known. Its rows and columns of S are then set to
+// zero first: otherwise chance correlations with parameters that do differ would give it a scatter in a lot of a dozen
+// devices. If a law depends only on the product of Ke and A, both stay. Cost: n^3 + devices n^2.
 Population estimate_population(std::vector<std::string> const& names, std::span<DeviceEstimate const> devices,
                                std::span<std::size_t const> undetermined = {});
 

@@ -2,8 +2,8 @@
 // A batch consists of a few native vectors of the compiler (GCC and Clang, vector_size). A law's body thus runs in the
 // registers of the instruction set it is compiled for, and several independent vectors in flight hide each other's
 // latency. The names of the types contain the instruction set, so that objects compiled for different ones may be
-// linked into one program (fit/kernels.cpp), provided that they share only functions of these types.
-// Lanes agree with the double path within rounding; exp, exp2, log2 and power are those of elementary.hpp.
+// linked into one program (fit/kernels.cpp), provided that every function that they share takes one of these types.
+// Lanes agree with the double path within rounding; exp, exp2, log2 and power come from elementary.hpp.
 #pragma once
 
 #include <array>
@@ -245,8 +245,8 @@ ISOLAW_INLINE Batch<W> max(Batch<W> const& a, Batch<W> const& b) {
   return select(a < b, b, a);
 }
 
-// Keeps the product `a` out of a fused multiply-add. Which product of a sum of two a compiler fuses may depend on what
-// it inlined, so that a lane would get other bits in a block of another width. Costs no instruction.
+// Keeps the product `a` out of a fused multiply-add. In a sum of two products the compiler may fuse either, depending
+// on what it inlined; a lane could then get other bits in a block of another width. This costs no instruction.
 template <std::size_t W>
 ISOLAW_INLINE Batch<W> rounded(Batch<W> a) {
   a.each([&]([[maybe_unused]] std::size_t i) ISOLAW_LAMBDA {
@@ -270,7 +270,7 @@ ISOLAW_INLINE Vector gather(double const* base, VectorMask const& index) {
   return out;
 #endif
 }
-// The numbers, counted through the whole batch, of the lanes of vector number `part`.
+// The numbers of the lanes of vector number `part`, counted through the whole batch.
 ISOLAW_INLINE VectorMask lane_numbers(std::size_t part) {
   VectorMask numbers;
   for (std::size_t i = 0; i < vector_lanes; ++i) numbers[i] = static_cast<std::int64_t>(part * vector_lanes + i);
@@ -314,7 +314,7 @@ ISOLAW_INLINE Indices<W> bisect(Values const& nodes, std::size_t cells, Batch<W>
         return first.part[i] + ((node.part[i] <= x.part[i]) & skip);
       })};
     }
-  // The last of the eight blocks may be longer. In another the search may look past the end, where nodes exceed x.
+  // Only the last of the eight blocks may be longer. Searches of the others may pass the block's end: nodes exceed x.
   for (std::size_t length = cells - 7 * block; length > 1;) {
     std::size_t const half = length / 2;
     auto const step = static_cast<std::int64_t>(half);
@@ -337,7 +337,8 @@ ISOLAW_INLINE Indices<W> cell_of(std::array<double, Count> const& nodes, Batch<W
   return bisect(nodes, Count - 1, x);
 }
 
-// A round of a transposition: exchanges a bit of the row's index with that bit of the lane's. One instruction a vector.
+// One round of a transposition: exchanges a bit of the rows' index with that bit of the lanes' index. This takes one
+// instruction per vector.
 template <std::size_t Bit, std::size_t... Lane>
 ISOLAW_INLINE void exchange(std::array<Vector, vector_lanes>& rows, std::index_sequence<Lane...>) {
   for (std::size_t i = 0; i < vector_lanes; ++i) {

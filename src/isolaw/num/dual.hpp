@@ -1,5 +1,5 @@
 // A number for forward-mode differentiation: a value and its derivatives with respect to N independent variables, after
-// Ceres' Jet. Comparisons and selections look at the value; at a kink the derivative is that of the branch taken.
+// Ceres' Jet. Comparisons and selections look at the value; at a kink the derivative belongs to the branch taken.
 #pragma once
 
 #include <array>

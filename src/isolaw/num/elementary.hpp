@@ -13,8 +13,8 @@
 // Source: Cody and Waite 1980 (arguments reduced to half a binade around 1), fdlibm (log through s = (m-1) / (m+1)),
 // own coefficients (tools/elementary_coefficients.py). Departure: integers become doubles by adding 1.5 2^52, because
 // SSE2 and AVX2 cannot convert 64-bit integers.
-// Polynomials use Horner's scheme: it has the fewest operations, and lanes in flight hide its latency. Rejected: even
-// and odd powers apart (faster for one or two vectors, slower from four on), log2 without a division (twice the terms).
+// Polynomials use Horner's scheme: it has the fewest operations; lanes in flight hide its latency. Rejected: sums of
+// even and odd powers (faster for one or two vectors, slower from four on), log2 without a division (twice the terms).
 // Assumes round to nearest and IEEE NaN and infinity: never compile with -ffast-math or -ffinite-math-only.
 // -fno-trapping-math, -fno-signed-zeros and -fno-math-errno do no harm. Vectors are fused only with -ffp-contract=fast;
 // then every instruction set with fused multiply-add gives the same bits.
@@ -28,7 +28,7 @@
 
 namespace isolaw::num {
 
-// Operations besides + - * / and comparisons, here for native vectors; a type made of several specialises it.
+// The operations besides + - * / and comparisons, for native vectors. A type made of several vectors specialises this.
 template <class T>
 struct Lanes {
   typedef std::uint64_t Bits __attribute__((vector_size(sizeof(T))));
@@ -94,7 +94,7 @@ inline constexpr double fifth_root_terms[] = {0x1.ffffffffffe17p-1, 0x1.99999999
                                               0x1.58106251289e7p-1, 0x1.46dc5ad4239cfp-1, 0x1.39c94b1496699p-1,
                                               0x1.2f556f2eab700p-1, 0x1.26ab754546262p-1, 0x1.1ebe68daca01fp-1,
                                               0x1.184271bf2f816p-1, 0x1.2755d98415d35p-1, 0x1.23a77d79fff6cp-1};
-// Taken as whole numbers, the first 52 bits of x^(-1/5) are about this constant minus a fifth of those of x.
+// Read as whole numbers, the first 52 bits of x^(-1/5) are about this constant minus a fifth of the first 52 bits of x.
 inline constexpr double fifth_root_guess = 0x1.7febced916873p+52;
 inline constexpr double log2_e = 0x1.71547652b82fep+0;
 inline constexpr double ln2_high = 0x1.62e42fee00000p-1;  // its product with an exponent is exact
@@ -122,7 +122,7 @@ template <class T, std::size_t Count>
   return horner<T>(terms, x, std::make_index_sequence<Count - 1>());
 }
 
-// mantissa 2^exponent, as `shifted` holds it; +inf and 0 outside the range. Rejected: clamping first (GCC branches).
+// mantissa * 2^n, with the integer n in `shifted`; +inf or 0 out of range. Rejected: clamping first (GCC branches).
 template <class T>
 [[gnu::always_inline]] inline T scale(T const& mantissa, T const& shifted, T const& exponent) {
   using L = Lanes<T>;
@@ -131,8 +131,8 @@ template <class T>
   return L::select(exponent >= L::all(highest_exponent), L::all(infinity), y);
 }
 
-// Splits a positive normal x into 2^whole m with m from sqrt(1/2) to sqrt(2): split() returns bits that hold both, the
-// next two extract each. A single function would return a struct, which GCC 12 copies through memory.
+// Splits a positive normal x into 2^whole m with m from sqrt(1/2) to sqrt(2). split() returns bits that hold both;
+// whole_of() and mantissa_of() extract them. One function would return a struct, which GCC 12 copies through memory.
 template <class T>
 [[gnu::always_inline]] inline auto split(T const& x) {
   return Lanes<T>::bits(x) + (bits_of_one - bits_of_root_half);
@@ -213,7 +213,7 @@ template <class T>
 }
 
 // |x|^p as 2^(p log2 |x|) for |p| up to 1e20. log2 |x| is kept in two parts, so that a large exponent loses no digits.
-// The floor is added to |x|, which is cheaper than a maximum and the same at 0 and from 1e-274 on: 0^p is 1e-290^p.
+// A floor of 1e-290 is added to |x|. That is cheaper than a maximum and gives the same at 0 and from 1e-274 on.
 template <class T>
 [[gnu::always_inline]] inline T fast_power(T const& x, T const& p) {
   using L = Lanes<T>;
@@ -221,9 +221,9 @@ template <class T>
   auto const split = elementary::split<T>(base);
   T const whole = elementary::whole_of<T>(split), m = elementary::mantissa_of<T>(split);
   T const s = (m - L::all(1.0)) / (m + L::all(1.0));
-  // base - base is NaN if base is not finite, else 0. Rejected: base * 0: GCC 12 with -fno-signed-zeros makes it 0.
+  // base - base is NaN if base is not finite, else 0. Rejected: base * 0, which GCC 12 with -fno-signed-zeros makes 0.
   T const fraction = s * elementary::polynomial<T>(elementary::power_log2_terms, s * s) + (base - base);
-  // Its rounding error returns in `rest`. The expression leaves the compiler only one way to fuse it.
+  // `rest` is computed anew and so lacks the rounding error of `exponent`. The compiler can fuse it in one way only.
   T const exponent = p * (whole + fraction);
   T const shifted = exponent + L::all(elementary::shifter);
   T const nearest = shifted - L::all(elementary::shifter);

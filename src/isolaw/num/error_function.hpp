@@ -1,7 +1,7 @@
 // The error function erf(u) for doubles, derivative numbers and batches. Its error is below 4e-16, absolute, and for
 // |u| < 1/2 also relative. It is odd to the last bit and gives NaN for NaN.
 // Source: Cody 1969, the rational functions of his program calerf for |u| <= 0.46875 and up to 4. Departure: the second
-// one is used up to 6, where erf is 1 to the last bit; erfc needs eight digits there, which it provides.
+// one is used up to 6, where erf is 1 to the last bit. From 4 to 6 erfc needs only eight digits, which it provides.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,7 @@ inline constexpr double outer_bottom[] = {1.0,
                                           3.43936767414372164e3,
                                           1.23033935480374942e3};
 
-// Inlined with its terms: a table would be a symbol of its own in code for one instruction set.
+// Always inlined, with its terms: a table would be a symbol of its own in code for one instruction set.
 template <class T, std::size_t Count, std::size_t... I>
 [[gnu::always_inline]] inline T horner(double const (&terms)[Count], T const& x, std::index_sequence<I...>) {
   T sum(terms[0]);

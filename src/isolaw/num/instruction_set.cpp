@@ -26,7 +26,7 @@ bool always() {
 }
 
 #if defined(ISOLAW_X86_KERNELS)
-// -march=x86-64-v3 and -v4 let a compiler use more than the vector instructions: all of it is checked here.
+// -march=x86-64-v3 and -v4 let a compiler use more than vector instructions, so all extensions of a level are checked.
 #if defined(ISOLAW_CPU_LEVELS)
 bool has_x86_64_v3() {
   return __builtin_cpu_supports("x86-64-v3") != 0;

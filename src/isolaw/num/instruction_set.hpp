@@ -12,7 +12,7 @@ namespace isolaw::num {
 enum class InstructionSet { scalar, portable, avx2, avx512 };
 std::string_view name(InstructionSet set);
 
-std::vector<InstructionSet> available_instruction_sets();  // those of this program and processor, slowest first
+std::vector<InstructionSet> available_instruction_sets();  // built into this program and run by this processor
 // The fastest available set, or the one that the environment variable ISOLAW_SIMD names, chosen at the first call.
 // Throws Error for an unknown name or a set that this processor cannot run.
 InstructionSet instruction_set();

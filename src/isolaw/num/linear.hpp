@@ -1,5 +1,5 @@
-// Linear algebra on Eigen's vectors and matrices. Products and decompositions take long to compile, so they are
-// compiled once, here. That also fixes the order in which every product is summed.
+// Linear algebra on Eigen's vectors and matrices. Products and decompositions take long to compile, so linear.cpp
+// compiles them once. That also fixes the order in which every product is summed.
 #pragma once
 
 #include <Eigen/Core>

@@ -29,7 +29,7 @@ std::array<std::uint32_t, 4> philox_4x32_10(std::array<std::uint32_t, 4> const& 
   return {words[0], words[1], words[2], words[3]};
 }
 
-// The child's key is a draw of the parent at the place (a, b) of all ones, which is reserved for this.
+// The child's key is a draw of the parent at the place where all bits of a and b are 1, which is reserved for this.
 Stream Stream::split(std::uint64_t part) const {
   auto const words = philox_4x32_10({low_word(part), high_word(part), 0xffffffffu, 0xffffffffu}, key_);
   return Stream(join(words[0], words[1]));

@@ -9,7 +9,7 @@
 
 namespace isolaw::num {
 
-// Columns computed together. A stride is a multiple of it; columns beyond the last candidate may hold any numbers.
+// Columns computed together. A table's stride is a multiple of it; columns after the last candidate may hold anything.
 inline constexpr std::size_t row_lanes = 8;
 constexpr std::size_t padded(std::size_t columns) {
   return (columns + row_lanes - 1) / row_lanes * row_lanes;
@@ -31,16 +31,16 @@ struct NormalSums {
 };
 
 struct RowKernels {
-  // values[c] = sum of weight * |r|, rounded[c] = sum of weight * sqrt(r^2 + delta^2) in column c; each padded.
+  // values[c] = sum of weight * |r|, rounded[c] = sum of weight * sqrt(r^2 + delta^2) in column c. Both are padded.
   void (*sizes)(RowTable const& table, std::size_t columns, double delta, double* values, double* rounded);
-  // The curvature of `cautious` is weight / size, that of the parabola that touches `size` from above. The curvature of
-  // `bold` is cautious_share of that plus bold_share of the true one, weight * delta^2 / size^3. The arrays of `sums`
+  // For `cautious` the curvature is weight / size, from the parabola that touches `size` from above. For `bold` it is
+  // cautious_share times this plus bold_share times the true curvature, weight * delta^2 / size^3. The arrays of `sums`
   // are for padded(columns) columns, at most most_columns.
   void (*normal)(RowTable const& table, std::size_t columns, double delta, double cautious_share, double bold_share,
                  NormalSums const& sums);
 };
 inline constexpr std::size_t most_columns = 64;
 
-RowKernels const& row_kernels();  // those of the instruction set in use; portable ones for `scalar`
+RowKernels const& row_kernels();  // for the instruction set in use; `scalar` uses the portable ones
 
 }  // namespace isolaw::num

@@ -15,7 +15,7 @@ struct Deviations {
   double sum_of_squares = nan;  // about the mean
 };
 
-// Corrected two-pass algorithm (Chan, Golub, LeVeque 1983): the sum of deviations, 0 for an exact mean, corrects both.
+// The corrected two-pass algorithm of Chan, Golub and LeVeque 1983: the sum of the deviations corrects both results.
 Deviations deviations(std::span<double const> values) {
   if (values.empty()) return {};
   auto const n = static_cast<double>(values.size());

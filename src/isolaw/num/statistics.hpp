@@ -1,4 +1,4 @@
-// The method's descriptive statistics. None leaves a value out: one that is not finite makes the result not finite.
+// The method's descriptive statistics. None leaves a value out: a value that is not finite makes the result not finite.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +27,7 @@ double median_over(Items const& items, Property property) {
 
 // The signed distance of each value from the median in standard deviations estimated from the median absolute deviation
 // (MAD): (x - median) / max(1.4826 MAD, least_scale * |median|). Outliers move neither median nor MAD. Source: Iglewicz
-// and Hoaglin 1993, there 0.6745 (x - median) / MAD; a value beyond outlying_score is an outlier. `least_scale` is the
+// and Hoaglin 1993, as 0.6745 (x - median) / MAD; a value beyond outlying_score is an outlier. `least_scale` is the
 // relative error of a value, so that nearly equal values are no outliers. All scores are 0 if the divisor is 0.
 struct ModifiedScores {
   double median = 0.0;

@@ -62,7 +62,7 @@ Population select(Population const& parents, Population const& children, std::si
   return next;
 }
 
-// Gains are summed from the last improvement, not from one generation to the next: slow steady progress counts.
+// Measures gains from the last improvement, not from one generation to the next, so that slow steady progress counts.
 class Progress {
  public:
   explicit Progress(GeneticOptions const& options) : options_(options) {}

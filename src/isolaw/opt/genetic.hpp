@@ -18,22 +18,23 @@ struct GeneticOptions {             // campaign::setting_table() holds the limit
   int population = 100;             // even, at least 4
   int generations = 50;             // at most; the initial population is generation 1
   double mutation_rate = 0.01;      // probability per gene
-  int stagnation = 20;              // the search stops after so many generations without improvement
+  int stagnation = 20;              // the search stops after this many generations without improvement
   double stagnation_tolerance = 0;  // a relative gain up to this is no improvement
   double selection_pressure = 8;    // roulette weight exp(-pressure * value / worst finite value)
 };
 
-// Outcomes: all_generations, also if the search stagnates with the last one; stagnated; no_finite_value if the whole
-// initial population failed; interrupted, with a best point if a generation was done. Evaluations: population x
-// generations done. Deterministic for a given stream: random numbers depend only on (stream, generation, individual or
-// pair). A value that is not finite marks a failed point, which survives only if nothing better exists. For values
-// >= 0; see roulette_weights for others. `interrupted`, if given, is called before each generation. A generation brings
-// no improvement if its best value is not below (1 - tolerance) times the best at the last improvement (for positive
-// values), so that a flat problem stops after 1 + stagnation generations. Throws Error for no dimensions.
+// Minimises a problem whose values are not negative (roulette_weights says what happens to negative ones). The outcome
+// is all_generations (also if the last generation stagnates), stagnated, no_finite_value (if no point of the initial
+// population has a finite value) or interrupted (with a best point if at least one generation was done). It evaluates
+// the population once in each generation. Random numbers depend only on (stream, generation, individual or pair), so
+// the result is deterministic for a stream. A value that is not finite marks a failed point, which survives only if
+// nothing better exists. `interrupted`, if given, is called before each generation. A generation brings no improvement
+// if its best value is not below (1 - tolerance) times the best at the last improvement (for positive values), so a
+// flat problem stops after 1 + stagnation generations. Throws Error if the problem has no dimensions.
 SearchResult minimise_genetic(Problem const& problem, num::Stream const& stream, GeneticOptions const& options = {},
                               std::function<bool()> const& interrupted = {});
 
-// How a search ended whose best value after each generation is in `history`; interrupted if it would have gone on.
+// How a search ended, by its best value after each generation (`history`); interrupted if it would have gone on.
 Outcome outcome_of(std::span<double const> history, GeneticOptions const& options);
 // Roulette weights exp(-pressure v / worst finite v) of the values v; 0 for values that are not finite, and 1 for all
 // others if the worst is 0. If there are values below zero, all are measured from the smallest.
@@ -49,7 +50,7 @@ class RouletteWheel {
   std::vector<double> cumulative_;
 };
 
-// Equally likely cuts 0 <= first < second <= dimension >= 2, but (0, dimension), which would swap the whole parents.
+// Equally likely cuts 0 <= first < second <= dimension (at least 2), without (0, dimension), which swaps whole parents.
 struct Cuts {
   std::size_t first = 0, second = 0;
 };

@@ -25,39 +25,40 @@ struct Stage {
   double smoothing;
   int iterations;
   double least_gain = 0.0;   // over `patience` iterations at the last delta; below it the stage ends
-  std::size_t patience = 4;  // more than one, since iterations stutter where a residual crosses zero
+  std::size_t patience = 4;  // more than one, since an iteration may gain little while a residual crosses zero
 };
-// At half the residuals' size the corner is still rounded off, and the outline finds the same valley (logged).
+// Stops at half the residuals' size: the corner is still rounded off, and the outline finds the same valley (logged).
 constexpr Stage approach{.smoothing = 0.5, .iterations = 25};
-// Goes only as far as the tolerance of a hit, 5e-4, since the end is only counted. The least gain is below it.
+// Goes only to the tolerance of a hit, 5e-4, since the end is only counted. The least gain is below this tolerance.
 constexpr Stage settle{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4};
-// Starts at the outline's minimum, which lies so close to that of all residuals that little is left to do.
+// Starts at the outline's minimum, which lies so close to the minimum for all residuals that little is left to do.
 constexpr Stage finish{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4, .patience = 3};
-// Reaches about a ten-thousandth of the value, for many descents of which none is reported by itself.
+// Ends when about four digits of the value are right, for many descents of which none is reported by itself.
 constexpr Stage finish_briefly{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4, .patience = 2};
 constexpr double rounding_after_outline = 0.03;  // delta after the outline's minimum, as a share of the value
 constexpr Stage polish{.smoothing = 0.003, .iterations = 60};  // for the digits that are reported
 
-constexpr double gain_worth_staying = 3e-3;  // with a smaller gain, a delta that is not the stage's last is lowered
+constexpr double gain_worth_staying = 3e-3;  // after a smaller gain delta is lowered, unless it is the stage's last
 // About half a decade, so that the minimum for the next delta lies within a few steps of this one's.
 constexpr double fall_of_delta = 0.3;
 constexpr double noise_of_gain = 1e-6;  // error of one-sided differences; a smaller gain counts as none
-// Over such a step, curvature changes the slope by some 1e-6 and rounding by 1e-9: far less than damping does.
+// Over such a step, curvature changes the slope by some 1e-6 and rounding by 1e-9, far less than damping changes it.
 constexpr double difference_step = 1e-6;
-// Shares of the two curvatures in the bold steps; the bold one alone would be zero if no residual is near zero.
+// Shares of the two curvatures in the bold steps. The true curvature alone would be zero if no residual is near zero.
 constexpr double bold_share = 0.9, cautious_share = 0.1;
-// Trial steps of an iteration: one block of candidates. Half a block would cost as much (docs/performance.md).
+// Trial steps of an iteration. They fill one block of candidates; half a block costs as much (docs/performance.md).
 constexpr std::size_t tried = 8;
 constexpr double damping_ratio = 20.0;  // the trial steps use 1/20, 1, 20 and 400 times the present damping
-constexpr double damping_rise = 1e4;    // after all trial steps failed; beyond the largest of their dampings
-constexpr int rises = 4;                // attempts of an iteration, leading from the usual damping beyond the largest
+constexpr double damping_rise = 1e4;    // factor if all trial steps failed; it exceeds their largest, 400
+constexpr int rises = 4;                // attempts of an iteration; they raise the usual damping beyond most_damping
 constexpr double usual_damping = 1e-2;
-constexpr double most_damping = 1e8;                        // steps are along the gradient, and very short
-constexpr double least_carried = 1e-9, most_carried = 1e6;  // into the next iteration; a few rises undo them
+constexpr double most_damping = 1e8;                        // steps then follow the gradient and are very short
+constexpr double least_carried = 1e-9, most_carried = 1e6;  // for the next iteration; a few rises undo them
 constexpr double least_curvature = 1e-9;  // relative to the largest; for directions that change no residual
 
 constexpr double one_valley = 0.75;  // with this share of hits among scattered ends another valley is unlikely
-// Both together missed the best valley in 1 of 380 logged searches; 0.3 of all ends instead missed it in 6.
+// A search ends early if there are `many_hits` and their share among the scattered ends is `agreeing`. This rule missed
+// the best valley in 1 of 380 logged searches; a share of 0.3 of all ends missed it in 6.
 constexpr std::ptrdiff_t many_hits = 12;
 constexpr double agreeing = 0.4;                // share of hits among the scattered ends
 constexpr std::ptrdiff_t part_when_agreed = 3;  // a third of the starts: 24 instead of 72
@@ -66,20 +67,20 @@ constexpr std::ptrdiff_t part_when_agreed = 3;  // a third of the starts: 24 ins
 constexpr double close = 10.0;  // tolerances of a hit
 constexpr double ragged = 0.5;
 constexpr std::ptrdiff_t more_when_ragged = 3;  // a third more starts
-// In more dimensions hops find a better valley at a quarter of a scattered start's cost; both seldom do (logged).
+// In more dimensions, hops find better valleys at a quarter of scattered starts' cost; both seldom do so (logged).
 constexpr std::size_t wide = 14;
 constexpr double more_when_wide = 2.5;  // times the starts, half of them hops: 180 instead of 72
-// An approach that ends farther above the best value is not settled: settling gains a few tenths, not half.
+// An approach that ends above this multiple of the best value is not settled: settling gains a few tenths, not half.
 constexpr double promising = 1.5;
-constexpr double least_power_of_hop = -1.5, most_power_of_hop = -0.3;  // 0.03 to half the box: leaves the valley
-constexpr double least_power_of_last_hop = -2.0, most_power_of_last_hop = -0.5;  // 0.01 to 0.3: stays on its floor
+constexpr double least_power_of_hop = -1.5, most_power_of_hop = -0.3;  // 0.03 to 0.5 of the box, to leave the valley
+constexpr double least_power_of_last_hop = -2.0, most_power_of_last_hop = -0.5;  // 0.01 to 0.3, to stay in it
 
-constexpr double sharp = 0.2;  // tolerances of a hit; on a smooth floor the ends lie within this of each other
-// Ends polished on a ragged floor; polishing only the best stopped 0.1 % too high in 3 of 29 searches (logged).
+constexpr double sharp = 0.2;  // tolerances of a hit; on a smooth floor, half of the hits are this close to the best
+// Ends polished on a ragged floor. Polishing only the best ended 0.1 % too high in 3 of 29 searches (logged).
 constexpr std::size_t polished = 6;
-constexpr double near_enough = 2.0;                    // tolerances of a hit; ends beyond belong to another floor
-constexpr double worth_polishing = 1.01;               // largest value after the approach, as a multiple of the best
-constexpr int hops_in_vain = 10, most_last_hops = 40;  // the most in a row without gain, and in all
+constexpr double near_enough = 2.0;       // in tolerances of a hit; ends farther away belong to another valley
+constexpr double worth_polishing = 1.01;  // largest value after the approach, as a multiple of the best
+constexpr int hops_in_vain = 10, most_last_hops = 40;  // hops in a row without gain, and hops in all
 constexpr double gain_of_last_hop = 0.1;               // tolerances of a hit; less counts as no gain
 constexpr double absolute_tolerance = 1e-9;            // for a best value of zero
 
@@ -90,7 +91,7 @@ using num::Matrix;
 using num::Vector;
 
 struct Cost {
-  std::size_t computed = 0, failed = 0;  // residuals computed, and those of failed points
+  std::size_t computed = 0, failed = 0;  // residuals computed, and how many of them belong to failed points
   Cost& operator+=(Cost const& other) {
     computed += other.computed;
     failed += other.failed;
@@ -116,7 +117,7 @@ class Counting {  // the problem or its outline, whichever is in use, and the co
 
   std::size_t dimension() const { return problem_->dimension(); }
 
-  // For each point the sums of weight * |residual| and of weight * sqrt(residual^2 + delta^2); infinite if it failed.
+  // Sums of weight * |residual| and of weight * sqrt(residual^2 + delta^2) for each point; infinite for a failed point.
   struct Sizes {
     std::vector<double> value, rounded;
   };
@@ -154,7 +155,7 @@ struct Located {
   double value = infinity;  // sum of weight * |residual|
 };
 
-// One descent: approach() finds the valley, by the outline if there is one; settle() its floor; polish() the digits.
+// A descent: approach() finds the valley, by the outline if there is one, settle() its floor, polish() the last digits.
 class Descent {
  public:
   Descent(DeviationProblem const& problem, std::span<double const> start, double rounding = 1.0)
@@ -223,10 +224,10 @@ class Descent {
     if (here_.value < best_.value) best_ = here_;
   }
 
-  // Gradient and curvatures of the rounded sum here, from one-sided differences into the box; zero along a coordinate
-  // whose neighbour has no value. The cautious curvature is that of the parabola which touches the rounded absolute
-  // value here and lies above it elsewhere: its steps are too short. The bold one is nearly the true curvature, which
-  // only residuals near zero have: its steps are too long.
+  // Gradient and curvatures of the rounded sum at the present point, by one-sided differences into the box; zero along
+  // a coordinate whose neighbour has no value. The cautious curvature belongs to the parabola that touches the rounded
+  // absolute value at this point and lies above it elsewhere; its steps are too short. The bold curvature is nearly the
+  // true one, to which only residuals near zero contribute; its steps are too long.
   struct Slopes {
     Vector gradient;
     Matrix cautious, bold;
@@ -285,7 +286,7 @@ class Descent {
     return {here.value, here.value};
   }
 
-  // The point after a damped Newton step inside the box. A coordinate on an edge stays there if the step would leave.
+  // The point after a damped Newton step in the box. A coordinate on an edge stays on it if the step leads outside.
   void propose(Matrix const& H, Vector const& g, double damping, std::span<double> point) const {
     std::ranges::copy(here_.x, point.begin());
     std::vector<Index> free;
@@ -425,8 +426,8 @@ class Search {
     write_cost(cost_, problem_, result_);
   }
 
-  // May run ahead of its turn on another thread. Whether to settle depends on the best value known by then, which is
-  // not below the one in its turn: every descent that will be needed settled is.
+  // May run before its turn, on another thread. It settles the descent if its value is near enough to the best value
+  // known then. That value can only fall until the descent's turn, so each descent that must be settled has been.
   FinishedDescent descent_from(std::span<double const> start) const {
     FinishedDescent result;
     Descent descent(problem_, start);
@@ -451,7 +452,8 @@ class Search {
     return end.value;
   }
 
-  // If the hits scatter, the floor is ragged: the next best ends are polished, then small hops until they gain nothing.
+  // Polishes the best end. If the values of the hits scatter, the valley's floor is ragged: then the next best ends are
+  // polished too, and small hops follow until they gain nothing.
   void refine(std::function<bool()> const& interrupted) {
     auto const polish = [&](std::vector<double> const& start) {
       Descent descent(problem_, start);

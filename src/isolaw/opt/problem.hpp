@@ -35,7 +35,7 @@ class Problem {
   virtual void evaluate(Points const& points, std::span<double> values) const = 0;
 };
 
-// The value is sum of weights()[j] * |residual j|. Residuals need far fewer evaluations than the value alone.
+// The value is sum of weights()[j] * |residual j|. A search that sees the residuals needs far fewer evaluations.
 class DeviationProblem : public Problem {
  public:
   virtual std::span<double const> weights() const = 0;  // one for each residual, >= 0; their sum is 1
@@ -54,12 +54,12 @@ struct Found {
   std::vector<double> best;  // in the unit box; empty when no point was finite
   double best_value = std::numeric_limits<double>::infinity();
   int evaluations = 0;         // points that were computed
-  int failed_evaluations = 0;  // those of them whose value was not finite
+  int failed_evaluations = 0;  // how many of them had no finite value
 
   bool usable() const { return !best.empty(); }
 };
 
-// How a search ended; genetic.hpp and multistart.hpp explain all but `interrupted`, where `best` is the best so far.
+// How a search ended; see genetic.hpp and multistart.hpp. After `interrupted`, `best` is the best point so far.
 enum class Outcome { confirmed, budget_spent, all_generations, stagnated, no_finite_value, interrupted };
 
 struct SearchResult : Found {

@@ -55,7 +55,7 @@ std::string_view measure_text(Measure measure) {
   return texts.at(static_cast<std::size_t>(measure));
 }
 
-// nullopt where a cycle is missing or its value is not positive.
+// Returns nullopt if a cycle is missing or its value is not positive.
 std::optional<double> measured(StabilityLimit const& limit, BlockValues const& block) {
   double first = 0.0, lowest = 0.0, highest = 0.0;
   for (int number = limit.first; number <= limit.last; ++number) {
@@ -149,7 +149,7 @@ std::string_view name(Verdict verdict) {
 }
 
 bool is_within(double value, double nominal, std::optional<double> lower_percent, std::optional<double> upper_percent) {
-  // In binary (100 + 20)/100 is nearer to 1.2 than 1 + 20/100; the slack covers the difference either way.
+  // In binary (100 + 20)/100 is nearer to 1.2 than 1 + 20/100; the slack covers the rest.
   auto const bound = [&](double percent) { return nominal * (100.0 + percent) / 100.0; };
   if (!std::isfinite(value)) return false;
   if (lower_percent && !is_at_least(value, bound(*lower_percent))) return false;
@@ -164,7 +164,7 @@ std::string limit_text(std::optional<double> lower_percent, std::optional<double
 
 std::string deviation_text(double deviation_percent, std::optional<double> lower_percent,
                            std::optional<double> upper_percent) {
-  // Adds decimals until the printed number is on the value's side of the limit; within the slack, a value is on it.
+  // Adds decimals until the printed number is on the value's side of the limit. Within the slack, it is on the limit.
   auto const on_this_side = [&](double shown, std::optional<double> bound, double sign) {
     if (!bound) return true;
     double const over = sign * (deviation_percent - *bound);
@@ -244,7 +244,7 @@ std::vector<Assessment> assess(RuleSet const& rules, BlockValues const& block, D
   std::vector<Quantity> without_limit(measured_quantities().begin(), measured_quantities().end());
   without_limit.push_back(Quantity::K_v);
   for (auto const quantity : without_limit) {
-    // K_v is listed as open even where nobody asks for it.
+    // K_v is listed as open even if nobody asks for it.
     bool const asked = design.of(quantity) || quantity == Quantity::K_v;
     if (has_limit(rules, quantity) || !asked) continue;
     for (auto const& derived : derive(rules, quantity, block)) {

@@ -1,8 +1,7 @@
-// One device against a rule set: every limit on it, with measured value, deviation from the design value and verdict.
+// Compares one device with a rule set: each limit gives a measured value, a deviation from the design value, a verdict.
 // Only a set that somebody verified gives a pass or a fail, and only under the conditions that it asks for; everything
 // else is information, or not assessed with a reason. A value on the limit passes. Values are compared as measured,
-// never rounded, with a slack of 1e-12 of the bound, since 1.2 times a design value is rarely 20 % in binary to the
-// last bit.
+// never rounded, with a slack of 1e-12 of the bound, since in binary 1.2 times a value is rarely exactly 20 % more.
 #pragma once
 
 #include <optional>
@@ -33,13 +32,13 @@ struct Assessment {
   std::optional<double> nominal;
   std::optional<double> deviation_percent;             // 100 (value - nominal)/nominal
   std::string deviation;                               // deviation_percent as text, see deviation_text()
-  std::string limit;                                   // "from -20 % to +20 %"; empty where the set has none
-  std::optional<double> lower_percent, upper_percent;  // limits of deviation_percent, where the rule limits that
+  std::string limit;                                   // "from -20 % to +20 %"; empty if the set has none
+  std::optional<double> lower_percent, upper_percent;  // limits of deviation_percent, if the rule limits the deviation
   Verdict verdict = Verdict::not_assessed;
   std::string reason;  // why there is no verdict
 };
 
-// Whether it holds that property of a device, one side of it or both, to a limit or its design value.
+// Whether the assessment compares this property of a device, one side or both, with a limit or the design value.
 bool is_of(Assessment const& assessment, Quantity property);
 
 struct LoadPair {  // properties of one device at the largest and smallest vertical load, for the limit on variation
@@ -51,17 +50,17 @@ struct LoadPair {  // properties of one device at the largest and smallest verti
 std::vector<Assessment> assess(RuleSet const& rules, BlockValues const& block, Design const& design,
                                std::optional<LoadPair> const& loads = std::nullopt);
 std::string same_record_as(std::string_view device);  // "the same record as D01"
-// Takes the verdicts away from a device whose record is a copy: that record does not test it.
+// Removes the verdicts of a device whose record is a copy of another device's, since that record does not test it.
 void withhold_verdicts(std::vector<Assessment>& assessments, std::string_view copy_of);
 // Whether nominal (1 + lower/100) <= value <= nominal (1 + upper/100), with the slack of 1e-12.
 bool is_within(double value, double nominal, std::optional<double> lower_percent, std::optional<double> upper_percent);
-// "from -20 % to +20 %", "at least -25 %", "at most +10 %". A word comes first: spreadsheets take a sign for a formula.
+// "from -20 % to +20 %", "at least -25 %". A word comes first, since spreadsheets read a leading sign as a formula.
 std::string limit_text(std::optional<double> lower_percent, std::optional<double> upper_percent);
 // "+19.9 %": one decimal, or as many as it takes for the text to lie on the same side of the limit as the value. With
 // one decimal, a deviation of 20.04 % would read as +20.0 %, which seems to be within 20 %.
 std::string deviation_text(double deviation_percent, std::optional<double> lower_percent,
                            std::optional<double> upper_percent);
-// Pass or fail where the set is verified and its conditions are met, else information or not assessed, with reason.
+// Gives pass or fail if the set is verified and its conditions are met, else information or not assessed, with reason.
 void give_verdict(Assessment& assessment, RuleSet const& rules, bool holds, std::vector<std::string> const& unmet);
 // Compares value and design value with a limit and fills in verdict and texts. `without`: why there is no value.
 void hold_to(Assessment& assessment, RuleSet const& rules, Limit const& limit, std::string_view without,

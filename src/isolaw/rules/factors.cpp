@@ -52,7 +52,7 @@ CombinedFactors combine(FactorRule const& rule, FactorPair const& environment, F
 
 double system_half_width_percent(double cov_percent, int installed, int tested) {
   auto const N = static_cast<double>(installed), n = static_cast<double>(std::min(tested, installed));
-  // With no tested device, the lot counts as drawn from an unlimited production.
+  // If no device was tested, the lot counts as drawn from an unlimited production.
   double const finite = installed > 1 ? std::min(1.0, std::sqrt((N - n) / (N - 1.0))) : (tested > 0 ? 0.0 : 1.0);
   return normal_97_5 * cov_percent / std::sqrt(N) * finite;
 }

@@ -1,8 +1,8 @@
 // Property modification factors lambda: the possible properties of a lot as multiples of their design value, and how
 // the factors of ageing and environment, of the test and of the supply combine (ASCE/SEI 7, chapter 17; other standards
-// combine them the same way with other numbers, which the rule set holds).
-// The scatter between devices is kept apart from that of the whole isolation system. The system is the sum of its
-// devices, and a sum scatters less: the spread of single devices would overstate the system's bounds several times.
+// combine them by the same formulas with other numbers, which the rule set holds).
+// The scatter between devices is kept apart from the scatter of the whole isolation system. The system is the sum of
+// its devices, and a sum scatters less: the spread of devices would overstate the system's bounds several times.
 #pragma once
 
 #include <optional>
@@ -16,10 +16,10 @@ struct FactorPair {
   double min = 1.0, max = 1.0;
 };
 
-// lambda_test of one device: the largest and the smallest value of its counted cycles over mean(P_1..P_3). Where a
-// property falls from cycle to cycle these are P_1 and P_n, as in ASCE/SEI 7; elsewhere P_1 and P_n would miss larger
+// lambda_test of one device: the largest and the smallest value of its counted cycles over mean(P_1..P_3). If a
+// property falls from cycle to cycle these are P_1 and P_n, as in ASCE/SEI 7; otherwise P_1 and P_n would miss larger
 // or smaller values that were measured. Among equal cycles the first counts as the largest and the last as the
-// smallest. nullopt without the first three cycles, or where a value is not positive.
+// smallest. nullopt without the first three cycles, or if a value is not positive.
 struct TestFactors {
   double min = 1.0, max = 1.0;
   int min_cycle = 0, max_cycle = 0;

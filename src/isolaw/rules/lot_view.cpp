@@ -70,7 +70,7 @@ void describe_spread(Values const& found, LotQuantity& view) {
   view.largest_from_mean_percent = 100.0 * std::max(*high / moments.mean - 1.0, 1.0 - *low / moments.mean);
   view.std = moments.std;
   view.cov_percent = 100.0 * moments.std / moments.mean;
-  // The quantity is positive, so a bound below 0 is none.
+  // The quantity is positive, so a value below 0 is no bound.
   auto const below_mean = [&](double factor) -> std::optional<double> {
     double const value = moments.mean - factor * moments.std;
     if (value > 0.0) return value;
@@ -165,14 +165,14 @@ void add_test_factors(std::span<DeviceValues const> devices, LotQuantity& view) 
     }
 }
 
-// All bounds of lambda_spec but the contract's are about the devices' mean, as factors on the base value.
+// Adds the bounds of lambda_spec as factors on the base value, which is the design value or else the devices' mean.
 void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& view) {
   if (!view.mean) return;
   double const base = view.nominal.value_or(*view.mean);
   auto const* given = rules.factors_of(view.quantity);
   FactorPair const environment =
       given == nullptr ? FactorPair{} : FactorPair{.min = given->environment_min, .max = given->environment_max};
-  // The rule's defaults stand for all effects together, and only for the properties that the set names.
+  // The rule's defaults cover all effects together, and apply only to the properties that the set names.
   auto const rule = given == nullptr ? FactorRule{} : rules.factors;
   auto const test = view.test_factors.value_or(TestFactors{}).pair();
   auto const add = [&](std::string source, Spread spread, FactorPair spec, std::string note) {
@@ -216,7 +216,7 @@ void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& 
       fmt::format("mean of {} devices predicted from {} tested, 95 %; mean and CoV estimated", *lot_size, tested));
 }
 
-// Two devices too far from the mean forbid the analysis; permission needs the sample that the set asks for.
+// Two tested devices can forbid the analysis if one is too far from the mean. To permit it, the set's sample is needed.
 void judge_mean_analysis(RuleSet const& rules, LotView const& lot, LotQuantity& view) {
   if (view.quantity == Quantity::K_v) return;  // the analysis is about the response to shear
   if (!rules.verified() || !rules.mean_analysis || view.tested < 2) return;

@@ -1,4 +1,4 @@
-// A production lot against a rule set: spread, sample size, outliers, limits on the mean, and factors with bounds.
+// Compares a production lot with a rule set: spread, sample size, outliers, limits on the mean, factors with bounds.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace isolaw::rules {
 struct DeviceValues {
   std::string name;
   BlockValues block;  // the block that counts, the same for every device
-  // Another device here whose record this one copies. This device counts in means, but not as tested.
+  // The other device of the lot whose record this device's record copies. This one counts in means, but not as tested.
   std::string copy_of = {};
 };
 
@@ -40,8 +40,8 @@ std::string_view name(Spread spread);  // "contract", "device", "system"
 struct Bound {         // factors on the design value (the lot's mean if there is none), and the property they give
   std::string source;  // "contract band", "observed", "statistical, each device", "statistical, system", ...
   Spread spread = Spread::device;
-  FactorPair spec;           // lambda_spec of this source; min NaN where it gives no lower bound, and so all lower ones
-  CombinedFactors combined;  // with the defaults of the set where it has a [[factor]] of the property
+  FactorPair spec;           // lambda_spec of this source; min, combined.min and `lower` are NaN without a lower bound
+  CombinedFactors combined;  // with the defaults of the set if it has a [[factor]] of the property
   double lower = 0.0, upper = 0.0;  // base value x combined, in the quantity's unit
   std::string note;                 // explains the source
   std::string no_lower;             // why there is no lower bound
@@ -52,18 +52,18 @@ struct LotQuantity {
   std::string unit;
   std::size_t count = 0;             // devices with a value
   std::size_t tested = 0;            // count without copies; the sample rule and statistical bounds use it
-  std::vector<std::string> without;  // devices without one
+  std::vector<std::string> without;  // devices without a value
   std::optional<double> mean, min, max;
   std::string min_device, max_device;
   std::optional<double> std, cov_percent;         // the sample's; for two tested devices or more
   std::optional<double> nominal;                  // design value
   std::optional<double> mean_deviation_percent;   // between the mean and the design value
-  std::optional<double> worst_deviation_percent;  // that of the device farthest from the design value
+  std::optional<double> worst_deviation_percent;  // of the device that is farthest from the design value
   std::string worst_device;
   std::optional<double> fractile_5, fractile_95;        // mean +- 1.645 std
   std::optional<double> tolerance_factor;               // two-sided, exact: 95 % of devices with confidence 95 %
   std::optional<double> tolerance_low, tolerance_high;  // mean +- factor x std
-  std::string no_lower;                                 // why fractile_5 or tolerance_low is not there
+  std::string no_lower;                                 // why fractile_5 or tolerance_low is missing
   std::vector<Outlier> outliers;
   std::string outlier_note;                            // says that there are too few devices to name outliers
   std::string limit_individual;                        // the rule set's limit on every single device
@@ -82,7 +82,7 @@ struct LotQuantity {
 struct LotView {
   std::size_t devices = 0;  // tested, without copies
   std::optional<int> lot_size;
-  std::optional<int> required;  // devices that the set's sample rule requires, where the lot's size is known
+  std::optional<int> required;  // devices that the set's sample rule requires, if the lot's size is known
   Assessment sample;            // tested devices against required ones
   std::string note;             // says that one device is no lot
   std::vector<LotQuantity> quantities;

@@ -94,7 +94,7 @@ Reduced reduce(RuleSet const& rules, Quantity quantity, Side side, BlockValues c
   return reduced;
 }
 
-// A value that is not positive cannot be compared with a limit: one side was not reached, or the cut is no cycle.
+// A value that is not positive cannot be compared with a limit: the motion missed one side, or the part is no cycle.
 void set_value(DerivedValue& derived, double value) {
   if (std::isfinite(value) && value > 0.0)
     derived.value = value;

@@ -54,16 +54,16 @@ Design parse_design(std::string_view text);
 enum class Side { both, positive, negative };  // both: peak to peak, or a value that has no sides
 std::string_view name(Side side);              // "both", "positive", "negative"
 
-// One value that a rule set derives from the counting cycles; both sides, or both extremes, are values of their own.
+// One value that a rule set derives from the counting cycles. Each side, or each extreme, is a value of its own.
 struct DerivedValue {
   std::string label;  // "K_eff, positive side"
   Side side = Side::both;
   std::string formula;          // "F+/d+, cycle 3"
-  std::optional<double> value;  // nullopt for the reason below
+  std::optional<double> value;  // nullopt if there is a reason
   std::string reason;
 };
 std::vector<DerivedValue> derive(RuleSet const& rules, Quantity quantity, BlockValues const& block);
-// For statistics over a lot: the mean over the counting cycles and both sides of a per-side formula. nullopt where a
+// For statistics over a lot: the mean over the counting cycles and both sides of a per-side formula. nullopt if a
 // counting cycle is missing or the mean is not positive.
 std::optional<double> device_value(RuleSet const& rules, Quantity quantity, BlockValues const& block);
 // One sentence for each condition of the shear test that is unknown or differs from the set's conditions.

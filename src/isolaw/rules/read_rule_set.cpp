@@ -79,7 +79,7 @@ class RuleTable : public TomlTable {
         target.push_back(found);
       });
   }
-  bool cycles(std::string_view key, int& first, int& last) {  // whether both are there and right
+  bool cycles(std::string_view key, int& first, int& last) {  // returns whether the key holds a valid range
     auto const* node = find(key);
     if (node == nullptr) return false;
     std::vector<std::int64_t> ends;
@@ -212,7 +212,7 @@ class Reader {
     table.number("load_tolerance_percent", percent, test.load_tolerance_percent);
     if (table.has("strains_percent") != table.has("strain_tolerance_percent"))
       table.complain("strains without their tolerance, or the reverse", "strains_percent and strain_tolerance_percent");
-    // A tolerance without frequencies is right: it also applies between the test's and the design's frequency.
+    // A tolerance without frequencies is allowed: it also applies between the test's and the design's frequency.
     if (table.has("frequencies_Hz") && !table.has("frequency_tolerance_percent"))
       table.complain("frequencies without their tolerance", "frequencies_Hz and frequency_tolerance_percent");
   }

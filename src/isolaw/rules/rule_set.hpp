@@ -16,7 +16,7 @@ namespace isolaw::rules {
 enum class Quantity { K_eff, damping, energy, Q_d, K_d, K_v };  // K_v comes from a separate compression test
 std::string_view name(Quantity quantity);                       // as in rule files: "K_eff"
 std::string_view unit(Quantity quantity);                       // "kN/mm", "%", "kN mm", "kN"
-std::vector<Quantity> const& measured_quantities();  // those of every cycle, in the order of reports: all but K_v
+std::vector<Quantity> const& measured_quantities();  // measured in every cycle, in the order of reports: all but K_v
 
 enum class Formula {  // force and displacement that stiffness and damping are computed from
   peak_to_peak,       // (F+ - F-)/(d+ - d-); E/(2 pi K D^2) with that K and D = (d+ - d-)/2
@@ -55,7 +55,7 @@ enum class Measure {
   loss_from_first,    // largest 1 - value/first
 };
 
-// Stability over a range of cycles. Stiffness and damping are always peak to peak here, only compared with themselves.
+// Stability over a range of cycles. It compares cycles with each other, so stiffness and damping are peak to peak.
 struct StabilityLimit {
   Quantity quantity = Quantity::K_eff;
   Measure measure = Measure::min_over_max;
@@ -76,7 +76,7 @@ struct LoadVariation {
   std::string clause;
 };
 
-// Factors on the design value of one property, from a table or the contract; 1 where the set gives none.
+// Factors on the design value of one property, from a table or the contract; 1 if the set gives none.
 struct PropertyFactors {
   Quantity quantity = Quantity::K_d;
   double environment_min = 1.0, environment_max = 1.0;  // lambda_ae: ageing, temperature, contamination
@@ -90,7 +90,7 @@ struct FactorRule {            // see combine() in factors.hpp
   std::vector<PropertyFactors> properties;
 };
 
-struct MeanAnalysisRule {  // mean properties will do where the extremes differ from the mean by no more than this
+struct MeanAnalysisRule {  // mean properties suffice if the extremes differ from the mean by no more than this
   double within_percent = 0.0;
   std::string clause;
 };
@@ -122,7 +122,7 @@ RuleSet read_rule_text(std::string_view text, std::string const& file);
 std::span<RuleSet const> built_in_rule_sets();
 
 bool is_built_in(std::string_view name);
-// The text of the built-in set, else of the file, of this name; not checked. Throws Error if unreadable or empty.
+// The text of the built-in set or else the file of this name; not checked. Throws Error if it is unreadable or empty.
 std::string load_rule_text(std::string_view name_or_file);
 // The same, read and checked. Throws Error as read_rule_text() does; for a missing file it names the built-in sets.
 RuleSet find_rule_set(std::string_view name_or_file);

@@ -16,7 +16,7 @@
 namespace isolaw::wording {
 namespace {
 
-// The phrases that stand for a word of a finding in its sentence.
+// The phrases that replace a word of a finding in its sentence.
 struct Phrase {
   std::string_view name, word, text;
 };

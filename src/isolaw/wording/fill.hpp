@@ -1,12 +1,12 @@
-// A sentence from a text with the fields of findings in braces, "{law} is {error:%} off {measure}".
-//   {name}        a word of the finding (or its phrase, where fill.cpp has one for it), or a number
+// Makes a sentence from a text with the fields of findings in braces, "{law} is {error:%} off {measure}".
+//   {name}        a word of the finding (or its phrase, if fill.cpp has one for it), or a number
 //   {name:SPEC}   a number: 3 significant digits `3`, with the unit of its channel `unit3`, as a share `%` `%1` `0%`
 //                 `few%` (4.2 %, 4.2 %, 4 %, "only 4.2 %" or "none"), with thousands `,`, or as fmt prints it `.1f`;
 //                 `law`: a word that is a law's id
 //   {law} {laws} {devices} {parameters} {block}   the members of the finding; {laws} are the other laws
 //   {one|many}    chosen by the list or the number that was printed last
-//   [ ... ]       left out where a field inside is absent, or a count in it, {name}, is 0
-//   < ... >       said of each finding, with its device where there are several; ~ ... ~ the same without the device
+//   [ ... ]       left out if a field inside is absent, or if a count inside, {name}, is 0
+//   < ... >       repeated for each finding, with its device if there are several; ~ ... ~ the same without the device
 // A number that differs between the findings of a group is printed as a range.
 #pragma once
 

@@ -51,7 +51,7 @@ Finding finding_of(Json const& object) {
     } else if (key == "blocks") {
       value.get_to(finding.blocks);
     } else if (key == "numbers") {
-      // A number that is not finite stands as null.
+      // A number that is not finite is stored as null.
       for (auto const& [name, number] : value.items())
         finding.numbers.push_back(
             {name, number.is_null() ? std::numeric_limits<double>::quiet_NaN() : number.get<double>()});

@@ -1,5 +1,5 @@
 // The rows of the table, in the order of FindingKind. A sentence is a text with the fields of the finding in braces
-// (wording/fill.hpp says how); one that has to decide something is a function of sentences.hpp.
+// (wording/fill.hpp says how). A sentence that has to decide something is a function of sentences.hpp.
 #include <cstddef>
 #include <iterator>
 
@@ -16,7 +16,7 @@ constexpr Row campaign(FindingKind kind, std::string_view key, std::string_view 
                        std::string_view text) {
   return {kind, key, topic, severity, action, grouping, appears, subject, text};
 }
-// A piece of an answer: code asks for it where it needs it.
+// A piece of an answer, which appears only where code asks for it.
 constexpr Row answer(FindingKind kind, std::string_view key, std::string_view topic, std::string_view text,
                      unsigned grouping = each_alone) {
   return {kind, key, topic, Severity::note, "", grouping, anywhere, Subject::none, text};
@@ -28,7 +28,7 @@ constexpr Row doubt(FindingKind kind, std::string_view key, Severity severity, u
   constexpr unsigned places = in_report | with_law | with_building | on_certificate;
   return {kind, key, "record", severity, look_at_records, grouping, places, Subject::devices, text, compose};
 }
-// A fact about a record that is shown beside it alone.
+// A fact about a record that is shown only beside the record.
 constexpr Row fact(FindingKind kind, std::string_view key, std::string_view text, Sentence compose = nullptr) {
   return {kind, key, "record", Severity::note, look_at_records, each_alone, anywhere, Subject::devices, text, compose};
 }
@@ -247,7 +247,7 @@ std::span<Row const> rows() {
       campaign(motions_too_few, "motions-too-few", "motions", caution, "Use more motions", each_alone, with_building,
                none,
                "{motions} motion{|s}: codes take the mean over {wanted} or more as the design's, some over eleven."),
-      // [records] A signal that cannot be true, and why else there are no cyclic properties.
+      // [records] Signals that cannot be true, and other reasons why there are no cyclic properties.
       doubt(no_cyclic_properties, "no-cyclic-properties", serious, by_words, "no cyclic properties: {reason}"),
       doubt(signal_clipped, "signal-clipped", serious, by_words, "", wording::signal_clipped),
       doubt(signal_stuck, "signal-stuck", serious, by_words, "", wording::signal_stuck),

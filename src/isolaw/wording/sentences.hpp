@@ -1,5 +1,5 @@
-// Sentences of the table that have to decide something about a signal or a step of cleaning. Each gets the findings of
-// one group and returns what is said of them after "device-01: ".
+// Sentences of the table that have to decide something about a signal or a step of cleaning. Each function gets the
+// findings of one group and returns their sentence without its subject, "device-01: ".
 #pragma once
 
 #include <string>

@@ -1,5 +1,6 @@
 // Sentences about the signals of records: faults that leave no cyclic properties, and effects of the measurement.
-// Where several devices have the same, magnitudes stand as a range; a sample, a time or a cycle stands with its device.
+// If several devices share one, its magnitudes are given as a range; a sample, a time or a cycle is given with its
+// device.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,7 +24,7 @@ std::string signed_text(double value) {
   return (value < 0.0 ? "" : "+") + number_text(value, 3);
 }
 
-// "1.5 s (sample 151) and 4.2 s (sample 421)", or "sample 151 and sample 421" of a record without time.
+// "1.5 s (sample 151) and 4.2 s (sample 421)", or "sample 151 and sample 421" if the record has no time.
 std::string places(Finding const& finding) {
   std::vector<std::string> all;
   for (int k = 1;; ++k) {

@@ -21,9 +21,9 @@ std::string_view name(Severity severity);
 // The fields in which findings of one kind must agree to be said in one sentence.
 enum Grouping : unsigned { one_sentence = 0, by_law = 1, by_device = 2, by_words = 4, each_alone = 8 };
 
-// Where a kind of finding may stand. Everything stands in JSON.
+// The places where a kind of finding may appear. JSON holds every kind.
 enum Appearance : unsigned {
-  anywhere = 0,        // asked for: every kind. As a row's own place: only where code asks for that kind
+  anywhere = 0,        // as a place, every kind appears in it; in a row, the kind appears only where code asks for it
   in_report = 1,       // terminal and page
   on_certificate = 2,  // the page that is signed
   with_law = 4,        // wherever the law is taken from the campaign: exports, `simulate`
@@ -46,7 +46,7 @@ struct Row {
   unsigned appears;
   Subject subject;
   std::string_view text;  // the sentence without its subject, with fields in braces (wording/fill.hpp)
-  std::string (*compose)(Group) = nullptr;  // makes it instead, where a text cannot
+  std::string (*compose)(Group) = nullptr;  // makes the sentence if `text` alone cannot
 };
 
 std::span<Row const> rows();
@@ -56,20 +56,20 @@ Row const* find_row(std::string_view key);  // nullptr: there is no such kind
 // "device-01 and device-02: noise of 0.1 to 0.3 mm ..."; at most `most_names` devices are named.
 std::string sentence(Group group, std::size_t most_names = 5);
 std::string sentence(Finding const& finding);
-// The same without the subject, for a place where that is said already.
+// The same without the subject, for a place that names the subject already.
 std::string remark(Group group);
 std::string remark(Finding const& finding);
-// One for each finding, for a list; and all of them one after the other, to follow a colon.
+// remarks() gives one remark for each finding, for a list. reasons() joins them into one text, to follow a colon.
 std::vector<std::string> remarks(std::vector<Finding> const& findings);
 std::string reasons(std::vector<Finding> const& findings);
 
-// Every finding that may stand in `place`, in the order of the table; those that are said in one sentence together.
+// The findings that may appear in `place`, in the order of the table, with one group for each sentence.
 std::vector<std::vector<Finding>> grouped(std::vector<Finding> const& findings, unsigned place = in_report);
 // One sentence for each group.
 std::vector<std::string> sentences(std::vector<Finding> const& findings, unsigned place = in_report);
 
-// Sentences one after the other, in the order given and each for itself, joined by `between`; without their subjects
-// where the place names it already.
+// The sentences of single findings, in the order given, joined by `between`. `with_subject` is false if the place names
+// the subject already.
 std::string paragraph(std::vector<Finding> const& findings, std::string_view between = " ", bool with_subject = true);
 
 // Devices, parameters or blocks of all findings of a group, each once, in the order of their first appearance.

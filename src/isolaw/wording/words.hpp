@@ -21,10 +21,10 @@ std::string with_decimals(double value, int decimals);
 // "4.2 %" of 0.042: one decimal below ten per cent, none above.
 std::string percent(double fraction);
 std::string capitalised(std::string text);
-// The law as sentences name it, "Bouc-Wen"; its id is for what is typed.
+// The law's name in sentences, "Bouc-Wen"; its id is what users type.
 std::string law_name(Finding const& finding);
 
-// A number of the findings, printed; where they differ, "4.2 to 6.1".
+// A number of the findings as text, such as "4.2 to 6.1" if they differ.
 template <class Print>
 std::string range(Group group, std::string_view name, Print print) {
   double least = group.front().number(name), largest = least;
@@ -36,11 +36,11 @@ std::string range(Group group, std::string_view name, Print print) {
   std::string const low = print(least), high = print(largest);
   return low == high ? low : low + " to " + high;
 }
-// With so many significant digits.
+// The same with this many significant digits.
 std::string range(Group group, std::string_view name, int digits = 3);
 
-// Something said of each finding: "sample 151 on device-01, sample 421 on device-02 and 3 more"; where all are of
-// one device without it, since the sentence begins with it.
+// Something said of each finding: "sample 151 on device-01, sample 421 on device-02 and 3 more". If all findings are
+// about one device, the text does not name it, since the sentence begins with it.
 template <class Say>
 std::string each(Group group, Say say_one, std::size_t most = 4) {
   if (group.size() == 1) return say_one(group.front());
