@@ -26,7 +26,7 @@ struct CycleCut {
   double last = 0.0;
   bool turns_at_start = false;  // the motion comes back to the centre and turns, or starts from rest
   bool turns_at_end = false;
-  double still_samples = 0.0;  // in which the device stands still
+  double still_samples = 0.0;  // for which the device stands still
   double still_time = 0.0;     // the same in s, or in samples without time
 };
 

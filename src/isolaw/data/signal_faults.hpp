@@ -1,8 +1,8 @@
-// Finds signals that cannot be true. Whatever is computed from such a record is wrong, so it has no properties; limits
-// and rates: docs/properties.md.
-// A plateau of displacement is a hold where the force only relaxes on it, faster at first than later, and clipping
-// where the force goes on rising and turns within it; a plateau of force is yielding where it ends with the motion's
-// reversal, and clipping where it lasts beyond it. Steps of a coarse digitiser and noise are neither.
+// Finds signals that cannot be true. Whatever is computed from such a record is wrong, so it has no properties.
+// docs/properties.md has the limits and rates. A plateau of displacement is a hold if the force only relaxes on it,
+// faster at first than later, and clipping if the force goes on rising and turns within it. A plateau of force is
+// yielding if it ends with the motion's reversal, and clipping if it lasts longer. Steps of a coarse digitiser and
+// noise are no faults.
 #pragma once
 
 #include <cstddef>
@@ -36,7 +36,7 @@ Finding finding_at(FindingKind kind, std::string const& channel, std::string_vie
 std::vector<SignalFault> signal_faults(std::span<double const> disp_mm, std::span<double const> force_kN,
                                        std::span<double const> time_s = {});
 
-// Names the first sample of each stretch, and how many the longest has.
+// Names the first sample of each plateau, and how many samples the longest has.
 SignalFault standing_fault(FaultKind kind, std::string const& channel, std::string_view unit,
                            std::vector<std::size_t> samples, std::span<double const> time_s, double level,
                            std::size_t longest);
