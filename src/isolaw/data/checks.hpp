@@ -1,4 +1,4 @@
-// Finds faults in a record's values. A device dissipates energy and resists displacement, so both signs are known.
+// Finds faults in a record's values. Among them are negative energy and stiffness, which no device has.
 #pragma once
 
 #include <cstddef>

@@ -68,8 +68,8 @@ class Clipping {
     return runs;
   }
 
-  // The height that a plateau cuts off a parabola through flanks as long as itself. A triangle loses four times as
-  // much.
+  // The height that a plateau cuts off a parabola through flanks as long as itself. It cuts four times as much off a
+  // triangle.
   std::optional<double> depth_of(Signal const& signal, double sign, SampleRange const& run) const {
     auto const reach = std::min(run.size(), std::max<std::size_t>(1, pair_.half_cycle / 4));
     double sum = 0.0, count = 0.0;
@@ -93,7 +93,7 @@ class Clipping {
   }
 
   // A plateau without its first and last sixth, which may still be motion. `hump` (displacement) and `turn` (force) are
-  // the mean of the middle third less the mean of the outer ones; `variance` is theirs for noise of deviation 1.
+  // the mean of the middle third less the mean of the outer ones. Noise of variance 1 gives them `variance`.
   struct Plateau {
     SampleRange run;
     double depth = 0.0, hump = 0.0, turn = 0.0, range = 0.0, variance = 0.0;
@@ -175,8 +175,8 @@ class Clipping {
     return true;
   }
 
-  // Whether the force leaves its plateaus much more steeply than it reaches them, unlike the force of a device that
-  // yields.
+  // Whether the force leaves its plateaus much more steeply than it reaches them. The force of a yielding device does
+  // not.
   bool is_cut_off(std::vector<SampleRange> const& runs) const {
     auto const reach = std::max<std::size_t>(3, pair_.half_cycle / 24);
     std::vector<double> ratios, into;
@@ -344,8 +344,7 @@ class Clipping {
     double const last = (tops.rise_last - top_deviations * noise * std::sqrt(2.0 * count)) /
                         std::max(tops.last_way, 1e-3 * pair_.disp.half_range * count);
     if (!(std::max({slope, slope_before, last}) < 0.4 * leaves)) return false;
-    // If the samples can resolve it, a clipped force must stay at its level until displacement has come back from its
-    // peak.
+    // If samples can resolve it, a clipped force must stay level until displacement has come back from its peak.
     double const expected = depth / leaves;
     double const told = std::max(8.0 * pair_.disp.noise, past_the_tip * pair_.disp.half_range);
     return expected < 2.0 * told || tops.returned / count > least_return * expected;

@@ -110,7 +110,7 @@ class Resolver {
     return kind == StampKind::date_time || kind == StampKind::clock;
   }
 
-  // Numbers count as a spreadsheet's days only without a unit and below a name for dates. Below "Time" they may be
+  // Numbers are a spreadsheet's days only without a unit and if the name means a date. Below "Time" they may be
   // seconds.
   void take_stamps(Column& time) {
     auto const kind = stamps_of(time.index);
@@ -378,8 +378,7 @@ class Resolver {
     return found;
   }
 
-  // Takes names with "vertical" first: a rig that also shears has columns of both directions. A press needs no such
-  // word.
+  // Takes names with "vertical" first: a rig that also shears has columns of both directions, a press of one only.
   std::vector<std::size_t> compression_candidates(Channel channel) const {
     auto const find = [&](auto matches) {
       auto found = columns_where([&](auto const& text) { return matches(meaning_of(text)); });

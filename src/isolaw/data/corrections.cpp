@@ -28,7 +28,7 @@ constexpr double largest_coefficient = 0.2;
 constexpr double largest_mass_kg = 1e6;
 constexpr double largest_factor = 10.0;
 constexpr double least_factor = 0.01;
-constexpr double samples_to_average = 40.0;  // acceleration is computed over one of so many parts of a cycle
+constexpr double samples_to_average = 40.0;  // acceleration is computed over a cycle divided by this
 
 void check(std::vector<Complaint>& complaints, std::string const& option, std::optional<double> value, double scale,
            double least, double largest, std::string const& unit, std::string const& advice) {

@@ -27,8 +27,8 @@ void repair(TestRecord& record, Corrections const& corrections);
 // measured. Samples at the end of the record (at its start for a negative skew) whose interpolated force is not known
 // are dropped from all channels. Friction acts against the motion between reversals (noise apart), not while the record
 // rests at its start or end. Acceleration is the second difference over a 40th of a cycle, of displacement averaged
-// three times over as much; for a sine it is 0.5 % too small. Throws Error for invalid corrections and if their channel
-// is missing.
+// three times over as much; for a sine it is 0.5 % too small. Throws Error if a correction is invalid or lacks its
+// channel.
 void correct(TestRecord& record, Corrections const& corrections);
 
 }  // namespace isolaw::data

@@ -158,8 +158,7 @@ std::vector<Draft> drafts_of(std::vector<Shape> const& shapes, std::vector<Run> 
   for (std::size_t r = 0; r < runs.size(); ++r) {
     auto const& run = runs[r];
     bool const lone = run.size() == 1;
-    // If the time jumps within a cycle, its peak may be missing; then the cycle joins its neighbours even if they are
-    // lone.
+    // If the time jumps within a cycle, its peak may be missing; then the cycle joins its neighbours, even lone ones.
     bool const has_gap = lone && shapes[run.begin].has_gap;
     bool const between = lone && !drafts.empty() && !waiting && r + 1 < runs.size() &&
                          (has_gap || (drafts.back().core.size() > 1 && runs[r + 1].size() > 1)) &&
@@ -213,8 +212,7 @@ std::string of_period(Shape const& shape, double period, std::string_view unit) 
                      period, unit, far_period);
 }
 
-// The period with which a block's cycles are compared, from the even ones if there are any; 0 if no cycle is close to
-// it.
+// The period with which a block's cycles are compared, of the even ones if there are any; 0 if no cycle is close to it.
 double period_of(std::vector<Shape> const& shapes, std::vector<std::size_t> const& nominal_cycles) {
   std::vector<double> even, all;
   for (auto const i : nominal_cycles) {

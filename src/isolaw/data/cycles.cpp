@@ -17,13 +17,13 @@ namespace {
 constexpr double least_floor = 0.01;      // times the half range
 constexpr double largest_floor = 0.05;    // times the half range; no rig has more noise
 constexpr double noise_deviations = 5.0;  // among a million samples hardly one lies beyond
-constexpr double interruption = 0.04;     // times the smaller neighbouring swing; 5 % strain before 200 % is larger
+constexpr double interruption = 0.04;     // times the smaller neighbour; a stage of 5 % strain beside 200 % is larger
 constexpr double off_centre = 0.05;       // times the amplitude; if the middle is so close to zero, cuts are at zero
 constexpr double uneven = 0.25;           // times the amplitude; so close to the middle the start may be the centre
 constexpr double resting = 0.05;          // times the amplitude; so close to its start a record ends where it started
 constexpr double as_large = 0.05;         // times the amplitude; so close to a neighbour's an amplitude repeats it
-// Least share of the travel in regular cycles. Of 1000 irregular linear responses, ten reach 0.64 and one reaches 0.80;
-// cyclic tests reach 0.9 or more.
+// Share of the travel in regular cycles. Of 1000 irregular linear responses, ten reach 0.64 and one 0.80; tests reach
+// 0.9.
 constexpr double least_regular_share = 0.8;
 constexpr auto not_cyclic_cycle = "the record is not cyclic";
 
@@ -94,8 +94,8 @@ Swings swings_of(std::span<double const> x, std::vector<std::size_t> const& at) 
   return swings;
 }
 
-// A weighted median: an offset matters most in the largest stage, so that stage decides and swings between stages do
-// not.
+// A weighted median, in which the largest stage decides: an offset matters most in it. Swings between stages count
+// little.
 double middle_of(Swings const& swings) {
   double const largest = swings.largest();
   std::vector<std::pair<double, double>> weighted;

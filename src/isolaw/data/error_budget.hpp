@@ -13,7 +13,7 @@ struct Effect {
   std::string effect;  // "samples per cycle", "skew", ...
   double value = 0.0;
   std::string unit;             // empty for a pure number
-  std::optional<double> limit;  // where there is one
+  std::optional<double> limit;  // if there is one
   bool exceeds = false;
 };
 

@@ -19,7 +19,7 @@ struct Header {
   std::optional<std::size_t> unit_line;
   std::vector<std::string> names;        // per column, UTF-8, with units as written; empty without a name row
   std::vector<std::string> units;        // per column; empty if neither a row nor a key gives them
-  std::vector<StampKind> stamps;         // per column: what its dates and times are; empty where none can be
+  std::vector<StampKind> stamps;         // per column: what its dates and times are; empty if it can have none
   std::vector<std::size_t> passed_over;  // other lines above the data, without blank lines and comments
 
   struct Mismatch {

@@ -21,13 +21,13 @@ struct Cycle : CycleCut {
   double F_plus_kN = 0.0;
   double F_minus_kN = 0.0;
   double K_eff_kN_per_mm = 0.0;   // peak to peak: (F+ - F-) / (d+ - d-)
-  double K_plus_kN_per_mm = 0.0;  // per side, F / d (NTC 2018); 0 where the cycle hardly goes to that side
+  double K_plus_kN_per_mm = 0.0;  // per side, F / d (NTC 2018); 0 if the cycle hardly goes to that side
   double K_minus_kN_per_mm = 0.0;
   double energy_kN_mm = 0.0;            // trapezoid of F dd over the cycle, closed by a straight line
   double damping_percent = 0.0;         // energy / (2 pi K_eff D^2)
   double Q_d_kN = 0.0;                  // half the loop's height at the level of the cuts: (F rising - F falling) / 2
   double K_d_kN_per_mm = 0.0;           // K_eff - Q_d / D
-  std::optional<double> D_y_mm;         // bilinear loop of the same energy: D - energy / (4 Q_d), where 0 < D_y < D
+  std::optional<double> D_y_mm;         // bilinear loop of the same energy: D - energy / (4 Q_d), if 0 < D_y < D
   std::optional<double> K_1_kN_per_mm;  // K_d + Q_d / D_y
   std::optional<double> period_s;       // from cut to cut, without the time in which the device stands still
   std::optional<double> still_s;        // the time in which the device stands still; both need time
@@ -65,7 +65,7 @@ struct Block {
 
 struct Properties {
   std::vector<Block> blocks;
-  // Third counted cycle (the last where there are fewer) of the first block of largest amplitude; empty when refused.
+  // Third counted cycle (the last if there are fewer) of the first block of largest amplitude; empty when refused.
   std::optional<Cycle> reported;
   // The reason for no reported cycle: a fault, not cyclic, under 20 samples per cycle, negative energy or stiffness.
   std::vector<Finding> refusal;
@@ -74,7 +74,7 @@ struct Properties {
   std::optional<double> samples_per_cycle;  // median over the cycles that count, rests and holds left out
   double centre_mm = 0.0;                   // level of the cuts
 
-  Cycle const* find(int block, int number) const;  // nullptr where there is none
+  Cycle const* find(int block, int number) const;  // nullptr if there is none
   std::vector<Cycle const*> counted() const;       // from all blocks, in order
   std::vector<Cycle const*> complete() const;      // all but partial ones, even if the record is not cyclic
   bool is_reported(Cycle const& cycle) const;

@@ -63,7 +63,7 @@ struct TestChoice {
   std::string place;                          // "d01.csv:204", "d01.xlsx:Sheet 2:1"
   std::vector<std::string> passed_over = {};  // sheets of the file that are no test, only beside its first test
 };
-// All tests of a file, or those of the sheet or test that `options` names. Throws Error if the file cannot be read.
+// All tests of a file, or of the sheet or test that `options` names. Throws Error if the file cannot be read.
 std::vector<TestChoice> list_tests(std::filesystem::path const& file, ReadOptions const& options = {});
 
 // Appends `next` one sampling interval after the end. Messages call it `label`. Throws Error if only one has time.

@@ -1,5 +1,4 @@
-// Selects the part of a test that laws are judged by. The history before that part still acts on a law's state but is
-// not scored.
+// Selects the part of a test that laws are judged by. The history before it acts on a law's state but is not scored.
 #pragma once
 
 #include <cstddef>

@@ -28,8 +28,8 @@ SignalFault without_sign(std::string channel, std::string_view unit, std::vector
           .finding = std::move(finding)};
 }
 
-// Displacement has lost its sign if peaks of both signs of force are on one side; force, if all peaks have one sign of
-// it.
+// Displacement has lost its sign if all its peaks are on one side although the force has both signs at them. The force
+// has lost its sign if it has only one at peaks of both sides.
 std::vector<SignalFault> rectified_channels(SignalPair const& pair) {
   auto const& turns = pair.turns;
   if (turns.size() < 4) return {};

@@ -25,7 +25,7 @@ struct SignalFault {
   FaultKind kind = FaultKind::clipped;
   std::string channel;               // "displacement" or "force"
   std::vector<std::size_t> samples;  // first of each plateau or stretch, each spike, each peak; from 0, rising
-  Finding finding = {};              // with sample numbers from 1, and times where there are any
+  Finding finding = {};              // with sample numbers from 1, and times if there are any
 };
 
 // Starts a finding with "sample", "time_s", "sample_2", ... of at most five samples (from 0), and their "count".

@@ -35,7 +35,7 @@ struct SignalPair {
   SignalPair(std::span<double const> disp_mm, std::span<double const> force_kN, std::span<double const> time_s,
              std::vector<Spike> const& of_disp, std::vector<Spike> const& of_force);
 
-  bool moves() const;  // both channels, by finite amounts
+  bool moves() const;  // whether both channels move, by finite amounts
   std::size_t size() const { return disp.x.size(); }
   double stiffness() const { return force.half_range / disp.half_range; }
   bool gap_after(std::size_t i) const;

@@ -15,7 +15,7 @@ namespace isolaw::data {
 namespace {
 
 constexpr double wide = 0.08;            // fraction of a cycle to each side of a reversal: half a radian
-constexpr double narrow = 0.04;          // the same; a quarter of the displacement, in which a sharp loop is smooth too
+constexpr double narrow = 0.04;          // fraction of a cycle; in so short a part a sharp loop is smooth too
 constexpr double farthest_shift = 0.04;  // fraction of a cycle: a quarter of a radian
 constexpr int shifts = 41;
 constexpr std::size_t least_in_window = 12;  // in a window: twice the unknowns
@@ -23,7 +23,7 @@ constexpr std::size_t most_samples = 400;    // in a window; if there are more, 
 constexpr std::size_t most_cycles = 12;
 constexpr int least_reversals = 4;
 constexpr double poor_fit = 0.012;             // rms over the force's amplitude; a force that fits worse is not smooth
-constexpr double good_fit = 0.0012;            // the same, beyond noise; above it the loop's shape may look late
+constexpr double good_fit = 0.0012;            // beyond the noise; with a poorer fit the loop's shape may look late
 constexpr double least_late = 0.015;           // rad
 constexpr double least_late_by_shape = 0.045;  // rad, if a loop is too sharp for its samples
 constexpr double least_early = 0.04;

@@ -52,7 +52,7 @@ class Table {
   std::string const& title() const { return title_; }
   ParticularList const& particulars() const { return particulars_; }
 
-  // "d01.mat:dist", where columns have places of their own.
+  // "d01.mat:dist", if columns have places of their own.
   virtual std::string place_of(std::size_t /*column*/) const { return place_; }
   virtual std::vector<Finding> recognised() const = 0;
   // Complaints about the table as a whole.
@@ -70,7 +70,7 @@ class Table {
 };
 
 struct Tests {
-  std::vector<std::unique_ptr<Table>> tables;   // at least one where a file was read
+  std::vector<std::unique_ptr<Table>> tables;   // at least one if a file was read
   std::vector<std::string> sheets;              // the parts of the file that hold tables, if it has parts
   std::optional<std::string> sheet;             // the sheet of these tables, if there are several
   std::vector<Finding> recognised;              // about the file as a whole

@@ -19,7 +19,7 @@ inline constexpr std::uintmax_t largest_file_bytes = std::uintmax_t{1} << 30;
 inline constexpr std::size_t most_lines = 10'000'000;
 inline constexpr std::size_t longest_line = 32'768;  // bytes
 
-// Throws Error: no such file, no plain file, unreadable, above largest_file_bytes.
+// Throws Error if the file does not exist, is no plain file, cannot be read, or exceeds largest_file_bytes.
 std::string load_text(std::filesystem::path const& file);
 // nullopt without the byte order mark of UTF-16, or if the bytes are not valid.
 std::optional<std::string> decode_utf_16(std::string_view bytes);

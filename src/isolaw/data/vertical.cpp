@@ -27,7 +27,7 @@ constexpr double near_range_end = 0.02;  // share of the upper load, by which a 
 struct Loading {
   std::size_t first = 0, last = 0;
 };
-// Turned so that compression is positive in both.
+// Both signals, turned so that compression is positive.
 struct Compression {
   std::vector<double> disp_mm, load_kN;
   std::vector<std::string> turned;

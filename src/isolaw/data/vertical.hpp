@@ -55,7 +55,7 @@ VerticalTest read_vertical(std::filesystem::path const& file, ReadOptions const&
                            std::optional<LoadRange> const& loads);
 std::string curve_hash(VerticalTest const& test);
 
-// Throws Error: a faulty signal, no loading that holds both loads, displacement that does not follow the load.
+// Throws Error if a signal is faulty, no loading holds both loads, or displacement does not follow the load.
 VerticalStiffness vertical_stiffness(VerticalTest const& test);
 
 }  // namespace isolaw::data
