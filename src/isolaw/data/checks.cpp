@@ -18,11 +18,11 @@
 namespace isolaw::data {
 namespace {
 
-// Larger than any sensor reports in any unit that is read; instruments write 1e10, 9.9e37, 1e30 for "overload".
+// Larger than any value that a sensor reports, in any unit. Instruments write 1e10, 9.9e37 or 1e30 for "overload".
 constexpr double beyond_any_sensor = 1e10;
 constexpr std::array sentinels{999.0,  9999.0,  99999.0, 999999.0, 9999999.0, 999.9,
                                9999.9, 99999.9, 999.99,  9999.99,  99999.99};
-constexpr double far_beyond = 50.0;      // times the ordinary size: no device jumps so
+constexpr double far_beyond = 50.0;      // times the ordinary size; no device jumps so far
 constexpr double sentinel_beyond = 3.0;  // times the ordinary size: 9999 N among values up to 12000 N is a value
 constexpr std::size_t least_values = 20;
 
@@ -30,7 +30,7 @@ bool is_sentinel(double size) {
   return std::ranges::find(sentinels, size) != sentinels.end();
 }
 
-// The 99.9th percentile of |value|, with at least three larger values; sentinels and overloads left out.
+// The 99.9th percentile of |value|, or a lower one with three larger values. It leaves out sentinels and overloads.
 std::optional<double> ordinary_size(std::span<double const> values) {
   std::vector<double> sizes;
   sizes.reserve(values.size());
@@ -95,7 +95,7 @@ struct Loop {
   double energy_kN_mm = 0.0;
   double slope_kN_per_mm = 0.0;
   double correlation = 0.0;
-  double equivalent_damping = 0.0;  // energy against that of a viscous loop of this slope and spread
+  double equivalent_damping = 0.0;  // energy divided by the area of the ellipse with the same spread
 };
 
 Loop measure_loop(TestRecord const& record, std::vector<Cycle const*> const& cycles) {
@@ -128,7 +128,7 @@ Loop measure_loop(TestRecord const& record, std::vector<Cycle const*> const& cyc
   return loop;
 }
 
-// No isolator is as stiff as a steel bar or as soft as a rubber band: a unit is wrong, rather.
+// No isolator is as stiff as a steel bar or as soft as a rubber band. Such a stiffness means that a unit is wrong.
 void warn_about_magnitude(TestRecord& record) {
   constexpr double stiffest_kN_per_mm = 100.0;
   constexpr double softest_kN_per_mm = 0.001;
@@ -153,7 +153,7 @@ void warn_about_magnitude(TestRecord& record) {
                                                                                      : "softer"}}});
 }
 
-// A rest that was not recorded takes its time by the clock: nothing is left out then.
+// A rest that was not recorded lasts as long as the clock says. No time is removed for it, so it needs no warning.
 void warn_of_gaps(TestRecord& record) {
   auto gaps = time_gaps(record.disp_mm, record.time_s);
   std::erase_if(gaps, [](Gap const& gap) { return gap.taken_s >= gap.length_s; });
@@ -167,7 +167,7 @@ void warn_of_gaps(TestRecord& record) {
                                          {"taken_s", gap.taken_s}}});
 }
 
-// A spreadsheet's days under a name with seconds: each cell a date, all of a test within a part of a day.
+// Warns of a spreadsheet's days in a column of seconds: each value is a date, and the whole test lasts a part of a day.
 void warn_of_days(TestRecord& record) {
   if (record.time_s.empty() || !may_be_serial(record.time_s.front()) || !may_be_serial(record.time_s.back())) return;
   constexpr double fastest_Hz = 1000.0;  // no test of a device is sampled faster and lasts less than a second
@@ -207,9 +207,9 @@ void check_channel(std::string const& file, RawChannel const& raw, std::span<std
 void check_physics(TestRecord const& record, std::string const& exchange_advice, std::vector<Complaint>& complaints) {
   auto const properties = cyclic_properties(record);
   auto const cycles = properties.complete();
-  if (cycles.empty() || !properties.faults.empty()) return;  // other signs of a signal that cannot be true
+  if (cycles.empty() || !properties.faults.empty()) return;  // a faulty signal is already reported
   auto const loop = measure_loop(record, cycles);
-  // A nearly elastic device with skew may give back less energy than this: only the properties are refused.
+  // If a nearly elastic device has a skew, its energy may be slightly negative. Then only the properties are refused.
   constexpr double significant_energy = 0.02;
   constexpr double significant_correlation = 0.2;
   if (loop.equivalent_damping > -significant_energy) return;

@@ -1,4 +1,4 @@
-// Finds faults in a record's values. An isolator dissipates energy and pushes back, so both signs are known beforehand.
+// Finds faults in a record's values. Among them are negative energy and stiffness, which no device has.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 namespace isolaw::data {
 class Findings {
  public:
-  // `rest` names the kind where the rest is counted, for example "cells that are no number".
+  // Shows the first five findings. The message counts the others as `rest`, such as "cells that are no number".
   Findings(std::string file, std::string_view rest) : file_(std::move(file)), rest_(rest) {}
   void add(std::size_t line, std::string found, std::string allowed, std::string advice);
   void append_to(std::vector<Complaint>& complaints) const;

@@ -17,7 +17,7 @@
 namespace isolaw::data {
 namespace {
 
-// Each sum keeps what rounding lost: the difference of two far along a million samples stays exact.
+// Keeps the rounding error of each sum too. The difference of two sums is then exact even after a million samples.
 class PrefixSums {
  public:
   explicit PrefixSums(std::vector<double> const& values) : sum_(values.size() + 1), lost_(values.size() + 1) {
@@ -84,7 +84,7 @@ std::size_t thinning_step(FitRecord& record, Properties const& properties, std::
     return 1;
   }
   double const found = *properties.samples_per_cycle;
-  // The tolerance keeps an exact multiple a multiple: crossings are interpolated to rounding error.
+  // Crossings are interpolated with a rounding error, so an exact multiple needs a tolerance.
   auto const step = static_cast<std::size_t>(std::floor(found / *wanted * (1.0 + 1e-9)));
   if (step >= 2) return step;
   record.cleaning.push_back({.kind = FindingKind::all_samples_kept,
@@ -116,7 +116,7 @@ void choose_scored(FitRecord& record, TestRecord const& raw, Selection const& se
                              .words = {{"blocks", selection.blocks.text()}, {"cycles", selection.cycles.text()}}});
 }
 
-// An average over a quarter of a cycle takes a tenth of its amplitude; nothing identified from that means anything.
+// An average over a quarter of a cycle lowers its amplitude by a tenth. Parameters fitted to that mean nothing.
 void refuse_wide_window(int window, Properties const& properties) {
   if (!properties.samples_per_cycle || window < 0.25 * *properties.samples_per_cycle) return;
   throw Error({fmt::format("--smooth {}", window),

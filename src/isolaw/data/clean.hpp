@@ -1,4 +1,4 @@
-// Makes the record that laws are fitted to from the raw one (Cucuzza et al. 2025, section 3), and records every step.
+// Makes the record that laws are fitted to from the raw record (Cucuzza et al. 2025, section 3) and notes every step.
 #pragma once
 
 #include <optional>
@@ -24,16 +24,16 @@ std::vector<double> moving_average(std::vector<double> const& values, int window
 // spacing, also at the ends, where the parabola is one-sided. Units of x per s. time_s must increase.
 std::vector<double> central_difference(std::vector<double> const& time_s, std::vector<double> const& values);
 
-// In this order: centring by (max + min) / 2 of the raw reported cycle; moving average of `smooth`; where a cycle has
-// at least twice the samples asked for, k = floor(ratio), a moving average of the odd window k or k + 1; velocity;
-// every k-th sample. Velocity is taken before samples are dropped, so that thinning costs it nothing. A record without
-// a complete cycle keeps all samples. Throws Error for a record without samples.
+// The steps, in this order: centring by (max + min) / 2 of the raw reported cycle; moving average of `smooth`; if a
+// cycle has at least twice the samples asked for, k = floor(ratio), a moving average of the odd window k or k + 1;
+// velocity; every k-th sample. Velocity is computed before samples are dropped, so that thinning does not make it less
+// exact. A record without a complete cycle keeps all samples. Throws Error for a record without samples.
 FitRecord clean(TestRecord const& raw, CleanOptions const& options);
 
-// Three standard deviations of the displacement's noise, which one sample in 400 exceeds.
+// Three standard deviations of the displacement's noise: one sample in 400 exceeds them. 0 for a record without noise.
 double dead_band_of(std::vector<double> const& disp_mm);
 
-// The record of a motion, without force, that a law is run on: every sample as it is, velocity by central_difference().
+// The record of a motion, for running a law on it: all samples, no force, velocity by central_difference().
 FitRecord motion_of(TestRecord const& record);
 
 }  // namespace isolaw::data

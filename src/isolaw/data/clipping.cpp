@@ -18,26 +18,26 @@ namespace {
 
 constexpr std::size_t least_plateau = 3;   // samples
 constexpr std::size_t least_evidence = 9;  // samples on all plateaus of one side
-constexpr double least_depth = 0.001;      // times the half range, that a plateau cuts off
+constexpr double least_depth = 0.001;      // times the half range; a plateau cuts off more
 constexpr double depth_quanta = 2.5;
 constexpr double noise_width = 7.0;     // standard deviations, from top to bottom of a noisy plateau
-constexpr double least_flatness = 0.5;  // times the hump that a parabola of the flanks would have on a noisy plateau
-constexpr double flat_thirds = 0.197;   // that hump: middle less outer thirds of two thirds of it, of the depth
-constexpr double least_turn = 0.08;     // times the force that the depth stands for: its turn within a plateau
-constexpr double slower = 0.85;         // times the fastest before
-constexpr double short_plateau = 0.24;  // times half a cycle: no hold is as short
-constexpr double past_the_tip = 0.006;  // times the amplitude: clipped force lasts beyond the reversal
-constexpr double top_deviations = 4.0;  // times the noise: no sample of a plateau in noise is farther from its level
-constexpr double least_third = 4.0;     // samples in each third of all plateaus in noise
-constexpr double most_window = 0.2;     // times the half range: the way before a plateau in noise that is looked at
+constexpr double least_flatness = 0.5;  // times the bulge of the parabola through a noisy plateau's flanks
+constexpr double flat_thirds = 0.197;  // that bulge, times the depth: middle less outer thirds, of its inner two thirds
+constexpr double least_turn = 0.08;    // times stiffness times depth; the force turns by more within a plateau
+constexpr double slower = 0.85;        // times the fastest speed before
+constexpr double short_plateau = 0.24;  // times half a cycle; every hold is longer
+constexpr double past_the_tip = 0.006;  // times the amplitude; clipped force lasts longer beyond the reversal
+constexpr double top_deviations = 4.0;  // times the noise; samples of a noisy plateau are within this of its level
+constexpr double least_third = 4.0;     // samples in each third of all noisy plateaus together
+constexpr double most_window = 0.2;     // times the half range; examined before a noisy plateau
 constexpr double least_window = 0.01;
-constexpr double least_cut = 0.01;     // times the half range of force, that a plateau in noise cuts off
-constexpr double most_uneven = 0.15;   // times that, from third to third of it
-constexpr double same_level = 0.002;   // times the level
-constexpr double least_return = 0.12;  // times the expected way that displacement comes back by on the plateau
-constexpr double most_bend = 1.5;      // times the slope before such a plateau, from window to window
-constexpr double least_corner = 5.0;   // slopes that fall by one factor from window to window come to 1
-constexpr double least_back = 0.1;     // times the way to the tip: less is force recorded late
+constexpr double least_cut = 0.01;     // times the half range of force; a noisy plateau cuts off more
+constexpr double most_uneven = 0.15;   // times the depth; the means of a noisy plateau's thirds differ by less
+constexpr double same_level = 0.002;   // times the level; a plateau farther off is at another level
+constexpr double least_return = 0.12;  // times the expected distance; displacement comes back by more on the plateau
+constexpr double most_bend = 1.5;      // ratio of the slopes in the two windows before a noisy plateau
+constexpr double least_corner = 5.0;   // 1 if the slope falls by one factor from window to window and on to the plateau
+constexpr double least_back = 0.1;     // times the distance to the tip; the force is late if it returns by less
 
 class Clipping {
  public:
@@ -68,7 +68,8 @@ class Clipping {
     return runs;
   }
 
-  // How much of a parabola a plateau cuts off, from flanks as long as itself; of a triangle four times as much.
+  // The height that a plateau cuts off a parabola through flanks as long as itself. It cuts four times as much off a
+  // triangle.
   std::optional<double> depth_of(Signal const& signal, double sign, SampleRange const& run) const {
     auto const reach = std::min(run.size(), std::max<std::size_t>(1, pair_.half_cycle / 4));
     double sum = 0.0, count = 0.0;
@@ -91,7 +92,8 @@ class Clipping {
     return run;
   }
 
-  // Leaves out the first and last sixth, which may still be motion: middle third less the outer ones, and its variance.
+  // A plateau without its first and last sixth, which may still be motion. `hump` (displacement) and `turn` (force) are
+  // the mean of the middle third less the mean of the outer ones. Noise of variance 1 gives them `variance`.
   struct Plateau {
     SampleRange run;
     double depth = 0.0, hump = 0.0, turn = 0.0, range = 0.0, variance = 0.0;
@@ -161,8 +163,8 @@ class Clipping {
     double const length = mean([](Plateau const& plateau) { return static_cast<double>(plateau.run.size()); });
     bool const no_hold = length + 1.0 < short_plateau * static_cast<double>(pair_.half_cycle);
     bool const reversed = num::median_over(runs, &Plateau::range) > most_of_force * 2.0 * pair_.force.half_range;
-    // Where the force tells nothing, a way that slows down before a corner is a clipped sine, and noise that ends on a
-    // level is cut off there; a short hold between straight ways looks like a clipped triangle.
+    // If the force is too noisy to decide, a short plateau counts as clipped if the motion slows down before it (a
+    // clipped sine) or if noise ends exactly at it. Between straight ramps it may be a hold or a clipped triangle.
     bool const cut = no_hold && (slows_before(runs) || (exact && pair_.has_noise(pair_.disp)));
     if (!(reversed || (clear ? turn > wanted : cut))) return false;
     std::vector<std::size_t> first;
@@ -173,7 +175,8 @@ class Clipping {
     return true;
   }
 
-  // A device that yields runs into its plateaus as steeply as it leaves them.
+  // Whether the force leaves its plateaus much more steeply than it reaches them. The force of a yielding device does
+  // not.
   bool is_cut_off(std::vector<SampleRange> const& runs) const {
     auto const reach = std::max<std::size_t>(3, pair_.half_cycle / 24);
     std::vector<double> ratios, into;
@@ -183,7 +186,7 @@ class Clipping {
         return std::abs(pair_.force.x[to] - pair_.force.x[from]) /
                std::max(std::abs(pair_.disp.x[to] - pair_.disp.x[from]), 1e-6 * pair_.disp.half_range);
       };
-      // Within one sample a device that yields may be there; a cut-off force is not steeper there than before.
+      // A device that yields may reach its plateau within one sample. A cut-off force is no steeper in its last sample.
       into.push_back(std::max(slope(run.first - reach, run.first - 1), slope(run.first - 1, run.first)));
       ratios.push_back(into.back() / std::max(slope(run.last, run.last + reach), 1e-12));
       double const clear = std::max(3.0 * pair_.force.quantum, 6.0 * pair_.force.noise);
@@ -209,7 +212,7 @@ class Clipping {
       bool const returns = back > std::max(least, least_back * way) && end - tip > 2;
       bool const moves = *std::max_element(begin, end) - *std::min_element(begin, end) > least;
       bool const repeats = noisy && run.size() > least_plateau + 1 && moves;
-      // The top of a smooth peak on a coarse digitiser is no plateau.
+      // On a coarse digitiser the top of a smooth peak only looks like a plateau.
       bool const deep = depth_of(pair_.force, sign, run).value_or(0.0) > depth_quanta * pair_.force.quantum;
       if (!repeats && !(deep && ((cut && moves) || (returns && tip != begin)))) continue;
       first.push_back(run.first);
@@ -223,11 +226,11 @@ class Clipping {
   struct Tops {
     std::vector<std::size_t> first;
     std::size_t longest = 0;
-    double way = 0.0, returned = 0.0;                    // into the plateau to the tip, and back from it
-    double rise_before = 0.0, rise = 0.0, window = 0.0;  // in two windows of displacement before it, of one width
-    double rise_last = 0.0, last_way = 0.0;              // within its first sample
-    std::array<double, 4> drop{}, drop_way{};  // right after it, within 1, 2, 4 samples and a 24th of half a cycle
-    std::array<double, 3> third{};             // sums above the level: of its way to the tip
+    double way = 0.0, returned = 0.0;  // sums of the distances from the plateau's start to the tip and back
+    double rise_before = 0.0, rise = 0.0, window = 0.0;  // in two windows of displacement before it
+    double rise_last = 0.0, last_way = 0.0;              // in the step to its first sample
+    std::array<double, 4> drop{}, drop_way{};            // after it, within 1, 2, 4 samples and a 24th of half a cycle
+    std::array<double, 3> third{};                       // force above the level, by thirds of the distance to the tip
     std::array<double, 3> samples{};
     double off_level = 0.0;  // plateaus that are not at the level of the others
   };
@@ -245,7 +248,7 @@ class Clipping {
     return level;
   }
 
-  // Noise throws single samples out of the band.
+  // Noise throws single samples out of the band, so up to two of them do not end a plateau.
   std::vector<SampleRange> tops_of(double sign, double low) const {
     constexpr std::size_t bridged = 2;
     std::vector<SampleRange> runs;
@@ -278,7 +281,7 @@ class Clipping {
     tops.longest = std::max(tops.longest, run.size());
     tops.way += way;
     tops.returned += std::max(0.0, x(tip) - x(run.last));
-    // The band has one width, however coarse the samples are.
+    // The rise ends at the lower edge of the band, not at a sample, so that coarse sampling does not change it.
     double const corner = (x(run.first) + x(run.first - 1)) / 2.0;
     tops.rise += (level - top_deviations * noise - y(near)) / std::max(corner - x(near), window / 4.0) * window;
     tops.rise_before += (y(near) - y(far)) / (x(near) - x(far)) * window;
@@ -302,8 +305,8 @@ class Clipping {
     if (std::abs(sum) > top_deviations * noise * std::sqrt(count) + same_level * level * count) tops.off_level += 1.0;
   }
 
-  // Clipped force meets a level at a corner, keeps it beyond the reversal and leaves it more steeply than yielding
-  // does.
+  // A clipped force reaches its level at a corner, keeps it beyond the reversal and leaves it more steeply than a force
+  // that yields.
   void clipped_force_in_noise(double sign) {
     for (double const wider : {1.0, 3.0}) {
       double const noise = wider * std::hypot(pair_.force.noise, 0.3 * pair_.force.quantum);
@@ -341,7 +344,7 @@ class Clipping {
     double const last = (tops.rise_last - top_deviations * noise * std::sqrt(2.0 * count)) /
                         std::max(tops.last_way, 1e-3 * pair_.disp.half_range * count);
     if (!(std::max({slope, slope_before, last}) < 0.4 * leaves)) return false;
-    // Where the samples tell it, the force comes back to the level later than displacement to its peak.
+    // If samples can resolve it, a clipped force must stay level until displacement has come back from its peak.
     double const expected = depth / leaves;
     double const told = std::max(8.0 * pair_.disp.noise, past_the_tip * pair_.disp.half_range);
     return expected < 2.0 * told || tops.returned / count > least_return * expected;

@@ -1,5 +1,5 @@
-// Finds channels that end at the limit of their amplifier or converter: they keep a level while the other channel goes
-// on, either exactly or, if noise is added behind the limit, within that noise.
+// Finds channels that are cut off at the limit of an amplifier or converter. Such a channel keeps one level while the
+// other channel goes on: exactly, or within the noise that is added behind the limit.
 #pragma once
 
 #include <vector>

@@ -40,7 +40,7 @@ constexpr std::string_view horizontal_words[]{"horizontal", "horizontale", "oriz
                                               "lateral",    "laterale",    "shear",       "taglio", "yatay", "kesme"};
 constexpr std::string_view velocity_words[]{"velocity",        "velocita", "vel",      "speed",
                                             "geschwindigkeit", "vitesse",  "velocidad"};
-// Not a measured displacement or force, though the name holds such a word.
+// Words of other quantities: a name with one of them means no channel, even if "displacement" is also in it.
 constexpr std::string_view other_quantities[]{
     "command",     "comando",     "cmd",          "setpoint",      "target",    "demand",
     "soll",        "sollwert",    "sollweg",      "consigne",      "consigna",  "reference",
@@ -78,7 +78,7 @@ bool is_capital(char c) {
 struct Translation {
   std::string_view text, words;
 };
-// Longer names before those they hold.
+// A longer name comes before the shorter names that it contains.
 constexpr Translation japanese[]{{"加速度", "acceleration"},
                                  {"試験年月日", "test date"},
                                  {"試験体番号", "specimen no"},
@@ -203,7 +203,7 @@ Meaning meaning_of_symbol(std::string_view base, std::optional<Unit> unit) {
     return other_dimension ? Meaning{} : Meaning{.channel = channel, .certainty = Certainty::symbol};
   };
   if (symbol == "t") return meant(Channel::time);
-  if (symbol == "T" && unit) return meant(Channel::time);  // alone it is as often a temperature
+  if (symbol == "T" && unit) return meant(Channel::time);  // without a unit it is as often a temperature
   if (symbol == "N") return meant(Channel::load);          // n counts samples
   auto const small = lower(symbol);
   if (small == "xvalue") return meant(Channel::time);  // in LabVIEW's files
@@ -238,7 +238,7 @@ std::optional<ColumnName> split_brackets(std::string_view name) {
 std::optional<ColumnName> split_last_word(std::string_view name) {
   auto const at = name.find_last_of(" _/,;:-");
   if (at == std::string_view::npos || at == 0 || !parse_unit(name.substr(at + 1))) return std::nullopt;
-  // "Force min" is a smallest force, "x_t" a name.
+  // "Force min" is the smallest force, and "x_t" is a whole name.
   auto const last = lower(name.substr(at + 1));
   auto const before = trimmed(name.substr(0, at + 1));
   bool const set_apart = before.ends_with(',') || before.ends_with('/') || before.ends_with(" in");

@@ -1,4 +1,4 @@
-// Reads the name of a column, in the languages laboratories write: its words, its unit, the channel it means.
+// Reads the name of a column, in the languages of laboratories: its words, its unit and the channel that it means.
 #pragma once
 
 #include <optional>
@@ -17,10 +17,10 @@ struct ColumnName {
 };
 ColumnName dissect_name(std::string_view name);
 
-// In lower case without accents: "DispH_2" -> disp, h, 2. Japanese words are translated.
+// The words of a name in lower case, without accents: "DispH_2" -> disp, h, 2. Japanese words are translated.
 std::vector<std::string> name_words(std::string_view name);
 bool is_japanese(std::string_view name);
-// Whether a header cell looks like a time, displacement or force of any kind: tells a row of names from other lines.
+// Whether a cell means a channel. Rows of names are recognised by such cells.
 bool names_a_channel(std::string_view cell);
 
 enum class Certainty { none, symbol, word };
@@ -30,7 +30,7 @@ struct Meaning {
   std::optional<Channel> channel;
   Certainty certainty = Certainty::none;
   bool plain_load = false;
-  bool vertical_disp = false;  // vertical displacement, which no channel of a shear test is
+  bool vertical_disp = false;  // vertical displacement, for which a shear test has no channel
 };
 Meaning meaning_of(std::string_view name);
 

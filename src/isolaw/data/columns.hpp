@@ -1,4 +1,4 @@
-// Assigns columns to channels and units by the user's options, else by the header. Asks for whatever stays uncertain.
+// Assigns columns to channels and units, by the user's options or else by the header. Asks for what remains uncertain.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ namespace isolaw::data {
 
 inline constexpr Channel all_channels[] = {Channel::time, Channel::disp, Channel::force, Channel::load};
 
-// A test, only the displacement history of one, a compression test, or single channels of a test.
+// The channels wanted: a test, only its displacement history, a compression test, or single channels of a test.
 struct Wanted {
   bool time = true, disp = true, force = true, load = true;
   bool part = false;      // other channels are in another file
@@ -34,9 +34,9 @@ Dimension dimension(Channel channel);
 
 struct Column {
   std::size_t index = 0;                        // from 0
-  std::optional<Unit> unit;                     // empty when it is missing or wrong, which is among the complaints
-  StampKind stamp = StampKind::none;            // how the column writes time, if as stamps
-  std::optional<std::size_t> date_column = {};  // beside which its times of day stand
+  std::optional<Unit> unit;                     // empty if it is missing or wrong, which a complaint says
+  StampKind stamp = StampKind::none;            // how the column writes time, if by time stamps
+  std::optional<std::size_t> date_column = {};  // the column with the dates of its times of day
 };
 
 struct Columns {
@@ -46,7 +46,7 @@ struct Columns {
   std::vector<Finding> warnings;
 };
 
-// `where` is the file as given, or the part of it that holds the `count` columns. Never throws: problems are collected.
+// `where` is the file as given, or its part with the `count` columns. Never throws: problems become complaints.
 Columns recognise_columns(std::string const& where, Header const& header, std::size_t count, ReadOptions const& options,
                           Wanted wanted = Wanted::test());
 

@@ -9,7 +9,7 @@
 
 namespace isolaw::data {
 
-// Under sanitizers memory and files are not limited, since sanitizers need both themselves.
+// Sanitizers need memory and files themselves, so with them neither is limited.
 struct ConfinedLimits {
   std::uint64_t memory_bytes;  // in addition to what the process holds already
   unsigned seconds;
@@ -18,7 +18,7 @@ struct ConfinedLimits {
 
 struct ConfinedResult {
   std::string output;
-  std::string failure;  // why there is none; empty when the work ended well
+  std::string failure;  // why there is no output; empty if the work ended well
 };
 
 // `work` passes its result to `write`; the text of an exception becomes the failure. Throws std::system_error.

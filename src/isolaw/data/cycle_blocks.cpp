@@ -17,7 +17,7 @@ constexpr double least_change = 0.05;     // fraction of the period; this change
 constexpr double clear_change = 0.20;     // the same if only one cycle before it can be compared
 constexpr double agreement = 0.25;        // fraction of the change by which periods before and after it may scatter
 constexpr std::size_t compared = 3;       // cycles before a change
-constexpr double far_period = 1.4;        // ratio to the block's: such a cycle does not count
+constexpr double far_period = 1.4;        // ratio to the block's period; a cycle beyond it does not count
 constexpr double build_up = 0.15;         // fraction of the amplitude of the run that a lone cycle belongs to
 constexpr double symmetric = 0.05;        // unevenness of a lone cycle that is a stage of its own
 constexpr double lopsided = 0.25;         // fraction of the amplitude by which a regular cycle's middle may move
@@ -38,7 +38,7 @@ bool close(double value, double reference, double share) {
 
 std::vector<Run> runs_of_amplitude(std::vector<Shape> const& shapes) {
   std::vector<Run> runs;
-  // Their mean replaces the median, which would cost more for every prefix.
+  // Compares with the mean of the run's amplitudes. The median would have to be found anew for every cycle.
   double sum = 0.0;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     bool const joins =
@@ -57,12 +57,12 @@ bool same_pace(double period, double other, double factor) {
   return period <= factor * other && other <= factor * period;
 }
 
-// False where the cycle starts or ends slowly.
+// False if the cycle starts or ends slowly.
 bool is_even(Shape const& shape) {
   return same_pace(shape.rise_and_fall, shape.period + shape.still_time, far_period);
 }
 
-// Compares [begin, at) with the two periods from `after` on. A lone one before stands only for a clear change.
+// Compares [begin, at) with the two periods from `after` on. With only one cycle before, only a clear change counts.
 bool changes(std::vector<Shape> const& shapes, std::size_t begin, std::size_t at, std::size_t after) {
   if (begin >= at) return false;
   auto const period = [](Shape const& shape) { return shape.period; };
@@ -77,8 +77,9 @@ bool changes(std::vector<Shape> const& shapes, std::size_t begin, std::size_t at
          largest_new.period - least_new.period <= agreement * change;
 }
 
-// A new frequency starts at cycle i when it and the next agree, as those before do, and differ from them; the frequency
-// may change within the cycle before. A run's first cycle may start slowly and is left out where others stand for it.
+// Splits a run where its frequency changes. A new part starts at cycle i if the periods of i and i + 1 agree, the
+// periods of the cycles before agree, and the two groups differ. Cycle i - 1 may be the transition. A part's first
+// cycle may start slowly, so it is not compared if there are others.
 std::vector<Run> split_by_frequency(std::vector<Shape> const& shapes, Run const& run) {
   std::vector<Run> parts{{.begin = run.begin, .end = run.end}};
   auto const split_at = [&](std::size_t i) {
@@ -109,13 +110,13 @@ double middle(Shape const& shape) {
   return shape.largest / 2.0 + shape.least / 2.0;
 }
 
-// A drift that moves the middle from cycle to cycle leaves a run regular; swings that hop about do not.
+// Whether the cycle's middle is close to its neighbour's. It may drift from cycle to cycle, but must not jump about.
 bool stays(std::vector<Shape> const& shapes, Run const& run, std::size_t i) {
   auto const neighbour = i > run.begin ? i - 1 : i + 1;
   return std::abs(middle(shapes[i]) - middle(shapes[neighbour])) <= lopsided * shapes[i].amplitude();
 }
 
-// Ramps of a shaking table's signal grow into a run or fade out of it.
+// Marks cycles that grow into a run or fade out of it, as the ramps of a shaking table's signal do.
 void mark_tapers(std::vector<Shape>& shapes, Run const& run) {
   if (run.size() < sure_run) return;
   for (std::size_t k = 0; k < longest_taper && run.begin > k; ++k) {
@@ -149,15 +150,15 @@ bool is_build_up(Run const& lone, Run const& run) {
          same_pace(lone.period, run.period, far_period);
 }
 
-// Lone cycles that are uneven or build up to a run join a neighbour, as does an odd one between two alike runs.
+// A lone cycle joins a neighbouring run if it is uneven or builds up to that run, or if it lies between two runs alike.
 std::vector<Draft> drafts_of(std::vector<Shape> const& shapes, std::vector<Run> const& runs) {
   std::vector<Draft> drafts;
-  std::size_t pending = 0;  // begin of lone cycles that wait for the block they lead to
+  std::size_t pending = 0;  // first of the lone cycles that lead to the next block
   bool waiting = false;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     auto const& run = runs[r];
     bool const lone = run.size() == 1;
-    // A cycle whose peak the clock may have jumped over is one of those beside it, however few they are.
+    // If the time jumps within a cycle, its peak may be missing; then the cycle joins its neighbours, even lone ones.
     bool const has_gap = lone && shapes[run.begin].has_gap;
     bool const between = lone && !drafts.empty() && !waiting && r + 1 < runs.size() &&
                          (has_gap || (drafts.back().core.size() > 1 && runs[r + 1].size() > 1)) &&
@@ -189,7 +190,7 @@ std::vector<Draft> drafts_of(std::vector<Shape> const& shapes, std::vector<Run> 
     waiting = false;
   }
   if (waiting && !drafts.empty()) drafts.back().end = runs.back().end;
-  // If all cycles are uneven, the largest run stands for all.
+  // If all cycles are uneven, they form one block with the largest run as its core.
   if (drafts.empty() && !runs.empty())
     drafts.push_back({.begin = runs.front().begin,
                       .end = runs.back().end,
@@ -211,7 +212,7 @@ std::string of_period(Shape const& shape, double period, std::string_view unit) 
                      period, unit, far_period);
 }
 
-// The period that a block's cycles are held to, from those at one pace where there are any; 0 where none is left.
+// The period with which a block's cycles are compared, of the even ones if there are any; 0 if no cycle is close to it.
 double period_of(std::vector<Shape> const& shapes, std::vector<std::size_t> const& nominal_cycles) {
   std::vector<double> even, all;
   for (auto const i : nominal_cycles) {

@@ -1,4 +1,4 @@
-// Groups the cut cycles into blocks of one amplitude and one frequency, and tells which cycles count in them.
+// Groups the cut cycles into blocks of one amplitude and one frequency, and decides which cycles of a block count.
 #pragma once
 
 #include <string_view>
@@ -22,10 +22,10 @@ struct Shape : CycleCut {
 };
 
 // A block is a run of cycles of one amplitude (within 5 %) and one frequency. A lone cycle is a block of its own if it
-// is symmetric. If it is uneven, or within 15 % of a run of three or more beside it, as when a rig builds up its
-// amplitude, it belongs to that block uncounted. A change of frequency must be 5 % or more and last for two cycles or
-// more; these, and those before, must agree among themselves four times better than the change. A cycle whose period is
-// off its block's by more than a factor of 1.4 does not count. `unit` is that of the periods.
+// is symmetric. It belongs to a neighbouring block, but does not count, if it is uneven or within 15 % of the amplitude
+// of a run of three or more, as when a rig builds up its amplitude. A new frequency splits a block if it differs by 5 %
+// or more and lasts for two cycles or more; before and after it, periods scatter by less than a quarter of the change.
+// A cycle does not count if its period differs from its block's by more than a factor of 1.4. `unit` is for messages.
 std::vector<CycleCut> number_cycles(std::vector<Shape>& shapes, std::string_view unit);
 
 }  // namespace isolaw::data

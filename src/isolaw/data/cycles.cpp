@@ -15,14 +15,15 @@ namespace isolaw::data {
 namespace {
 
 constexpr double least_floor = 0.01;      // times the half range
-constexpr double largest_floor = 0.05;    // times the half range: more is no noise of a rig
-constexpr double noise_deviations = 5.0;  // beyond these among a million samples there is hardly one
-constexpr double interruption = 0.04;     // times the smaller neighbouring swing; one of 5 to 200 % strain is a stage
-constexpr double off_centre = 0.05;       // times the amplitude: a record this close to zero is cut at zero
-constexpr double uneven = 0.25;           // times the amplitude: a lone cycle this uneven still starts from its centre
-constexpr double resting = 0.05;          // times the amplitude: a record that starts or ends this close is at rest
-constexpr double as_large = 0.05;         // times the amplitude: a piece of a cycle that repeats its neighbour
-// Share of the travel: 10 of 1000 irregular linear responses reach 0.64 and one 0.80; cyclic tests reach 0.9 and more.
+constexpr double largest_floor = 0.05;    // times the half range; no rig has more noise
+constexpr double noise_deviations = 5.0;  // among a million samples hardly one lies beyond
+constexpr double interruption = 0.04;     // times the smaller neighbour; a stage of 5 % strain beside 200 % is larger
+constexpr double off_centre = 0.05;       // times the amplitude; if the middle is so close to zero, cuts are at zero
+constexpr double uneven = 0.25;           // times the amplitude; so close to the middle the start may be the centre
+constexpr double resting = 0.05;          // times the amplitude; so close to its start a record ends where it started
+constexpr double as_large = 0.05;         // times the amplitude; so close to a neighbour's an amplitude repeats it
+// Share of the travel in regular cycles. Of 1000 irregular linear responses, ten reach 0.64 and one 0.80; tests reach
+// 0.9.
 constexpr double least_regular_share = 0.8;
 constexpr auto not_cyclic_cycle = "the record is not cyclic";
 
@@ -32,7 +33,7 @@ double half_range(std::span<double const> x) {
   return largest / 2.0 - least / 2.0;
 }
 
-// The swings are at least `least` mm; the first sample stands in front.
+// The first sample, then the ends of the swings of `least` mm or more.
 std::vector<std::size_t> extremes(std::span<double const> x, double least) {
   std::vector<std::size_t> found;
   std::size_t low = 0, high = 0;
@@ -73,7 +74,7 @@ std::vector<std::size_t> without_interruptions(std::span<double const> x, std::v
 struct Swings {
   std::vector<double> half;
   std::vector<double> middle;
-  std::size_t begin = 0;  // first swing with reversals at both ends, where there are enough
+  std::size_t begin = 0;  // first swing with reversals at both ends, if there are three swings or more
   std::size_t end = 0;
 
   double largest() const { return std::ranges::max(std::span(half).subspan(begin, end - begin)); }
@@ -93,7 +94,8 @@ Swings swings_of(std::span<double const> x, std::vector<std::size_t> const& at) 
   return swings;
 }
 
-// Weighted median: the largest stage decides, where an offset matters most, and no swing between stages outweighs it.
+// A weighted median, in which the largest stage decides: an offset matters most in it. Swings between stages count
+// little.
 double middle_of(Swings const& swings) {
   double const largest = swings.largest();
   std::vector<std::pair<double, double>> weighted;
@@ -117,7 +119,9 @@ std::size_t swings_across(Swings const& swings, double level, double margin) {
   return count;
 }
 
-// Zero wherever that serves: the centre of a noisy history is less certain than the zero of a test.
+// The displacement about which cycles are counted: zero if as many swings cross zero as cross the middle and the middle
+// is close to zero, because noise makes the middle less certain than the zero of the test. It is the start of a record
+// that also ends there, if that is near the middle.
 double centre_of(std::span<double const> x, Swings const& swings, double band) {
   double const middle = middle_of(swings);
   double const amplitude = swings.largest();
@@ -130,7 +134,7 @@ double centre_of(std::span<double const> x, Swings const& swings, double band) {
   return middle;
 }
 
-// Below the resolution of any transducer is zero, without a sign.
+// Replaces a displacement below the resolution of any transducer by zero, so that it has no sign.
 double or_zero(double disp_mm) {
   return std::abs(disp_mm) < 1e-6 ? 0.0 : disp_mm;
 }
@@ -228,7 +232,7 @@ std::vector<CycleCut> with_parts(std::vector<CycleCut> cycles, Motion const& mot
 
 Finding too_short(std::span<double const> x, Motion const& motion, Segmentation const& segmentation) {
   auto const [least, largest] = std::ranges::minmax(x);
-  // Lobes of the first motion's side start at such a crossing.
+  // Counts crossings in the direction of the first motion: each lobe on that side starts with one.
   auto const first = std::ranges::find(motion.lobes, false, &Lobe::starts_open);
   auto const crossings =
       std::count_if(first, motion.lobes.end(), [&](Lobe const& lobe) { return lobe.positive == first->positive; });
@@ -240,7 +244,7 @@ Finding too_short(std::span<double const> x, Motion const& motion, Segmentation 
                       {"noise_mm", 2.0 * segmentation.band_mm}}};
 }
 
-// Where a record starts or ends within a cycle, its piece is no irregular motion.
+// The travel of incomplete cycles at the ends of the record that repeat the amplitude of a regular neighbour.
 double regular_ends(std::vector<Shape> const& shapes, Swings const& swings, std::vector<std::size_t> const& at) {
   double travel = 0.0;
   for (auto k = swings.begin; k < swings.end; ++k) {
@@ -250,13 +254,13 @@ double regular_ends(std::vector<Shape> const& shapes, Swings const& swings, std:
     auto const& neighbour = before ? shapes.front() : shapes.back();
     if (!neighbour.regular || std::abs(swings.half[k] - neighbour.amplitude()) > as_large * neighbour.amplitude())
       continue;
-    bool const crosses = before ? to > neighbour.first : from < neighbour.last;  // half of it belongs to the cycle
+    bool const crosses = before ? to > neighbour.first : from < neighbour.last;  // the cycle has half of the swing
     travel += (crosses ? 1.0 : 2.0) * swings.half[k];
   }
   return travel;
 }
 
-// Leaves out pre-loads, tapers, the record's first and last swing and regular ends.
+// The share of the travel in regular cycles, without pre-loads, tapers, regular ends, and the first and last swing.
 double regular_share(std::vector<Shape> const& shapes, Swings const& swings, Motion const& motion,
                      std::vector<std::size_t> const& at) {
   double regular = 0.0, in_cycles = 0.0, in_tapers = 0.0, travel = 0.0;
@@ -289,8 +293,8 @@ Finding not_cyclic(std::vector<Shape> const& shapes, double share) {
 
 }  // namespace
 
-// From the median of |fourth differences|: white noise gains sqrt(70), a sine of 20 samples in a cycle keeps a
-// thousandth. The upper of two middle ones; a missing value counts as large, where num::median would be NaN.
+// Uses the median of |fourth differences|, which are sqrt(70) times as large as white noise. A sine of 20 samples per
+// cycle adds a thousandth of its amplitude. A missing value counts as large (num::median would return NaN).
 double noise_deviation(std::span<double const> x) {
   if (x.size() < 16) return 0.0;
   std::vector<double> sizes(x.size() - 4);

@@ -88,7 +88,7 @@ Cell parse_point(char const* first, char const* last) {
   return {.kind = CellKind::number, .value = value};
 }
 
-// from_chars knows the point only: a decimal comma is replaced in a copy on the stack.
+// from_chars accepts only a point, so a decimal comma is replaced in a copy on the stack.
 Cell parse_comma(std::string_view cell) {
   std::array<char, 64> buffer;
   if (cell.size() > buffer.size()) return {.kind = CellKind::text};
@@ -145,7 +145,7 @@ Score score_pair(std::span<std::string_view const> lines, Pair pair, char thousa
   return best;
 }
 
-// The first lines and lines from all over the file: enough to decide, few enough to be quick on a million.
+// The first lines and lines from all over the file: enough to decide, and few enough to be quick on a million lines.
 std::vector<std::string_view> sample_lines(std::span<std::string_view const> lines) {
   constexpr std::size_t first = 200;
   constexpr std::size_t spread = 800;
@@ -305,7 +305,7 @@ std::optional<Dialect> sheet_dialect(std::span<std::string_view const> rows) {
 std::optional<Dialect> recognise_dialect(std::span<std::string_view const> lines, std::optional<char> thousands) {
   char const group = thousands.value_or('\0');
   auto const sample = sample_lines(lines);
-  // In order of preference where two read the file alike, as with whole numbers or tabs and blanks.
+  // The first of two pairs is preferred if they read the file equally well, as with whole numbers or tabs and blanks.
   std::vector<Pair> pairs{{'\t', '.'}, {'\t', ','}, {';', '.'}, {';', ','}, {',', '.'}, {' ', '.'}, {' ', ','}};
   bool const quotes = std::ranges::any_of(sample, [](auto line) { return line.find('"') != std::string_view::npos; });
   if (quotes) pairs.push_back({',', ','});  // "1,5","2,0": only quotes keep the two commas apart

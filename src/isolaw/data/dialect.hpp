@@ -14,7 +14,7 @@
 
 namespace isolaw::data {
 
-// The blank is called "blank", since it is written in several ways.
+// A mark that groups digits. The blank is called "blank", since files write it as several characters.
 struct DigitGroup {
   char mark;
   std::string_view word, typed, said;  // the value of --thousands; quoted for a shell; in a sentence
@@ -31,7 +31,7 @@ struct NumberFormat {
 };
 
 struct Dialect {
-  char delimiter = ',';  // ' ' stands for runs of blanks and tabs
+  char delimiter = ',';  // ' ' means runs of blanks and tabs
   char decimal = '.';
   std::size_t columns = 0;  // cells of a data row, a trailing empty one not counted
   char thousands = '\0';
@@ -39,7 +39,7 @@ struct Dialect {
   std::vector<StampKind> stamps;  // per column: what its dates and times are
   bool decimal_seen = false;      // some number holds the decimal separator
   std::string why;                // one sentence
-  bool sheet = false;             // a worksheet: short rows are filled up, what stands right of the table is left alone
+  bool sheet = false;  // a worksheet: short rows are filled up, and cells to the right of the table are ignored
 
   NumberFormat format() const { return {decimal, thousands}; }
 };
@@ -65,7 +65,7 @@ void split_row(std::string_view line, Dialect const& dialect, std::vector<std::s
 bool is_comment(std::string_view line);
 bool is_blank(std::string_view line, char delimiter);
 
-// nullopt if no pair finds rows with numbers or time stamps in at least two columns. The user may give `thousands`.
+// nullopt if no pair of delimiter and decimal sign gives rows with numbers or time stamps in at least two columns.
 std::optional<Dialect> recognise_dialect(std::span<std::string_view const> lines,
                                          std::optional<char> thousands = std::nullopt);
 std::optional<Dialect> one_column_dialect(std::span<std::string_view const> lines,

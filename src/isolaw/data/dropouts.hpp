@@ -14,7 +14,7 @@ struct Dropout {
   double before = 0.0, after = 0.0;  // the values beside them
 };
 
-// The force of a device at rest may vanish, so a dropout of the force needs a motion that goes on.
+// The force of a device at rest may vanish, so a force drops out only while the motion goes on.
 enum class Other { moves, may_stand };
 // docs/properties.md has limits and rates.
 std::vector<Dropout> dropouts(std::span<double const> values, std::span<double const> other, Other does);

@@ -23,7 +23,7 @@ constexpr double most_closure = 1.0;        // percent of the whole travel, 2 D
 constexpr double most_drift = 1.0;          // percent of the whole travel
 constexpr double most_v_max_error = 5.0;    // percent
 constexpr double assumed_friction = 0.005;  // times the vertical load, for well kept sliding or rolling guides
-constexpr double least_jump = 0.04;         // times the force's amplitude: less is the shape of a loop
+constexpr double least_jump = 0.04;         // times the force's amplitude; a smaller jump is the shape of a loop
 constexpr double most_friction_points = 1.0;
 constexpr double most_average_loss = 1.0;  // percent, at the test's frequency
 
@@ -102,7 +102,7 @@ class Assessment {
       warn(FindingKind::time_uneven, {{"least_s", least}, {"largest_s", largest}, {"mean_s", mean}});
   }
 
-  // Stages of different amplitude: the reported cycle speaks for its own stage alone.
+  // Warns of several amplitudes: the reported cycle describes only the stage that it belongs to.
   void stages() {
     auto const counted = properties_.counted();
     auto const by_amplitude = [](Cycle const* c) { return c->amplitude_mm; };
@@ -114,7 +114,7 @@ class Assessment {
     locate(budget_.warnings, cycle());
   }
 
-  // Cycles of one amplitude change little by little after the first: a dropout at the peak or a slip makes one differ.
+  // After the first, cycles of one amplitude change little. If one differs, there was a dropout at its peak or a slip.
   void unlike_their_neighbours() {
     for (auto const& block : properties_.blocks) {
       std::vector<Cycle const*> cycles;
@@ -123,7 +123,7 @@ class Assessment {
       if (cycles.size() < 3) continue;
       cycles.erase(cycles.begin());  // the virgin one
       Cycle const* oddest = nullptr;
-      double share = 1.0;  // the peak's force over that of the cycles beside it
+      double share = 1.0;  // the peak's force over the mean of its neighbours
       auto const distance = [](double of) {
         return of > 0.0 ? std::abs(std::log(of)) : std::numeric_limits<double>::infinity();
       };
@@ -148,7 +148,7 @@ class Assessment {
 
   void sampling() {
     double const samples = *properties_.samples_per_cycle;
-    bool const few = std::round(10.0 * samples) / 10.0 < wanted_samples;  // as it is shown: rounding makes none too few
+    bool const few = std::round(10.0 * samples) / 10.0 < wanted_samples;  // compared as it is printed, with one decimal
     budget_.effects.push_back({"samples per cycle", samples, "", wanted_samples, few});
     double const energy = energy_loss_percent(samples);
     double const peak = peak_loss_percent(samples);
@@ -159,7 +159,7 @@ class Assessment {
     few ? warn(FindingKind::samples_few, std::move(numbers)) : note(FindingKind::samples_per_cycle, std::move(numbers));
   }
 
-  // Extremes of noisy samples lie beyond those of the motion; the formulas are of raw values nevertheless.
+  // With noise, the extreme samples lie beyond the extremes of the motion. The properties use raw values nevertheless.
   void noise() {
     double const disp = noise_deviation(view_.disp_mm);
     double const force = noise_deviation(view_.force_kN);
@@ -167,7 +167,7 @@ class Assessment {
     double const force_amplitude = std::abs(cycle().F_plus_kN - cycle().F_minus_kN) / 2.0;
     if (!(amplitude > 0.0 && force_amplitude > 0.0)) return;
     double const beyond = percent(peak_gain_mm(disp, amplitude, *properties_.samples_per_cycle), amplitude);
-    // The errors of force and displacement of two samples each are independent.
+    // Force and displacement are each the difference of two samples, and all these errors are independent.
     double const scatter = std::hypot(percent(force, force_amplitude), percent(disp, amplitude)) / std::numbers::sqrt2;
     add("noise of displacement", percent(disp, amplitude), "%");
     add("noise of force", percent(force, force_amplitude), "%");
@@ -182,7 +182,7 @@ class Assessment {
                                 {"scatter_percent", scatter}});
   }
 
-  // Rests and holds between the cuts of cycles that count, other than before the first motion.
+  // Notes rests and holds longer than the period of their counted cycle, except a rest before the first motion.
   void rests() {
     Cycle const* longest = nullptr;
     int count = 0;
@@ -229,7 +229,7 @@ class Assessment {
          {{"load_kN", *cycle().N_mean_kN}, {"friction_kN", friction}, {"damping_points", points}});
   }
 
-  // Force lost within 0.2 % of the amplitude of a reversal, beyond what the slope after it explains.
+  // The force lost within 0.2 % of the amplitude at a reversal, less what the slope after the reversal explains.
   std::optional<double> jump(Cycle const& at, bool upper) const {
     auto const peaks = peak_positions(view_.disp_mm, at.first, at.last);
     double const sign = upper ? 1.0 : -1.0;
@@ -259,7 +259,7 @@ class Assessment {
     double const noise = noise_deviation(view_.disp_mm);
     for (auto const* counted : block_->counted())
       for (bool const upper : {true, false}) {
-        if (held_at_extreme(view_.disp_mm, *counted, upper, noise)) continue;  // where a force creeps
+        if (held_at_extreme(view_.disp_mm, *counted, upper, noise)) continue;  // the force creeps during a hold
         if (auto const found = jump(*counted, upper)) jumps.push_back(*found);
       }
     if (jumps.size() < 4) return {};
@@ -267,7 +267,7 @@ class Assessment {
     double const typical = jumps[jumps.size() / 2];
     double const force = (cycle().F_plus_kN - cycle().F_minus_kN) / 2.0;
     add("jump of force at reversals", typical, "kN");
-    // Three quarters of the reversals must show most of it: in noise they do not.
+    // Three quarters of the reversals must show at least half of the jump; noise alone does not do that.
     Jump const found{.force_kN = typical,
                      .said = typical > least_jump * std::abs(force) && jumps[jumps.size() / 4] >= 0.5 * typical};
     if (!found.said) return found;
@@ -289,7 +289,7 @@ class Assessment {
                                     {"percent", std::abs(percent(stiffness, cycle().K_eff_kN_per_mm))}});
   }
 
-  // The first cycle is left out: the force of a device that softens is uneven in it.
+  // The first cycle is left out, because the force of a device that softens is uneven in it.
   void drift_of(std::string const& what, std::string const& unit, double amplitude, auto middle) {
     auto const counted = block_->counted();
     if (counted.size() < 3) return;
@@ -397,7 +397,7 @@ double peak_loss_percent(double samples_per_cycle) {
 }
 
 // The largest of independent samples x_k + noise exceeds v with probability 1 - product of Phi((v - x_k) / s); the mean
-// follows by integration over v. Of many samples every so many-th stands for its neighbours.
+// follows by integration over v. Of many samples only one in several is computed, with the weight of its neighbours.
 double peak_gain_mm(double noise_mm, double amplitude_mm, double samples_per_cycle) {
   if (!(noise_mm > 0.0) || !(amplitude_mm > noise_mm)) return 0.0;
   double const angle = 2.0 * std::numbers::pi / samples_per_cycle;

@@ -32,7 +32,7 @@ bool is_dasylab(FileLines lines) {
   return opens(lines, "DASYLab - V");
 }
 
-// Four lines that say where the file is from, above the names.
+// Four lines above the names say where the file comes from.
 bool is_mts_test_suite(FileLines lines) {
   constexpr std::array<std::string_view, 4> keys{"File Path:", "Test:", "Test Run:", "Date:"};
   if (lines.size() < keys.size()) return false;
@@ -41,7 +41,7 @@ bool is_mts_test_suite(FileLines lines) {
   return true;
 }
 
-// Units stand in brackets below "Raw Data" in the name's cell (Universal), or in a row of their own (3).
+// Universal writes units in the cells of the names, below "Raw Data"; Bluehill 3 has a row of units.
 bool is_bluehill(FileLines lines) {
   constexpr std::size_t longest_head = 200;
   lines = lines.first(std::min(lines.size(), longest_head));

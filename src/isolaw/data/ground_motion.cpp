@@ -115,7 +115,7 @@ GroundMotion read_peer(LineList const& lines, PeerHeader const& header, std::str
 
 struct MotionColumns {
   std::optional<std::size_t> time, acceleration;
-  double time_s = 1.0, unit_mm_s2 = 1.0;  // one of the file's
+  double time_s = 1.0, unit_mm_s2 = 1.0;  // one unit of the file, in s and in mm/s2
 };
 
 MotionColumns motion_columns(Header const& header, std::size_t count, std::string const& name) {
@@ -153,7 +153,7 @@ MotionColumns motion_columns(Header const& header, std::size_t count, std::strin
   return columns;
 }
 
-// Each time may be rounded, as files with three decimals are.
+// The step of equally spaced times. Each time may be rounded, as in files with three decimals.
 double step_of(std::vector<double> const& time_s, std::string const& name) {
   double const step = (time_s.back() - time_s.front()) / static_cast<double>(time_s.size() - 1);
   constexpr double allowed = 0.1;  // fraction of a step

@@ -36,7 +36,7 @@ Names split_wide(std::string_view line) {
   return names;
 }
 
-// "Force [kN]" in a file separated by blanks is one name.
+// In a file separated by blanks, "Force [kN]" is one name.
 Names split_bracketed(std::string_view line) {
   Names names;
   for (auto& name : split_names(line, ' ')) {
@@ -49,7 +49,7 @@ Names split_bracketed(std::string_view line) {
   return names;
 }
 
-// Where blanks separate, a date and a time of day are two columns, often below one name: the date's is then empty.
+// If blanks separate, a date and a time of day are two columns, often with one name. The date's name is then empty.
 void name_date_and_clock(Names& names, Dialect const& dialect) {
   if (dialect.delimiter != ' ' || names.size() + 1 != dialect.columns) return;
   for (std::size_t i = 0; i + 1 < dialect.columns; ++i)
@@ -59,7 +59,7 @@ void name_date_and_clock(Names& names, Dialect const& dialect) {
     }
 }
 
-// Where blanks separate, the reading that gives the right number of cells, if any does.
+// If blanks separate, splits the line so that the number of cells is right, if that is possible.
 Names header_cells(std::string_view line, Dialect const& dialect) {
   if (dialect.sheet) {
     std::vector<std::string_view> cells;
@@ -130,7 +130,7 @@ struct Candidate {
   std::size_t channels;
 };
 
-// The line with the right number of cells that names most channels, the last of equals.
+// The line with the right number of cells that names most channels; the last one if several name as many.
 std::optional<Candidate> find_names(std::span<std::string_view const> above, Dialect const& dialect, Header& header) {
   std::optional<Candidate> best;
   std::optional<Candidate> comment;
@@ -155,7 +155,7 @@ std::optional<Candidate> find_names(std::span<std::string_view const> above, Dia
   return best;
 }
 
-// Most rows of numbers hold no letter but that of an exponent or of a time stamp: told without taking the line apart.
+// Most rows of numbers hold letters only in exponents and time stamps, and need not be split to find that out.
 bool may_hold_names(std::string_view line) {
   char previous = ' ';
   for (char const c : line) {
@@ -187,7 +187,7 @@ std::optional<double> lvm_interval(Names const& given, Dialect const& dialect) {
   return interval;
 }
 
-// LabVIEW's .lvm: the names follow the last end of header, with one for comments; units stand in a row above.
+// LabVIEW's .lvm: the names, one of them for comments, follow the last end of header. A row above it has the units.
 bool read_lvm_header(std::span<std::string_view const> above, Dialect const& dialect, Header& header) {
   auto const opens = [](std::string_view line, std::string_view key) { return trimmed(line).starts_with(key); };
   std::optional<std::size_t> end;
@@ -201,7 +201,7 @@ bool read_lvm_header(std::span<std::string_view const> above, Dialect const& dia
   while (cells.size() > dialect.columns && (cells.back().empty() || lower(cells.back()) == "comment")) cells.pop_back();
   if (cells.size() != dialect.columns || lower(cells.front()) != "x_value") return false;
   bool const timed = dialect.numeric.front();
-  if (!timed) cells.front().clear();  // X_Columns No
+  if (!timed) cells.front().clear();  // "X_Columns No": no column has the time
   bool of_times = true;
   Names units(dialect.columns);
   for (std::size_t i = 0; i < *end; ++i) {
@@ -244,7 +244,7 @@ std::vector<std::size_t> later_tests(std::span<std::string_view const> lines, Di
                                      Header const& first) {
   std::vector<std::size_t> starts;
   auto const names = first.name_line ? trimmed(lines[*first.name_line]) : std::string_view{};
-  auto last_seen = first.first_data;  // the lines before it are known to hold no row above these names
+  auto last_seen = first.first_data;  // no row of numbers is looked for above this line
   for (auto i = first.first_data; i < lines.size(); ++i) {
     if (!begins_test(lines[i], dialect, names)) continue;
     auto row = i;
@@ -277,7 +277,7 @@ Header recognise_header(std::span<std::string_view const> lines, Dialect const& 
       header.unit_line = i;
       header.units = cells;
     } else if (right_size && names && i > names->line && has_number(cells, dialect) && !is_comment(lines[i])) {
-      header.first_data = i;  // a broken row of numbers, which reading the rows complains about
+      header.first_data = i;  // a broken row of numbers; reading the rows complains of it
     } else if (!is_comment(lines[i])) {
       header.passed_over.push_back(i);
     }

@@ -12,15 +12,15 @@
 
 namespace isolaw::data {
 
-// Lines are counted from 0 here; messages count from 1.
+// Lines count from 0; messages count from 1.
 struct Header {
   std::size_t first_data = 0;  // first row of numbers
   std::optional<std::size_t> name_line;
   std::optional<std::size_t> unit_line;
   std::vector<std::string> names;        // per column, UTF-8, with units as written; empty without a name row
-  std::vector<std::string> units;        // per column; empty where neither a row nor a key gives them
-  std::vector<StampKind> stamps;         // per column: what its dates and times are; empty where none can be
-  std::vector<std::size_t> passed_over;  // lines above the data that are neither, blank lines and comments left out
+  std::vector<std::string> units;        // per column; empty if neither a row nor a key gives them
+  std::vector<StampKind> stamps;         // per column: what its dates and times are; empty if it can have none
+  std::vector<std::size_t> passed_over;  // other lines above the data, without blank lines and comments
 
   struct Mismatch {
     std::size_t line;
@@ -29,14 +29,14 @@ struct Header {
   };
   std::optional<Mismatch> mismatch;
 
-  std::optional<double> interval_s;  // between rows, where no column has the time and the header has the interval
+  std::optional<double> interval_s;  // between rows, if the header gives it and no column has the time
 
-  bool own_axis = false;             // channels are named after the axis of the machine, which may lie any way
+  bool own_axis = false;             // channels are named after the machine's axis, which may have any direction
   std::string_view row = "line";     // the word for a row: "line", "row", "element"
   bool lettered = false;             // columns have letters, as in a workbook
-  bool by_name = false;              // columns are variables: named, not numbered, in what is advised
-  std::vector<std::string> objects;  // variables that only the program reads which wrote them, or that hold no numbers
-  std::vector<std::string> complex;  // variables of complex numbers, which no channel is read from
+  bool by_name = false;              // columns are variables, so that advice calls them by name, not by number
+  std::vector<std::string> objects;  // variables that hold text, or objects that only MATLAB can read
+  std::vector<std::string> complex;  // variables of complex numbers, from which no channel is read
   std::string listing;               // everything in the file, if that is more than its columns
 };
 

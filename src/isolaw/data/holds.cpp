@@ -17,7 +17,7 @@ constexpr double noise_band = 8.0;      // standard deviations, from the least o
 constexpr double too_noisy = 0.3;       // fraction of the amplitude
 constexpr double least_hold = 0.15;     // fraction of the period
 constexpr double least_stretch = 0.02;  // fraction of the piece
-constexpr double clear_edges = 0.9;     // fraction of a stretch; the part in the narrower band then stands for all
+constexpr double clear_edges = 0.9;     // fraction of a stretch; so long a part in the narrower band replaces it
 constexpr std::size_t most_holds = 16;  // per piece
 constexpr std::size_t least_in_piece = 8;
 
@@ -50,7 +50,7 @@ std::vector<Stretch> stretches_within(std::span<double const> x, std::size_t beg
   return found;
 }
 
-// The levels are shares of the sine's amplitude; both ways count.
+// The share of a cycle in which a sine passes between two levels (shares of its amplitude), both ways at a peak.
 double lingering(double least, double largest) {
   auto const angle = [](double level) { return std::acos(std::clamp(level, -1.0, 1.0)); };
   double const once = (angle(least) - angle(largest)) / (2.0 * std::numbers::pi);
@@ -95,7 +95,7 @@ StillTime still_time(std::span<double const> disp_mm, std::span<double const> ti
                                disp_mm.begin() + static_cast<std::ptrdiff_t>(stretch.last) + 1);
     auto const half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::ranges::nth_element(values, half);
-    double const level = *half;  // where the device stood: a sample of the record, for an even count too
+    double const level = *half;  // the level of the hold: always a value of the record
     auto const hold = sharpened(disp_mm, stretch, level, half_edge);
     double const reach = (hold.size() == stretch.size() ? width / 2.0 : half_edge) / piece.amplitude;
     double const centred = (level - piece.middle) / piece.amplitude;
@@ -119,7 +119,7 @@ std::vector<Gap> time_gaps(std::span<double const> x, std::span<double const> ti
   double const longest = std::ranges::max(intervals);
   double const interval = num::median(intervals);
   if (!(longest > most_intervals * interval)) return {};
-  // Several long intervals in a row are a slower part, sampled as often in a cycle.
+  // Several long intervals in a row are no gaps: a slower part of the test has as many samples in a cycle.
   auto const is_long = [&](std::size_t i) { return intervals[i] > most_intervals * interval; };
   std::vector<Gap> gaps;
   for (std::size_t i = 0; i + 1 < time_s.size(); ++i) {

@@ -1,5 +1,5 @@
-// Finds holds: times when a device stands still within a cyclic test, at rest between cycles or at a displacement.
-// The motion stays within a band of half a percent of the amplitude, or of the noise, longer than a sine lingers there.
+// Finds holds: times when a device stands still within a cyclic test, at rest between cycles or at a displacement. The
+// motion then stays within a band of half a percent of the amplitude, or of the noise, for longer than a sine does.
 #pragma once
 
 #include <cstddef>
@@ -26,8 +26,8 @@ StillTime still_time(std::span<double const> disp_mm, std::span<double const> ti
 // If two samples are more than this many usual intervals apart, nobody knows what a channel did between them.
 inline constexpr double most_intervals = 5.0;
 
-// A jump of the clock by more than most_intervals. taken_s is the time that the motion needs for the way at the speed
-// on both sides, at least one interval and at most what the clock says. without_gaps() is empty if nothing jumps.
+// The clock jumps by more than most_intervals. taken_s is the distance across the gap over the speed beside it, at
+// least one interval and at most length_s. without_gaps() returns an empty vector if the clock does not jump.
 struct Gap {
   std::size_t after = 0;  // sample
   double length_s = 0.0;  // by the clock

@@ -18,12 +18,12 @@
 namespace isolaw::data {
 namespace {
 struct Opened {
-  std::unique_ptr<std::string> bytes;  // which the tables look into
+  std::unique_ptr<std::string> bytes;  // the tables refer to them
   TestRecord start;
   Tests tests;
   ReadOptions options;
   Wanted wanted;
-  bool chooses_sheet = false, chooses_test = false;  // it has several, of which --sheet or --test names one
+  bool chooses_sheet = false, chooses_test = false;  // the file has several, and --sheet or --test names one
 
   Opened(std::filesystem::path const& file, ReadOptions const& asked, Wanted what) : options(asked), wanted(what) {
     options.sheet.reset();
@@ -123,7 +123,7 @@ RecordPart read_joined(std::filesystem::path const& file, ReadOptions options,
   for (auto const& [other, of_other] : others) {
     auto more = of_other;
     if (more.dt_s || untimed) more.columns[Channel::time] = "none";  // one sampling interval, for both
-    auto const time_unit = more.units.extract(Channel::time);        // where the file states none
+    auto const time_unit = more.units.extract(Channel::time);        // used if the file states none
     Wanted const wanted{.time = true,
                         .disp = more.columns.contains(Channel::disp),
                         .force = more.columns.contains(Channel::force),
@@ -149,7 +149,7 @@ RecordPart read_joined(std::filesystem::path const& file, ReadOptions options,
     first.open(file);
   }
   if (asked.test && !first.chooses_test && !test_of_another) first.options.test = asked.test;
-  // Each file's own time tells what lies outside, unless rows are joined one by one.
+  // --from and --to apply to each file's own time, unless the files are joined row by row.
   auto const clock = first.clock();
   bool const by_time = clock != Opened::Clock::none &&
                        std::ranges::all_of(rest, [&](auto const& more) { return more.clock() == clock; });

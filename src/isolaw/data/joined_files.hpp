@@ -10,10 +10,10 @@
 
 namespace isolaw::data {
 
-// Takes out of `options` the channels that are in other files, and returns these files with the options for each.
+// Removes the channels that are in other files from `options`, and returns these files with the options for each.
 std::map<std::string, ReadOptions> other_files(std::filesystem::path const& file, ReadOptions& options);
 
-// Not yet checked together. Throws Error if a file cannot be read, or if the files do not belong together.
+// The record is not yet checked. Throws Error if a file cannot be read, or if the files do not belong together.
 RecordPart read_joined(std::filesystem::path const& file, ReadOptions options,
                        std::map<std::string, ReadOptions> const& others);
 

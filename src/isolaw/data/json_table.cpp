@@ -35,15 +35,15 @@ struct Value {
 struct Branch {
   std::vector<NumberColumn> columns;
   std::map<std::string, std::size_t, std::less<>> index;  // columns by name
-  std::size_t rows = 0;                                   // elements, where elements are rows
-  std::string element;                                    // path of the element of a list it stands in, if any
+  std::size_t rows = 0;                                   // number of rows, if elements are rows
+  std::string element;                                    // path of the list's element that contains it, if any
   bool of_rows = false;
   bool named = false;        // columns have names
   std::string flaw;          // why it is no table
   std::size_t flaw_row = 0;  // from 1; 0: none in particular
 };
 
-// The list element is kept since the units of one test do not hold for the next.
+// `element` is the list's element with this text, because the units of one test do not apply to the next.
 struct Word {
   std::string text;
   std::string element;
@@ -57,7 +57,7 @@ std::vector<std::string> texts_of(NumberColumn const& column) {
 
 bool is_table(Branch const& part) {
   constexpr std::size_t fewest = 3;
-  if (!part.flaw.empty()) return part.columns.size() >= 2 && part.rows >= fewest;  // refused where it is chosen
+  if (!part.flaw.empty()) return part.columns.size() >= 2 && part.rows >= fewest;  // refused when it is chosen
   auto const filled = std::ranges::count_if(
       part.columns, [](auto const& column) { return column.values.size() >= fewest && texts_of(column).empty(); });
   return filled >= 2;
@@ -76,10 +76,9 @@ class Handler {
  public:
   explicit Handler(std::size_t file_bytes) : left_(file_bytes + (std::size_t{1} << 20)) {}
 
-  std::map<std::string, Branch> parts;                        // by path
-  std::map<std::pair<std::string, std::string>, Word> words;  // by path and key
-  // Lists of objects by path.
-  std::map<std::string, std::vector<std::string>> lists, passed_over;
+  std::map<std::string, Branch> parts;                                 // by path
+  std::map<std::pair<std::string, std::string>, Word> words;           // by path and key
+  std::map<std::string, std::vector<std::string>> lists, passed_over;  // elements by the path of their list
   std::string refusal;
   std::size_t failed_at = 0;  // byte, from 1
 
@@ -145,11 +144,11 @@ class Handler {
     Kind kind;
     Shape shape = Shape::none;
     std::string path = {};         // keys above, joined by points
-    std::string key = {};          // the one being read
-    bool in_reach = true;          // tables are looked for here
+    std::string key = {};          // the key being read
+    bool in_reach = true;          // may contain tables
     std::size_t elements = 0;      // objects among an array's elements so far
     std::size_t number = 0;        // from 1, for an object that is an element
-    bool has_path_of_own = false;  // such an object has its number in its path once it holds more than single values
+    bool has_path_of_own = false;  // it holds more than single values, so its number is in its path
   };
 
   bool push(Kind kind) {
@@ -203,7 +202,7 @@ class Handler {
     return found->second;
   }
 
-  // Drops the contents of an element without a table.
+  // Whether the element holds a table. If not, this drops its contents.
   bool is_test(Frame const& ended) {
     bool channels = false;
     for (auto it = parts.lower_bound(ended.path); it != parts.end() && it->first.starts_with(ended.path);) {
@@ -348,7 +347,7 @@ class Handler {
     return affordable;
   }
 
-  std::size_t left_;  // cells: each takes two bytes of the file at least
+  std::size_t left_;  // cells that may still be kept: each takes two bytes of the file or more
   std::size_t tests_ = 0;
   std::vector<Frame> stack_;
   NumberColumn values_;  // the array of single values being read

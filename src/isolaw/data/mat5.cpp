@@ -1,6 +1,6 @@
-// Reads MATLAB files of version 5, and of 7, where elements are compressed (MathWorks, "MAT-File Format", 2017). Own
-// code reads from a stream that is inflated on the way: a size that a file states is a number of bytes to pass over or
-// to stop at, never one to allocate. docs/decisions/0001-dependencies.md says why no library does it.
+// Reads MATLAB files of version 5, and of version 7, in which elements are compressed (MathWorks, "MAT-File Format",
+// 2017). It decompresses while it reads: a size stated in the file only says how many bytes to skip or where to stop,
+// never how much memory to allocate. docs/decisions/0001-dependencies.md says why isolaw uses no library for this.
 #include <fmt/format.h>
 #include <zlib.h>
 
@@ -79,7 +79,7 @@ class PlainSource : public Source {
 
 class InflatedSource : public Source {
  public:
-  // Inflated bytes count against `left`.
+  // Decompressed bytes count against `left`.
   InflatedSource(std::string_view bytes, std::uint64_t& left) : left_(left) {
     // zlib does not write to its input, though its type says so.
     stream_.next_in = const_cast<Bytef*>(static_cast<Bytef const*>(static_cast<void const*>(bytes.data())));
@@ -110,11 +110,11 @@ class InflatedSource : public Source {
 struct Tag {
   std::uint32_t type = 0;
   std::uint32_t size = 0;
-  bool small = false;  // the data stand in the tag
+  bool small = false;  // the data are in the tag itself
   std::array<char, 4> data{};
 };
 
-// Elements inside others share their number of bytes.
+// Reads one element and counts its bytes. An element inside another one counts for both.
 class Reader {
  public:
   Reader(Source& source, bool swapped, std::uint64_t available)
@@ -159,7 +159,6 @@ class Reader {
   }
   void skip_padding(Tag const& tag) { skip(std::min<std::uint64_t>((8 - tag.size % 8) % 8, available_)); }
 
-  // The outer reader counts the bytes too.
   Reader inside(Tag const& tag) {
     take(tag.size);
     return {source_, swapped_, tag.size};
@@ -212,7 +211,7 @@ class Walk {
  public:
   Walk(Chooser wanted, std::vector<double>& values) : wanted_(std::move(wanted)), values_(values) {}
 
-  // `name` is empty at the top, where the array holds its own.
+  // `prefix` is the name of a field; it is empty at the top, where the array holds its own name.
   void array(Reader& reader, std::string const& prefix) {
     auto const flags_tag = reader.tag();
     auto const flags_data = reader.content(flags_tag, 8, "array flags");
@@ -308,7 +307,7 @@ class Walk {
 
   void read_values(Reader& reader, Tag const& tag, Stored const& form, MatSlice const& slice, std::uint64_t stated) {
     auto const [type, size, read] = form;
-    values_.reserve(static_cast<std::size_t>(slice.count));  // bounded by who asks
+    values_.reserve(static_cast<std::size_t>(slice.count));  // the caller limits the count
     if (tag.small) {
       for (std::uint64_t i = 0; i < slice.count; ++i)
         values_.push_back(read(reader, tag.data.data() + (slice.first + i * slice.stride) * size));

@@ -1,5 +1,5 @@
 // Reads MATLAB files of version 7.3: HDF5 behind a block of 512 bytes, with dimensions reversed. Malicious files can
-// break the HDF5 library, so it works in a confined process, where links and external data lead nowhere.
+// break the HDF5 library, so it runs in a confined process, in which links and external data lead nowhere.
 #include <fmt/format.h>
 #include <hdf5.h>
 #include <hdf5_hl.h>
@@ -40,7 +40,7 @@ class Handle {
 
 Handle open_image(std::string_view bytes) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  H5PLset_loading_state(0);  // no filters from elsewhere
+  H5PLset_loading_state(0);  // loads no filters from other files
   // The image is neither copied nor written to.
   auto* const image = const_cast<void*>(static_cast<void const*>(bytes.data()));
   return {H5LTopen_file_image(image, bytes.size(), H5LT_FILE_IMAGE_DONT_COPY | H5LT_FILE_IMAGE_DONT_RELEASE), H5Fclose};
@@ -101,7 +101,7 @@ void describe(hid_t data_set, std::string const& name, Write const& write) {
   auto const kind = kind_of(data_set, type);
   auto const stored = H5Tget_class(type);
   bool const empty = H5Aexists(data_set, "MATLAB_empty") > 0;
-  bool const object = H5Aexists(data_set, "MATLAB_object_decode") > 0;  // numbers say where its values are
+  bool const object = H5Aexists(data_set, "MATLAB_object_decode") > 0;  // its numbers only say where the values are
   bool const numeric =
       (stored == H5T_FLOAT || stored == H5T_INTEGER) && kind != "char" && kind != "cell" && !empty && !object;
   auto unit = attribute(data_set, "units");

@@ -25,7 +25,7 @@ constexpr std::size_t most_listed = 30;
 struct Origin {
   MatVariable const* variable;
   MatSlice slice;
-  std::string name;  // the column's, its owner included
+  std::string name;  // of the column, with its owner
 };
 
 struct MatColumns {
@@ -67,10 +67,10 @@ MatColumns columns_of(std::vector<MatVariable> const& variables) {
   return found;
 }
 
-// Matrices of characters whose rows are time stamps, each as a column.
+// Adds each matrix of characters whose rows are time stamps, as a column.
 void add_stamps(MatFile const& mat, std::uint64_t longest, MatColumns& found) {
   constexpr std::uint64_t widest = 48;
-  std::size_t left = 4;  // to be looked at: each is a walk through the file
+  std::size_t left = 4;  // matrices still to be examined: each needs a pass through the file
   for (auto const& v : mat.variables()) {
     if (v.kind != "char" || v.size.size() != 2) continue;
     auto const rows = v.size[0], width = v.size[1];

@@ -11,7 +11,7 @@ namespace isolaw::data {
 
 bool is_mat(std::string_view bytes);
 
-// `owner` is a struct or matrix whose fields go by their own names. Without it all variables are one test, and if
+// `owner` is a struct or matrix whose fields are then named without it. Without it all variables are one test, and if
 // several structs seem to hold a test each, Tests::sheets names them. Throws Error.
 Tests mat_tests(std::string_view bytes, std::string const& file, std::optional<std::string> const& owner);
 

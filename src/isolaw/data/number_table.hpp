@@ -25,7 +25,7 @@ struct NumberColumn {
 
 class NumberTable : public Table {
  public:
-  // `row` is what a row is called in messages: "row", "element"; `recognised` what led to the table.
+  // `row` is what a row is called in messages: "row", "element"; `recognised` says how the table was found.
   NumberTable(std::string place, std::vector<NumberColumn> columns, std::string_view row, std::string recognised,
               std::string title = {});
 

@@ -15,12 +15,12 @@
 namespace isolaw::data {
 namespace {
 
-// Fewer samples in a cycle lose more than 1.6 % of its energy to the trapezoid, and 1.2 % of its peak.
+// With fewer samples per cycle, the trapezoid loses more than 1.6 % of the energy, and samples miss 1.2 % of the peak.
 constexpr double least_samples_per_cycle = 20.0;
 constexpr std::size_t reported_cycle = 3;
 constexpr double rounding_of_energy = 1e-9;  // times K_eff D^2
 constexpr double noise_of_energy = 5.0;      // standard deviations
-constexpr double same_shape = 0.05;          // rms of the amplitude; a sine and a triangle are 0.15 apart
+constexpr double same_shape = 0.05;          // rms difference over the amplitude; a sine and a triangle are 0.15 apart
 
 // Samples strictly between two fractional indices: [begin, end).
 struct Inside {
@@ -77,7 +77,7 @@ std::optional<double> force_at_level(std::span<double const> x, std::span<double
   return std::nullopt;
 }
 
-// Half the height of the loop at the level of the cuts. An end at rest or at a turn is not on the loop and left out.
+// Half the height of the loop at the level of the cuts. Leaves out a cycle's end at rest or at a turn: not on the loop.
 double strength(Cycle const& cycle, Peaks const& peaks, std::span<double const> x, std::span<double const> F) {
   bool const rises = peaks.at_largest < peaks.at_least;
   bool const starts_in_motion = cycle.first > 0.0 && !cycle.turns_at_start;
@@ -92,11 +92,11 @@ double strength(Cycle const& cycle, Peaks const& peaks, std::span<double const> 
                                     std::max(peaks.at_largest, peaks.at_least), level);
   if (!inner) return 0.0;
   double const height = rises ? outer - *inner : *inner - outer;
-  constexpr double rounding = 1e-12;  // share of the forces that the difference of equal ones leaves
+  constexpr double rounding = 1e-12;  // rounding error of a difference of equal forces, times these
   return std::abs(height) <= rounding * (std::abs(outer) + std::abs(*inner)) ? 0.0 : height / 2.0;
 }
 
-// A cycle that hardly leaves zero on one side has no stiffness there.
+// A cycle that hardly leaves zero on one side has no stiffness on that side.
 constexpr double least_excursion = 0.01;  // share of the amplitude
 
 void derive(Cycle& cycle, Peaks const& peaks) {
@@ -123,7 +123,7 @@ void idealise(Cycle& cycle) {
   cycle.K_1_kN_per_mm = cycle.K_d_kN_per_mm + cycle.Q_d_kN / yield;
 }
 
-// A single interval shows the noise: 0.02 mm at 1 kHz is 30 mm/s. A chord over a 25th of a sine loses 0.3 % of slope.
+// Slope of a chord over a 25th of a sine, 0.3 % too small. In one interval, noise of 0.02 mm at 1 kHz makes 30 mm/s.
 double largest_slope(Cycle const& cycle, CycleView const& view) {
   auto const peaks = peak_positions(view.disp_mm, cycle.first, cycle.last);
   auto const reach =
@@ -165,7 +165,7 @@ Cycle measure(CycleCut const& cut, CycleView const& view) {
   return cycle;
 }
 
-// Compares the swing with half a cosine and a line; neither if it is held at the extremes twice as long as a sine.
+// Compares the swing with half a cosine and a line. It is neither if it stays at the extremes twice as long as a sine.
 std::string waveform(Cycle const& cycle, CycleView const& view) {
   auto const peaks = peak_positions(view.disp_mm, cycle.first, cycle.last);
   bool const falls = peaks.largest < peaks.smallest;
@@ -201,7 +201,7 @@ void summarise(Block& block, CycleView const& view) {
   double const period = num::median_over(counted, [](Cycle const* c) { return *c->period_s; });
   if (period > 0.0) block.frequency_Hz = 1.0 / period;
   block.v_max_mm_s = num::median_over(counted, [](Cycle const* c) { return *c->v_max_mm_s; });
-  // The middle cycle, without a hold where possible.
+  // The middle cycle, of the cycles without a hold if there are any.
   std::vector<Cycle const*> unheld;
   std::ranges::copy_if(counted, std::back_inserter(unheld), [](Cycle const* c) { return c->still_samples == 0.0; });
   auto const& shown = unheld.empty() ? counted : unheld;
@@ -213,7 +213,8 @@ struct Noise {
   double disp_mm = 0.0, force_kN = 0.0;
 };
 
-// One standard deviation: each sample counts by the way between its neighbours.
+// Standard deviation of a cycle's area, caused by noise. A force error counts with half the displacement between the
+// sample's neighbours, a displacement error with half the difference of their forces.
 double noise_of_area(Cycle const& cycle, CycleView const& view, Noise const& noise) {
   double ways = 0.0, forces = 0.0;
   auto const samples = inside(cycle, view.disp_mm.size());
@@ -230,7 +231,7 @@ Finding of_cycle(FindingKind kind, Cycle const& cycle, FindingNumber number) {
           .numbers = {{"cycle", static_cast<double>(cycle.number)}, std::move(number)}};
 }
 
-// The findings are empty where a device can make such a loop.
+// The findings are empty if a device can make such a loop.
 std::vector<Finding> impossible(Cycle const& cycle, CycleView const& view, Noise const& noise) {
   double const size = std::abs(cycle.K_eff_kN_per_mm) * cycle.amplitude_mm * cycle.amplitude_mm;
   double const least = rounding_of_energy * size + noise_of_energy * noise_of_area(cycle, view, noise);

@@ -1,4 +1,4 @@
-// Joins the parts of reading. Problems are collected until one hides the rest, and then thrown at once.
+// Calls the parts of reading in order. Collects problems until one of them hides the rest, and then throws all at once.
 #include "isolaw/data/read.hpp"
 
 #include <fmt/format.h>
@@ -150,7 +150,7 @@ TestRecord read_motion_text(std::string_view bytes, std::string const& name, Rea
   auto const acceleration = line_about_acceleration(bytes);
   try {
     auto motion = read_tests(bytes, name, options, Wanted::motion());
-    // A user's column of displacements is believed, whatever stands beside it.
+    // If the user has named the column of displacements, words about acceleration only give a warning.
     if (acceleration && options.columns.contains(Channel::disp))
       motion.warnings.push_back({.kind = FindingKind::about_acceleration, .words = {{"line", *acceleration}}});
     return motion;

@@ -1,4 +1,4 @@
-// Reads test records of laboratories; what cannot be recognised is refused with the reason.
+// Reads test records of laboratories. Refuses whatever cannot be recognised, and says why.
 #pragma once
 
 #include <array>
@@ -30,10 +30,10 @@ inline constexpr std::array<std::string_view, 9> record_extensions{".csv", ".tsv
                                                                    ".lvm", ".mat", ".xlsx", ".json"};
 bool is_record_name(std::string_view file);
 
-// "loadcell.csv:Force". file_column() returns nullopt for text that names no record's file: it is then a column.
+// "loadcell.csv:Force". file_column() returns nullopt for text that names no record's file: the text is then a column.
 struct FileColumn {
   std::string file, column;
-  std::string text() const { return file + ":" + column; }  // reads back
+  std::string text() const { return file + ":" + column; }  // file_column() reads it back
 };
 std::optional<FileColumn> file_column(std::string_view text);
 
@@ -61,12 +61,12 @@ struct TestChoice {
   std::optional<std::string> sheet;  // as TestRecord::layout has it
   std::optional<std::string> test;
   std::string place;                          // "d01.csv:204", "d01.xlsx:Sheet 2:1"
-  std::vector<std::string> passed_over = {};  // sheets of the file that are no test; with its first test alone
+  std::vector<std::string> passed_over = {};  // sheets of the file that are no test, only beside its first test
 };
-// All tests of a file, or those of the sheet or test that `options` names. Throws Error if the file cannot be read.
+// All tests of a file, or of the sheet or test that `options` names. Throws Error if the file cannot be read.
 std::vector<TestChoice> list_tests(std::filesystem::path const& file, ReadOptions const& options = {});
 
-// `next` starts one sampling interval after the end. `label` names it in messages. Throws Error if only one has time.
+// Appends `next` one sampling interval after the end. Messages call it `label`. Throws Error if only one has time.
 void continue_with(TestRecord& history, TestRecord const& next, std::string const& label);
 
 }  // namespace isolaw::data

@@ -9,8 +9,8 @@
 namespace isolaw::data {
 
 struct Reading : Option<ReadOptions> {
-  bool of_test = false;                 // motions do not take it: they have no force
-  std::string_view motion_option = {};  // its name for a motion, if a law's option has its own name already
+  bool of_test = false;                 // not for motions, which have no force
+  std::string_view motion_option = {};  // its name for a motion, if the key already means something else
 };
 
 // Columns and units add to those given before, channel by channel; every other value replaces the one given before.

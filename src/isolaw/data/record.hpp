@@ -1,4 +1,4 @@
-// A test record in record units (kN, mm, s): as measured, and as the identification sees it.
+// A test record in record units (kN, mm, s): as measured, and as laws are fitted to it.
 #pragma once
 
 #include <cstddef>
@@ -25,19 +25,19 @@ struct RowRange {
   bool operator==(RowRange const&) const = default;
 };
 
-// `option` is the one that asked for the decision ("--units"), empty where none did.
+// `option` is the option that asked for the decision ("--units"), or empty.
 inline Finding decision(FindingKind kind, std::string text, std::string option = {}) {
   Finding finding{.kind = kind, .words = {{"text", std::move(text)}}};
   if (!option.empty()) finding.words.push_back({"option", std::move(option)});
   return finding;
 }
 
-// Whatever is missing is recognised.
+// Whatever is not given is recognised from the file.
 struct ReadOptions {
   std::map<Channel, std::string> columns;  // name or 1-based number; "none": not read
   std::map<Channel, std::string> units;    // "cm", "tonf", ...; what is missing is read from the header
   std::optional<double> dt_s;              // sampling interval of a file without a time column
-  std::optional<DateOrder> date_order;     // for time stamps that do not tell
+  std::optional<DateOrder> date_order;     // for time stamps whose order is unclear
   std::optional<RowRange> rows;            // the part of the file that is read
   std::optional<double> from_s, to_s;      // the part of the time that is read
   bool skip_footer = false;                // text below the rows is left out (option --footer skip)
@@ -58,9 +58,9 @@ struct TestRecord {
   std::vector<double> disp_mm;
   std::vector<double> force_kN;
   std::vector<double> load_kN;
-  // The choices made in reading, which read the file the same way again.
+  // All choices made in reading: with these options the file is read in the same manner again.
   ReadOptions layout;
-  // As the file writes them, by the key of a lot file.
+  // Facts about the device as the file writes them, by their keys in a lot file.
   std::vector<std::pair<std::string, std::string>> particulars;
   std::vector<Finding> recognised;   // each decision, made with decision(), and why
   std::vector<Finding> corrections;  // each correction asked for, also in `recognised`
@@ -78,10 +78,10 @@ struct FitRecord {
   std::vector<double> disp_mm;
   std::vector<double> vel_mm_s;
   std::vector<double> force_kN;
-  std::vector<double> scored = {};  // 1 where a law is judged, 0 where it only runs along; empty: everywhere
-  std::vector<double> block = {};  // number of the block that a sample belongs to, where some are predicted; else empty
-  double dead_band_mm = 0.0;  // displacement is followed with this much play by laws that remember its turning points
-  std::vector<Finding> cleaning;  // each step applied, with its numbers
+  std::vector<double> scored = {};  // 1 if a sample is scored, 0 if a law only runs through it; empty: all are scored
+  std::vector<double> block = {};   // number of each sample's block, if some blocks are predicted; else empty
+  double dead_band_mm = 0.0;        // play with which laws that remember turning points follow displacement
+  std::vector<Finding> cleaning;    // each step applied, with its numbers
 
   bool has_time() const { return !vel_mm_s.empty(); }
   bool is_scored(std::size_t i) const { return scored.empty() || scored[i] != 0.0; }

@@ -1,4 +1,4 @@
-// Parts of a record while it is read.
+// Builds a record while it is read: chooses its samples, and joins the channels of several files.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ struct Span {
   std::size_t first = 0, count = 0;
 };
 
-// nullopt, with a complaint, if there are no such samples. `dashes` stands before the option names in messages.
+// nullopt, with a complaint, if there are no such samples. `dashes` precedes the names of options in messages.
 std::optional<Span> span_of_time(std::vector<double> const& time_s, ReadOptions const& options,
                                  std::string const& place, std::vector<Complaint>& complaints,
                                  std::string_view dashes = "--");
@@ -44,7 +44,7 @@ std::vector<double>& values_of(TestRecord& record, Channel channel);
 
 void append(std::vector<Finding>& findings, std::vector<Finding> const& more);
 
-// Matches the channels of another file to the samples of `main` by time, else row by row. Throws Error.
+// Brings the channels of another file to the samples of `main`, by time or else row by row. Throws Error.
 void join_channels(RecordPart& main, RecordPart other);
 
 }  // namespace isolaw::data

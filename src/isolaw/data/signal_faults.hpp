@@ -1,8 +1,8 @@
-// Finds signals that cannot be true. Whatever is computed from such a record is wrong, so it has no properties; limits
-// and rates: docs/properties.md.
-// A plateau of displacement is a hold where the force only relaxes on it, faster at first than later, and clipping
-// where the force goes on rising and turns within it; a plateau of force is yielding where it ends with the motion's
-// reversal, and clipping where it lasts beyond it. Steps of a coarse digitiser and noise are neither.
+// Finds signals that cannot be true. Whatever is computed from such a record is wrong, so it has no properties.
+// docs/properties.md has the limits and rates. A plateau of displacement is a hold if the force only relaxes on it,
+// faster at first than later, and clipping if the force goes on rising and turns within it. A plateau of force is
+// yielding if it ends with the motion's reversal, and clipping if it lasts longer. Steps of a coarse digitiser and
+// noise are no faults.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,7 @@ struct SignalFault {
   FaultKind kind = FaultKind::clipped;
   std::string channel;               // "displacement" or "force"
   std::vector<std::size_t> samples;  // first of each plateau or stretch, each spike, each peak; from 0, rising
-  Finding finding = {};              // with sample numbers from 1, and times where there are any
+  Finding finding = {};              // with sample numbers from 1, and times if there are any
 };
 
 // Starts a finding with "sample", "time_s", "sample_2", ... of at most five samples (from 0), and their "count".
@@ -36,7 +36,7 @@ Finding finding_at(FindingKind kind, std::string const& channel, std::string_vie
 std::vector<SignalFault> signal_faults(std::span<double const> disp_mm, std::span<double const> force_kN,
                                        std::span<double const> time_s = {});
 
-// Names the first sample of each stretch, and how many the longest has.
+// Names the first sample of each plateau, and how many samples the longest has.
 SignalFault standing_fault(FaultKind kind, std::string const& channel, std::string_view unit,
                            std::vector<std::size_t> samples, std::span<double const> time_s, double level,
                            std::size_t longest);

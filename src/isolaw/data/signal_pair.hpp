@@ -1,4 +1,4 @@
-// Displacement and force as the search for faults sees them: without spikes, with noise, resolution and turning points.
+// Displacement and force for the search for faults: without spikes, and with noise, resolution and turning points.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace isolaw::data {
 
 // Limits that several kinds of fault share.
 inline constexpr double same_value = 1e-9;    // times the range
-inline constexpr double most_of_force = 0.6;  // times its range, that no hold relaxes by
+inline constexpr double most_of_force = 0.6;  // times the force's range; no hold relaxes by so much
 struct SampleRange {
   std::size_t first = 0;
   std::size_t last = 0;
@@ -35,11 +35,11 @@ struct SignalPair {
   SignalPair(std::span<double const> disp_mm, std::span<double const> force_kN, std::span<double const> time_s,
              std::vector<Spike> const& of_disp, std::vector<Spike> const& of_force);
 
-  bool moves() const;  // both channels, by finite amounts
+  bool moves() const;  // whether both channels move, by finite amounts
   std::size_t size() const { return disp.x.size(); }
   double stiffness() const { return force.half_range / disp.half_range; }
   bool gap_after(std::size_t i) const;
-  // A channel with noise does not repeat itself to the last digit.
+  // A signal with noise does not repeat a value to the last digit.
   bool has_noise(Signal const& signal) const;
 };
 

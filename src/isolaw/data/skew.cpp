@@ -15,22 +15,22 @@ namespace isolaw::data {
 namespace {
 
 constexpr double wide = 0.08;            // fraction of a cycle to each side of a reversal: half a radian
-constexpr double narrow = 0.04;          // a quarter of the way in displacement, where a sharp loop is smooth too
+constexpr double narrow = 0.04;          // fraction of a cycle; in so short a part a sharp loop is smooth too
 constexpr double farthest_shift = 0.04;  // fraction of a cycle: a quarter of a radian
 constexpr int shifts = 41;
 constexpr std::size_t least_in_window = 12;  // in a window: twice the unknowns
-constexpr std::size_t most_samples = 400;    // in a window: of more, every so many-th is used
+constexpr std::size_t most_samples = 400;    // in a window; if there are more, only one of several is used
 constexpr std::size_t most_cycles = 12;
 constexpr int least_reversals = 4;
-constexpr double poor_fit = 0.012;             // rms of the force's amplitude: the force is not smooth there
-constexpr double good_fit = 0.0012;            // beyond noise: of more, the shape of the loop may read as a shift
+constexpr double poor_fit = 0.012;             // rms over the force's amplitude; a force that fits worse is not smooth
+constexpr double good_fit = 0.0012;            // beyond the noise; with a poorer fit the loop's shape may look late
 constexpr double least_late = 0.015;           // rad
-constexpr double least_late_by_shape = 0.045;  // where a loop is too sharp for its samples
+constexpr double least_late_by_shape = 0.045;  // rad, if a loop is too sharp for its samples
 constexpr double least_early = 0.04;
 constexpr double standard_errors = 4.0;     // at least
 constexpr double by_chance = 0.001;         // fraction of the records, one-sided
 constexpr double most_agree = 0.75;         // fraction of the reversals
-constexpr double most_apart = 0.004;        // rad, of the two windows
+constexpr double most_apart = 0.004;        // rad, between the two windows
 constexpr double quiet = 0.0005;            // fraction of the amplitude; less noise of displacement does no harm
 constexpr double too_noisy = 0.01;          // fraction of the amplitude
 constexpr double smoothed_over = 0.06;      // fraction of a cycle to each side; takes 0.02 % from a sine
@@ -43,7 +43,7 @@ struct Reversal {
   double cycle = 0.0;   // samples of a cycle
   double tip_mm = 0.0;  // displacement
   double reach_mm = 0.0;
-  double friction_kN = 0.0;  // that falls from plus to minus this where the motion reverses
+  double friction_kN = 0.0;  // falls from plus to minus this at the reversal
 };
 
 // Columns of the fit: the tip, parabola before and cubic after, in the distance from the tip.
@@ -77,7 +77,7 @@ double residual(std::vector<Row>& rows, std::vector<double>& values) {
   return sum;
 }
 
-// The displacement is shifted, since it is the smoother: interpolation of the force would make its noise smaller.
+// Shifts the displacement, because it is smoother: interpolation of the force would make the force's noise smaller.
 double left_at(double shift, double window, Reversal const& reversal, CycleView const& view) {
   double const half = window * reversal.cycle;
   auto const begin = static_cast<std::size_t>(std::ceil(reversal.at - half));
@@ -139,7 +139,7 @@ bool is_held(std::span<double const> x, double at, double tip, Cycle const& cycl
 }
 
 std::vector<Cycle const*> chosen_cycles(Properties const& properties) {
-  std::vector<Cycle const*> all;  // a force relaxes while it is held
+  std::vector<Cycle const*> all;  // without holds, in which the force relaxes
   for (auto const* cycle : properties.counted())
     if (cycle->still_samples == 0.0) all.push_back(cycle);
   std::vector<Cycle const*> chosen;
@@ -152,7 +152,7 @@ double samples_of(Cycle const* cycle) {
   return cycle->last - cycle->first;
 }
 
-// A parabola through the samples about each, least squares; the ends are left as they are.
+// Fits a parabola to the samples around each sample (least squares); leaves the ends as they are.
 std::vector<double> smoothed(std::span<double const> x, std::size_t half) {
   std::vector<double> smooth(x.begin(), x.end());
   auto const h = static_cast<double>(half);
@@ -208,7 +208,7 @@ bool held_at_extreme(std::span<double const> disp_mm, Cycle const& cycle, bool u
 }
 
 bool Skew::significant() const {
-  // Few reversals tell their scatter badly.
+  // A few reversals give a poor estimate of their scatter.
   boost::math::students_t const chance(std::max(1, reversals - 1));
   double const errors = std::max(standard_errors, boost::math::quantile(boost::math::complement(chance, by_chance)));
   return std::abs(force_late) > errors / 2.0 * uncertainty && agreement >= most_agree &&
@@ -245,7 +245,7 @@ std::optional<Skew> estimate_skew(CycleView const& of, Properties const& propert
                               .tip_mm = smooth.empty() ? raw_tip : value_at(smooth, at),
                               .reach_mm = 0.15 * cycle->amplitude_mm,
                               .friction_kN = upper ? friction_kN : -friction_kN};
-      // Smoothing noise turns a hold into corners, which stand out where little noise is left.
+      // Smoothing makes corners of a hold that noise hides. They show because little noise is left.
       if (held_at_extreme(of.disp_mm, *cycle, upper, noise) ||
           is_held(view.disp_mm, at, reversal.tip_mm, *cycle, left_of_noise))
         continue;
@@ -269,11 +269,11 @@ std::optional<Skew> estimate_skew(CycleView const& of, Properties const& propert
   double const sampling =
       view.time_s.empty() ? 1.0
                           : (view.time_s.back() - view.time_s.front()) / static_cast<double>(view.time_s.size() - 1);
-  // Friction changes sign between two samples.
+  // Friction changes its sign between two samples, so that half an interval is uncertain.
   double const least = (friction_kN != 0.0 ? 0.5 : 0.1) * sampling;
   auto const found = skew_of(of_wide, least);
   auto const near = skew_of(of_narrow, least);
-  // The shape of the loop affects the wide window only, noise affects the narrow one more.
+  // The windows have different errors: the loop's shape disturbs the wide one only, noise disturbs the narrow one more.
   if (!near || !found) return near ? near : found;
   double const apart = std::abs(near->phase - found->phase);
   double const unsure = std::abs(near->uncertainty * near->phase / near->force_late);

@@ -1,4 +1,4 @@
-// Finds single samples far off their neighbours.
+// Finds single samples that are far from their neighbours.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@ struct Spike {
 };
 std::vector<Spike> spikes(std::span<double const> values);
 
-// Such a spike is the device's own: the force may jump at a turn, and a sample in the jump lies off its neighbours.
-// `turns`: samples at which the displacement turns; `all`: the spikes of the force.
+// Whether other turns look like the spike, which is then no fault: the force may jump at a turn, and a sample in the
+// jump is far from its neighbours. `turns` are samples at which displacement turns; `all` are the spikes of the force.
 bool is_of_every_turn(Spike const& spike, std::vector<Spike> const& all, std::span<double const> force,
                       std::span<std::size_t const> turns);
 

@@ -15,10 +15,10 @@ namespace {
 constexpr std::size_t least_stretch = 4;  // samples
 constexpr double least_missed = 0.02;     // times the half range
 constexpr double missed_quanta = 4.0;
-constexpr double least_jump = 2.0;      // times what the motion makes of a sampling interval
+constexpr double least_jump = 2.0;      // times the step of the motion in a sampling interval
 constexpr double least_advance = 0.1;   // times the force of the missed motion
-constexpr double most_stretches = 0.3;  // share of the samples: more are how a slow channel is written
-constexpr double force_stands = 0.05;   // times the half range of displacement
+constexpr double most_stretches = 0.3;  // share of the samples; a slow channel repeats more of them
+constexpr double force_stands = 0.05;   // times the half range of displacement; a stuck force lasts longer
 
 class Sticking {
  public:
@@ -68,7 +68,7 @@ class Sticking {
     double const floor = std::max({0.01 * pair_.force.half_range, 6.0 * pair_.force.noise, 3.0 * pair_.force.quantum});
     if (!(*largest - *least > floor)) return false;
     double advance = 0.0;
-    // A rest that the record ends with may begin a little earlier in displacement.
+    // A rest at the end of the record may begin a little earlier in displacement than in force.
     auto const late =
         run.last + 1 == pair_.size() ? std::min(run.size() - 1, std::max<std::size_t>(2, pair_.half_cycle / 12)) : 0;
     auto const way = std::min(run.first, std::clamp<std::size_t>(pair_.half_cycle / 16, 2, 8));
@@ -111,7 +111,7 @@ class Sticking {
     return runs;
   }
 
-  // Noise alone moves the channel, which then jumps without the other: a device that yields, rests or slips moves both.
+  // Finds stretches of noise that end in a jump of this channel only. A device that yields, rests or slips moves both.
   std::vector<SampleRange> stuck_in_noise(Signal const& stands, Signal const& other, double least_part) const {
     double const noise = std::hypot(stands.noise, 0.3 * stands.quantum);
     if (!(noise > same_value * stands.half_range)) return {};
@@ -138,7 +138,8 @@ class Sticking {
     return found;
   }
 
-  // A device with play, or one that yields and stiffens again, stands in every cycle.
+  // Whether the force is clearly different when the motion passes this displacement at other times. A device with play,
+  // or one that yields and stiffens again, keeps the same force in every cycle.
   bool is_elsewhere(SampleRange const& run) const {
     auto const lag = std::max<std::size_t>(2, pair_.half_cycle / 48);
     double const at = pair_.disp.x[run.last - lag], way = pair_.disp.x[run.last] - at;
@@ -158,7 +159,7 @@ class Sticking {
     std::vector<std::size_t> first;
     std::size_t longest = 0;
     auto const keep = [&](SampleRange const& run) {
-      // A stretch of half a cycle is no slow channel.
+      // A stretch of half a cycle does not come from a slow channel.
       if (run.size() < pair_.half_cycle) covered += run.size();
       first.push_back(run.first);
       longest = std::max(longest, run.size());
@@ -170,7 +171,7 @@ class Sticking {
     add("displacement", "mm", first, pair_.disp.x[first.front()], longest);
   }
 
-  // No force at all, which it comes to at a reversal or without a jump: the device has play.
+  // The device has play if the stretch has no force and begins near a reversal or without a jump.
   bool is_backlash(SampleRange const& run, std::size_t lag) const {
     double const noise = 5.0 * pair_.force.noise + pair_.force.quantum;
     if (std::abs(mean_of(pair_.force.x, run.first, run.last + 1)) > noise) return false;
@@ -201,7 +202,7 @@ class Sticking {
       auto const end = begin + static_cast<std::ptrdiff_t>(run.size());
       auto const [low, high] = std::minmax_element(begin, end);
       if (!(*high - *low > least)) continue;
-      // Beyond the farther of two turns within it: yielding would have ended there.
+      // How far the motion goes out and back within the stretch. Yielding would have ended at the turn.
       double const there_and_back =
           std::max(std::min(*high - *begin, *high - *(end - 1)), std::min(*begin - *low, *(end - 1) - *low));
       auto const lag = std::max<std::size_t>(2, pair_.half_cycle / 48);

@@ -1,4 +1,4 @@
-// Finds channels that stand still while the other goes on; rest, yielding, slip and play are told apart from that.
+// Finds channels that keep one value while the other channel goes on. Rest, yielding, slip and play are no faults.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// The common form of every file format before its values are looked at: named columns whose rows have a place.
+// The common form of all file formats before their values are read: named columns, and rows with a place in the file.
 #pragma once
 
 #include <cstddef>
@@ -18,15 +18,15 @@ namespace isolaw::data {
 inline constexpr std::size_t most_columns = 1000;
 inline constexpr std::size_t most_tests = 1000;
 
-// In the units of the file.
+// Values are in the units of the file.
 struct Rows {
   std::vector<RawChannel> channels;
   std::vector<std::size_t> numbers;  // place of each sample, counted from 1: line, row of the sheet, element
   std::size_t comments = 0;          // comment lines among the rows
-  std::size_t of = 0;                // rows there are, where only a part was to be read
+  std::size_t of = 0;                // number of all rows, also of those not asked for
   std::vector<Finding> recognised;
   std::optional<double> origin_s;  // zero of the time, if it was read from stamps
-  bool dated = false;              // since 1970; else since midnight
+  bool dated = false;              // origin_s counts from 1970; else from midnight
 };
 struct RowChoice {
   RowRange range;
@@ -48,16 +48,16 @@ class Table {
   std::size_t columns() const { return columns_; }
   // Number of the test's first row, the header included.
   std::size_t start() const { return start_; }
-  // Distinguishes it from the other tests of its file, if the start row does not: "tests(2) 'B'".
+  // Names the test among others of its file, if the start row is not enough: "tests(2) 'B'".
   std::string const& title() const { return title_; }
   ParticularList const& particulars() const { return particulars_; }
 
-  // "d01.mat:dist", where columns have places of their own.
+  // "d01.mat:dist", if columns have places of their own.
   virtual std::string place_of(std::size_t /*column*/) const { return place_; }
   virtual std::vector<Finding> recognised() const = 0;
   // Complaints about the table as a whole.
   virtual void check(std::vector<Complaint>& /*complaints*/) const {}
-  // Cells that are no number are among the complaints. Throws Error where nothing can be read at all.
+  // Complains of cells that are no number. Throws Error if nothing can be read at all.
   virtual Rows read(Columns const& columns, RowChoice const& choice, std::vector<Complaint>& complaints) const = 0;
 
  protected:
@@ -70,9 +70,9 @@ class Table {
 };
 
 struct Tests {
-  std::vector<std::unique_ptr<Table>> tables;   // at least one where a file was read
-  std::vector<std::string> sheets;              // the parts of the file that hold tables, where it has parts
-  std::optional<std::string> sheet;             // the one these tables come from, where there are several
+  std::vector<std::unique_ptr<Table>> tables;   // at least one if a file was read
+  std::vector<std::string> sheets;              // the parts of the file that hold tables, if it has parts
+  std::optional<std::string> sheet;             // the sheet of these tables, if there are several
   std::vector<Finding> recognised;              // about the file as a whole
   ParticularList particulars;                   // from sheets without tables
   std::vector<std::string> sheets_passed_over;  // with rows of numbers, but without the name of any channel

@@ -9,7 +9,7 @@
 
 namespace isolaw::data {
 
-// Set if the times asked for count from another file's first stamp.
+// Another file's first time stamp, if --from and --to count from it.
 struct FirstStamp {
   double since_s = 0.0;
   bool dated = false;

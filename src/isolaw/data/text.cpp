@@ -104,7 +104,7 @@ std::uint32_t windows_1252(unsigned char byte) {
 constexpr std::string_view latin_letters = "AAAAAAACEEEEIIIIDNOOOOO OUUUUY saaaaaaaceeeeiiiidnooooo ouuuuy y";
 static_assert(latin_letters.size() == 64);
 
-// Base letters of those that Turkish has beside Latin-1; a blank for others.
+// Base letters of the Turkish letters outside Latin-1; a blank for others.
 char turkish_letter(unsigned char lead, unsigned char second) {
   if (lead == 0xC4)
     return second == 0x9E ? 'G' : second == 0x9F ? 'g' : second == 0xB0 ? 'I' : second == 0xB1 ? 'i' : ' ';
@@ -117,7 +117,7 @@ bool is_turkish_lead(unsigned char byte) {
 
 std::optional<std::string> converted(std::string_view bytes, char const* encoding) {
   iconv_t converter = iconv_open("UTF-8", encoding);
-  // musl, in a browser, does not know the name.
+  // musl's iconv, which a browser uses, lacks this name.
   if (converter == reinterpret_cast<iconv_t>(-1) && std::string_view(encoding) == "CP932")
     converter = iconv_open("UTF-8", "SHIFT_JIS");
   if (converter == reinterpret_cast<iconv_t>(-1)) return std::nullopt;  // not on this system
@@ -145,7 +145,7 @@ std::optional<LegacyText> decode_legacy(std::string_view bytes, bool (*names_cha
     std::string_view shown;
   };
   for (auto const& [name, shown] : {Encoding{"CP932", "Shift-JIS"}, Encoding{"CP1254", "Windows-1254 (Turkish)"}}) {
-    constexpr std::size_t head = 16384;  // the names are there; cut at a line
+    constexpr std::size_t head = 16384;  // the names are at the top; cut at the end of a line
     auto const cut = bytes.size() <= head ? bytes.size() : bytes.find_last_of("\n\r", head);
     auto const top = converted(bytes.substr(0, cut == std::string_view::npos ? head : cut), name);
     if (!top || !names_channels(*top)) continue;

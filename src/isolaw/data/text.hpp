@@ -19,9 +19,9 @@ inline constexpr std::uintmax_t largest_file_bytes = std::uintmax_t{1} << 30;
 inline constexpr std::size_t most_lines = 10'000'000;
 inline constexpr std::size_t longest_line = 32'768;  // bytes
 
-// Throws Error: no such file, no plain file, unreadable, above largest_file_bytes.
+// Throws Error if the file does not exist, is no plain file, cannot be read, or exceeds largest_file_bytes.
 std::string load_text(std::filesystem::path const& file);
-// nullopt without the byte order mark of UTF-16, or if the bytes are no such text.
+// nullopt without the byte order mark of UTF-16, or if the bytes are not valid.
 std::optional<std::string> decode_utf_16(std::string_view bytes);
 // Throws Error when the bytes are no text to read: empty, binary, above most_lines or longest_line.
 void check_text(std::string const& where, std::string_view bytes);
@@ -34,7 +34,7 @@ struct Lines {
 // Line ends are LF, CRLF or CR, also mixed.
 Lines split_lines(std::string_view bytes);
 
-// Shift-JIS of Japan or Windows-1254 of Turkey as UTF-8, if it then holds a name that `names_channels` knows.
+// Text in Shift-JIS (Japan) or Windows-1254 (Turkey) as UTF-8, if `names_channels` then finds a channel's name in it.
 struct LegacyText {
   std::string utf8;
   std::string_view encoding;
@@ -45,7 +45,7 @@ std::string to_utf8(std::string_view bytes);
 
 // ASCII only: "Déplacement" -> "Deplacement", other characters replaced by blanks. Keeps case.
 std::string without_accents(std::string_view utf8);
-// Letters that Windows-1252 lacks.
+// Whether there are letters of Turkish that Windows-1252 lacks.
 bool has_turkish_letters(std::string_view utf8);
 // 'text' for a message, cut to a readable length, control characters spelled out.
 std::string in_quotes(std::string_view bytes);

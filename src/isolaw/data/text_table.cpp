@@ -70,7 +70,7 @@ class RowReader {
   }
 
  private:
-  // Statistics, a signature, "End of data": lines that are no rows, though they hold words.
+  // Removes text below the rows, such as statistics, a signature or "End of data".
   void take_footer_off(std::vector<Complaint>& complaints) {
     auto const is_open = [&](std::size_t i) {
       return is_comment(lines_[i]) || is_blank(lines_[i], dialect_.delimiter);
@@ -100,7 +100,7 @@ class RowReader {
                    fmt::format("below the rows, {} {} text, {}{}, and left out (--footer skip)", where,
                                count == 1 ? "is" : "are", text, count == 1 ? "" : " and so on"),
                    "--footer"));
-    else if (!choice_.range.last)  // which ends before it
+    else if (!choice_.range.last)  // a range ends before the text
       complaints.push_back(
           {fmt::format("{}:{}", place_, first + 1), fmt::format("text below the rows of numbers, {}: {}", where, text),
            "rows of numbers to the end of the file", "--footer skip, which leaves it out and the file as it is"});
@@ -119,7 +119,7 @@ class RowReader {
       digits = digits || cells_[i].find_first_of("0123456789") != std::string_view::npos;
       statistics = statistics || (word && is_statistic(cells_[i]));
     }
-    // A lone number may be a count of the rows: only where the user says that it is no broken row.
+    // A lone number may be a count of the rows, or a broken row: it counts as text only if the user skips the footer.
     if (!as_wide) return words || !digits || (choice_.skip_footer && cells_.size() == 1);
     if (statistics) return true;
     auto const reads = std::ranges::count_if(indices_, [&](auto k) { return is_value(cells_[k]); });
@@ -291,12 +291,12 @@ class RowReader {
   Header const& header_;
   RowChoice const& choice_;
   std::optional<std::size_t> stamped_;      // position of the channel that is read from time stamps
-  bool serial_ = false;                     // which are numbers
-  std::optional<std::size_t> date_column_;  // beside times of day
+  bool serial_ = false;                     // the stamps are days of a spreadsheet
+  std::optional<std::size_t> date_column_;  // the dates that belong to times of day
   std::vector<Stamp> stamps_;
-  std::optional<bool> in_threes_;     // looked for once
+  std::optional<bool> in_threes_;     // computed once
   std::vector<std::size_t> indices_;  // columns wanted
-  std::size_t row_count_ = 0;         // counted where a row is refused
+  std::size_t row_count_ = 0;         // counted when a row is refused
   std::vector<std::string_view> cells_;
   std::vector<double> row_;
   Rows rows_;
@@ -416,7 +416,7 @@ Dialect require_dialect(std::string const& file, std::span<std::string_view cons
               : "export displacement and force as CSV"});
 }
 
-// Tells an encoding from others that its bytes may also be.
+// Whether a cell is a channel's name in Turkish or Japanese, which shows that the encoding is right.
 bool has_foreign_names(std::string_view utf8) {
   std::string word;
   auto const ends = [](char c) { return c == ';' || c == ',' || c == '\t' || c == '\n' || c == '\r' || c == '"'; };

@@ -238,7 +238,7 @@ struct DatesRead {
   std::vector<double> times;
   DateOrder order = DateOrder::day_first;
   std::string why;
-  bool in_either_order = false;  // the times are the same, the date of the first is open
+  bool in_either_order = false;  // both orders give the same times, but the first date is open
 };
 
 class DateReader {
@@ -284,7 +284,7 @@ class DateReader {
     return "which alone makes dates of all of them";
   }
 
-  // One sequence rises in steps of a record, the other goes back or leaps by days.
+  // Takes the order in which the times rise in short steps, if the other order makes them go back or leap by days.
   std::optional<DatesRead> by_sequence(std::vector<double> day_first, std::vector<double> month_first) {
     constexpr double step_of_a_record_s = 12.0 * 3600.0;
     auto const fits = [&](std::vector<double> const& times) {

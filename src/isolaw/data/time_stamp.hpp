@@ -18,23 +18,23 @@ enum class StampKind { none, date_time, date, clock, serial_number };
 
 struct Stamp {
   bool dated = false, clocked = false;
-  std::optional<long> days;             // since 1970-01-01, where the order of the date is certain
+  std::optional<long> days;             // since 1970-01-01, if the order of the date is certain
   int first = 0, second = 0, year = 0;  // else day and month as they are written
-  double clock_s = 0.0;                 // from midnight, of the zone written
+  double clock_s = 0.0;                 // from midnight, in the time zone written
   std::optional<double> zone_s;         // east of Greenwich
 };
 
 std::string_view date_order_word(DateOrder order);  // "dmy"
-// nullopt where the cell is no time stamp. A cell that a workbook shows as a date carries `date_cell_mark`.
+// nullopt if the cell is no time stamp. A cell that a workbook shows as a date carries `date_cell_mark`.
 std::optional<Stamp> parse_stamp(std::string_view cell);
 StampKind kind_of(Stamp const& stamp);
 Stamp stamp_of_serial(double days);
-// MATLAB counts days from the year 0: its datenum less this is a spreadsheet's day.
+// MATLAB counts days from the year 0: its datenum minus this number is a spreadsheet's day.
 inline constexpr double datenum_of_serial = 693960.0;
 Stamp on_date(Stamp clock, Stamp const& date);
-// Also words with a year ("spring 2024").
+// True also for words with a year ("spring 2024").
 bool may_be_date(std::string_view text);
-// 1954 to 2119, with a part of a day.
+// Whether a number may be a spreadsheet's day, from 1954 to 2119.
 bool may_be_serial(double value);
 
 inline constexpr std::string_view date_cell_mark = " (a date or time of day)";
@@ -46,7 +46,7 @@ struct StampedTime {
   std::vector<std::string> sentences;  // the decisions, in words
 };
 
-// `lines` are the places of the stamps in messages. The time is empty, with a complaint, if it cannot be decided.
+// `lines` are the places of the stamps in messages. The time is empty, with a complaint, if it cannot be determined.
 StampedTime seconds_of(std::span<Stamp const> stamps, std::span<std::size_t const> lines, std::string const& where,
                        std::string_view row, std::optional<DateOrder> order, std::vector<Complaint>& complaints);
 

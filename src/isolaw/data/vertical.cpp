@@ -19,15 +19,15 @@ namespace isolaw::data {
 namespace {
 
 constexpr double usual_low = 0.3;  // share of the largest load of the loading that counts
-constexpr int usual_loading = 3;   // or the last where there are fewer
-constexpr double same_peak = 0.9;  // share of the largest load: a loading that stays below is another one
-constexpr double reversal = 0.1;   // share of the range of the load: less is noise, or a hold
-constexpr double reached = 0.998;  // share of its largest load at which a loading is at its end: a held load creeps on
-constexpr double near_range_end = 0.02;  // share of the upper load: as a machine misses what it is told
+constexpr int usual_loading = 3;   // or the last if there are fewer
+constexpr double same_peak = 0.9;  // share of the largest load; a loading with a lower peak is left out
+constexpr double reversal = 0.1;   // share of the range of the load; less is noise, or a hold
+constexpr double reached = 0.998;  // share of its largest load at which a loading has ended: a held load creeps on
+constexpr double near_range_end = 0.02;  // share of the upper load, by which a machine may miss it
 struct Loading {
   std::size_t first = 0, last = 0;
 };
-// Turned so that compression is positive in both.
+// Both signals, turned so that compression is positive.
 struct Compression {
   std::vector<double> disp_mm, load_kN;
   std::vector<std::string> turned;
@@ -60,8 +60,8 @@ Compression compression_of(VerticalTest const& test) {
   return compression;
 }
 
-constexpr double noise_left = 0.0005;         // share of the range, by averaging
-constexpr std::size_t least_of_loading = 10;  // averages a loading is long at least
+constexpr double noise_left = 0.0005;         // share of the range; averaging leaves no more noise
+constexpr std::size_t least_of_loading = 10;  // a loading is at least this many averages long
 
 std::vector<double> averaged(std::vector<double> const& x, std::size_t half) {
   std::vector<double> sums(x.size() + 1, 0.0), averages(x.size());
@@ -73,7 +73,7 @@ std::vector<double> averaged(std::vector<double> const& x, std::size_t half) {
   return averages;
 }
 
-// Reversals are more than noise; a loading that the record ends in is among them.
+// The loadings that nearly reach the largest load, also one in which the record ends. A reversal is larger than noise.
 std::vector<Loading> all_loadings(std::vector<double> const& load) {
   auto const [least, largest] = std::ranges::minmax(load);
   double const step = reversal * (largest - least);
@@ -101,7 +101,7 @@ std::size_t counting_among(std::vector<Loading> const& loadings) {
 }
 
 // Noise makes the device look stiffer, by 2 to 7 % for 1 % of noise: the largest load lies above the true one, and
-// noisy samples cross a limit early. Averaging both channels alike keeps the slope.
+// noisy samples cross a limit early. The same averaging of both channels keeps the slope.
 Compression without_noise(Compression compression) {
   auto const loadings = all_loadings(compression.load_kN);
   if (loadings.empty()) return compression;
@@ -133,7 +133,7 @@ struct Secant {
   double K_v() const { return (high.load_kN - low.load_kN) / (high.disp_mm - low.disp_mm); }
 };
 
-// Leaves out creep under held loads: from the last time at the lower load to the first at the upper one.
+// From the last time at the lower load to the first time at the upper load, which leaves out creep under held loads.
 Secant secant_of(Compression const& c, Loading const& loading, LoadRange const& range) {
   auto const& load = c.load_kN;
   Secant secant;
@@ -230,7 +230,7 @@ VerticalTest read_vertical(std::filesystem::path const& file, ReadOptions const&
     return test;
   } catch (Error const& error) {
     auto complaints = error.complaints();
-    // Options of the command line are about the shear test.
+    // Options of the command line concern the shear test.
     for (auto& complaint : complaints)
       if (complaint.advice.find("--") != std::string::npos)
         complaint.advice += ", as keys of the device's table 'vertical' in a lot file";

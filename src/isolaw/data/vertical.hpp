@@ -1,8 +1,8 @@
-// The vertical stiffness of a device from its compression test.
-// K_v = F_v/d_v (NTC 2018, 11.9.7), taken as the secant of one loading between two loads, so that the settling of
-// joints below the lower one and the zero of the displacement do not count. A test loads three times and the third
-// counts, from 30 % to 100 % of its largest load, as EN 15129 and ISO 22762-1 are commonly applied (neither text was at
-// hand); `loads` says another range, such as 0.7 to 1.3 of the design load.
+// The vertical stiffness of a device from its compression test: K_v = F_v/d_v (NTC 2018, 11.9.7), as the secant of one
+// loading between two loads. The settling of joints below the lower load and the zero of the displacement then do not
+// count. A test loads three times and the third loading counts, from 30 % to 100 % of its largest load, as EN 15129 and
+// ISO 22762-1 are commonly applied (neither text was at hand). `loads` gives another range, such as 0.7 to 1.3 of the
+// design load.
 #pragma once
 
 #include <filesystem>
@@ -27,11 +27,11 @@ std::string loads_text(LoadRange const& range);
 struct VerticalTest {
   std::string file, sha256;
   std::vector<double> disp_mm = {}, load_kN = {};  // as recorded, whatever their signs
-  std::optional<LoadRange> loads = {};             // between which the stiffness is taken
-  std::optional<double> stated_kN_per_mm = {};     // without a record
+  std::optional<LoadRange> loads = {};             // the loads between which the stiffness is taken
+  std::optional<double> stated_kN_per_mm = {};     // the stiffness alone, without a record
   std::vector<Finding> recognised = {};            // each decision in reading
-  std::string refusal = {};                        // why it gives no stiffness; empty for a usable one
-  // The result when it was read, by which a store is checked: the stiffness, and the hash of both signals.
+  std::string refusal = {};                        // why the record gives no stiffness, or empty
+  // The stiffness when the record was read, and the hash of both signals: a store is checked against them.
   std::optional<double> found_kN_per_mm = {};
   std::string curve_sha256 = {};
 
@@ -44,7 +44,7 @@ struct VerticalStiffness {
   std::string how;  // in one sentence
   // Only with a record.
   std::optional<LoadRange> loads = {};                        // the range, as positive compression
-  std::optional<double> disp_low_mm = {}, disp_high_mm = {};  // at these
+  std::optional<double> disp_low_mm = {}, disp_high_mm = {};  // displacement at these loads
   std::optional<int> loading = {};                            // which loading counts, from 1
   std::vector<double> loadings_kN_per_mm = {};                // every loading that reaches the largest load
   std::vector<std::string> turned = {};                       // signals read with the other sign
@@ -55,7 +55,7 @@ VerticalTest read_vertical(std::filesystem::path const& file, ReadOptions const&
                            std::optional<LoadRange> const& loads);
 std::string curve_hash(VerticalTest const& test);
 
-// Throws Error: a faulty signal, no loading that holds both loads, displacement that does not follow the load.
+// Throws Error if a signal is faulty, no loading holds both loads, or displacement does not follow the load.
 VerticalStiffness vertical_stiffness(VerticalTest const& test);
 
 }  // namespace isolaw::data

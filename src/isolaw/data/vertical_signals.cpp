@@ -15,13 +15,13 @@ namespace isolaw::data {
 namespace {
 
 constexpr std::size_t fewest_standing = 4;  // samples
-constexpr double standing_noise = 6.0;      // deviations from the least to the largest of a channel that stands
+constexpr double standing_noise = 6.0;      // standard deviations, from the least to the largest value of a plateau
 constexpr double standing_quanta = 1.5;
-constexpr double goes_beyond = 0.03;   // times its range the other goes beyond both ends of a plateau
-constexpr double goes_on = 0.1;        // times its range the other goes in one way while a channel stands
-constexpr double width_of_both = 4.0;  // times what the plateau's own width makes of the other
-constexpr double carries = 0.1;        // times its range above the least, a load is one
-constexpr double load_jump = 0.05;     // times its range, where a load that stood is elsewhere
+constexpr double goes_beyond = 0.03;   // times its range; the other channel goes this far beyond a plateau's ends
+constexpr double goes_on = 0.1;        // times its range; the other channel moves this far on a plateau
+constexpr double width_of_both = 4.0;  // times the plateau's width, both channels relative to their ranges
+constexpr double carries = 0.1;        // times its range; a press with this much more than the least load carries
+constexpr double load_jump = 0.05;     // times its range; a stuck load ends with a larger jump
 
 struct VerticalChannel {
   std::string name, unit;
@@ -91,7 +91,7 @@ class Plateaus {
   }
 
  private:
-  // As a share of the other channel's range.
+  // Least distance of the other channel, as a share of its range.
   double threshold(double least) const { return std::max(least, width_of_both * stands_.width / stands_.range); }
 
   bool is_clipped(SampleRange const& run) const {
@@ -105,11 +105,11 @@ class Plateaus {
     double const way = std::abs(other_.x[run.last] - other_.x[run.first]);
     return way > std::max(threshold(goes_on) * other_.range, 2.0 * other_.width);
   }
-  // While a load falls from its peak a device that loses energy may stand for a while.
+  // While the load falls from its peak, a device that dissipates energy may keep its displacement for a while.
   bool is_stuck_displacement(SampleRange const& run) const {
     return other_goes_on(run) && other_.x[run.last] > other_.x[run.first];
   }
-  // A load that is held stays where it is; a press that has lifted off carries none.
+  // A held load is not stuck, and a press that has lifted off carries no load.
   bool is_stuck_load(SampleRange const& run) const {
     if (run.last + 2 >= stands_.x.size() || run.first == 0 || !other_goes_on(run)) return false;
     double const level = mean_of(stands_.x, run.first, run.last + 1);
@@ -137,7 +137,7 @@ void add_standing(VerticalChannel const& stands, StandingStill found, std::vecto
   add(FaultKind::stuck, std::move(found.stuck));
 }
 
-// A spike in both channels is a load that was there; a press that lifts off between loadings moves without one.
+// Leaves out spikes in both channels, which are a real load, and a press that lifts off between loadings.
 std::vector<Spike> single(std::vector<Spike> found, std::vector<Spike> const& other_channel,
                           std::span<double const> load) {
   auto const [least, largest] = std::ranges::minmax(load);

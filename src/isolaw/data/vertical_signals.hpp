@@ -8,7 +8,7 @@
 
 namespace isolaw::data {
 
-// Both positive in compression. Creep under held load, a press that lifts off and digitiser steps are no faults.
+// Both channels are positive in compression. Creep, a press that lifts off and steps of a digitiser are no faults.
 std::vector<SignalFault> vertical_faults(std::span<double const> disp_mm, std::span<double const> load_kN);
 
 }  // namespace isolaw::data

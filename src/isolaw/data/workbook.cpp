@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t most_rows = 1'048'576;  // Excel's limit for a sheet
 constexpr std::size_t most_sheets = 1000;
-// Enough for a name; no text repeated a million times fills memory.
+// Enough for a name; a text that a million cells repeat must not fill memory.
 constexpr std::size_t longest_text = 200;
 
 struct Sheet {
@@ -48,7 +48,7 @@ std::string resolved(std::string_view from, std::string_view target) {
   return folder + std::string(target);
 }
 
-// Targets by id; those of one type under the type's last word ("/styles").
+// Targets by their id, and also by the last word of their type ("/styles").
 std::map<std::string, std::string> relations(ZipArchive& archive, std::string const& file, std::string const& part) {
   auto const slash = part.rfind('/') + 1;
   auto const entry = part.substr(0, slash) + "_rels/" + part.substr(slash) + ".rels";
@@ -299,8 +299,8 @@ class RowWriter {
   std::vector<bool> const& dates_;
   std::uint64_t longest_;
   std::string rows_;
-  std::size_t row_ = 0, next_row_ = 0;        // the line being written; the row that comes without a number
-  std::size_t column_ = 0, next_column_ = 0;  // written so far; of a cell without a reference
+  std::size_t row_ = 0, next_row_ = 0;        // the row being written; the next row, if it has no number
+  std::size_t column_ = 0, next_column_ = 0;  // columns written; the next cell's, if it has no reference
   std::size_t cell_column_ = 0;
   bool in_cell_ = false, in_value_ = false, phonetic_ = false, formula_ = false, has_value_ = false, date_ = false;
   std::string type_, value_;
@@ -326,7 +326,7 @@ class Workbook {
     return sheet_tests(writer.take(), place);
   }
 
-  // Only a sheet of notes has some, not one that holds a table or a long text.
+  // Finds facts in a sheet of notes only, not in one that holds a table or a long text.
   ParticularList particulars(Sheet const& sheet) {
     constexpr std::uint64_t longest = 1u << 16;
     try {
@@ -345,7 +345,7 @@ class Workbook {
             if (name != "sheet") return;
             auto const target = targets.find(std::string(attributes["id"]));
             if (target == targets.end() || !archive_.has(target->second)) return;
-            if (target->second.find("worksheets/") == std::string::npos) return;  // a chart of its own
+            if (target->second.find("worksheets/") == std::string::npos) return;  // a sheet that is a chart
             if (sheets_.size() >= most_sheets)
               throw Error(Complaint{.where = file_,
                                     .found = fmt::format("more than {} sheets", most_sheets),
@@ -407,7 +407,7 @@ Tests workbook_tests(std::string_view bytes, std::string const& file, std::optio
     if (names.size() > 1) tests.sheet = sheet_key(names, index);
     tests.recognised.push_back(
         decision(FindingKind::file_format, fmt::format("an Excel workbook, sheet {}", in_quotes(names[index]))));
-    constexpr std::size_t most_beside = 30;  // notes stand among the first
+    constexpr std::size_t most_beside = 30;  // notes are in the first sheets
     for (std::size_t i = 0; i < std::min(names.size(), most_beside); ++i)
       if (i != index) append(tests.particulars, workbook.particulars(workbook.sheets()[i]));
     return tests;

@@ -1,5 +1,5 @@
 // Reads Excel workbooks, .xlsx (ECMA-376 part 1, chapter 18). A formula counts with its saved value. Dates and times of
-// day, stored as days, become text, since nobody would notice if days were taken for seconds.
+// day, stored as days, become text, since nobody would notice if days were read as seconds.
 #pragma once
 
 #include <optional>

@@ -7,7 +7,7 @@
 
 namespace isolaw::data {
 
-// By name without a prefix.
+// The value of an attribute, by its name without a prefix.
 class Attributes {
  public:
   explicit Attributes(char const** list) : list_(list) {}

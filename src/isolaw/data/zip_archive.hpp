@@ -23,7 +23,7 @@ class ZipArchive {
   ZipArchive& operator=(ZipArchive const&) = delete;
 
   bool has(std::string const& entry) const;
-  // Throws Error: no such entry, damaged, encrypted, not deflate, beyond the limit of unpacked bytes.
+  // Throws Error if the entry is missing, damaged, encrypted, not deflated, or beyond the limit of unpacked bytes.
   void read(std::string const& entry, std::function<void(std::string_view)> const& take);
 
  private:
