@@ -1,4 +1,5 @@
-// OpenSees, Tcl. Sourcing the file creates nothing in the model; the check is a static analysis of a model of its own.
+// Writes the law for OpenSees in Tcl. Sourcing the file creates nothing in the model. The self-check is a static
+// analysis of a separate model.
 #include <fmt/format.h>
 
 #include <ranges>
