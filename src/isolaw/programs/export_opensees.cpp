@@ -1,5 +1,4 @@
-// Writes the law for OpenSees in Tcl. Sourcing the file creates nothing in the model. The self-check is a static
-// analysis of a separate model.
+// Writes the law for OpenSees in Tcl. Sourcing the file adds nothing to the model; the self-check has its own model.
 #include <fmt/format.h>
 
 #include <ranges>

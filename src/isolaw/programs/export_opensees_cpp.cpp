@@ -1,5 +1,4 @@
-// Writes the law itself for OpenSees, as a UniaxialMaterial in C++. It follows the headers of OpenSees 3.8.0 and the
-// program's search for libraries.
+// Writes the law as a UniaxialMaterial in C++, after the headers of OpenSees 3.8.0 and its search for libraries.
 #include <fmt/format.h>
 
 #include <array>

@@ -161,9 +161,8 @@ std::string no_material_of(laws::LawEntry const& law, laws::LimitCurvesForm cons
   return {};
 }
 
-// The distance to the limit curve falls as f0 exp(-alpha travel). Returns the travel beyond which the rounding of the
-// force may hide this distance. The displacement is `reach` times the travel: 1 from rest, 0.5 from one side to the
-// other.
+// The distance to the limit curve falls as f0 exp(-alpha travel). Returns the travel beyond which rounding may hide it
+// in the force. The displacement is `reach` times the travel: 1 from rest, 0.5 from one side to the other.
 double longest_travel(laws::LimitCurve const& v, double reach) {
   constexpr double roundings = 16.0 * std::numeric_limits<double>::epsilon();
   double travel = 0.0;
@@ -182,8 +181,8 @@ double longest_travel(laws::LimitCurve const& v, double reach) {
 constexpr double surplus = 0.1;
 
 // The hardening term of HystereticAsym has the coefficient 1, one unit of force in any unit system. The force is
-// therefore computed in units of the law's own coefficient, and a Multiplier scales it back. Without hardening there is
-// no Multiplier.
+// therefore computed in units of the law's own coefficient, and a Multiplier scales it back, unless there is no
+// hardening.
 Form hysteretic_asym(laws::LimitCurve const& v) {
   Form form{.id = "material",
             .title = "uniaxialMaterial HystereticAsym",

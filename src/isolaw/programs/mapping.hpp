@@ -33,8 +33,7 @@ struct Form {
   Exactness exactness = Exactness::every_step;
   std::vector<MappedCommand> commands;
   std::string condition = {};  // where the form is right, beyond the records; "" for everywhere
-  // The longest travel in one direction, in mm, before the force becomes NaN: from rest, and from side to side. Empty:
-  // any.
+  // The longest travel in one direction, in mm, before the force becomes NaN: from rest, from side to side. Empty: any.
   std::optional<double> longest_travel_mm = {}, longest_swing_mm = {};
   std::string since = {};  // the first version of the program that has the material; "": all have it
 };
@@ -46,8 +45,7 @@ struct Mapping {
   std::string why;          // why there is no form
 };
 
-// `scale.stiffness` multiplies the part of the force that grows with displacement, `scale.strength` the hysteretic
-// part.
+// scale.stiffness multiplies the part of the force that grows with displacement, scale.strength the hysteretic part.
 Mapping map_law(laws::LawEntry const& law, std::span<double const> parameters, BoundFactors const& scale = {});
 
 laws::BilinearForm scaled(laws::BilinearForm values, BoundFactors const& scale);

@@ -64,8 +64,7 @@ class Steel02 final : public Material {
   double x_ = 0.0, f_ = 0.0, direction_ = 0.0, xr_ = 0.0, fr_ = 0.0, x0_ = 0.0, f0_ = 0.0, R_ = 0.0;
 };
 
-// Arguments kInit qd alpha1 alpha2 mu, in one direction. The sum of an elastic-plastic part, a spring and a hardening
-// spring.
+// Arguments kInit qd alpha1 alpha2 mu, in one direction. Adds an elastic-plastic part, a spring and a hardening spring.
 class BearingPlasticity final : public Material {
  public:
   explicit BearingPlasticity(std::span<double const> a)

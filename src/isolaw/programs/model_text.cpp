@@ -109,8 +109,7 @@ Deviation add_draws(Realisation& realisation, Subject const& subject) {
       if (form == nullptr) throw fails(draw, bearing, mapping.why.empty() ? "it has another form" : mapping.why);
       Realised realised;
       auto const failure = failure_of(*form, one, realised);
-      // A material that stands in for the law need not agree with it: it is accepted if its force is finite, and its
-      // deviation is reported.
+      // A law that stands in need not agree with this law, but its force must be finite. Its deviation is reported.
       bool const has_force = std::isfinite(realised.from_law.largest);
       if (!failure.empty() && (realisation.substitute.empty() || !has_force)) throw fails(draw, bearing, failure);
       keep_worst(worst, realised.from_law);

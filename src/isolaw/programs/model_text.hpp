@@ -13,9 +13,9 @@ namespace isolaw::programs {
 Realised& form_of_model(Realisation& realisation);
 Realised const& form_of_model(Realisation const& realisation);
 
-// Adds a variant for every bearing of every draw. A law that stands in for another is fitted to each draw. Throws Error
-// that names the first draw and bearing that the program cannot give. Returns the worst deviation of a drawn form from
-// its law.
+// Adds a variant for every bearing of every draw; a law that stands in for another is fitted to each draw. Throws Error
+// that names the first draw and bearing that the program cannot give. Returns the worst deviation of a form from its
+// law.
 Deviation add_draws(Realisation& realisation, Subject const& subject);
 std::string drawn_variant(std::size_t draw, std::size_t bearing);  // both from 1: "draw_3_12"
 

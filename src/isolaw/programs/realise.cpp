@@ -39,8 +39,7 @@ std::vector<double> every(std::span<double const> values, int step) {
   return kept;
 }
 
-// False for the start at zero displacement and for turning points between samples. All points of a protocol are
-// samples.
+// False for the start at zero displacement and for turning points between samples. A protocol has only samples.
 bool is_sample(History const& history, std::size_t i) {
   return history.measured_kN.empty() || std::isfinite(history.measured_kN[i]);
 }

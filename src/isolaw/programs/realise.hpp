@@ -64,8 +64,7 @@ inline constexpr double overtravel = 1.5;
 
 inline constexpr std::string_view corner_law = "bilinear", smooth_law = "bouc-wen";
 
-// Percent of the peak force, at one sample and rms. Too large an error of stiffness or energy (study/adequacy.hpp) is
-// also far off.
+// Percent of the peak force, at one sample and rms. far_off() also limits stiffness and energy (study/adequacy.hpp).
 inline constexpr double far_off_percent = 50.0, far_off_rms_percent = 10.0;
 bool far_off(Deviation const& from_law);
 bool far_off(std::vector<OtherCycle> const& cycles);

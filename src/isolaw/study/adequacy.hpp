@@ -25,10 +25,8 @@ inline bool is_adequate(LawResult const& law) {
 // search box. With one device both counts are 0, since a single device agrees with itself whatever the box is.
 struct Pinned {
   std::size_t count = 0, calibrated = 0;
-  bool decides() const {
-    return 3 * count >= calibrated && count > 0;
-  }                                               // from a third of them on, the law is not robust
-  Finding finding(std::string const& law) const;  // FindingKind::held_by_box
+  bool decides() const { return 3 * count >= calibrated && count > 0; }  // from a third on, the law is not robust
+  Finding finding(std::string const& law) const;                         // FindingKind::held_by_box
 };
 Pinned pinned(LawResult const& law);
 

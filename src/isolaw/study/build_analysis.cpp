@@ -190,8 +190,7 @@ std::vector<std::size_t> undetermined_everywhere(LawResult const& law, std::vect
   for (std::size_t n = 0; n < names.size(); ++n)
     if (std::ranges::all_of(law.devices, [&](DeviceFit const& fit) {
           auto const p = std::ranges::find(fit.parameters, names[n], &ParameterFit::name);
-          bool const examined =
-              p != fit.parameters.end() && p->analysis;  // false if the law was refused on this device
+          bool const examined = p != fit.parameters.end() && p->analysis;  // false if the law was refused
           return !examined || p->analysis->identifiability == analysis::Verdict::undetermined;
         }))
       found.push_back(n);

@@ -11,9 +11,9 @@
 
 namespace isolaw::study {
 
-// The fall in the block that loses most, among blocks of eight or more counted cycles. Returns nullopt unless a block
-// loses at least a tenth of a cycle's energy, with at least a quarter of the loss in each half of the block. `force_kN`
-// is the law's force at the record's samples.
+// The fall in the block of eight or more counted cycles that loses most. Returns nullopt unless a cycle's energy falls
+// by a tenth, at least a quarter of that in each half of the block. `force_kN` is the law's force at the record's
+// samples.
 std::optional<EnergyFall> energy_fall(data::Properties const& measured, data::FitRecord const& record,
                                       std::vector<double> const& force_kN);
 // True if the law loses at least half as much as the device.

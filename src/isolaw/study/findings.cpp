@@ -66,9 +66,8 @@ std::size_t robust_end(Summary const& summary, std::vector<std::size_t> const& f
   return 0;
 }
 
-// The place on the front of the law between its ends that is nearest to the best of both, relative to the front's
-// extent; the front's size if there is none. A compromise must predict, must not be held by its box, and must stay on
-// the front without the optimiser's noise.
+// The place of the law between the front's ends that is nearest to the best of both, by the front's extent; else the
+// front's size. It must predict, not be held by its box, and stay on the front without the optimiser's noise.
 std::size_t compromise(Summary const& summary, std::vector<std::size_t> const& front) {
   auto const& laws = summary.laws;
   bool const analysed = std::ranges::any_of(laws, &LawResult::on_front_converged);

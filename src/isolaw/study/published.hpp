@@ -1,6 +1,5 @@
-// Compares a campaign with the study whose laws and method isolaw uses (Cucuzza et al. 2025): the numbers that Table
-// A.5 prints for the study's ten devices, the campaign's numbers, and which statements of the study hold in the
-// campaign.
+// Compares a campaign with the study whose laws and method isolaw uses (Cucuzza et al. 2025): the numbers of Table A.5
+// for the study's ten devices, the campaign's numbers, and which of the study's statements hold in the campaign.
 #pragma once
 
 #include <optional>

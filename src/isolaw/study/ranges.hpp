@@ -22,8 +22,7 @@ struct Ranges {
   void add(data::FitRecord const& record) {
     widen(
         tested, record, [](std::size_t) { return true; }, [](std::size_t) { return true; });
-    // A velocity is computed from the samples on both sides, so it counts only if both of these belong to the fitted
-    // part.
+    // A velocity comes from the samples on both sides, so it counts only if both belong to the fitted part.
     auto const last = record.size() - 1;
     auto const scored = [&](std::size_t i) { return record.is_scored(i); };
     widen(fitted, record, scored, [&](std::size_t i) {

@@ -395,8 +395,7 @@ std::vector<Recommendation> recommendations(Summary const& summary) {
     answers.push_back(recommend(summary, purpose));
     answers.back().title = title_of(summary, purpose);
   }
-  // If no law is recommended for untested devices, the other answers warn that their law is not shown to hold
-  // elsewhere.
+  // If none is recommended for untested devices, the other answers say that their law is not shown to hold elsewhere.
   if (answers.front().law) return answers;
   for (auto& each : answers | std::views::drop(1))
     if (each.law) {

@@ -90,8 +90,7 @@ void add_device(OverallVerdict& overall, DeviceResult const& device) {
     overall.not_assessed.push_back({.device = name, .remark = "a compression test alone is no pass"});
 }
 
-// Adds phrases such as "2 of 10 devices fail: D03 K_eff +23.0 %, D07 damping -16.2 %" and "the lot fails: sample size
-// ...".
+// Adds "2 of 10 devices fail: D03 K_eff +23.0 %, D07 damping -16.2 %" and "the lot fails: sample size ...".
 void say_failures(OverallVerdict const& overall, std::size_t devices, std::vector<std::string>& parts) {
   std::vector<std::string> device_failures, lot_failures;
   for (auto const& [device, remark] : overall.failing)

@@ -45,8 +45,8 @@ struct DeviceRemark {
 };
 
 // The verdict on the whole. FAIL: a device or the lot does not keep a limit of a verified set. INCOMPLETE: nothing
-// fails, but a requirement or a device was not assessed. PASS: everything was assessed and passes. Without a verified
-// set the word is empty.
+// fails, but a requirement or device was not assessed. PASS: everything passes. Without a verified set the word is
+// empty.
 struct OverallVerdict {
   std::string word;      // "PASS", "FAIL", "INCOMPLETE", or empty
   std::string sentence;  // the reasons, with devices and requirements; without a word, why there is none
