@@ -32,7 +32,7 @@ export function makePool(start, module, count) {
     busy.delete(worker);
     if (whole && !closed) idle.push(worker);
     else worker.terminate();
-    // Its successor starts now, so that the next command need not wait for it.
+    // Starts the next worker at once, so that the next command need not wait for it.
     if (!whole && !closed && idle.length + busy.size < count) idle.push(open());
     next();
   };
