@@ -12,7 +12,7 @@ import { text } from './text.js';
 import { withSetting } from './toml.js';
 import { OF_GA, usualRuns } from './usual.js';
 
-let running = null; // AbortController
+let running = null; // an AbortController while an identification runs
 let workers = 1;
 let settingsOpen = false;
 let shown = null;

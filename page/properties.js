@@ -1,4 +1,4 @@
-// Cycles, properties, rule set and certificate, as `isolaw inspect` writes them.
+// The view of properties: it shows the page with cycles, rule set and certificate that `isolaw inspect` writes.
 
 import { button, element, fill, place, visible } from './dom.js';
 import { fileOf } from './engine_use.js';

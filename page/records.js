@@ -45,7 +45,7 @@ function devicesFound() {
   });
 }
 
-// Why a device is refused, or why it has no properties.
+// The reasons why a device is refused, or why it has no properties.
 const refusalOf = ({ status, complaints, message, properties_refusal: bare }) =>
   status === 'ok' ? asComplaints(bare ?? '') : (complaints ?? asComplaints(message));
 

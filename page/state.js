@@ -6,7 +6,7 @@ const nothing = () => ({
   title: '', // name of the folder that was dropped
   lot: null, // the text of the lot file
   notes: [], // remarks on the last drop
-  inspection: null, // inspection.json
+  inspection: null, // content of inspection.json
   inspectionFiles: [],
   problems: [], // the program's complaints if there is no inspection
   campaign: null, // {files, summary, of: {lot, digests} or null}: results below out/, and the lot that they belong to

@@ -233,7 +233,7 @@ export function settingsOf(tables, path, name) {
 // The numbers of the tables that are devices, in order.
 export const deviceTables = (tables) => tables.flatMap(({ path, array }, number) => (path === 'device' && array ? [number] : []));
 
-// The text without a device and the tables below it.
+// Returns the text without a device and the tables below it.
 export function withoutDevice(text, number) {
   const tables = readToml(text);
   let last = number;

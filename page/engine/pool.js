@@ -1,4 +1,4 @@
-// Workers that run one command each, in turn.
+// Workers that run one command each. More commands than workers wait in a queue.
 
 import { asksForErrors, errorIn } from './errors.js';
 
@@ -6,7 +6,7 @@ const NO_MEMORY = 'the page has no more memory for this; try fewer or shorter re
 
 const named = (name, message, more) => Object.assign(new Error(message), { name, ...more });
 
-// `start()` makes a worker; `module` is a promise of the compiled program.
+// `start()` makes a worker. `module` is a promise of the compiled program.
 export function makePool(start, module, count) {
   const waiting = [];
   const busy = new Set();

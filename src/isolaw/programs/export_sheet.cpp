@@ -90,7 +90,7 @@ fit::Override tie_gamma() {
 using WenSet = std::optional<Set<Wen>>;
 using CornerSet = std::optional<Set<Corner>>;
 
-// Bouc-Wen with beta = gamma and an exponent of 1 to 20.
+// Values of the Bouc-Wen law with beta = gamma and an exponent of 1 to 20.
 WenSet plastic_wen(Subject const& subject) {
   if (auto const v = bilinear_values(*subject.law, subject.parameters)) {
     auto const s = sharp(*v);

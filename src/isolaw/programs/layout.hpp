@@ -13,7 +13,7 @@ namespace isolaw::programs {
 struct LayoutRow {
   std::string name;
   double x_mm = 0.0, y_mm = 0.0;
-  double angle_deg = 0.0;  // from the axis x to the bearing's own first axis, in plan
+  double angle_deg = 0.0;  // in plan, from the axis x to the bearing's own first axis
   std::optional<double> load_kN, K_v_kN_per_mm;
 };
 

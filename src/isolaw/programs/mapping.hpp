@@ -13,7 +13,7 @@ namespace isolaw::programs {
 
 // `value` is in kN^force_power mm^length_power.
 struct Argument {
-  std::string name;  // as in the program's manual
+  std::string name;  // the name in the program's manual
   double value = 0.0;
   double force_power = 0.0, length_power = 0.0;
 };

@@ -81,8 +81,8 @@ class BearingPlasticity final : public Material {
 
 // How a program finds z by Newton's rule. The defaults are the program's defaults.
 struct Iteration {
-  double tolerance = 1e-8;  // on the change of z
-  int most = 20;            // iterations
+  double tolerance = 1e-8;  // of the change of z
+  int most = 20;            // the largest number of iterations
 };
 
 // Backward Euler: z = z0 + dx (A - |z|^n (gamma + beta sgn(dx z))). NaN if it does not converge, as in the program.

@@ -45,7 +45,8 @@ std::string refused_by_program(std::span<Command const> commands);
 // Throws Error for an unknown name, too few or too many arguments, and as tags_of does.
 std::unique_ptr<Material> make_material(std::span<Command const> commands);
 
-// Force after each displacement, from the virgin state at displacement 0. NaN stays NaN to the end, as in the program.
+// Force after each displacement, from the virgin state at displacement 0. After a NaN all forces are NaN, as in the
+// program.
 std::vector<double> replay(std::span<Command const> commands, std::span<double const> disp);
 
 }  // namespace isolaw::programs

@@ -20,7 +20,7 @@ Option<ModelOptions> words(std::string_view key, std::string help, std::optional
           [place](ModelOptions& to, Json const& value) { to.*place = text_in(value); }};
 }
 
-// Throws Error unless the value is above zero with a unit that `in_ours` knows.
+// Throws Error unless the value is above zero and `in_ours` accepts its unit.
 double quantity(std::string const& text, std::string_view where, std::string_view allowed,
                 std::optional<double> (*in_ours)(std::string_view)) {
   auto const parts = number_and_unit(text);

@@ -29,10 +29,10 @@ struct ModelBearing {
 };
 
 struct Model {
-  std::string layout;  // name of the layout file
+  std::string layout;  // path of the layout file
   std::vector<ModelBearing> bearings;
   double weight_kN = 0.0, x_mm = 0.0, y_mm = 0.0, gyration_mm = 0.0;  // the carried weight and its centre
-  std::string weight_from, centre_from, gyration_from, K_v_from;      // in words
+  std::string weight_from, centre_from, gyration_from, K_v_from;      // sources, in words
   std::vector<data::GroundMotion> motions;                            // along x, and along y if there are two
   double scale = 1.0;
   // Parameters of the law for each draw and bearing. If empty, the analyses are those of the bounds.

@@ -19,7 +19,7 @@ Realised const& form_of_model(Realisation const& realisation);
 Deviation add_draws(Realisation& realisation, Subject const& subject);
 std::string drawn_variant(std::size_t draw, std::size_t bearing);  // both from 1: "draw_3_12"
 
-// All in the units of the file.
+// All numbers are in the units of the file.
 struct ModelNumbers {
   bool coupled = false;
   std::string function;  // "bearing", "material"
@@ -32,7 +32,7 @@ struct ModelNumbers {
   double motion_step_s = 0.0;
   int pieces = 1;  // analysis steps in one step of the motion
   std::vector<std::vector<double>> motions;
-  double tolerance = 0.0;          // Newton's rule, on displacements
+  double tolerance = 0.0;          // of Newton's rule, for displacements
   double tested = 0.0;             // largest tested displacement
   std::vector<std::string> cases;  // "lower", "nominal", ...; "nominal", "draw_1", ...
   bool held = false;               // held against turning, if there is only one bearing

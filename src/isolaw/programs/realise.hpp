@@ -40,10 +40,10 @@ struct Realised {
       {};                                  // a model's drawn isolators, by drawn_variant() (model_text.hpp)
   Deviation from_law;                      // the worst over the histories, at the records' sampling
   std::optional<Deviation> finer;          // the same in finer_steps times smaller steps, small_steps only
-  std::optional<Deviation> from_measured;  // from the measured force
-  std::vector<OtherCycle> other_cycles;    // re-fits only
+  std::optional<Deviation> from_measured;  // against the measured force
+  std::vector<OtherCycle> other_cycles;    // only for a law that was fitted in place of this one
   std::optional<StepsNeeded> steps;        // small_steps only; empty also if no number tried was enough
-  double longest_travel_mm = 0.0, longest_step_mm = 0.0;  // in the records: in one direction, and between samples
+  double longest_travel_mm = 0.0, longest_step_mm = 0.0;  // in the records: in one direction, and from sample to sample
 };
 inline constexpr int finer_steps = 16;
 

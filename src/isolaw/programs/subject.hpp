@@ -21,7 +21,7 @@ namespace isolaw::programs {
 struct History {
   std::string device;  // empty: the protocol of the self-check
   std::vector<double> time_s, disp_mm, vel_mm_s;
-  std::vector<double> measured_kN;  // empty for a protocol; NaN at points that are no samples
+  std::vector<double> measured_kN;  // empty for a protocol; NaN at points that are not samples
   std::vector<double> law_kN;       // the law from the virgin state at the first point
   bool timed = true;                // false: time_s counts samples
   int refinement = 1;               // steps of the law in each interval
@@ -55,7 +55,7 @@ struct Bounds {
 
 struct Subject {
   std::string version;  // version of the program that exports
-  std::string makers;   // versions and builds that calibrated
+  std::string makers;   // versions and builds of isolaw that calibrated
   std::string title;
   laws::LawEntry const* law = nullptr;
   bool lot = false;

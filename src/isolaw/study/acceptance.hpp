@@ -28,7 +28,7 @@ struct DeviceAcceptance {
 };
 
 struct LotAcceptance {
-  rules::RuleSet rules;  // its id is empty when no rule set was asked for
+  rules::RuleSet rules;  // its id is empty if no rule set was asked for
   rules::Design design;
   rules::LotView lot;
 

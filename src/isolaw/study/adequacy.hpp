@@ -14,8 +14,8 @@ namespace isolaw::study {
 // Limits of an adequate law: means over the devices of the objective and of the errors on the compared cycle.
 inline constexpr double adequate_objective = 0.3;
 inline constexpr double adequate_K_eff_percent = 15.0, adequate_energy_percent = 30.0;
-// The errors by which the law exceeds these limits (FindingKind::law_inadequate); nullopt for an adequate law and for
-// one that was not identified.
+// The errors by which the law exceeds these limits (FindingKind::law_inadequate); nullopt for an adequate law, and for
+// a law that was not identified.
 std::optional<Finding> inadequacy(LawResult const& law);
 inline bool is_adequate(LawResult const& law) {
   return !inadequacy(law);

@@ -65,7 +65,7 @@ void add_blocks(DeviceFit& fit, data::FitRecord const& record) {
   }
 }
 
-// The free parameters' values as [parameter][device] over the examined devices, in the reduced form where the redundant
+// The free parameters' values as [parameter][device] over the examined devices, in the reduced form if the redundant
 // parameter was free. Parameters that most tests leave undetermined or at a bound are in `left_out` instead.
 struct Examined {
   std::vector<std::string> names, left_out;

@@ -1,4 +1,4 @@
-// Fills in what a summary takes from the analyses: what the tests determine, the law of the lot, prediction.
+// Adds to a summary what the analyses found: which parameters the tests determine, the law of the lot, prediction.
 #pragma once
 
 #include <optional>

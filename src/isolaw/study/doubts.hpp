@@ -18,7 +18,7 @@ struct Doubts {
   // Limits that the device or the lot does not keep, devices left out of the lot's law, warnings about the law.
   std::vector<Finding> findings;
   Finding prediction;
-  std::optional<Finding> objection;  // why the law should not be taken at all
+  std::optional<Finding> objection;  // why the law should not be used at all
 };
 
 // The doubts about the law on one device or, without a device, about the one law of the lot.

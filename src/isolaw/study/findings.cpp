@@ -24,7 +24,7 @@ bool dominates(LawResult const& a, LawResult const& b) {
   return no_worse && (*a.objective.mean < *b.objective.mean || *a.beta < *b.beta);
 }
 
-// Adds to a law that is offered as a choice the findings that its search box or its prediction speaks against it.
+// Adds findings against a law that is offered as a choice: its search box holds it, or it does not predict.
 void add_cautions(std::vector<Finding>& findings, Summary const& summary, LawResult const& law) {
   if (auto const held = pinned(law); held.decides()) findings.push_back(held.finding(law.id));
   if (!law.prediction_holds()) findings.push_back(prediction_of(summary, law));

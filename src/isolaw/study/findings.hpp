@@ -36,7 +36,7 @@ struct LawVerdict {
 };
 
 struct Findings {
-  std::optional<Finding> verdict;  // the answer; none for an inspection
+  std::optional<Finding> verdict;  // the program's answer; empty for an inspection
   std::vector<Recommendation> recommendations;
   std::vector<Finding> headline;     // the choice between accuracy and robustness
   std::vector<LawVerdict> verdicts;  // the front from accurate to robust, then dominated, inadequate, unranked laws
@@ -46,7 +46,7 @@ struct Findings {
 };
 
 Findings findings(Summary const& summary);
-// Delta_n, the largest relative difference of a device's parameter from the lot's; empty when undefined or fixed.
+// Delta_n, the largest relative difference of a device's parameter from the lot's; empty if it is undefined or fixed.
 std::optional<double> largest_difference(LawResult const& law, std::size_t parameter);
 std::optional<double> mean_magnitude(LawResult const& law, std::optional<double> DeviceFit::*error);
 // The largest displacement in mm at which a law was shown to hold: in the whole tests if its prediction holds, else in
@@ -60,7 +60,7 @@ std::vector<std::size_t> by_objective(Summary const& summary);
 std::vector<std::string> device_names(Summary const& summary);
 // nullptr if the law was not tried on the device.
 DeviceFit const* fit_of(LawResult const& law, std::string_view device);
-// A law's parameters as its first identified device lists them; empty when there is none.
+// A law's parameters as its first identified device lists them; empty if there is no such device.
 std::vector<ParameterFit> const& parameters_of(LawResult const& law);
 // The index of a parameter in the vectors of a population, which differs from its index in the law. nullopt for a
 // parameter without an entry: fixed, tied, or redundant if the reduced form is used.

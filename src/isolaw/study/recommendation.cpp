@@ -296,7 +296,7 @@ Recommendation recommend(Summary const& summary, Purpose purpose) {
   std::ranges::stable_sort(candidates, {}, [](auto const& c) { return c.known.error; });
   auto const& best = candidates.front();
 
-  std::vector<Candidate> chosen;  // the laws that cannot be told apart for the purpose
+  std::vector<Candidate> chosen;  // the laws whose errors do not differ enough for the purpose
   if (purpose == Purpose::simplest) {
     double const most = best.known.error + std::max(simple_share * best.known.error, simple_error);
     auto fewest = best.parameters;

@@ -15,7 +15,7 @@ namespace isolaw::study {
 enum class Purpose {
   untested_device,  // design of a building: devices and amplitudes that were not tested
   these_tests,      // description of what was measured
-  simplest          // the fewest parameters that serve
+  simplest          // the fewest parameters that are accurate enough
 };
 std::string_view name(Purpose purpose);  // "untested-device", "these-tests", "simplest"
 
@@ -43,7 +43,7 @@ struct Recommendation {
   Finding answer;                   // recommends this law, or none
   std::vector<Finding> why;
   std::vector<Finding> weak;        // why the choice is not sure
-  std::vector<Finding> surer;       // what would make it surer; empty where nothing is open
+  std::vector<Finding> surer;       // what would make it surer; empty if nothing is open
   std::optional<double> valid_mm;   // largest_displacement() of the law
   std::optional<Finding> programs;  // how to use the law in analysis programs that lack it
 };

@@ -84,7 +84,7 @@ struct Result {
   std::string_view key, unit, heading, meaning;
   Value (*of)(Object const&) = nullptr;
   Printed printed{};
-  int digits = 9;  // significant digits in the page's data, where numbers are only drawn
+  int digits = 9;  // significant digits in the page's data, for numbers that are only drawn
 };
 
 inline std::string_view fit_message(DeviceFit const& fit) {

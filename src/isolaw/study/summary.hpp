@@ -57,7 +57,7 @@ struct ParameterFit {
   double lower = 0.0, upper = 0.0;
   Statistic value;
   std::optional<double> percent_of_lot;      // difference of the mean from the mean over devices, percent
-  fit::AtBound at_bound = fit::AtBound::no;  // of the best run
+  fit::AtBound at_bound = fit::AtBound::no;  // whether the best run ended at a bound of the box
   std::string tied_to;                       // the parameter whose value this one takes; "" for none
   std::string paper_name;                    // its name in the tables of Cucuzza et al. 2025, if that differs; else ""
   std::optional<ParameterAnalysis> analysis;
@@ -74,10 +74,10 @@ struct DeviceFit {
   std::optional<double> integration_shift;
   int refinement = 1;                   // integration steps per sample, of the best run
   std::optional<double> success_share;  // share of usable runs within 0.1 % of the campaign's least objective
-  std::string success_reference;        // where that least objective comes from
+  std::string success_reference;        // the source of that least objective
   std::optional<double> optimum;        // least objective of the analysis
   std::optional<double> rise;           // how far the objective may rise within a parameter's range
-  std::vector<std::string> trade_offs;  // sentences
+  std::vector<std::string> trade_offs;  // as sentences
   std::optional<double> interval_level;
   std::size_t interval_samples = 0, interval_block = 0;
   int interval_replicates = 0;
@@ -136,9 +136,9 @@ struct LawResult {
   std::optional<lot::Population> population;
   std::optional<double> fitted_objective, predicted_objective, worst_predicted;  // means over blocks, then over devices
   std::optional<PredictionGrade> prediction_grade;                               // empty if no blocks are predicted
-  bool in_programs = false;  // analysis programs have this law with such parameters, whatever bounds and records are
-  std::string reduced_form;  // the `--set` that fits the form without the redundant parameter; "" where none is offered
-  std::vector<std::string> notes;  // how isolaw reads the law where its source is ambiguous
+  bool in_programs = false;  // analysis programs have this law with such parameters, apart from bounds and records
+  std::string reduced_form;  // the `--set` that fits the form without the redundant parameter; "" if none is offered
+  std::vector<std::string> notes;  // how isolaw reads the law if its source is ambiguous
   std::vector<DeviceFit> devices;
 
   // False if blocks are predicted with a grade worse than fair.
@@ -153,7 +153,7 @@ struct DeviceResult {
   std::vector<Complaint> complaints;  // the parts of the refusal, for an inspection
   std::string serial, lot, test_date;
   std::optional<double> temperature_C, rubber_thickness_mm, rubber_area_mm2;
-  data::TestRecord raw;                             // empty when refused
+  data::TestRecord raw;                             // empty if the device was refused
   data::FitRecord record;                           // what the laws were fitted to
   data::Properties properties;                      // from raw values
   data::VerticalTest vertical_test;                 // with the reason if the test gives no stiffness
@@ -186,7 +186,7 @@ struct Summary {
   LotAcceptance acceptance;
   std::vector<OutlyingDevice> outliers;
   std::size_t analyses = 0, expected_analyses = 0;
-  std::size_t runs = 0, expected_runs = 0;  // stored, and in the complete campaign
+  std::size_t runs = 0, expected_runs = 0;  // stored runs, and runs of the complete campaign
   std::optional<campaign::Part> part;       // the only part in the store; nullopt: the whole campaign
   std::size_t expected_here = 0;            // runs of this part
 

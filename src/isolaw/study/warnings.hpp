@@ -1,5 +1,5 @@
-// Collects the findings that a careful reader must know before trusting a campaign or an inspection. Each is computed
-// once, as fields; wording/table.hpp says what to do about it and makes the sentence.
+// Collects the findings that a careful reader must know before relying on a campaign or an inspection. Each is computed
+// once, as fields; wording/table.hpp makes its sentence and says what to do about it.
 #pragma once
 
 #include <optional>

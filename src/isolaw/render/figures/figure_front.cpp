@@ -106,7 +106,7 @@ std::vector<NamePlace> place_names(std::vector<FrontPoint> const& points, std::v
   std::vector<NamePlace> chosen;
   for (auto const& point : points) {
     auto const [x_mm, y_mm] = at(point);
-    double const px = x_mm, py = y_mm;  // clang 14 does not let a lambda capture structured bindings
+    double const px = x_mm, py = y_mm;  // clang 14 cannot capture structured bindings in a lambda
     double const wide = letter_mm * static_cast<double>(laws::called(point.law).size());
     auto const box_at = [&](NamePlace const& place) {
       double const from = px + place.dx_mm;

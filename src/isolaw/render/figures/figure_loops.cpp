@@ -25,7 +25,7 @@ LoopPanel loop_panel(DeviceResult const& device, LawResult const& law) {
     return {fmt::format("{}: OF = {:.4f}", called(law), fit->objective.best.value_or(0.0)), fit, {}};
   if (fit == nullptr) return {called(law), nullptr, "not tried"};
   auto reason = fit->refusal.empty() ? fit->failure : fit->refusal;
-  constexpr std::size_t most = 60;  // bytes that a panel has room for
+  constexpr std::size_t most = 60;  // a panel has room for so many bytes
   if (reason.size() > most) reason = reason.substr(0, reason.find_last_of(' ', most)) + " ...";
   return {called(law), nullptr, std::string(fit_status(*fit)) + (reason.empty() ? "" : ": " + reason)};
 }

@@ -35,9 +35,9 @@ struct Margins {
 
 struct Grid {
   int columns = 1, rows = 1;
-  double width_mm = single_column_mm, panel_height_mm = 40.0;  // whole figure; height of one panel's axes
+  double width_mm = single_column_mm, panel_height_mm = 40.0;  // width of the figure; height of one panel's axes
   Margins margins;
-  double head_mm = 0.0;  // above all panels
+  double head_mm = 0.0;  // room above all panels
 
   double panel_width_mm() const { return width_mm / columns - margins.left - margins.right; }
   double row_mm() const { return panel_height_mm + margins.top + margins.bottom; }
