@@ -170,7 +170,7 @@ void write_determination(JsonWriter& out, DeviceFit const& fit) {
   out.end_object();
 }
 
-// Of the runs' best so far: least, median and largest log10 after each generation or start. Ended runs keep their last.
+// Least, median and largest log10 of the runs' best so far, after each generation or start. Ended runs keep their last.
 void write_convergence(JsonWriter& out, DeviceFit const& fit) {
   std::vector<std::vector<double>> runs;
   std::size_t steps = 0;

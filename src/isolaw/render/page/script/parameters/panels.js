@@ -89,7 +89,8 @@ function drawPanels(look, width) {
       { factor, exponent } = rowFormat(entries.map(({ row }) => row.mean));
     const values = entries.flatMap(({ row }) => [(row.mean - (row.std ?? 0)) / factor, (row.mean + (row.std ?? 0)) / factor]);
     const range = atLeast(0.02 * Math.abs(lot / factor), paddedRange([...values, lot / factor], 0.08));
-    const percent = (value) => (lot !== 0 ? 100 * ((value * factor) / lot - 1) : 0); // falls upwards if the mean is negative
+    // It falls from bottom to top if the mean is negative.
+    const percent = (value) => (lot !== 0 ? 100 * ((value * factor) / lot - 1) : 0);
     layout['xaxis' + x] = {
       ...abscissa, domain: [left, left + wide], anchor: 'y' + y, tickfont: { size: 10.5 }, automargin: false,
     };
