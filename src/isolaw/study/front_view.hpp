@@ -27,7 +27,7 @@ struct FrontPoint {
 
 // One point for each law that has both numbers, in the order of the summary.
 std::vector<FrontPoint> front_points(Summary const& summary, FrontView view);
-// Ids of the laws on the front that beat the point: no worse in both numbers, better in one. Empty if it is on it.
+// Ids of the laws on the front that beat the point: no worse in both numbers, better in one. Empty on the front.
 std::vector<std::string> dominating(std::vector<FrontPoint> const& points, FrontPoint const& point);
 
 }  // namespace isolaw::study

@@ -16,7 +16,7 @@ namespace isolaw::render {
 std::string page_data_json(Summary const& summary);
 
 // Writes the members of the open object that every page's scripts need: how laws are marked, and how to typeset the
-// symbols of these parameters and of sentences. In a sentence, a name such as a10 is left as it is if a device has it.
+// symbols of these parameters and of sentences. Names of devices, such as a10, are not typeset.
 struct Notation {
   std::set<std::string_view> parameters, devices;
 };
