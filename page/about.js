@@ -1,4 +1,4 @@
-// The page's version, privacy, self-test and licences.
+// Shows the page's version, privacy, self-test and licences.
 
 import { button, element, fill, place, visible } from './dom.js';
 import { engine } from './engine_use.js';

@@ -1,9 +1,9 @@
-// Joins page/ into one HTML file that needs nothing but itself.
+// Joins page/ into one HTML file that needs no other file.
 //   node assemble.mjs --out isolaw.html --cmake cmake --engine DIR [--engine-html FILE] [--report FILE.html]...
-// --engine: a folder with engine.js (and what it imports), which stands for engine/ here.
-// --engine-html: elements for the body, above the script: what the engine reads of the document, scripts of data alone.
-// --report: reports as the program writes them. Their scripts are allowed by their hashes, beside the page's own, and no
-// others: frames inherit the page's policy. Without one the reports' scripts cannot run.
+// --engine: a folder with engine.js (and its imports), which replaces page/engine.
+// --engine-html: elements for the body, above the script: scripts that hold only data, which the engine reads.
+// --report: reports as the program writes them. Frames inherit the page's policy, which allows the page's own scripts
+// and, by their hashes, the scripts of these reports, but no others.
 import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { cpSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -17,10 +17,10 @@ const options = { cmake: ['cmake'], report: [], 'engine-html': [] };
 for (let i = 2; i < process.argv.length; i += 2) (options[process.argv[i].slice(2)] ??= []).push(process.argv[i + 1]);
 const one = (name) => options[name]?.at(-1);
 
-// The text of the scripts that a browser runs, as it stands in HTML.
+// The text of the scripts that a browser runs, as it is written in HTML.
 const scriptsOf = (html) => [...html.matchAll(/<script(?![^>]*\btype=)[^>]*>([\s\S]*?)<\/script>/g)].map(([, script]) => script);
 const hash = (script) => "'sha256-" + createHash('sha256').update(script, 'utf8').digest('base64') + "'";
-// Only these two sequences end or change a <script> (render/page/html.cpp does the same).
+// Escapes the only sequences that end or change a <script>, as render/page/html.cpp does.
 const inline = (script) => script.replace(/<(?=!--|\/s)/gi, '<\\');
 
 function joined() {
@@ -59,5 +59,5 @@ const policy = [
   "form-action 'none'",
   "base-uri 'none'",
 ].join('; ');
-// Replaces the first alone: the same text within scripts stays as it is.
+// Replaces only the first place: the same text within scripts must stay as it is.
 writeFileSync(one('out'), page.replace('{{policy}}', () => policy));

@@ -9,17 +9,17 @@ const CHANNELS = ['time', 'disp', 'force', 'load'];
 const UNITS = { time: ['s', 'ms', 'min', 'd'], disp: ['mm', 'cm', 'm', 'in'], force: ['kN', 'N', 'MN', 'tonf', 'kgf', 'daN', 'kip', 'lbf'] };
 UNITS.load = UNITS.force;
 
-// Names of columns, as suggestions: those that were read, or where one was not found, those that there are.
+// Suggestions for names of columns: the columns that were read or, if one was not found, the columns that exist.
 const columnNames = (found, problems) => [...new Set([...Object.values(found?.columns ?? {}).map(String), ...problems.flatMap(({ names = [] }) => names)])];
 
-// The first lines of a file of text.
+// The first lines of a text file.
 function linesOf(bytes) {
   const head = bytes.subarray(0, 6000);
   const wide = (head[0] === 0xff && head[1] === 0xfe && 'utf-16le') || (head[0] === 0xfe && head[1] === 0xff && 'utf-16be');
   if (!wide && head.includes(0)) return null;
   let words;
   try {
-    // Stops at a line's end: the last character of `head` may be cut in two.
+    // Ends with a whole line, since the last character of `head` may be incomplete.
     words = new TextDecoder(wide || 'utf-8', { fatal: !wide }).decode(wide ? head : head.subarray(0, head.length === bytes.length ? head.length : head.lastIndexOf(10) + 1));
   } catch {
     words = new TextDecoder('windows-1252').decode(head);

@@ -1,8 +1,8 @@
-// Saving a file where the reader's browser saves files.
+// Saves a file in the folder that the browser uses for downloads.
 
 import { element } from './dom.js';
 
-// Makes a name that every file system accepts.
+// Makes a file name that every file system accepts.
 export const fileName = (title) =>
   title
     .normalize('NFKC')

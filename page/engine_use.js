@@ -1,10 +1,10 @@
-// Calls of the engine for the rest of the page.
+// Calls the engine for the rest of the page.
 
 import { createEngine } from './engine/engine.js';
 
 let ready = null;
 
-// Starts once, at the first call; the page shows itself before that is done.
+// Starts the engine once, at the first call. The page is shown before the engine is ready.
 export const engine = () => (ready ??= createEngine());
 
 const decoder = new TextDecoder();
@@ -15,11 +15,11 @@ export const run = async (argv, files, keep, signal) => (await engine()).run({ a
 
 export const fileOf = (files, path) => files.find((file) => file.path === path)?.bytes ?? null;
 
-// A path as an argument that cannot be taken for an option.
+// Writes a path as an argument that cannot be mistaken for an option.
 export const argument = (path) => (path.startsWith('-') ? './' + path : path);
 
-// The program's complaints about a command, or where it has none, its messages as such.
+// The program's complaints about a command or, if it has none, its messages in the same form.
 export const complaintsOf = ({ error, stderr = '' }) => error?.complaints ?? asComplaints(stderr);
 
-// Each line of a text as a complaint that has no other parts.
+// Turns each line of a text into a complaint without other parts.
 export const asComplaints = (text) => text.split('\n').filter(Boolean).map((found) => ({ where: '', found, allowed: '', advice: '' }));

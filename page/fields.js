@@ -14,7 +14,7 @@ const shown = (value) => (value === undefined || value === null ? '' : typeof va
 const labelled = (id, [label, hint], control) =>
   element('div', { class: 'field' }, element('label', { for: id }, label), control, hint && element('small', { id: id + '-hint' }, hint));
 
-// Calls `write` with the value, or with null where the field was emptied.
+// Calls `write` with the value, or with null if the field was emptied.
 export function textField(id, words, value, write, { number = false, whole = false, list = null } = {}) {
   const control = element('input', {
     id,
@@ -33,7 +33,7 @@ export function textField(id, words, value, write, { number = false, whole = fal
   return labelled(id, words, control);
 }
 
-// `options`: [value, label].
+// `options`: [[value, label], ...].
 export function choiceField(id, words, options, value, write) {
   const known = options.some(([one]) => one === shown(value));
   const all = known ? options : [...options, [shown(value), shown(value)]];

@@ -1,4 +1,4 @@
-// A report in a frame of its own, with another origin and no access to this page, under the page's policy.
+// Shows a report in a frame with another origin, without access to this page, and under the page's policy.
 
 import { button, element } from './dom.js';
 import { download } from './download.js';
@@ -6,7 +6,7 @@ import { text } from './text.js';
 
 const addresses = new Set();
 
-// The report's bytes with a script that prints on demand: a frame of another origin cannot be told to print otherwise.
+// Adds a script to the report that prints on a message: the page cannot print a frame of another origin.
 function addressOf(bytes) {
   const script = document.getElementById('isolaw-frame').textContent;
   const url = URL.createObjectURL(new Blob([bytes, '<script>', script, '</script>'], { type: 'text/html;charset=utf-8' }));
@@ -16,7 +16,7 @@ function addressOf(bytes) {
 
 const print = (frame) => frame.contentWindow.postMessage('isolaw: print', '*');
 
-// The report in a view, if there is one.
+// Prints the report in a view. Returns whether there is one.
 export function printFrame(view) {
   const frame = view.querySelector('iframe');
   if (frame) print(frame);
@@ -39,7 +39,7 @@ export function reportFrame(id, title, bytes, name, extra = []) {
   return { tools, frame };
 }
 
-// Frees the reports that are no longer shown. One that was opened in a tab of its own stays there.
+// Frees reports that are no longer shown. A report that was opened in a new tab stays open.
 export function forgetFrames() {
   for (const url of addresses) URL.revokeObjectURL(url);
   addresses.clear();

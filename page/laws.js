@@ -1,4 +1,4 @@
-// Identification: its settings, its progress, the report.
+// Identification: its settings, its progress and its report.
 
 import { button, element, fill, place, visible } from './dom.js';
 import { complaintsOf, engine, fileOf } from './engine_use.js';
@@ -12,19 +12,19 @@ import { text } from './text.js';
 import { withSetting } from './toml.js';
 import { OF_GA, usualRuns } from './usual.js';
 
-let running = null; // AbortController
+let running = null; // an AbortController while an identification runs
 let workers = 1;
 let settingsOpen = false;
 let shown = null;
-let progress = null; // the last that the engine reported
-let furthest = 0; // the largest share reported: more work may turn up, and the bar must not go back
+let progress = null; // the engine's last report of progress
+let furthest = 0; // the largest share reported: more work may turn up, but the bar must not go back
 let started = 0;
 
 const settings = () => lotTables().tables?.find(({ path }) => path === 'calibrate')?.keys ?? new Map();
 const value = (key, other) => settings().get(key)?.value ?? other;
 const chosenRuns = () => value('runs', usualRuns(value('method', 'best')));
 
-// 'paper', 'usual', 'all', or ids.
+// Returns 'paper', 'usual', 'all', or ids.
 const chosenLaws = () => {
   const laws = value('laws', 'usual');
   return Array.isArray(laws) && laws.length === 1 && text.lawSets[laws[0]] ? laws[0] : laws;
@@ -94,7 +94,7 @@ function drawProgress() {
   document.title = known ? text.percent(furthest) + ' \u2013 ' + text.program : text.program;
 }
 
-// The engine splits the work by these settings, so they are repeated from the lot file as options.
+// The engine splits the work by these settings, so they are repeated as options although the lot file has them.
 const spelled = () => [...['method', 'analysis'].flatMap((key) => (settings().has(key) ? ['--' + key, String(value(key))] : [])), '--runs', String(chosenRuns())];
 
 export const isIdentifying = () => running !== null;
@@ -129,7 +129,7 @@ async function identify({ fail }) {
   try {
     const parts = state.parts.length > 0 ? state.parts : store?.length > 0 ? store : undefined;
     let result = await ask(parts);
-    // The earlier campaign has other settings and cannot be continued: start anew.
+    // The earlier campaign had other settings and cannot be continued, so a new one is started.
     if (parts && !fileOf(result.files, 'out/summary.json')) result = await ask(undefined);
     if (state.lots !== lots) return;
     state.parts = [];
@@ -146,7 +146,7 @@ async function identify({ fail }) {
     running = null;
     document.title = text.program;
     changed();
-    // Takes the focus only where nobody is typing.
+    // Moves the focus only if nobody is typing.
     if (document.activeElement === document.body) place(state.campaign && !state.cancelled ? 'laws-title' : 'identify')?.focus();
   }
 }

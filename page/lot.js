@@ -1,4 +1,5 @@
-// From files to a lot: tells lot files, saved campaigns and records apart. The program reads and writes all of them.
+// Makes a lot from files. It distinguishes lot files, saved campaigns and records; the program reads and writes them
+// all.
 
 import { argument, asBytes, asText, complaintsOf, fileOf, run } from './engine_use.js';
 import { changed, state } from './state.js';
@@ -12,7 +13,7 @@ const recordFiles = () => [...state.files].map(([path, bytes]) => ({ path, bytes
 export const lotFiles = () => [...recordFiles(), { path: LOT, bytes: asBytes(state.lot) }];
 export const lotPath = LOT;
 
-// The tables of the lot file; null where this page does not understand it. They are read once for each text.
+// The tables of the lot file; null if this page cannot read it. Each text is read once.
 const NONE = { tables: null, line: 0 };
 let readOf = null,
   read = NONE;
@@ -31,7 +32,7 @@ export function lotTables() {
 
 const filesOf = (table) => [table.keys.get('file')?.value, table.keys.get('files')?.value].flat().filter((file) => typeof file === 'string');
 
-// All files that the lot file names, also those of channels, compression tests and a rule set.
+// All files that the lot file names, including files of channels, compression tests and a rule set.
 export function namedFiles() {
   const { tables } = lotTables();
   return tables && namedIn(tables);
@@ -62,13 +63,13 @@ function devicesIn(tables) {
 // The devices of the lot file as [{number, place, table, file, name}]: `number` counts tables, `place` devices.
 export const lotDevices = () => devicesIn(lotTables().tables ?? []);
 
-// `isolaw init` names files that it cannot read in a last paragraph of comments, `# file = ...` for each; here they are
-// devices too, which are refused.
+// `isolaw init` lists files that it cannot read in a last paragraph of comments, `# file = ...` for each. On the page
+// they become devices that are refused.
 const FILES_LEFT_OUT = /\n\n(?:#.*\n)*# file = .*\n(?:#.*\n)*$/;
 
 const stem = (path) => path.replace(/^.*\//, '').replace(/\.[^.]*$/, '');
 
-// A file that was not recognised becomes a device too, so that every output reports it until somebody leaves it out.
+// A file that was not recognised becomes a device too, so that every output reports it until the user removes it.
 const deviceOf = (file) => '\n[[device]]\nfile = ' + writeValue(file) + '\n';
 
 async function recognise(paths, like) {
@@ -90,7 +91,7 @@ const empty = () => 'title = ' + writeValue(state.title || text.untitled) + '\n'
 
 const devicesFrom = (lot) => readToml(lot).find(({ array }) => array)?.from ?? lot.length;
 
-// Moves columns and units that all of these files share into each device, since later files may have others.
+// Writes the columns and units that all these files share into each device, since later files may have others.
 function withReadInDevices(lot) {
   for (const key of ['columns', 'units']) {
     const shared = readToml(lot).find(({ path }) => path === 'read')?.keys.get(key)?.value;
@@ -101,7 +102,7 @@ function withReadInDevices(lot) {
   return lot;
 }
 
-// Gives every device its own name: a second one of the same name is called by its path or gets a number.
+// Gives every device a different name: a repeated name is replaced by the file's path or gets a number.
 function withNamesApart(lot) {
   const taken = new Set();
   for (const { number, name, file } of devicesIn(readToml(lot))) {
@@ -119,23 +120,23 @@ const digestOf = async (bytes) => [...new Uint8Array(await crypto.subtle.digest(
 const MARKER = 'isolaw-campaign.json';
 const PARTS = /^(parts|shares|lots)\/\d+-of-\d+\//; // folders of a campaign that was cancelled
 
-// Names the lot file and the records that the results in a saved campaign belong to.
+// The file in a saved campaign that names the lot file and the records that its results belong to.
 export const markerFile = () => ({
   path: MARKER,
   bytes: asBytes(JSON.stringify({ isolaw: 'campaign', schema: 2, of: state.campaign?.of && { lot: state.campaign.of.lot, files: Object.fromEntries(state.campaign.of.digests) } }) + '\n'),
 });
 
-// The lot file and the records as they are now, to be kept with the results that are computed from them.
+// The present lot file and digests of its records, to be kept with the results that are computed from them.
 export const present = () => ({ lot: state.lot, digests: new Map([...(namedFiles() ?? [])].map((path) => [path, state.digests.get(path)])) });
 
-// Whether the results were computed from another lot file or other records than those that are here.
+// Whether the results were computed from another lot file or other records than the present ones.
 export const outdated = () => {
   if (!state.campaign || state.lot === null) return false;
   const { lot, digests } = state.campaign.of ?? digestsOf(state.campaign.summary);
   return (lot !== null && lot !== state.lot) || [...digests].some(([path, digest]) => state.digests.get(path) !== digest);
 };
 
-// The warning that stands beside results wherever they are shown or saved; '' where there is none.
+// The warning that is shown beside results and when they are saved; '' if there is none.
 export const resultsDoubt = () => (outdated() ? text.outdated : state.campaign?.summary.complete === false ? text.incomplete : '');
 
 export const titleOfAll = () => {
@@ -143,7 +144,7 @@ export const titleOfAll = () => {
   return (typeof own === 'string' && own) || state.inspection?.title || state.campaign?.summary.title || state.title;
 };
 
-// Finds records that the lot file names as another system would: with '\\', other capitals, or another folder.
+// Finds records whose names the lot file writes differently: with '\\', other capitals, or another folder.
 function rename(named) {
   const lower = (path) => path.replace(/\\/g, '/').toLowerCase();
   const last = (path) => lower(path).replace(/^.*\//, '');
@@ -153,7 +154,7 @@ function rename(named) {
     const same = [lower, last].map((short) => free.filter((one) => short(one) === short(path))).find((found) => found.length === 1)?.[0];
     if (same === undefined) continue;
     if (/^([A-Za-z]:|[\\/])|(^|[\\/])\.\.([\\/]|$)/.test(path)) {
-      // The path leads outside, so the lot file is changed to where the record is here.
+      // The path leads out of the lot's folder, so the lot file gets the record's path instead.
       const device = lotDevices().find(({ file }) => file === path);
       if (device?.table.keys.get('file')) state.lot = withKey(state.lot, device.number, 'file', same);
       continue;
@@ -167,13 +168,13 @@ function rename(named) {
 
 const isStore = ({ path }) => /(^|\/)campaign\.sqlite$/.test(path) && !PARTS.test(path);
 const isToml = ({ path }) => /\.toml$/i.test(path);
-// Tells a lot file of any name from a rule set, which has no devices.
+// Distinguishes a lot file of any name from a rule set, which has no devices.
 const namesDevices = ({ bytes }) => /^\s*\[\[\s*device/m.test(asText(bytes));
 
 const folderOf = ({ path }) => path.slice(0, path.lastIndexOf('/') + 1);
 
-// Finds the lot file and the store among these files. `results`: files that the program writes again from the store, so
-// no records unless the lot file names them; `base`: the folder that the lot file's names are relative to.
+// Finds the lot file and the store among these files. `results`: files that the program writes again from the store,
+// which are no records unless the lot file names them. `base`: the folder that names in the lot file are relative to.
 function sorted(files) {
   const store = files.find(isStore);
   const lots = files.filter(isToml);
@@ -183,21 +184,21 @@ function sorted(files) {
   try {
     if (lot) named = namedIn(readToml(asText(lot.bytes)));
   } catch {
-    // The program says what is wrong with it.
+    // The program reports this fault later.
   }
   const outputs = /^(tables|figures)\/|^(summary|run)\.json$|\.(html|tex|sqlite)$/i;
   const results = new Set(store ? files.filter((file) => file === store || (file.path.startsWith(folderOf(store)) && !PARTS.test(file.path) && outputs.test(file.path.slice(folderOf(store).length)) && !named.has(file.path.slice(base.length)))) : []);
   return { store, lot, base, results };
 }
 
-// Which part of the page these files would replace: 'results', 'everything', or '' for none.
+// The part of the page that these files would replace: 'results', 'everything', or '' for none.
 export function replaces(files) {
   if (!files.some(isStore)) return '';
   const { lot, results } = sorted(files);
   return lot || files.some((file) => file.path !== MARKER && !results.has(file)) ? 'everything' : 'results';
 }
 
-// Adds files to those that are here. Returns {store, of} where there is a store to make a report of.
+// Adds files to the present ones. Returns {store, of} if the files contain a store, whose report must then be made.
 export const addFiles = async ({ files, title, notes }) => {
   state.notes = notes;
   const { store, lot: own, base, results } = sorted(files);
@@ -230,9 +231,9 @@ export const addFiles = async ({ files, title, notes }) => {
     rename(namedFiles() ?? new Set());
     const named = namedFiles();
     const records = fresh.filter((path) => !/\.toml$/i.test(path));
-    // Next month's records with this month's lot file.
+    // The user brings new records with the lot file of earlier ones.
     if (!store && named && records.length > 0 && named.size > 0 && ![...named].some((path) => state.files.has(path))) {
-      // Without a title the program would take the name of the folder that it runs in.
+      // Without a title the program would use the name of its working folder.
       state.lot = withSetting(withNamesApart(await recognise(records, lot)), '', 'title', state.title || text.untitled);
       state.notes.push(text.likeLast(records.length));
     }
@@ -256,7 +257,7 @@ function markedOf(bytes) {
 
 const namedFilesOr = (other) => (state.lot === null ? other : (namedFiles() ?? other));
 
-// Makes devices of files that belong to none yet, as the program recognises them.
+// Makes devices of files that belong to none yet, with what the program recognises in them.
 export const readRecords = async (paths) => {
   const { lots } = state;
   const found = await recognise(paths, null);
@@ -268,7 +269,7 @@ export const readRecords = async (paths) => {
 let running = false,
   again = false;
 
-// Computes cycles, properties and verdicts for the lot file as it is now. A call while one runs makes it run again.
+// Computes cycles, properties and verdicts for the present lot file. A call during a run makes it run again afterwards.
 export const inspect = async () => {
   if (running) {
     again = true;
@@ -293,14 +294,14 @@ export const inspect = async () => {
   }
 };
 
-// The digests that a summary of the command line holds; it does not say which lot file it had.
+// The digests in a summary of the command line. The summary does not contain the lot file.
 function digestsOf({ devices }) {
   const here = (file) => [...state.files.keys()].filter((path) => path === file || path.endsWith('/' + file));
   return { lot: null, digests: new Map(devices.flatMap(({ file, sha256 }) => (here(file).length === 1 ? [[here(file)[0], sha256]] : []))) };
 }
 
-// Makes the report of a store again, so that this version of the program wrote it. `of`: the lot file and records that
-// the results were computed from, where that is known.
+// Makes the report of a store again with this version of the program. `of`: the lot file and the records that the
+// results were computed from, if known.
 export const openStore = async (bytes, of) => {
   const { lots } = state;
   const result = await run(['report', 'out', '--figures', 'none'], [{ path: 'out/campaign.sqlite', bytes }], ['out/*']);
@@ -309,7 +310,7 @@ export const openStore = async (bytes, of) => {
   if (state.lots !== lots) return;
   const { saved } = state;
   setCampaign(files, of ?? null);
-  state.saved = saved; // a store that was dropped is a file already
+  state.saved = saved; // a store that was dropped is saved already
 };
 
 export function setCampaign(files, of) {
@@ -326,7 +327,7 @@ export const readCatalogue = async () => {
   state.rules = JSON.parse(rules.stdout).map(({ id, title, verified_by: by }) => ({ id, title, verified: by !== '' }));
 };
 
-// The built-in lot, as if its folder had been dropped.
+// The built-in lot, in the form of a dropped folder.
 export const exampleLot = async () => {
   const { files } = await run(['example', 'example-lot'], [], ['example-lot/*']);
   return files.map(({ path, bytes }) => ({ path, bytes, inFolder: true }));

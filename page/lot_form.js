@@ -1,4 +1,4 @@
-// The form for the whole lot, which edits the lot file, and the lot file itself.
+// The form for the whole lot, which edits the lot file, and the text of the lot file itself.
 
 import { button, element, place } from './dom.js';
 import { choiceField, fieldset, textField } from './fields.js';

@@ -1,4 +1,4 @@
-// The page: its views, what is dropped on it, what it does next.
+// The page: its views, how it takes dropped files, and which step follows.
 
 import { drawAbout } from './about.js';
 import { button, element, fill, place, visible } from './dom.js';
@@ -88,7 +88,7 @@ const use = {
 };
 
 const inspectIfAny = async () => {
-  // Where this page cannot read the lot file the program says why.
+  // The program is asked even if this page cannot read the lot file, since it says why.
   if (state.lot !== null && /^\s*\[\[\s*device/m.test(state.lot)) await inspect();
 };
 
@@ -122,7 +122,7 @@ function startOver() {
   show('records', true);
 }
 
-// Shows `words` while `work` goes on; the page can be used meanwhile.
+// Shows `words` during `work`. The page can be used meanwhile.
 async function busy(words, work) {
   ++working;
   document.body.dataset.busy = String(working);
@@ -184,7 +184,7 @@ const takeIn = async (files) => {
   } else show('records');
 };
 
-let received = Promise.resolve(); // drops are taken one after the other, since each adds to the one before
+let received = Promise.resolve(); // handles drops one after the other, since each adds to the last
 const receive = (chosen) => {
   const before = received;
   received = busy(text.starting, async () => {
@@ -200,7 +200,7 @@ const receive = (chosen) => {
 };
 
 function listen() {
-  // While a file is dragged a sheet covers the page, since a report's frame would keep the drop to itself.
+  // While a file is dragged a sheet covers the page. Otherwise a report's frame would receive the drop.
   const over = (on) => document.body.toggleAttribute('data-dropping', on);
   addEventListener('dragenter', (event) => {
     event.preventDefault();
@@ -229,7 +229,7 @@ function listen() {
   });
   addEventListener('keydown', (event) => {
     if (event.key === 'Escape' && current === 'laws' && isIdentifying()) cancelIdentifying();
-    // Browsers print one sheet of a page with a frame, so the frame prints itself.
+    // Browsers print only one sheet of a page with a frame, so the frame prints itself.
     if (event.key.toLowerCase() === 'p' && (event.ctrlKey || event.metaKey) && printFrame(place('view-' + current))) event.preventDefault();
   });
 }

@@ -1,4 +1,4 @@
-// Cycles, properties, rule set and certificate, as `isolaw inspect` writes them.
+// The view of properties: it shows the page with cycles, rule set and certificate that `isolaw inspect` writes.
 
 import { button, element, fill, place, visible } from './dom.js';
 import { fileOf } from './engine_use.js';
@@ -21,7 +21,7 @@ export function drawProperties({ show }) {
     return;
   }
   const { word, sentence } = state.inspection.result ?? {};
-  // The page below says what a verdict is based on; why there is none stands here too.
+  // The frame shows the reasons of a verdict. If there is no verdict, this line says why.
   const verdict = element('p', { class: 'verdict-line' }, word ? element('b', { class: 'word ' + (TONES[word] ?? '') }, word) : visible(sentence ?? text.noVerdict));
   const { tools, frame } = reportFrame('inspection-frame', text.inspectionFrame, page, fileName(titleOfAll() || text.untitled) + '-inspection.html', [
     verdict,

@@ -1,4 +1,4 @@
-// The first screen: the files that were dropped, what was recognised in them, and the forms that correct it.
+// The first screen: the dropped files, what the program recognised in them, and the forms to correct this.
 
 import { button, element, fill, place, sign, visible } from './dom.js';
 import { deviceForm } from './device_form.js';
@@ -9,7 +9,7 @@ import { state } from './state.js';
 import { text } from './text.js';
 import { withKey, withoutDevice } from './toml.js';
 
-// Places of the devices whose forms are open, in the lot that is here.
+// Places of the devices whose forms are open, in the present lot.
 let openForms = new Set(),
   openIn = 0;
 const leftOut = (place) => {
@@ -20,7 +20,7 @@ const CHANNELS = ['time', 'disp', 'force', 'load'];
 
 const number = (value, digits) => (typeof value === 'number' ? String(Number(value.toPrecision(digits))).replace('-', '\u2212') : '\u2013');
 
-// Shows the program's complaints. The file `own` stands above them and is not named again.
+// Shows the program's complaints. Complaints about the file `own` do not name it, since its name is above them.
 export const problemList = (complaints, own = '') =>
   complaints.map(({ where, found, allowed, advice }) =>
     element(
@@ -32,7 +32,7 @@ export const problemList = (complaints, own = '') =>
     ),
   );
 
-// The devices of the lot file, each with its result of inspect.
+// The devices of the lot file, each with its result from `isolaw inspect`.
 function devicesFound() {
   const devices = lotDevices();
   const found = state.inspection?.devices ?? [];
@@ -45,7 +45,7 @@ function devicesFound() {
   });
 }
 
-// Why a device is refused, or why it has no properties.
+// The reasons why a device is refused, or why it has no properties.
 const refusalOf = ({ status, complaints, message, properties_refusal: bare }) =>
   status === 'ok' ? asComplaints(bare ?? '') : (complaints ?? asComplaints(message));
 
@@ -156,9 +156,9 @@ function band(all) {
   const read = all.filter((one) => one.readable).length;
   const not = all.length - read;
   const bare = all.filter((one) => one.readable && one.problems.length > 0).length;
-  // Where the lot has one device, what is wrong stands in its row.
+  // A single device's fault is shown in its row instead.
   const broken = state.problems.length > 0 && !state.inspection && all.length !== 1;
-  // A store without records.
+  // The page has a store without records.
   if (state.lot === null && state.campaign && not === 0) return { read, node: ['muted', text.readBand.results, text.readResults, false] };
   const [tone, word, said] = broken
     ? ['poor', text.readBand.broken, '']

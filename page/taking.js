@@ -1,12 +1,12 @@
-// Turns what was dropped or chosen into files with a path: walks folders, unpacks zip files, makes names safe.
+// Turns dropped or chosen files into files with a path: it walks folders, unpacks zip files and makes names safe.
 
 import { unseen } from './dom.js';
 import { text } from './text.js';
 import { TooLarge, looksLikeZip, readZip } from './zip.js';
 
-const MOST = 768 * 1024 * 1024; // for all files together: workers hold copies of them
+const MOST = 768 * 1024 * 1024; // for all files together, since workers hold copies of them
 
-// Names that isolaw reads in a folder (docs/records.md). A file that was chosen by hand is tried whatever its name.
+// Names of files that isolaw reads in a folder (docs/records.md). It tries a file chosen by hand whatever its name.
 const RECORD = /\.(csv|tsv|txt|dat|asc|lvm|mat|xlsx|json)$/i;
 
 const failure = (message) => Object.assign(new Error(message), { shown: true });
@@ -17,7 +17,7 @@ function safePath(path) {
   return parts.map((part) => part.replace(unseen, '_')).join('/');
 }
 
-// A folder by its handle: Chromium gives no entries of folders to a page that was opened from a file.
+// Walks a folder by its handle, since Chromium gives no folder entries to a page that was opened from a file.
 async function walkHandle(directory, folder, found) {
   for await (const [name, handle] of directory.entries()) {
     if (handle.kind === 'file') found.push({ path: folder + name, file: await handle.getFile(), inFolder: true });
@@ -25,7 +25,7 @@ async function walkHandle(directory, folder, found) {
   }
 }
 
-// The same for browsers without handles.
+// Does the same in browsers without handles.
 async function walkEntry(directory, folder, found) {
   const reader = directory.createReader();
   const some = () => new Promise((resolve, reject) => reader.readEntries(resolve, reject));
@@ -36,7 +36,7 @@ async function walkEntry(directory, folder, found) {
     }
 }
 
-// [{path, file, inFolder}] of a drop; must be called while the event is handled.
+// Returns [{path, file, inFolder}] for a drop. It must be called while the event is handled.
 export const ofDrop = (transfer) => {
   const dropped = [...transfer.items]
     .filter(({ kind }) => kind === 'file')
@@ -58,14 +58,14 @@ export const ofDrop = (transfer) => {
         }
       }
     }
-    return found.sort((a, b) => (a.path < b.path ? -1 : 1)); // in the order that a folder is shown in
+    return found.sort((a, b) => (a.path < b.path ? -1 : 1)); // in the order in which a folder is shown
   })();
 };
 
 export const ofInput = (input) =>
   [...input.files].map((file) => ({ path: file.webkitRelativePath || file.name, file, inFolder: Boolean(file.webkitRelativePath) })).sort((a, b) => (a.path < b.path ? -1 : 1));
 
-// The files as [{path, bytes, inFolder}], with remarks. `size`: bytes of the files that are here already.
+// Returns the files as [{path, bytes, inFolder}], with remarks. `size`: bytes of the files that the page already has.
 export const take = async (chosen, size) => {
   if (chosen.length === 0) throw failure(text.nothing);
   let total = size;
@@ -93,7 +93,7 @@ export const take = async (chosen, size) => {
       const unpacked = await readZip(bytes).catch((error) => {
         throw failure(error instanceof TooLarge ? text.bigZip(path) : text.badZip(path));
       });
-      // A workbook is a zip file too, here under another name.
+      // A workbook is also a zip file; this one has another name.
       if (unpacked.some((one) => one.path === '[Content_Types].xml')) files.push({ path: safePath(path), bytes, inFolder });
       else
         for (const one of unpacked) {
@@ -108,7 +108,7 @@ export const take = async (chosen, size) => {
   return { files: files.filter(({ path }) => path !== ''), notes };
 };
 
-// Without the folder that all of them are in, whose name is the title.
+// Removes the folder that contains all files from their paths. Its name becomes the title.
 export function withoutFolder(files) {
   const first = files[0]?.path.split('/')[0];
   if (!files.every(({ path, inFolder }) => inFolder && path.startsWith(first + '/'))) return { files, title: '' };

@@ -1,4 +1,4 @@
-// All text of the page: a translation is another file like this one. Text of the program itself is not in it.
+// All text of the page itself; a translation is another file like this one. The program's own text is not in it.
 
 const several = (number, one, many) => number + '\u202f' + (number === 1 ? one : many);
 const some = (names, most = 6) => (names.length > most ? names.slice(0, most).join(', ') + ' and ' + (names.length - most) + ' more' : names.join(', '));
@@ -97,7 +97,7 @@ export const text = {
   absent: 'The file is not here yet: drop it too.',
   missing: (names) => 'The lot file names files that are not here: ' + some(names) + '. Drop them too.',
 
-  // The form of a device: key of the lot file -> label, hint.
+  // The form of a device. For each key of the lot file it has a label and a hint.
   form: {
     name: ['Name', ''],
     serial: ['Serial number', ''],

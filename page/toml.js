@@ -1,5 +1,6 @@
-// Reads a lot file into tables whose keys know their place in the text, so that a form can change one value and leave
-// all else, comments too. It knows the part of TOML 1.0 that lot files use; the program itself judges the text.
+// Reads a lot file into tables whose keys know their position in the text, so that a form can change one value and
+// leave all else, including comments. It reads the part of TOML 1.0 that lot files use; the program itself checks the
+// text.
 
 class Reader {
   constructor(text) {
@@ -100,8 +101,9 @@ class Reader {
   }
 }
 
-// [{path, array, keys, comments, from, to}]: the first table is what stands above all; `from` is where its lines begin,
-// `to` where they end. keys, comments (`# key = ...`): name -> {from, to, value, valueFrom, valueTo}, of whole lines.
+// Returns [{path, array, keys, comments, from, to}]. The first table holds the keys above all headings. Its lines are
+// text[from] to text[to]. keys and comments (`# key = ...`): name -> {from, to, value, valueFrom, valueTo}, for whole
+// lines.
 export function readToml(text) {
   const reader = new Reader(text);
   const open = (path, array, from) => ({ path, array, keys: new Map(), comments: new Map(), from, to: from });
@@ -148,7 +150,7 @@ export function writeValue(value) {
   return plain ? "'" + value + "'" : JSON.stringify(value).replace(/\u007f/g, '\\u007f');
 }
 
-// The text with `name` of a table (its number in readToml) set, or taken out where the value is null.
+// Returns the text with `name` set in a table (`number` counts as in readToml), or removed if the value is null.
 export function withKey(text, number, name, value) {
   const table = readToml(text)[number];
   const key = table.keys.get(name);
@@ -158,7 +160,7 @@ export function withKey(text, number, name, value) {
   const line = name + ' = ' + writeValue(value) + '\n';
   const comment = table.comments.get(name);
   if (comment) return text.slice(0, comment.from) + line + text.slice(comment.to);
-  // Below the last key, or else at the top of the table.
+  // A new key goes below the last key, or to the top of a table without keys.
   const keys = [...table.keys.values()];
   const at = keys.length > 0 ? Math.max(...keys.map(({ to }) => to)) : table.path === '' ? 0 : lineEnd(text, table.from);
   const before = text.slice(0, at);
@@ -170,7 +172,7 @@ const lineEnd = (text, from) => {
   return end < 0 ? text.length : end + 1;
 };
 
-// The same for the table called `path`, which is added above the first device where there is none.
+// As withKey, for the table called `path`. If there is none, it is added above the first device.
 export function withSetting(text, path, name, value) {
   const tables = readToml(text);
   const number = tables.findIndex((table) => table.path === path && !table.array);
@@ -183,7 +185,7 @@ export function withSetting(text, path, name, value) {
   return before + gap + '[' + path + ']\n' + name + ' = ' + writeValue(value) + '\n\n' + text.slice(at);
 }
 
-// A number as people type it, also within a table of values in one text ('disp=2, force=F'); not 0x10.
+// A number as people type it, also within several values in one text ('disp=2, force=F'), but not 0x10.
 export const NUMERAL = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 
 const entriesOf = (words) =>
@@ -192,8 +194,8 @@ const entriesOf = (words) =>
     return [name, NUMERAL.test(value) ? Number(value) : value];
   });
 
-// The values of table `name` in table `number`, in the forms it may have: inline or one text, by dotted keys, or under a
-// heading of its own, for an entry of an array below it. { values, write(text, key, value) }.
+// The values called `name` of table `number`: inline, as one text, as dotted keys, or as a table with its own heading,
+// which in an array follows its entry. Returns { values, write(text, key, value) }.
 export function valuesOf(tables, number, name) {
   const { path, array, keys } = tables[number];
   const heading = path + '.' + name;
@@ -217,7 +219,7 @@ export function valuesOf(tables, number, name) {
   return { values, write };
 }
 
-// The same for the table called `path`, which need not exist.
+// As valuesOf, for the table called `path`, which need not exist.
 export function settingsOf(tables, path, name) {
   const number = tables.findIndex((table) => table.path === path && !table.array);
   if (number >= 0) return valuesOf(tables, number, name);
@@ -231,7 +233,7 @@ export function settingsOf(tables, path, name) {
 // The numbers of the tables that are devices, in order.
 export const deviceTables = (tables) => tables.flatMap(({ path, array }, number) => (path === 'device' && array ? [number] : []));
 
-// The text without a device and the tables below it.
+// Returns the text without a device and the tables below it.
 export function withoutDevice(text, number) {
   const tables = readToml(text);
   let last = number;

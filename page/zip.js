@@ -1,5 +1,5 @@
-// Zip files, read and written: a saved campaign is one. APPNOTE.TXT 6.3.10, without encryption, spanning or ZIP64.
-// Unpacked files are bounded as records are (docs/records.md): 30 times the file, at least 64 MiB, at most 1 GiB.
+// Reads and writes zip files, such as saved campaigns: APPNOTE.TXT 6.3.10, without encryption, spanning or ZIP64. The
+// limit for unpacked files is as for records (docs/records.md): 30 times the file, at least 64 MiB, at most 1 GiB.
 
 const LOCAL = 0x04034b50,
   CENTRAL = 0x02014b50,
@@ -18,10 +18,10 @@ function crc32(bytes) {
   return (crc ^ 0xffffffff) >>> 0;
 }
 
-// A file that unpacks to more than is allowed.
+// Thrown for a file that unpacks to more bytes than allowed.
 export const TooLarge = class extends RangeError {};
 
-// All bytes that come out of a stream, no more than `most`.
+// Returns all bytes that come out of a stream. Throws if there are more than `most`.
 async function through(bytes, stream, most) {
   const reader = new Blob([bytes]).stream().pipeThrough(stream).getReader();
   const parts = [];
@@ -45,7 +45,7 @@ async function through(bytes, stream, most) {
 
 export const looksLikeZip = (bytes) => bytes.length > 21 && bytes[0] === 0x50 && bytes[1] === 0x4b && (bytes[2] === 3 || bytes[2] === 5);
 
-// From [{path, bytes}]. It holds no times, so that the same files give the same bytes.
+// Makes a zip file from [{path, bytes}]. It contains no times, so that the same files give the same bytes.
 export const writeZip = async (files) => {
   const encoder = new TextEncoder();
   const parts = [],
@@ -90,7 +90,8 @@ export const writeZip = async (files) => {
   return new Uint8Array(await new Blob([...parts, ...entries, end.buffer]).arrayBuffer());
 };
 
-// The files in a zip file as [{path, bytes}]. Throws where it is none or damaged, TooLarge where it unpacks to too much.
+// Returns the files in a zip file as [{path, bytes}]. Throws if it is damaged or no zip file, TooLarge if it is too
+// large.
 export const readZip = async (bytes) => {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   let end = bytes.length - 22;

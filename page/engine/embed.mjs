@@ -1,4 +1,4 @@
-// Writes the program as elements for the page's body: scripts that hold data, which no browser runs.
+// Writes the program as elements for the page's body: scripts that contain data and that no browser runs.
 //   node embed.mjs --script isolaw.js --program isolaw.wasm --libraries DIR --out FILE
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
@@ -9,7 +9,7 @@ const here = dirname(fileURLToPath(import.meta.url));
 const options = {};
 for (let i = 2; i < process.argv.length; i += 2) options[process.argv[i].slice(2)] = process.argv[i + 1];
 
-// Only these two sequences end or change a <script>; in a string of JavaScript the backslash changes nothing.
+// Escapes the sequences that end or change a <script>. In a JavaScript string the backslash changes nothing.
 const inline = (script) => script.replace(/<(?=!--|\/?script)/gi, '<\\');
 const versions = new Map(
   readFileSync(join(options.libraries, 'versions'), 'utf8')
@@ -25,7 +25,7 @@ const licences = packages.map((name) => {
   const licence = /^License: *(\S[^\n]*)/m.exec(text)?.[1].trim() ?? '';
   return { name: called[name] ?? name, version: versions.get(name) ?? '', licence, text };
 });
-// From npm: the library that the reports draw with.
+// The library that draws the reports' plots comes from npm.
 const plotly = join(here, '../../node_modules/plotly.js-basic-dist-min');
 const { version, license } = JSON.parse(readFileSync(join(plotly, 'package.json'), 'utf8'));
 licences.push({ name: 'Plotly', version, licence: license, text: readFileSync(join(plotly, 'LICENSE'), 'utf8') });

@@ -1,4 +1,4 @@
-// The command line program in the browser, as the page calls it. Nothing of the program is written again here.
+// The command line program in the browser, as the page calls it. Nothing of the program is implemented again in it.
 //
 //   const engine = await createEngine({ workers: 4 });      // workers: default navigator.hardwareConcurrency
 //
@@ -12,14 +12,14 @@
 //   r = { code, stdout, stderr, error, files }            // files: [{ path, bytes }], made or changed by the command, that
 //                                                         // `keep` names; error: null, or what errors.js says
 //
-// A command runs in one worker, in an instance of its own (nothing is left of the one before); more commands than workers
-// wait in turn. A wrong input is no rejection: code 2, the message in stderr as on the command line, and its complaints
-// as objects in `error`.
+// Each command runs in a worker, in a new instance of the program, so that nothing is left of earlier commands. If
+// there are more commands than workers, they wait. A wrong input does not reject: `code` is 2, `stderr` has the message
+// as on the command line, and `error` has its complaints as objects.
 // Rejects with an Error whose `name` is
 //   'AbortError'   the signal; the worker is ended at once, and another takes its place
 //   'MemoryError'  the command asked for more memory than the page gives it
 //   'CrashError'   the worker trapped, or ended; another takes its place
-// and whose `message` can be shown as it stands; `error.stderr` holds what the command had said.
+// and whose `message` can be shown as it is; `error.stderr` has what the command had written.
 //
 //   const r = await engine.identify({
 //     lotPath: 'lot.toml', files,                           // the lot file, or any inputs: argv words that follow `calibrate`
@@ -32,14 +32,14 @@
 //   });
 //   r = { code, stdout, stderr, error, files }              // files of the whole campaign, below 'out/': out/report.html,
 //                                                           // out/summary.json, out/campaign.sqlite, out/tables/...
-// Worker k of n computes `calibrate --part k/n`, then one makes the whole by `merge`. On 'AbortError' `error.parts` holds
-// what was finished, to be given back as `parts`. A saved campaign that is dropped again is `run({ argv: ['report', 'out'],
-// files: [{ path: 'out/campaign.sqlite', bytes }] })`.
+// Worker k of n computes `calibrate --part k/n`, then one worker joins the parts by `merge`. On 'AbortError'
+// `error.parts` has the finished work, to be given back as `parts`. A saved campaign is opened by `run({ argv:
+// ['report', 'out'], files: [{ path: 'out/campaign.sqlite', bytes }] })`.
 //
 //   await engine.version()     '0.3.0', as `isolaw --version` says it
 //   await engine.selfTest()    { ok, found, expected, what }: a small objective against the stored one of the native program
-//   engine.licences            [{ name, version, licence, text }] of the libraries that are in it
-//   engine.workers             how many there are
+//   engine.licences            [{ name, version, licence, text }] of the libraries in the program
+//   engine.workers             the number of workers
 //   engine.close()             ends all workers
 
 
@@ -47,7 +47,7 @@ import { identifyWith } from './identify.js';
 import { makePool } from './pool.js';
 import { runSelfTest } from './self_test.js';
 
-// The parts that the build put into the document (embed.mjs), and how a worker is started there.
+// The parts that the build put into the document (embed.mjs), and how the document starts a worker.
 function ofDocument() {
   const text = (id) => document.getElementById(id).textContent;
   const script = URL.createObjectURL(new Blob([text('isolaw-worker')], { type: 'text/javascript' }));
@@ -59,13 +59,13 @@ function ofDocument() {
   };
 }
 
-// `from`: in place of the document, for tests.
+// Tests give `from` in place of the document's parts.
 export const createEngine = async ({ workers, from = ofDocument() } = {}) => {
   const { facts, packed, start, cores } = from;
   const inflated = new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip')));
   const module = await WebAssembly.compile(await inflated.arrayBuffer());
   const pool = makePool(start, Promise.resolve(module), Math.max(1, workers ?? cores ?? 2));
-  // Posting copies the files, so that the caller keeps its bytes.
+  // Posting copies the files, so that the caller keeps the bytes.
   const run = (what) => pool.run(what);
   return {
     run,

@@ -1,10 +1,11 @@
-// Failures of a command as objects: the program writes one as its last line to standard error where it is asked to
+// Failures of a command as objects. If asked to, the program writes one as its last line to standard error
 // (src/isolaw/app/app.cpp).
 
 export const asksForErrors = (argv) => ['--errors-as-json', ...argv];
 
-// {kind, complaints: [{where, found, allowed, advice, names}]}, or null. Takes its line out of `lines`, those of standard
-// error. `kind`: 'input', 'memory', 'system', 'internal'; `names`: columns that are there, where one was not found.
+// Returns {kind, complaints: [{where, found, allowed, advice, names}]} or null, and removes its line from `lines`, the
+// lines of standard error. `kind`: 'input', 'memory', 'system', 'internal'; `names`: existing columns, if one was not
+// found.
 export function errorIn(lines, code) {
   if (code === 0 || lines.length === 0) return null;
   try {
@@ -12,6 +13,6 @@ export function errorIn(lines, code) {
     if (error) lines.pop();
     return error;
   } catch {
-    return null; // the command ended with a refusal and no error: its last line is a message
+    return null; // the command refused without an error: its last line is a message
   }
 }

@@ -1,23 +1,23 @@
-// A campaign on all workers, by the commands that the program has for several machines: parts of the runs, parts of the
-// examined devices, parts of the laws of the lot, and their merge.
+// Computes a campaign on all workers, with the commands that the program has for several machines: parts of the runs,
+// parts of the examined devices, parts of the laws of the lot, and a merge.
 
 import { isProgress, makeProgress } from './progress.js';
 
 const stores = (folder) => [folder + '/campaign.sqlite*'];
 
-// The value of an option given as `--runs N` or `--runs=N`; null without it.
+// The value of an option given as `--runs N` or `--runs=N`; null if it is not given.
 const valueOf = (options, name) => {
   const at = options.findIndex((word) => word === name || word.startsWith(name + '='));
   return at < 0 ? null : options[at].includes('=') ? options[at].slice(name.length + 1) : options[at + 1];
 };
 
-// The number of parts of an earlier campaign, from its folders: 8 for 'parts/3-of-8/...'; null without any.
+// The number of parts of an earlier campaign, from its folders: 8 for 'parts/3-of-8/...'; null if there are none.
 const dealtInto = (parts, kind) => {
   const found = parts.map(({ path }) => /^(\w+)\/\d+-of-(\d+)\//.exec(path)).find((one) => one && one[1] === kind);
   return found ? Number(found[2]) : null;
 };
 
-// Runs `workers` of them at a time; rejects with the first that does.
+// Runs `works`, `workers` of them at a time. Rejects as soon as one of them does.
 const inTurn = async (works, workers) => {
   const results = Array(works.length);
   let next = 0;
@@ -31,7 +31,7 @@ const inTurn = async (works, workers) => {
   return results;
 };
 
-// A part of the campaign that ended with an error; `said` is its result.
+// Thrown if a part of the campaign ends with an error. `said` is the result of its command.
 class Refused extends Error {
   constructor(said) {
     super('refused');
@@ -44,19 +44,20 @@ export function identifyWith(pool) {
     const workers = Math.max(1, Math.min(wanted, pool.count));
     const begun = (folder) => parts.filter(({ path }) => path.startsWith(folder + '/'));
     const analysed = valueOf(options, '--analysis') !== 'none';
-    const runs = Number(valueOf(options, '--runs') ?? 3); // only the progress bar needs it
+    const runs = Number(valueOf(options, '--runs') ?? 3); // only the progress bar needs this number
     const kept = new Map();
-    // Where one part fails, this ends the others.
+    // If one part fails, this ends the others.
     const ended = new AbortController();
     const abort = () => ended.abort();
     signal?.addEventListener('abort', abort);
     if (signal?.aborted) abort();
 
-    // More parts than workers, so that no worker waits long for the last one; not many, since each reads all records.
+    // More parts than workers, so that no worker waits long for the last part, but not many, since each part reads all
+    // records.
     const count = dealtInto(parts, 'parts') ?? workers * (files.length > 20 ? 2 : 4);
     const isWhole = (workers === 1 && dealtInto(parts, 'parts') === null) || (begun('out').length > 0 && dealtInto(parts, 'parts') === null);
     const shares = analysed ? (dealtInto(parts, 'shares') ?? workers) : 0;
-    // One record is no lot.
+    // A single record has no law of the lot.
     const lots = analysed && files.filter(({ path }) => path !== lotPath).length > 1 ? (dealtInto(parts, 'lots') ?? workers) : 0;
     // The analyses take about as long as three runs of each law.
     const phases = isWhole
@@ -69,7 +70,7 @@ export function identifyWith(pool) {
         ];
     const progress = makeProgress(phases, workers, onProgress);
 
-    // One command. Its finished work is kept for the case that the campaign is cancelled.
+    // Runs one command. Its finished work is kept in case the campaign is cancelled.
     const work = async (phase, task, folder, argv, given) => {
       progress.begin(phase, task);
       const own = begun(folder);
@@ -88,7 +89,7 @@ export function identifyWith(pool) {
       said.stderr = said.stderr.split('\n').filter((line) => !isProgress(line)).join('\n');
       if (folder === 'out') return said;
       if (said.code !== 0) throw new Refused(said);
-      // Without new files everything was done before.
+      // A command without new files had nothing left to do.
       const found = said.files.length > 0 ? said.files : own;
       kept.set(folder, found);
       progress.end(phase, task);

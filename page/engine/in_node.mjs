@@ -1,10 +1,10 @@
-// The engine under Node, from the program in the page: for the build and the tests.
+// Runs the engine in Node with the program from the page, for the build and the tests.
 import { readFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { Worker } from 'node:worker_threads';
 import { createEngine } from './engine.js';
 
-// Gives a worker of Node the interface of a browser's.
+// Gives a Node worker the interface of a browser's worker.
 const ofBrowser = `
 const { parentPort } = require('node:worker_threads');
 globalThis.self = globalThis;
@@ -14,7 +14,7 @@ parentPort.on('message', (data) => self.onmessage({ data }));
 // The text of a script element needs no decoding: its escapes are JavaScript's own.
 const elementIn = (html, id) => new RegExp(`<script type="[^"]*" id="${id}">([\\s\\S]*?)</script>`).exec(html)[1];
 
-// `file`: isolaw.html, or the output of embed.mjs. `before`: put in front of a worker's script by tests.
+// `file`: isolaw.html, or the output of embed.mjs. Tests put `before` in front of a worker's script.
 export const engineOf = (file, { before = '', ...options } = {}) => {
   const html = readFileSync(file, 'utf8');
   const script = before + ofBrowser + elementIn(html, 'isolaw-worker');

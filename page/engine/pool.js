@@ -1,4 +1,4 @@
-// Workers that run one command each, in turn.
+// Workers that run one command each. More commands than workers wait in a queue.
 
 import { asksForErrors, errorIn } from './errors.js';
 
@@ -6,7 +6,7 @@ const NO_MEMORY = 'the page has no more memory for this; try fewer or shorter re
 
 const named = (name, message, more) => Object.assign(new Error(message), { name, ...more });
 
-// `start()` makes a worker; `module` is a promise of the compiled program.
+// `start()` makes a worker. `module` is a promise of the compiled program.
 export function makePool(start, module, count) {
   const waiting = [];
   const busy = new Set();
@@ -32,7 +32,7 @@ export function makePool(start, module, count) {
     busy.delete(worker);
     if (whole && !closed) idle.push(worker);
     else worker.terminate();
-    // Its successor starts now, so that the next command need not wait for it.
+    // Starts the next worker at once, so that the next command need not wait for it.
     if (!whole && !closed && idle.length + busy.size < count) idle.push(open());
     next();
   };

@@ -3,7 +3,7 @@
 const line = /^progress ([\d.]+) ([\d.]+) (\d+) (\d+) (\w+)$/;
 export const isProgress = (text) => line.test(text);
 
-// `phases`: [{ name, weight, tasks }], in order; `workers` work on the tasks of a phase. `tell` is onProgress.
+// `phases`: [{ name, weight, tasks }], in order. `workers` work on the tasks of a phase. `tell` is onProgress.
 export function makeProgress(phases, workers, tell) {
   const all = phases.map(({ name, weight, tasks }) => ({ name, weight, began: null, tasks: Array.from({ length: tasks }, () => ({ share: 0, left: null, done: 0, total: 0, began: null, took: null })) }));
   const weights = all.reduce((sum, { weight }) => sum + weight, 0);
@@ -11,7 +11,7 @@ export function makeProgress(phases, workers, tell) {
     told = 0,
     shown = { share: 0, left: null, at: 0 };
 
-  // Seconds left in a phase; tasks without an estimate of their own are taken to be like the others.
+  // Seconds left in a phase. Tasks without an own estimate are assumed to take as long as the others on average.
   const leftIn = (phase, now) => {
     const known = phase.tasks.filter(({ took, left }) => took !== null || left !== null).map(({ took, left, began }) => took ?? (now - began) / 1000 + left);
     if (known.length === 0) return null;
@@ -27,7 +27,7 @@ export function makeProgress(phases, workers, tell) {
     const left = leftIn(phase, now);
     let seconds = left;
     if (left !== null) {
-      // Later phases are estimated from this one, in proportion to their weights.
+      // Estimates later phases from this one, in proportion to their weights.
       const whole = (now - phase.began) / 1000 + left;
       const after = all.slice(current + 1).reduce((sum, { weight }) => sum + weight, 0);
       seconds = left + (whole * after) / phase.weight;
@@ -40,7 +40,7 @@ export function makeProgress(phases, workers, tell) {
     const sum = (key) => phase.tasks.reduce((total, task) => total + task[key], 0);
     const since = (Date.now() - shown.at) / 1000;
     const left = shown.left === null ? null : Math.max(0, shown.left - since);
-    // Between two lines the share goes on with time, but never back and never to the end.
+    // Between two lines of progress the share goes on with time, but never back and never to the end.
     const gone = shown.left > 0 ? 0.9 * Math.min(1, since / shown.left) : 0;
     told = Math.max(told, Math.min(1, shown.share + (1 - shown.share) * gone));
     tell?.({ done: sum('done'), total: sum('total'), share: told, secondsLeft: left, phase: phase.name });

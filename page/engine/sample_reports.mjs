@@ -1,4 +1,4 @@
-// Writes a campaign's report and an inspection's page of the built-in lot with the program in the page.
+// Writes a campaign's report and an inspection's page of the built-in lot, with the program in the page.
 //   node sample_reports.mjs --engine-html FILE --out DIR
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';

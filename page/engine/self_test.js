@@ -1,7 +1,7 @@
-// Compares two laws on a record of the built-in lot, identified here, with the results of the native program.
+// Identifies two laws on a record of the built-in lot and compares them with the results of the native program.
 
 const expected = { bilinear: 0.05060711114368681, vaiana: 0.021805097912677526 };
-// The difference between instruction sets at the end of a search (docs/page.md).
+// Searches on different instruction sets end this far apart (docs/page.md).
 const tolerance = 1e-6;
 
 export const runSelfTest = async (run) => {

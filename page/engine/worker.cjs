@@ -1,5 +1,5 @@
-// Runs in a worker, after the script of emscripten (`isolawProgram`): one command at a time, each in its own instance.
-// It is a classic script, since every browser runs one in a worker from a blob.
+// Runs in a worker after the script of emscripten (`isolawProgram`). It runs one command at a time, each in a new
+// instance. It is a classic script: every browser can run one in a worker from a blob.
 // In:  { kind: 'compiled', module }, then { kind: 'run', argv, files, keep, watch }
 // Out: { kind: 'text', stream, lines }, { kind: 'kept', files } (what `watch` names, while it runs), then
 //      { kind: 'done', code, files } or { kind: 'failed', name, message }
@@ -50,7 +50,7 @@
       said[stream].push(line);
       const now = Date.now();
       if (now - last > pauseOfText_ms) flush();
-      // The store already holds the runs that a line of progress reports.
+      // The program stores runs before it reports them in a line of progress, so the store is up to date.
       if (watch && now - lastKept > pauseOfKept_ms) {
         const watched = matcher(watch);
         post({ kind: 'kept', files: collected(program.FS, (name) => watched(name)) });

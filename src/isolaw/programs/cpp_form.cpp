@@ -49,8 +49,8 @@ std::string constants(Subject const& subject, UnitSystem const& units) {
   return text;
 }
 
-// A share of the peak force. Two exact flows agree within 1e-7, but unloading near a rest (kappa near -1) magnifies
-// errors.
+// The check's tolerance as a share of the peak force. Two exact flows agree within 1e-7, but unloading near a rest
+// (kappa near -1) magnifies errors.
 double allowed(laws::LawInfo const& law) {
   return law.traits.exact_flow ? 1e-4 : 1e-6;
 }

@@ -9,9 +9,9 @@
 
 namespace isolaw::programs {
 std::string cpp_facts(Subject const& subject, UnitSystem const& units, std::string_view program);
-// The includes and namespace identifier(subject). Throws Error for a law without a C++ form.
+// Returns the includes and the namespace identifier(subject). Throws Error for a law without a C++ form.
 std::string cpp_law(Subject const& subject, UnitSystem const& units);
-// A main() under ISOLAW_SELF_CHECK that drives `material`, with trial(disp, velocity) and commit(), on the protocol.
+// A main() under ISOLAW_SELF_CHECK. It moves `material` along the protocol with trial(disp, velocity) and commit().
 std::string cpp_check(Subject const& subject, UnitSystem const& units, std::string_view material);
 
 }  // namespace isolaw::programs

@@ -1,4 +1,4 @@
-// C++17: a header that needs only the standard library, with the law itself as a material.
+// Writes the law itself as a material in a C++17 header that needs only the standard library.
 #include <fmt/format.h>
 
 #include <cctype>

@@ -1,4 +1,4 @@
-// CSV, for a program without a target of its own: the path of the check and the law's force along it.
+// Writes CSV for programs without a target of their own: the path of the self-check and the law's force along it.
 #include <fmt/format.h>
 
 #include "isolaw/programs/exports.hpp"

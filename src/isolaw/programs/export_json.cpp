@@ -1,4 +1,4 @@
-// JSON: everything that an export knows, for machines.
+// Writes everything that an export contains as JSON, for machines.
 #include "isolaw/base/json.hpp"
 #include "isolaw/programs/exports.hpp"
 #include "isolaw/programs/self_check.hpp"

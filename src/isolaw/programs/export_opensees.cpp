@@ -1,4 +1,4 @@
-// OpenSees, Tcl. Sourcing the file creates nothing in the model; the check is a static analysis of a model of its own.
+// Writes the law for OpenSees in Tcl. Sourcing the file adds nothing to the model; the self-check has its own model.
 #include <fmt/format.h>
 
 #include <ranges>

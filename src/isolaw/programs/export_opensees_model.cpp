@@ -1,4 +1,4 @@
-// OpenSees, Tcl: the script of the law with a building on it.
+// Writes the law's Tcl script for OpenSees with a building on isolators of this law.
 #include <fmt/format.h>
 
 #include "isolaw/base/words.hpp"

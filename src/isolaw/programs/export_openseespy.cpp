@@ -1,4 +1,4 @@
-// OpenSeesPy: a module with the same functions as the Tcl export; run as a program it checks itself.
+// Writes the law as an OpenSeesPy module with the same functions as the Tcl export. Run as a program it checks itself.
 #include <fmt/format.h>
 
 #include <ranges>
@@ -131,7 +131,7 @@ def self_check():
 )python";
   text += addition.procedures;
   text += "if __name__ == \"__main__\":\n";
-  // The model's part has already imported sys.
+  // The text of the model has already imported sys.
   return text + (addition.dispatch.empty() ? "    import sys\n\n    sys.exit(0 if self_check() else 1)\n"
                                            : "    " + addition.dispatch);
 }

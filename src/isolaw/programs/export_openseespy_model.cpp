@@ -1,4 +1,4 @@
-// OpenSeesPy: the module of the law with a building on it; the same model as in Tcl.
+// Writes the law's OpenSeesPy module with a building on isolators of this law, the same model as in Tcl.
 #include <fmt/format.h>
 
 #include "isolaw/base/words.hpp"

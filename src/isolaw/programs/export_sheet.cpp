@@ -1,8 +1,8 @@
-// A page of values for programs whose input could not be tried: their own symbols, and how far the model is off.
-// The force laws are those of the programs' manuals. SAP2000 and ETABS, Plastic (Wen): f = r k d + (1 - r) Fy z with dz
-// = (k / Fy) dd (1 - |z|^exp) where dd z > 0, else (k / Fy) dd: Bouc-Wen with beta = gamma. Rubber Isolator: with exp =
-// 2, coupled in its plane. MIDAS, Hysteretic System: Plastic (Wen) with two free shares PA + PB = 1. SeismoStruct: the
-// OpenSees bearing. Abaqus: connector elasticity with linear kinematic hardening.
+// Writes a page of values for programs whose input could not be tried: in their own symbols, and with the model's
+// error. The force laws come from the programs' manuals. SAP2000 and ETABS, Plastic (Wen): f = r k d + (1 - r) Fy z
+// with dz = (k / Fy) dd (1 - |z|^exp) where dd z > 0, else (k / Fy) dd: Bouc-Wen with beta = gamma. Rubber Isolator:
+// with exp = 2, coupled in its plane. MIDAS, Hysteretic System: Plastic (Wen) with two free shares PA + PB = 1.
+// SeismoStruct: the OpenSees bearing. Abaqus: connector elasticity with linear kinematic hardening.
 #include <fmt/format.h>
 
 #include <cctype>
@@ -65,9 +65,9 @@ std::vector<double> parameters_of(Wen const& v) {
   return p;
 }
 
-constexpr double sharpest = 20.0;  // the exponent that stands for a corner
+constexpr double sharpest = 20.0;  // the exponent that represents a sharp corner
 
-// Bouc-Wen in place of a bilinear loop.
+// The Bouc-Wen law that replaces a bilinear loop.
 Wen sharp(Corner const& v) {
   double const half = 0.5 * std::pow(v.uy, -sharpest);
   return {.alpha = v.K2 / v.K1, .Ke = v.K1, .beta = half, .gamma = half, .n = sharpest};
@@ -90,7 +90,7 @@ fit::Override tie_gamma() {
 using WenSet = std::optional<Set<Wen>>;
 using CornerSet = std::optional<Set<Corner>>;
 
-// Bouc-Wen with beta = gamma and an exponent of 1 to 20.
+// Values of the Bouc-Wen law with beta = gamma and an exponent of 1 to 20.
 WenSet plastic_wen(Subject const& subject) {
   if (auto const v = bilinear_values(*subject.law, subject.parameters)) {
     auto const s = sharp(*v);
@@ -150,7 +150,7 @@ class Page {
     text_ += "|---|---|---:|";
     text_ += std::string(subject_.bounds.lower ? "---:|" : "") + (subject_.bounds.upper ? "---:|" : "") + "---|\n";
   }
-  // `get`, a member or a function of a variant's values, gives a number in kN^force mm^length.
+  // `get` is a member or a function of a variant's values; it gives a number in kN^force mm^length.
   template <class Values, class Get>
   void row(std::string_view symbol, double force, double length, Set<Values> const& set, Get&& get,
            std::string_view note = {}) {

@@ -6,7 +6,7 @@
 
 namespace isolaw::programs {
 
-// A law's pieces in order, to stand before header_material(); empty for a law without an online form.
+// A law's pieces in order, to be written before header_material(); empty for a law without an online form.
 std::vector<std::string_view> header_parts(std::string_view law);
 std::string_view header_numbers();
 std::vector<std::string_view> header_material();

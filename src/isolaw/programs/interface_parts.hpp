@@ -9,7 +9,7 @@
 namespace isolaw::programs {
 
 using Marks = std::span<std::pair<std::string_view, std::string> const>;
-// Throws std::logic_error for a file or a mark that is not there.
+// Throws std::logic_error for an unknown file or mark.
 std::string interface_part(std::string_view file, Marks marks);
 
 }  // namespace isolaw::programs

@@ -111,7 +111,7 @@ std::vector<Form> bouc_wen_forms(laws::BoucWenForm const& v) {
   return forms;
 }
 
-// In kN and mm.
+// The law's canonical form in kN and mm.
 laws::Canonical canonical(laws::LawEntry const& law, std::span<double const> parameters) {
   double const F = law.info.force.in_record_units, L = law.info.length.in_record_units;
   auto form = law.canonical(parameters);
@@ -138,7 +138,7 @@ laws::Canonical canonical(laws::LawEntry const& law, std::span<double const> par
   return form;
 }
 
-// "" where a material has them.
+// Why OpenSees has no material for these limit curves; "" if it has one.
 std::string no_material_of(laws::LawEntry const& law, laws::LimitCurvesForm const& v) {
   auto const &up = v.loading, &down = v.unloading;
   if (up.sigmoid != 0.0 || down.sigmoid != 0.0)
@@ -161,8 +161,8 @@ std::string no_material_of(laws::LawEntry const& law, laws::LimitCurvesForm cons
   return {};
 }
 
-// The distance to the limit curve falls as f0 exp(-alpha travel). Beyond this travel it may be lost to the rounding of
-// forces at `reach` times the travel: 1 from rest, 0.5 from one side to the other.
+// The distance to the limit curve falls as f0 exp(-alpha travel). Returns the travel beyond which rounding may hide it
+// in the force. The displacement is `reach` times the travel: 1 from rest, 0.5 from one side to the other.
 double longest_travel(laws::LimitCurve const& v, double reach) {
   constexpr double roundings = 16.0 * std::numeric_limits<double>::epsilon();
   double travel = 0.0;
@@ -176,12 +176,13 @@ double longest_travel(laws::LimitCurve const& v, double reach) {
   return travel;
 }
 
-// Where the curve softens (beta1 < 0) HystereticAsym refuses. Its hysteretic part is linear in ka, kb and fo, so it is
-// split: 1.1 times the part without the curve beside -0.1 times the part with the curve.
+// HystereticAsym refuses a curve that softens (beta1 < 0). The hysteretic force is linear in ka, kb and fo, so the law
+// is written as 1.1 times this force minus a material with 0.1 times this force and the curve.
 constexpr double surplus = 0.1;
 
-// The hardening term of HystereticAsym has the coefficient 1, one unit of force whatever the unit system. So the
-// material is written in units of the term's own size, inside a Multiplier by that size; without hardening, plainly.
+// The hardening term of HystereticAsym has the coefficient 1, one unit of force in any unit system. The force is
+// therefore computed in units of the law's own coefficient, and a Multiplier scales it back, unless there is no
+// hardening.
 Form hysteretic_asym(laws::LimitCurve const& v) {
   Form form{.id = "material",
             .title = "uniaxialMaterial HystereticAsym",
@@ -192,7 +193,7 @@ Form hysteretic_asym(laws::LimitCurve const& v) {
             .longest_travel_mm = longest_travel(v, 1.0),
             .longest_swing_mm = longest_travel(v, 0.5),
             .since = "3.5.0"};
-  // One HystereticAsym; its curve is exp(b1 u) - 1 - b1 u, of one unit of force.
+  // Adds one HystereticAsym. Its curve is exp(b1 u) - 1 - b1 u times one unit of force.
   auto const part = [&](double kb, double f0, double b1, double force_power) {
     form.commands.push_back({"HystereticAsym",
                              {{"ka", kb + 2.0 * v.alpha * f0, force_power, -1},
@@ -252,7 +253,7 @@ struct ToForms {
     v.beta1 *= scale.stiffness;
     Mapping mapping{.forms = {hysteretic_asym(v)}, .why = {}};
     if (v.beta1 != 0.0) return mapping;
-    // Without hardening it is Bouc-Wen with n = 1, beta = alpha and gamma = 0, whose force never turns into NaN.
+    // Without hardening the law is Bouc-Wen with n = 1, beta = alpha and gamma = 0, whose force never becomes NaN.
     for (auto& form : bouc_wen_forms(without_hardening(v))) {
       if (form.id == "material") form.id = "material_bouc_wen";
       mapping.forms.push_back(std::move(form));

@@ -1,4 +1,4 @@
-// A building on isolators, for the targets opensees-model and openseespy-model. All in kN, mm and s.
+// A building on isolators, for the targets opensees-model and openseespy-model. All values are in kN, mm and s.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct ModelOptions {
   std::optional<std::string> layout, mass, gyration, axial, ground_motion, ground_motion_y;
   std::optional<double> ground_motion_dt;
   double scale = 1.0;
-  int draws = 0;  // 0: the bounds
+  int draws = 0;  // 0: analyses of the bounds
 };
 std::vector<Option<ModelOptions>> const& model_table();
 
@@ -29,19 +29,19 @@ struct ModelBearing {
 };
 
 struct Model {
-  std::string layout;  // the file
+  std::string layout;  // path of the layout file
   std::vector<ModelBearing> bearings;
   double weight_kN = 0.0, x_mm = 0.0, y_mm = 0.0, gyration_mm = 0.0;  // the carried weight and its centre
-  std::string weight_from, centre_from, gyration_from, K_v_from;      // in words
-  std::vector<data::GroundMotion> motions;                            // along x, and along y where there are two
+  std::string weight_from, centre_from, gyration_from, K_v_from;      // sources, in words
+  std::vector<data::GroundMotion> motions;                            // along x, and along y if there are two
   double scale = 1.0;
-  // Parameters of the law by draw and bearing; empty: the analyses are those of the bounds.
+  // Parameters of the law for each draw and bearing. If empty, the analyses are those of the bounds.
   std::vector<std::vector<std::vector<double>>> draws;
   std::uint64_t seed = 0;
   std::vector<std::string> draws_said;
 };
 
-// The most sets of parameters that one file holds; each has a material and a check.
+// The most sets of parameters in one file; each set needs a material and a check.
 inline constexpr int most_drawn_sets = 2000;
 
 // `device` is a name or "lot"; its compression tests may give K_v. Throws one Error that lists all faults.

@@ -9,16 +9,17 @@
 
 namespace isolaw::programs {
 
-// A bearing element that couples both directions is preferred to springs.
+// Prefers a bearing element that couples both directions to springs.
 Realised& form_of_model(Realisation& realisation);
 Realised const& form_of_model(Realisation const& realisation);
 
-// Adds a variant for every bearing of every draw; a law that stands in is fitted to each. Throws Error that names the
-// first draw and bearing that the program cannot give. Returns the worst deviation of a drawn form from its law.
+// Adds a variant for every bearing of every draw; a law that stands in for another is fitted to each draw. Throws Error
+// that names the first draw and bearing that the program cannot give. Returns the worst deviation of a form from its
+// law.
 Deviation add_draws(Realisation& realisation, Subject const& subject);
 std::string drawn_variant(std::size_t draw, std::size_t bearing);  // both from 1: "draw_3_12"
 
-// All in the units of the file.
+// All numbers are in the units of the file.
 struct ModelNumbers {
   bool coupled = false;
   std::string function;  // "bearing", "material"
@@ -29,12 +30,12 @@ struct ModelNumbers {
   };
   std::vector<One> bearings;
   double motion_step_s = 0.0;
-  int pieces = 1;  // steps of the analysis to one of the motion
+  int pieces = 1;  // analysis steps in one step of the motion
   std::vector<std::vector<double>> motions;
-  double tolerance = 0.0;          // Newton's rule, on displacements
+  double tolerance = 0.0;          // of Newton's rule, for displacements
   double tested = 0.0;             // largest tested displacement
   std::vector<std::string> cases;  // "lower", "nominal", ...; "nominal", "draw_1", ...
-  bool held = false;               // against turning, where there is only one bearing
+  bool held = false;               // held against turning, if there is only one bearing
 };
 ModelNumbers model_numbers(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::vector<std::string> model_cautions(Subject const& subject, UnitSystem const& units);

@@ -1,4 +1,4 @@
-// From a law to a program's commands: exact forms where their replay agrees, else the nearest law fitted to this one.
+// Turns a law into a program's commands: exact forms if their replay agrees, else the nearest law fitted to this one.
 #pragma once
 
 #include <optional>
@@ -17,20 +17,20 @@ namespace isolaw::programs {
 enum class Fidelity {
   exact,           // at every step
   exact_in_limit,  // as the step goes to zero
-  refitted,        // another law, fitted to this one's force
+  refitted,        // another law, fitted to the force of this one
   not_available
 };
 std::string_view name(Fidelity fidelity);
 
-// In percent.
+// The difference of one force from another.
 struct Deviation {
   double largest = 0.0;                 // in percent of the reference's peak
-  std::optional<double> at_s;           // time of the largest; empty without time
-  std::size_t at_sample = 0;            // its sample of the record, from 1
+  std::optional<double> at_s;           // time of the largest deviation; empty without time
+  std::size_t at_sample = 0;            // sample of the largest deviation in the record, from 1
   double rms = 0.0;                     // root mean square over the samples, in percent of the reference's peak
-  std::optional<double> K_eff, energy;  // relative errors in the reported cycle; empty without one
+  std::optional<double> K_eff, energy;  // errors in the reported cycle, in percent; empty without one
 };
-// `other` is the reference; points where it is no number are left out. A force that is no number gives infinity.
+// `other` is the reference; points where it is NaN are left out. A force that is NaN gives infinity.
 Deviation deviation(History const& history, std::span<double const> force_kN, std::span<double const> other_kN);
 void keep_worst(Deviation& worst, Deviation const& other);
 struct Realised {
@@ -40,10 +40,10 @@ struct Realised {
       {};                                  // a model's drawn isolators, by drawn_variant() (model_text.hpp)
   Deviation from_law;                      // the worst over the histories, at the records' sampling
   std::optional<Deviation> finer;          // the same in finer_steps times smaller steps, small_steps only
-  std::optional<Deviation> from_measured;  // from the measured force
-  std::vector<OtherCycle> other_cycles;    // re-fits only
-  std::optional<StepsNeeded> steps;        // small_steps only; empty also where no number tried was enough
-  double longest_travel_mm = 0.0, longest_step_mm = 0.0;  // in the records: in one direction, and between samples
+  std::optional<Deviation> from_measured;  // against the measured force
+  std::vector<OtherCycle> other_cycles;    // only for a law that was fitted in place of this one
+  std::optional<StepsNeeded> steps;        // small_steps only; empty also if no number tried was enough
+  double longest_travel_mm = 0.0, longest_step_mm = 0.0;  // in the records: in one direction, and from sample to sample
 };
 inline constexpr int finer_steps = 16;
 
@@ -51,7 +51,7 @@ struct Realisation {
   Fidelity fidelity = Fidelity::not_available;
   std::string explanation;      // one sentence: what is exact, or why it is not
   std::vector<Realised> forms;  // the first is the one to use
-  std::string substitute;       // id of the law that was fitted in its place; empty for an exact form
+  std::string substitute;       // id of the law that was fitted in place of the law; empty for an exact form
   std::vector<double> substitute_parameters;
   std::vector<std::string> refused;         // "form: how its replay failed"
   std::optional<Deviation> draws_from_law;  // the worst draw against its own law, on the first history
@@ -59,25 +59,25 @@ struct Realisation {
 
 // Limits in percent of the peak force, at the records' steps and at steps finer_steps times smaller.
 inline constexpr double exact_percent = 1e-7, limit_percent = 0.5;
-// Where the isolator moves this many times as far as in the tests the form must still give a force.
+// The form must still give a force if the isolator moves this many times as far as in the tests.
 inline constexpr double overtravel = 1.5;
 
 inline constexpr std::string_view corner_law = "bilinear", smooth_law = "bouc-wen";
 
-// In percent of the peak force, at one sample or rms; so is one whose stiffness or energy is off (study/adequacy.hpp).
+// Percent of the peak force, at one sample and rms. far_off() also limits stiffness and energy (study/adequacy.hpp).
 inline constexpr double far_off_percent = 50.0, far_off_rms_percent = 10.0;
 bool far_off(Deviation const& from_law);
 bool far_off(std::vector<OtherCycle> const& cycles);
 
 struct Substitute {
-  laws::LawEntry const* law = nullptr;  // null: none gave a force
+  laws::LawEntry const* law = nullptr;  // null if no law gave a force
   std::vector<double> parameters;
   double objective = 0.0;
 };
 Substitute fit_substitute(Subject const& subject, std::string_view law,
                           std::vector<fit::Override> const& overrides = {});
 
-// The worst over the histories.
+// The worst deviation over the histories.
 Deviation deviation_of_law(Subject const& subject, laws::LawEntry const& law, std::span<double const> parameters);
 
 Realisation realise(Subject const& subject);
@@ -85,7 +85,7 @@ Realisation realise(Subject const& subject);
 // Force of a form [kN] over displacements in mm, computed in the given unit system as the program would.
 std::vector<double> replay_kN(Form const& form, UnitSystem const& units, std::span<double const> disp_mm);
 
-// Replays a form into `realised` and returns how it fails to be the law; "" where it agrees.
+// Replays a form into `realised`. Returns how the form differs from the law, "" if it agrees.
 std::string failure_of(Form const& form, Subject const& subject, Realised& realised);
 
 }  // namespace isolaw::programs

@@ -1,4 +1,4 @@
-// Text that one target adds to another's script: a model to the script of the law that it uses.
+// Text that one target adds to the script of another: a model is added to the script of its law.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ struct ScriptAddition {
   std::vector<Fact> facts;
   std::string usage;       // lines of comment
   std::string procedures;  // belong to the namespace or the module
-  std::string dispatch;    // reads the program's arguments; in Tcl it follows the check's
+  std::string dispatch;    // reads the program's arguments; in Tcl it follows the check
 };
 
 }  // namespace isolaw::programs

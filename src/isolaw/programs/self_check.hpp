@@ -1,4 +1,4 @@
-// The self-check of every script: displacements, the law's force, and the force that the program must give there.
+// The self-check of every script: displacements, and at each the law's force and the force that the program must give.
 #pragma once
 
 #include <string>
@@ -13,23 +13,23 @@ struct CheckedVariant {
   std::string name;  // "nominal", "lower", "upper"
   std::vector<Command> commands;
   std::vector<Tags> tags;     // one for each command
-  std::vector<double> force;  // expected of the program
+  std::vector<double> force;  // the force that the program must give
 };
 
 struct CheckedForm {
   Form const* form = nullptr;
   std::string function;  // name in the script: "material"
   bool is_element = false;
-  double tolerance = 1e-6;  // share of the peak force
+  double tolerance = 1e-6;  // as a share of the peak force
   std::vector<CheckedVariant> variants;
 };
 
 struct SelfCheck {
-  std::vector<double> disp, law;  // the script's units
+  std::vector<double> disp, law;  // in the script's units
   std::vector<CheckedForm> forms;
 };
 
-// "uses the tag after the given one too"; "" for none.
+// Such as "uses the tag after the given one too"; "" if the form uses one tag.
 std::string tags_text(Form const& form);
 
 SelfCheck self_check(Subject const& subject, Realisation const& realisation, UnitSystem const& units);

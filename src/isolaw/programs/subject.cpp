@@ -19,7 +19,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// The samples and, where the law was turned between samples, the turning points.
+// The samples and, if the law's motion turns between samples, the turning points.
 History history_of(campaign::Device const& device, laws::TurningPoints turning_points) {
   auto const& record = device.record;
   auto const path = turning_points == laws::TurningPoints::interpolated
@@ -73,7 +73,7 @@ rules::LotQuantity const* quantity_of(study::Summary const& summary, rules::Quan
   return nullptr;
 }
 
-// The property that the factors are relative to: the device's in the cycle that counts, or the lot's mean.
+// The value that the factors refer to: the device's in the cycle that counts, or the lot's mean.
 std::optional<double> own_value(study::Summary const& summary, Subject const& subject, rules::LotQuantity const& view) {
   if (subject.lot) return view.mean;
   auto const device = std::ranges::find(summary.devices, subject.device, &study::DeviceResult::name);
@@ -97,7 +97,7 @@ rules::Bound const* chosen_bound(rules::LotQuantity const& view) {
 }
 
 struct PropertyBounds {
-  std::optional<double> lower, upper;  // factors on the subject's own property
+  std::optional<double> lower, upper;  // factors on the subject's own value
   double own = 0.0;
   std::string text;
 };
@@ -160,7 +160,7 @@ Bounds bounds_of(study::Summary const& summary, Subject const& subject, UnitSyst
     return spread_of_the_lot(summary, subject, units,
                              "rule set " + rules.id + " has no factors of K_d and Q_d for this lot");
   Bounds bounds;
-  // The overall factor weights both by their parts' shares of the force at the amplitude of the cycle that counts.
+  // The overall factor is the mean of both, weighted by the parts' shares of the force at the design displacement.
   double const spring = K_d->own * subject.design_disp_mm, both = spring + Q_d->own;
   auto const factors = [&](std::optional<double> stiffness, std::optional<double> strength) {
     return stiffness && strength
@@ -222,7 +222,7 @@ void add_lot_parameters(Subject& subject, campaign::Contents const& contents, st
   std::ranges::stable_sort(subject.histories, std::ranges::greater{}, reach);
 }
 
-// A law fitted to a record that begins off zero may still have no finite force on the way there from zero.
+// If a record does not begin at zero, the law fitted to it may have no finite force between zero and the first sample.
 void require_finite(Subject const& subject, std::string const& where) {
   auto const finite = [](History const& history) {
     return std::ranges::all_of(history.law_kN, [](double f) { return std::isfinite(f); });

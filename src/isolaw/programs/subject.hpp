@@ -21,14 +21,14 @@ namespace isolaw::programs {
 struct History {
   std::string device;  // empty: the protocol of the self-check
   std::vector<double> time_s, disp_mm, vel_mm_s;
-  std::vector<double> measured_kN;  // empty for a protocol; NaN at points that are no samples
+  std::vector<double> measured_kN;  // empty for a protocol; NaN at points that are not samples
   std::vector<double> law_kN;       // the law from the virgin state at the first point
   bool timed = true;                // false: time_s counts samples
   int refinement = 1;               // steps of the law in each interval
   double dead_band_mm = 0.0;        // FitRecord::dead_band_mm
 };
 
-// Empty: not stated by the records or the lot file.
+// Empty values are stated neither by the records nor by the lot file.
 struct Tested : study::Range {
   std::optional<double> strain_percent;
   std::optional<double> lowest_Hz, highest_Hz;
@@ -37,36 +37,36 @@ struct Tested : study::Range {
 };
 
 struct Fitted : study::Range {
-  std::string part;  // "block 1", ...; empty: all of them
+  std::string part;  // "block 1", ...; empty: all blocks
 };
 
-// For the part of the force that grows with displacement (K_d) and the hysteretic part (Q_d); equal if only one is
-// known.
+// Factors on the part of the force that grows with displacement (K_d) and on the hysteretic part (Q_d). They are equal
+// if only one is known.
 struct BoundFactors {
   double stiffness = 1.0, strength = 1.0;
-  double overall = 1.0;  // on the whole force, for laws and programs that cannot tell the parts apart
+  double overall = 1.0;  // on the whole force, for laws and programs that cannot separate the parts
   bool separate = false;
 };
 
 struct Bounds {
   std::optional<BoundFactors> lower, upper;
-  std::string source;  // where they come from, or why there are none
+  std::string source;  // where the factors come from, or why there are none
 };
 
 struct Subject {
-  std::string version;  // this program's
-  std::string makers;   // versions and builds that calibrated
+  std::string version;  // version of the program that exports
+  std::string makers;   // versions and builds of isolaw that calibrated
   std::string title;
   laws::LawEntry const* law = nullptr;
   bool lot = false;
-  std::string device;  // its name; "lot" for the law of the lot
-  // Number of the device in the campaign, from 1, where another device's plain_name() is the same; else 0.
+  std::string device;  // the device's name; "lot" for the law of the lot
+  // Number of the device in the campaign, from 1, if another device has the same plain_name(); else 0.
   std::size_t number_among_alike = 0;
   std::vector<double> parameters;  // in the law's units and order
-  // One for a device; for a lot one for each device that takes part, the largest amplitude first.
+  // One history for a device; for a lot one for each device that takes part, the largest amplitude first.
   std::vector<History> histories;
   History protocol;           // two cycles, at half and at the whole tested amplitude
-  double frequency_Hz = 0.0;  // the protocol's
+  double frequency_Hz = 0.0;  // frequency of the protocol
   std::optional<double> objective;
   Tested tested;
   Fitted fitted;
@@ -79,21 +79,21 @@ struct Subject {
   double design_disp_mm = 0.0;                             // amplitude of the reported cycle
   std::vector<std::string> beyond;  // sentences about the law beyond the tests (away.hpp), in the units asked for
   std::vector<std::string> notes;
-  std::optional<Model> model;  // set for the targets that write a whole building
+  std::optional<Model> model;  // empty unless the target writes a whole building
 };
 
-// Two sine cycles from rest, the second beginning at the middle point; without forces.
+// Two sine cycles from rest, without forces. The second begins at the middle point.
 inline constexpr int protocol_steps = 80;
 History two_cycles(double first_mm, double second_mm, double frequency_Hz, int steps_per_cycle = protocol_steps);
 
-// A name that programs accept: at most 40 characters, each run of others than letters and digits as one underscore.
+// A name that programs accept: at most 40 characters. One underscore replaces each run of other characters.
 std::string plain_name(std::string_view name);
 
-// Throws Error where the campaign lacks such a law, device or result. `units` are for Bounds::source and `beyond`.
+// Throws Error if the campaign lacks such a law, device or result. `units` are for Bounds::source and `beyond`.
 Subject make_subject(campaign::Contents const& contents, study::Summary const& summary, std::string_view law,
                      std::string_view device, UnitSystem const& units = unit_systems[0]);
 
-// In kN, at the history's points.
+// Returns the force in kN at the history's points.
 std::vector<double> law_force(laws::LawEntry const& law, std::span<double const> parameters, History const& history);
 
 }  // namespace isolaw::programs

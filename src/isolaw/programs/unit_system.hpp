@@ -1,4 +1,4 @@
-// Programs carry no units: an export states its own, and converts every argument by its powers of force and length.
+// Programs have no units: an export states its own, and converts every argument by its powers of force and length.
 #pragma once
 
 #include <array>

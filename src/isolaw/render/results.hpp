@@ -1,4 +1,4 @@
-// The results of a study, which every renderer shows, under their own names in isolaw::render.
+// Gives the results of a study, which every renderer shows, their own names in isolaw::render.
 #pragma once
 
 #include "isolaw/study/summary.hpp"

@@ -22,13 +22,13 @@ void write_inspection(Summary const& summary, std::filesystem::path const& dir);
 // Writes building.html, building.json and the tables of a building in the same way.
 void write_building_outputs(building::Study const& study, building::Answers const& answers,
                             std::filesystem::path const& dir);
-// The files of write_outputs(): their names relative to `dir`, and their texts.
+// The files that write_outputs() writes: names relative to `dir`, and texts.
 std::vector<std::pair<std::string, std::string>> output_texts(Summary const& summary);
-// Removes all of these, run.json and the figures: the reports of one campaign must not stand beside the store of
-// another.
+// Removes all these files, run.json and the figures, since one campaign's reports must not remain beside another's
+// store.
 void remove_outputs(std::filesystem::path const& dir);
 void remove_building_outputs(std::filesystem::path const& dir);
-// Removes the unfinished files that a killed process left in `dir`, its tables and its figures.
+// Removes the unfinished files that a killed process left in `dir` and in its folders of tables and figures.
 void remove_leftovers(std::filesystem::path const& dir);
 
 }  // namespace isolaw::render

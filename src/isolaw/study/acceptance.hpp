@@ -17,18 +17,18 @@ struct AssessedTest {
   data::Properties const* properties = nullptr;
   std::optional<double> rubber_thickness_mm, rubber_area_mm2;
   rules::VerticalValue vertical = {};
-  std::string copy_of = {};  // the other device that holds the same record and is assessed by it; else empty
+  std::string copy_of = {};  // the other device that has the same record and is assessed by it; else empty
 };
 
 struct DeviceAcceptance {
-  std::optional<int> block;  // the block that counts; empty where the record has no cyclic properties
+  std::optional<int> block;  // the block that counts; empty if the record has no cyclic properties
   std::string choice;        // why this block counts
   std::string copy_of;       // as in AssessedTest
   std::vector<rules::Assessment> assessments;
 };
 
 struct LotAcceptance {
-  rules::RuleSet rules;  // its id is empty when no rule set was asked for
+  rules::RuleSet rules;  // its id is empty if no rule set was asked for
   rules::Design design;
   rules::LotView lot;
 
@@ -36,12 +36,12 @@ struct LotAcceptance {
 };
 
 bool any_failed(std::vector<rules::Assessment> const& assessments);
-// True where the sample size or a mean over the lot does not keep a limit of a verified rule set.
+// True if the sample size or a mean over the lot does not keep a limit of a verified rule set.
 bool lot_failed(LotAcceptance const& acceptance);
-// The third counted cycle of the block, or the last where fewer count; nullptr where none counts.
+// The third counted cycle of the block, or the last if there are fewer; nullptr without a counted cycle.
 data::Cycle const* counting_cycle(data::Properties const& properties, std::optional<int> block);
 std::optional<double> mean_load_kN(data::Block const& block);
-// Fills `devices` with one entry for each test. Throws Error where `lot_size` is below the number of devices.
+// Fills `devices` with one entry for each test. Throws Error if `lot_size` is below the number of devices.
 LotAcceptance assess_lot(rules::RuleSet const& rules, rules::Design const& design, std::optional<int> lot_size,
                          std::vector<AssessedTest> const& tests, std::vector<DeviceAcceptance>& devices);
 
@@ -52,9 +52,9 @@ struct DesignValue {
 };
 std::vector<DesignValue> design_values(rules::Design const& design);
 
-// Whether the scatter of the lot permits an analysis with mean properties: the answers of all quantities joined.
+// Whether the scatter of the lot permits an analysis with mean properties. It joins the answers of all quantities.
 struct MeanAnalysis {
-  std::optional<bool> permitted;  // empty: no verified rule set says, or a quantity is not judged
+  std::optional<bool> permitted;  // empty: no verified rule set decides this, or a quantity is not judged
   std::string sentence;
 };
 MeanAnalysis mean_analysis(rules::LotView const& lot);

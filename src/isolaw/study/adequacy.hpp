@@ -11,18 +11,18 @@
 
 namespace isolaw::study {
 
-// A law is adequate up to these means over the devices: of the objective, and of the errors on the compared cycle.
+// Limits of an adequate law: means over the devices of the objective and of the errors on the compared cycle.
 inline constexpr double adequate_objective = 0.3;
 inline constexpr double adequate_K_eff_percent = 15.0, adequate_energy_percent = 30.0;
-// The errors by which the law exceeds these limits (FindingKind::law_inadequate); nullopt for an adequate law and for
-// one that was not identified.
+// The errors by which the law exceeds these limits (FindingKind::law_inadequate); nullopt for an adequate law, and for
+// a law that was not identified.
 std::optional<Finding> inadequacy(LawResult const& law);
 inline bool is_adequate(LawResult const& law) {
   return !inadequacy(law);
 }
 
-// Counts the calibrated parameters that lie at a bound on half of the devices or more: these agree because the search
-// box makes them agree. With one device both counts are 0, since it agrees with itself whatever the box is.
+// Counts the calibrated parameters that lie at a bound on at least half of the devices: they agree only because of the
+// search box. With one device both counts are 0, since a single device agrees with itself whatever the box is.
 struct Pinned {
   std::size_t count = 0, calibrated = 0;
   bool decides() const { return 3 * count >= calibrated && count > 0; }  // from a third on, the law is not robust

@@ -8,7 +8,7 @@
 
 namespace isolaw::study {
 
-// Empty while runs or analyses of the campaign are missing.
+// Returns nothing while runs or analyses of the campaign are missing.
 std::vector<Finding> converged_findings(Summary const& summary);
 
 }  // namespace isolaw::study

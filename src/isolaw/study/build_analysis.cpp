@@ -39,7 +39,7 @@ void add_success(DeviceFit& fit, campaign::Contents const& contents, campaign::S
     ++usable;
     found += run.objective <= least * (1.0 + found_within) + 1e-9 ? 1 : 0;
   }
-  // A single run, compared with itself alone, would always count as found.
+  // A single run would be compared with itself alone and would always count as found.
   if (usable < 2) return;
   fit.success_share = static_cast<double>(found) / usable;
   fit.success_reference = "best of this campaign";
@@ -57,7 +57,7 @@ void add_blocks(DeviceFit& fit, data::FitRecord const& record) {
     fitted[block] = fitted[block] || record.is_scored(i);
   }
   for (auto& [block, mask] : members) {
-    // In a fitted block only the scored samples count.
+    // In a block that the law was fitted to, only the scored samples count.
     if (fitted[block])
       for (std::size_t i = 0; i < mask.size(); ++i) mask[i] *= record.is_scored(i) ? 1.0 : 0.0;
     double const objective = fit::objective_on(record, fit.force_kN, std::move(mask));
@@ -65,7 +65,7 @@ void add_blocks(DeviceFit& fit, data::FitRecord const& record) {
   }
 }
 
-// The free parameters' values as [parameter][device] over the examined devices, in the reduced form where the redundant
+// The free parameters' values as [parameter][device] over the examined devices, in the reduced form if the redundant
 // parameter was free. Parameters that most tests leave undetermined or at a bound are in `left_out` instead.
 struct Examined {
   std::vector<std::string> names, left_out;
@@ -190,7 +190,7 @@ std::vector<std::size_t> undetermined_everywhere(LawResult const& law, std::vect
   for (std::size_t n = 0; n < names.size(); ++n)
     if (std::ranges::all_of(law.devices, [&](DeviceFit const& fit) {
           auto const p = std::ranges::find(fit.parameters, names[n], &ParameterFit::name);
-          bool const examined = p != fit.parameters.end() && p->analysis;  // false where the law was refused
+          bool const examined = p != fit.parameters.end() && p->analysis;  // false if the law was refused
           return !examined || p->analysis->identifiability == analysis::Verdict::undetermined;
         }))
       found.push_back(n);
@@ -258,7 +258,7 @@ void add_prediction(LawResult& law) {
 
 void add_outliers(Summary& summary) {
   std::vector<std::string> names, units, laws;
-  std::vector<std::vector<double>> values;  // [property][device]; NaN where the device has none
+  std::vector<std::vector<double>> values;  // [property][device]; NaN for a device without the property
   auto const add = [&](std::string name, std::string unit, std::string law, auto const& value_on) {
     names.push_back(std::move(name));
     units.push_back(std::move(unit));
@@ -288,7 +288,7 @@ void add_outliers(Summary& summary) {
   }
   for (auto const& found : lot::find_outliers(names, values)) {
     auto const& unit = units[found.property];
-    // A device is not suspect where laws fit it better than the others.
+    // An unusually small misfit is no reason to suspect the device.
     if (unit.empty() && found.score < 0.0) continue;
     summary.outliers.push_back({.device = summary.devices[found.device].name,
                                 .property = names[found.property],
@@ -438,7 +438,7 @@ void add_lot_analysis(LawResult& law, campaign::Contents const& contents) {
 
 void add_converged_views(Summary& summary) {
   if (summary.missing_runs() > 0 || summary.missing_analyses() > 0)
-    return;  // else laws would be compared on different devices
+    return;  // laws would otherwise be compared on different devices
   auto const accurate = [](LawResult const& law) { return law.objective_converged; };
   mark_front(
       summary.laws, [](auto const& law) { return law.beta_converged; }, accurate, &LawResult::on_front_converged);

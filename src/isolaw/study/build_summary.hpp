@@ -1,4 +1,4 @@
-// From what a campaign holds to what its reports print.
+// Computes what reports print from what a campaign holds.
 #pragma once
 
 #include "isolaw/campaign/contents.hpp"
@@ -6,8 +6,8 @@
 
 namespace isolaw::study {
 
-// Statistics over runs and devices, robustness, front, and the best fits' forces and errors, recomputed from the
-// contents alone. Also for a campaign that is not complete: runs that are missing are counted as such.
+// Recomputes everything from the contents alone: statistics over runs and devices, robustness, front, and the forces
+// and errors of the best fits. The campaign may be incomplete; missing runs are then counted.
 Summary build_summary(campaign::Contents const& contents);
 
 }  // namespace isolaw::study

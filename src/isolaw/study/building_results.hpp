@@ -1,5 +1,5 @@
-// The results of a building's analyses, each number with its name, unit and meaning: rows of building.json, the
-// page and the tables; docs/building-json.md is checked against them. building::quantities() has the measured ones.
+// The results of a building's analyses as rows of building.json, the page and the tables: name, unit and meaning.
+// docs/building-json.md is checked against them. building::quantities() lists the measured quantities.
 #pragma once
 
 #include "isolaw/building/answers.hpp"

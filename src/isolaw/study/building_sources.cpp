@@ -53,7 +53,7 @@ building::LawSource source_of(campaign::Contents const& contents, Summary const&
         source.tested_mm = std::max(source.tested_mm, std::abs(x));
       source.devices.emplace(contents.devices[d].name, analysis->determination.optimum);
     }
-  // A single device stands for its lot.
+  // If only one device was analysed, its parameters also represent the lot.
   if (law->lot)
     source.lot = law->lot->parameters;
   else if (source.devices.size() == 1)
@@ -79,7 +79,7 @@ building::LawSource source_of(campaign::Contents const& contents, Summary const&
   return source;
 }
 
-// With springs' parameters as the law's; nullopt where springs were not fitted on every device and the lot.
+// Replaces the law's parameters by those fitted to springs. Returns nullopt if any device or the lot lacks them.
 std::optional<campaign::Contents> with_springs_of(campaign::Contents contents, std::string_view law) {
   bool any = false;
   for (auto& analysis : contents.device_analyses) {

@@ -1,4 +1,4 @@
-// Takes from a campaign what a building needs of a law: the parameters of lot and tested devices, and their population.
+// Takes a law's parameters for a building from a campaign: for the lot, the tested devices and their population.
 #pragma once
 
 #include <string>
@@ -10,12 +10,12 @@
 
 namespace isolaw::study {
 
-// The parameters of one law for the building of `file`, and the findings against the law on the lot and on the devices
-// that stand there. A law that acts in plan as springs comes with the parameters fitted to springs, if there are any.
-// Throws Error where the law is not of this campaign or was not analysed.
+// The parameters of one law for the building of `file`, and the findings against the law on the lot and on the tested
+// devices in the building. If the law acts as springs in plan, the parameters are those fitted to springs, if there are
+// any. Throws Error if the law is not in this campaign or was not analysed.
 building::LawSource law_source(campaign::Contents const& contents, Summary const& summary, std::string_view law,
                                std::string_view where, building::BuildingFile const& file);
-// The law that the campaign recommends for a device not tested; throws Error where it recommends none.
+// The law that the campaign recommends for a device not tested. Throws Error if it recommends none.
 std::string recommended_law(Summary const& summary, std::string_view where);
 
 }  // namespace isolaw::study

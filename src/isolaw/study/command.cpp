@@ -10,7 +10,7 @@
 namespace isolaw::study {
 namespace {
 
-// True for the name that a device gets without a lot file; another name would change its seed.
+// True for the name that a device gets without a lot file. Any other name needs a lot file, since it changes the seed.
 bool is_named_by_its_file(DeviceResult const& device) {
   return device.name == campaign::name_of_file(device.file);
 }

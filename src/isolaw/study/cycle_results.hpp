@@ -7,7 +7,7 @@
 
 namespace isolaw::study {
 
-// A cycle and its device, whose rubber gives the strain.
+// A cycle and its device, whose rubber thickness the strain needs.
 struct CycleOf {
   data::Cycle const& cycle;
   DeviceResult const& device;
@@ -155,7 +155,7 @@ inline constexpr Result<data::Effect> effect_results[]{
     {"exceeds", "", "exceeds", "it exceeds its limit; a warning says so", get<&data::Effect::exceeds>},
 };
 
-// A property that is followed from cycle to cycle of a block, by its short name; key: its row in cycle_results.
+// A property that is followed from cycle to cycle of a block, with its short name. `key` is its row in cycle_results.
 struct FollowedProperty {
   std::string_view name, key;
   double data::Cycle::*value;

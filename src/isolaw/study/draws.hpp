@@ -27,8 +27,8 @@ struct Column {
 };
 std::vector<Column> columns_of(LawResult const& law, laws::LawEntry const& entry);
 std::vector<lot::Limits> limits_of(lot::Population const& population, laws::LawEntry const& entry);
-// Draws `count` devices; device i depends on seed, law and i alone. `where` begins the messages. Throws Error where the
-// law is not of this campaign or has no population.
+// Draws `count` devices. Device i depends only on the seed, the law and i. Messages begin with `where`. Throws Error if
+// the law is not in this campaign or has no population.
 Draws draw_devices(campaign::Contents const& contents, Summary const& summary, std::string_view law, std::size_t count,
                    std::uint64_t seed, std::string_view where);
 std::vector<std::string> sentences(Draws const& draws);

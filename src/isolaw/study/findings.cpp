@@ -24,13 +24,13 @@ bool dominates(LawResult const& a, LawResult const& b) {
   return no_worse && (*a.objective.mean < *b.objective.mean || *a.beta < *b.beta);
 }
 
-// Whoever is told of a law as a choice must know where its box or its prediction speaks against it.
+// Adds findings against a law that is offered as a choice: its search box holds it, or it does not predict.
 void add_cautions(std::vector<Finding>& findings, Summary const& summary, LawResult const& law) {
   if (auto const held = pinned(law); held.decides()) findings.push_back(held.finding(law.id));
   if (!law.prediction_holds()) findings.push_back(prediction_of(summary, law));
 }
 
-// True for a law that was identified and is near enough to the devices: no other is compared or recommended.
+// True for a law that was identified and is near enough to the devices. Only such laws are compared or recommended.
 bool describes(LawResult const& law) {
   return law.objective.mean && is_adequate(law);
 }
@@ -46,7 +46,7 @@ Finding beside_others(Summary const& summary, FindingKind kind, LawResult const&
   return finding;
 }
 
-// The front of the laws that describe the devices: any other law is no choice, whatever it beats.
+// The front among the laws that describe the devices. No other law is a choice, whatever it beats.
 std::vector<bool> front_among_adequate(Summary const& summary) {
   return front_of(
       summary.laws, [](auto const& law) { return describes(law) ? law.beta : std::nullopt; },
@@ -59,15 +59,15 @@ std::vector<bool> converged_among_adequate(Summary const& summary) {
       [](auto const& law) { return law.objective_converged; });
 }
 
-// The last law that its box does not hold together; 0: the box holds all but perhaps the most accurate one.
+// The place of the last law on the front that does not depend on its search box; 0 if there is none after the first.
 std::size_t robust_end(Summary const& summary, std::vector<std::size_t> const& front) {
   for (std::size_t place = front.size(); place-- > 1;)
     if (!pinned(summary.laws[front[place]]).decides()) return place;
   return 0;
 }
 
-// The law between the front's ends nearest to the best of both, by the front's extent; the front's size without one. A
-// compromise predicts, is not held together by its box, and stays on the front without the optimiser's noise.
+// The place of the law between the front's ends that is nearest to the best of both, by the front's extent; else the
+// front's size. It must predict, not be held by its box, and stay on the front without the optimiser's noise.
 std::size_t compromise(Summary const& summary, std::vector<std::size_t> const& front) {
   auto const& laws = summary.laws;
   bool const analysed = std::ranges::any_of(laws, &LawResult::on_front_converged);

@@ -35,7 +35,7 @@ constexpr bool is_hollow(std::size_t law) {
 }
 
 // gnuplot's markers in the plot of accuracy against robustness: filled on the front, hollow for a law that is beaten, a
-// cross for one that does not describe the devices.
+// cross for a law that does not describe the devices.
 inline constexpr int front_point = 7, beaten_point = 12, inadequate_point = 2;
 
 }  // namespace isolaw::study

@@ -13,7 +13,7 @@ struct Level {
   int block = 0;
   double amplitude_mm = 0.0;
   std::optional<double> strain_percent, frequency_Hz, N_mean_kN;
-  int cycle = 0;  // the third counted cycle, or the last where fewer count
+  int cycle = 0;  // the third counted cycle, or the last if there are fewer
   double K_eff_kN_per_mm = 0.0, damping_percent = 0.0, energy_kN_mm = 0.0;
   std::optional<double> K_eff_ratio, damping_ratio;  // relative to the reference
   bool reference = false;                            // the block that counts

@@ -138,7 +138,7 @@ bool is_rising(ByNumber const& laws, Numbers const& numbers, Compared quantity) 
          }) == numbers.end();
 }
 
-// Whether the laws `first` have the smallest values, in any order among themselves. Open without any other law.
+// Whether the laws `first` have the smallest values, in any order among themselves. Not judged without another law.
 Judged have_smallest(ByNumber const& laws, Numbers const& first, Compared quantity) {
   if (auto const open = not_judged(laws, first, {quantity})) return *open;
   Numbers there;
@@ -163,7 +163,7 @@ Judged rising(ByNumber const& laws, Numbers const& numbers, Compared quantity) {
 
 constexpr Compared of_accuracy = &PublishedNumbers::objective, of_beta = &PublishedNumbers::beta;
 
-// Where the runs of every law end at one place, only rounding would be compared, not scatter.
+// If the runs of every law end at one place, their scatter is only rounding and is not compared.
 Judged law_3_scatters_least(ByNumber const& laws) {
   auto const ends_at_one_place = [](Named const& law) {
     auto const& numbers = law.numbers;

@@ -1,5 +1,5 @@
-// Compares a campaign with the study whose laws and method it takes (Cucuzza et al. 2025): the numbers that the study
-// prints for its ten devices in Table A.5, the same numbers here, and which of the study's statements hold here.
+// Compares a campaign with the study whose laws and method isolaw uses (Cucuzza et al. 2025): the numbers of Table A.5
+// for the study's ten devices, the campaign's numbers, and which of the study's statements hold in the campaign.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ struct PublishedNumbers {
   std::optional<double> std_over_runs;     // mean over the devices of the standard deviation over the runs
   std::optional<double> std_over_devices;  // standard deviation of the devices' means
   std::optional<double> beta;
-  bool on_front = false;  // on that of objective against beta, among the study's laws
+  bool on_front = false;  // on the front of objective against beta, among the study's laws
 };
 
 struct PublishedLaw {
@@ -28,10 +28,10 @@ struct PublishedLaw {
 
 struct PublishedStatement {
   std::string where;         // place in the study
-  std::string text;          // the statement in our words
+  std::string text;          // the statement in isolaw's words
   bool in_table = false;     // it holds in the study's own Table A.5
-  std::optional<bool> here;  // empty: cannot be judged, as laws, beta or scatter are missing
-  std::string found;         // the numbers here, or what is missing
+  std::optional<bool> here;  // in the campaign; empty: cannot be judged, as laws, beta or scatter are missing
+  std::string found;         // the campaign's numbers, or what is missing
 };
 
 struct Published {
@@ -40,7 +40,7 @@ struct Published {
   std::vector<PublishedStatement> statements;
 };
 
-// nullopt where fewer than two of the study's laws were identified here.
+// Returns nullopt if fewer than two of the study's laws were identified in the campaign.
 std::optional<Published> published(Summary const& summary);
 
 }  // namespace isolaw::study

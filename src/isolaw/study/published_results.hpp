@@ -1,5 +1,5 @@
-// The comparison with the published study as results: `published` of summary.json and the page's data are written from
-// these rows; docs/summary-json.md is checked against them.
+// The comparison with the published study as results: the rows of `published` in summary.json and of the page's data.
+// docs/summary-json.md is checked against them.
 #pragma once
 
 #include "isolaw/study/published.hpp"

@@ -1,5 +1,5 @@
-// How far a law was tested and how far it was fitted, over the samples of the records that laws are fitted to. Exports
-// state these ranges, and `simulate` compares a motion with them.
+// How far the devices were tested and how far a law was fitted, over the samples of the records that laws are fitted
+// to. Exports state these ranges, and `simulate` compares a motion with them.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ struct Ranges {
   void add(data::FitRecord const& record) {
     widen(
         tested, record, [](std::size_t) { return true; }, [](std::size_t) { return true; });
-    // A velocity depends on the samples on both sides: at the edge of the fitted part it depends on another block too.
+    // A velocity comes from the samples on both sides, so it counts only if both belong to the fitted part.
     auto const last = record.size() - 1;
     auto const scored = [&](std::size_t i) { return record.is_scored(i); };
     widen(fitted, record, scored, [&](std::size_t i) {

@@ -1,5 +1,4 @@
-// Recommends a law for each purpose: one answer from everything that a campaign tells about its laws.
-// docs/decision.md explains the rule.
+// Recommends one law for each purpose, from all results of a campaign. docs/decision.md explains the rule.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +15,7 @@ namespace isolaw::study {
 enum class Purpose {
   untested_device,  // design of a building: devices and amplitudes that were not tested
   these_tests,      // description of what was measured
-  simplest          // the fewest parameters that serve
+  simplest          // the fewest parameters that are accurate enough
 };
 std::string_view name(Purpose purpose);  // "untested-device", "these-tests", "simplest"
 
@@ -36,17 +35,17 @@ struct Recommendation {
   Purpose purpose = Purpose::untested_device;
   std::string title;                // "For a device not tested"
   std::optional<std::size_t> law;   // index into Summary::laws; empty: none can be recommended
-  Sure sure = Sure::weak;           // a choice with a weakness is weak even where it ties
+  Sure sure = Sure::weak;           // a choice with a weakness is weak even if it ties
   std::optional<double> error;      // error of that law, as the purpose measures it; 0 is perfect
   std::string measure;              // where that error was found: "fitted to each device"
-  std::vector<std::size_t> ties;    // the other laws that cannot be told from it, best first
+  std::vector<std::size_t> ties;    // the other laws whose errors do not differ enough from it, best first
   std::vector<Standing> standings;  // every law, best first, those ruled out last
-  Finding answer;                   // take this law, or none
+  Finding answer;                   // recommends this law, or none
   std::vector<Finding> why;
   std::vector<Finding> weak;        // why the choice is not sure
-  std::vector<Finding> surer;       // what would make it surer; empty where nothing is open
-  std::optional<double> valid_mm;   // the largest displacement at which the law was shown to hold
-  std::optional<Finding> programs;  // how an analysis gets the law where programs lack it
+  std::vector<Finding> surer;       // what would make it surer; empty if nothing is open
+  std::optional<double> valid_mm;   // largest_displacement() of the law
+  std::optional<Finding> programs;  // how to use the law in analysis programs that lack it
 };
 
 bool compares_laws(Summary const& summary);
@@ -54,14 +53,14 @@ bool compares_laws(Summary const& summary);
 std::vector<Recommendation> recommendations(Summary const& summary);
 // The answer that the page and the terminal open with; none for an inspection.
 std::optional<Finding> verdict(std::vector<Recommendation> const& recommendations);
-// Two laws tie where the mean difference of their errors over the devices is within this many of its standard errors. A
-// single device has no scatter: there they tie within this share of the smaller error.
+// Two laws tie if the mean difference of their errors over the devices is within this many of its standard errors. With
+// a single device they tie if their errors differ by at most this share of the smaller one.
 inline constexpr double tie_errors = 2.0, tie_share = 0.15;
-// The simplest law's error may exceed the best law's by the larger of this share of it and this much.
+// The simplest law's error may exceed the best law's error by this share of it or by this much, whichever is larger.
 inline constexpr double simple_share = 0.5, simple_error = 0.02;
-// A choice is weak where less than this share of the law's runs ends near the least objective.
+// A choice is weak if less than this share of the law's runs ends near the least objective.
 inline constexpr double found_share = 0.5;
-// It is weak too where the tests leave more than this share of the parameters open and no prediction was made.
+// A choice is weak if the tests leave more than this share of the parameters open and no blocks were predicted.
 inline constexpr double open_share = 0.5;
 
 }  // namespace isolaw::study

@@ -1,5 +1,5 @@
-// Every result under one name: its key in JSON, its unit, its heading in tables and its meaning. summary.json, the data
-// of the page and the tables are written from these rows, in their order; docs/summary-json.md is checked against them.
+// Every result under one name: its key in JSON, its unit, its heading in tables and its meaning. These are the rows of
+// summary.json, of the page's data and of the tables, in this order. docs/summary-json.md is checked against them.
 #pragma once
 
 #include <array>
@@ -43,7 +43,7 @@ Value value_of(T const& from) {
     return from;
 }
 
-// Reads a member or calls a function of the object, and so on: get<&ParameterFit::value, &Statistic::mean>.
+// Reads a member or calls a function of the object, then of the result: get<&ParameterFit::value, &Statistic::mean>.
 template <auto first, auto... rest, class Object>
 Value get(Object const& object) {
   if constexpr (sizeof...(rest) > 0)
@@ -55,7 +55,7 @@ template <auto lower, auto upper, class Object>
 Value ends(Object const& object) {
   return Ends{object.*lower, object.*upper};
 }
-// A text that is undefined where it is empty.
+// A text that is undefined if it is empty.
 template <auto member, class Object>
 Value word(Object const& object) {
   return (object.*member).empty() ? Value() : value_of(object.*member);
@@ -65,7 +65,7 @@ Value nested(Object const&) {
   return Nested{};
 }
 
-// Marks a number whose unit differs from object to object and stands beside it, as that of a parameter.
+// Marks a number whose unit differs between objects, as a parameter's does, and is given beside the number.
 inline constexpr std::string_view own_unit = "its own";
 
 struct Printed {
@@ -80,11 +80,11 @@ constexpr Printed significant(int count) {
 
 template <class Object>
 struct Result {
-  // unit: "-" for a number without one, "" for what is no number; heading: "" for what no table and no page shows.
+  // unit: "-" for a number without a unit, "" for other values; heading: "" if no table and no page shows the result.
   std::string_view key, unit, heading, meaning;
   Value (*of)(Object const&) = nullptr;
   Printed printed{};
-  int digits = 9;  // significant digits in the page's data, where numbers are only drawn
+  int digits = 9;  // significant digits in the page's data, for numbers that are only drawn
 };
 
 inline std::string_view fit_message(DeviceFit const& fit) {
@@ -319,7 +319,7 @@ consteval std::array<Result<Object>, count> columns(Result<Object> const (&rows)
 
 // The heading of one cell. A row has one for each cell that its value takes: three for a Statistic.
 struct Heading {
-  std::string title, unit;   // unit: empty where the row has no fixed one
+  std::string title, unit;   // unit: empty if the row has no fixed one
   std::string text() const;  // "title [unit]"
 };
 std::vector<Heading> headings(std::string_view heading, std::string_view unit, Value const& example);

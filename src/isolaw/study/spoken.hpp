@@ -1,4 +1,4 @@
-// Helpers for sentences in study: those of wording/words.hpp, and the name of a law in the summary.
+// Helpers for sentences in study: functions of wording/words.hpp, and the name of a law.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ using wording::capitalised;
 using wording::enumerate;
 using wording::percent;
 using wording::with_decimals;
-// The name by which sentences call a law; its id is for what a user types.
+// The name of a law in sentences; its id is for options and files.
 inline std::string called(LawResult const& law) {
   return std::string(laws::called(law.id));
 }

@@ -32,7 +32,7 @@ struct ParameterAnalysis {
   analysis::Verdict identifiability = analysis::Verdict::determined;
   // The range in which the objective, with all other parameters fitted again, stays within the rise.
   double open_lower = 0.0, open_upper = 0.0;
-  bool open_below = false, open_above = false;  // the range ends at the box
+  bool open_below = false, open_above = false;  // the range ends at a bound of the search box
   double linear_lower = 0.0, linear_upper = 0.0;
   std::optional<double> bootstrap_lower, bootstrap_upper;
   std::vector<double> profile_value, profile_objective;
@@ -57,15 +57,15 @@ struct ParameterFit {
   double lower = 0.0, upper = 0.0;
   Statistic value;
   std::optional<double> percent_of_lot;      // difference of the mean from the mean over devices, percent
-  fit::AtBound at_bound = fit::AtBound::no;  // of the best run
+  fit::AtBound at_bound = fit::AtBound::no;  // whether the best run ended at a bound of the box
   std::string tied_to;                       // the parameter whose value this one takes; "" for none
-  std::string paper_name;  // its name in the tables of Cucuzza et al. 2025, where that differs; else ""
+  std::string paper_name;                    // its name in the tables of Cucuzza et al. 2025, if that differs; else ""
   std::optional<ParameterAnalysis> analysis;
 };
 
 struct DeviceFit {
   std::string device;
-  std::string refusal;  // why the law was not identified here ("" when it was)
+  std::string refusal;  // why the law was not identified on this device; "" if it was
   int runs = 0, failed_runs = 0, missing_runs = 0;
   std::string failure;                                    // reason of the first failed run
   std::uint64_t evaluations = 0, failed_evaluations = 0;  // parameter sets tried, and those without a finite force
@@ -74,20 +74,20 @@ struct DeviceFit {
   std::optional<double> integration_shift;
   int refinement = 1;                   // integration steps per sample, of the best run
   std::optional<double> success_share;  // share of usable runs within 0.1 % of the campaign's least objective
-  std::string success_reference;        // where that least objective comes from
+  std::string success_reference;        // the source of that least objective
   std::optional<double> optimum;        // least objective of the analysis
   std::optional<double> rise;           // how far the objective may rise within a parameter's range
-  std::vector<std::string> trade_offs;  // sentences
+  std::vector<std::string> trade_offs;  // as sentences
   std::optional<double> interval_level;
   std::size_t interval_samples = 0, interval_block = 0;
   int interval_replicates = 0;
-  std::optional<double> lot_objective;       // with the law of the lot, of least mean objective
-  std::optional<double> worst_objective;     // with the law that is least bad for the worst device
-  std::optional<double> left_out_objective;  // with the law fitted to all other devices
-  // With springs around the circle, along the test direction: fitted as springs, and with the law's parameters.
+  std::optional<double> lot_objective;       // with the lot's common parameters of least mean objective
+  std::optional<double> worst_objective;     // with the common parameters that are best for the worst device
+  std::optional<double> left_out_objective;  // with parameters fitted to all other devices
+  // With springs around the circle, along the test direction: as fitted to springs, and with the law's own parameters.
   std::optional<double> springs_objective, springs_given_objective;
   std::vector<BlockScore> blocks;
-  std::optional<EnergyFall> energy_fall;       // empty where the device does not lose energy steadily
+  std::optional<EnergyFall> energy_fall;       // empty if the device does not lose energy steadily
   std::vector<ParameterFit> parameters;        // in the law's order
   std::vector<double> force_kN;                // force of the best run at the samples of the device's FitRecord
   std::vector<std::vector<double>> histories;  // for each run the best objective after each generation
@@ -99,7 +99,7 @@ inline std::string_view fit_status(DeviceFit const& fit) {
   return fit.objective.mean ? "ok" : "failed";
 }
 
-// One vector of all parameters, in the law's order, for all devices: of least mean and of least worst objective.
+// Parameters for all devices in common, in the law's order: of least mean objective, and of least worst objective.
 struct LotLaw {
   std::vector<double> parameters, worst_parameters;
   double mean = 0.0, worst = 0.0;  // mean and largest objective with `parameters`
@@ -108,7 +108,7 @@ struct LotLaw {
   std::vector<std::pair<std::string, fit::AtBound>> at_bound;  // entries of `parameters` that lie at a bound
 };
 
-// How well a law predicts blocks that it was not fitted to; docs/decision.md.
+// How well a law predicts blocks that it was not fitted to. docs/decision.md has the limits.
 enum class PredictionGrade { good, fair, poor, unusable };
 constexpr std::string_view name(PredictionGrade grade) {
   constexpr std::string_view names[]{"good", "fair", "poor", "unusable"};
@@ -134,14 +134,14 @@ struct LawResult {
   std::string loo_worst_device;
   bool on_front_loo = false;  // the front of objective_converged against loo_objective
   std::optional<lot::Population> population;
-  std::optional<double> fitted_objective, predicted_objective, worst_predicted;  // over blocks, then over devices
-  std::optional<PredictionGrade> prediction_grade;                               // where blocks are predicted
-  bool in_programs = false;  // analysis programs have this law with such parameters, whatever bounds and records are
-  std::string reduced_form;  // the `--set` that fits the form without the redundant parameter; "" where none is offered
-  std::vector<std::string> notes;  // how isolaw reads the law where its source is ambiguous
+  std::optional<double> fitted_objective, predicted_objective, worst_predicted;  // means over blocks, then over devices
+  std::optional<PredictionGrade> prediction_grade;                               // empty if no blocks are predicted
+  bool in_programs = false;  // analysis programs have this law with such parameters, apart from bounds and records
+  std::string reduced_form;  // the `--set` that fits the form without the redundant parameter; "" if none is offered
+  std::vector<std::string> notes;  // how isolaw reads the law if its source is ambiguous
   std::vector<DeviceFit> devices;
 
-  // False where blocks are predicted with a grade worse than fair.
+  // False if blocks are predicted with a grade worse than fair.
   bool prediction_holds() const { return !prediction_grade || *prediction_grade <= PredictionGrade::fair; }
   bool prediction_unusable() const { return prediction_grade == PredictionGrade::unusable; }
 };
@@ -150,13 +150,13 @@ struct DeviceResult {
   std::string name, file, sha256;
   std::string status;                 // "ok" or "refused"
   std::string message;                // reason of a refusal
-  std::vector<Complaint> complaints;  // the same part by part, for an inspection
+  std::vector<Complaint> complaints;  // the parts of the refusal, for an inspection
   std::string serial, lot, test_date;
   std::optional<double> temperature_C, rubber_thickness_mm, rubber_area_mm2;
-  data::TestRecord raw;                             // empty when refused
+  data::TestRecord raw;                             // empty if the device was refused
   data::FitRecord record;                           // what the laws were fitted to
   data::Properties properties;                      // from raw values
-  data::VerticalTest vertical_test;                 // with the reason where the test gives no stiffness
+  data::VerticalTest vertical_test;                 // with the reason if the test gives no stiffness
   std::optional<data::VerticalStiffness> vertical;  // from raw values
   std::vector<Finding> notes;         // numbers of the error budget worth knowing, besides the record's warnings
   std::vector<data::Effect> effects;  // the whole error budget, for machines
@@ -175,9 +175,9 @@ struct Setting {
 };
 
 struct Summary {
-  std::string version;                  // the isolaw that made the summary
+  std::string version;                  // the version of isolaw that made the summary
   std::vector<campaign::Maker> makers;  // the builds of isolaw that computed the campaign
-  std::string title;                    // of the lot
+  std::string title;                    // the title of the lot
   std::uint64_t seed = 0;
   std::vector<Setting> settings;
   std::vector<DeviceResult> devices;
@@ -186,17 +186,17 @@ struct Summary {
   LotAcceptance acceptance;
   std::vector<OutlyingDevice> outliers;
   std::size_t analyses = 0, expected_analyses = 0;
-  std::size_t runs = 0, expected_runs = 0;  // stored, and in the complete campaign
-  std::optional<campaign::Part> part;       // the only part that is there; nullopt: all of it
+  std::size_t runs = 0, expected_runs = 0;  // stored runs, and runs of the complete campaign
+  std::optional<campaign::Part> part;       // the only part in the store; nullopt: the whole campaign
   std::size_t expected_here = 0;            // runs of this part
 
   std::size_t missing_runs() const { return expected_runs > runs ? expected_runs - runs : 0; }
   std::size_t missing_analyses() const { return expected_analyses > analyses ? expected_analyses - analyses : 0; }
 };
 
-// True where a device or the lot does not keep some limit of a verified rule set.
+// True if a device or the lot does not keep some limit of a verified rule set.
 bool acceptance_failed(Summary const& summary);
-// Assesses the devices and the lot. Throws Error where the lot is smaller than the number of devices.
+// Assesses the devices and the lot. Throws Error if the lot is smaller than the number of devices.
 void add_acceptance(Summary& summary, rules::RuleSet const& rules, rules::Design const& design,
                     std::optional<int> lot_size);
 

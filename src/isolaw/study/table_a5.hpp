@@ -1,10 +1,10 @@
 // Table A.5 of Cucuzza, Londono Lopez, Domaneschi, Greco, Marano: "High Damping Rubber Bearings: Optimal models
 // evaluation considering production variability", Structures 73 (2025) 108355, as printed. For every law it gives means
 // and sample standard deviations over 20 runs on ten devices, in the laws' units and under isolaw's parameter names
-// (laws::ParameterInfo::paper_name is the paper's). The search boxes of its Table 4 stand in the laws' files.
+// (laws::ParameterInfo::paper_name is the paper's). The laws' files hold the search boxes of the paper's Table 4.
 //
-// The values are printed to two to four digits, and gamma (law 4) and a3 (law 6) as constants. What is computed from
-// them is therefore exact arithmetic on the print, not on the numbers that the authors had.
+// The values are printed to two to four digits, and gamma (law 4) and a3 (law 6) as constants. Numbers computed from
+// them are exact for the printed values, not for the numbers that the authors had.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Doubts about a certified value that the measurement itself causes: the value, and what it would be otherwise.
+// Doubts that the measurement itself raises about a certified value, and what the value would be otherwise.
 #pragma once
 
 #include <string>
@@ -10,17 +10,17 @@ namespace isolaw::study {
 
 struct ValueDoubt {
   std::string quantity;    // "damping", as rule sets name it
-  double value = 0.0;      // as it is stated of the device
-  double otherwise = 0.0;  // as it would be
+  double value = 0.0;      // as stated for the device
+  double otherwise = 0.0;  // as it would be under `condition`
   std::string unit;
-  std::string condition;  // if: "the force channel is early"
+  std::string condition;  // such as "the force channel is early"
 
   // "damping 18.5 %, or 12.2 % if the force channel is early"
   std::string text() const;
 };
 
-// From the effects of the error budget on damping: a late or early channel, the rig's friction. What moves a value by
-// less than a fiftieth is no doubt of it.
+// Doubts about damping, from the error budget: a late or early force channel, a jump of the force, friction of the rig.
+// An effect of less than a fiftieth of the value raises no doubt.
 std::vector<ValueDoubt> value_doubts(DeviceResult const& device);
 
 inline constexpr Result<ValueDoubt> doubt_results[]{

@@ -26,7 +26,7 @@ void add_once(std::vector<std::string>& names, std::string const& name) {
   if (std::ranges::find(names, name) == names.end()) names.push_back(name);
 }
 
-// "K_eff" for either side of a device and for the lot's mean; a limit over cycles or loads has a name of its own.
+// "K_eff" for either side of a device and for the lot's mean; a limit over cycles or loads has its own name.
 std::string property_of(rules::Assessment const& a) {
   bool const plain = a.subject == rules::Subject::device || a.subject == rules::Subject::lot;
   return a.property && plain ? std::string(name(*a.property)) : printable(a.quantity);
@@ -38,7 +38,7 @@ std::string failure(rules::Assessment const& a) {
   return fmt::format("{} {}{}{}", property_of(a), number_text(*a.value), a.unit.empty() ? "" : " ", a.unit);
 }
 
-// "NTC 2018, elastomeric isolators: ..." gives "NTC 2018", as people call the set.
+// Shortens "NTC 2018, elastomeric isolators: ..." to "NTC 2018", as people call the set.
 std::string short_title(rules::RuleSet const& rules) {
   return printable(rules.title.substr(0, rules.title.find_first_of(",:")));
 }
@@ -76,7 +76,7 @@ void add_device(OverallVerdict& overall, DeviceResult const& device) {
     overall.not_assessed.push_back({.device = name, .remark = printable(on_one_line(why))});
     return;
   }
-  // A record that two devices share tests only the first: nothing is known of the other.
+  // If two devices share a record, only the first is assessed by it, and nothing is known of the second.
   auto const& copy_of = device.acceptance.copy_of;
   if (!copy_of.empty())
     overall.not_assessed.push_back({.device = name, .remark = rules::same_record_as(printable(copy_of))});
@@ -90,7 +90,7 @@ void add_device(OverallVerdict& overall, DeviceResult const& device) {
     overall.not_assessed.push_back({.device = name, .remark = "a compression test alone is no pass"});
 }
 
-// "2 of 10 devices fail: D03 K_eff +23.0 %, D07 damping -16.2 %; the lot fails: sample size ..."
+// Adds "2 of 10 devices fail: D03 K_eff +23.0 %, D07 damping -16.2 %" and "the lot fails: sample size ...".
 void say_failures(OverallVerdict const& overall, std::size_t devices, std::vector<std::string>& parts) {
   std::vector<std::string> device_failures, lot_failures;
   for (auto const& [device, remark] : overall.failing)
@@ -204,7 +204,7 @@ DeviceVerdict device_verdict(DeviceAcceptance const& acceptance) {
   std::vector<Farthest> off;  // one for each quantity
   bool limits = false, information = false;
   for (auto const& a : assessments) {
-    // A quantity without a limit asks for nothing.
+    // A quantity without a limit requires nothing.
     if (a.limit.empty()) continue;
     limits = true;
     information = information || a.verdict == Verdict::information;
@@ -223,7 +223,7 @@ DeviceVerdict device_verdict(DeviceAcceptance const& acceptance) {
   for (auto& line : off) result.failures.push_back(std::move(line.text));
   if (!limits)
     information = std::ranges::any_of(assessments, [](auto const& a) { return a.verdict == Verdict::information; });
-  // A quantity with two sides, one of which could not be compared, does not pass.
+  // A quantity does not pass if one of its two sides could not be compared.
   std::erase_if(result.passed, [&](auto const& name) {
     return std::ranges::find(result.not_assessed, name) != result.not_assessed.end();
   });
@@ -266,7 +266,7 @@ OverallVerdict overall_verdict(Summary const& summary) {
       if (!nothing && !more.empty()) overall.sentence += "; " + more;
     if (overall.word != "PASS") overall.mark = overall.word, overall.is_red = !nothing;
   }
-  // Data that were not measured show nothing of devices, whatever the limits say.
+  // Data that were not measured show nothing about real devices, whatever the limits say.
   if (summary.title.find(not_measured) != std::string::npos) {
     overall.mark = "NOT MEASURED";
     overall.is_red = false;
@@ -288,7 +288,7 @@ std::optional<Finding> verdict_against(Summary const& summary, std::optional<std
                                        .words = {{"verdict", overall_verdict(summary).sentence}}})
                : std::nullopt;
   auto found = std::ranges::find(summary.devices, *device, &DeviceResult::name);
-  // Where two devices share a record, the first one has the verdict.
+  // If two devices share a record, the first one has the verdict.
   if (found != summary.devices.end() && !found->acceptance.copy_of.empty())
     found = std::ranges::find(summary.devices, found->acceptance.copy_of, &DeviceResult::name);
   if (found == summary.devices.end()) return std::nullopt;

@@ -1,5 +1,5 @@
 // Sums up the assessments of a device and of the lot in a word and a sentence. A pass names what passed and what nobody
-// compared, since keeping half of a standard's requirements is no pass of the standard.
+// compared, since keeping half of a standard's requirements does not pass the standard.
 #pragma once
 
 #include <optional>
@@ -18,50 +18,51 @@ struct DeviceVerdict {
   std::vector<std::string> passed, failed, not_assessed;
   // For each failed quantity its value farthest from the design value, the farthest first: "K_eff +23.0 %".
   std::vector<std::string> failures;
-  std::string copy_of;  // the device that holds the same record and is assessed by it; else empty
+  std::string copy_of;  // the other device that has the same record and is assessed by it; else empty
 
   // "pass on 1 of 2 (K_eff; not assessed: damping)", "fail: K_eff +23.0 %, damping -16.2 %", "not assessed: the same
   // record as D01"
   std::string text() const;
-  // The same for the cell of a table: "pass on 1 of 2", "fail", "pass" where all were compared.
+  // text() shortened for the cell of a table: "pass on 1 of 2", "fail", or "pass" if all were compared.
   std::string brief() const;
   // The first three failures, and how many more there are.
   std::string failures_text(std::string_view between = ", ") const;
 };
 DeviceVerdict device_verdict(DeviceAcceptance const& acceptance);
 
-// The verdict on a device of an inspection or a campaign: not assessed where its record has no properties to compare
-// with the rule set; nullopt where nothing was asked.
+// The verdict on a device of an inspection or a campaign: not assessed if its record has no properties to compare with
+// the rule set; nullopt if nothing was asked.
 std::optional<rules::Verdict> verdict_on(LotAcceptance const& lot, DeviceResult const& device);
 
 struct Requirement {
   std::string name;
-  rules::Verdict verdict = rules::Verdict::not_assessed;  // a pass where every device and side passes
+  rules::Verdict verdict = rules::Verdict::not_assessed;  // a pass if every device and side passes
 };
 
-// A remark on a device or, where the name is empty, on the lot itself.
+// A remark on a device or, if the name is empty, on the lot itself.
 struct DeviceRemark {
   std::string device, remark;
 };
 
-// The verdict on the whole. FAIL: a device or the lot does not keep a limit of a verified set. INCOMPLETE: none fails,
-// but a requirement or a device was not assessed. PASS: neither. Without a verified set there is no word.
+// The verdict on the whole. FAIL: a device or the lot does not keep a limit of a verified set. INCOMPLETE: nothing
+// fails, but a requirement or device was not assessed. PASS: everything passes. Without a verified set the word is
+// empty.
 struct OverallVerdict {
   std::string word;      // "PASS", "FAIL", "INCOMPLETE", or empty
   std::string sentence;  // the reasons, with devices and requirements; without a word, why there is none
   std::vector<DeviceRemark> failing, not_assessed;
   std::vector<Requirement> requirements;
-  // The words across a certificate that nobody can sign, and whether they are red; empty: it can be signed.
+  // The words across a certificate that nobody can sign, and whether they are red. Empty if it can be signed.
   std::string mark;
   bool is_red = false;
 
   std::string text() const { return word.empty() ? sentence : word + ": " + sentence; }
 };
 OverallVerdict overall_verdict(Summary const& summary);
-// A lot whose title says this holds no real devices; the example lot's does.
+// If a lot's title contains this, its devices are not real, as in the example lot.
 inline constexpr std::string_view not_measured = "not measured";
 std::string verdict_summary(Summary const& summary);
-// The limits of a verified rule set that the device does not keep or, without a device, the lot and its devices.
+// Limits of a verified rule set that the device does not keep; without a device, those of the lot and all its devices.
 std::optional<Finding> verdict_against(Summary const& summary, std::optional<std::string_view> device);
 
 }  // namespace isolaw::study

@@ -91,7 +91,7 @@ class Collector {
     return found != summary_.settings.end() && found->json != "\"all\"" && found->json != "\"\"";
   }
 
-  // Where a device loses energy over cycles and no law in scope follows, the laws hold for a mean of its cycles.
+  // Warns if a device loses energy over its cycles and no law in scope does: the laws then describe a mean cycle.
   void degradation() {
     for (auto const* device : devices_) {
       EnergyFall const* nearest = nullptr;
@@ -261,7 +261,7 @@ class Collector {
   std::vector<Finding> all_;
 };
 
-// Reading the record may have found already why it has no cyclic properties.
+// Adds why the record has no cyclic properties, unless reading it has already said so.
 std::vector<Finding> Collector::record_findings(DeviceResult const& device) {
   auto found = device.raw.warnings;
   for (auto const& reason : device.properties.refusal)
@@ -270,7 +270,7 @@ std::vector<Finding> Collector::record_findings(DeviceResult const& device) {
   return found;
 }
 
-// One record under two names makes parameters look less scattered; one compression test cannot be of two devices.
+// Two devices with one record make parameters look less scattered. A compression test can belong to only one device.
 std::vector<Finding> Collector::shared_records(Summary const& summary) {
   std::vector<Finding> found;
   auto const names_of = [](auto const& group) {

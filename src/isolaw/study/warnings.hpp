@@ -1,5 +1,5 @@
-// Collects the findings that a careful reader must know before trusting a campaign or an inspection. Each is computed
-// once, as fields; wording/table.hpp says what to do about it and makes the sentence.
+// Collects the findings that a careful reader must know before relying on a campaign or an inspection. Each is computed
+// once, as fields; wording/table.hpp makes its sentence and says what to do about it.
 #pragma once
 
 #include <optional>
@@ -21,8 +21,8 @@ struct Scope {
   bool covers_device(std::string_view name) const { return !device || *device == name; }
 };
 
-// Findings within the scope. Whether a law describes the devices, and which devices share a record, is judged on the
-// whole campaign whatever the scope.
+// Findings within the scope. Whether a law describes the devices, and which devices share a record, is always judged on
+// the whole campaign.
 std::vector<Finding> warnings(Summary const& summary, Scope const& scope = {});
 // For each device, in the order of the summary: the findings on its record and on sharing it with other devices.
 std::vector<std::vector<Finding>> device_warnings(Summary const& summary);

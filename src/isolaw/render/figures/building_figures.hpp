@@ -1,4 +1,4 @@
-// Figures for print of an isolated building, drawn like those of a campaign.
+// Figures of an isolated building for print, drawn in the same way as a campaign's figures.
 #pragma once
 
 #include <filesystem>

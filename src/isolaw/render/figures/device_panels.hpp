@@ -12,15 +12,15 @@ namespace isolaw::render {
 
 struct DevicePoint {
   std::string device;
-  Statistic value;  // all empty: a gap
+  Statistic value;  // all empty: a gap in the plot
   MaybeNumber percent;
 };
 
 struct DevicePanel {
-  std::string title;       // drawn above; may be empty
-  std::string name, unit;  // of the quantity
-  MaybeNumber reference;   // mean of the devices; percentages are differences from it
-  std::size_t law = 0;     // by its place in the summary
+  std::string title;       // written above the panel; may be empty
+  std::string name, unit;  // name and unit of the quantity
+  MaybeNumber reference;   // mean over the devices; percentages are differences from it
+  std::size_t law = 0;     // the law's place in the summary
   std::vector<DevicePoint> points;
 };
 

@@ -36,7 +36,7 @@ class Scratch {
   fs::path path_;
 };
 
-// Cairo writes the time into a PDF; a fixed time of the same length keeps equal stores equal in bytes.
+// Replaces the time that Cairo writes into a PDF by a fixed one of equal length, so that equal stores give equal bytes.
 void remove_date(std::string& pdf) {
   constexpr std::string_view before = "/CreationDate (D:";
   auto const at = pdf.find(before);
@@ -58,10 +58,10 @@ bool take_over(fs::path const& from, fs::path const& to, std::string const& name
   return has_svg && has_pdf;
 }
 
-// Few figures to a process: if one fails the rest of its batch starts again, and a small temporary folder is soon gone.
+// Few figures in one process: if one fails, the rest of the batch starts again, and temporary files take less room.
 constexpr std::size_t figures_per_process = 64;
 
-// Draws `names` in one process, and again from behind each figure that fails; copies complete ones to `dir`.
+// Draws `names` in one process. After a figure that fails it starts again with the next. Copies complete ones to `dir`.
 void draw_batch(fs::path const& dir, std::vector<std::string> names, FigureOutcome& outcome) {
   Scratch const scratch;
   if (scratch.path().empty()) {

@@ -1,4 +1,4 @@
-// Draws figures whose data and scripts exist, by gnuplot in a temporary folder.
+// Draws figures with gnuplot in a temporary folder; their data and scripts must exist.
 #pragma once
 
 #include <filesystem>
@@ -10,9 +10,9 @@
 namespace isolaw::render {
 
 std::filesystem::path figure_file(std::filesystem::path const& dir, std::string const& name, char const* extension);
-// Empty if the file is missing or cannot be read.
+// Returns "" if the file is missing or cannot be read.
 std::string text_of(std::filesystem::path const& path);
-// Draws `names` of `dir`; `outcome` gets their number and why some failed. Throws Error where files cannot be written.
+// Draws `names` in `dir`. `outcome` gets their number and why some failed. Throws Error if files cannot be written.
 void draw(std::filesystem::path const& dir, std::vector<std::string> const& names, FigureOutcome& outcome);
 
 }  // namespace isolaw::render

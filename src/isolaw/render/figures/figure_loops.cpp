@@ -14,9 +14,9 @@ namespace {
 
 struct LoopPanel {
   std::string title;
-  DeviceFit const* fit = nullptr;  // null where there is no loop to draw
-  std::string absence;             // why there is none
-  std::size_t law = 0;             // its place in the summary
+  DeviceFit const* fit = nullptr;  // null if there is no loop to draw
+  std::string absence;             // why there is no loop
+  std::size_t law = 0;             // the law's place in the summary
 };
 
 LoopPanel loop_panel(DeviceResult const& device, LawResult const& law) {
@@ -25,7 +25,7 @@ LoopPanel loop_panel(DeviceResult const& device, LawResult const& law) {
     return {fmt::format("{}: OF = {:.4f}", called(law), fit->objective.best.value_or(0.0)), fit, {}};
   if (fit == nullptr) return {called(law), nullptr, "not tried"};
   auto reason = fit->refusal.empty() ? fit->failure : fit->refusal;
-  constexpr std::size_t most = 60;  // bytes that a panel has room for
+  constexpr std::size_t most = 60;  // a panel has room for so many bytes
   if (reason.size() > most) reason = reason.substr(0, reason.find_last_of(' ', most)) + " ...";
   return {called(law), nullptr, std::string(fit_status(*fit)) + (reason.empty() ? "" : ": " + reason)};
 }
@@ -76,11 +76,11 @@ void draw_absence(Script& script, LoopPanel const& panel, double width_mm) {
   for (std::size_t i = 0; i < lines.size(); ++i) script.line("unset label {}", i + 2);
 }
 
-// Draws the device's name and the key in a strip of the whole width: no panel is wide enough for the key in one line.
+// Draws the device's name and the key in a strip over the whole width. No panel is wide enough for the key.
 void draw_head(Script& script, Grid const& grid, std::string const& device, std::size_t law) {
   constexpr double key_mm = 45.0;
   script.margins(grid.margins.left, grid.margins.right, grid.height_mm() - grid.head_mm, 0.5);
-  // gnuplot keeps what the panels of the drawing before have set.
+  // gnuplot would keep the settings of the previous drawing's panels.
   script.line("unset border; unset tics; unset grid; unset title; unset xlabel; unset ylabel");
   script.line("set xrange [0:1]; set yrange [0:1]");
   script.line("set label 1 {} noenhanced at graph 0,0.5",
@@ -91,7 +91,7 @@ void draw_head(Script& script, Grid const& grid, std::string const& device, std:
   script.line("unset key; unset label 1; set border 31 lw 0.8; set tics scale 0.6");
 }
 
-// Distance of ticks: one, two or five times a power of ten, so that the numbers of a narrow panel stay apart.
+// Distance of ticks: one, two or five times a power of ten. At most four or so fit on a narrow panel.
 double tick_step(double span) {
   constexpr double most = 4.0;
   double const power = std::pow(10.0, std::floor(std::log10(span / most)));
@@ -107,7 +107,7 @@ std::string loops_script(std::string const& name, std::string const& about, Devi
   Range disp, force;
   for (double const x : device.record.disp_mm) disp.add(x);
   for (double const f : device.record.force_kN) force.add(f);
-  // A law that runs away is cut off: the scale is that of the measured forces, with half of their range to spare.
+  // The scale is set by the measured forces, with half of their range to spare. A law that runs away is cut off.
   double const spare = 0.5 * (force.high - force.low), lowest = force.low - spare, highest = force.high + spare;
   for (auto const& panel : panels)
     if (panel.fit != nullptr)

@@ -33,7 +33,7 @@ MaybeFigure parameters_figure(Summary const& summary, LawResult const& law) {
       panel.points.push_back(std::move(point));
     }
     if (means.size() > 1) panel.reference = num::moments(means).mean;
-    // No percentages if the mean is too close to zero.
+    // If no point has a percentage, the mean is too close to zero to be a reference.
     if (std::ranges::none_of(panel.points, [](auto const& point) { return point.percent.has_value(); }))
       panel.reference.reset();
     if (means.empty()) continue;

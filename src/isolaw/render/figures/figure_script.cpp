@@ -40,7 +40,7 @@ std::string log_tics(Range const& range) {
     for (int decade = first; decade <= last; ++decade)
       for (double const digit : {1.0, 2.0, 5.0}) add(digit * std::pow(10.0, decade));
   }
-  if (values.size() < 3) {  // within a decade: tics as on a linear axis
+  if (values.size() < 3) {  // less than a decade: tics as on a linear axis
     values.clear();
     double const step = nice_step(range.high - range.low, 4);
     for (double k = std::ceil(range.low / step); k * step <= range.high; ++k) values.push_back(k * step);
@@ -85,7 +85,7 @@ Script::Script(std::string_view name, std::string_view about, double width_mm, d
   line("  set terminal pdfcairo size {}cm,{}cm enhanced font 'Sans,{}' fontscale 0.75 linewidth 0.75",
        to_text(width_mm / 10.0, 5), to_text(height_mm / 10.0, 5), to_text(font_pt, 3));
   line("}}");
-  // gnuplot measures offsets in letters, which differ between SVG and PDF; these bring labels equally close.
+  // gnuplot measures offsets in letters, which differ between SVG and PDF. These bring labels equally close in both.
   line("raise = kind eq 'svg' ? 0.75 : 0.35; inward = kind eq 'svg' ? 1.4 : 0.8");
   line("set output '{}.'.kind", name);
   for (std::size_t i = 0; i < law_look_count; ++i)
@@ -147,7 +147,7 @@ void Range::add(std::optional<double> const& value) {
 
 Range Range::padded(double share) const {
   double const length = high - low;
-  // The ends of a shorter range agree in the six digits that are written, and gnuplot draws no axis without length.
+  // The ends of a shorter range would be equal when written with six digits, and gnuplot draws no axis without length.
   double const least = 1e-4 * std::max(std::abs(low), std::abs(high));
   double const by = length > least ? share * length : low != 0.0 ? 0.05 * std::max(std::abs(low), std::abs(high)) : 1.0;
   return {low - by, high + by, false};

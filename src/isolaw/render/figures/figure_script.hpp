@@ -18,7 +18,7 @@ namespace isolaw::render {
 
 inline constexpr double single_column_mm = 84.0, double_column_mm = 174.0;
 inline constexpr double letter_mm = 1.5;           // mean width of a letter at 7 pt
-inline constexpr std::size_t most_samples = 4000;  // of a curve; more cannot be seen at this size
+inline constexpr std::size_t most_samples = 4000;  // of a curve; more could not be seen at this size
 
 // Line styles that every script defines: one for each look of a law, from 1, then black and grey.
 inline constexpr int blue = 1, vermillion = 2, green = 3, sky = 6, black = law_look_count + 1, grey = black + 1;
@@ -26,7 +26,7 @@ constexpr int style_of(std::size_t law) {
   return static_cast<int>(look_of(law)) + 1;
 }
 std::string marked_style(std::size_t law);
-// First line of every script; isolaw removes only figures whose script begins with it.
+// First line of every script. isolaw removes only figures whose script begins with this line.
 inline constexpr std::string_view script_mark = "# A figure of isolaw: ";
 
 struct Margins {
@@ -35,16 +35,16 @@ struct Margins {
 
 struct Grid {
   int columns = 1, rows = 1;
-  double width_mm = single_column_mm, panel_height_mm = 40.0;  // whole figure; height of one panel's axes
+  double width_mm = single_column_mm, panel_height_mm = 40.0;  // width of the figure; height of one panel's axes
   Margins margins;
-  double head_mm = 0.0;  // above all panels
+  double head_mm = 0.0;  // room above all panels
 
   double panel_width_mm() const { return width_mm / columns - margins.left - margins.right; }
   double row_mm() const { return panel_height_mm + margins.top + margins.bottom; }
   double height_mm() const { return head_mm + rows * row_mm(); }
 };
 
-// A single panel gets the width of one print column, several share that of two.
+// A single panel is as wide as one print column; several panels share the width of two.
 Grid grid_of(std::size_t panels, double panel_height_mm, Margins const& margins, int most_columns = 3);
 
 class Script {
@@ -64,7 +64,7 @@ class Script {
   std::string text_;
   double width_mm_, height_mm_;
 };
-// A user's text for drawing: control characters spelled out, cut to the width.
+// Makes a user's text safe for drawing: control characters are spelled out, and it is cut to the width.
 std::string shortened(std::string_view text, double width_mm);
 
 std::string number(double value);
@@ -83,22 +83,22 @@ struct Range {
   bool empty = true;
 
   void add(std::optional<double> const& value);
-  Range padded(double share) const;      // for linear axes; never without length
+  Range padded(double share) const;      // for linear axes; its length is never zero
   Range padded_log(double share) const;  // for logarithmic axes
 };
 
-// Large and small values are drawn as multiples of a power of ten that the label states.
+// Large and small values are drawn as multiples of a power of ten, which the label states.
 struct Scale {
   double factor = 1.0;
-  std::string label;  // gnuplot's, with the unit: 'K1 (10^{3} N/m)'
+  std::string label;  // for gnuplot, with the unit: 'K1 (10^{3} N/m)'
 };
 Scale scale_for(Range const& range, std::string_view name, std::string_view unit);
 // A law's name below an axis, as a quoted string; a part in brackets goes to a second line.
 std::string law_tic(std::string name);
-// Logarithmic y axis with tics at decades, or closer where it spans few of them.
+// Makes the y axis logarithmic. Tics are at the decades, or closer together if the axis spans only a few decades.
 void set_log_axis(Script& script, Range const& range);
 
-// An axis of devices: their names if there is room, else their numbers.
+// An axis of devices with their names, or their numbers if the names need too much room.
 struct DeviceAxis {
   std::size_t count = 0;
   bool names = false, upright = false;

@@ -1,5 +1,5 @@
 // The figures of a report for print. Each has its data (NAME.dat), a gnuplot script (NAME.gp) and the drawings
-// (NAME.svg, NAME.pdf). Figure numbers 4 to 14 are those of Cucuzza et al. 2025. docs/figures.md lists them.
+// (NAME.svg, NAME.pdf). Figure numbers 4 to 14 refer to Cucuzza et al. 2025. docs/figures.md lists the figures.
 #pragma once
 
 #include <filesystem>
@@ -22,21 +22,21 @@ struct Figure {
   std::string data, script;
 };
 
-// One figure after the other, since those of 160 devices fill the memory; leaves out those with nothing to draw.
+// Makes one figure after the other, since the figures of 160 devices would fill the memory. Skips those without data.
 void for_each_figure(Summary const& summary, FigureChoice choice, std::function<void(Figure const&)> const& use);
-// File names made of letters, digits, '.', '-' and '_', short enough for a file system and different even where case
-// does not count. No stem equals another stem followed by an underscore and one of the endings.
+// Makes file names of letters, digits, '.', '-' and '_', short enough for a file system and different even if case does
+// not count. No stem equals another stem followed by an underscore and one of the endings.
 std::vector<std::string> file_stems(std::vector<std::string> const& names,
                                     std::vector<std::string> const& endings = {});
 
 struct FigureOutcome {
-  std::size_t figures = 0, drawn = 0;  // `drawn` counts drawings kept from the same data too
+  std::size_t figures = 0, drawn = 0;  // `drawn` includes drawings kept from the same data
   bool program_missing = false;
   std::string reason;  // why some were not drawn
 };
 
-// Writes data and scripts into dir/figures, lets gnuplot draw what is missing, and removes isolaw's figures that are
-// not chosen. Does nothing for `none`. Throws Error where files cannot be written.
+// Writes data and scripts into dir/figures, lets gnuplot draw missing figures, and removes figures of isolaw that are
+// not chosen. Does nothing for `none`. Throws Error if files cannot be written.
 FigureOutcome write_figures(Summary const& summary, FigureChoice choice, std::filesystem::path const& dir);
 
 FigureOutcome write_figures(std::vector<Figure> const& figures, std::filesystem::path const& dir);

@@ -1,4 +1,4 @@
-// One function per figure, from the summary to data and script. Each returns nothing where there is nothing to draw.
+// One function per figure makes data and script from the summary. It returns nothing if there is nothing to draw.
 #pragma once
 
 #include <cstddef>
@@ -16,18 +16,18 @@ using MaybeNumber = std::optional<double>;
 std::size_t place_in_summary(Summary const& summary, LawResult const& law);
 // Accuracy against robustness, Fig. 14.
 MaybeFigure front_figure(Summary const& summary, FrontView view);
-// Objective of every law on every device: mean, standard deviation over runs and difference from the law's mean, Figs.
-// 6 and 7 in one; and a panel per law with the devices' names, Fig. 7.
+// Objective of every law on every device: mean, standard deviation over runs and difference from the law's mean, as in
+// Figs. 6 and 7. The other figure has a panel per law with the devices' names, as in Fig. 7.
 MaybeFigure objective_figure(Summary const& summary);
 MaybeFigure objective_by_device_figure(Summary const& summary);
 // A panel per calibrated parameter over the devices, Figs. 8 to 13.
 MaybeFigure parameters_figure(Summary const& summary, LawResult const& law);
-// The campaign beside the study's printed results, Figs. 6 and 8 to 13; empty with fewer than two of its laws.
+// The campaign beside the study's printed results, Figs. 6 and 8 to 13; empty with fewer than two of the study's laws.
 MaybeFigure published_objective_figure(Summary const& summary);
 MaybeFigure published_parameters_figure(Summary const& summary, LawResult const& law);
-// Best objective over generations, or descents: median and range over the runs.
+// Best objective after each generation or descent: median and range over the runs.
 MaybeFigure convergence_figure(Summary const& summary, LawResult const& law);
-// Effective stiffness and damping of every device, with design values and limits where a rule set gives them.
+// Effective stiffness and damping of every device, with design values and limits if a rule set gives them.
 MaybeFigure properties_figure(Summary const& summary);
 // Measured and computed loop, force over time, residual, Fig. 5. `stem` names the device in the files.
 MaybeFigure loops_figure(Summary const& summary, DeviceResult const& device, LawResult const& law,

@@ -30,7 +30,7 @@ constexpr int exit_not_started = 127;
 
 [[noreturn]] void become_gnuplot(std::vector<char*> const& arguments, char const* directory, int messages) {
 #ifdef __linux__
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // must not outlive isolaw
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // gnuplot must not outlive isolaw
 #endif
   int const nowhere = ::open("/dev/null", O_RDWR | O_CLOEXEC);
   for (int const standard : {STDIN_FILENO, STDOUT_FILENO}) ::dup2(nowhere, standard);
@@ -57,7 +57,7 @@ std::optional<std::string> read_messages(int input, Clock::time_point deadline) 
   }
 }
 
-// gnuplot prints the faulty line, a caret below the fault, then `"front.gp" line 7: reason`. Returns that last line.
+// gnuplot prints the faulty line, a caret below the fault, then `"front.gp" line 7: reason`. Returns this last line.
 std::string error_in(std::string const& messages) {
   auto const at = messages.rfind(" line ");
   if (at == std::string::npos) return {};
@@ -112,7 +112,7 @@ DataTable& DataTable::comment(std::string_view text) {
 void DataTable::cell(std::string_view text) {
   text_ += '"';
   for (char const c : printable(text)) {
-    if (c == '\\') text_ += '\\';  // else \n would be a line break in what is drawn
+    if (c == '\\') text_ += '\\';  // otherwise \n would be a line break in the drawing
     text_ += c == '"' ? '\'' : c;
   }
   text_ += "\" ";
@@ -130,7 +130,7 @@ std::string DataTable::take() {
 
 GnuplotEnd run_gnuplot(std::vector<std::string> const& scripts, std::filesystem::path const& directory,
                        std::chrono::seconds limit) {
-  std::vector<std::string> words{gnuplot_program(), "-d"};  // -d: as it is delivered, whatever its user has set
+  std::vector<std::string> words{gnuplot_program(), "-d"};  // -d: without the user's settings
   words.insert(words.end(), scripts.begin(), scripts.end());
   std::vector<char*> arguments;
   for (auto& word : words) arguments.push_back(word.data());

@@ -1,5 +1,5 @@
 // Safe text for gnuplot's scripts and data files (names come from users and must never act as commands), and gnuplot
-// itself, run without a shell, without its user's settings, with a time limit.
+// itself, run without a shell, without the user's settings and with a time limit.
 #pragma once
 
 #include <chrono>
@@ -11,10 +11,10 @@
 
 namespace isolaw::render {
 
-// A single-quoted string, in which gnuplot substitutes nothing; control characters are spelled out. Set `noenhanced`
-// wherever it is drawn, so that _, ^, {, }, @, & and ~ print as they are.
+// A single-quoted string, in which gnuplot substitutes nothing; control characters are spelled out. Draw it with
+// `noenhanced`, so that _, ^, {, }, @, & and ~ print as they are.
 std::string gnuplot_string(std::string_view text);
-// Our own text for labels in enhanced mode: "N/m^3" gets a raised exponent.
+// isolaw's own text for labels in enhanced mode: "N/m^3" gets a raised exponent.
 std::string gnuplot_text(std::string_view text);
 std::string gnuplot_label(std::string_view text);
 
@@ -31,8 +31,8 @@ class DataTable {
   std::string take();
 
  private:
-  void cell(std::string_view text);                // in double quotes; those inside the text become single quotes
-  void cell(std::optional<double> const& number);  // all its digits; NaN for none
+  void cell(std::string_view text);  // in double quotes; double quotes inside the text become single quotes
+  void cell(std::optional<double> const& number);  // with all digits; NaN without a number
   void cell(double number) { cell(std::optional(number)); }
   void cell(std::vector<std::optional<double>> const& numbers) {
     for (auto const& number : numbers) cell(number);
@@ -43,7 +43,7 @@ class DataTable {
 
 struct GnuplotEnd {
   bool started = false;
-  std::string reason;  // why it did not finish; empty if it did
+  std::string reason;  // why gnuplot did not finish; else empty
 };
 
 // Runs `scripts` one after the other in one process in `directory`; the first error ends it.

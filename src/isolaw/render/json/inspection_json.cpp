@@ -37,7 +37,7 @@ void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const&
   out.end_object().key("units").begin_object();
   for (auto const& [channel, unit] : device.raw.layout.units) out.member(data::name(channel), unit);
   out.end_object();
-  // sheet and test are null where the file has only one.
+  // sheet and test are null if the file has only one.
   write_members(out, "sheet", device.raw.layout.sheet, "test", device.raw.layout.test, "recognised",
                 wording::remarks(device.raw.recognised), "warnings", wording::remarks(findings));
   write_findings(out, "findings", findings, wording::anywhere);

@@ -7,8 +7,8 @@
 
 namespace isolaw::render {
 
-// The schema is in docs/inspection-json.md. The members of a single device stand in the object itself, several devices
-// in its array `devices`; `assessment` holds rule_set, design and lot.
+// docs/inspection-json.md has the schema. A single device's members are in the object itself; several devices are in
+// its array `devices`. `assessment` holds rule_set, design and lot.
 std::string inspection_json(Summary const& summary);
 
 }  // namespace isolaw::render

@@ -83,7 +83,7 @@ void write_assessments(JsonWriter& out, std::vector<rules::Assessment> const& as
 }
 
 void write_rule_set(JsonWriter& out, rules::RuleSet const& rules) {
-  auto const file = std::filesystem::path(rules.origin).filename().string();  // JSON holds no path of a machine
+  auto const file = std::filesystem::path(rules.origin).filename().string();  // without this machine's path
   out.begin_object();
   write_members(out, "id", rules.id, "title", rules.title, "edition", rules.edition, "verified_by", rules.verified_by,
                 "source", rules.source, "origin", file);

@@ -15,11 +15,11 @@ struct RunFacts {
   double figures_s = 0.0;
   double cpu_s = 0.0;  // processor time of the process during total_s
   int jobs = 0;
-  std::string profile;  // as profile_json() writes it
+  std::string profile;  // from profile_json()
 };
 
 std::string run_json(RunFacts const& facts);
-// The time that each phase of a campaign took: an array with an object for each, as in run.json.
+// An array with one object for each phase of a campaign: the time that it took.
 std::string profile_json(campaign::Profile const& profile);
 
 }  // namespace isolaw::render

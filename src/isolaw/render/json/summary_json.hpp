@@ -12,8 +12,8 @@ namespace isolaw::render {
 
 // Equal summaries give equal bytes. Numbers read back as the same doubles; undefined values are null.
 std::string summary_json(Summary const& summary);
-// The same with a last member "profile", the array that profile_json() returns; without one if `profile` is empty. The
-// file has none, since times differ between runs.
+// The same with a last member "profile", from profile_json(), unless `profile` is empty. The file summary.json has no
+// profile, since times differ between runs.
 std::string summary_json(Summary const& summary, std::string_view profile);
 // The number of missing runs that the text of a summary.json states; nullopt if it states none.
 std::optional<std::size_t> missing_runs_in(std::string_view summary_json);

@@ -16,14 +16,14 @@ struct Answers;
 
 namespace isolaw::render {
 
-// The page with styles, scripts and data inlined. Text from the input reaches it only inside the data block, escaped,
-// and the title.
+// The page with styles, scripts and data inlined. It contains text from the input only in its title and inside the data
+// block, escaped.
 std::string html(Summary const& summary);
-// The same for a building; its data are those of building.json.
+// The page of a building, with the data of building.json.
 std::string building_html(building::Study const& study, building::Answers const& answers);
-// The state of acceptance that an existing page was written with; nullopt where it states none.
+// The state of acceptance that an existing page was written with; nullopt if it states none.
 std::optional<campaign::Acceptance> asked_in(std::string_view page);
-// page.html, with the placeholders that html() fills, page.css, page.js, building.js and plotly-basic.min.js.
+// page.html (html() fills its placeholders), page.css, page.js, building.js and plotly-basic.min.js.
 std::span<Embedded const> page_files();
 
 }  // namespace isolaw::render

@@ -10,13 +10,13 @@
 
 namespace isolaw::render {
 
-// Keys are those of summary.json where they mean the same. Statistics have nine significant digits. A curve is
-// {"o":offset,"s":step,"d":[...]}: value k = offset + step * (sum of d[0..k]), d integers, a 20,000th of the range.
-// Profiles and intervals have six significant digits.
+// Results of summary.json have the same keys. Statistics have nine significant digits, profiles and intervals six. A
+// curve is {"o":offset,"s":step,"d":[...]}: value k = offset + step * (sum of d[0..k]) with integers d; a step is a
+// 20,000th of the range.
 std::string page_data_json(Summary const& summary);
 
-// Members of the open object that every page's scripts ask for: how laws are marked, and how the symbols of these
-// parameters and of sentences are set; no word that a device is called by.
+// Writes the members of the open object that every page's scripts need: how laws are marked, and how to typeset the
+// symbols of these parameters and of sentences. A name like a10 is not typeset if a device has it.
 struct Notation {
   std::set<std::string_view> parameters, devices;
 };

@@ -1,4 +1,4 @@
-// A building's analyses as CSV, and as a LaTeX table for a publication.
+// Writes the analyses of a building as CSV and as a LaTeX table for a publication.
 #pragma once
 
 #include <string>

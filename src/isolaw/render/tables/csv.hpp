@@ -14,8 +14,7 @@ namespace isolaw::render {
 
 class CsvTable {
  public:
-  // Adds the cells of values as study/results.hpp has them: three for a Statistic, two for Ends; undefined ones are
-  // empty.
+  // Adds a cell for each value, three for a Statistic and two for Ends. Undefined values give empty cells.
   template <class... Of>
   CsvTable& add(Of const&... cells) {
     (put(study::value_of(cells)), ...);

@@ -1,4 +1,4 @@
-// LaTeX tables to \input into a publication: booktabs (longtable where one may exceed a page), numbers in plain math
+// LaTeX tables to \input into a publication: booktabs (longtable if a table may exceed a page), numbers in plain math
 // with four significant digits, standard deviations over runs with two. Each has a CSV with the same content
 // (tables.hpp).
 #pragma once
@@ -11,12 +11,12 @@
 
 namespace isolaw::render {
 
-// A user's text with nothing left that acts as a command. Control characters, and characters that pdfLaTeX has no
-// letter for, are spelled out.
+// Makes a user's text safe for LaTeX. Control characters, and characters that pdfLaTeX has no letter for, are spelled
+// out.
 std::string latex_text(std::string_view text);
-// "$1.600$", "$-2.320\times10^{5}$"; "--" for none.
+// "$1.600$", "$-2.320\times10^{5}$"; "--" without a number.
 std::string latex_number(std::optional<double> const& number, int digits_shown = 4);
-// "kN/mm", "N/m$^{3}$"; "" for none.
+// "kN/mm", "N/m$^{3}$"; "" without a unit.
 std::string latex_unit(std::string_view unit);
 std::string table_a5_tex(Summary const& summary);
 std::string robustness_tex(Summary const& summary);

@@ -10,7 +10,7 @@
 namespace isolaw::render {
 namespace {
 
-// Columns of a cycle before and after the frequency of its block.
+// Columns of a cycle that come before and after the frequency of its block.
 constexpr auto strain = columns(cycle_results, {"strain_percent"});
 constexpr auto of_cycles = columns(cycle_results, {"period_s",
                                                    "amplitude_mm",

@@ -9,9 +9,9 @@
 
 namespace isolaw::render {
 
-// Like Table A.5 of Cucuzza et al. 2025: for each law a row OF and one per parameter; for each device mean and standard
-// deviation over the runs; last the parameter's spread over the lot, Delta_n of Eqs. (28)-(30). Bounds scaled from each
-// record read "per device" (they are in summary.json).
+// Like Table A.5 of Cucuzza et al. 2025. Each law has a row OF and a row for each parameter, with mean and standard
+// deviation over the runs for each device. The last column is the parameter's spread over the lot, Delta_n of Eqs.
+// (28)-(30). Bounds scaled from each record read "per device" (they are in summary.json).
 std::string parameters_csv(Summary const& summary);
 // One row per law and device, refused devices first: objective, runs, errors, shift, reason for a missing result.
 std::string objective_csv(Summary const& summary);
@@ -21,7 +21,7 @@ std::string robustness_csv(Summary const& summary);
 std::string table_a5_csv(Summary const& summary);
 // Fig. 14 in numbers: the laws by rising objective, and which laws dominate them.
 std::string front_csv(Summary const& summary);
-// One row per device, block and cycle. Cycles that do not count, and devices without cycles, say why.
+// One row per device, block and cycle. Rows of cycles that do not count, or of devices without cycles, give the reason.
 std::string cycles_csv(Summary const& summary);
 // One row per device and limit of the rule set: value, design value, deviation, limit, verdict, reason.
 std::string tests_csv(Summary const& summary);
@@ -30,13 +30,13 @@ std::string vertical_csv(Summary const& summary);
 // One row per quantity of the lot: spread, sample, outliers, limits on the mean.
 std::string lot_csv(Summary const& summary);
 std::string lambda_csv(Summary const& summary);
-// A cell of untrusted text: quoted where needed, never a formula.
+// A cell of untrusted text: quoted if needed, never a formula.
 std::string csv_cell(std::string_view text);
-// Identifiability and intervals, a row per law, device and free parameter; only the header without analyses.
+// Identifiability and intervals, with a row per law, device and free parameter; only the header without analyses.
 std::string identifiability_csv(Summary const& summary);
 std::string converged_csv(Summary const& summary);
 std::string lot_law_csv(Summary const& summary);
-// One row per law, device and part of the tests: the objective on parts that the law was and was not fitted to.
+// One row per law, device and part of the tests: the objective on the fitted part, then on each block.
 std::string prediction_csv(Summary const& summary);
 
 }  // namespace isolaw::render

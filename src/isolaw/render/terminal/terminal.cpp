@@ -17,13 +17,13 @@
 namespace isolaw::render {
 namespace {
 
-// Counts code points: each takes one column in the scripts met in names of devices and laws.
+// Counts code points. In the scripts that names of devices and laws use, each takes one column.
 int columns(std::string_view text) {
   return static_cast<int>(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
 }
 
-// Names come from files: a control character must not reach the terminal.
+// Removes control characters: names come from files, and no control character must reach the terminal.
 std::string printable(std::string_view text) {
   std::string clean;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -61,7 +61,7 @@ struct Row {
   std::string remark = {};
 };
 
-// A column is as wide as its longest text and two blanks, the names' as the longest and `id_gap`; or wider as given.
+// A column is two blanks wider than its longest text, the names' column `id_gap` wider, or as wide as given if larger.
 std::string table(std::vector<Row> const& rows, std::vector<int> widths, int id_width, int id_gap = 0) {
   widths.resize(rows.front().cells.size());
   for (auto const& row : rows) {
@@ -99,7 +99,7 @@ std::string law_table(Summary const& summary) {
   return table(rows, {18, 8, 7, 7, 9, 9}, 3);
 }
 
-// Explains |dK| and |dE| where laws are judged by part of the tests: no other stiffness or energy is of that part.
+// Explains |dK| and |dE| if laws were scored on part of the tests, since these errors then belong to another cycle.
 std::string compared_on(Summary const& summary, int width) {
   bool const part =
       std::ranges::any_of(summary.devices, [](auto const& device) { return !device.record.scored.empty(); });
@@ -137,7 +137,7 @@ std::string converged_table(Summary const& summary, int width) {
 }
 
 std::string prediction_table(Summary const& summary) {
-  std::map<int, bool> blocks;  // number, and whether it was fitted
+  std::map<int, bool> blocks;  // block number, and whether the laws were fitted to it
   for (auto const& law : summary.laws)
     for (auto const& fit : law.devices)
       for (auto const& score : fit.blocks) blocks[score.block] = score.fitted;
@@ -206,7 +206,7 @@ void put_label(Canvas& canvas, int column, int row, std::string_view id) {
       std::pair{column + 2, row},     std::pair{column - 1 - length, row},     std::pair{column + 2, row - 1},
       std::pair{column + 2, row + 1}, std::pair{column - 1 - length, row - 1}, std::pair{column - 1 - length, row + 1}};
   for (auto const& [x, y] : places) {
-    int const after = x + length < canvas.width() ? 1 : 0;  // a blank on both sides keeps it apart from its neighbours
+    int const after = x + length < canvas.width() ? 1 : 0;  // a blank on both sides separates it from its neighbours
     if (!canvas.is_free(x - 1, y, 1 + length + after)) continue;
     for (int i = 0; i < length; ++i) canvas.put(x + i, y, id.substr(static_cast<std::size_t>(i), 1));
     return;
@@ -216,9 +216,9 @@ void put_label(Canvas& canvas, int column, int row, std::string_view id) {
 struct Axis {
   double lower, upper;
 
-  // The range of the values with a margin; its width is never zero.
+  // The range of the values with a margin. Its width is never zero.
   static Axis around(std::vector<double> const& values) {
-    constexpr double largest = 1e300;  // what lies beyond is drawn at the edge
+    constexpr double largest = 1e300;  // larger values are drawn at the edge
     auto const [least, most] = std::minmax_element(values.begin(), values.end());
     double const low = std::clamp(*least, -largest, largest), high = std::clamp(*most, -largest, largest);
     double const margin = high > low ? 0.08 * (high - low) : 0.1 * std::max(std::abs(low), 1e-12);
@@ -418,7 +418,7 @@ std::string answer(Summary const& summary, std::string_view directory, int width
     text += wrapped("", fmt::format("Low confidence: {}.", wording::paragraph(shown.weak, "; ")), 2, width);
   text += '\n' + short_table(summary, shown) + '\n';
   if (!shown.surer.empty()) text += wrapped("To be surer", wording::paragraph(shown.surer, "; ") + ".", margin, width);
-  // Left to the details: warnings about laws that are not recommended, and what the lines on confidence have said.
+  // Only --details shows warnings about other laws, and those that the lines on confidence have said.
   auto concerned = found.warnings;
   std::erase_if(concerned, [&](Finding const& finding) {
     return (law != nullptr && !finding.law.empty() && finding.law != summary.laws[*law->law].id) ||

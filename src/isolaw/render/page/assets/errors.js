@@ -1,4 +1,4 @@
-// First of all, so that nothing goes wrong unseen: errors are collected where the browser tests look for them.
+// Runs before all other scripts: it collects every error where the browser tests look for them.
 document.body.dataset.errors = '';
 window.addEventListener('error', (event) => { document.body.dataset.errors += event.message + '\n'; });
 window.addEventListener('unhandledrejection', (event) => { document.body.dataset.errors += event.reason + '\n'; });

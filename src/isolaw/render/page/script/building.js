@@ -1,4 +1,4 @@
-// The page of an isolated building. A file in building/ is a section; what pages share stands beside this file.
+// The page of an isolated building. Each file in building/ is a section; modules of both pages are in this folder.
 
 import { assumedSection } from './building/assumed.js';
 import { checksSection } from './building/checks.js';

@@ -18,9 +18,9 @@ const reader = choices({
   purpose: FIRST,
   view: FIRST_VIEW,
   examined: examinedLaws[0]?.index ?? null, // the law in the section on determination
-  parameter: firstExamined(examinedLaws[0]), // its place among the parameters of that law
+  parameter: firstExamined(examinedLaws[0]), // index of a parameter of that law
   lotLaw: lotLaws[0]?.index ?? null,
-  predicted: predictedByFit[1]?.index ?? null, // shown beside the law that predicts best
+  predicted: predictedByFit[1]?.index ?? null, // the second law, beside the law that predicts best
   law: ranking[0]?.index ?? null, // the law in the section on parameters
   order: { key: 'best OF\n-', down: false }, // in the table of laws on a device
 });
@@ -29,7 +29,7 @@ export const chosen = reader.chosen;
 export const onChoice = reader.onChoice;
 export const choose = reader.choose;
 
-// All sections show one device; a section that cannot show it keeps the device before.
+// All sections show the same device. A section that cannot show it keeps its previous device.
 export function chooseDevice(index, changes = {}) {
   if (drawable.some((device) => device.index === index)) changes.device = index;
   if (tested.some((device) => device.index === index)) {

@@ -1,4 +1,4 @@
-// The choices of a page's reader. Controls and figures follow them; a figure names the keys that change it.
+// The reader's choices on a page. Controls and figures follow them; each figure names the choices that it depends on.
 
 export function choices(first) {
   const chosen = first;

@@ -1,6 +1,6 @@
 import { typeset, unset } from './symbols.js';
 
-// Commands and file names are not typeset.
+// Symbols are not typeset in commands and file names.
 const LITERAL = new Set(['code', 'pre', 'a', 'kbd']);
 
 const setIn = (tag) => (child) => (typeof child === 'string' && !LITERAL.has(tag) ? typeset(child) : [child]);
@@ -27,5 +27,5 @@ export function shortList(items, most, few, className = null) {
 
 export const isPrinting = () => 'printing' in document.documentElement.dataset;
 
-// Text about controls, columns and downloads, which paper does not have.
+// The text, or nothing when printing: for text about controls, columns and downloads, which a printed page lacks.
 export const onScreen = (text) => (isPrinting() ? '' : text);

@@ -1,4 +1,4 @@
-const MARKER = 8, // pixels about a point that belong to its marker
+const MARKER = 8, // pixels around a point that its marker covers
   LETTERS = 16; // height of a label
 
 const meet = (a, b) => a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
@@ -13,9 +13,9 @@ function enters([x0, y0], [x1, y1], box) {
   return false;
 }
 
-// Beside its point or, joined to it by a line, where there is room: inside the plot, on no point and no label, if
-// possible not on the stair through `stair`, indices of points from left to right; points: [{x, y, width}] in pixels;
-// `others` have no label. It gives the middles of the labels.
+// Returns the middles of the points' labels. A label is beside its point or, joined to it by a line, where there is
+// room. It lies inside the plot, on no point and no label, and if possible not on the stair through the points with the
+// indices `stair`, from left to right. points: [{x, y, width}] in pixels; `others` have no label.
 export function labelPlaces(points, stair, width, height, others = []) {
   const markers = [...points, ...others].map(({ x, y }) => [x - MARKER, y - MARKER, x + MARKER, y + MARKER]);
   const steps = stair.slice(1).flatMap((to, k) => {
@@ -59,7 +59,7 @@ export function labelPlaces(points, stair, width, height, others = []) {
   return points.map(({ label }) => label);
 }
 
-// Places of least movement for labels that are `gap` apart at least, between `low` and `high`; `wanted` ascends.
+// The nearest places to `wanted` for labels at least `gap` apart, between `low` and `high`; `wanted` must ascend.
 export function spread(wanted, gap, low, high) {
   const most = high - (wanted.length - 1) * gap;
   const groups = [];
@@ -74,7 +74,7 @@ export function spread(wanted, gap, low, high) {
   return groups.flatMap((group) => Array(group.size).fill(group.sum / group.size)).map((value, i) => value + i * gap);
 }
 
-// Numbers of the outermost peaks go to the right margin, others up and left, where a hysteresis loop leaves room.
+// Numbers of the outermost peaks go to the right margin; others go up and left, where a hysteresis loop leaves room.
 export function peakLabels(labels, pixel, room, height) {
   const gap = 15,
     columns = [];

@@ -7,7 +7,7 @@ export function lawKey(law) {
   return element('span', { class: isAgain(law) ? 'key again' : 'key', style: `border-color: var(--${colourOf(law)})` });
 }
 
-// Wherever a law is recommended that does not predict, this badge stands beside its name.
+// A badge beside the name of a recommended law that does not predict.
 function predictionBadge(law, name = '') {
   return element(
     'span',

@@ -1,5 +1,5 @@
-// cmake/join_modules.cmake joins these modules into one script; a folder is a section, a file in it a figure. Text of
-// the input reaches the document through textContent only, and plots through plain().
+// cmake/join_modules.cmake joins these modules into one script. Each folder is a section and each file in it a figure.
+// The input's text reaches the document only through textContent, and plots only through plain().
 
 import { accuracySection } from './accuracy/section.js';
 import { certificateSection } from './certificate/section.js';
@@ -55,7 +55,7 @@ function buildPage() {
   });
 }
 
-// With runs missing the decision may still change, and the page says so.
+// While runs are missing, the decision may still change.
 const incomplete = () =>
   'Not complete: ' +
   [[report.missing_runs, 'run', 'runs'], [report.missing_analyses, 'analysis', 'analyses']]

@@ -2,14 +2,14 @@ import { data } from './data.js';
 import { inFigure } from './symbols.js';
 import { isNumber, plain, significant } from './text.js';
 
-// After this many laws the colours and symbols start again, with open symbols and dashed keys.
+// If there are more laws than colours, colours and symbols repeat, with open symbols and dashed keys.
 export const SYMBOLS = data.symbols;
 const COLOURS = SYMBOLS.length;
 export const colourOf = (law) => 'law-' + ((law.index % COLOURS) + 1);
 export const isAgain = (law) => law.index >= COLOURS;
 
 const DASHES = ['solid', 'dash', 'dashdot', 'dot', 'longdash', 'longdashdot', '6px,3px', '10px,3px,2px,3px'];
-export const NARROW = 620; // pixels: a telephone
+export const NARROW = 620; // pixels; narrower windows are telephones
 
 export function theme() {
   const style = getComputedStyle(document.documentElement);
@@ -22,7 +22,7 @@ export function theme() {
 }
 
 export const symbolOf = (law) => SYMBOLS[law.index % SYMBOLS.length] + (isAgain(law) ? '-open' : '');
-export const dashOf = (place) => DASHES[place % DASHES.length]; // by the order of the chosen laws: the first one is solid
+export const dashOf = (place) => DASHES[place % DASHES.length]; // in the order of the chosen laws, from solid
 export const LEGEND = { orientation: 'h', x: 0, y: 1.02, xanchor: 'left', yanchor: 'bottom', font: { size: 12 } };
 
 export function styled(layout, look) {
@@ -61,7 +61,7 @@ export function styled(layout, look) {
   return result;
 }
 
-// The buttons are named one by one, and no server: Plotly's own default offers to upload the figure.
+// Names every button and no server: Plotly's default offers to upload the figure.
 export const PLOT_CONFIG = {
   displaylogo: false,
   displayModeBar: 'hover',
@@ -83,7 +83,7 @@ export function textWidth(look, text, size) {
   return pen.measureText(text).width;
 }
 
-// Categories of equal width with as many names below as there is room for.
+// Categories of equal width. As many names are written below as there is room for.
 export function namedAxis(names, most) {
   const every = Math.ceil(names.length / most);
   const tickvals = names.map((_, i) => i).filter((i) => i % every === 0);
@@ -98,7 +98,7 @@ export const panelHeading = (look, x, y, text, size = 12) => ({
   font: { size, color: look.colour('ink') },
 });
 
-// Ticks of a logarithmic axis at 1, 2 and 5 times powers of ten; at the powers alone where these are many.
+// Ticks of a logarithmic axis at 1, 2 and 5 times powers of ten, or only at the powers if the axis spans many.
 export function decadeTicks(values) {
   const some = values.filter((value) => isNumber(value) && value > 0);
   if (some.length === 0) return {};

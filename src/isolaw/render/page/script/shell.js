@@ -3,8 +3,8 @@ import { buildFigure, drawn, redraw, redrawDependents, render, reserve } from '.
 import { joinTables, partTables } from './tables.js';
 import { typeset } from './symbols.js';
 
-// Sections in the order of the page: {id, title, short, figures, controls, adorn}. `opened` is called with a section and
-// its element before its figures are there; `onChoice` registers a listener for choices of the reader.
+// Sections in the order of the page: {id, title, short, figures, controls, adorn}. `opened` is called with a section
+// and its element before its figures exist. `onChoice` registers a listener for the reader's choices.
 export function showSections(sections, { onChoice, opened = () => {} }) {
   const observer = new IntersectionObserver(
     (entries) => {
@@ -40,7 +40,8 @@ export function showSections(sections, { onChoice, opened = () => {} }) {
   onChoice(redrawDependents);
   for (const figure of drawn.keys()) if (figure.draw) reserve(figure);
   markCurrentSection(main, contents);
-  if (location.hash) document.getElementById(location.hash.slice(1))?.scrollIntoView(); // now that it exists
+  // The section that the address names exists only now.
+  if (location.hash) document.getElementById(location.hash.slice(1))?.scrollIntoView();
 }
 
 function markCurrentSection(main, contents) {
@@ -60,7 +61,7 @@ function markCurrentSection(main, contents) {
 }
 
 export function followWindow({ beforePrint = () => {}, afterPrint = () => {} } = {}) {
-  // Paper gets light colours, its own width, and every figure and table, also those that were out of sight.
+  // Prints with light colours, the width of paper, and all figures and tables, including those out of sight.
   window.addEventListener('beforeprint', () => {
     document.documentElement.dataset.printing = '';
     redraw({ everything: true });
@@ -78,13 +79,13 @@ export function followWindow({ beforePrint = () => {}, afterPrint = () => {} } =
 
   window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => redraw());
 
-  // Plots follow the width of the page; drawing them changes only its height, so this does not call itself.
+  // Plots follow the width of the page. Drawing them changes only its height, so this does not call itself.
   let drawnWidth = document.getElementById('report').clientWidth;
 
   new ResizeObserver(([entry]) => {
     const width = Math.round(entry.contentRect.width);
     if (width === drawnWidth) return;
     drawnWidth = width;
-    requestAnimationFrame(() => redraw()); // later, since drawing changes the height that is being observed
+    requestAnimationFrame(() => redraw()); // not at once, since drawing changes the height that is being observed
   }).observe(document.getElementById('report'));
 }

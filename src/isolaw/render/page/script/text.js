@@ -2,7 +2,7 @@ export const MINUS = '\u2212';
 export const THIN = '\u202f';
 export const DASH = '\u2013';
 
-// Plotly reads markup in labels; a name from a file is text.
+// Plotly reads markup in labels, but a name from a file must remain plain text.
 export function plain(text) {
   return String(text)
     .replace(/[\u0000-\u001f\u007f]/g, ' ')
@@ -48,7 +48,7 @@ export const printed = (value, { decimals, significant: digits }) =>
 
 export const capitalised = (text) => text[0].toUpperCase() + text.slice(1);
 
-// As a heading: a word gets a capital, a symbol stays as it is.
+// At the head of a column: a word gets a capital, a symbol stays as it is.
 export const atTheHead = (title) =>
   /^[a-z]{4}/.test(title) ? capitalised(title) : title.replace(/-$/, MINUS);
 
@@ -74,7 +74,7 @@ export const spanText = (values, digits, text = fixed) => {
   return low === high ? low : low + ' to ' + high;
 };
 
-// "0.15 to 0.2 kN/mm"; as many digits as tell the two apart, three at least.
+// "0.15 to 0.2 kN/mm", with as many digits as the two numbers need to differ, at least three.
 export function rangeText([low, high], unit) {
   for (let digits = 3; digits < 7; ++digits)
     if (low === high || significant(low, digits) !== significant(high, digits))
@@ -85,7 +85,7 @@ export function rangeText([low, high], unit) {
 export const limitText = (limit) => (limit ? sentence(limit).replace(/-(?=\d)/g, MINUS) : DASH);
 export const deviation = (percent, decimals = 1) => (isNumber(percent) ? signed(percent, decimals) + THIN + '%' : DASH);
 
-// A standard deviation below what is printed is no zero; where there is none it is not printed.
+// A standard deviation too small for the printed digits must not look like zero. Zero itself is not printed.
 export function spreadText(std, decimals) {
   if (std === 0) return '';
   const least = 10 ** -decimals;
@@ -102,11 +102,11 @@ export function enumerate(names, most = 5) {
   return names.length < 2 ? names.join('') : names.slice(0, -1).join(', ') + ' and ' + names[names.length - 1];
 }
 
-// A number and its percent sign stay on one line.
+// Keeps a number and its percent sign on one line.
 export const sentence = (text) => text.replace(/(\d) %/g, '$1' + THIN + '%');
 export const count = (number, noun) => number + ' ' + noun + (number === 1 ? '' : 's');
 
-// One scale and one number of decimals per row, so that its numbers line up: a factor of 1000^n and three or four digits.
+// One factor of 1000^n and one number of decimals for a row, so that its numbers of three or four digits line up.
 export function rowFormat(values) {
   const largest = Math.max(0, ...values.filter(isNumber).map(Math.abs));
   if (largest === 0) return { factor: 1, exponent: 0, decimals: 2 };

@@ -30,7 +30,7 @@ export const objectiveRelativeFigure = {
   draw: drawRelative,
 };
 
-// The standard deviation of a converged search is rounding; smaller values are drawn at this one.
+// A converged search has only rounding as its standard deviation. Smaller values are drawn at this value.
 const LEAST_SPREAD = 1e-9;
 
 const spreadEntries = () =>

@@ -7,7 +7,7 @@ import { atTheHead, fixed, significant, unitText, withUnit } from '../text.js';
 
 export const study = data;
 export const laws = study.laws.map((law, index) => ({ ...law, index }));
-export const first = laws[0]; // the verdict is about its coverage
+export const first = laws[0]; // the law whose coverage decides the verdict
 export const grouped = (number) => number.toLocaleString('en');
 
 export const quantityOf = (key) => study.quantities.find((quantity) => quantity.key === key);
@@ -22,7 +22,7 @@ const reader = choices({
   quantity: 'isolator_mm',
   law: 0, // in the plan and under single motions
   motion: 0,
-  bearing: 0, // its loop is shown
+  bearing: 0, // the bearing whose loop is shown
   axis: 'x',
   laws: new Set([0]), // in the histories
 });

@@ -29,13 +29,13 @@ const certificateProperties = () =>
         value: (device) => reportedCycle(device)?.[key],
       }));
 
-// Quantities by which a device is an outlier of the lot. Outliers among identified laws do not belong on a certificate.
+// Quantities in which a device is an outlier of the lot. Outliers among identified laws do not belong on a certificate.
 const apart = (device) =>
   lotQuantities.length > 0
     ? report.assessment.lot.outliers.filter((outlier) => outlier.device === device.name).map((outlier) => outlier.quantity)
     : [];
 
-// Conditions under which a value would be another, such as friction of the rig, by letters that the caption explains.
+// Conditions under which a value would differ, such as friction of the rig. The caption explains each by a letter.
 const conditions = [...new Set(devices.flatMap((device) => device.doubts.map(({ condition }) => condition)))];
 const letter = (condition) => String.fromCharCode(97 + conditions.indexOf(condition));
 const doubtsOf = (device, quantity) =>
@@ -60,7 +60,7 @@ function certificateCaption() {
 }
 
 function certificateColumns() {
-  // A fact that all devices share stands in the head.
+  // A fact that all devices share is written in the certificate's head.
   const known = (key) => new Set(devices.map((device) => device[key]).filter((value) => value !== null && value !== '')).size > 1;
   const given = (key) => devices.some((device) => device[key] !== null && device[key] !== '');
   return [

@@ -112,7 +112,7 @@ function limitSentences() {
     );
 }
 
-// The verdict as a word always stands with the sentence that says what it is based on.
+// The word of the verdict is always beside the sentence that gives its reasons.
 function certificateResult() {
   const { word, sentence: said } = report.result;
   if (!word) return sentence(said) + '.';

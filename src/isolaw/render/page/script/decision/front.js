@@ -97,7 +97,7 @@ function frontCaption() {
   );
 }
 
-// The published study's points, one for each law; it has them for one view alone.
+// The published study's points, one for each law. Only the view of the runs has them.
 function publishedPoints(view) {
   if (view.id !== 'runs' || report.published === null) return [];
   return report.published.laws.filter(({ number }, i, all) => all.findIndex((one) => one.number === number) === i);

@@ -30,7 +30,7 @@ const ORDERS = {
   robustness: 'In the order of \u03b2.',
 };
 
-// In the order of the chosen purpose; laws that were not identified come last.
+// The laws in the order of the chosen purpose. Laws that were not identified come last.
 function ordered() {
   const purpose = purposeOf(chosen.purpose);
   if (purpose.order) return purpose.order;
@@ -42,7 +42,7 @@ function rankingData() {
   const ofLaw = resultColumns('laws', ['id', 'objective', 'beta', 'on_front', 'success_share']);
   const errors = resultColumns('fits', ['K_eff_error_percent', 'energy_error_percent']);
   return {
-    // A fit has an error with a sign; a law has the mean of their magnitudes over the devices.
+    // Errors of a fit have a sign. A law has the mean of their magnitudes over the devices.
     columns: [...ofLaw.columns, ...errors.columns.map((column) => 'mean magnitude of ' + column)],
     rows: lawsByObjective.map((law) => [...ofLaw.cells(law), ...errors.cells(law)]),
   };

@@ -18,7 +18,7 @@ export function cellBeside(button, key) {
   }
 }
 
-// One cell is pressed and reached by the tabulator, the arrow keys lead to the others.
+// One cell is pressed, and the tabulator reaches it. The arrow keys lead to the others.
 export function markChosenCell(body) {
   if (!body) return;
   for (const button of body.querySelectorAll('td button[tabindex="0"]')) {

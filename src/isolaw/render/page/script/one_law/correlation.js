@@ -77,7 +77,8 @@ function correlationTable() {
       }),
     ],
   }));
-  const body = table(columns, rows, 'Correlation of the parameters of ' + law.name, { sorts: false }); // a triangle
+  // A triangle must not be sorted.
+  const body = table(columns, rows, 'Correlation of the parameters of ' + law.name, { sorts: false });
   body.classList.add('marks');
   return body;
 }

@@ -147,7 +147,7 @@ function parameterTables() {
         details.open = true;
         fill();
       }
-      // Paper does not scroll: devices stand in blocks below one another, as in Table A.5; a large lot has its mean.
+      // Paper does not scroll: a few devices each are printed below one another, or only the means of a large lot.
       details.print = () => {
         const blocks = [];
         for (let first = 0; first < usable.length; first += DEVICES_PER_PRINTED_BLOCK)

@@ -18,7 +18,7 @@ const filesFigure = {
   id: 'files',
   width: 'wide',
   title: 'Input files',
-  wanted: () => !inspection, // there the certificate lists them
+  wanted: () => !inspection, // an inspection's certificate lists them
   caption: () => 'SHA-256 of each file as it was read: a changed file is another input.',
   csv: () => ({
     columns: ['device', 'file', 'sha256', 'status', 'message'],
@@ -89,7 +89,7 @@ function commandLine() {
   const button = element('button', { type: 'button', class: 'action screen' }, 'Copy');
   button.addEventListener('click', () => {
     getSelection().selectAllChildren(code);
-    // Without a secure context the selection remains, for Ctrl-C.
+    // Without a secure context the browser cannot copy; the command remains selected for Ctrl-C.
     navigator.clipboard?.writeText(report.command).then(() => (button.textContent = 'Copied'), () => {});
   });
   return element('div', { class: 'command-line' }, code, button);

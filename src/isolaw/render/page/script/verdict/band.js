@@ -3,13 +3,13 @@ import { report } from '../report.js';
 import { capitalised, sentence } from '../text.js';
 import { WORDS, verdictBadge } from '../verdicts.js';
 
-// The sentence names what was not assessed, so here are those that fail and pass, and the devices that it omits.
+// The sentence names requirements that were not assessed. The list has the failed and passed ones and further devices.
 export const verdictFigure = { id: 'verdict', title: '', build: band };
 
 function band() {
   const { word, sentence: said, requirements, failing, not_assessed: without } = report.result;
   const remark = ({ device, remark: what }) => element('li', {}, element('b', {}, device ?? 'The lot'), ' ' + sentence(what));
-  // The sentence names up to ten devices.
+  // The sentence names at most ten devices.
   const rest = [...(failing.length > 10 ? failing : []), ...without];
   return element(
     'div',
