@@ -61,7 +61,7 @@ struct Split {
   Vector<T> joined(Vector<T> const& direction) const { return along * direction + across * turned(direction); }
 };
 
-// A fading memory of the motion: q' = rate (n - q) along a straight step; at rest only the derivatives move.
+// A fading memory of the motion: q' = rate (n - q) along a straight step; without motion only the derivatives change.
 template <class T>
 Vector<T> fading(Vector<T> const& q, Straight<T> const& way, T const& rate) {
   T const left = exp(-rate * way.length);
