@@ -21,7 +21,7 @@ namespace {
 constexpr double mm_in_m = 1e3;
 constexpr std::size_t most_bearings = 2000, most_floors = 100;
 
-// The tables of a file in its units, with the template's values. Except for [[motion]] they are the defaults too.
+// The tables of a building file in its units, with the template's values, which are the defaults except in [[motion]].
 struct BaseRow {
   double mass_Mg = 700.0, gyration_m = 9.0, x_m = 0.0, y_m = 0.0;
 };
@@ -295,7 +295,7 @@ Motion motion_of(std::filesystem::path const& folder, MotionRow const& row) {
   return motion;
 }
 
-// Converts JSON to what the parser makes of a file, but without line numbers.
+// Converts JSON to the tables that the parser makes of a file, but without line numbers.
 toml::table table_of(Json const& value, int depth);
 toml::array array_of(Json const& value, int depth);
 template <class Insert>
