@@ -43,7 +43,7 @@ Calibrated calibrate(std::vector<campaign::NamedRecord> records, campaign::Setti
   contents.acceptance = options.acceptance;
   contents.part = options.part;
   load_rules(contents.acceptance);
-  // Throws now, before the long search, where the rule set or design values do not suit the lot.
+  // Throws now, before the long search, if the rule set or design values do not suit the lot.
   if (contents.acceptance != campaign::Acceptance{}) study::build_summary(contents);
   if (!options.directory) {
     TemporaryDirectory const directory;
