@@ -250,8 +250,7 @@ struct Abe {
   // Advances F2 over a piece. First F2 follows the exact flow with the yield force held at its mean, then the effect of
   // the yield force's relative change d over the piece is added. Both together are of fourth order where the yield
   // force is smooth. For travel t and rates f0, f1 = du/dt at the ends, and with Phi(F2, Y) = Y f(F2 / Y), the flow is
-  // perturbed by the change itself (f
-  // - u f' = n + (1 - n) f) by
+  // perturbed by the change itself (f - u f' = n + (1 - n) f) by
   //     n d t/12 (1 - f1 / f0)
   // and by the curvature of Phi in Y (|u|^n = 1 - f with the sign of u) by
   //     n (1 - n) d^2 t/24 (1 - f).

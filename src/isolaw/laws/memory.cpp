@@ -40,7 +40,7 @@ struct Side {
   }
 
  private:
-  // A run is a motion in one direction on this side. It is summed from its begin, in however many steps.
+  // A run is a motion in one direction on this side. It is summed from its start, in however many steps.
   struct Run {
     bool goes_out = true;
     double at = 0.0, peak = 0.0, softening = 0.0, way_back = 0.0;
@@ -120,8 +120,8 @@ class Walk {
   }
 
  private:
-  // A branch that reaches the begin of the branch before it closes together with that branch. The last branch closes
-  // where it meets the skeleton, at the mirror image of its begin.
+  // A branch that reaches the start of the branch before it closes together with that branch. The last branch closes
+  // where it meets the skeleton, at the mirror image of its start.
   void close(double x) {
     auto const passes = [&](double target) { return direction_ * (x - target) >= 0.0; };
     while (turned_.size() >= 2 && passes(turned_[turned_.size() - 2])) turned_.resize(turned_.size() - 2);
