@@ -46,9 +46,9 @@ struct StudiedBuilding {
 
 // A quantity of every draw: [law][draw][motion]. Throws Error for an unknown quantity.
 std::vector<double> peaks_of(StudiedBuilding const& studied, std::string_view quantity);
-// Computes the runs that the directory does not hold yet (without a directory: all) and writes the reports there. Store
-// and reports have the same bytes as the program's, whatever the number of threads. Throws Error for a building that
-// cannot be analysed, for another study in the directory, and for a part without a directory.
+// Computes the runs that the directory does not hold yet (without a directory: all) and writes its reports. Store and
+// reports have the same bytes as the program's, whatever the number of threads. Throws Error for a building that cannot
+// be analysed, for another study in the directory, and for a part without a directory.
 StudiedBuilding study_building(building::Study study, BuildingWork const& options = {});
 
 }  // namespace isolaw

@@ -73,7 +73,7 @@ DirectoryLock::~DirectoryLock() {
 
 Continued open_or_create(std::filesystem::path const& file, campaign::Contents& contents, bool fresh,
                          LeftOut vertical) {
-  // A kill between the two steps loses only reports, which can be made again; those of another campaign never remain.
+  // A kill between the two steps loses only reports, which can be made again. Reports of another campaign never remain.
   auto const create = [&] {
     campaign::Store::create(file, contents, [&] { render::remove_outputs(file.parent_path()); });
   };

@@ -109,7 +109,7 @@ void add_fresh(CLI::App& c, bool& fresh) {
   under(Heading::running, c.add_flag("--fresh", fresh, "start over, even if the directory holds another campaign"));
 }
 
-// The options that calibrate and parts share: those of the results and of the place for them.
+// The options that calibrate and parts share: they decide the results and the place where these are written.
 void add_campaign(CLI::App& c, CalibrateArguments& a) {
   for (auto const& setting : campaign::setting_table())
     if (!setting.stored_only) add_option(c, setting, a.settings);

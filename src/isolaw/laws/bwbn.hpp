@@ -1,11 +1,10 @@
 // Bouc-Wen-Baber-Noori: Bouc-Wen whose strength and stiffness degrade with the work of its hysteretic part, and which
 // slips about a small force (pinching).
-// Source: Baber and Noori 1986, Foliente 1995. Units kN, mm. The parameters are those of OpenSees' material BWBN (there
-// Ao, zetas, Shi, deltaShi and lamda), which has no degradation and whose zu leaves out A.  Step: u = z / zu follows
-// one curve u' = 1 - |u|^n (..) between reversals (saturating_flow.hpp), at a pace that pinching and degradation slow
-// down. Classical Runge-Kutta steps advance the place on that curve and the work e. The path alone decides their
-// number, and each uses the zu of its middle. No step is unstable; without pinching and degradation every step is
-// exact.
+// Source: Baber and Noori 1986, Foliente 1995. Units kN, mm. OpenSees' material BWBN has the same parameters (called
+// Ao, zetas, Shi, deltaShi, lamda), but no degradation and no A in zu.  Step: u = z / zu follows one curve u' = 1 -
+// |u|^n (..) between reversals (saturating_flow.hpp), at a pace that pinching and degradation slow down. Classical
+// Runge-Kutta steps advance the place on that curve and the work e. The path alone decides their number, and each uses
+// the zu of its middle. No step is unstable; without pinching and degradation every step is exact.
 #pragma once
 
 #include <algorithm>

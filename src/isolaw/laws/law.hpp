@@ -147,7 +147,7 @@ struct Step {                       // one step of the path, in the law's units;
   double dx;                        // x1 - x0
   double length;                    // |dx|
   double direction;                 // +1, -1; as before if dx = 0; 0 before the first motion
-  bool reversal;                    // the direction differs from that of the step before
+  bool reversal;                    // the direction differs from the step before
   bool sample;                      // the end is a sample of the record, so its force is reported
   double peak0, peak1;              // largest |x| up to the start and the end of the step
   double log2_abs_x0, log2_abs_x1;  // |x| is at least num::smallest_power_base

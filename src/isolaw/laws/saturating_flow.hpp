@@ -6,7 +6,7 @@
 // Every device history between reversals is a piece of one curve u(t), with t = 0 at u = 0. On either side of 0 one
 // polynomial gives |u|: no table to search, no gather, no power per sample, no step size, no stability limit.
 // A suitable variable keeps the polynomial short. With E = exp(-rate |t|) and x = (1 - E) / (1 + bend E):
-//   - u is analytic in exp(-n t) at saturation, so rate = n there, and n |kappa|^(1/n) where unloading tends to a rest;
+//   - u is analytic in exp(-n t) at saturation, so rate = n there, and n |kappa|^(1/n) where unloading comes to rest;
 //     it is negative where unloading speeds up;
 //   - bend = 2^(n-1) - 1 removes the pole that u has beyond saturation for n > 1 (exactly for n = 2, u = tanh t);
 //   - at 0, where u = t - t^(n+1) / (n + 1) ..., u is 5 (1 + n) times differentiable in v = x^(1/5).

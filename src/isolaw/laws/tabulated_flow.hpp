@@ -1,5 +1,5 @@
-// The exact flow of the hysteretic laws between two reversals, from a table, where the polynomials of
-// saturating_flow.hpp do not hold. That file states the equation and the rejected alternatives. The curve u(t) is
+// The exact flow of the hysteretic laws between two reversals, from a table, for parameters outside the range of the
+// polynomials of saturating_flow.hpp, which states the equation and the rejected alternatives. The curve u(t) is
 // tabulated once per candidate, which costs about 500 powers; each sample then costs a lookup, however large its step.
 // Nodes are graded geometrically towards u = 0, where u^n is not smooth for n < 1, and towards saturation on both
 // sides. Times between nodes come from four-point Lobatto quadrature; u(t) within a cell is the quintic with the value,
