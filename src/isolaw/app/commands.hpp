@@ -109,7 +109,7 @@ struct SimulateArguments {
   Values read, how;  // how: from campaign::setting_table(), integration to dead-band
   std::optional<int> refinement;
   std::optional<std::filesystem::path> out;
-  bool anyway = false;  // even if its prediction is unusable
+  bool anyway = false;  // simulate even if the prediction is unusable
   std::optional<std::string> bidirectional, second_disp, softening, springs;
 };
 int simulate(SimulateArguments const& arguments);

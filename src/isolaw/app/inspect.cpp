@@ -1,4 +1,4 @@
-// `isolaw inspect` and `isolaw init`: what a file holds, before anything is identified.
+// `isolaw inspect` and `isolaw init`: they show what a file holds, before any law is fitted.
 #include <fmt/format.h>
 
 #include <algorithm>

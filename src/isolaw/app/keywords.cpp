@@ -22,7 +22,7 @@ std::string python_literal(Json const& value) {
   return value.dump();
 }
 
-// "runs: int | None = None". `in_place`: the parameter replaces a value of a file, and None keeps the file's.
+// A parameter as Python text, "runs: int | None = None,". `in_place`: it replaces a file's value, which None keeps.
 template <class Row>
 std::string keyword(Row const& row, bool in_place = false) {
   auto value = in_place ? Json() : row.get({});

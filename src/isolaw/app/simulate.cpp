@@ -41,7 +41,7 @@ double largest(std::vector<double> const& values) {
 
 struct Chosen {
   FittedLaw law;
-  study::Doubts doubts;              // the campaign's, for its law as it was fitted
+  study::Doubts doubts;              // the campaign's doubts about the law with its fitted values
   std::string origin;                // "device 'a'", "the lot"; empty: not from a campaign
   std::vector<std::string> changes;  // made by --set; the law is then not the campaign's any more
   // Given only for a device's law with its fitted values.
@@ -363,7 +363,7 @@ int simulate_in_plane(SimulateArguments const& a, TwoDirections const& two, laws
                  .advice = "--dt SECONDS, the sampling interval"});
   auto const x = data::motion_of(first), y = data::motion_of(second);
   fit::PlaneMotion motion{.time_s = x.time_s, .disp_mm = {}, .vel_mm_s = {}};
-  data::FitRecord reach = x;  // the distance and the speed, for what is known of the law
+  data::FitRecord reach = x;  // distance and speed, for warnings about motions beyond the tests
   for (std::size_t i = 0; i < x.size(); ++i) {
     motion.disp_mm.push_back({x.disp_mm[i], y.disp_mm[i]});
     reach.disp_mm[i] = distance(motion.disp_mm[i]);

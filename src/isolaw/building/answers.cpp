@@ -141,7 +141,7 @@ double linear_peak(Motion const& motion, double period_s, double damping) {
   return most;
 }
 
-// Finds the displacement whose effective stiffness and damping give a linear oscillator this peak under the motion.
+// Finds the displacement that is also the peak of a linear oscillator with its effective stiffness and damping.
 void equivalent_linear(Checked& checked, Devices const& devices, Motion const& motion,
                        std::vector<double> const& bearings, double mass) {
   auto const& source = devices.source();

@@ -19,12 +19,12 @@ namespace isolaw::building {
 struct Quantity {
   std::string_view key, title, unit, meaning;
   double (*of)(Layout const& layout, std::span<double const> measured, double weight_kN);
-  std::string_view uncovered = {};  // why the bound analyses cannot cover it; empty: they can
+  std::string_view uncovered = {};  // why the bound analyses cannot cover it; empty if they can
 };
 std::span<Quantity const> quantities();
 Quantity const& quantity(std::string_view key);
 
-inline constexpr std::array shares{0.16, 0.50, 0.84, 0.95};  // of the fractiles
+inline constexpr std::array shares{0.16, 0.50, 0.84, 0.95};  // the fractiles of the answers
 
 // Equal bins from the smallest value to the largest; a single bin if all values are equal.
 struct Histogram {
@@ -51,7 +51,7 @@ struct Coverage {
   std::string_view quantity;                       // key
   double inside = 0.0;                             // share of the draws between both bound analyses
   double interval_low = 0.0, interval_high = 0.0;  // 95 %, Clopper and Pearson 1934
-  double below = 0.0, above = 0.0;                 // shares
+  double below = 0.0, above = 0.0;                 // shares of the draws below and above both bound analyses
   // Smallest factors 1 - a and 1 + a on the grid (grid_factor) such that the responses of the analyses from one to the
   // other span `wanted_share` of the draws; nullopt if even the whole grid does not.
   std::optional<double> factor_low, factor_high;
@@ -81,8 +81,8 @@ struct NominalHistory {
   std::vector<double> x_mm, y_mm, shear_x_kN, shear_y_kN;
 };
 
-// Every bearing under the motion that moves the nominal building most, by the implicit path, thinned to most_of_loops
-// samples. If bearings are drawn, the building is the first drawn one, in which the drawn bearings differ.
+// The loops of every bearing under the motion that moves the nominal building most, by the implicit path, in at most
+// most_of_loops samples. If bearings are drawn, it is the first drawn building, whose drawn bearings differ.
 inline constexpr std::size_t most_of_loops = 500;
 struct BearingLoops {
   std::size_t motion = 0;

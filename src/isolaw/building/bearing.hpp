@@ -34,7 +34,7 @@ enum class Coupling {
 };
 // coupled if the law with these parameters has a coupled form, else springs.
 Coupling coupling_of(std::string_view law, std::span<double const> parameters);
-// A virgin bearing at rest. Throws Error for an unknown law, wrong number of parameters, or form that it lacks.
+// Makes a virgin bearing at rest. Throws Error for an unknown law, a form it lacks, or a wrong number of parameters.
 std::unique_ptr<Bearing> make_bearing(std::string_view law, std::span<double const> parameters, Coupling coupling);
 
 }  // namespace isolaw::building

@@ -300,7 +300,7 @@ toml::table table_of(Json const& value, int depth);
 toml::array array_of(Json const& value, int depth);
 template <class Insert>
 void insert_toml(Json const& value, int depth, Insert const& insert) {
-  constexpr int deepest = 4;  // [[bearing]] x_m
+  constexpr int deepest = 4;  // for example x_m of a [[bearing]]
   if (depth > deepest)
     throw Error({.where = "building", .found = "tables or lists nested deeper than any building needs"});
   if (value.is_object()) return insert(table_of(value, depth));

@@ -95,10 +95,10 @@ class RunStore {
 
 struct MissingRun {
   std::string law, motion, analysis;
-  int part = 0;  // the part that should hold it; 0: into how many parts the study was cut is not known
+  int part = 0;  // the part that should hold it; 0 if the number of parts is not known
 };
 struct MergedStudy : campaign::Merged {
-  std::vector<StudyProperty> part;  // the rows of kind part in the first part
+  std::vector<StudyProperty> part;  // the first part's rows of Kind::part
 };
 struct MergeOptions {
   std::function<void()> before_replacing = {};          // called when the study's outputs become outdated

@@ -4,7 +4,7 @@
 //
 // Both integrators are Newmark's method with gamma = 1/2 (Newmark 1959). The modes take average acceleration (beta =
 // 1/4), and so does the base where an iteration finds its force (integrate.cpp). In explicit_run the base takes central
-// differences (beta = 0), with the force at the displacement reached. The modes at the end of a step are linear in the
+// differences (beta = 0), with the force at the displacement reached. The modes at a step's end are linear in the
 // base's acceleration there, so they enter the base's equation as a constant 3 x 3 matrix. Undamped, this mixture is
 // stable for dt^2 K < 4 m, with K the bearings' stiffness and m the base slab's mass, however stiff the superstructure
 // (Hughes and Liu 1978 for such partitions). Rejected: the exact response of the modes to a base acceleration that is
@@ -28,8 +28,8 @@ struct StructureArrays {
   double const *bearing_at = nullptr, *corner_at = nullptr;  // [][2], mm from the base's centre of mass
 };
 
-// The measures of a run, in this order: these, then the accelerations of all diaphragms from the base up, the shears of
-// all storeys, their drifts, the displacements of all bearings, and the work done on each.
+// The measures of a run: first these, then in this order the accelerations of all diaphragms from the base up, the
+// shears of all storeys, their drifts, the displacements of all bearings, and the work done on each.
 enum class Measure : std::size_t { isolator, centre, corner, rotation, end, shear, input, hysteretic, damped, balance };
 inline constexpr std::size_t measures_of_all = 10;
 

@@ -54,7 +54,7 @@ inline constexpr std::pair<std::string_view, LawSet> law_sets[]{
 inline std::string_view name(LawSet set) {
   return law_sets[static_cast<std::size_t>(set)].first;
 }
-std::string_view memory_of(LawInfo const& law);  // in words, such as "turning points"
+std::string_view memory_of(LawInfo const& law);  // what it remembers of its path: "turning points", ...
 LawEntry const& find_law(std::string_view id);   // throws an Error that lists the laws
 std::string_view called(std::string_view id);    // "Bouc-Wen" for "bouc-wen"; the id itself if no law has it
 

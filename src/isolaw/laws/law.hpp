@@ -150,7 +150,7 @@ struct Step {                       // one step of the path, in the law's units;
   bool reversal;                    // the direction differs from the step before
   bool sample;                      // the end is a sample of the record, so its force is reported
   double peak0, peak1;              // largest |x| up to the start and the end of the step
-  double log2_abs_x0, log2_abs_x1;  // |x| is at least num::smallest_power_base
+  double log2_abs_x0, log2_abs_x1;  // |x| counts as at least num::smallest_power_base
 };
 
 // The path's memory at the end of a step: turning points, and peak and travel of each side, x >= 0 and x < 0. It
@@ -171,7 +171,7 @@ struct Memory {
   double pushed = 0.0;        // growth of the largest |x| at x > 0 minus its growth at x < 0
   double softening = 0.0;     // G: half the travel outwards and four times the travel back, never beyond side_peak
   double way_back = 0.0;      // C: travel towards 0
-  double log2_softening = 0.0, log2_way_back = 0.0;  // at least of num::smallest_power_base
+  double log2_softening = 0.0, log2_way_back = 0.0;  // G and C count as at least num::smallest_power_base
   std::size_t side = 0;                              // 0: x >= 0, 1: x < 0
   bool softens = false, returns = false;             // G, C have changed since the last step that ended on this side
   bool peak_grows = false, side_peak_grows = false;  // whether the peak grows in this step

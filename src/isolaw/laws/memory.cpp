@@ -27,7 +27,7 @@ struct Side {
   double softening = 0.0, way_back = 0.0;
   double reported_softening = 0.0, reported_way_back = 0.0;
 
-  void move(double x0, double x1) {  // both are on this side or 0
+  void move(double x0, double x1) {  // x0 and x1 are on this side or 0
     double const from = std::abs(x0), to = std::abs(x1);
     if (to > from)
       outwards(from, to);

@@ -7,8 +7,8 @@
 
 namespace isolaw::laws::plane {
 
-// Which peak softens a force in a law that remembers it: the largest distance so far, or the largest displacement along
-// each axis, which depends on the choice of axes. Tests in one direction cannot tell the two apart.
+// The peak that softens a force, in a law that remembers one: the largest distance so far, or the largest displacement
+// along each axis, which depends on the choice of axes. Tests in one direction cannot tell the two apart.
 enum class Softening { by_distance, by_axis };
 
 template <class T>
