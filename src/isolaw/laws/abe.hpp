@@ -240,7 +240,6 @@ struct Abe {
   }
 
  private:
-  // |x / Uh|^p.
   template <class T>
   static T growth_at(Params<T> const& p, abe_parts::Constants<T> const& c, double x) {
     if (x == 0.0) return T(0.0);

@@ -84,7 +84,6 @@ Nodes make() {
     for (std::size_t i = 0; i < terms; ++i)
       nodes.at_places[i][k] = static_cast<double>(std::cos(k * std::acos(static_cast<long double>(jacobi_zeros[i]))));
   }
-  // Weights that extrapolate a smooth function to a place from the places above it and from 1.
   auto const above = [&](std::size_t i) { return i < terms ? nodes.place[i] : 1.0; };
   for (std::size_t i = 0; i < terms; ++i) {
     std::size_t const count = std::min(guesses, terms - i);
