@@ -51,8 +51,7 @@ struct Nodes {  // numbers of the fit that are the same for all candidates, comp
   static constexpr std::array<std::size_t, 7> few{0, 2, 5, 8, 11, 14, 16};
   std::array<std::array<double, few.size()>, few.size()> chebyshev_of_few;
   std::array<std::array<double, few.size()>, terms> at_places;
-  std::array<std::array<double, guesses>, terms>
-      guess;  // weights that extrapolate a function from the places above, the last of which is 1
+  std::array<std::array<double, guesses>, terms> guess;  // weights to extrapolate from the places above and 1
 
   static Nodes const& get();
 };
