@@ -17,7 +17,7 @@ void draw_figures(study::Summary const& summary, render::FigureChoice choice, st
 struct Printed {
   bool json = false, details = false;
 };
-// Prints one screen, all details, or summary.json with the campaign's profile; then the verdicts of a rule set.
+// Prints one screen or all details, then the verdicts of a rule set; or summary.json with the campaign's profile.
 void print(study::Summary const& summary, std::filesystem::path const& directory, Printed how,
            std::string_view profile = {});
 
