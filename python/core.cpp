@@ -1,6 +1,6 @@
-// The compiled part of the Python package `isolaw`: NumPy views of the library's values, and its calls with the
-// interpreter's lock released. Users read the docstrings here and in isolaw/__init__.py; tests/python compares the
-// package with its stub __init__.pyi.
+// The compiled part of the Python package `isolaw`. It gives NumPy views of the library's values and releases the
+// interpreter's lock during long calls. Users read the docstrings in this file and in isolaw/__init__.py; tests/python
+// compares the package with its stub __init__.pyi.
 #include <pybind11/functional.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -85,7 +85,7 @@ Json json_of(py::handle value) {
   return array;
 }
 
-// The values for a table's rows among the keywords. None counts as not given.
+// The values that keywords give for a table's rows. None counts as not given.
 template <class Rows>
 Values given_of(Rows const& rows, py::dict const& given) {
   Values values;
@@ -400,7 +400,7 @@ py::dict runs_of(Campaign const& campaign, std::string const& law, std::string c
 
 // Runs `work` in another thread without the interpreter's lock. The caller's thread waits, passes progress to Python by
 // `tell`, and checks for signals, which Python delivers only to its main thread. An exception from either stops the
-// work and is thrown here.
+// work and is rethrown.
 template <class Told, class Work>
 auto in_a_thread(std::function<void(Told const&)> const& tell, Work const& work) {
   std::mutex mutex;
@@ -416,7 +416,7 @@ auto in_a_thread(std::function<void(Told const&)> const& tell, Work const& work)
   };
   std::function<bool()> const interrupted = [&] { return stop.load(); };
   std::optional<decltype(work(progress, interrupted))> result;
-  std::exception_ptr asked;  // why Python stops the work: a signal, or an exception of `tell`
+  std::exception_ptr asked;  // why Python stops the work: a signal, or an exception from `tell`
   {
     std::jthread const worker([&] {
       try {
@@ -447,7 +447,7 @@ auto in_a_thread(std::function<void(Told const&)> const& tell, Work const& work)
         stop = true;
       }
     }
-    py::gil_scoped_release const released;  // while the thread ends
+    py::gil_scoped_release const released;  // until the thread has ended
   }
   if (asked) std::rethrow_exception(asked);
   if (failure) std::rethrow_exception(failure);
@@ -606,7 +606,7 @@ py::dict history_of(StudiedBuilding const& studied, std::size_t law, std::size_t
 // isolaw.Error. It is never released, because exceptions may outlive the modules.
 py::handle error_type;
 
-// Complaints that name options of the command line, with the Python keywords in their place.
+// Replaces the names of command-line options in complaints by the Python keywords.
 std::vector<Complaint> in_keywords(std::vector<Complaint> complaints) {
   auto const rename = [](auto const& rows, std::string& where) {
     auto const end = std::min(where.find(' '), where.size());

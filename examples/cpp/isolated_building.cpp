@@ -31,7 +31,7 @@ spacing_x_m = 6.0
 spacing_y_m = 6.0
 )toml";
 
-// An artificial motion: a swinging ground, with another period for each number.
+// An artificial motion of the ground, with a different period for each number.
 isolaw::GroundMotion swinging(int number) {
   isolaw::GroundMotion motion{.name = "made " + std::to_string(number), .step_s = 0.01, .x_m_s2 = {}};
   for (int i = 0; i <= 1000; ++i) {

@@ -2,7 +2,7 @@
 """Accuracy against robustness of the example lot, as Fig. 14 of Cucuzza et al., Structures 73 (2025) 108355.
 
 Fits the laws to every device as the paper did (genetic algorithm in the published boxes), prints the table, and writes
-front.csv and, where matplotlib is installed, front.png. Run it after ./isolaw.sh run:
+front.csv and, if matplotlib is installed, front.png. Run it after ./isolaw.sh run:
 
     PYTHONPATH=build/release/python /usr/bin/python3 examples/python/front.py
 """
@@ -19,7 +19,7 @@ LOT = HERE.parent / "published-lot"
 
 
 def fitted(laws, runs, generations, show):
-    """The campaign of examples/published-lot/lot.toml. The lot is rebuilt from printed parameters; it is no measurement."""
+    """The campaign of examples/published-lot/lot.toml. The lot is rebuilt from printed parameters, not measured."""
     files = sorted(LOT.glob("device-*"))
     records = [isolaw.read_record(file, name=f"D{file.stem[-2:]}") for file in files]
     return isolaw.calibrate(
@@ -39,7 +39,7 @@ def draw(rows, file):
 
     figure, axes = pyplot.subplots(figsize=(6, 4.5), layout="constrained")
     for row in rows:
-        if row["robustness"] is None:  # undefined, as where the mean of a parameter is zero
+        if row["robustness"] is None:  # undefined, for example if the mean of a parameter is zero
             continue
         axes.plot(row["robustness"], row["accuracy"], "o", color="C0", fillstyle="full" if row["on_front"] else "none")
         axes.annotate(row["law"], (row["robustness"], row["accuracy"]), xytext=(5, 5), textcoords="offset points")

@@ -2,7 +2,7 @@
 """A building on bearings drawn from the example lot: do the bound analyses cover the effect of the lot's scatter?
 
 Fits a law to three devices of the lot, draws bearings from their population for a building of three floors, shakes it
-with motions made here (none was recorded), prints the answer and, for each motion, where the draws lie. Run it after
+with artificial motions, and prints the answer and, for each motion, the range of the draws. Run it after
 ./isolaw.sh run:
 
     PYTHONPATH=build/release/python /usr/bin/python3 examples/python/isolated_building.py

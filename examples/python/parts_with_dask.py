@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 """A campaign computed in parts by Dask: each part is a future whose result is the store of its runs; merged at the end.
 
-Workers share no disk except for the records, which they read by their names: a part lies on the worker's own disk while
-it is computed, and travels as bytes. If a worker is lost another one computes its part again. Parts that have arrived
-stay, so the same command goes on after any loss; parts of other settings or records are refused. Needs
-python3-distributed; after ./isolaw.sh run:
+Workers need a common disk only for the records. A worker computes its part on its own disk and returns the store as
+bytes. If a worker is lost, another one computes its part again. Parts that have arrived are kept, so the same command
+continues after any loss; parts of other settings or records are refused. Needs python3-distributed. Run it after
+./isolaw.sh run:
 
     PYTHONPATH=build/release/python /usr/bin/python3 examples/python/parts_with_dask.py examples/published-lot/*.csv
 
---scheduler ADDRESS uses an existing cluster (dask-jobqueue, Kubernetes); all of its workers need this isolaw and, where
+--scheduler ADDRESS uses an existing cluster (dask-jobqueue, Kubernetes); all of its workers need this isolaw and, if
 their processors differ, the same ISOLAW_SIMD.
 """
 
@@ -25,7 +25,7 @@ STORE = "campaign.sqlite"
 
 
 def share(files, settings, number, of, there=None):
-    """Runs on a worker: computes part `number` of `of`, going on from the store `there`; returns the bytes of its store."""
+    """Runs on a worker: computes part `number` of `of`, from the store `there` if given; returns its store's bytes."""
     with tempfile.TemporaryDirectory(dir=distributed.get_worker().local_directory) as folder:
         if there:
             (pathlib.Path(folder) / STORE).write_bytes(there)
@@ -50,7 +50,7 @@ def campaign(client, files, settings, of, out, compute=share):
         part = parts[number]
         part.mkdir(parents=True, exist_ok=True)
         (part / "arriving").write_bytes(store)
-        os.replace(part / "arriving", part / STORE)  # a store is there as a whole or not at all
+        os.replace(part / "arriving", part / STORE)  # replaces the store as a whole or not at all
         print(f"part {number} of {of} is here", flush=True)
     return isolaw.merge(out, parts.values())
 

@@ -6,8 +6,8 @@
 >>> campaign.summary["laws"][0]["objective"]["best"]
 
 Units are kN, mm and s; a law's parameters have the law's own units (``isolaw.laws()``). Wrong input raises
-``isolaw.Error``. Arrays of records and results are read-only views of the library's memory, without a copy. Nothing is
-printed. Long calls release the interpreter's lock; Ctrl-C interrupts ``calibrate``.
+``isolaw.Error``. Arrays of records and results are read-only views of the library's memory, without a copy. No
+function prints. Long calls release the interpreter's lock; Ctrl-C interrupts ``calibrate``.
 """
 
 import functools as _functools
@@ -115,12 +115,12 @@ def read_record(path, *, name=None, **reading):
     columns, units: information that the file lacks, as a dict or as the text of the option of the same name:
     ``columns={"disp": 2, "force": "F"}``, ``units="disp=cm,force=tonf"``. Channels are time, disp, force and load;
     ``columns={"force": "loadcell.csv:F"}`` takes the force from another file.
-    dt: sampling interval in s of a file without time. sheet, test: the part to read of a file with several.
+    dt: sampling interval in s of a file without time. sheet, test: the sheet or test to read of a file with several.
     rows: ``"101:700"``, rows of numbers counted from 1. from_s, to_s: the part to read, in seconds of the file's own
     time. footer: ``"skip"`` ignores text below the rows. thousands: the mark that groups digits. date_order: ``"dmy"``
     or ``"mdy"``.
     flip_force, repair, skew_ms, rig_friction_kN, rig_friction_coefficient, moving_mass_kg, force_factor: corrections,
-    as the options of ``isolaw inspect``.
+    like the options of ``isolaw inspect``.
 
     Returns a Record; ``record.recognised`` says what was recognised and why. Raises Error with every problem found.
     """
@@ -137,7 +137,7 @@ def read_motion(path, *, name=None, **reading):
 
 
 def record(disp_mm, force_kN, time_s=None, load_kN=None, *, name="record"):
-    """Makes a Record from arrays, with the same checks as for the values of a file.
+    """Makes a Record from arrays, which are checked like the values of a file.
 
     disp_mm, force_kN, time_s, load_kN: shape (samples,), in mm, kN, s and kN; time and load may be None. Raises Error
     for values that are not finite, time that does not increase, exchanged displacement and force, and so on.
@@ -176,7 +176,7 @@ def laws():
     Each value is a dict with, among others, name, title, source, units (force, length, time), rate_independent,
     formula, note (how the source was read), together (conditions between several parameters) and parameters. Each
     parameter has name, unit, meaning, physical (its limits), published (the paper's search box) and fixed (its value
-    unless it is freed). A bound of None is no bound.
+    unless it is freed). None in place of a bound means that there is no bound.
     """
     return {law["id"]: law for law in _json.loads(_core.catalogue_json())}
 
@@ -185,7 +185,7 @@ def box(law, record, *, kind="auto", method="best"):
     """The search box of a law's parameters on a record: a dict by parameter, in the law's order.
 
     kind: "auto" scales the box from the record, "published" is Table 4 of Cucuzza et al. 2025 for the laws that
-    stand there. method: as in calibrate. Each value is a dict of unit, free, value (None where free), lower, upper
+    it lists. method: as in calibrate. Each value is a dict of unit, free, value (None if free), lower, upper
     and scale; numbers have the law's units. Raises Error for wrong input.
     """
     return _core.box(law, record, {"box": kind, "method": method})
@@ -200,7 +200,7 @@ def force(law, parameters, motion, *, refinement=1, out=None, **how):
     integration: "converged", or "paper" (one Runge-Kutta step per sample). turning_points: "sampled" or "interpolated".
     refinement: integration steps per sample. out: a contiguous float64 array that receives the forces.
 
-    Values are not finite where the law gives no force. Raises Error for an unknown law, for parameters that are
+    A value is not finite if the law gives no force. Raises Error for an unknown law, for parameters that are
     missing, unknown or outside their physical limits (all in one message), and for a rate-dependent law without time.
     """
     if not isinstance(motion, Record):
@@ -212,7 +212,7 @@ class Model:
     """A law on a record as calibrate sees it, for your own optimisers and studies.
 
     law: an id. record: a Record with force. The record is cleaned as in calibrate: thinned to ``samples_per_cycle``
-    (None: not at all), averaged over ``smooth`` samples, and centred if ``center``. The objective is over
+    (None: not at all), averaged over ``smooth`` samples, and centred if ``center``. The objective is taken over
     ``fit_blocks`` and ``fit_cycles``. integration, turning_points, refinement: as in force. Raises Error for wrong
     input, as calibrate does.
     """
@@ -254,8 +254,7 @@ class Model:
         """The objective of one set of parameters (dict or values in order), Eq. (27) of Cucuzza et al. 2025; no unit.
 
         Mean over time of |measured - computed force|, divided by the standard deviation of the measured force; infinity
-        where a force is not finite. Computed by the scalar path, as every number of a report. Raises Error as force
-        does.
+        if a force is not finite. Computed by scalar code, like every number of a report. Raises Error as force does.
         """
         return self._core.objective(parameters)
 
@@ -263,8 +262,8 @@ class Model:
         """Objectives of many candidates at once, from the vector kernels: a float64 array of shape (candidates,).
 
         population: float64 of shape (candidates, parameters) in the law's order and units; a contiguous array is read
-        without a copy. No limits are checked. out: a contiguous float64 array that receives the values. They agree with
-        objective() to about 1e-11 and are infinite for candidates without a finite force. Raises Error for other
+        without a copy. No limits are checked. out: a contiguous float64 array that receives the values. The values
+        agree with objective() to about 1e-11; a candidate without a finite force gets infinity. Raises Error for other
         shapes.
         """
         return self._core.objectives(population, out)
@@ -331,7 +330,7 @@ class Campaign:
     def parameters(self, law, device):
         """Parameters of the best run on a device, or with device="lot" of the lot's law: a dict in the law's units.
 
-        Raises Error where the campaign has none.
+        Raises Error if the campaign has no parameters for the law and the device.
         """
         return self._core.parameters(law, device)
 
@@ -349,7 +348,7 @@ class Campaign:
 
         kind: "runs" sets the mean objective over the runs against beta, Eq. (31) of Cucuzza et al. 2025 (its Fig. 14);
         "converged" uses the best fits for both; "loo" sets the objectives of the best fits against those on devices
-        that were left out. The latter two need analysis. Smaller is better for both numbers; None is undefined. Raises
+        that were left out. The last two need analysis. Smaller is better for both numbers; None means undefined. Raises
         Error for another kind.
         """
         columns = {
@@ -366,7 +365,7 @@ class Campaign:
         return rows
 
     def write(self, directory):
-        """Writes summary.json, the tables and report.html into a directory. Raises Error where that cannot be done."""
+        """Writes summary.json, the tables and report.html into a directory. Raises Error if this fails."""
         self._core.write(_os.fspath(directory))
 
 
@@ -388,7 +387,7 @@ def _adapted(progress):
 
 
 def _all_samples(how):
-    """Gives samples_per_cycle=None as "all", as the option has it: None would otherwise mean the default."""
+    """Replaces samples_per_cycle=None by "all", since None would otherwise mean the default."""
     return how | {"samples_per_cycle": "all"} if how.get("samples_per_cycle", 0) is None else how
 
 
@@ -402,25 +401,25 @@ def calibrate(
     laws: "paper", "usual", "all", an id, or a list of them. method: "best" searches the least objective, "ga" is the
     paper's genetic algorithm. runs: independent runs per law and device (3; ga: 20). seed: 0 to 2**64 - 1. set: texts
     "law.parameter=value", "=lower:upper", "=free" or "=other parameter". population, generations, stagnation_tolerance:
-    of "ga"; giving one chooses that method where none is given.
+    settings of "ga"; giving one of them chooses that method if none is given.
     samples_per_cycle (None: all), smooth, center: how records are cleaned. fit_blocks, fit_cycles, score_blocks: the
-    blocks and cycles that laws are fitted to, and the blocks that they are tried on, as texts: "2", "1-3", "2-".
+    blocks and cycles that laws are fitted to, and the blocks on which they are tested, as texts: "2", "1-3", "2-".
     analysis: finds what the tests determine, intervals, and one law for the lot; it takes longer than the fits.
-    replicates: of its bootstrap. bidirectional: "springs" also fits spring models for laws that have no coupled
-    two-dimensional form. settings() lists all of these with their limits.
+    replicates: number of its bootstrap samples. bidirectional: "springs" also fits spring models for laws without a
+    coupled two-dimensional form. settings() lists all of these with their limits.
     rules: the rule set to compare the tests with, by name or as a file. design: design values, as a dict or as text:
     ``{"K_eff": 1.2, "damping": 15}``. lot_size: number of devices of the production lot, tested or not.
     vertical: compression tests, a dict by device name: a file, K_v in kN/mm, or a dict with ``file``, ``loads``
-    (``"300:1000"``, in kN) and keywords of read_motion. Where a test gives no stiffness, the summary says why.
+    (``"300:1000"``, in kN) and keywords of read_motion. If a test gives no stiffness, the summary says why.
     jobs: threads, 0 for one per core; the numbers do not depend on it. out: a directory for store and reports, where
-    the same call continues an interrupted campaign; fresh starts over there. title: the lot's title.
+    the same call continues an interrupted campaign; fresh starts over in it. title: the lot's title.
     part: ``(3, 40)`` computes only the third of 40 even shares of the runs, into ``out``; merge joins all shares.
     progress: called as progress(done, total, analysis, best) from the calling thread, for runs and then for analyses;
     best is a dict of the least objective so far by law. If it takes keywords ``share`` or ``left_s``, it gets the share
     of all work that is done and the seconds left. An exception that it raises ends the search and is raised here.
 
     Returns a Campaign. Ctrl-C ends the search with KeyboardInterrupt and keeps finished runs in ``out``. An unusable
-    device is refused in the summary, and the others go on. Raises Error for wrong input and where no device is usable.
+    device is refused in the summary; the others are fitted. Raises Error for wrong input, and if no device is usable.
     """
     records = [records] if isinstance(records, (Record, str, _os.PathLike)) else list(records)
     for one in records:
@@ -448,10 +447,10 @@ def merge(out, parts, *, jobs=0, fresh=False, progress=None):
 
     out: the directory of the whole campaign. parts: the directories that ``calibrate(..., part=(K, N), out=DIR)``
     filled, or the campaign.sqlite of each, in any order. Another call may add further parts; without parts it finishes
-    the campaign in ``out``. jobs, fresh, progress: as in calibrate; the analyses run here.
+    the campaign in ``out``. jobs, fresh, progress: as in calibrate; this call computes the analyses.
 
     Returns a Campaign. Raises Error for parts that are damaged or belong to another campaign, build or instruction set.
-    Also raises it where runs are missing, with their number by part, after it has copied the runs that are there.
+    It also raises Error if runs are missing, with their number for each part, after it has copied the other runs.
     """
     parts = [parts] if isinstance(parts, (str, _os.PathLike)) else list(parts)
     report = None if progress is None else _adapted(progress)
@@ -461,7 +460,7 @@ def merge(out, parts, *, jobs=0, fresh=False, progress=None):
 def load(directory):
     """Reads the Campaign in a directory that calibrate or ``isolaw calibrate --out`` wrote, finished or interrupted.
 
-    Raises Error where the directory has no campaign, or a store that isolaw did not write.
+    Raises Error if the directory has no campaign, or a store that isolaw did not write.
     """
     return Campaign(_core.load(_os.fspath(directory)))
 
@@ -469,7 +468,7 @@ def load(directory):
 class Building:
     """A building on bearings drawn from a lot, after its analyses; building() returns it.
 
-    ``results`` is the content of building.json (docs/building-json.md). Arrays over the draws are NaN where a run gave
+    ``results`` is the content of building.json (docs/building-json.md). Arrays over the draws are NaN if a run gave
     no finite numbers.
     """
 
@@ -543,7 +542,7 @@ class Building:
         return self._core.history(_index_of(law, self.laws, "law"), _index_of(motion, self.motions, "motion"))
 
     def write(self, directory):
-        """Writes building.json, the tables and building.html into a directory. Raises Error where that cannot be done."""
+        """Writes building.json, the tables and building.html into a directory. Raises Error if this fails."""
         self._core.write(_os.fspath(directory))
 
 
@@ -581,7 +580,7 @@ def building(building, campaign, motions=None, *, jobs=0, out=None, fresh=False,
     of files ("x.AT2"), of pairs of files, or of tuples (step in s, accelerations along x in m/s2[, along y]). laws,
     draws, seed, lower, upper and the other keys of ``[building]`` replace the building's own.
     jobs: threads, 0 for one per core; the numbers do not depend on it. out: a directory for runs and reports, where the
-    same call continues an interrupted study; fresh starts over there. progress: called as progress(done, total) with
+    same call continues an interrupted study; fresh starts over in it. progress: called as progress(done, total) with
     numbers of analyses, from the calling thread; an exception that it raises ends the study and is raised here.
 
     Returns a Building. Ctrl-C ends the study with KeyboardInterrupt and keeps finished runs in ``out``. Raises Error

@@ -28,15 +28,15 @@ struct GroundMotion {
 
 struct BuildingInput {
   std::filesystem::path file = {};                                 // a building file (isolaw building --template)
-  std::string text = {};                                           // or the text of one, which then counts
+  std::string text = {};                                           // or the text of one, which replaces it
   std::vector<GroundMotion> motions = {};                          // replace the file's motions, if not empty
   std::vector<std::pair<std::string, std::string>> settings = {};  // replace keys of [building]: {"draws", "200"}
 };
 
 struct BuildingOptions {
-  int jobs = 0;                                         // threads; 0: one per core
-  std::optional<std::filesystem::path> directory = {};  // where runs and reports are kept; empty: nowhere
-  bool fresh = false;                                   // start over where the directory holds a study
+  int jobs = 0;                                                            // threads; 0: one per core
+  std::optional<std::filesystem::path> directory = {};                     // for runs and reports; empty: none are kept
+  bool fresh = false;                                                      // start over if the directory holds a study
   std::function<void(std::size_t done, std::size_t total)> progress = {};  // in analyses; one thread at a time calls it
   std::function<bool()> interrupted = {};                                  // asked between analyses, from any thread
 };
@@ -59,18 +59,18 @@ class Building {
   std::vector<std::string> laws() const;
   std::size_t draws() const;
   std::size_t motions() const;
-  // A quantity of building.json, in its unit, for every draw: [law][draw][motion], NaN where a run gave no finite
-  // numbers. Throws Error for an unknown quantity.
+  // A quantity of building.json, in its unit, for every draw: [law][draw][motion], NaN if a run gave no finite numbers.
+  // Throws Error for an unknown quantity.
   std::vector<double> peaks(std::string_view quantity = "isolator_mm") const;
-  // Throws Error where `law` or `motion` is not below laws().size() or motions().
+  // Throws Error if `law` or `motion` is not below laws().size() or motions().
   BuildingHistory history(std::size_t law, std::size_t motion) const;
 
  private:
   std::shared_ptr<StudiedBuilding const> study_;
 };
 
-// Equal settings, motions and campaign give the same bytes in the directory as the program, whatever the number of
-// threads. Throws Error for a wrong building, a law that was not analysed, and another study in the directory.
+// With equal settings, motions and campaign the directory gets the same bytes as from the program, whatever the number
+// of threads. Throws Error for a wrong building, a law that was not analysed, and another study in the directory.
 Building study_building(BuildingInput const& input, campaign::Contents const& contents,
                         BuildingOptions const& options = {});
 

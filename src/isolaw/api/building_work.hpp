@@ -26,8 +26,8 @@ building::Model possible(building::Study const& study);
 
 struct BuildingWork {
   int jobs = 0;                                         // threads; 0: one per core
-  std::optional<std::filesystem::path> directory = {};  // where runs and reports are kept; empty: nowhere
-  bool fresh = false;                                   // start over where the directory holds a study
+  std::optional<std::filesystem::path> directory = {};  // for runs and reports; empty: none are kept
+  bool fresh = false;                                   // start over if the directory holds a study
   std::optional<campaign::Part> part = {};              // compute only this share of the runs; needs a directory
   std::vector<building::StudyProperty> properties_of_part = {};  // stored with a part, for the answers of the whole
   std::function<void(building::RunProgress const&)> progress = {};
@@ -38,15 +38,15 @@ struct StudiedBuilding {
   building::Study study;
   bool complete = false;                     // false after an interruption
   std::size_t runs = 0;                      // in the store
-  std::optional<building::Answers> answers;  // those of a complete study that is no part
-  // Rows of building::Layout::count() measures for the draws: [law][draw][motion]. NaN where a run gave none.
+  std::optional<building::Answers> answers;  // of a complete study that is not a part
+  // Rows of building::Layout::count() measures for the draws: [law][draw][motion]. NaN if a run gave none.
   std::vector<double> measured;
   building::Layout layout;
 };
 
 // A quantity of every draw: [law][draw][motion]. Throws Error for an unknown quantity.
 std::vector<double> peaks_of(StudiedBuilding const& studied, std::string_view quantity);
-// Computes the runs that the directory does not hold yet (all without one) and writes the reports there. Store and
+// Computes the runs that the directory does not hold yet (without a directory: all) and writes its reports. Store and
 // reports have the same bytes as the program's, whatever the number of threads. Throws Error for a building that cannot
 // be analysed, for another study in the directory, and for a part without a directory.
 StudiedBuilding study_building(building::Study study, BuildingWork const& options = {});

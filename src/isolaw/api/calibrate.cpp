@@ -22,7 +22,7 @@ void load_rules(campaign::Acceptance& acceptance) {
 campaign::Contents finish_campaign(campaign::Contents contents, std::filesystem::path const& store,
                                    campaign::RunOptions const& options) {
   if (!campaign::run(contents, store, options)) return contents;
-  // Read back from the store, so that the result is what another program would read.
+  // Reads the store back, so that the result is the one that another program would read.
   contents = campaign::Store::read(store);
   if (!contents.part) render::write_outputs(study::build_summary(contents), store.parent_path());
   return contents;
@@ -43,7 +43,7 @@ Calibrated calibrate(std::vector<campaign::NamedRecord> records, campaign::Setti
   contents.acceptance = options.acceptance;
   contents.part = options.part;
   load_rules(contents.acceptance);
-  // Throws now, before the long search, where the rule set or design values do not suit the lot.
+  // Throws now, before the long search, if the rule set or design values do not suit the lot.
   if (contents.acceptance != campaign::Acceptance{}) study::build_summary(contents);
   if (!options.directory) {
     TemporaryDirectory const directory;

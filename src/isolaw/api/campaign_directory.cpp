@@ -73,7 +73,7 @@ DirectoryLock::~DirectoryLock() {
 
 Continued open_or_create(std::filesystem::path const& file, campaign::Contents& contents, bool fresh,
                          LeftOut vertical) {
-  // A kill between the two steps loses only reports, which can be made again; it never leaves another campaign's.
+  // A kill between the two steps loses only reports, which can be made again. Reports of another campaign never remain.
   auto const create = [&] {
     campaign::Store::create(file, contents, [&] { render::remove_outputs(file.parent_path()); });
   };
@@ -82,9 +82,9 @@ Continued open_or_create(std::filesystem::path const& file, campaign::Contents& 
     return {};
   }
   campaign::Store::remove_unfinished(file);
-  // After a killed process this undoes what it had not finished writing and keeps the rest.
+  // If an earlier process was killed, this undoes its unfinished writing and keeps the rest.
   if (!campaign::Store::is_plain(file)) campaign::Store::open(file).finish();
-  // A merge will read this part. A file that was cut off within a page would read as if it were whole.
+  // A merge will read this part, and would take a file that was cut off within a page for a whole one.
   if (contents.part)
     if (auto const faults = campaign::Store::integrity(file); !faults.empty())
       campaign::sqlite::refuse_damaged(file.string(), faults.front());

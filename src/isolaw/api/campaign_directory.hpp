@@ -25,9 +25,9 @@ class TemporaryDirectory {  // removed by the destructor; the constructor throws
   std::filesystem::path path_;
 };
 
-class DirectoryLock {  // lets one process at a time work in a directory; ends with the process, however that ends
+class DirectoryLock {  // lets one process at a time work in a directory; released when the process ends, even by a kill
  public:
-  explicit DirectoryLock(std::filesystem::path const& directory);  // throws Error where another process holds it
+  explicit DirectoryLock(std::filesystem::path const& directory);  // throws Error if another process holds it
   DirectoryLock(DirectoryLock const&) = delete;
   DirectoryLock& operator=(DirectoryLock const&) = delete;
   ~DirectoryLock();
@@ -38,16 +38,16 @@ class DirectoryLock {  // lets one process at a time work in a directory; ends w
 
 struct Continued {                 // how a continued campaign differs from the one that the directory held
   std::vector<std::string> added;  // "2 devices", ...
-  std::string released;            // the rule set of the stored campaign, where the continued one has none
+  std::string released;            // the rule set of the stored campaign, if the continued one has none
   // "D01 (v.csv)" for devices whose compression test was not given again: it was kept, or the lot file dropped it.
   std::vector<std::string> kept_vertical, dropped_vertical;
 };
 
-// A stored compression test that is not given again: kept if only records are named, gone if a lot file leaves it out.
+// A stored compression test that is not given again stays if only records are named, and goes if a lot file omits it.
 enum class LeftOut { stays, is_gone };
 
-// Takes over into `contents` what the store's campaign has computed. It must have the same settings and inputs, and the
-// same or fewer devices, laws and runs, or Error is thrown. Starts anew where there is no store or `fresh` is true.
+// Copies the results of the store's campaign into `contents`. The campaign must have the same settings and inputs, and
+// the same or fewer devices, laws and runs, or Error is thrown. Starts anew if there is no store or `fresh` is true.
 Continued open_or_create(std::filesystem::path const& file, campaign::Contents& contents, bool fresh,
                          LeftOut vertical = LeftOut::stays);
 

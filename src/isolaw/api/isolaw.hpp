@@ -7,10 +7,10 @@
 //   calibrate, study::build_summary          fit laws to records; all numbers of the reports
 //   study_building                           shakes a building on bearings drawn from the lot
 //   CalibrateOptions::part, merge            compute one share of a campaign; make one campaign of all shares
-// Units are kN, mm and s unless a name says otherwise; a law's parameters have the law's own. Wrong input throws one
-// isolaw::Error. Nothing prints. The names in this list and the keys of summary.json are stable within a minor version.
-// Other headers are installed only because this one needs them, and the rest of their contents may change with any
-// version. All further headers are internal and not installed.
+// Units are kN, mm and s unless a name says otherwise; a law's parameters have the law's own units. Wrong input throws
+// one isolaw::Error. No function prints. The names in this list and the keys of summary.json are stable within a minor
+// version. Other headers are installed only because this one needs them, and the rest of their contents may change with
+// any version. All further headers are internal and not installed.
 #pragma once
 
 #include "isolaw/api/building.hpp"

@@ -28,7 +28,7 @@ campaign::Contents merge(std::filesystem::path const& directory, std::vector<std
 // The first half of merge(), for callers that hold the lock: missing runs go to options.missing and do not throw.
 campaign::Merged merge_runs(DirectoryLock const& lock, std::filesystem::path const& directory,
                             std::vector<std::filesystem::path> const& parts, MergeCallOptions const& options);
-// The store of a part: `part` itself if it is a file, else `name` in it. Throws Error if it is that of `directory`.
+// The store of a part: `part` itself if it is a file, else `name` in it. Throws Error for the store of `directory`.
 std::filesystem::path store_of_part(std::filesystem::path const& part, std::filesystem::path const& directory,
                                     std::string const& name = store_name);
 

@@ -19,10 +19,10 @@ struct NamedValue {
 // Reads "Ke=2.5", in the law's units. Throws Error for a text of another form.
 NamedValue parse_named_value(std::string_view text, std::string const& where);
 // Reads a file of TOML or JSON with `name = value` for each parameter, in the law's units, at the top or in a table
-// with the law's id. Throws one Error with every value that is no number; parameters_in_order() checks the names.
+// with the law's id. Throws one Error with every value that is not a number; parameters_in_order() checks the names.
 std::vector<NamedValue> read_parameter_file(std::filesystem::path const& file, laws::LawEntry const& law);
 
-// Whether values must also meet the law's joint limits. A search may try others: their objective is infinite or poor.
+// Whether values must also meet the law's joint limits. A search may break them, with a poor or infinite objective.
 enum class Together { checked, left };
 
 // The values of all parameters in the law's order and units; parameters fixed by default may be missing. Throws one

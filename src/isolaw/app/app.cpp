@@ -60,7 +60,7 @@ void add_option(CLI::App& command, OptionInfo const& option, Values& given, std:
   under(option.heading, added);
 }
 
-// `of_test` is false for a motion, which has no force. A lot file can still set options whose name the command uses.
+// `of_test` is false for a motion, which has no force. An option whose name the command uses is left to the lot file.
 void add_reading(CLI::App& command, Values& read, bool of_test = true) {
   for (auto const& option : data::reading_table()) {
     auto const other_name = of_test ? std::string_view() : option.motion_option;
@@ -109,7 +109,7 @@ void add_fresh(CLI::App& c, bool& fresh) {
   under(Heading::running, c.add_flag("--fresh", fresh, "start over, even if the directory holds another campaign"));
 }
 
-// The options of calibrate that parts has too: they decide the results, or where these go.
+// The options that calibrate and parts share: they decide the results and the place where these are written.
 void add_campaign(CLI::App& c, CalibrateArguments& a) {
   for (auto const& setting : campaign::setting_table())
     if (!setting.stored_only) add_option(c, setting, a.settings);
@@ -382,10 +382,10 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   return std::ranges::find_if(commands, [](auto const& each) { return each.first->parsed(); })->second();
 }
 
-// Who reads a failure besides the person at the terminal: nobody, a program that asked for --json, the page's engine.
+// The reader of a failure besides the person at the terminal: none, a program that asked for --json, the page's engine.
 enum class Reader { none, program, engine };
 
-// The engine puts this word before the command, which does not see it.
+// The page's engine passes this word before the command; run() removes it.
 constexpr std::string_view word_of_engine = "--errors-as-json";
 
 Reader reader_of(int argc, char** argv) {
@@ -417,7 +417,7 @@ int fail_without_memory(Reader reader) {
   constexpr std::string_view advice =
       "fewer devices or shorter records at once, fewer --jobs, --samples-per-cycle 200, a smaller --population, or a machine with more memory";
   say("isolaw: out of memory; try: {}\n", advice);
-  // As fail() has it, without an allocation.
+  // The same JSON as from fail(), without an allocation.
   fmt::memory_buffer object;
   fmt::format_to(
       std::back_inserter(object),

@@ -38,7 +38,7 @@ class SpeedTest {
   }
 
   // Processor time per sample and candidate [ns], to the picosecond. Other work on the machine only adds time, but a
-  // shared host has been seen to count a pass at a seventh of its time: the second shortest pass counts.
+  // shared host has reported a seventh of a pass's time, so the second shortest pass counts.
   double ns() const {
     constexpr std::size_t least_passes = 5, most_passes = 2000;
     constexpr double enough_s = 0.15;
@@ -62,7 +62,7 @@ class SpeedTest {
 }  // namespace
 
 int bench(bool json) {
-  // Seven digits of every objective: the same for all instruction sets, different as soon as a law changes.
+  // Seven digits of every objective: they are the same for all instruction sets and change when a law changes.
   std::string digits;
   nlohmann::ordered_json converged, paper;
   for (auto const& law : laws::catalogue())

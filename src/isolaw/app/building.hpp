@@ -6,7 +6,7 @@
 
 namespace isolaw::app {
 
-// Throws Error if one is not given, or for all faults in them.
+// Throws Error if the file or the campaign is not given, or for all faults in them.
 building::Study building_study(BuildingArguments const& arguments);
 
 }  // namespace isolaw::app

@@ -76,10 +76,10 @@ int CampaignWork::finish(campaign::Contents& contents, HowToWork const& how) {
   if (contents.part) {
     say("part {} of {}: {}, all of its share, in {}; once every part is there: isolaw merge OUT PARTS...\n",
         contents.part->number, contents.part->of, counted(contents.runs.size(), "run"), shown(file));
-    return exit_done;  // the report of the whole tells what was refused or failed
+    return exit_done;  // the whole campaign's report says what was refused or failed
   }
   double const search_s = std::chrono::duration<double>(Clock::now() - start_).count();
-  // From the store, not from memory: what is printed is what `isolaw report` would print.
+  // Reads the store, so that the program prints the same as `isolaw report`.
   auto const summary = study::build_summary(campaign::Store::read(file));
   render::write_outputs(summary, directory);
   // Figures are for print and not part of the study: their time is reported separately.

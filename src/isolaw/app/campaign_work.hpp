@@ -1,4 +1,4 @@
-// Finishes a prepared campaign whose directory is locked: the runs and analyses that are missing, then the reports.
+// Computes the missing runs and analyses of a prepared campaign whose directory is locked, then writes the reports.
 #pragma once
 
 #include <chrono>
@@ -22,7 +22,7 @@ struct HowToWork {
   bool json = false, details = false;
 };
 
-// Construct it when the command starts: reported times count from then.
+// Must be constructed when the command starts, since reported times count from its construction.
 class CampaignWork {
  public:
   explicit CampaignWork(std::vector<std::string> const& command_line);

@@ -45,8 +45,8 @@ std::size_t runs_since(std::filesystem::path const& directory, std::size_t missi
   }
 }
 
-// A page by `isolaw report --rules ...` states other rules than the store. Takes them over; an unreadable page has
-// none.
+// A page by `isolaw report --rules ...` states other rules than the store, and these then count. An unreadable page
+// states none.
 bool hold_to_what_the_page_states(std::filesystem::path const& directory, campaign::Contents& contents,
                                   study::Summary& summary) {
   auto const stored = contents.acceptance;

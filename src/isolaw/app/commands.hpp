@@ -35,16 +35,16 @@ struct MergeArguments {
   std::string figures = "lot";
   bool copy_only = false, fresh = false, json = false, details = false;
 };
-// The result is as one machine would have computed it.
+// The result is the same as from one machine.
 int merge(MergeArguments const& arguments, std::vector<std::string> const& command_line);
-// Whether the parts are those of a building study, and their merge. Throws Error if that cannot be decided.
+// Whether the parts belong to a building study. Throws Error if that cannot be decided. merge_buildings() merges them.
 bool merges_buildings(MergeArguments const& arguments);
 int merge_buildings(MergeArguments const& arguments);
 
 struct PartsArguments {
   std::filesystem::path lot;
   CalibrateArguments calibrate;                   // its inputs are the lot
-  std::optional<std::filesystem::path> campaign;  // given: the lot is a building file, with these motions
+  std::optional<std::filesystem::path> campaign;  // if given, `lot` is a building file, with these motions
   std::vector<std::string> motions;
   std::vector<std::string> given;  // names of all options given
   int count = 0;
@@ -56,7 +56,7 @@ struct InspectArguments {
   std::vector<std::filesystem::path> inputs;  // one lot file, or records
   Values read, acceptance;
   std::vector<std::string> vertical;         // DEVICE=FILE of compression tests
-  std::optional<std::filesystem::path> out;  // writes page, tables and JSON there
+  std::optional<std::filesystem::path> out;  // for the page, tables and JSON
   bool allow_outside = false;
   bool json = false;
 };
@@ -65,7 +65,7 @@ int inspect(InspectArguments const& arguments);
 struct InitArguments {
   std::vector<std::filesystem::path> files;
   Values read;
-  std::optional<std::filesystem::path> like;  // a lot file whose way of reading is copied
+  std::optional<std::filesystem::path> like;  // a lot file whose reading options are copied
   std::filesystem::path out = "lot.toml";
   bool force = false;
 };
@@ -101,7 +101,7 @@ int export_law(ExportArguments const& arguments);
 
 struct SimulateArguments {
   std::string law;
-  std::optional<std::filesystem::path> parameters;  // a file of them
+  std::optional<std::filesystem::path> parameters;  // a file of parameters
   std::optional<std::filesystem::path> from;        // or a campaign's directory, with a device's name or "lot"
   std::optional<std::string> device;
   std::vector<std::string> set;
@@ -109,7 +109,7 @@ struct SimulateArguments {
   Values read, how;  // how: from campaign::setting_table(), integration to dead-band
   std::optional<int> refinement;
   std::optional<std::filesystem::path> out;
-  bool anyway = false;  // even if its prediction is unusable
+  bool anyway = false;  // simulate even if the prediction is unusable
   std::optional<std::string> bidirectional, second_disp, softening, springs;
 };
 int simulate(SimulateArguments const& arguments);

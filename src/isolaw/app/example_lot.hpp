@@ -15,7 +15,7 @@ struct TextFile {
 // Ten records in ten dialects, lot.toml and README.md. The same bytes at every call: the noise is seeded.
 std::vector<TextFile> example_lot();
 
-// Writes it into `directory`, which is created if absent. Throws Error if a file with other content is in the way.
+// Writes the lot into `directory`, which is created if absent. Throws Error if a file with other content is in the way.
 void write_example_lot(std::filesystem::path const& directory);
 
 }  // namespace isolaw::app

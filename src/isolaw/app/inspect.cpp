@@ -1,4 +1,4 @@
-// `isolaw inspect` and `isolaw init`: what a file holds, before anything is identified.
+// `isolaw inspect` and `isolaw init`: they show what a file holds, before any law is fitted.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -65,7 +65,7 @@ int inspect(InspectArguments const& arguments) {
 
 namespace {
 
-// If the devices share no way of reading, the first device's is taken. A channel in a file of its own is not copied.
+// Copies a lot file's settings; reading options from the lot, or from its first device. Drops channels in other files.
 void take_over(std::filesystem::path const& file, campaign::Lot& lot) {
   auto const other = lot_of_file(file, {.allow_outside = true, .other_out = true});
   lot.settings = other.settings;
@@ -83,7 +83,7 @@ void take_over(std::filesystem::path const& file, campaign::Lot& lot) {
   for (auto& device : lot.devices) device.read = read;
 }
 
-// One device for each test of each file, named by the file and, where it holds several, by sheet and number.
+// One device for each test of each file, named by the file and, if it holds several, by sheet and number.
 campaign::Lot lot_of_tests(InitArguments const& arguments) {
   auto lot = campaign::lot_of_files(records_of(arguments.files));
   if (arguments.like) take_over(*arguments.like, lot);

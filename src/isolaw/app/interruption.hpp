@@ -18,10 +18,10 @@ class SignalGuard {
  private:
   std::array<void (*)(int), 3> previous_{};
 };
-// Whether such a signal came since the last guard was constructed.
+// Whether a signal came since the last guard was constructed.
 bool interrupted();
 
-// Leaves out --fresh.
+// The command line that continues the work: the given words without --fresh.
 std::string to_continue(std::vector<std::string> words);
 
 }  // namespace isolaw::app

@@ -22,11 +22,11 @@ std::string python_literal(Json const& value) {
   return value.dump();
 }
 
-// "runs: int | None = None". `in_place`: the parameter replaces a value of a file, and None keeps the file's.
+// A parameter as Python text, "runs: int | None = None,". `in_place`: it replaces a file's value, which None keeps.
 template <class Row>
 std::string keyword(Row const& row, bool in_place = false) {
   auto value = in_place ? Json() : row.get({});
-  // A zero below the limits means that the value is decided elsewhere.
+  // A default of zero below the limits means that other settings decide the value.
   if (row.limits && value == 0 && row.limits->least > 0.0) value = Json();
   auto type = row.python_type();
   if (value.is_null() && !type.ends_with(" | None")) type += " | None";

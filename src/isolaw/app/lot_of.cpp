@@ -104,7 +104,7 @@ std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path>
 
 namespace {
 
-// Repeated options add to the lot file. A parameter given twice on the command line is refused later by the option.
+// Repeated options add to the lot file's values. A parameter given twice on the command line is refused later.
 Json added(Json const& there, Json const& given) {
   auto const parameter = [](std::string const& text) { return text.substr(0, text.find('=')); };
   auto const words = given.get<std::vector<std::string>>();

@@ -9,7 +9,7 @@ namespace isolaw::app {
 campaign::Lot lot_of(CalibrateArguments const& arguments);
 bool is_of_lot_file(CalibrateArguments const& arguments);
 
-// A directory stands for the records in it, without subdirectories. Throws Error for a directory without records.
+// A directory is replaced by the records in it, without subdirectories. Throws Error for a directory without records.
 std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path> const& inputs);
 
 campaign::Lot lot_of_file(std::filesystem::path const& file, campaign::LotFileOptions options);
@@ -22,7 +22,7 @@ void apply(Values const& given, campaign::Acceptance& acceptance);
 void apply_vertical(std::vector<std::string> const& given, campaign::Lot& lot);
 void apply(Values const& given, data::ReadOptions& options);
 
-// --out, the lot file's `out`, or out/<name of the lot file's directory or of the first record>.
+// --out, or else `out` of the lot file, or else out/<name of the lot file's directory or of the first record>.
 std::filesystem::path output_directory(CalibrateArguments const& arguments, campaign::Lot const& lot);
 
 }  // namespace isolaw::app

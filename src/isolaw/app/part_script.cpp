@@ -242,7 +242,6 @@ esac
 )sh";
 }
 
-// Escapes text for a recipe of make.
 std::string for_make(std::string const& text) {
   std::string escaped;
   for (char const c : text) escaped += c == '$' ? std::string("$$") : std::string(1, c);

@@ -75,7 +75,7 @@ void require_used(PartsArguments const& arguments) {
                  .advice = "set it in the building file; the campaign keeps its own settings"});
 }
 
-// The script for a building study. Computes one block of runs of each law here, to measure the time it takes.
+// The script for a building study. Computes one block of runs of each law, to measure the time of a block.
 std::string script_of_building(PartsArguments const& arguments, std::string const& program) {
   auto const study = building_study({.file = arguments.lot,
                                      .from = arguments.campaign,

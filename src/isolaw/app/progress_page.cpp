@@ -1,4 +1,4 @@
-// In a browser: lines for the page to read (page/engine/engine.js), about five per second.
+// The progress line in a browser: the page reads it (page/engine/engine.js), about five times per second.
 //   progress SHARE SECONDS_LEFT DONE TOTAL runs|analyses
 #include <fmt/format.h>
 

@@ -10,14 +10,14 @@
 
 namespace isolaw::app {
 
-// That is no failure: their data and scripts are written. `again` is the command that draws them once gnuplot is there.
+// Says which figures were not drawn, though their data are written. `again` is the command that draws them.
 void say_drawn(render::FigureOutcome const& outcome, std::filesystem::path const& directory, std::string_view again);
 void draw_figures(study::Summary const& summary, render::FigureChoice choice, std::filesystem::path const& directory);
 
 struct Printed {
   bool json = false, details = false;
 };
-// On one screen, with all details, or summary.json with the campaign's profile. Verdicts of a rule set follow.
+// Prints one screen or all details, then the verdicts of a rule set; or summary.json with the campaign's profile.
 void print(study::Summary const& summary, std::filesystem::path const& directory, Printed how,
            std::string_view profile = {});
 

@@ -41,10 +41,10 @@ double largest(std::vector<double> const& values) {
 
 struct Chosen {
   FittedLaw law;
-  study::Doubts doubts;              // the campaign's, for its law as it was fitted
-  std::string origin;                // "device 'a'", "the lot"; empty: of no campaign
-  std::vector<std::string> changes;  // made by --set: then it is no longer the law that the campaign fitted
-  // Only for a device's law as it was fitted.
+  study::Doubts doubts;              // the campaign's doubts about the law with its fitted values
+  std::string origin;                // "device 'a'", "the lot"; empty: not from a campaign
+  std::vector<std::string> changes;  // made by --set; the law is then not the campaign's any more
+  // Given only for a device's law with its fitted values.
   struct Fit {
     data::FitRecord record;
     fit::SearchBox box;
@@ -52,7 +52,7 @@ struct Chosen {
   std::optional<Fit> fit = {};
 };
 
-// The names are checked with everything else.
+// Names of parameters are checked together with the values, by parameters_in_order().
 Chosen chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
   if (a.parameters && a.from)
     throw Error({.where = "--parameters and --from", .found = "both are given", .allowed = "one of them"});
@@ -94,7 +94,7 @@ Chosen chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
     return std::ranges::find(changes, value.name, &NamedValue::name) != changes.end();
   });
   values.insert(values.end(), changes.begin(), changes.end());
-  // The campaign accepted its fitted values: a search may end beyond a limit that its box crosses.
+  // Fitted values need not meet the joint limits: a search may end beyond a limit that crosses its box.
   auto& taken = chosen.law;
   taken.parameters =
       parameters_in_order(law, values, where, a.from && changes.empty() ? Together::left : Together::checked);
@@ -175,7 +175,7 @@ std::vector<std::string> cautions(laws::LawEntry const& law, FittedLaw const& ch
   return lines;
 }
 
-// Numbers read back as the same doubles.
+// The numbers in the text read back as the same doubles.
 std::string csv_text(std::string_view law, std::vector<std::string> const& known, data::TestRecord const& motion,
                      data::FitRecord const& path, std::vector<double> const& force_kN) {
   std::string text;
@@ -192,11 +192,11 @@ std::string csv_text(std::string_view law, std::vector<std::string> const& known
   return text;
 }
 
-// nullopt: one direction.
+// The choices for a motion in two directions.
 struct TwoDirections {
   laws::Bidirectional how;
   laws::plane::Softening softening;
-  bool as_given;  // springs of the parameters as they are
+  bool as_given;  // springs with the parameters as given
   std::string second_disp;
 };
 std::optional<TwoDirections> two_directions(SimulateArguments const& a) {
@@ -284,9 +284,9 @@ std::vector<std::string> left_open(fit::LawInPlane const& law, TwoDirections con
     lines.push_back(fmt::format(
         "warning: the dead band of {:.4g} mm that the law was fitted with is of one direction, and not taken",
         law.dead_band_mm));
-  // The figure is fastest at its middle, by sqrt(2).
-  // Parameters of springs are none of a coupled law.
+  // Parameters that were fitted for springs are not parameters of a coupled form.
   if (two.how == laws::Bidirectional::springs && !as_given) return lines;
+  // A figure of eight is fastest at its middle, by sqrt(2), so a longer cycle keeps the motion's largest speed.
   auto const rules = fit::on_a_figure_of_eight(law, size, std::numbers::sqrt2 * cycle);
   if (rules.size() < 2) return lines;
   auto const [peak, work] = fit::spread_of(rules);
@@ -363,7 +363,7 @@ int simulate_in_plane(SimulateArguments const& a, TwoDirections const& two, laws
                  .advice = "--dt SECONDS, the sampling interval"});
   auto const x = data::motion_of(first), y = data::motion_of(second);
   fit::PlaneMotion motion{.time_s = x.time_s, .disp_mm = {}, .vel_mm_s = {}};
-  data::FitRecord reach = x;  // the distance and the speed, for what is known of the law
+  data::FitRecord reach = x;  // distance and speed, for warnings about motions beyond the tests
   for (std::size_t i = 0; i < x.size(); ++i) {
     motion.disp_mm.push_back({x.disp_mm[i], y.disp_mm[i]});
     reach.disp_mm[i] = distance(motion.disp_mm[i]);

@@ -19,10 +19,10 @@ namespace isolaw::app {
 // A command's footer is its example, after this mark.
 inline constexpr std::string_view example_mark = "Example: ";
 
-// Lists options under the headings of base/option.hpp, in their order; few options under a single heading.
+// Lists options under the headings of base/option.hpp, in their order, or under a single heading if there are few.
 std::shared_ptr<CLI::FormatterBase> help_format();
 
-// Options that other commands share with calibrate stand in sections of their own, to which the commands refer.
+// Options that other commands share with calibrate get sections of their own, to which the commands refer.
 void print_reference(CLI::App const& app);
 
 std::string plain_markdown(std::string_view text);

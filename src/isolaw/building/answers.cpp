@@ -72,7 +72,7 @@ constexpr Quantity quantity_rows[]{
      alike},
 };
 
-// By linear interpolation, the first value at the share 0 and the last at 1.
+// Interpolates linearly: the share 0 gives the first value and the share 1 the last.
 double fractile(std::vector<double> const& sorted, double share) {
   if (sorted.empty()) return std::nan("");
   double const place = share * static_cast<double>(sorted.size() - 1);
@@ -141,7 +141,7 @@ double linear_peak(Motion const& motion, double period_s, double damping) {
   return most;
 }
 
-// Iterates for the displacement whose effective stiffness and damping give this displacement as the motion's response.
+// Finds the displacement that is also the peak of a linear oscillator with its effective stiffness and damping.
 void equivalent_linear(Checked& checked, Devices const& devices, Motion const& motion,
                        std::vector<double> const& bearings, double mass) {
   auto const& source = devices.source();
@@ -325,7 +325,7 @@ void add_spectra(std::vector<std::vector<double>>& to, Response const& run, doub
   }
 }
 
-// The displacement is left out, since the verdict is about it.
+// Warns of quantities that the bounds fail to cover, except the displacement, which is in the verdict.
 void warn_of_coverage(LawAnswer const& law, std::vector<Finding>& warnings) {
   for (auto const& c : law.coverage) {
     if (c.inside >= wanted_share) continue;
@@ -374,7 +374,7 @@ std::vector<std::string> assumed_of(Study const& study, Answers const& answers) 
   return sentences;
 }
 
-// Keeps every n-th sample, not always the last.
+// Keeps every n-th sample; the last sample may be left out.
 NominalHistory thinned(History const& history, double step_s) {
   auto const samples = history.time_s.size();
   auto const stride = std::max<std::size_t>(1, (samples + most_of_history - 1) / most_of_history);
@@ -398,7 +398,7 @@ Quantity const& quantity(std::string_view key) {
   return *std::ranges::find(quantity_rows, key, &Quantity::key);
 }
 
-// Thirty periods, equally spaced in ln, from those of stiff equipment to those of the isolators.
+// Thirty periods with equal steps of their logarithm, from 0.05 s (stiff equipment) to 4 s (isolators).
 std::vector<double> const& spectrum_periods_s() {
   static std::vector<double> const all_periods = [] {
     constexpr std::size_t count = 30;

@@ -1,5 +1,5 @@
-// Computes the answers of a building study from its stored runs. A draw's response is its mean over the motions, as
-// designs take it; distributions under single motions are kept too.
+// Computes the answers of a building study from its stored runs. A draw's response is its mean over the motions, as in
+// design; distributions under single motions are kept too.
 #pragma once
 
 #include <array>
@@ -19,12 +19,12 @@ namespace isolaw::building {
 struct Quantity {
   std::string_view key, title, unit, meaning;
   double (*of)(Layout const& layout, std::span<double const> measured, double weight_kN);
-  std::string_view uncovered = {};  // why the bound analyses cannot cover it; empty: they can
+  std::string_view uncovered = {};  // why the bound analyses cannot cover it; empty if they can
 };
 std::span<Quantity const> quantities();
 Quantity const& quantity(std::string_view key);
 
-inline constexpr std::array shares{0.16, 0.50, 0.84, 0.95};  // at which fractiles are given
+inline constexpr std::array shares{0.16, 0.50, 0.84, 0.95};  // the fractiles of the answers
 
 // Equal bins from the smallest value to the largest; a single bin if all values are equal.
 struct Histogram {
@@ -51,7 +51,7 @@ struct Coverage {
   std::string_view quantity;                       // key
   double inside = 0.0;                             // share of the draws between both bound analyses
   double interval_low = 0.0, interval_high = 0.0;  // 95 %, Clopper and Pearson 1934
-  double below = 0.0, above = 0.0;                 // shares
+  double below = 0.0, above = 0.0;                 // shares of the draws below and above both bound analyses
   // Smallest factors 1 - a and 1 + a on the grid (grid_factor) such that the responses of the analyses from one to the
   // other span `wanted_share` of the draws; nullopt if even the whole grid does not.
   std::optional<double> factor_low, factor_high;
@@ -60,15 +60,15 @@ struct Coverage {
   std::string not_monotonic;
 };
 Finding covering_factors(Coverage const& coverage);
-// Codes let a design use the mean response only from this number of motions on (EN 1998-1, 4.3.3.4.3; ASCE 7-16,
+// Codes let a design use the mean response only with at least this number of motions (EN 1998-1, 4.3.3.4.3; ASCE 7-16,
 // 17.3.3; its chapter 16 asks for eleven).
 inline constexpr std::size_t motions_for_a_mean = 7;
-// The nominal building under one motion by the implicit path, and how far other methods are from it.
+// The nominal building under one motion by the implicit path, and the errors of other methods.
 struct Checked {
   std::string outcome;
   double isolator_mm = 0.0, balance = 0.0, step_s = 0.0;
   double missed_mm = 0.0;                                      // step error of isolator_mm, by richardson()
-  double draws_error_percent = 0.0;                            // error of isolator_mm by the path of the draws
+  double draws_error_percent = 0.0;                            // error of isolator_mm with the draws' integrator
   double equivalent_mm = 0.0, equivalent_error_percent = 0.0;  // equivalent linear analysis: displacement of the centre
   double equivalent_period_s = 0.0, equivalent_damping = 0.0;
 };
@@ -81,8 +81,8 @@ struct NominalHistory {
   std::vector<double> x_mm, y_mm, shear_x_kN, shear_y_kN;
 };
 
-// Every bearing under the motion that moves the nominal building most, by the implicit path, thinned to most_of_loops
-// samples. If bearings are drawn this is the first drawn building, so that no two loops are alike.
+// The loops of every bearing under the motion that moves the nominal building most, by the implicit path, in at most
+// most_of_loops samples. If bearings are drawn, it is the first drawn building, whose drawn bearings differ.
 inline constexpr std::size_t most_of_loops = 500;
 struct BearingLoops {
   std::size_t motion = 0;
@@ -92,8 +92,8 @@ struct BearingLoops {
   std::vector<std::vector<double>> force_x_kN, force_y_kN;  // [bearing][sample]
 };
 
-// Floor spectra: the pseudo-acceleration of a linear oscillator of these periods, 5 % damped, on a diaphragm of the
-// nominal building. It moves along x, and along y if the motion has it; means over the motions.
+// Floor spectra: the pseudo-acceleration of linear oscillators with these periods and 5 % damping on a diaphragm of the
+// nominal building, along x, and along y if the motion has a y component; means over the motions.
 inline constexpr double spectrum_damping = 0.05;
 std::vector<double> const& spectrum_periods_s();
 
@@ -137,14 +137,14 @@ Answers answer(Study const& study, RunStore const& store);
 std::array<double, 2> binomial_interval(std::size_t found, std::size_t trials, double level = 0.95);
 
 // Effective stiffness and damping ratio of a bearing in its third sine cycle of this amplitude along x, at 1 Hz. Forms
-// other than coupled ones are given the velocity 0: viscous forces of their laws do not count.
+// other than coupled ones get the velocity 0, so viscous forces of their laws do not count.
 struct Effective {
   double stiffness_kN_mm = 0.0, damping = 0.0;
 };
 Effective effective(std::string_view law, std::span<double const> parameters, double amplitude_mm, Coupling coupling);
 
-// Chooses a tested device for each place by its stiffness at the design displacement. Pairs are exchanged until nothing
-// brings the centre of stiffness nearer to `centre`; better arrangements may exist. At least as many devices as places.
+// Chooses a tested device for each place by its stiffness at the design displacement. Exchanges pairs until no exchange
+// brings the centre of stiffness nearer to `centre`; others may be better. Needs a device for each place.
 struct Arrangement {
   std::vector<std::size_t> device;                  // [place]
   double eccentricity_mm = 0.0, in_order_mm = 0.0;  // with this arrangement, and with the devices in order
@@ -152,7 +152,7 @@ struct Arrangement {
 Arrangement arrange(std::span<Point const> places, Point centre, std::span<double const> stiffness);
 
 Response nominal_run(Study const& study, LawSource const& source, Motion const& motion);
-// The same as CSV: the base's displacement and velocity relative to the ground, the force on the bearings, every
-// diaphragm's acceleration in space; along x, and y if the motion has it. A run that failed ends where it failed.
+// A run as CSV: the base's displacement and velocity relative to the ground, the force on the bearings, every
+// diaphragm's acceleration in space; along x, and y if the motion has y. A run that failed ends where it failed.
 std::string history_csv(Response const& run, Motion const& motion);
 }  // namespace isolaw::building

@@ -34,8 +34,8 @@ class InPlaneBearing final : public Bearing {
   double length_, force_;
 };
 
-// Until the bearing first moves beyond `rest_mm` the law's tangents at rest replace it: without motion it moves by
-// rounding only, where laws with a power of the displacement have no tangent that Newton's method could follow.
+// Until the bearing first moves beyond `rest_mm`, the law's tangents at rest replace the law. A bearing at rest moves
+// by rounding only, and laws with a power of the displacement then have no tangent of use to Newton's method.
 class OneDirection {
  public:
   OneDirection(laws::Online const& law, laws::LawInfo const& info)

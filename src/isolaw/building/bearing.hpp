@@ -32,9 +32,9 @@ enum class Coupling {
   springs,  // springs around the circle, for any law
   separate  // the law once along x and once along y, independent: exact for motions along x or y alone
 };
-// coupled if the law with these parameters has such a form, else springs.
+// coupled if the law with these parameters has a coupled form, else springs.
 Coupling coupling_of(std::string_view law, std::span<double const> parameters);
-// A virgin bearing at rest. Throws Error for an unknown law, another number of parameters, or a form that it lacks.
+// Makes a virgin bearing at rest. Throws Error for an unknown law, a form it lacks, or a wrong number of parameters.
 std::unique_ptr<Bearing> make_bearing(std::string_view law, std::span<double const> parameters, Coupling coupling);
 
 }  // namespace isolaw::building

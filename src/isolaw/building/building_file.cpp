@@ -21,7 +21,7 @@ namespace {
 constexpr double mm_in_m = 1e3;
 constexpr std::size_t most_bearings = 2000, most_floors = 100;
 
-// The tables of a file in its units, with the template's values. Except for [[motion]] they are the defaults too.
+// The tables of a building file in its units, with the template's values, which are the defaults except in [[motion]].
 struct BaseRow {
   double mass_Mg = 700.0, gyration_m = 9.0, x_m = 0.0, y_m = 0.0;
 };
@@ -295,12 +295,12 @@ Motion motion_of(std::filesystem::path const& folder, MotionRow const& row) {
   return motion;
 }
 
-// Converts JSON to what the parser makes of a file, but without line numbers.
+// Converts JSON to the tables that the parser makes of a file, but without line numbers.
 toml::table table_of(Json const& value, int depth);
 toml::array array_of(Json const& value, int depth);
 template <class Insert>
 void insert_toml(Json const& value, int depth, Insert const& insert) {
-  constexpr int deepest = 4;  // [[bearing]] x_m
+  constexpr int deepest = 4;  // for example x_m of a [[bearing]]
   if (depth > deepest)
     throw Error({.where = "building", .found = "tables or lists nested deeper than any building needs"});
   if (value.is_object()) return insert(table_of(value, depth));

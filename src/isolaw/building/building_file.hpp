@@ -29,9 +29,9 @@ struct Settings {
   double rest_s = 5.0;
 };
 
-// The device at a place: drawn from the lot, the lot's law, a tested one, or the lot's law times a bound's factor.
+// The device at a place: drawn from the lot, the lot's law, a tested device, or the lot's law times a bound's factor.
 enum class Stands { draw, lot, device, lower, upper };
-std::string_view name(Stands stands);  // the word of building files; "tested device", for which they have the name
+std::string_view name(Stands stands);  // the word in building files, or "tested device"
 struct BearingPlace {
   Point at;
   Stands stands = Stands::draw;
@@ -50,7 +50,7 @@ struct BuildingFile {
   bool along_x_alone() const;
 };
 
-// A key in a table of the file. Those of [building] are Python's keywords too. A required key has no default.
+// A key in a table of the file. The keys of [building] are Python keywords too. A required key has no default.
 template <class Target>
 struct FileKey : Option<Target> {
   bool required = false;

@@ -83,7 +83,7 @@ class ImplicitRun {
     Vector3 force;
     Matrix3 stiffness, damping;
   };
-  // Tries all bearings at the end of a step; sums about the base's centre of mass.
+  // Computes trials of all bearings at the end of a step, and their sums about the base's centre of mass.
   Total total(double const (&u)[3], double const (&v)[3], double dt) {
     Total sum{Vector3::Zero(), Matrix3::Zero(), Matrix3::Zero()};
     for (std::size_t j = 0; j < bearings_.size(); ++j) {
@@ -161,7 +161,7 @@ class ImplicitRun {
       Vector3 const residual = inertial + load + now.force;
       if (!residual.allFinite()) break;
       double const scale = std::max({size(inertial), size(load), size(now.force), 1e-12}), left = size(residual);
-      // Iterates to `all`; `sufficient` will do once an iteration no longer reduces the residual to a tenth.
+      // Iterates until the residual is below `all`, or `sufficient` if an iteration no longer cuts it to a tenth.
       constexpr double sufficient = 1e-10, all = 1e-14, slow = 0.1;
       found = left <= all * scale || (left <= sufficient * scale && left > slow * last);
       last = left;

@@ -30,7 +30,7 @@ struct Options {
   double longest_step_s = 0.005;
   double rest_s = 0.0;                             // time to continue after the motion
   bool histories = false, bearing_forces = false;  // bearing_forces needs histories
-  Vector pulled_to = {0.0, 0.0};                   // the base is pulled there straight, and released from rest
+  Vector pulled_to = {0.0, 0.0};                   // the base is pulled straight to this place and released
   int most_halvings = 10;                          // how often one step may be halved
 };
 
@@ -88,7 +88,7 @@ struct Steps {
   double dt = 0.0;
 };
 Steps steps_of(Motion const& motion, double longest_step_s, double rest_s);
-// The bearings start in their present state and end in that after the run.
+// The bearings start in their present state and end in the state after the run.
 Response integrate(Model const& model, std::span<std::unique_ptr<Bearing> const> bearings, Motion const& motion,
                    Options const& options = {});
 // The explicit path for one draw, in double: the reference for the lanes (lanes.hpp). Keeps no history.

@@ -1,5 +1,5 @@
-// The type of the lane kernels and their arguments; apart from lanes.hpp, which includes headers that must not be
-// compiled once per instruction set (fit/kernels.cpp says why).
+// The type of the lane kernels and their arguments. Not in lanes.hpp, which includes headers that must not be compiled
+// once per instruction set (fit/kernels.cpp says why).
 #pragma once
 
 #include <array>

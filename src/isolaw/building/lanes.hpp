@@ -16,8 +16,8 @@ namespace isolaw::building {
 // nullptr for `scalar`, and for a law without a coupled form.
 LaneKernel const* lane_kernel(num::InstructionSet set, std::string_view law);
 // Returns the measures [draw][measure] of `draws` [draw][bearing][parameter], parameters in the law's order and units.
-// Failed draws have measures that are not finite. Couplings other than `coupled` take the implicit path, draw by draw,
-// since their laws may depend on the velocity more steeply than an explicit step bears. The explicit path heeds only
+// Failed draws have measures that are not finite. Couplings other than `coupled` use the implicit path, draw by draw,
+// since their laws may depend on the velocity too steeply for an explicit step. The explicit path uses only
 // longest_step_s and rest_s.
 std::vector<double> respond(Model const& model, std::string_view law, std::span<double const> draws,
                             Motion const& motion, Options const& options, Coupling coupling = Coupling::coupled,

@@ -211,7 +211,7 @@ RunStore::RunStore(std::filesystem::path const& file, std::vector<StudyProperty>
   }
   handle_ = std::make_unique<Handle>(Handle{Connection::to_write(file)});
   auto const found = read_properties(handle_->db, file);
-  // A part is next read by a merge. A file that was cut off within a page would read there as if it were whole.
+  // A merge will read this part, and would take a file that was cut off within a page for a whole one.
   if (part_of(found)) require_sound(file, "--fresh to start over");
   if (found == properties) return;
   auto different = differences(found, properties);
@@ -223,7 +223,7 @@ RunStore::RunStore(std::filesystem::path const& file, std::vector<StudyProperty>
          .found = "the runs of another building, of other settings or of another campaign: " + joined(different, "; "),
          .allowed = "the same, which is continued",
          .advice = "--fresh to start over, or another --out"});
-  // Now only the maker can differ, or a part's paths, which may.
+  // From here only the maker can differ, or a part's paths, which are allowed to differ.
   require_same_maker(file, found, maker_of(properties), "--fresh to start over, or another --out");
 }
 
@@ -525,7 +525,7 @@ void take_runs(Connection const& db, Path const& file, campaign::Merged& merged,
 
 constexpr char const* again_as_part = "isolaw building ... --part K/N --fresh, which computes it again";
 
-// False also for a file that is no store: it is to be replaced, whatever it is.
+// False also for a file that is not a store, which a merge may replace.
 bool has_every_run(Path const& file) {
   try {
     auto const db = Connection::to_read(file);

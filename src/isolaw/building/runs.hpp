@@ -34,10 +34,10 @@ struct StudyProperty {
 };
 // Everything that the numbers depend on: settings by value, inputs by hash, the program and its instruction set.
 std::vector<StudyProperty> properties_of(Study const& study);
-// The rows of a part: its number, and the paths from which a merged study is answered.
+// The rows of a part: its number, and the paths of the inputs that a merged study needs for its answers.
 std::vector<StudyProperty> properties_of(campaign::Part const& part, std::string const& building_file,
                                          std::string const& campaign, std::vector<std::string> const& motions);
-// "seed: 1 there, 2 now", a text for each difference. Parts and makers are not compared.
+// A text for each difference, such as "seed: 1 there, 2 now". Parts and makers are not compared.
 std::vector<std::string> differences(std::span<StudyProperty const> there, std::span<StudyProperty const> now,
                                      campaign::Sides const& sides = {});
 campaign::Maker maker_of(std::span<StudyProperty const> properties);
@@ -45,7 +45,7 @@ std::optional<campaign::Part> part_of(std::span<StudyProperty const> properties)
 std::string value_of(std::span<StudyProperty const> properties, StudyProperty::Kind kind,
                      std::string_view name);  // empty if there is none
 
-// Cuts the runs of a study into the blocks that threads compute and parts share, by law, motion, place in cases_of().
+// Cuts the runs of a study into blocks, by law, motion and place in cases_of(). Threads and parts share the blocks.
 class Blocks {
  public:
   Blocks(std::size_t laws, std::size_t motions, std::size_t cases) : laws_(laws), motions_(motions), cases_(cases) {}
@@ -67,13 +67,13 @@ class Blocks {
 
 class RunStore {
  public:
-  // Opens or creates the file. Throws Error if its runs have other properties, unless `fresh`, which starts it over.
+  // Opens or creates the file. Throws Error if its runs have other properties, unless `fresh` starts it over.
   RunStore(std::filesystem::path const& file, std::vector<StudyProperty> const& properties, bool fresh);
   ~RunStore();
   RunStore(RunStore const&) = delete;
   RunStore& operator=(RunStore const&) = delete;
 
-  // Creates or replaces the file. If the program is killed meanwhile, the former or the new one is there, whole.
+  // Creates or replaces the file. If the program is killed meanwhile, the old or the new file remains, whole.
   static void create(std::filesystem::path const& file, std::vector<StudyProperty> const& properties);
 
   struct Row {
@@ -95,10 +95,10 @@ class RunStore {
 
 struct MissingRun {
   std::string law, motion, analysis;
-  int part = 0;  // the part that should hold it; 0: into how many parts the study was cut is not known
+  int part = 0;  // the part that should hold it; 0 if the number of parts is not known
 };
 struct MergedStudy : campaign::Merged {
-  std::vector<StudyProperty> part;  // the rows of kind part in the first part
+  std::vector<StudyProperty> part;  // the first part's rows of Kind::part
 };
 struct MergeOptions {
   std::function<void()> before_replacing = {};          // called when the study's outputs become outdated
@@ -111,13 +111,13 @@ struct MergeOptions {
 MergedStudy merge(std::filesystem::path const& out, std::vector<std::filesystem::path> const& parts,
                   MergeOptions const& options = {});
 
-// Computes the runs of a study, any block from any thread. The constructor throws Error as Devices.
+// Computes the runs of a study; any thread may compute any block. The constructor throws Error like Devices.
 class Runs {
  public:
   explicit Runs(Study const& study);  // the study must outlive it
   Blocks const& blocks() const { return blocks_; }
   std::vector<RunStore::Row> of(Blocks::Block const& block) const;
-  // Whether its runs take the implicit path, one by one, as all laws do that are not in their coupled form.
+  // Whether the block's runs use the implicit path, one by one, as all runs do whose law is not in its coupled form.
   bool one_by_one(Blocks::Block const& block) const { return devices_[block.law].coupling() != Coupling::coupled; }
 
  private:
@@ -137,9 +137,9 @@ struct RunAllOptions {
   std::optional<campaign::Part> part = {};                // computes this part only
   std::function<bool()> interrupted = {};                 // asked between runs, from any thread
 };
-// Throws Error as Runs. Finished runs are stored, whatever ends the call. Returns false if it was interrupted earlier.
+// Throws Error like Runs. Finished runs are stored, whatever ends the call. Returns false if it was interrupted.
 bool run_all(Study const& study, RunStore& store, std::size_t threads, RunAllOptions const& options = {});
-// The options of a law's runs: the step is that of the settings or, if that is less, longest_explicit_step() for the
+// The options of a law's runs. Their step is the smaller of the settings' step and longest_explicit_step() for the
 // bearings of the upper bound analysis at rest.
 Options options_of(Study const& study, Model const& model, Devices const& devices);
 

@@ -77,7 +77,7 @@ lot::Population population_again(lot::Population const& population, num::Stream 
       for (std::size_t j = 0; j < values.size(); ++j) estimate.covariance[i][j] *= unit(i) * unit(j);
     estimates.push_back(std::move(estimate));
   }
-  // Parameters that no test determined are left out again.
+  // Leaves out the parameters that the first estimate left out, since no test determined them.
   std::vector<std::size_t> without;
   for (std::size_t i = 0; i < population.std.size(); ++i)
     if (population.std[i] == 0.0) without.push_back(i);

@@ -1,5 +1,5 @@
 // Chooses the parameters of bearings: LawSource holds a law's parameters for the lot and its devices, and Devices makes
-// the bearings of each analysis from it. All parameters of a device are taken together.
+// the bearings of each analysis from it. A device's parameters are never mixed with another's.
 #pragma once
 
 #include <cstddef>
@@ -34,7 +34,7 @@ struct LawSource {
 // The parameters of the same device with forces `factor` times as large. `parameters` are in the law's units.
 std::vector<double> with_force(std::string_view law, std::vector<double> parameters, double factor);
 
-// The bearings of one analysis. Bearings that are no draws stay the same, except for factors.
+// The bearings of one analysis. Bearings that are not draws are the same in all analyses, except for factors.
 enum class CaseKind {
   nominal,  // every draw is the population's median
   lower,    // nominal, all forces times the factor `lower` or `upper`
@@ -57,7 +57,7 @@ inline double grid_factor(std::uint32_t i) {
 std::string text(Case const& which);  // "nominal", "factor 0.60", "draw 7", "population 2 draw 7"; counted from 1
 // All analyses of a law under one motion, in the order of the store.
 std::vector<Case> cases_of(Settings const& settings);
-// coupled if all parameter sets of the law have such a form; else springs, or separate if no motion goes along y.
+// coupled if all parameter sets of the law have a coupled form; else springs, or separate if no motion goes along y.
 Coupling coupling_in(BuildingFile const& file, LawSource const& source);
 
 // The bearings of one law. A random number depends on (seed, law, population, draw, bearing) only.

@@ -1,10 +1,10 @@
 // The parts that both integrators of a building share: the superstructure's modes over one step, the measures of a run,
 // and the explicit path. The scalar is double, or a batch with one draw per lane. Plain arrays only, because this is
-// also compiled once per instruction set (fit/kernels.cpp says what that asks for).
+// also compiled once per instruction set (fit/kernels.cpp says what that requires).
 //
 // Both integrators are Newmark's method with gamma = 1/2 (Newmark 1959). The modes take average acceleration (beta =
 // 1/4), and so does the base where an iteration finds its force (integrate.cpp). In explicit_run the base takes central
-// differences (beta = 0), with the force at the displacement reached. The modes at the end of a step are linear in the
+// differences (beta = 0), with the force at the displacement reached. The modes at a step's end are linear in the
 // base's acceleration there, so they enter the base's equation as a constant 3 x 3 matrix. Undamped, this mixture is
 // stable for dt^2 K < 4 m, with K the bearings' stiffness and m the base slab's mass, however stiff the superstructure
 // (Hughes and Liu 1978 for such partitions). Rejected: the exact response of the modes to a base acceleration that is
@@ -28,8 +28,8 @@ struct StructureArrays {
   double const *bearing_at = nullptr, *corner_at = nullptr;  // [][2], mm from the base's centre of mass
 };
 
-// The measures of a run, in this order: these, then the accelerations of all diaphragms from the base up, the shears of
-// all storeys, their drifts, the displacements of all bearings, and the work done on each.
+// The measures of a run: first these, then in this order the accelerations of all diaphragms from the base up, the
+// shears of all storeys, their drifts, the displacements of all bearings, and the work done on each.
 enum class Measure : std::size_t { isolator, centre, corner, rotation, end, shear, input, hysteretic, damped, balance };
 inline constexpr std::size_t measures_of_all = 10;
 
@@ -84,7 +84,7 @@ inline void start_run(Run<T>& run, StructureArrays const& s, T* memory) {
   run.damped_rate = T(0.0);
 }
 
-// The free part of every mode at the end of the step, and the force of all of them on the base there.
+// The free part of every mode at the end of the step, and the force that these parts exert on the base.
 template <class T>
 inline void modes_freely(Run<T>& run, StructureArrays const& s, ModeStep const& step, T (&on_base)[3]) {
   for (std::size_t i = 0; i < 3; ++i) on_base[i] = T(0.0);
@@ -113,8 +113,8 @@ inline void modes_reach(Run<T>& run, StructureArrays const& s, ModeStep const& s
   }
 }
 
-// The largest square of a length over a step: at its end, or between the ends if the cubic through both has a maximum
-// there. `rate` is the derivative of the square by time.
+// The largest square of a length over a step: at its end, or at a maximum between its ends of the cubic through both.
+// `rate` is the derivative of the square by time.
 template <class T>
 inline T largest_within(T const& square0, T const& rate0, T const& square1, T const& rate1, double dt) {
   using num::max;
@@ -149,7 +149,7 @@ inline void acceleration_of(Run<T> const& run, StructureArrays const& s, std::si
   add(1, y);
 }
 
-// The suffixes 0 and 1 are the step's start and end, which `run` has reached; momentum() gives the momenta.
+// The suffixes 0 and 1 denote the start and the end of the step; `run` is at the end. momentum() gives the momenta.
 template <class T>
 inline void measure(Run<T>& run, StructureArrays const& s, double dt, T const (&u0)[3], T const (&v0)[3],
                     double const (&ground0)[2], double const (&ground1)[2], T const& momentum0_x, T const& momentum0_y,
@@ -247,7 +247,7 @@ inline T momentum(Run<T> const& run, StructureArrays const& s, std::size_t i) {
 }
 
 // Turns squares into lengths and computes the balance: input energy minus kinetic, strain, damped and bearings' energy,
-// over the larger of the input and the bearings' energy. An exact integration leaves 0.
+// divided by the larger of the input and the bearings' energy. An exact integration leaves 0.
 template <class T>
 inline void finish_run(Run<T>& run, StructureArrays const& s) {
   using num::abs;
@@ -300,10 +300,10 @@ struct Ground {
   }
 };
 
-// The explicit path. `inverse` [3][3] is that of M - sum share participation participation^T.
+// The explicit path. `inverse` [3][3] is the inverse of M - sum share participation participation^T.
 // force_of(j, x, y, vx, vy, fx, fy) is called once per step for each bearing j, in order. It moves the bearing to its
-// displacement (x, y) at the end of the step, sets its force (fx, fy) there [kN], positive along the displacement, and
-// advances its state. (vx, vy) is the velocity extrapolated from the start, v + dt a, off by a term of order dt^2.
+// displacement (x, y) at the end of the step, sets its force (fx, fy) [kN] at the end, positive along the displacement,
+// and advances its state. (vx, vy) is the velocity extrapolated from the start, v + dt a, off by a term of order dt^2.
 template <class T, class Force>
 inline void explicit_run(Run<T>& run, StructureArrays const& s, ModeStep const& step, double const* inverse,
                          Ground const& ground, Force const& force_of) {

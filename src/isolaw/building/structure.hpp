@@ -6,8 +6,8 @@
 // With u_b the base relative to the ground, A the base's acceleration in space and q the modes,
 //   q'' + 2 zeta omega q' + omega^2 q = -Gamma A            Gamma = phi^T M_s R, R the rigid motion of the floors
 //   M A + Gamma^T q'' + f(u_b, u_b') = 0                    M the mass of all, as a rigid body
-// No mode is left out, so these are the full equations. The damping is that of the modes on the fixed base; the
-// isolation layer gets none of it.
+// No mode is left out, so these are the full equations. Only the modes on the fixed base are damped, not the isolation
+// layer.
 //
 // Units kN, mm, s; a mass is in kN s2/mm = 1000 Mg, and 1 kN/mm on 100 Mg has omega^2 = 10 1/s2.
 #pragma once
@@ -30,7 +30,7 @@ struct Point {
   double x_mm = 0.0, y_mm = 0.0;
 };
 
-// Maps the motion of a rigid plate at `from` to that at `at`: (ux - y theta, uy + x theta, theta), x and y from `from`.
+// Maps a rigid plate's motion at `from` to its motion at `at`: (ux - y theta, uy + x theta, theta), x, y from `from`.
 Matrix3 carried(Point from, Point at);
 
 struct Diaphragm {

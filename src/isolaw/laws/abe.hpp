@@ -17,7 +17,7 @@
 
 namespace isolaw::laws {
 
-// Shared by `abe` and `abe-y0`: their parameters, F1, F3, and the travel in yield displacements.
+// Shared by `abe` and `abe-y0`: the parameters, the forces F1 and F3, and the travel measured in yield displacements.
 namespace abe_parts {
 
 inline constexpr ParameterInfo K1_info =
@@ -93,7 +93,7 @@ struct Piece {  // a whole step, or a straight piece of one, with the peaks at b
         peak1(std::max(peak0, std::abs(to))) {}
 };
 
-// Integral of |dx| / Ut; `c` holds the constants of the start. Inside the earlier peak Ut is constant, then it grows.
+// The integral of |dx| / Ut over a piece; `c` holds the constants at its start. Ut grows only beyond the earlier peak.
 template <class T, class Params>
 T travel(Params const& p, Constants<T> const& c, Piece const& piece) {
   double const growth = piece.peak1 - piece.peak0;
@@ -105,7 +105,7 @@ T travel(Params const& p, Constants<T> const& c, Piece const& piece) {
   return travelled;
 }
 
-// F1 + F3 at the end of the step. The caller has called follow_peak for that end.
+// F1 + F3 at the end of the step. The caller must have called follow_peak for the peak at that end.
 template <class T, class Params>
 T elastic_force(Params const& p, Constants<T> const& c, Step const& step) {
   if (step.x1 == 0.0) return T(0.0);
@@ -115,7 +115,7 @@ T elastic_force(Params const& p, Constants<T> const& c, Step const& step) {
   return F1 + F3;
 }
 
-// The values that dF2/dx of Eq. (18) takes at a point of the path.
+// The quantities in dF2/dx, Eq. (18), that depend on the point of the path.
 template <class T>
 struct Point {
   T Yt, per_Yt, inverse_Ut;
@@ -178,7 +178,7 @@ struct Abe {
   });
 
   static Canonical canonical(Params<double> const&) { return abe_parts::beyond_programs; }
-  static constexpr bool crowded = true;  // fewer lanes at once (fit/kernels.cpp)
+  static constexpr bool crowded = true;  // kernels compute fewer lanes at once (fit/kernels.cpp)
 
   template <class T>
   struct State {
@@ -206,7 +206,7 @@ struct Abe {
     if (step.length > 0.0) {
       // Near x = 0, where |x|^p is not smooth, pieces are shorter.
       double const nearest = step.x0 * step.x1 <= 0.0 ? 0.0 : std::min(std::abs(step.x0), std::abs(step.x1));
-      // No piece is longer than a sample of 200 per sine cycle. std::min gives 64 for an infinite displacement.
+      // No piece exceeds the largest step of a sine of 200 samples per cycle. An infinite displacement gives 64.
       int const smooth = static_cast<int>(std::ceil(std::min(64.0, step.length / (0.0317 * step.peak1))));
       int const pieces = std::max(nearest < 1.5 * step.length ? 5 : nearest < 4.0 * step.length ? 2 : 1, smooth);
       double x = step.x0;
@@ -240,25 +240,24 @@ struct Abe {
   }
 
  private:
-  // |x / Uh|^p.
   template <class T>
   static T growth_at(Params<T> const& p, abe_parts::Constants<T> const& c, double x) {
     if (x == 0.0) return T(0.0);
     return exp2(p.p * (T(std::log2(std::abs(x))) - c.log2_Uh));
   }
 
-  // Advances F2 over a piece: by the exact flow with the yield force held at its mean, then by the effect of the yield
-  // force's relative change d over the piece. Together they are of fourth order where all is smooth. For travel t and
-  // rates f0, f1 = du/dt at the ends, and with Phi(F2, Y) = Y f(F2 / Y), the flow is perturbed by the change itself (f
-  // - u f' = n + (1 - n) f) by
+  // Advances F2 over a piece. First F2 follows the exact flow with the yield force held at its mean, then the effect of
+  // the yield force's relative change d over the piece is added. Both together are of fourth order where the yield
+  // force is smooth. For travel t and rates f0, f1 = du/dt at the ends, and with Phi(F2, Y) = Y f(F2 / Y), the flow is
+  // perturbed by the change itself (f - u f' = n + (1 - n) f) by
   //     n d t/12 (1 - f1 / f0)
   // and by the curvature of Phi in Y (|u|^n = 1 - f with the sign of u) by
   //     n (1 - n) d^2 t/24 (1 - f).
-  // Over a long travel F2 ends at the yield force of the end, d/2 above the mean: the first term is blended into that
-  // limit, the second fades. The mean of |x / Uh|^p over x is exact, since its integral is x |x / Uh|^p / (p + 1); a
-  // piece so short that this difference would lose its digits takes the mean of both ends. The flow needs the mean over
-  // the travel instead. Where the peak grows, the travel per x falls by the peak's growth over Us + peak, so the
-  // covariance of two straight lines is added.
+  // Over a long travel F2 ends at the yield force of the end, d/2 above the mean, so the first term is blended into
+  // that limit and the second one fades. The mean of |x / Uh|^p over x is exact, since its integral is x |x / Uh|^p /
+  // (p + 1); a piece that is too short for this difference uses the mean of its two ends. The flow needs the mean over
+  // the travel instead. If the peak grows, the travel per x falls as 1 / (Us + peak), so the covariance of the two,
+  // both taken as straight lines, is added.
   template <class T>
   static void advance(Params<T> const& p, State<T>& state, abe_parts::Piece const& piece) {
     T const one(1.0), direction(piece.direction), before = state.growth;
@@ -274,7 +273,7 @@ struct Abe {
     T const travel = abe_parts::travel(p, state.constants, piece);
     auto const moved = state.flow.advance(direction * state.F2 * state.per_Y0 * per_mean, travel);
     T const d = (after - before) * per_mean, relaxed = p.n * travel, some = T(1.0 / 12.0) * relaxed;
-    // relaxed (1 + some) fade is relaxed - relaxed^3 / 72 + ... for short travel and tends to 6 for long.
+    // relaxed (1 + some) fade is relaxed - relaxed^3 / 72 + ... for short travel and tends to 6 for long travel.
     T const fade = one / (one + some + T(2.0) * some * some), fade2 = fade * fade;
     T const first = d * (some + some * some) * fade * (one - moved.ratio);
     T const second = d * d * (some * (fade2 * fade2)) * (one - p.n) * (T(0.5) - T(0.25) * (moved.rate0 + moved.rate1));

@@ -60,7 +60,7 @@ struct Bilinear {
   template <class T>
   static T step(Params<T> const& p, State<T>& state, Step const& step) {
     T const trial = state.z + (p.K1 - p.K2) * T(step.dx);
-    // min and max return their first argument beside a NaN: a NaN strength stays NaN.
+    // min and max return their first argument if one of the two is NaN, so a NaN strength gives a NaN force.
     state.z = min(state.strength, max(-state.strength, trial));
     return p.K2 * T(step.x1) + state.z;
   }

@@ -53,7 +53,7 @@ struct BoucWen {
        parameter("gamma", "1/mm^n", "shape of the loop", any_value, Interval{0.025, 0.075}, {-20.0, 60.0, per_disp})},
   });
 
-  // Parameters of the same forces with A = 1, so that z leaves 0 with the slope 1.
+  // reduced() gives the parameters with A = 1, and so dz/dx = 1 at z = 0, that give the same forces.
   static constexpr std::string_view redundant = "A";
   static constexpr double redundant_value = 1.0;
   static constexpr std::array<std::string_view, 4> redundant_with{"alpha", "Ke", "beta", "gamma"};
@@ -78,7 +78,7 @@ struct BoucWen {
   template <class T>
   struct State {
     T z = T(0.0);
-    // For converged integration: u = z / z_max, and time on the flow passes at `rate` = A / z_max per unit of travel.
+    // For converged integration: u = z / z_max, and a unit of travel adds `rate` = A / z_max to the flow's time.
     T time = T(0.0), z_max = T(0.0), rate = T(0.0);
     SaturatingFlow<T> flow;
   };
@@ -87,7 +87,7 @@ struct BoucWen {
   static State<T> start(Params<T> const& p, Step const&, Integration integration) {
     State<T> state;
     T const both = p.beta + p.gamma;
-    // These parameters bound no force. The law then gives NaN, whatever an integration gives before z runs away.
+    // With beta <= 0 or beta + gamma <= 0 the force has no bound, so the law gives NaN, even while z is finite.
     state.z = select(min(p.beta, both) > T(0.0), T(0.0), T(std::numeric_limits<double>::quiet_NaN()));
     if (integration == Integration::paper) return state;
     state.z_max = exp2((log2(p.A) - log2(both)) / p.n);

@@ -1,10 +1,10 @@
 // Bouc-Wen-Baber-Noori: Bouc-Wen whose strength and stiffness degrade with the work of its hysteretic part, and which
 // slips about a small force (pinching).
-// Source: Baber and Noori 1986, Foliente 1995. Units kN, mm, in which p, psi and the others are those of the material
-// BWBN of OpenSees (Ao, zetas, Shi, deltaShi, lamda there), which has no degradation and a zu without A.  Step: u = z /
-// zu follows one curve u' = 1 - |u|^n (..) between reversals (saturating_flow.hpp), at a pace that pinching and
-// degradation slow down. Classical Runge-Kutta steps advance the place on that curve and e; the path alone decides
-// their number, and each takes zu of its middle. No step is unstable; without pinching and degradation all are exact.
+// Source: Baber and Noori 1986, Foliente 1995. Units kN, mm. OpenSees' material BWBN has the same parameters (called
+// Ao, zetas, Shi, deltaShi, lamda), but no degradation and no A in zu.  Step: u = z / zu follows one curve u' = 1 -
+// |u|^n (..) between reversals (saturating_flow.hpp), at a pace that pinching and degradation slow down. Classical
+// Runge-Kutta steps advance the place on that curve and the work e. The path alone decides their number, and each uses
+// the zu of its middle. No step is unstable; without pinching and degradation every step is exact.
 #pragma once
 
 #include <algorithm>
@@ -71,7 +71,7 @@ struct Bwbn {
        parameter("deta", "1/(kN mm)", "stiffness lost with work", not_negative, std::nullopt, {0.0, 2.0, per_work})},
   });
 
-  // Parameters of the same forces with A = 1, as for bouc-wen; psi and dpsi are lengths of z and scale with it.
+  // reduced() gives the parameters with A = 1 that give the same forces. psi and dpsi measure z and scale with it.
   static constexpr std::string_view redundant = "A";
   static constexpr double redundant_value = 1.0;
   static constexpr std::array<std::string_view, 6> redundant_with{"alpha", "ko", "beta", "gamma", "psi", "dpsi"};
@@ -108,7 +108,7 @@ struct Bwbn {
   static State<T> start(Params<T> const& p, Step const&, Integration) {
     State<T> state;
     T const both = p.beta + p.gamma;
-    // These parameters bound no force: the law gives NaN.
+    // With beta <= 0 or beta + gamma <= 0 the force has no bound, so the law gives NaN.
     state.z = select(min(p.beta, both) > T(0.0), T(0.0), T(std::numeric_limits<double>::quiet_NaN()));
     state.strength = exp2((log2(p.A) - log2(both)) / p.n);
     state.share = (T(1.0) - p.alpha) * p.ko;
@@ -119,7 +119,7 @@ struct Bwbn {
   template <class T>
   static T step(Params<T> const& p, State<T>& state, Step const& step) {
     if (step.length > 0.0) {
-      // In this order an infinite displacement takes the largest number of pieces that a finite one can.
+      // For an infinite displacement std::min gives its first argument, the most pieces that a finite one needs.
       int const pieces = static_cast<int>(
           std::ceil(std::min(2.0 * pieces_to_the_peak, pieces_to_the_peak * step.length / step.peak1)));
       for (int i = 0; i < pieces; ++i) advance(p, state, step.direction, step.length / pieces);
@@ -136,10 +136,10 @@ struct Bwbn {
     T const direction(towards), length(way), half(0.5 * way), one(1.0), none(0.0), z = direction * state.z;
     T const work = max(state.e + half * state.share * z, none);
     T const zu = state.strength * exp2(-log2(one + p.dnu * work) / p.n), pace = p.A / zu;
-    // A falling strength leaves z above itself: z - zu decays as exp(-n t), the solution of u' = 1 - u^n near u = 1.
+    // If the strength zu falls below z, z - zu decays as exp(-n t), the solution of u' = 1 - u^n near u = 1.
     T const inside = min(z / zu, T(end_of_curve)), beyond = z / zu - inside;
     T const begin = state.flow.time_at(inside);
-    // How fast the place on the curve advances per travel, at z and e.
+    // The advance of the place on the curve per unit of travel, at the given z and e.
     auto const speed = [&](T const& at, T const& e) -> T {
       T const done = max(e, none), z1 = p.zs * (one - exp(-p.p * done));
       T const z2 = (p.psi + p.dpsi * done) * (p.lambda + z1);

@@ -1,6 +1,6 @@
-// Hysteretic laws as analysis programs know them: plain numbers, in the law's own units. A law that equals one of them,
-// for some or all of its parameters, returns it from canonical(params) in its file; programs/ maps the numbers to a
-// program's arguments.
+// The hysteretic laws that analysis programs offer, as plain numbers in the law's own units. A law that equals one of
+// them, for some or all of its parameters, returns it from canonical(params) in its file; programs/ converts the
+// numbers to a program's arguments.
 #pragma once
 
 #include <cmath>
@@ -25,8 +25,8 @@ struct MenegottoPintoForm {
   double E, Fy, b, R0, cR1, cR2;
 };
 
-// F approaches Kb x + f0 + beta1 (exp(beta2 x) - 1), with -f0 in unloading, as exp(-alpha |dx|). `sigmoid` is the size
-// of the curve's further, sigmoidal term.
+// F approaches the curve Kb x + f0 + beta1 (exp(beta2 x) - 1), with -f0 in unloading, as exp(-alpha |dx|). `sigmoid` is
+// the size of a further term of the curve, a sigmoid.
 struct LimitCurve {
   double Kb, f0, alpha, beta1, beta2, sigmoid;
 };

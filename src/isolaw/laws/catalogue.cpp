@@ -15,7 +15,7 @@
 namespace isolaw::laws {
 namespace {
 
-// Indices of the parameters whose names stand in the text as whole words.
+// Indices of the parameters whose names occur in the text as whole words.
 std::vector<std::size_t> named_in(std::string_view text, std::vector<ParameterInfo> const& parameters) {
   auto const padded = fmt::format(" {} ", text);
   std::vector<std::size_t> named;
@@ -58,8 +58,8 @@ LawEntry entry() {
   };
   law.evaluate = [](std::span<double const> parameters, Path const& path, Integration integration,
                     std::span<double> force) {
-    // With an infinite parameter a law may still give a finite force, for example its limit of no yielding for an
-    // infinite yield displacement, or may never use it on this path. Neither is an answer.
+    // With an infinite parameter a law may still give a finite force: an infinite yield displacement means no yielding,
+    // or this path never uses the parameter. These forces are not valid results.
     if (!std::ranges::all_of(parameters, [](double value) { return std::isfinite(value); })) {
       std::ranges::fill(force, std::numeric_limits<double>::quiet_NaN());
       return;

@@ -1,4 +1,4 @@
-// The laws by name, with their types erased, for everything decided at run time: command line, campaign, reports.
+// The laws by name, without their types, for code that chooses a law at run time (command line, campaign, reports).
 #pragma once
 
 #include <optional>
@@ -27,10 +27,10 @@ struct LawEntry {
   // and units. A force that overflows is infinite or NaN; a parameter that is not finite makes all NaN. Throws nothing.
   void (*evaluate)(std::span<double const> parameters, Path const& path, Integration integration,
                    std::span<double> force);
-  // The law as analysis programs know it, for parameters in the law's order and units.
+  // The law of analysis programs that equals this one (canonical.hpp), for parameters in the law's order and units.
   Canonical (*canonical)(std::span<double const> parameters) = nullptr;
-  // Conditions between several parameters. unmet() gives the first one that `parameters` break, for example found "K1 =
-  // 1, K2 = 2" and statement "K1 >= K2"; nullopt where they keep all.
+  // Conditions between several parameters. unmet() gives the first one that `parameters` do not meet, for example found
+  // "K1 = 1, K2 = 2" and statement "K1 >= K2", or nullopt if they meet all.
   std::vector<JointLimitEntry> joint_limits = {};
   struct Unmet {
     std::string found;
@@ -38,7 +38,7 @@ struct LawEntry {
   };
   std::optional<Unmet> unmet(std::span<double const> parameters) const;
   // For a law with a redundant parameter: its name, the parameters that it trades off with, and the value it is fixed
-  // at. `reduce` changes parameters in place to those of the same forces with that value. Empty and null elsewhere.
+  // at. `reduce` gives it that value and changes the others to keep the forces. Empty and null for other laws.
   std::string_view redundant = {};
   std::vector<std::string_view> redundant_with = {};
   double redundant_value = 0.0;
@@ -48,14 +48,14 @@ struct LawEntry {
 };
 
 std::span<LawEntry const> catalogue();
-// Words that name several laws at once. The sets nest: "all" holds "usual", which holds "paper".
+// Words that name several laws at once. The sets nest: "all" contains "usual", which contains "paper".
 inline constexpr std::pair<std::string_view, LawSet> law_sets[]{
     {"paper", LawSet::paper}, {"usual", LawSet::usual}, {"all", LawSet::further}};
 inline std::string_view name(LawSet set) {
   return law_sets[static_cast<std::size_t>(set)].first;
 }
-std::string_view memory_of(LawInfo const& law);  // says in words what it remembers of its path
+std::string_view memory_of(LawInfo const& law);  // what it remembers of its path: "turning points", ...
 LawEntry const& find_law(std::string_view id);   // throws an Error that lists the laws
-std::string_view called(std::string_view id);    // "Bouc-Wen" for "bouc-wen"; the id itself where no law has it
+std::string_view called(std::string_view id);    // "Bouc-Wen" for "bouc-wen"; the id itself if no law has it
 
 }  // namespace isolaw::laws

@@ -1,10 +1,10 @@
 // Gallardo: an elastic part that softens with the travel on each side, and Bouc-Wen's hysteresis, where the turn before
 // a branch sets that branch's strength.
-// Source: Gallardo, de la Llera, Restrepo and Chen 2023, with the authors' programs; docs/laws.md. Strain there is x
-// over the height of the rubber, here x over 100 mm; uy is a displacement. Units kN, mm.  Step: exact. The states of
-// the elastic part depend on the displacement alone (Memory). Between turns z runs along one curve while z dx < 0 and
-// along another while z dx > 0. The shape of each does not depend on phi, so both are parts of one flow
-// (saturating_flow.hpp), each at its own scale.
+// Source: Gallardo, de la Llera, Restrepo and Chen 2023, with the authors' programs; docs/laws.md. The source's strain
+// is x over the height of the rubber; this file divides x by 100 mm, and uy is a displacement. Units kN, mm.  Step:
+// exact. The states of the elastic part depend on the displacement alone (Memory). Between turns z runs along one curve
+// while z dx < 0 and along another while z dx > 0. The shape of each does not depend on phi, so both are parts of one
+// flow (saturating_flow.hpp), each at its own scale.
 #pragma once
 
 #include "isolaw/laws/canonical.hpp"
@@ -15,7 +15,7 @@
 
 namespace isolaw::laws {
 
-// The coefficient of (x/100 mm)^power that gives stiffness times displacement at the largest displacement.
+// The coefficient of (x/100 mm)^power that gives the record's stiffness times x at the largest displacement x.
 template <int power>
 double coefficient_at_reference(RecordScales const& s) {
   return s.stiffness * reference_mm * std::pow(reference_mm / s.disp, power - 1);
@@ -84,7 +84,7 @@ struct Gallardo {
                                    not_negative, std::nullopt, {0.001, 0.2, one}, Scale::logarithmic)},
   });
 
-  // Otherwise unloading from the strongest branch would come to rest before z passes 0.
+  // With B <= phimax, unloading from the strongest branch would come to rest before z passes 0.
   static constexpr std::array joint_limits{
       JointLimit<Params<double>>{"B > phimax", [](Params<double> const& p) { return p.B > p.phimax; }}};
 
@@ -103,7 +103,7 @@ struct Gallardo {
     std::array<Side<T>, 2> sides;
     T z = T(0.0);
     T per_uy;
-    // With the flow's u, z along the direction of motion is strongest u before it passes 0, and ahead u after.
+    // In the direction of motion z is `strongest` times the flow's u before it passes 0, then `ahead` times u.
     T strongest;                    // the largest strength that any branch can have
     T here = T(1.0);                // strength of the branch that z was on at the last turn
     T ahead = T(1.0);               // strength of the branch that z is on once it has passed 0
@@ -119,7 +119,7 @@ struct Gallardo {
     state.sides.fill({.linear = p.a1, .cubic = p.a2, .quintic = p.a3});
     state.per_uy = T(1.0) / p.uy;
     state.strongest = strength_at(p, p.phimax);
-    // In units of `strongest` unloading is 1 + (2 B - 1) strongest^n |u|^n.
+    // With u = z / strongest, the slope in unloading is 1 + (2 B - 1) strongest^n |u|^n.
     state.flow.fit(p.n, (T(2.0) * p.B - T(1.0)) / (T(1.0) - T(2.0) * p.phimax));
     state.zero = state.flow.time_at(T(0.0));
     return state;
@@ -148,7 +148,7 @@ struct Gallardo {
     T const none(0.0), z = T(direction) * state.z;
     state.here = select(state.way > none, state.ahead, state.here);
     T const phi = p.phimax * (T(1.0) - exp(-p.pphi * abs(T(x) - p.uy) * state.per_uy));
-    // A turn before z has passed 0 leaves it on its branch.
+    // If the motion turns before z has passed 0, z stays on its branch.
     state.ahead = select(z > none, state.here, strength_at(p, phi));
     T const scale = select(z > none, state.here, state.strongest);
     state.from = scale * (state.flow.time_at(z / scale) - state.zero);

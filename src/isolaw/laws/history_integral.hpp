@@ -71,7 +71,7 @@ struct HistoryIntegral {
 
   template <class T>
   static T step(Params<T> const& p, State<T>& state, Step const& step, Memory const& memory) {
-    // The first sample counts as a motion from 0. The step has no length there, but its memory has.
+    // The first sample counts as a motion from 0. Its Step has no length, so the length comes from Memory.
     double const way = memory.inside + (memory.peak - memory.peak0);
     if (way > 0.0) {
       T const towards(memory.direction), length(way);

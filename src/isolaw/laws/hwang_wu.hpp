@@ -60,7 +60,7 @@ struct HwangWu {
                                   Interval{-2.925e-5, 0.0}, {-300.0, -1e-3, per_work}, Scale::logarithmic)},
   });
 
-  // The force of one point of the path, in the terms that the two exponentials of the work multiply.
+  // The force at one point of the path, in three terms: the exponentials of the work multiply the last two.
   template <class T>
   struct Coefficients {
     T elastic = T(0.0);    // (a1 + a2 x^2 + a3 x^4) x
@@ -103,7 +103,7 @@ struct HwangWu {
     Coefficients<T> c;
     c.elastic = rounded((p.a1 + x2 * (p.a2 + x2 * p.a3)) * x);
     c.softening = p.a4 * x * sech_squared(p.a5 * v);
-    // At rest, also where v^2 underflows, the damping force is 0, so that a8 = 0 does not give 0 / 0.
+    // At rest, and at speeds whose square underflows, the damping force is 0, so that a8 = 0 does not give 0 / 0.
     c.damping = at_v * at_v < smallest_square ? T(0.0) : (p.a6 + p.a7 * x2) * v / sqrt(rounded(p.a8 * p.a8) + v * v);
     return c;
   }

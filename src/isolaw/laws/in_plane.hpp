@@ -20,7 +20,7 @@ enum class Bidirectional { coupled, springs };
 // trial starts from the last committed state. Copies are independent of one another.
 class InPlane {
  public:
-  // Throws Error for a law or parameters without a coupled form, and for by_axis with a law that no peak softens.
+  // Throws Error for a law or parameters without a coupled form, and for by_axis if no peak softens the law.
   static InPlane coupled(std::string_view law, std::span<double const> parameters,
                          plane::Softening softening = plane::Softening::by_distance);
   static InPlane springs(Online const& law, int count = usual_springs);
@@ -42,8 +42,8 @@ class InPlane {
   std::unique_ptr<Form> form_;
 };
 
-// Says why a law with these parameters has no coupled form; nullopt where it has one.
+// Says why a law with these parameters has no coupled form; nullopt if it has one.
 std::optional<std::string> no_coupled_form(std::string_view law, std::span<double const> parameters);
-bool softens_with_the_peak(std::string_view law);  // by the peak so far, so that Softening matters for it
+bool softens_with_the_peak(std::string_view law);  // if so, Softening matters
 
 }  // namespace isolaw::laws

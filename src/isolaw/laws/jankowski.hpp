@@ -67,15 +67,15 @@ struct Jankowski {
   template <class T>
   static T step(Params<T> const& p, State<T>&, Step const& step) {
     T const x(step.x1), v(step.v1), x2(step.x1 * step.x1);
-    // 1/cosh^2 u = 4 E / (1 + E)^2 and 1/cosh u = 2 e / (1 + e^2) with e = exp(-|u|), E = e^2 cannot overflow. All
-    // terms share one denominator, since a division costs as much as an exponential.
+    // Nothing overflows in 1/cosh^2 u = 4 E / (1 + E)^2 and 1/cosh u = 2 e / (1 + e^2), with e = exp(-|u|) and E = e^2.
+    // All terms share one denominator, since a division costs as much as an exponential.
     T const one(1.0), two(2.0);
     T const log2_e_v(num::log2_e * step.v1), log2_e_x(num::log2_e * step.x1);
     T const E5 = exp2(-two * abs(p.a5 * log2_e_v)), e7 = exp2(-abs(p.a7 * log2_e_v)), e8 = exp2(-abs(p.a8 * log2_e_x));
     T const square5 = (one + E5) * (one + E5), product78 = (one + e7 * e7) * (one + e8 * e8);
     T const peaks = T(4.0) * (p.a4 * E5 * product78 + rounded(p.a6 * e7 * e8 * square5)), below = square5 * product78;
     T const polynomial = p.a1 + x2 * (p.a2 + x2 * p.a3);
-    // At rest, also where v^2 underflows, there is no damping: for a11 = 0 the quotient would be v / 0.
+    // At rest, and at speeds whose square underflows, there is no damping force: with a11 = 0 it would be v / 0.
     if (step.v1 * step.v1 < smallest_square) return (polynomial + peaks / below) * x;
     T const speed = sqrt(rounded(p.a11 * p.a11) + v * v);
     return polynomial * x + (rounded(peaks * x * speed) + (p.a9 + p.a10 * x2) * v * below) / (below * speed);

@@ -1,10 +1,10 @@
-// Kikuchi-Aiken: loops between the peaks so far, with the secant stiffness, damping and shape of that amplitude, and
+// Kikuchi-Aiken: loops between the peaks so far, whose secant stiffness, damping and shape depend on the peak, and
 // inner branches by Masing's rules.
 // Source: Kikuchi and Aiken 1997; docs/laws.md. Units kN, mm. Step: exact; every sample depends only on the turning
 // points and the peak of the displacement, which the record decides. Departures: the published outer branch misses the
 // peak that it leads to by 2 exp(-2a) - 2 b exp(-2c) of the hysteretic force (1e-6 to 5e-4 for the published
-// compounds). The missing force is added with (s/2)^8, so that the force is continuous. One rule sets both the cap of a
-// and the strain above which b sets in; this holds for the published compounds too.
+// compounds). The missing force is added as a term in (s/2)^8, so that the force is continuous. One rule sets both the
+// cap of a and the strain above which b sets in; this holds for the published compounds too.
 #pragma once
 
 #include <cmath>
@@ -36,7 +36,7 @@ class Loops {
         c_(c * T(num::log2_e)),
         twice_c2_(T(2.0) * c * c) {}
 
-  // The force at the end of a step, called at every step. at_peak(m) gives AtPeak of the largest |x| so far.
+  // The force at the end of a step; must be called at every step. at_peak(m) gives AtPeak for a peak m.
   template <class Functions>
   T force(Step const& step, Memory const& memory, Functions&& at_peak) {
     if (memory.kept != Memory::none) turn(memory.kept, step.x0);
@@ -60,7 +60,7 @@ class Loops {
  private:
   struct Turn {
     double x = 0.0;
-    bool bump = false;  // whether the branch from here has the term of b
+    bool bump = false;  // whether the branch from this turn has the term of b
     T force = T(0.0), scale = T(0.0);
   };
 
@@ -73,9 +73,9 @@ class Loops {
     half_elastic_ = T(0.5) * (now.force - strength_);
     exponent_ = now.exponent;
     T const wanted = T(1.0) - T(0.5 * std::numbers::pi) * now.damping / now.share;
-    // A NaN stays: max keeps it in its first argument, and b takes it from `wanted`.
+    // A NaN is not lost: max returns its first argument if one of the two is NaN, and b_ is computed from `wanted` too.
     T const area = max(least_area_, wanted);
-    // Newton's method from above for the convex area a - 1 + exp(-2a) = 0: five steps from 1/area do for any area <= 1.
+    // Newton's method for area a - 1 + exp(-2a) = 0, which is convex; five steps from 1/area suffice for any area <= 1.
     T a = T(1.0) / area;
     for (int i = 0; i < 5; ++i) {
       T const e = exp2(T(-2.0 * num::log2_e) * a);
@@ -95,8 +95,8 @@ class Loops {
     return f + closing_ * T(half4 * half4);
   }
 
-  // An inner branch is scaled so that it comes back to where the branch before it began. It has no term of b where both
-  // turns are on one side, or where the branch before it has none.
+  // An inner branch is scaled so that it returns to the point where the branch before it began. It has no term of b if
+  // both turns are on the same side, or if the branch before it has none.
   void turn(std::size_t place, double x) {
     Turn& now = turned_[place];
     now = {.x = x, .bump = true, .force = hysteretic_, .scale = T(1.0)};

@@ -1,5 +1,5 @@
-// The contract of a law: what the law's file declares, the record as the law sees it, and how a law runs over a record.
-// A law is a struct with
+// The contract of a law: what the law's file declares, the record as a path of steps, and how a law runs over this
+// path. A law is a struct with
 //   info                       LawInfo: id, name, title, source, units, traits, a note on how the source was read
 //   Params<T>                  its parameters, in the paper's symbols
 //   rows<T>                    one Row per parameter, in the order of reports: member, name, unit, meaning, limits, box
@@ -8,16 +8,16 @@
 //   step(params, state, step)  advances the state over one step of the path, returns the force at its end
 //   A law that reads the path's Memory (traits.remembers) has start(params, path), step(params, state, step, memory).
 // and, where they apply,
-//   step_paper(...)            the same step by one classical Runge-Kutta step, where that differs
-//   crowded                    true: a step holds so many values at once that kernels take fewer lanes
+//   step_paper(...)            the same step by one classical Runge-Kutta step, if that differs
+//   crowded                    true: a step holds so many values at once that kernels compute fewer lanes
 //   joint_limits               one JointLimit for each condition between several parameters
-//   reduced(params)            for a law with a parameter that can be fixed without loss: parameters of the same forces
+//   reduced(params)            for a law with a redundant parameter: parameters that give the same forces,
 //                              in which `redundant`, which trades off with `redundant_with`, is `redundant_value`
-//   canonical(params)          the law as analysis programs know it (canonical.hpp)
+//   canonical(params)          the law of analysis programs that equals this one (canonical.hpp)
 // T is double, a derivative number or a batch of candidates. step() neither allocates nor throws. A law with turning
-// points sizes its stack of them in start(), from Path::deepest. (The forms for motions not known ahead, online.hpp,
-// cannot know that depth: there a turn may grow the stack and a trial copies it, and both allocate.) Branching on the
-// record (Step, Memory) is a plain `if`, branching on a candidate's values is a select.
+// points sizes its stack of them in start(), from Path::deepest. (The forms for motions that are not known ahead,
+// online.hpp, lack this depth: a turn may enlarge their stack and every trial copies it, and both allocate.) Branching
+// on the record (Step, Memory) is a plain `if`, branching on a candidate's values is a select.
 #pragma once
 
 #include <array>
@@ -54,10 +54,10 @@ struct Interval {
   double upper = 0.0;
 };
 
-// How an interval is searched. logarithmic: in log|value|, but linearly closer to 0 than a millionth of its larger end.
+// How an interval is searched. logarithmic: in log|value|, but linearly where |value| is below 1e-6 of its larger end.
 enum class Scale { linear, logarithmic };
 
-struct RecordScales {      // the size of a record, in the law's units; boxes of devices of any size are scaled from it
+struct RecordScales {      // the size of a record, in the law's units; search boxes are multiples of it
   double disp = 0.0;       // largest |displacement|
   double force = 0.0;      // largest |force|
   double stiffness = 0.0;  // effective stiffness, peak to peak
@@ -81,8 +81,8 @@ struct ParameterInfo {
   std::optional<Interval> published;            // the paper's search box (Table 4), always searched linearly
   ScaledInterval scaled;                        // the search box of a device of any size
   Scale scaled_search = Scale::linear;          // how the scaled box is searched
-  std::optional<double> fixed_by_default = {};  // the value of a parameter that is calibrated only where it is freed
-  std::string_view paper_name = {};             // the name in Tables 4 and A.5, where that is another one
+  std::optional<double> fixed_by_default = {};  // the value of a parameter that is calibrated only if freed
+  std::string_view paper_name = {};             // the name in Tables 4 and A.5, if it is another one
 
   constexpr ParameterInfo in_paper(std::string_view other_name) const {
     ParameterInfo renamed = *this;
@@ -103,8 +103,8 @@ struct Row {
   ParameterInfo info;
 };
 
-// A condition between several parameters. `statement` has their names as whole words. The condition must be monotonic
-// in each parameter: then no point of a box meets it if no corner does.
+// A condition between several parameters. `statement` contains their names as whole words. The condition must be
+// monotonic in each parameter, so that no point of a box meets it if no corner of the box meets it.
 template <class Params>
 struct JointLimit {
   std::string_view statement;  // "K1 >= K2"
@@ -120,7 +120,7 @@ struct Traits {
   bool exact_flow = false;  // follows the curve of saturating_flow.hpp; its online form uses a table of that curve
 };
 
-// paper: a law of Cucuzza et al. 2025. usual: runs by default beside those. further: runs only where it is asked for.
+// paper: a law of Cucuzza et al. 2025. usual: computed by default, like these. further: only on request.
 enum class LawSet { paper, usual, further };
 
 struct LawInfo {
@@ -134,7 +134,7 @@ struct LawInfo {
   std::string_view note = "";  // how the source was read where it is incomplete, what the law was made for
   LawSet set = LawSet::further;
   // Time of one step of one candidate [0.01 ns], once measured by `isolaw bench` with 512-bit lanes. It orders runs by
-  // cost where no clock may be read (campaign/deal.hpp) and need not follow changes of the law's code.
+  // cost without a clock (campaign/deal.hpp) and need not be updated when the law's code changes.
   unsigned step_cost = 500;
 };
 
@@ -146,42 +146,42 @@ struct Step {                       // one step of the path, in the law's units;
   double v0, v1;                    // velocity before and after; 0 for a record without time
   double dx;                        // x1 - x0
   double length;                    // |dx|
-  double direction;                 // +1, -1; the last one where dx = 0; 0 before the first motion
-  bool reversal;                    // the direction differs from that of the step before
-  bool sample;                      // the end is a sample of the record, where a force is wanted
+  double direction;                 // +1, -1; as before if dx = 0; 0 before the first motion
+  bool reversal;                    // the direction differs from the step before
+  bool sample;                      // the end is a sample of the record, so its force is reported
   double peak0, peak1;              // largest |x| up to the start and the end of the step
-  double log2_abs_x0, log2_abs_x1;  // |x| is clamped to num::smallest_power_base
+  double log2_abs_x0, log2_abs_x1;  // |x| counts as at least num::smallest_power_base
 };
 
 // The path's memory at the end of a step: turning points, and peak and travel of each side, x >= 0 and x < 0. It
 // depends on the displacement alone (memory.cpp). A first sample away from 0 counts as a motion from 0.
 struct Memory {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::size_t kept = none;  // place of the stack that takes the force of the turning point at the step's begin, if any
-  std::size_t branch = none;  // place of the turning point that the branch began at; none: on the skeleton
+  std::size_t kept = none;    // if the motion turned at the step's begin: stack index for the force there
+  std::size_t branch = none;  // stack index of the turning point that began the branch; none: on the skeleton
   double branch_x = 0.0;      // displacement of that turning point
   double direction = 0.0;     // +1, -1; 0 before the first motion
   double peak0 = 0.0;         // largest |x| before the step
   double peak = 0.0;          // largest |x| after the step
-  double inside = 0.0;        // length of the step within peak0
-  double side_peak = 0.0;  // largest |x| on the side of x after the step; `travel` to `way_back` are of that side too
-  double travel = 0.0;     // N: travel relative to the side's peak, forgotten as that peak grows
-  double virgin = 1.0;     // (1 + N)^(-1/3)
-  double log2_worn = 0.0;  // log2(1 + N) of both sides together, relative to the largest |x|
-  double pushed = 0.0;     // how far the largest |x| has grown at x > 0, less how far at x < 0
-  double softening = 0.0;  // G: half the travel outwards and four times the travel back, never beyond side_peak
-  double way_back = 0.0;   // C: travel towards 0
-  double log2_softening = 0.0, log2_way_back = 0.0;  // G and C are clamped to num::smallest_power_base
+  double inside = 0.0;        // the part of the step's length with |x| below peak0
+  double side_peak = 0.0;     // largest |x| on the side of x after the step; N, G and C are of this side too
+  double travel = 0.0;        // N: travel relative to the side's peak, forgotten as that peak grows
+  double virgin = 1.0;        // (1 + N)^(-1/3)
+  double log2_worn = 0.0;     // log2(1 + NT), NT the travel of both sides relative to the largest |x|
+  double pushed = 0.0;        // growth of the largest |x| at x > 0 minus its growth at x < 0
+  double softening = 0.0;     // G: half the travel outwards and four times the travel back, never beyond side_peak
+  double way_back = 0.0;      // C: travel towards 0
+  double log2_softening = 0.0, log2_way_back = 0.0;  // G and C count as at least num::smallest_power_base
   std::size_t side = 0;                              // 0: x >= 0, 1: x < 0
   bool softens = false, returns = false;             // G, C have changed since the last step that ended on this side
   bool peak_grows = false, side_peak_grows = false;  // whether the peak grows in this step
 };
 
-// The record as a piecewise linear path. The first step has no length; its force is that of the first sample.
+// The record as a piecewise linear path. The first step has no length; its end is the first sample.
 struct Path {
   std::vector<Step> steps;
   std::size_t sample_count = 0;
-  std::vector<Memory> memory = {};  // one per step; empty where it was not asked for
+  std::vector<Memory> memory = {};  // one per step; empty if not asked for
   std::size_t deepest = 0;          // the most turning points that are remembered at once
 
   std::size_t samples() const { return sample_count; }
@@ -191,14 +191,14 @@ struct Path {
 // >= 1. Every interval is cut into `refinement` equal steps, with displacement and velocity interpolated linearly.
 Path make_path(std::span<double const> x, std::span<double const> v, int refinement = 1, bool with_memory = true);
 // The same path, but also through the turning points between the samples: at each reversal it inserts the vertex of the
-// parabola through the three samples there, at rest. For smooth records; on a noisy one it follows the noise. `time`
-// [samples] increases.
+// parabola through the three nearest samples, with velocity 0. For smooth records; on a noisy record the path follows
+// the noise. `time` [samples] increases.
 Path make_path_with_turning_points(std::span<double const> x, std::span<double const> v, std::span<double const> time,
                                    int refinement = 1, bool with_memory = true);
 
 void remember(Path& path);  // fills in path.memory and path.deepest
-// The motion without its movements of less than `dead_band` (in the unit of x) to either side: after a turn of x it
-// rests while x moves two bands and catches up over the next four. Elsewhere it equals x.
+// The motion without movements of less than `dead_band` (in the unit of x) to either side: after a turn of x the result
+// rests while x moves two bands, and catches up while x moves another four. Otherwise it equals x.
 std::vector<double> followed(std::span<double const> x, double dead_band);
 
 template <class Law, class T>
@@ -207,7 +207,7 @@ using ParamsOf = typename Law::template Params<T>;
 template <class Law>
 inline constexpr std::size_t parameter_count = Law::template rows<double>.size();
 
-// Only the members of rows<T>: whole rows would carry a copy of the functions they name, compiled per instruction set.
+// Only the members of rows<T>: whole rows also name functions, and every instruction set would compile its own copy.
 template <class Law, class T>
 inline constexpr auto members = [] {
   std::array<T ParamsOf<Law, T>::*, parameter_count<Law>> pointers{};
@@ -229,7 +229,7 @@ auto first_state(ParamsOf<Law, T> const& params, Path const& path, Integration i
     return Law::template start<T>(params, path.steps.front(), integration);
 }
 
-// Runs the law over the path and calls sink(i, force) for every sample i with the force there, in the law's unit.
+// Runs the law over the path and calls sink(i, force) for every sample i with its force, in the law's unit.
 template <class Law, class T, class Sink>
 void run(ParamsOf<Law, T> const& params, Path const& path, Integration integration, Sink&& sink) {
   if (path.steps.empty()) return;

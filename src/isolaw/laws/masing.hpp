@@ -15,7 +15,7 @@ class MasingBranches {
   MasingBranches() = default;
   explicit MasingBranches(Path const& path) : turned_(path.deepest, T(0.0)) {}
 
-  // The force at the end of a step. skeleton(x) is the odd curve from the origin. The caller calls this at every step.
+  // The force at the end of a step. skeleton(x) is the odd curve from the origin. Must be called at every step.
   template <class Skeleton>
   T force(Step const& step, Memory const& memory, Skeleton&& skeleton) {
     if (memory.kept != Memory::none) turned_[memory.kept] = force_;

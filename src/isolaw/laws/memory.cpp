@@ -1,5 +1,5 @@
 // Fills in the Memory of a path: turning points by Masing's rules, and for each side its peak, travel, softening and
-// way back. Source: docs/laws.md, power-masing and gallardo.
+// travel back. Source: docs/laws.md, power-masing and gallardo.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -10,9 +10,10 @@
 namespace isolaw::laws {
 namespace {
 
-// As the peak m grows, travel fades with this power of its growth: dN = |dx|/m - 60 N dm/m, so a first motion has 1/60.
+// The travel N of a side is relative to its peak m and is forgotten as the peak grows: dN = |dx|/m - 60 N dm/m. During
+// a first motion from 0, N is therefore 1/60.
 constexpr int forgetting = 60;
-constexpr double catching_up = 0.5;  // share by which the followed motion outruns x after a turn, until it equals x
+constexpr double catching_up = 0.5;  // share by which the followed motion is faster than x after a turn
 // Shares of the travel outwards and back that add to the softening G.
 constexpr double softening_outwards = 0.5, softening_back = 4.0;
 
@@ -26,7 +27,7 @@ struct Side {
   double softening = 0.0, way_back = 0.0;
   double reported_softening = 0.0, reported_way_back = 0.0;
 
-  void move(double x0, double x1) {  // both are on this side or 0
+  void move(double x0, double x1) {  // x0 and x1 are on this side or 0
     double const from = std::abs(x0), to = std::abs(x1);
     if (to > from)
       outwards(from, to);
@@ -39,7 +40,7 @@ struct Side {
   }
 
  private:
-  // A run is a motion one way on this side. All is measured from its begin, so the number of steps does not matter.
+  // A run is a motion in one direction on this side. It is summed from its start, in however many steps.
   struct Run {
     bool goes_out = true;
     double at = 0.0, peak = 0.0, softening = 0.0, way_back = 0.0;
@@ -119,8 +120,8 @@ class Walk {
   }
 
  private:
-  // A branch that reaches the begin of the branch before it closes, and so does that one. The last branch closes where
-  // it meets the skeleton, opposite its begin.
+  // A branch that reaches the start of the branch before it closes together with that branch. The last branch closes
+  // where it meets the skeleton, at the mirror image of its start.
   void close(double x) {
     auto const passes = [&](double target) { return direction_ * (x - target) >= 0.0; };
     while (turned_.size() >= 2 && passes(turned_[turned_.size() - 2])) turned_.resize(turned_.size() - 2);

@@ -1,5 +1,5 @@
-// Menegotto-Pinto: a smooth curve from each reversal, tangent to the elastic line there, to the asymptote of the other
-// side.
+// Menegotto-Pinto: from each reversal a smooth curve, which starts along the elastic line, leads to the asymptote of
+// the other side.
 // Source: Menegotto and Pinto 1973 with the R of Filippou et al. 1983, without isotropic hardening. This file does not
 // use the intersection (x0, F0) but F = b E x + (1 - b) z. From its value zr at the reversal z moves towards +-Fy,
 // which is a distance D away, by (D^-R + t^-R)^(-1/R), where t = E |x - xr| is the elastic travel; then E (x0 - xr) =
@@ -70,7 +70,7 @@ struct MenegottoPinto {
     if (step.reversal) turn(p, state, step);
     if (step.length > 0.0) {
       T const travel = p.E * T(step.direction * (step.x1 - state.turn_x));
-      // min and max return their first argument beside a NaN: a NaN distance stays NaN.
+      // min and max return their first argument if one of the two is NaN, so a NaN distance gives a NaN force.
       T const less = min(state.distance, travel), more = max(state.distance, travel);
       T const ratio = less / max(more, T(num::smallest_power_base));
       T const rounding = exp2(-log2(T(1.0) + power(ratio, state.sharpness)) / state.sharpness);

@@ -1,5 +1,5 @@
-// A law for motions that are not known ahead: trials from the last committed state, with tangents. It compiles the same
-// forms that exports hold (online/*.inc) into the library; a test compares them with the laws.
+// A law for motions that are not known ahead: trials from the last committed state, with tangents. The library compiles
+// the same files that exports contain (online/*.inc); a test compares them with the laws.
 #pragma once
 
 #include <memory>
@@ -10,8 +10,9 @@ namespace isolaw::laws {
 
 class Online {  // starts virgin at 0, in the law's units and seconds; copies are independent of one another
  public:
-  // `parameters` in the law's order; `dead_band` [law's length] of the record that a law with memory was fitted to; a
-  // trial takes `parts` equal steps. Throws Error for a law without a form in online/.
+  // `parameters` are in the law's order. `dead_band` [law's length] is the one used when the law was fitted; only laws
+  // with memory use it. Each trial is divided into `parts` equal steps. Throws Error for a law without a form in
+  // online/.
   Online(std::string_view law, std::span<double const> parameters, double dead_band = 0.0, int parts = 1);
   ~Online();
   Online(Online const& other);
@@ -22,7 +23,7 @@ class Online {  // starts virgin at 0, in the law's units and seconds; copies ar
   struct Force {
     double force, by_x, by_v;  // and its derivatives by displacement and velocity at the end of the step, as computed
   };
-  // The force after a motion from the committed state to x, with the velocity v there. Without a clock: no duration.
+  // The force after a motion from the committed state to x, where the velocity is v. The duration does not matter.
   Force trial(double x, double v);
   void commit();  // makes the last trial the committed state
 

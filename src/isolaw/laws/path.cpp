@@ -68,7 +68,7 @@ Point sample_at(std::span<double const> x, std::span<double const> v, std::size_
   return {x[i], v.empty() ? 0.0 : v[i], true};
 }
 
-// The vertex of the parabola through three samples; its time is NaN unless between the outer ones, off the middle one.
+// The vertex of the parabola through three samples; its time is NaN at the middle sample, or outside the outer ones.
 struct Vertex {
   double time, x;
 };

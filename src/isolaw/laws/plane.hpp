@@ -24,11 +24,11 @@ namespace isolaw::laws::plane {
 
 using AllLaws = std::tuple<Bilinear, BoucWen, Abe, AbeY0, Vaiana, HistoryIntegral>;
 
-// The laws with a force that the peak softens, here by the peak along each axis.
+// The laws whose force softens with the peak, in the variant with a peak along each axis.
 using LawsByAxis = std::tuple<AbeOf<laws::Abe, Softening::by_axis>, AbeOf<laws::AbeY0, Softening::by_axis>,
                               HistoryIntegralOf<Softening::by_axis>>;
 
-// Parameters or a state with every number changed by one(): to another scalar and back.
+// Applies one() to every number of parameters or of a state, to convert them to another scalar type or back.
 template <class To, class From, class T = double, class U>
 To numbers_as(From const& from, U&& one) {
   std::array<T, sizeof(From) / sizeof(T)> const values = std::bit_cast<std::array<T, sizeof(From) / sizeof(T)>>(from);

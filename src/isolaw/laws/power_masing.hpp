@@ -79,7 +79,7 @@ struct PowerMasing {
     return hysteretic + elastic;
   }
 
-  // The hysteretic force Fh and the elastic force beside it. The caller calls this at every step.
+  // The hysteretic force Fh and the elastic force beside it. Must be called at every step.
   template <class T>
   static std::pair<T, T> forces(Params<T> const& p, State<T>& state, Step const& step, Memory const& memory) {
     if (memory.peak <= 0.0) return {T(0.0), T(0.0)};

@@ -1,5 +1,5 @@
 // power-masing in parallel with a dashpot, for tests whose velocity varies independently of their amplitude.
-// Source: this project; docs/laws.md. Units kN, mm, s. Step: exact, as that of power-masing.
+// Source: this project; docs/laws.md. Units kN, mm, s. Step: exact, as in power-masing.
 #pragma once
 
 #include "isolaw/laws/law.hpp"

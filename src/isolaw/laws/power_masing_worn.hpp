@@ -1,7 +1,7 @@
 // power-masing with a hysteretic force that wears with travel, and with a force that remains from the side on which the
 // largest displacement grew. These two terms describe the remaining differences between the two sides of a record, and
 // between its first and last cycles.
-// Source: this project; docs/league.md lists the candidates. Units kN, mm. Step: exact, as that of power-masing.
+// Source: this project; docs/league.md lists the candidates. Units kN, mm. Step: exact, as in power-masing.
 #pragma once
 
 #include "isolaw/laws/law.hpp"

@@ -1,6 +1,6 @@
 // The smooth relative of power-masing: two fading memories of the motion replace its turning points, for programs whose
-// materials cannot keep any. Tremor relaxes the force, and loops of unloading and reloading below 1 mm give out work:
-// prefer power-masing wherever turning points can be kept.
+// materials cannot keep turning points. Tremor relaxes the force, and loops of unloading and reloading below 1 mm give
+// out work: prefer power-masing wherever turning points can be kept.
 // Source: this project; docs/laws.md. Units kN, mm. Step: exact along a straight path.
 #pragma once
 
@@ -94,11 +94,11 @@ struct PowerScragging {
   template <class T>
   static T growth(Params<T> const& p, Memory const& memory) {
     T const a = T(1.0) - p.h, after = power(T(memory.peak / reference_mm), a), lengths = T(reference_mm) / p.U;
-    // From 0 with h >= 1 the integral has no bound: the first motion forgets everything before it.
+    // From 0 with h >= 1 the integral has no bound; 1e3 lengths make the memory forget everything before.
     if (memory.peak0 <= 0.0) return select(a > T(0.0), lengths * after / max(a, T(1e-300)), T(1e3));
     double const ratio = std::log(memory.peak / memory.peak0);
     T const before = power(T(memory.peak0 / reference_mm), a), small = a * T(ratio);
-    // Near h = 1 the difference of the powers loses its digits. Its series is exact to 1e-14 there.
+    // Near h = 1 the difference of the powers loses its digits, but its series is exact to 1e-14.
     T const series =
         T(ratio) * before *
         (T(1.0) + small * (T(1.0 / 2) + small * (T(1.0 / 6) + small * (T(1.0 / 24) + small * T(1.0 / 120)))));

@@ -69,8 +69,8 @@ struct RambergOsgood {
   }
 
  private:
-  // Solves f + a f^r = u, whose left side is convex, so Newton's method falls on the root from above. It starts where
-  // one term alone is u: the smaller such f is at most twice the root, and six steps from there leave only rounding.
+  // Solves f + a f^r = u. The left side is convex, so Newton's method approaches the root from above. It starts at the
+  // smaller f at which one term alone equals u, at most twice the root, and six steps leave only rounding.
   template <class T>
   static T skeleton(Params<T> const& p, State<T> const& state, double x) {
     if (x == 0.0) return T(0.0);
@@ -78,7 +78,7 @@ struct RambergOsgood {
     T f = min(u, state.root * power(u, T(1.0) / p.r));
     for (int i = 0; i < 6; ++i) {
       T const steep = p.a * power(f, p.r - T(1.0));
-      // max returns its first argument beside a NaN: a NaN stays.
+      // max returns its first argument if one of the two is NaN, so a NaN is not lost.
       f = max(f - (f * (T(1.0) + steep) - u) / (T(1.0) + p.r * steep), T(0.0));
     }
     return T(x < 0.0 ? -1.0 : 1.0) * p.Fy * f;

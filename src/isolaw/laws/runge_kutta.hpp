@@ -5,7 +5,7 @@
 
 namespace isolaw::laws {
 
-// slope(t, y) = dy/dx at the fraction t = 0, 1/2, 1 of a step of length dx; returns y at its end.
+// Returns y at the end of a step of length dx; slope(t, y) = dy/dx at the fraction t = 0, 1/2, 1 of the step.
 template <class T, class Slope>
 T runge_kutta(T const& y, double dx, Slope&& slope) {
   T const half(0.5 * dx), whole(dx), two(2.0);

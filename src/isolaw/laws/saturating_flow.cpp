@@ -8,15 +8,15 @@
 namespace isolaw::laws::flow_parts {
 namespace {
 
-// Zeros of the Jacobi polynomial of degree 17 for the weight (1 - y)^(-1/2) (1 + y)^(15/2): interpolation at them has
-// an even error in u = x G, instead of in G.
+// Zeros of the Jacobi polynomial of degree 17 for the weight (1 - y)^(-1/2) (1 + y)^(15/2): interpolation at them
+// spreads the error of u = x G evenly, instead of the error of G.
 constexpr Nodes::Values jacobi_zeros{
     -0.8482704490830196,  -0.7392800838264653,  -0.6169071342523251, -0.4823317952843121, -0.33811348743513536,
     -0.18729277640369482, -0.03315075851919065, 0.12091734632512882, 0.27149840143588966, 0.4152466151456183,
     0.5489627083391597,   0.6696677314400188,   0.7746709342528856,  0.8616306552991432,  0.9286071082791034,
     0.9741060103410049,   0.9971121446778988};
 
-// The value at y of the polynomial that is 1 at number j of these zeros and 0 at the others.
+// The value at y of the polynomial that is 1 at the zero with index zeros[j] and 0 at the others in `zeros`.
 template <std::size_t Count>
 long double lagrange(std::array<std::size_t, Count> const& zeros, std::size_t j, long double y) {
   auto const zero = [&](std::size_t i) { return static_cast<long double>(jacobi_zeros[zeros[i]]); };
@@ -31,7 +31,7 @@ constexpr auto all = [] {
   return indices;
 }();
 
-// Coefficient k of that polynomial's Chebyshev series, by sums over cos(pi (m + 1/2) / terms) that are exact for it.
+// Coefficient k of the Chebyshev series of lagrange(zeros, j, y), by an exact sum over y = cos(pi (m + 1/2) / terms).
 template <std::size_t Count>
 double chebyshev(std::array<std::size_t, Count> const& zeros, std::size_t k, std::size_t j) {
   long double sum = 0.0L;
@@ -84,7 +84,6 @@ Nodes make() {
     for (std::size_t i = 0; i < terms; ++i)
       nodes.at_places[i][k] = static_cast<double>(std::cos(k * std::acos(static_cast<long double>(jacobi_zeros[i]))));
   }
-  // Weights that extrapolate a smooth function from the places above, including the end of the side.
   auto const above = [&](std::size_t i) { return i < terms ? nodes.place[i] : 1.0; };
   for (std::size_t i = 0; i < terms; ++i) {
     std::size_t const count = std::min(guesses, terms - i);

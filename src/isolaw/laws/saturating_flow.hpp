@@ -3,20 +3,20 @@
 // autonomous equation in dimensionless travel t:
 //     du/dt = 1 - u^n            for u >= 0  (from both sides towards saturation, u = 1)
 //     du/dt = 1 + kappa |u|^n    for u <  0  (unloading, u rises to 0)
-// Every device history between reversals is a piece of one curve u(t), counted from u = 0. On either side of 0 one
+// Every device history between reversals is a piece of one curve u(t), with t = 0 at u = 0. On either side of 0 one
 // polynomial gives |u|: no table to search, no gather, no power per sample, no step size, no stability limit.
 // A suitable variable keeps the polynomial short. With E = exp(-rate |t|) and x = (1 - E) / (1 + bend E):
-//   - u is analytic in exp(-n t) at saturation, so rate = n there, and n |kappa|^(1/n) where unloading tends to a rest;
+//   - u is analytic in exp(-n t) at saturation, so rate = n there, and n |kappa|^(1/n) where unloading comes to rest;
 //     it is negative where unloading speeds up;
 //   - bend = 2^(n-1) - 1 removes the pole that u has beyond saturation for n > 1 (exactly for n = 2, u = tanh t);
 //   - at 0, where u = t - t^(n+1) / (n + 1) ..., u is 5 (1 + n) times differentiable in v = x^(1/5).
-// So |u| = x G(v), and back x = |u| H(|u|^(1/5)), with G and H of degree 16. The fit happens once per candidate: the
-// travel to 17 fixed places comes from quadrature, with the pole of 1 / (1 - |u|^n) removed in closed form; H from
+// So |u| = x G(v), and conversely x = |u| H(|u|^(1/5)), with G and H of degree 16. The fit happens once per candidate:
+// the travel to 17 fixed places comes from quadrature, with the pole of 1 / (1 - |u|^n) removed in closed form; H from
 // interpolation; G from its values at 17 fixed v, which Newton's method finds on H. All of this is arithmetic with
 // fixed matrices, the same for all candidates.
 // Largest error in u over n in [0.01, 3], kappa in (-1, 3]: 1e-7 (abe with n < 0.1: 3e-7). For n > 2 with kappa > 1 it
 // grows to 2e-5, and near kappa = -1 the equation magnifies it by up to 1 / (1 + kappa) (tests/verification).
-// Elsewhere, and for abe beyond |u| = 3, a lane takes the table of tabulated_flow.hpp, with an error of 1e-5. Rejected:
+// Elsewhere, and for abe beyond |u| = 3, a lane uses the table of tabulated_flow.hpp, with an error of 1e-5. Rejected:
 // that table for all (its gathers made AVX2 as slow as SSE2); coefficients as polynomials of n and kappa (2,400 numbers
 // still leave 1e-6); Runge-Kutta with sub-steps (32 per sample still leave 3.8 % in the objective of abe near its
 // optimum); an exponential step with frozen exponent (first order where n < 1 and u crosses 0).
@@ -46,20 +46,21 @@ struct Nodes {  // numbers of the fit that are the same for all candidates, comp
   // From values at the places to coefficients of the Chebyshev polynomials T_k(y), y = 2 place - 1, and from these to
   // coefficients of y^k. One matrix for both would lose six digits more.
   std::array<Values, terms> chebyshev, power;
-  // The same from only a few places, and T_k at all. The fit first subtracts this rough polynomial, to round less.
+  // The same matrix for a rough polynomial through a few of the places, and its T_k at all places. The fit subtracts
+  // the rough polynomial first, so that it loses less to rounding.
   static constexpr std::array<std::size_t, 7> few{0, 2, 5, 8, 11, 14, 16};
   std::array<std::array<double, few.size()>, few.size()> chebyshev_of_few;
   std::array<std::array<double, few.size()>, terms> at_places;
-  std::array<std::array<double, guesses>, terms> guess;  // weights that extrapolate a function from the places above
+  std::array<std::array<double, guesses>, terms> guess;  // weights to extrapolate from the places above and 1
 
   static Nodes const& get();
 };
 
-// The polynomials are used within these ranges, the table beyond them.
+// Within these ranges a lane uses the polynomials, beyond them the table.
 inline constexpr double least_n = 0.01, largest_kappa = 3.0;
 inline constexpr double sharp_n = 1.5;  // above it the curve bends so sharply that G needs another Newton pass
 inline constexpr double least_rest = 0.05, least_rate = 0.05;
-inline constexpr double saturated = 1e-13;  // below this E time is no longer counted
+inline constexpr double saturated = 1e-13;  // no time is computed from a smaller E
 
 }  // namespace flow_parts
 
@@ -74,8 +75,8 @@ class SaturatingFlow {
  public:
   // Needs n > 0 and kappa > -1; kappa = 1 for Reach::beyond_saturation. Other values give results that are not finite.
   void fit(T const& n, T const& kappa);
-  // time_at gives the place of u on the curve as a time, value_at the u at a time: value_at(time_at(u) + travel) is u
-  // after that travel. The two are inverse within rounding, so that repeated conversion does not drift.
+  // time_at gives the time at which the curve has the value u, value_at the value at a time: value_at(time_at(u) +
+  // travel) is u after that travel. Each inverts the other within rounding, so that repeated conversion does not drift.
   T time_at(T const& u) const;
   T value_at(T const& time) const {
     static_assert(!beyond);
@@ -85,7 +86,7 @@ class SaturatingFlow {
     return value;
   }
 
-  // u after the given travel, also from beyond saturation, with du/dt before and after; `ratio` holds where both are 0.
+  // u after the given travel, also from beyond saturation, and du/dt before and after; `ratio` is valid even for 0 / 0.
   struct Advance {
     T u, rate0, rate1, ratio;
   };
@@ -98,7 +99,7 @@ class SaturatingFlow {
     T rate, bend, end, per_end;  // end: (1 - E) / (1 + bend E) where x = 1
     void fit(T const& n, T const& kappa, T const& rest, bool bends);
   };
-  // The coefficient of each lane's side of u = 0. `mixed`: there are lanes below 0.
+  // Chooses for each lane the coefficient of its side of u = 0. `mixed`: some lanes are below 0.
   template <bool mixed>
   static T pick(Mask const& below, T const& above_zero, T const& below_zero) {
     if constexpr (mixed)
@@ -151,10 +152,10 @@ class SaturatingFlow {
 
   Side rising_, unloading_;
   T n_;
-  T first_time_, first_rate_;  // time and rate of unloading at u = -1; before it the rate is frozen
+  T first_time_, first_rate_;  // time and rate of unloading at u = -1; before that the rate is constant
   T outside_;                  // 1 in lanes that need the table
   bool bends_ = false, tabulated_ = false;
-  TabulatedFlow<T, reach> table_;  // filled where a lane needs it
+  TabulatedFlow<T, reach> table_;  // filled if a lane needs it
   T kappa_, table_zero_;
 };
 
@@ -207,7 +208,7 @@ void SaturatingFlow<T, reach>::Side::fit(T const& n, T const& kappa, T const& re
   for (std::size_t k = 1; k < terms; ++k) end = end + inverse[k];
   per_end = one / end;
   for (std::size_t k = 0; k < terms; ++k) inverse[k] = rounded(inverse[k] * per_end);
-  // Finds where v = place H^(1/5) takes its fixed values, going downwards: places found before give the guess.
+  // Finds the places at which v = place H^(1/5) has its fixed values, from the largest down.
   bool const sharp = any(n > T(flow_parts::sharp_n));
   std::array<T, terms + 1> place;
   place[terms] = one;
@@ -256,7 +257,7 @@ void SaturatingFlow<T, reach>::fit(T const& n, T const& kappa) {
     tabulated_ = false;
   } else {
     rising_.bend = select(n > T(1.3), exp2(n - one) - one, zero);
-    // |u| would come to rest at 1 / rest; rest = 0 where it would not.
+    // |u| would come to rest at 1 / rest; rest = 0 if it never rests, or only very far away.
     T const power = exp2(log2(max(-kappa, T(1e-300))) / n);
     T const rest = select(power > T(flow_parts::least_rest), power, zero), least = T(flow_parts::least_rate) * n;
     unloading_.rate = select(rest > zero, n * rest, -max(T(0.4) * n * kappa, least));
@@ -325,7 +326,7 @@ auto SaturatingFlow<T, reach>::advance(T const& u, T const& travel) -> Advance {
   static_assert(beyond);
   T const one(1.0), zero(0.0), size = abs(u), w = min(size, T(largest_u));
   T const less = expm1(-(n_ * travel));
-  struct Start {  // s = 1 - E, of either sign, with its x and the u and slope there
+  struct Start {  // s = 1 - E, of either sign, with the x, u and slope that belong to it
     T s, x;
     Slope u;
     T per_end;

@@ -1,8 +1,8 @@
 // Any law in two directions: springs around the circle, each with a history and a peak of its own.
-// Source: multiple shear springs (Wada and Hirose 1989; Yamamoto et al. 2012 for isolators). N springs stand at the
-// angles pi i / N, each with the force rf f(u rs / rf). rs = 2 / N keeps the stiffness of a push, rf = tan(pi / 2N) its
-// strength. The knee between the two changes, so a law that is used this way is also fitted this way
-// (fit/as_springs.hpp). Velocities are scaled as displacements.
+// Source: multiple shear springs (Wada and Hirose 1989; Yamamoto et al. 2012 for isolators). N springs lie at the
+// angles pi i / N, each with the force rf f(u rs / rf). rs = 2 / N keeps the stiffness along a straight push, and rf =
+// tan(pi / 2N) keeps the strength. The knee between the two changes, so a law that is used this way is also fitted this
+// way (fit/as_springs.hpp). Velocities are scaled like displacements.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// The exact flow of the hysteretic laws between two reversals, from a table, where the polynomials of
-// saturating_flow.hpp do not hold. That file states the equation and the rejected alternatives. The curve u(t) is
+// The exact flow of the hysteretic laws between two reversals, from a table, for parameters outside the range of the
+// polynomials of saturating_flow.hpp, which states the equation and the rejected alternatives. The curve u(t) is
 // tabulated once per candidate, which costs about 500 powers; each sample then costs a lookup, however large its step.
 // Nodes are graded geometrically towards u = 0, where u^n is not smooth for n < 1, and towards saturation on both
 // sides. Times between nodes come from four-point Lobatto quadrature; u(t) within a cell is the quintic with the value,
@@ -38,9 +38,9 @@ struct Nodes {
 
 inline constexpr double spacing = 1.0 / 3.0;    // between values of w, in all gradings
 inline constexpr double smallest_w = -12.0;     // |u| = 6e-6: between -6e-6 and 6e-6 the curve is a straight line
-inline constexpr double largest_w = 16.0;       // |1 - u| = 1e-7: closer to saturation u stays there
+inline constexpr double largest_w = 16.0;       // |1 - u| = 1e-7: closer to saturation u no longer changes
 inline constexpr double unloading_w = 14.0;     // |1 + u| = 8e-7: where unloading starts within saturation
-inline constexpr double reach_w = 4.0;          // |u| = 55: beyond it the rate is frozen at its value there
+inline constexpr double reach_w = 4.0;          // |u| = 55: beyond it the rate is that at 55
 inline constexpr double falling_origin = 60.0;  // falling keys, 4.4 to 59, lie above the rising ones
 // Keeps a saturated u in the last cell of its piece; rounding would otherwise move it to the next.
 inline constexpr double just_below_one = 1.0 - 1e-15;
@@ -73,7 +73,7 @@ class TabulatedFlow {
   static constexpr std::size_t count = Layout::count;
 
  public:
-  // Fills the table in place, because it is large. Values other than n > 0 and kappa > -1 give results not finite.
+  // Fills the table in place, because it is large. Unless n > 0 and kappa > -1, results are not finite.
   void tabulate(T const& exponent, T const& unloading);
   T time_at(T const& u) const { return place_of(u).time(); }  // see SaturatingFlow
   T value_at(T const& time) const { return value_of_key(place_at(time).key() + first_rate_ * min(time, T(0.0))); }

@@ -2,9 +2,9 @@
 // Source: Abe, Yoshida and Fujino 2004, part II, for the form F = F1 + F2 + F3 with the largest distance so far in
 // place of the largest displacement:
 //     dF2 = (Yt / Ut) (dx - |F2 / Yt|^(n-1) F2 / Yt |dx|)
-// F1 and F3 point along x with their sizes of one direction; Yt = Y0 (1 + |x / Uh|^p) or Y0. Tests in one direction do
-// not tell whether a motion also softens F1 across itself: Softening. Step: sixth order (follow.hpp), in pieces that
-// end where the distance begins to be the largest.
+// F1 and F3 act along x, with the same size as in one direction; Yt = Y0 (1 + |x / Uh|^p) or Y0. Tests in one direction
+// do not show whether a motion also softens F1 at right angles to itself (Softening). Step: sixth order (follow.hpp),
+// in two pieces that meet where the distance begins to exceed the largest one so far.
 #pragma once
 
 #include "isolaw/laws/abe.hpp"
@@ -36,8 +36,8 @@ struct AbeOf {
   static Vector<T> step(Params<T> const& p, State<T>& state, Vector<T> const& from, Vector<T> const& to, double) {
     T const zero(0.0), one(1.0), peak0 = state.peak, distance1 = norm(to);
     Straight<T> const way(from, to);
-    Split<T> const origin(from, way.direction);  // the start of the step, seen from the origin
-    // After this length of the way the distance exceeds the largest one so far.
+    Split<T> const origin(from, way.direction);  // the start of the step, relative to the origin
+    // After this length of the step the distance exceeds the largest one so far.
     T const reach = sqrt(max((peak0 - abs(origin.across)) * (peak0 + abs(origin.across)), zero)) - origin.along;
     T const inside = min(max(reach, zero), way.length);
     Split<T> f(state.f, way.direction);
@@ -45,7 +45,7 @@ struct AbeOf {
     move(p, f, origin, inside, way.length, peak0, true);
     state.peak = max(peak0, distance1);
     T const per_U = one / yield_length(p, peak0);
-    // At rest only the derivatives move, as an elastic step.
+    // Without motion only the derivatives change, as in an elastic step.
     Vector<T> const at_rest = state.f + (strength(p, norm(from)) * per_U) * way.moved;
     state.f = chosen(way.length > zero, f.joined(way.direction), at_rest);
     if constexpr (softening == Softening::by_axis) {
@@ -73,7 +73,7 @@ struct AbeOf {
       return T(1.0);
   }
 
-  // Moves f along the way from `begin` to `end`. The largest distance so far is the current one if `extends`, or peak0.
+  // Moves f from length `begin` to `end`. The largest distance so far is the current one if `extends`, or peak0.
   template <class T>
   static void move(Params<T> const& p, Split<T>& f, Split<T> const& origin, T const& begin, T const& end,
                    T const& peak0, bool extends) {

@@ -1,8 +1,8 @@
 // Bilinear in the plane: kinematic hardening with a circular yield surface.
 // Source: perfect plasticity of stiffness K1 - K2 and strength (K1 - K2) xy in parallel with a spring K2. Step: exact
-// along a straight path. Inside the circle z is elastic. On it z turns towards the direction of motion, and tan(angle /
-// 2) falls as exp(-travel / xy) (Krieg and Krieg 1977). Rejected: a radial return, which is exact only for motion along
-// z and of first order elsewhere.
+// along a straight path. Inside the circle z is elastic. On the circle z turns towards the direction of motion, and
+// tan(angle / 2) falls as exp(-travel / xy) (Krieg and Krieg 1977). Rejected: a radial return, which is exact only for
+// motion along z and of first order elsewhere.
 #pragma once
 
 #include "isolaw/laws/bilinear.hpp"
@@ -38,7 +38,7 @@ struct Bilinear {
     T const half = before.across / max(strength + at_yield, tiny) * exp(-max(beyond, zero) * per_strength);
     T const scale = strength / (one + half * half);
     Split<T> const after(scale * (one - half * half), scale * T(2.0) * half);
-    // In this order a NaN strength gives NaN.
+    // The test is `beyond <= zero`, not `beyond > zero`: it is false for NaN, so a NaN strength gives a NaN force.
     state.z = chosen(beyond <= zero, state.z + stiffness * way.moved, after.joined(way.direction));
     return p.K2 * to + state.z;
   }

@@ -50,7 +50,7 @@ struct BoucWen {
     T const closed = select(is_two, travel, zero), stepped = select(is_two, zero, travel);
     if (any(closed > zero)) flow_of_two(z, closed, state.unloading);
     if (any(stepped > zero)) flow(z, min(stepped, T(longest_memory)), p.n, state.unloading);
-    // At rest only the derivatives move, as an elastic step.
+    // Without motion only the derivatives change, as in an elastic step.
     state.z = chosen(travel <= zero, state.z + state.rate * way.moved, z.joined(way.direction));
     return (p.alpha * p.Ke) * to + ((one - p.alpha) * p.Ke * state.z_max) * state.z;
   }
@@ -59,7 +59,7 @@ struct BoucWen {
   template <class T>
   static void flow_of_two(Split<T>& z, T const& travel, T const& unloading) {
     T const zero(0.0), one(1.0), from = min(z.along, zero);
-    // The part of the way up to p = 0, or all of it where p stays below 0.
+    // The part of the travel up to p = 0, or all of it if p stays below 0.
     T const to_zero = Circular<T>::length_to(-from, unloading), part = min(travel, to_zero);
     Circular<T> const back(unloading, part);
     T const per = one / (one + unloading * from * back.tan);
@@ -90,7 +90,7 @@ struct BoucWen {
     while (any(select(z.along < zero, travel - l, zero) > zero)) {
       auto const unloads = select(z.along < zero, travel - l, zero) > zero;
       T const left = travel - l, speed = rates(z, unloading).along, bound = longest(z, unloading) / max(speed, one);
-      // Where the next step would pass p = 0, p is the variable and the way follows from it.
+      // A step that would pass p = 0 takes p as its variable and computes the travel, so that it ends at p = 0.
       auto const near = -z.along < T(1.25) * bound * max(speed, tiny);
       T landed = zero, across_there = zero;
       if (any(near)) {

@@ -1,4 +1,4 @@
-// tanh or tan, and 1 / cosh or 1 / cos, for p' = 1 - c p^2, s' = -c p s with any c, by arithmetic and exponentials.
+// Solves p' = 1 - c p^2, s' = -c p s for any c: tanh or tan, and 1 / cosh or 1 / cos, by arithmetic and exponentials.
 #pragma once
 
 #include "isolaw/laws/law.hpp"
@@ -22,7 +22,7 @@ struct Circular {
     sec = select(small, one - T(0.5) * series, select(hyperbolic, two * e * per, per_cos));
   }
 
-  // The x at which Circular::tan has this value; where it never has it, a large x.
+  // The x at which Circular::tan has this value; a large x if it never has it.
   static T length_to(T const& tan, T const& c) {
     T const one(1.0), k = sqrt(abs(c)), v = k * tan, per_k = one / max(k, T(num::smallest_power_base));
     T const ratio = (one + v) / max(one - v, T(num::smallest_power_base));

@@ -1,4 +1,4 @@
-// History integral in the plane: each memory q obeys q' = (n - q)/D along the way, where n is the direction of motion.
+// History integral in the plane: each memory q obeys q' = (n - q)/D along the path, where n is the direction of motion.
 // The elastic force along x softens with the largest distance so far, or its part along each axis with the largest
 // displacement along that axis (Softening). Step: exact along a straight path.
 #pragma once

@@ -7,8 +7,8 @@
 
 namespace isolaw::laws::plane {
 
-// Which peak softens a force in a law that remembers it: the largest distance so far, or the largest displacement along
-// each axis, which depends on the choice of axes. Tests in one direction cannot tell the two apart.
+// The peak that softens a force, in a law that remembers one: the largest distance so far, or the largest displacement
+// along each axis, which depends on the choice of axes. Tests in one direction cannot tell the two apart.
 enum class Softening { by_distance, by_axis };
 
 template <class T>
@@ -61,7 +61,7 @@ struct Split {
   Vector<T> joined(Vector<T> const& direction) const { return along * direction + across * turned(direction); }
 };
 
-// A fading memory of the motion: q' = rate (n - q) along a straight step; at rest only the derivatives move.
+// A fading memory of the motion: q' = rate (n - q) along a straight step; without motion only the derivatives change.
 template <class T>
 Vector<T> fading(Vector<T> const& q, Straight<T> const& way, T const& rate) {
   T const left = exp(-rate * way.length);
