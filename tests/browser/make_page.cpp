@@ -2,7 +2,7 @@
 //   analysed     with everything that an analysis adds
 //   inadequate   the second law does not describe the devices
 //   crowded      analysed; any number of laws, close to one another on the front, one of them runs away
-//   predicted    analysed; a block that was kept from the fit, in which the second law runs away
+//   predicted    analysed; a block that was left out of the fit, in which the second law runs away
 //   passing      every requirement of the rule set is assessed and kept
 //   failing      a device is not within the limits
 #include <algorithm>

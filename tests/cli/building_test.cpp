@@ -360,7 +360,7 @@ TEST_F(Building, carries_the_doubts_of_the_calibration) {
   ASSERT_EQ(output.code, 0) << output;
   EXPECT_TRUE(contains(output.out, "warning: From the calibration: Bilinear: ")) << output;
   EXPECT_TRUE(contains(output.out, "xy at its lower bound")) << output;
-  EXPECT_TRUE(contains(output.out, "warning: 1 motion: codes take the mean over 7 or more")) << output;
+  EXPECT_TRUE(contains(output.out, "warning: 1 motion only: codes design for the mean over 7 or more")) << output;
   auto const json = this->json("B/building.json");
   EXPECT_TRUE(contains(json["laws"][0]["doubts"].dump(), "xy at its lower bound"));
   EXPECT_TRUE(contains(json["warnings"].dump(), "xy at its lower bound"));

@@ -70,7 +70,7 @@ TEST_F(Export, and_simulate_say_that_the_rule_set_is_not_kept_and_who_was_refuse
                                   held_to("K_eff=5,damping=1,disp=100"));
   ASSERT_EQ(calibration.code, 1) << calibration;
   std::string const lot = "The lot does not keep its rule set: NTC 2018: 2 of 3 devices fail: a ";
-  std::string const refused = "The lot's law is made from the other devices of 3: c was refused";
+  std::string const refused = "c was refused. The lot has 3 devices; its law is made from the others";
   auto const unwrapped = [](std::string const& text) {
     std::string words;
     for (char const c : text)

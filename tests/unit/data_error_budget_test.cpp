@@ -147,7 +147,7 @@ TEST(ErrorBudget, ASkewBesideFrictionIsWhatIsLeftOfIt) {
   auto const budget = budget_of(skewed(-0.015, 0.5, 30.0, 0.08, 4.0));
   ASSERT_NE(find(budget, "damping by the jump"), nullptr);
   EXPECT_NEAR(find(budget, "skew")->value, -15.0, 5.0);  // half a sampling interval
-  EXPECT_TRUE(says(budget.notes, "before displacement, its jump there taken off: viscosity"));
+  EXPECT_TRUE(says(budget.notes, "before displacement, its jump there subtracted: viscosity"));
 }
 
 TEST(ErrorBudget, NoiseIsNoSkew) {

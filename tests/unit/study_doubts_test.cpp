@@ -292,8 +292,8 @@ TEST(Doubts, SayWhatIsNotKeptAndWhichDevicesWereRefused) {
   auto summary = fixture::lot();
   auto const count = summary.devices.size();
   summary.devices.back().status = "refused";
-  auto const refused = fmt::format("The lot's law is made from the other devices of {}: {} was refused.", count,
-                                   printable(summary.devices.back().name));
+  auto const refused = fmt::format("{} was refused. The lot has {} devices; its law is made from the others.",
+                                   printable(summary.devices.back().name), count);
   EXPECT_TRUE(contains(doubts_of(summary, "bilinear", std::nullopt), refused))
       << doubts_of(summary, "bilinear", std::nullopt);
   EXPECT_FALSE(contains(doubts_of(summary, "bilinear", "D1"), refused));
