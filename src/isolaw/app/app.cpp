@@ -102,7 +102,7 @@ void add_jobs(CLI::App& c, std::optional<int>& jobs) {
 
 void add_part(CLI::App& c, std::optional<std::string>& part) {
   under(Heading::running,
-        c.add_option("--part", part, "K/N, such as 3/40: only this share of the runs, for isolaw merge"));
+        c.add_option("--part", part, "K/N, such as 3/40: compute part 3 of 40 of the runs; isolaw merge joins them"));
 }
 
 void add_fresh(CLI::App& c, bool& fresh) {
@@ -123,7 +123,7 @@ void add_campaign(CLI::App& c, CalibrateArguments& a) {
 }
 
 void add_printing(CLI::App& c, bool& json, bool& details) {
-  under(Heading::running, c.add_flag("--json", json, "print summary.json and the profile instead of the answer"));
+  under(Heading::running, c.add_flag("--json", json, "print summary.json and the computing times instead of text"));
   under(Heading::running, c.add_flag("--details", details, "print every table, finding and warning"));
 }
 
@@ -161,7 +161,7 @@ void add_simulate(CLI::App& c, SimulateArguments& a) {
   add(Heading::plane, "--softening", a.softening,
       "with coupled: by distance (default), or axis: by the largest displacement along each axis");
   add(Heading::plane, "--springs", a.springs,
-      "with springs: fitted to the device's record (default with --from), or given: the law's own parameters");
+      "parameters of springs: fitted to the device's record (default with --from), or given: the law's own");
   c.add_option("--out", a.out, "file to write (default: standard output)");
   c.add_flag("--anyway", a.anyway, "with --from: simulate even if the law predicts unusably");
 }
@@ -246,7 +246,7 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   merge_command.add_option("directory", merge_arguments.directory, "directory of the whole campaign or study")
       ->required();
   merge_command.add_option("parts", merge_arguments.parts,
-                           "directories of the parts, in any order; without any, what the directory holds is finished");
+                           "directories of the parts, in any order; without parts: finish what the directory holds");
   merge_command.add_option("--part", merge_arguments.part,
                            "K/N, such as 3/40: analyse only this share of the devices, then of the lot's laws");
   add_jobs(merge_command, merge_arguments.jobs);
@@ -273,7 +273,7 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   parts_command
       .add_option(
           "--to", parts_arguments.to,
-          "who runs the parts: " + joined(part_script_kinds) + " (set the end of a record, `to`, in a lot file)")
+          "who runs the parts: " + joined(part_script_kinds) + " (to end records early, set `to` in a lot file)")
       ->required();
   parts_command.add_option("--campaign", parts_arguments.campaign,
                            "for a building file: directory of the campaign whose lot supplies the bearings");

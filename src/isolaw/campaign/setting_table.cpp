@@ -124,7 +124,7 @@ std::vector<Setting> make_settings() {
       {word<S>("integration", "converged (default), or paper: one Runge-Kutta step per sample", at(&S::integration),
                integrations)},
       {word<S>("turning-points",
-               "sampled (default), or interpolated: the motion turns between samples, for smooth records",
+               "where the motion turns: at samples (sampled, default), or between them (interpolated)",
                at(&S::turning_points), turnings)},
       {number<S>("runs", "independent runs per law and device", at(&S::runs), {.least = 1, .most = 1e5}, "3; ga: 20")},
       // The upper limits keep the count of evaluations an int; the pressure's limit keeps every weight above zero.
@@ -136,9 +136,10 @@ std::vector<Setting> make_settings() {
        ga},
       constant("mutation_rate", &Ga::mutation_rate, {.least = 0, .most = 1}),
       constant("stagnation", &Ga::stagnation, {.least = 1, .most = largest, .words = "at least 1 generation"}),
-      {number<S>(
-           "stagnation_tolerance", "with --method ga: 20 generations without a larger relative improvement end a run",
-           at(&S::genetic, &Ga::stagnation_tolerance), {.least = 0, .most = below_1, .words = "0 or more, below 1"}),
+      {number<S>("stagnation_tolerance",
+                 "with --method ga: end a run that improves by no more than this share in 20 generations",
+                 at(&S::genetic, &Ga::stagnation_tolerance),
+                 {.least = 0, .most = below_1, .words = "0 or more, below 1"}),
        ga},
       constant("selection_pressure", &Ga::selection_pressure, {.least = 0, .most = 100}),
       constant("least_starts", &Best::least_starts, {.least = 1, .most = 10'000}),
