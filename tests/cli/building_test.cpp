@@ -255,9 +255,9 @@ TEST_F(BuildingParts, that_were_cut_off_or_changed_are_found_out) {
   expect_refused(isolaw({"merge", "O", "P1", "T"}),
                  {"T/building.sqlite: run ", "another one than that which is there"});
   change("T/building.sqlite", "UPDATE runs SET place = place + 1000");
-  expect_refused(isolaw({"merge", "O", "T"}), {"T/building.sqlite: run ", "is none of its study"});
+  expect_refused(isolaw({"merge", "O", "T"}), {"T/building.sqlite: run ", "does not belong to this study"});
   change("T/building.sqlite", "UPDATE runs SET place = place - 1000, measured = x'0000000000000000'");
-  expect_refused(isolaw({"merge", "O", "T"}), {"T/building.sqlite: run ", "is none of its study"});
+  expect_refused(isolaw({"merge", "O", "T"}), {"T/building.sqlite: run ", "does not belong to this study"});
 }
 
 TEST_F(BuildingParts, are_named_as_they_may_be_and_know_what_they_are) {

@@ -79,7 +79,7 @@ TEST_F(Check, a_changed_record_of_the_laws) {
 
 TEST_F(Check, a_changed_history) {
   change("UPDATE run SET history = zeroblob(length(history)) WHERE device = 0 AND law = 'bilinear' AND number = 1");
-  expect_fault("bilinear on a, run 1: its history ends elsewhere");
+  expect_fault("bilinear on a, run 1: its history does not end at its objective");
 }
 
 TEST_F(Check, a_changed_integration_shift) {
@@ -124,14 +124,14 @@ TEST_F(CheckOfDefaultSearch, what_was_changed_is_found) {
   struct Change {
     char const *sql, *fault;
   };
-  for (auto const& [sql, fault] :
-       std::vector<Change>{{"UPDATE run SET objective = objective + 1e-4", "its parameters give the objective "},
-                           {"UPDATE run SET history = zeroblob(length(history))", "its history ends elsewhere"},
-                           {"UPDATE run SET evaluations = 0", "its count of evaluations is impossible"},
-                           {"UPDATE run SET outcome = 'no_finite_value'",
-                            "its history does not end as the settings and its outcome say"},
-                           {"UPDATE run SET integration_shift = integration_shift + 1e-6",
-                            "its parameters give the integration shift "}}) {
+  for (auto const& [sql, fault] : std::vector<Change>{
+           {"UPDATE run SET objective = objective + 1e-4", "its parameters give the objective "},
+           {"UPDATE run SET history = zeroblob(length(history))", "its history does not end at its objective"},
+           {"UPDATE run SET evaluations = 0", "its count of evaluations is impossible"},
+           {"UPDATE run SET outcome = 'no_finite_value'",
+            "its history does not end as the settings and its outcome say"},
+           {"UPDATE run SET integration_shift = integration_shift + 1e-6",
+            "its parameters give the integration shift "}}) {
     write("O/campaign.sqlite", sound);
     change(std::string(sql) + " WHERE device = 0 AND law = 'bilinear' AND number = 1");
     SCOPED_TRACE(sql);

@@ -147,10 +147,10 @@ TEST_F(ColumnsTest, ALoneLoadMayBeEither) {
 TEST_F(ColumnsTest, ColumnsWithoutNamesAreNotGuessed) {
   EXPECT_EQ(
       refusal("0.0,1.5,2\n0.1,2.5,3\n0.2,3.5,1\n"),
-      "FILE: no line names the 3 columns, so which is the displacement and which the force cannot be told; allowed: column numbers 1 to 3; try: --columns time=1,disp=2,force=3 --units time=s,disp=mm,force=kN, with your numbers and units");
+      "FILE: no line names the 3 columns, so isolaw cannot know which is the displacement and which the force; allowed: column numbers 1 to 3; try: --columns time=1,disp=2,force=3 --units time=s,disp=mm,force=kN, with your numbers and units");
   EXPECT_EQ(
       refusal("1.5 2\n2.5 3\n3.5 1\n", with("disp=1", "disp=mm")),
-      "FILE: no line names the 2 columns, so which is the horizontal force cannot be told; allowed: column numbers 1 to 2; try: --columns force=NUMBER");
+      "FILE: no line names the 2 columns, so isolaw cannot know which is the horizontal force; allowed: column numbers 1 to 2; try: --columns force=NUMBER");
 }
 
 TEST_F(ColumnsTest, MissingAndUnknownUnitsAreAskedForTogether) {

@@ -47,7 +47,7 @@ TEST_F(Json, AnArrayOfRows) {
   EXPECT_EQ(record.layout.columns.at(Channel::disp), "2");
   EXPECT_EQ(
       refusal("[" + three_rows + "]"),
-      "FILE: no row names the 3 columns, so which is the displacement and which the force cannot be told; allowed: column numbers 1 to 3; try: --columns time=1,disp=2,force=3 --units time=s,disp=mm,force=kN, with your numbers and units");
+      "FILE: no row names the 3 columns, so isolaw cannot know which is the displacement and which the force; allowed: column numbers 1 to 3; try: --columns time=1,disp=2,force=3 --units time=s,disp=mm,force=kN, with your numbers and units");
 }
 
 TEST_F(Json, NamesAndUnitsBesideTheRows) {

@@ -310,7 +310,7 @@ TEST_F(Mat5, WhatIsPackedIsBounded) {
     auto const text = refusal(file_of(zeros("disp_mm", count, type, size) + zeros("force_kN", count, type, size)));
     return text.substr(0, text.find(';'));
   };
-  EXPECT_EQ(bomb(9'000'000, 2, 1), "FILE:disp_mm: 9000000 values, far more than the file's size lets expect");
+  EXPECT_EQ(bomb(9'000'000, 2, 1), "FILE:disp_mm: 9000000 values, far more than a file of this size can hold");
   EXPECT_EQ(bomb(10'000'001, 2, 1), "FILE: 10000001 values");
   EXPECT_EQ(bomb(2'000'000, 9, 8).substr(0, 30), "FILE:disp_mm: disp is constant");  // within what any file may come to
   auto cut = packed(array("disp_mm", four_disp, 4, 1));

@@ -70,7 +70,7 @@ TEST_F(Stamps, OfAnOpenOrderAreRefusedWithBothReadings) {
   std::vector<std::string> const open{"01/02/2024 10:00:00", "02/03/2024 10:00:00", "03/04/2024 10:00:00"};
   EXPECT_EQ(
       refusal(file(open)),
-      "FILE:2: date 01/02/2024 may be 2024-02-01 (day first) or 2024-01-02 (month first); allowed: dates whose order something tells; try: --date-order dmy, or --date-order mdy");
+      "FILE:2: date 01/02/2024 may be 2024-02-01 (day first) or 2024-01-02 (month first); allowed: dates of which one has a day above 12, which shows the order; try: --date-order dmy, or --date-order mdy");
   ReadOptions options;
   options.date_order = DateOrder::day_first;
   expect_times(open, {0, 30 * 86400.0, 62 * 86400.0}, options);

@@ -109,7 +109,7 @@ TEST_F(Refuse, DecimalCommasBetweenCommas) {
       "FILE:1: 2 names, but the rows have 4 columns: commas seem to be both delimiter and decimal separator; allowed: one name per column; try: export with semicolons or tabs between the columns");
   EXPECT_EQ(
       refusal("1,5,2,0\n2,5,3,0\n3,5,1,0\n", with("disp=1,force=3", "disp=mm,force=kN")),
-      "FILE:1: 4 columns of whole numbers, or 2 of numbers with a decimal comma: nothing tells; allowed: a delimiter that is not the decimal separator, or a line of names; try: export with semicolons or tabs between the columns");
+      "FILE:1: 4 columns of whole numbers, or 2 of numbers with a decimal comma: nothing shows which; allowed: a delimiter that is not the decimal separator, or a line of names; try: export with semicolons or tabs between the columns");
 }
 
 TEST_F(Refuse, NamesAndColumnsThatDoNotMatch) {

@@ -242,7 +242,7 @@ TEST_F(Workbook, AColumnThatIsNotThere) {
       "FILE:Test:1: no column 'D' for disp; allowed: columns A 'Disp [mm]', B 'Force [kN]'; try: --columns disp=LETTER");
   EXPECT_EQ(
       refusal(book_with(three)),
-      "FILE:Test: no row names the 2 columns, so which is the displacement and which the force cannot be told; allowed: columns A to B; try: --columns disp=1,force=2 --units disp=mm,force=kN, with your numbers and units");
+      "FILE:Test: no row names the 2 columns, so isolaw cannot know which is the displacement and which the force; allowed: columns A to B; try: --columns disp=1,force=2 --units disp=mm,force=kN, with your numbers and units");
 }
 
 // --- hostile

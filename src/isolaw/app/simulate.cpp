@@ -274,15 +274,15 @@ std::vector<std::string> left_open(fit::LawInPlane const& law, TwoDirections con
   std::vector<std::string> lines;
   if (two.how == laws::Bidirectional::springs && !law.law->info.traits.odd)
     lines.push_back(fmt::format(
-        "warning: {} is not the same in both senses: springs of it have a force across the motion too, which depends on the axes",
+        "warning: {} is not symmetric, so its springs also give a force across the motion, which depends on the axes",
         law.law->info.id));
   if (two.how == laws::Bidirectional::springs && as_given)
     lines.push_back(fmt::format(
-        "springs round the knee: along one direction, at {:.4g} mm, their work is {:+.2f} % of that of the law as given",
+        "springs round the knee: along one direction, at {:.4g} mm, their work differs by {:+.2f} % from the work of the law",
         size, 100.0 * (fit::work_of_springs_on_a_line(law, size, cycle) - 1.0)));
   else if (law.dead_band_mm > 0.0 && law.law->info.traits.remembers)
     lines.push_back(fmt::format(
-        "warning: the dead band of {:.4g} mm that the law was fitted with is of one direction, and not taken",
+        "warning: the dead band of {:.4g} mm that the law was fitted with is defined along one direction, and is not used here",
         law.dead_band_mm));
   // Parameters that were fitted for springs are not parameters of a coupled form.
   if (two.how == laws::Bidirectional::springs && !as_given) return lines;

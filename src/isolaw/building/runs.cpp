@@ -510,7 +510,7 @@ void take_runs(Connection const& db, Path const& file, campaign::Merged& merged,
       select.read(row.law, row.motion, row.place, row.measured);
       if (row.law >= most[0] || row.motion >= most[1] || row.place >= most[2] ||
           std::to_string(row.measured.size()) != measures)
-        refuse(row, "is none of its study", "runs as isolaw building makes them");
+        refuse(row, "does not belong to this study", "runs as isolaw building makes them");
       if (insert.bind(row.law, row.motion, row.place, row.measured).insert()) {
         ++merged.added;
         continue;

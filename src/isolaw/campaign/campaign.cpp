@@ -117,7 +117,7 @@ void refit_in_finer_steps(Target const& target, fit::LawOnRecord model, Run& run
       return fail(
           run,
           fmt::format(
-              "the least objective found, {:.4g} in {} step(s) a sample, is of the steps alone: in {} a sample these parameters give no finite force",
+              "the least objective found, {:.4g} with {} step(s) a sample, comes from the step size: with {} a sample these parameters give no finite force",
               coarse, model.refinement(), finer.refinement()));
     model = finer;
   }

@@ -91,7 +91,7 @@ class Checker {
     if (!std::ranges::is_sorted(run.history, std::ranges::greater())) complain(where, "its history rises");
     if (!run.usable()) return;
     if (run.history.empty() || (run.refinement == 1 && !close_objectives(run.history.back(), run.objective)))
-      complain(where, "its history ends elsewhere");
+      complain(where, "its history does not end at its objective");
     for (std::size_t i = 0; i < run.parameters.size(); ++i) {
       auto const& p = search.box.parameters[i];
       double const slack = fit::evaluation_tolerance * std::max(std::abs(p.lower), std::abs(p.upper));
@@ -123,7 +123,7 @@ class Checker {
       bool const rises = std::ranges::is_sorted(p.profile.value);
       bool const above = std::ranges::all_of(
           p.profile.objective, [&](double value) { return value >= found.objective * (1.0 - 1e-3) - 1e-9; });
-      if (!rises || !above) complain(where, "a profile is none about its optimum");
+      if (!rises || !above) complain(where, "a profile is not in order, or falls below its optimum");
     }
   }
   void operator()(LotAnalysis const& a) {

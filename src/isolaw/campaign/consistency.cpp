@@ -30,7 +30,8 @@ void require_device(Device const& d) {
   auto const& vertical = d.vertical;
   if (vertical.load_kN.size() != vertical.disp_mm.size() || !all_finite(vertical.load_kN) ||
       !all_finite(vertical.disp_mm) || (vertical.stated_kN_per_mm && !(*vertical.stated_kN_per_mm > 0.0)))
-    fail(fmt::format("the vertical test of device '{}' is none", d.name));
+    fail(fmt::format(
+        "the vertical test of device '{}' has channels of different lengths, or values that are not finite", d.name));
   if (!fits) fail(fmt::format("the channels of device '{}' differ in length", d.name));
   if (!std::ranges::all_of(fit.scored, [](double value) { return value == 0.0 || value == 1.0; }))
     fail(fmt::format("what is scored of device '{}' is neither 0 nor 1", d.name));

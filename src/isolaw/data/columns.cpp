@@ -409,7 +409,8 @@ class Resolver {
     if (both && channel == Channel::force) return;  // the complaint about the displacement names both
     auto const what = both ? std::string("displacement and which the force") : std::string(meaning_text(channel));
     complain(
-        file_, fmt::format("no {} names the {} columns, so which is the {} cannot be told", header_.row, count_, what),
+        file_,
+        fmt::format("no {} names the {} columns, so isolaw cannot know which is the {}", header_.row, count_, what),
         header_.lettered ? fmt::format("columns A to {}", label(count_ - 1))
                          : fmt::format("column numbers 1 to {}", count_),
         !both         ? fmt::format("--columns {}={}", name(channel), any_column())

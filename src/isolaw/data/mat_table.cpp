@@ -186,7 +186,7 @@ class MatTable : public NumberTable {
     if (origin.slice.count > longest_)
       throw Error(
           Complaint{.where = place_of(column),
-                    .found = fmt::format("{} values, far more than the file's size lets expect", origin.slice.count),
+                    .found = fmt::format("{} values, far more than a file of this size can hold", origin.slice.count),
                     .allowed = fmt::format("{} or fewer", longest_),
                     .advice = "save the channels without compression"});
     auto read = file_->values(*origin.variable, origin.slice);

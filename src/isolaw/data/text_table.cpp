@@ -86,7 +86,7 @@ class RowReader {
     if (count == 0 || count > longest_footer || 2 * count > end - header_.first_data) {
       if (choice_.skip_footer)
         rows_.recognised.push_back(
-            decision(FindingKind::rows_read, "no text stands below the rows (--footer skip)", "--footer"));
+            decision(FindingKind::rows_read, "there is no text below the rows to skip (--footer skip)", "--footer"));
       return;
     }
     while (end > first && is_open(end - 1)) --end;
@@ -247,7 +247,7 @@ class RowReader {
                    fmt::format("{} in {} is no number with a decimal {}", in_quotes(cell), column,
                                decimal_name(dialect_.decimal)),
                    "one decimal sign in the whole file",
-                   fmt::format("--thousands {}, where that groups the digits", *other));
+                   fmt::format("--thousands {}, if that mark groups the digits", *other));
     else
       numbers_.add(i + 1, fmt::format("{} in {} is not a number", in_quotes(cell), column),
                    fmt::format("a number with a decimal {}", decimal_name(dialect_.decimal)), leave_out());
@@ -359,7 +359,7 @@ class TextTable : public Table {
       return;
     complaints.push_back(
         {fmt::format("{}:{}", place_, header_.first_data + 1),
-         fmt::format("{} columns of whole numbers, or {} of numbers with a decimal comma: nothing tells",
+         fmt::format("{} columns of whole numbers, or {} of numbers with a decimal comma: nothing shows which",
                      dialect.columns, dialect.columns / 2),
          "a delimiter that is not the decimal separator, or a line of names",
          "export with semicolons or tabs between the columns"});

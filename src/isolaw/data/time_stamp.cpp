@@ -280,7 +280,7 @@ class DateReader {
   std::string large(DateOrder order) const {
     for (std::size_t i = 0; i < stamps_.size(); ++i)
       if (auto const& s = stamps_[i]; !s.days && (order == DateOrder::day_first ? s.first : s.second) > 12)
-        return fmt::format("as {} {} tells ({})", row_, lines_[i], written(s));
+        return fmt::format("as {} {} shows ({})", row_, lines_[i], written(s));
     return "which alone makes dates of all of them";
   }
 
@@ -302,7 +302,7 @@ class DateReader {
         {fmt::format("{}:{}", where_, lines_[std::min(at, lines_.size() - 1)]),
          fmt::format("date {} may be {} (day first) or {} (month first)", written(s),
                      date_text(*days_in(s, DateOrder::day_first)), date_text(*days_in(s, DateOrder::month_first))),
-         "dates whose order something tells",
+         "dates of which one has a day above 12, which shows the order",
          fmt::format("--date-order {}, or --date-order {}", date_order_word(DateOrder::day_first),
                      date_order_word(DateOrder::month_first))});
     return std::nullopt;

@@ -89,7 +89,8 @@ struct Gallardo {
       JointLimit<Params<double>>{"B > phimax", [](Params<double> const& p) { return p.B > p.phimax; }}};
 
   static Canonical canonical(Params<double> const&) {
-    return NoForm{"elastic part that softens with the way, nor its strength that each turn sets"};
+    return NoForm{
+        "elastic part that softens with the distance travelled, nor its strength that each turning point sets"};
   }
 
   // The factors of g, g^3 and g^5 on one side. km also multiplies the term of g.

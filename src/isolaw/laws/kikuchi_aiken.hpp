@@ -171,7 +171,7 @@ struct KikuchiAiken {
   });
 
   static Canonical canonical(Params<double> const&) {
-    return NoForm{"functions of the peak: KikuchiAikenHDR has those of its own compounds alone"};
+    return NoForm{"functions of the peak: KikuchiAikenHDR has only the functions of its own compounds"};
   }
 
   template <class T>

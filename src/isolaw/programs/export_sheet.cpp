@@ -313,7 +313,8 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units, Remarks
     remarks.objections.emplace_back(
         "no link of these programs could be fitted in the law's place: the sheet holds its loop alone");
   else if (!near(wen) && !near(corner))
-    remarks.objections.emplace_back("what stands in for the law in these programs is far off: the sheet says how far");
+    remarks.objections.emplace_back(
+        "the link that replaces the law in these programs is far off: the sheet says how far");
   csi(page, subject, wen, rubber_isolator(subject), corner, units);
   others(page, free_bouc_wen(subject, wen), corner);
 

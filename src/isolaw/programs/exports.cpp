@@ -34,7 +34,7 @@ Realisation realised(Subject const& subject, Remarks& remarks) {
                     other_cycle_far_off_percent, text(form.other_cycles)));
   else if (realisation.fidelity == Fidelity::refitted)
     remarks.cautions.push_back(
-        fmt::format("{} stands in for the law, off by: {}{}", form.nominal.title, deviation_text(form.from_law),
+        fmt::format("{} replaces the law, off by: {}{}", form.nominal.title, deviation_text(form.from_law),
                     marked(form.other_cycles) ? "; at other amplitudes: " + text(form.other_cycles) : std::string()));
   return realisation;
 }

@@ -221,7 +221,7 @@ std::vector<Fact> bound_facts(Subject const& subject, bool one_factor) {
     if (!factors) return std::string("none");
     bool const own = std::abs(factors->stiffness - 1.0) < 1e-9 && std::abs(factors->strength - 1.0) < 1e-9;
     return factor_text(*factors, one_factor) +
-           (own ? ", the nominal itself: this one stands at that end of the lot" : "");
+           (own ? ", equal to the nominal: this device lies at that end of the lot" : "");
   };
   std::vector<Fact> facts{
       {"Lower bound", text(bounds.lower)}, {"Upper bound", text(bounds.upper)}, {"Bounds from", bounds.source}};
