@@ -10,12 +10,9 @@ find_package(SQLite3 REQUIRED)
 find_package(Threads REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(ZLIB REQUIRED)
-# minizip has no CMake package. CMake's module for HDF5 would demand a C compiler of every project that uses isolaw.
+include(isolaw-libraries)
 find_path(ISOLAW_MINIZIP_INCLUDE minizip/unzip.h REQUIRED DOC "directory that holds minizip/unzip.h")
-find_library(ISOLAW_MINIZIP minizip REQUIRED DOC "libminizip")
 find_path(ISOLAW_HDF5_INCLUDE hdf5_hl.h PATH_SUFFIXES hdf5/serial REQUIRED DOC "directory that holds hdf5_hl.h")
-find_library(ISOLAW_HDF5 NAMES hdf5_serial hdf5 REQUIRED DOC "libhdf5, not the parallel one")
-find_library(ISOLAW_HDF5_HL NAMES hdf5_serial_hl hdf5_hl REQUIRED DOC "libhdf5_hl, not the parallel one")
 # Random123 is a folder of headers without a CMake package.
 find_path(ISOLAW_RANDOM123 Random123/philox.h REQUIRED DOC "directory that holds Random123/philox.h")
 include(plotly)

@@ -33,4 +33,5 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/isolaw-config.cmake.in
   ${PROJECT_BINARY_DIR}/isolaw-config.cmake INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/isolaw)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/isolaw-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/isolaw-config.cmake ${PROJECT_BINARY_DIR}/isolaw-config-version.cmake
+              ${PROJECT_SOURCE_DIR}/cmake/isolaw-libraries.cmake
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/isolaw)

@@ -1,7 +1,15 @@
-# The plotting script inlined into the report (npm package plotly.js-basic-dist-min).
+# The plotting script inlined into the pages (npm package plotly.js-basic-dist-min). Without it the build goes on, and a
+# page says in place of its figures how to get them.
 set(ISOLAW_PLOTLY "${PROJECT_SOURCE_DIR}/node_modules/plotly.js-basic-dist-min/plotly-basic.min.js" CACHE FILEPATH
-    "plotly-basic.min.js, inlined into the report")
+    "plotly-basic.min.js, inlined into the pages")
+set(ISOLAW_PLOTTING_SCRIPT "${ISOLAW_PLOTLY}")
 if(NOT EXISTS "${ISOLAW_PLOTLY}")
-  message(FATAL_ERROR "plotly-basic.min.js not found at ${ISOLAW_PLOTLY}: run ./isolaw.sh setup, "
-                      "or npm ci in the project's root, or give -DISOLAW_PLOTLY=FILE")
+  set(advice "run ./isolaw.sh setup, or npm ci in the project's root, or give -DISOLAW_PLOTLY=FILE, and build again")
+  message(WARNING "${ISOLAW_PLOTLY} is not there: pages will have no figures; to get them, ${advice}")
+  set(ISOLAW_PLOTTING_SCRIPT ${PROJECT_BINARY_DIR}/plotly-basic.min.js)
+  file(CONFIGURE OUTPUT ${ISOLAW_PLOTTING_SCRIPT} CONTENT
+"document.body.prepend(Object.assign(document.createElement('p'), { role: 'alert',
+  textContent: `This isolaw was built without plotly.js, which draws the figures. To get them, ${advice}.` }));
+globalThis.Plotly = new Proxy({}, { get: () => async () => {} });
+")
 endif()

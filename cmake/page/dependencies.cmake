@@ -36,7 +36,7 @@ add_library(ZLIB::ZLIB ALIAS page_zlib)
 page_library(page_minizip ${from}/minizip/ioapi.c ${from}/minizip/unzip.c)
 target_compile_definitions(page_minizip PRIVATE USE_FILE32API NOUNCRYPT)
 target_link_libraries(page_minizip PUBLIC page_zlib)
-set(ISOLAW_MINIZIP page_minizip)
+set(ISOLAW_WITHOUT_PACKAGE page_minizip)
 set(ISOLAW_MINIZIP_INCLUDE ${from})
 
 page_library(page_expat ${from}/expat/expat/lib/xmlparse.c ${from}/expat/expat/lib/xmlrole.c ${from}/expat/expat/lib/xmltok.c)
@@ -58,8 +58,6 @@ target_include_directories(page_nettle SYSTEM PUBLIC ${from})
 add_library(OpenSSL::Crypto ALIAS page_nettle)
 
 # The page does not read files of MATLAB 7.3 (data/mat73_page.cpp).
-set(ISOLAW_HDF5 "")
-set(ISOLAW_HDF5_HL "")
 set(ISOLAW_HDF5_INCLUDE "")
 set(ISOLAW_RANDOM123 ${from}/include)
 include(plotly)

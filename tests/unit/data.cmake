@@ -6,5 +6,5 @@ isolaw_test(unit_data data_read_test.cpp data_columns_test.cpp data_refuse_test.
 # Other libraries write the files that these tests read, so that reader and writer cannot share a mistake.
 find_library(ISOLAW_XLSXWRITER xlsxwriter REQUIRED)
 find_library(ISOLAW_MATIO matio REQUIRED)
-target_link_libraries(unit_data PRIVATE ${ISOLAW_XLSXWRITER} ${ISOLAW_MATIO} ${ISOLAW_MINIZIP} ZLIB::ZLIB ${ISOLAW_HDF5})
+target_link_libraries(unit_data PRIVATE ${ISOLAW_XLSXWRITER} ${ISOLAW_MATIO} isolaw::minizip ZLIB::ZLIB isolaw::hdf5)
 target_include_directories(unit_data SYSTEM PRIVATE ${ISOLAW_HDF5_INCLUDE})
