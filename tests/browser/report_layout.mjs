@@ -219,7 +219,7 @@ function check_first(expect, name, seen) {
   expect(seen.said.includes('Off the scale: ' + seen.away), name, 'caption of the loops ' + seen.said);
   expect(seen.panels === 4 && seen.first[0] === seen.best, name, `panels of the prediction ${seen.first}`);
   expect(same(seen.chosen, [seen.best, seen.away]), name, 'panels of the prediction chosen ' + seen.chosen);
-  expect(seen.predicted.includes('kept from the fit') && seen.predicted.includes(seen.best + ': OF'), name, seen.predicted);
+  expect(seen.predicted.includes('left out of the fit') && seen.predicted.includes(seen.best + ': OF'), name, seen.predicted);
   expect(same(seen.accuracy, seen.byObjective), name, 'order of the laws ' + seen.accuracy);
   expect(same(seen.symbols, seen.wantedSymbols), name, 'symbols ' + seen.symbols);
 }

@@ -46,7 +46,7 @@ class Analysis : public InFreshDirectory {
 TEST_F(Analysis, tells_what_tests_determine_and_what_an_engineer_meets) {
   auto const o = isolaw(campaign("O"));
   ASSERT_EQ(o.code, 0) << o;
-  for (auto const* part : {"Without the optimiser's noise", "Taken for a device that was not tested",
+  for (auto const* part : {"Without the optimiser's noise", "On a device that was not tested",
                            "Share of the parameters that the tests determine"})
     EXPECT_TRUE(contains(o.out, part));
   auto const summary = json("O/summary.json");

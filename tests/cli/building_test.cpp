@@ -359,7 +359,7 @@ TEST_F(Building, carries_the_doubts_of_the_calibration) {
   ASSERT_EQ(made.code, 0) << made;
   EXPECT_TRUE(contains(made.out, "warning: of the calibration of Bilinear: ")) << made;
   EXPECT_TRUE(contains(made.out, "xy at its lower bound")) << made;
-  EXPECT_TRUE(contains(made.out, "warning: 1 motion: codes take the mean over 7 or more")) << made;
+  EXPECT_TRUE(contains(made.out, "warning: 1 motion: codes accept the mean over 7 motions or more")) << made;
   auto const json = this->json("B/building.json");
   EXPECT_TRUE(contains(json["laws"][0]["doubts"].dump(), "xy at its lower bound"));
   EXPECT_TRUE(contains(json["warnings"].dump(), "xy at its lower bound"));

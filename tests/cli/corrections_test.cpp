@@ -39,17 +39,20 @@ struct Case {
 };
 
 std::vector<Case> cases() {
-  return {
-      {"--skew-ms", "skew-ms", "12.5", {.late_s = 0.0125}, "force moved back by 12.5 ms"},
-      {"--skew-ms", "skew-ms", "-20", {.late_s = -0.020}, "force moved forward by 20 ms"},
-      {"--rig-friction", "rig-friction", "8", {.friction_kN = 8.0}, "the rig's friction of 8 kN taken off"},
-      {"--rig-friction-coefficient",
-       "rig-friction-coefficient",
-       "0.004",
-       {.friction_kN = 8.0},
-       "the rig's friction of 0.004 times the vertical load"},
-      {"--moving-mass", "moving-mass", "5000", {.mass_kg = 5000.0}, "inertia of a moving mass of 5000 kg taken off"},
-      {"--force-factor", "force-factor", "0.5", {.factor = 2.0}, "force multiplied by 0.5"}};
+  return {{"--skew-ms", "skew-ms", "12.5", {.late_s = 0.0125}, "force moved back by 12.5 ms"},
+          {"--skew-ms", "skew-ms", "-20", {.late_s = -0.020}, "force moved forward by 20 ms"},
+          {"--rig-friction", "rig-friction", "8", {.friction_kN = 8.0}, "the rig's friction of 8 kN taken off"},
+          {"--rig-friction-coefficient",
+           "rig-friction-coefficient",
+           "0.004",
+           {.friction_kN = 8.0},
+           "the rig's friction of 0.004 times the vertical load"},
+          {"--moving-mass",
+           "moving-mass",
+           "5000",
+           {.mass_kg = 5000.0},
+           "inertia of a moving mass of 5000 kg was subtracted"},
+          {"--force-factor", "force-factor", "0.5", {.factor = 2.0}, "force multiplied by 0.5"}};
 }
 
 class Corrections : public InFreshDirectory {

@@ -285,7 +285,7 @@ TEST_F(BuildingRuns, answers) {
   auto const motions = std::ranges::find(made.warnings, FindingKind::motions_too_few, &Finding::kind);
   ASSERT_NE(motions, made.warnings.end());
   EXPECT_EQ(motions->number("motions"), 2.0);
-  EXPECT_TRUE(contains(*motions, "2 motions: codes take the mean over 7 or more")) << text_of(*motions);
+  EXPECT_TRUE(contains(*motions, "2 motions: codes accept the mean over 7 motions or more")) << text_of(*motions);
   if (law.coverage[0].inside < wanted_share)
     EXPECT_EQ(made.bounds_are_enough, false);
   else
@@ -336,7 +336,7 @@ TEST_F(BuildingRuns, without_draws_bounds_have_nothing_to_cover) {
   RunStore store(file_, properties_of(study), false);
   run_all(study, store, 1);
   auto const made = answer(study, store);
-  EXPECT_TRUE(contains(made.verdict, "No bearing is a draw")) << made.verdict;
+  EXPECT_TRUE(contains(made.verdict, "No bearing is drawn")) << made.verdict;
   EXPECT_FALSE(made.bounds_are_enough.has_value());
 }
 
@@ -350,7 +350,9 @@ TEST_F(BuildingRuns, a_few_draws_do_not_show_that_bounds_are_enough) {
   EXPECT_FALSE(made.bounds_are_enough.has_value());
   EXPECT_TRUE(contains(made.verdict, "No answer yet: with Bilinear the bounds cover 100 % of 3 buildings"))
       << made.verdict;
-  EXPECT_TRUE(says(made.warnings, "3 draws are too few to show a share of 95 %: no answer yet.")) << made.warnings;
+  EXPECT_TRUE(says(made.warnings,
+                   "3 draws are too few to tell whether 95 % of buildings lie between the bounds: no answer yet."))
+      << made.warnings;
 }
 
 // The second law lies far from the first, so the bounds of the first do not cover it.
@@ -455,7 +457,7 @@ TEST_F(BuildingRuns, says_what_is_known_against_a_law) {
   EXPECT_EQ(made.laws[0].doubts, study.laws[0].doubts);
   EXPECT_EQ(made.calibration, study.laws[0].doubts);
   std::string const of_device =
-      "device-01 stands apart from its lot: effective stiffness 0.81 kN/mm (+31 % from the median).";
+      "device-01 is an outlier in its lot: effective stiffness 0.81 kN/mm (+31 % from the median).";
   auto const warnings = render::building_warnings(made);
   EXPECT_EQ(std::ranges::count(warnings, "From the calibration: " + of_device), 1);
   EXPECT_EQ(std::ranges::count(warnings, "From the calibration: Bilinear: the tests cannot fix Dy (2 of 3 devices)."),

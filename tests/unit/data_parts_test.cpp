@@ -258,7 +258,7 @@ TEST_F(TwoFiles, OfOtherTimesAreJoinedByTime) {
     EXPECT_NEAR(record.force_kN[i], loop.force(static_cast<int>(i) + 100),
                 0.0385);  // w^2 dt^2 / 8 of 78 kN, by a straight line over 0.02 s
   EXPECT_TRUE(says(record.recognised, "501 of 601 samples lie in the time of both"));
-  EXPECT_TRUE(says(record.warnings, "only 501 of 601 samples lie in the time of"));
+  EXPECT_TRUE(says(record.warnings, "only 501 of 601 samples are used"));
 }
 
 TEST_F(TwoFiles, TakeTheSameRowsOrTimes) {

@@ -190,7 +190,7 @@ TEST(Cycles, AreRefusedWithNumbers) {
   EXPECT_FALSE(none.samples_per_cycle);
   EXPECT_TRUE(none.complete().empty());
   EXPECT_TRUE(text_of(none.refusal)
-                  .starts_with("less than one complete cycle: displacement goes from 0 to 100 mm. A cycle takes 2"))
+                  .starts_with("less than one complete cycle: displacement goes from 0 to 100 mm. A cycle needs 2"))
       << text_of(none.refusal);
   auto const few = ellipse(16, 3, 100.0, 80.0, 0.3).properties();
   EXPECT_FALSE(few.reported);

@@ -147,7 +147,7 @@ TEST(Recommendation, OfOneDeviceFittedWholeIsForTheseTestsAlone) {
   auto const untested = of(summary, Purpose::untested_device);
   EXPECT_FALSE(untested.law);
   EXPECT_TRUE(contains(untested.why, "nothing shows how a law holds elsewhere")) << untested.why;
-  EXPECT_TRUE(contains(untested.surer, "keep it from the fit")) << untested.surer;
+  EXPECT_TRUE(contains(untested.surer, "leave it out of the fit")) << untested.surer;
   EXPECT_EQ(law_of(summary, of(summary, Purpose::these_tests)), "a");
   EXPECT_EQ(
       wording::sentence(*study::verdict(recommendations(summary))),

@@ -60,14 +60,14 @@ const rangeOf = ({ F, fits }) => forceRange(ends(F), fits.map(({ force }) => end
 function predictedCaption() {
   const all = predicted(),
     { device, blocks, fits, F } = all;
-  if (ends(F).length === 0) return 'No block of ' + device.name + ' was kept from the fit.';
+  if (ends(F).length === 0) return 'No block of ' + device.name + ' was left out of the fit.';
   const objective = ({ fit }) => mean(fit.blocks.filter(({ fitted }) => !fitted).map((score) => score.objective));
   const said = fits.map((one) => one.law.name + ': OF ' + (objective(one) < 10 ? fixed(objective(one), 4) : significant(objective(one), 3)));
   const [low, high] = rangeOf(all);
   const away = fits.filter(({ force }) => ends(force).some((f) => f < low || f > high));
   const largest = ({ law, force }) => law.name + ' to ' + significant(Math.max(...ends(force).map(Math.abs)), 2) + THIN + 'kN';
   return (
-    device.name + ', ' + enumerate(blocks.map(blockText)) + ', kept from the fit: measured (grey) and predicted, first by the law that predicts best. ' +
+    device.name + ', ' + enumerate(blocks.map(blockText)) + ', left out of the fit: measured (grey) and predicted, first by the law that predicts best. ' +
     said.join('; ') + '.' + (away.length > 0 ? ' Off the scale: ' + enumerate(away.map(largest)) + '.' : '')
   );
 }
@@ -83,7 +83,7 @@ function predictedData() {
 function drawPredicted(look, width) {
   const all = predicted(),
     { device, fits, x, F } = all;
-  if (ends(F).length === 0) return emptyPlot(look, 'no block of ' + device.name + ' was kept from the fit');
+  if (ends(F).length === 0) return emptyPlot(look, 'no block of ' + device.name + ' was left out of the fit');
   const stacked = width < NARROW,
     gap = stacked ? 0.16 : 0.07,
     size = (1 - gap) / 2,
