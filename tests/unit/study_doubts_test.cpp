@@ -216,7 +216,7 @@ TEST(Prediction, MayBeUnusableWithoutCollapsing) {
   worse.fitted_objective = 0.01;
   EXPECT_TRUE(contains(said(), "Its error on the predicted blocks is 65 times")) << said();
   worse.worst_predicted = 3.0;
-  EXPECT_TRUE(contains(said(), "It misses one of them by more than the force's standard deviation"));
+  EXPECT_TRUE(contains(said(), "It misses one of the predicted blocks by more than the force's standard deviation"));
 }
 
 TEST(Adequacy, OfTheLotsLawForAnotherDevice) {
