@@ -153,14 +153,13 @@ std::vector<Setting> make_settings() {
       {{{.key = "seed", .help = "seed of all random numbers (default 1)", .type = "int"},
         [](S const& s) -> Json { return s.seed; },
         set_seed}},
-      {word<S>(
-          "box",
-          "range searched for parameters, auto (default): scaled from the record; published: the paper's Table 4",
-          at(&S::box), boxes)},
+      {word<S>("box",
+               "range searched for parameters, auto (default): scaled from the record; published: the paper's Table 4",
+               at(&S::box), boxes)},
       {{{.key = "set",
          .kind = Kind::repeated,
          .help =
-             "fix a parameter (bilinear.K2=0.6), limit it (=0.5:0.7), free it (=free) or tie it to another (=K1); may be repeated"},
+             "fix a parameter (bilinear.K2=0.6), limit it (=0.5:0.7), free it (=free) or tie it (=K1); may be repeated"},
         [](S const& s) { return texts_of(s.overrides); },
         set_overrides}},
       {number<S>("smooth", "smooth records by a centred moving average", at(&S::clean, &Clean::smooth),
@@ -177,7 +176,7 @@ std::vector<Setting> make_settings() {
              &data::Selection::predicted),
       {word<S>(
            "analysis",
-           "full (default): intervals, parameters that tests leave open, one law for the lot, errors on devices left out; or none",
+           "full (default): intervals, parameters left open, one law for the lot, errors on devices left out; or none",
            at(&S::analysis), analyses)
            .under(Heading::analysis)},
       // The 2.5 % quantile needs at least forty replicates: one of them lies below it.
