@@ -41,7 +41,7 @@ struct Case {
 std::vector<Case> cases() {
   return {{"--skew-ms", "skew-ms", "12.5", {.late_s = 0.0125}, "force moved back by 12.5 ms"},
           {"--skew-ms", "skew-ms", "-20", {.late_s = -0.020}, "force moved forward by 20 ms"},
-          {"--rig-friction", "rig-friction", "8", {.friction_kN = 8.0}, "the rig's friction of 8 kN taken off"},
+          {"--rig-friction", "rig-friction", "8", {.friction_kN = 8.0}, "the rig's friction of 8 kN was subtracted"},
           {"--rig-friction-coefficient",
            "rig-friction-coefficient",
            "0.004",

@@ -211,7 +211,7 @@ TEST(ErrorBudget, ALongRestIsNoted) {
       says(budget.notes,
            "the device is at rest for 4 s in cycle 3 of block 1, longer than its period, and so in 1 more cycle"));
   EXPECT_NEAR(find(budget, "longest rest or hold")->value, 4.0, 0.03);
-  EXPECT_FALSE(says(budget_of(plain()).notes, "stands still"));
+  EXPECT_FALSE(says(budget_of(plain()).notes, "is at rest"));
 }
 
 TEST(ErrorBudget, OffsetsDriftAndClosure) {
