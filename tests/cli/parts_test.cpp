@@ -266,7 +266,7 @@ TEST_F(Parts, a_hundred_samples_a_cycle_are_enough) {
   EXPECT_TRUE(contains(o.out, "100.0 samples per cycle"));
   EXPECT_EQ(o.out.find(" or more."), std::string::npos) << o;
   write("b.csv", csv(record({.samples = 298, .per_cycle = 99})));
-  EXPECT_TRUE(contains(isolaw({"inspect", "b.csv"}).out, " Record 100 or more."));
+  EXPECT_TRUE(contains(isolaw({"inspect", "b.csv"}).out, " Use 100 or more."));
 }
 
 }  // namespace

@@ -368,8 +368,8 @@ TEST(Summary, WarnsOfWhatTheMovingAverageTakes) {
   };
   EXPECT_EQ(warnings(1).find("moving average"), std::string::npos);
   EXPECT_EQ(warnings(3).find("moving average"), std::string::npos);  // 0.033 % is too little for a warning
-  for (auto const* part : {"moving average over 31 samples, of 200 in a cycle, takes 3.9 %", "That concerns the laws",
-                           "properties are computed from raw values"})
+  for (auto const* part : {"moving average over 31 samples, of 200 in a cycle, removes 3.9 %",
+                           "This affects only the laws", "properties are computed from raw values"})
     EXPECT_NE(warnings(31).find(part), std::string::npos) << warnings(31);
 }
 

@@ -94,7 +94,7 @@ TEST(Clean, LeavesAShortRecordAlone) {
   EXPECT_EQ(wording::remarks(record.cleaning),
             (std::vector<std::string>{
                 "no smoothing", "all samples kept: 100.0 per cycle is less than twice the 200 asked for",
-                "velocity comes from central differences of the averaged displacement, at the recorded times"}));
+                "velocity comes from central differences of the averaged displacement, with the recorded times"}));
 }
 
 TEST(Clean, AveragesDisplacementAndForceAlike) {
@@ -104,7 +104,7 @@ TEST(Clean, AveragesDisplacementAndForceAlike) {
   EXPECT_EQ(record.force_kN, moving_average(raw.force_kN, 5));
   EXPECT_EQ(
       text_of(record.cleaning.front()),
-      "displacement and force averaged over 5 samples, fewer at the ends: takes 0.39 % from a sine of the test's frequency, 3.5 % from its third harmonic");
+      "displacement and force averaged over 5 samples, fewer at the ends: this removes 0.39 % of a sine of the test's frequency and 3.5 % of its third harmonic");
 }
 
 TEST(Clean, ThinsAfterAveragingOverWhatIsDropped) {
@@ -143,7 +143,8 @@ TEST(Clean, KeepsEverythingWhenAskedOrWhenThereAreNoCycles) {
   }
   auto const kept = clean(ramp, {});
   EXPECT_EQ(kept.size(), 5000u);
-  EXPECT_EQ(text_of(kept.cleaning[1]), "all samples kept: without cycles there are no samples per cycle to thin to");
+  EXPECT_EQ(text_of(kept.cleaning[1]),
+            "all samples kept: the record has no cycles, so samples per cycle are not defined");
 }
 
 TEST(Clean, KeepsEverySampleOfARecordThatIsNotCyclic) {
@@ -160,7 +161,8 @@ TEST(Clean, KeepsEverySampleOfARecordThatIsNotCyclic) {
   }
   auto const kept = clean(quake, {});
   EXPECT_EQ(kept.size(), 8000u);
-  EXPECT_EQ(text_of(kept.cleaning[1]), "all samples kept: without cycles there are no samples per cycle to thin to");
+  EXPECT_EQ(text_of(kept.cleaning[1]),
+            "all samples kept: the record has no cycles, so samples per cycle are not defined");
 }
 
 TEST(Clean, WithoutTimeCountsTheSamplesOfTheFile) {

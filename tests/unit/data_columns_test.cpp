@@ -114,7 +114,7 @@ TEST_F(ColumnsTest, NoneLeavesTimeOut) {
 TEST_F(ColumnsTest, LoadWithoutUnitIsLeftOutWithAWarning) {
   auto const record = read("Disp [mm];Force [kN];Vertical load\n1;2;3\n2;3;3\n3;1;3\n");
   EXPECT_TRUE(record.load_kN.empty());
-  EXPECT_TRUE(says(record.warnings, "the vertical load is not read (--units load=kN says its unit)"));
+  EXPECT_TRUE(says(record.warnings, "the vertical load is not read; state its unit with --units load=kN"));
 }
 
 TEST_F(ColumnsTest, UnitsOfEveryKind) {
@@ -206,7 +206,7 @@ TEST_F(ColumnsTest, OfAMachineMayBeNamedAfterItsAxis) {
   EXPECT_EQ(record.disp_mm, (std::vector<double>{1, 2, 3}));
   EXPECT_EQ(record.force_kN, (std::vector<double>{2, 3, 1}));
   EXPECT_TRUE(
-      says(record.warnings, "'Axial Force [kN]' is named after the machine's axis and taken for the horizontal force"));
+      says(record.warnings, "'Axial Force [kN]' is named after the machine's axis and used as the horizontal force"));
   EXPECT_NE(refusal(axial + rows).find("no column is recognised as the horizontal displacement"), std::string::npos);
   auto const both = read(mts + "Time [s]\tDisplacement [mm]\tForce [kN]\tAxial Force [kN]" + rows);
   EXPECT_EQ(both.force_kN, (std::vector<double>{2, 3, 1}));
@@ -216,7 +216,7 @@ TEST_F(ColumnsTest, OfAMachineMayBeNamedAfterItsAxis) {
 TEST_F(ColumnsTest, TwoVerticalLoadsAreAWarning) {
   auto const record = read("Disp [mm];Force [kN];N1 vertical [kN];N2 vertical [kN]\n1;2;3;4\n2;3;3;4\n3;1;3;4\n");
   EXPECT_TRUE(record.load_kN.empty());
-  EXPECT_TRUE(says(record.warnings, "none is read (--columns load=3 or --columns load=4 says which)"));
+  EXPECT_TRUE(says(record.warnings, "none is read; choose one with --columns load=3 or --columns load=4"));
 }
 
 // --- options --------------------------------------------------------------------------------------------------------

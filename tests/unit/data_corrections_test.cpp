@@ -87,7 +87,7 @@ TEST(Corrections, FrictionOfTheRigIsTakenOff) {
   correct(record, {.friction_kN = 15.0});
   expect_same(reported(record), truth, 1e-3);
   EXPECT_EQ(record.force_kN.front(), 0.0) << "at rest before the test";
-  EXPECT_EQ(text_of(record.corrections), "the rig's friction of 15 kN was subtracted along the motion");
+  EXPECT_EQ(text_of(record.corrections), "the rig's friction of 15 kN was subtracted in the direction of the motion");
   correct(by_load, {.friction_coefficient = 0.005});
   EXPECT_EQ(by_load.force_kN, record.force_kN);
 }

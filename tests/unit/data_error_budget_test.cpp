@@ -147,7 +147,7 @@ TEST(ErrorBudget, ASkewBesideFrictionIsWhatIsLeftOfIt) {
   auto const budget = budget_of(skewed(-0.015, 0.5, 30.0, 0.08, 4.0));
   ASSERT_NE(find(budget, "damping by the jump"), nullptr);
   EXPECT_NEAR(find(budget, "skew")->value, -15.0, 5.0);  // half a sampling interval
-  EXPECT_TRUE(says(budget.notes, "before displacement, its jump there subtracted: viscosity"));
+  EXPECT_TRUE(says(budget.notes, "before displacement, after its jump is subtracted: viscosity"));
 }
 
 TEST(ErrorBudget, NoiseIsNoSkew) {
@@ -209,9 +209,9 @@ TEST(ErrorBudget, ALongRestIsNoted) {
   auto const budget = budget_of(Motion(rested).end().loop());
   EXPECT_TRUE(
       says(budget.notes,
-           "the device stands still for 4 s in cycle 3 of block 1, longer than its period, and so in 1 more cycle"));
+           "the device is at rest for 4 s in cycle 3 of block 1, longer than its period, and so in 1 more cycle"));
   EXPECT_NEAR(find(budget, "longest rest or hold")->value, 4.0, 0.03);
-  EXPECT_FALSE(says(budget_of(plain()).notes, "stands still"));
+  EXPECT_FALSE(says(budget_of(plain()).notes, "is at rest"));
 }
 
 TEST(ErrorBudget, OffsetsDriftAndClosure) {
@@ -255,7 +255,7 @@ TEST(ErrorBudget, TheMovingAverage) {
   auto const eleven = budget_of(plain(), 11);
   EXPECT_NEAR(find(eleven, "taken by the moving average")->value, 0.5, 0.02);
   EXPECT_NEAR(find(eleven, "taken by the moving average from the third harmonic")->value, 4.4, 0.05);
-  EXPECT_TRUE(says(eleven.notes, "the moving average over 11 samples, of 200 in a cycle, takes 0.49 %"));
+  EXPECT_TRUE(says(eleven.notes, "the moving average over 11 samples, of 200 in a cycle, removes 0.49 %"));
   EXPECT_TRUE(says(budget_of(plain(), 21).warnings, "the moving average over 21"));
   EXPECT_EQ(find(budget_of(plain()), "taken by the moving average"), nullptr);
 }

@@ -111,7 +111,7 @@ TEST_F(Read, ARestThatWasNotRecordedIsNoJumpOfTheClock) {
         values.force_kN.push_back(loop.force(i));
       }
     }
-    EXPECT_EQ(says(record_of_values("values", values).warnings, "count as motion"), !at_rest);
+    EXPECT_EQ(says(record_of_values("values", values).warnings, "of that as motion"), !at_rest);
   }
 }
 
@@ -306,7 +306,7 @@ TEST_F(Read, WarnsOfAUnitThatContradictsTheFile) {
   ReadOptions options;
   options.units[Channel::force] = "lbf";
   auto const record = read("t [s];Disp [mm];Force [kN]\n0;0;2\n1;2;3\n2;3;1\n3;3;2\n", options);
-  EXPECT_TRUE(says(record.warnings, "says kN, but is read in lbf, because --units asks for it"));
+  EXPECT_TRUE(says(record.warnings, "states kN, but is read in lbf as --units asks"));
 }
 
 }  // namespace

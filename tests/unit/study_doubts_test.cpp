@@ -86,7 +86,7 @@ TEST(Adequacy, ParametersAtBoundsMakeNoLawRobust) {
   auto const found = verdict(summary, "bilinear");
   EXPECT_EQ(found.role, Role::held_by_box);
   EXPECT_TRUE(std::ranges::any_of(findings(summary).warnings, [](Finding const& warning) {
-    return warning.kind == FindingKind::held_by_box && contains(warning, "so its beta is no robustness");
+    return warning.kind == FindingKind::held_by_box && contains(warning, "so its beta does not show robustness");
   }));
   EXPECT_EQ(found.findings.back().kind, FindingKind::held_by_box);
   auto const headline = findings(summary).headline;
@@ -211,12 +211,12 @@ TEST(Prediction, MayBeUnusableWithoutCollapsing) {
   EXPECT_TRUE(contains(said(), "Vaiana: its prediction is unusable: objective 0.65")) << said();
   EXPECT_FALSE(contains(said(), "It misses")) << said();
   worse.fitted_objective = 0.0;
-  EXPECT_TRUE(contains(said(), "It misses them, but not those it was fitted to.")) << said();
+  EXPECT_TRUE(contains(said(), "It misses the predicted blocks, but not the fitted ones.")) << said();
   EXPECT_FALSE(contains(said(), "inf")) << said();
   worse.fitted_objective = 0.01;
-  EXPECT_TRUE(contains(said(), "It misses them 65 times as far")) << said();
+  EXPECT_TRUE(contains(said(), "Its error on the predicted blocks is 65 times")) << said();
   worse.worst_predicted = 3.0;
-  EXPECT_TRUE(contains(said(), "It misses one of them by more than the force's standard deviation"));
+  EXPECT_TRUE(contains(said(), "It misses one of the predicted blocks by more than the force's standard deviation"));
 }
 
 TEST(Adequacy, OfTheLotsLawForAnotherDevice) {
@@ -248,7 +248,7 @@ TEST(Doubts, OfDegradationAreOfTheLawAlone) {
                                    [](auto const& warning) { return warning.kind == FindingKind::energy_falls; }));
   auto const said = doubts_of(summary, "bilinear", "D1");
   EXPECT_FALSE(contains(said, "No law follows")) << said;
-  EXPECT_TRUE(contains(said, "Bilinear does not follow that (its own energy falls by 1 %)")) << said;
+  EXPECT_TRUE(contains(said, "Bilinear does not follow this fall (its own energy falls by 1 %)")) << said;
   EXPECT_TRUE(contains(said, "--fit-cycles")) << said;
   EXPECT_FALSE(contains(doubts_of(summary, "vaiana", "D1"), "energy of a cycle falls"));
   summary.settings.push_back({"fit-cycles", "\"2-\""});

@@ -25,9 +25,10 @@ Finding spike(std::string device, double sample, double time_s, double value_kN,
 }
 
 TEST(RecordSentences, OfOneDeviceNameThePlace) {
-  EXPECT_EQ(sentence(spike("device-01", 151, 1.5, -11.0, -71.0)),
-            "device-01: the force has a single-sample spike at 1.5 s (sample 151): +60 kN (to -11 kN). No "
-            "properties are computed from such a record; --repair spikes replaces these samples by interpolation.");
+  EXPECT_EQ(
+      sentence(spike("device-01", 151, 1.5, -11.0, -71.0)),
+      "device-01: the force has a single-sample spike at 1.5 s (sample 151): +60 kN (to -11 kN). No "
+      "properties are computed from such a record; --repair spikes replaces the samples by interpolation between their neighbours.");
 }
 
 // Three files of a lot with +60 kN on one sample each.

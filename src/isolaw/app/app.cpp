@@ -102,7 +102,8 @@ void add_jobs(CLI::App& c, std::optional<int>& jobs) {
 
 void add_part(CLI::App& c, std::optional<std::string>& part) {
   under(Heading::running,
-        c.add_option("--part", part, "K/N, such as 3/40: compute part 3 of 40 of the runs; isolaw merge joins them"));
+        c.add_option("--part", part,
+                     "K/N, such as 3/40: compute only part 3 of 40 of the runs; isolaw merge joins the parts"));
 }
 
 void add_fresh(CLI::App& c, bool& fresh) {
@@ -123,7 +124,8 @@ void add_campaign(CLI::App& c, CalibrateArguments& a) {
 }
 
 void add_printing(CLI::App& c, bool& json, bool& details) {
-  under(Heading::running, c.add_flag("--json", json, "print summary.json and the computing times instead of text"));
+  under(Heading::running,
+        c.add_flag("--json", json, "print summary.json, with the computing time of each phase, instead of text"));
   under(Heading::running, c.add_flag("--details", details, "print every table, finding and warning"));
 }
 
@@ -140,7 +142,7 @@ void add_simulate(CLI::App& c, SimulateArguments& a) {
   c.add_option("--motion", a.motion, "file of the displacement history, read like a record; force is not needed")
       ->required();
   c.add_option("--from", a.from, "directory of the campaign that fitted the law, with --device");
-  c.add_option("--device", a.device, "with --from: the device, or lot for the one law of the lot");
+  c.add_option("--device", a.device, "with --from: name of the device, or lot for the one law of the lot");
   c.add_option("--parameters", a.parameters,
                "instead of --from: file of parameters, name = value in TOML or JSON, in the law's units");
   c.add_option("--set", a.set, "change a parameter of the file or campaign: K1=2.5; may be repeated")
@@ -148,34 +150,36 @@ void add_simulate(CLI::App& c, SimulateArguments& a) {
   add_reading(c, a.read, false);
   for (auto const* key : {"integration", "turning-points", "dead-band"}) {
     auto option = *campaign::find_setting(key);
-    option.help += "; with --from as in the campaign";
+    option.help += "; by default the campaign's with --from";
     add_option(c, option, a.how);
   }
   auto const add = [&](Heading heading, char const* name, auto& value, char const* help) {
     under(heading, c.add_option(name, value, help));
   };
-  add(Heading::search, "--refinement", a.refinement, "steps per sample (default 1; with --from as in the campaign)");
+  add(Heading::search, "--refinement", a.refinement,
+      "integration steps per sample (default 1; with --from the campaign's)");
   add(Heading::plane, "--bidirectional", a.bidirectional,
-      "for a motion in two directions: coupled, if the law has such a form, or springs: springs around the circle");
+      "for a motion in two directions: coupled, if the law has such a form; springs: springs around a circle");
   add(Heading::plane, "--second-disp", a.second_disp, "column of the second displacement; --columns names the first");
   add(Heading::plane, "--softening", a.softening,
-      "with coupled: by distance (default), or axis: by the largest displacement along each axis");
+      "with coupled: soften by the largest distance (distance, default), or by the largest along each axis (axis)");
   add(Heading::plane, "--springs", a.springs,
-      "parameters of springs: fitted to the device's record (default with --from), or given: the law's own");
+      "with springs: parameters fitted for springs (fitted, default with --from), or the law's own (given)");
   c.add_option("--out", a.out, "file to write (default: standard output)");
-  c.add_flag("--anyway", a.anyway, "with --from: simulate even if the law predicts unusably");
+  c.add_flag("--anyway", a.anyway, "with --from: simulate even if the law's prediction is unusable");
 }
 
 void add_building(CLI::App& c, BuildingArguments& a) {
   c.add_option("file", a.file, "a building file (isolaw building --template prints one)");
   c.add_option("--from", a.from, "directory of the campaign whose lot supplies the bearings");
   c.add_option("--motion", a.motions,
-               "FILE, or FILE,FILE for two components, instead of the file's motions; several may follow");
+               "motions to use instead of the file's: FILE, or FILE,FILE for two components; several may follow");
   c.add_option("--out", a.out, "directory for the results (default out/building)");
   add_jobs(c, a.jobs);
   add_part(c, a.part);
   c.add_option("--figures", a.figures, "figures for print, with data and gnuplot scripts: lot (default), or none");
-  c.add_flag("--nominal", a.nominal, "only the nominal building: its response to every motion over time, as CSV");
+  c.add_flag("--nominal", a.nominal,
+             "compute only the nominal building: its response to every motion over time, as CSV");
   c.add_flag("--arrange", a.arrange,
              "also print where to put each tested device for the least eccentricity of stiffness");
   c.add_flag("--fresh", a.fresh, "start over, even if the directory holds runs of another building");
@@ -206,7 +210,7 @@ int dispatch(CLI::App& app, int argc, char** argv) {
                            "isolaw init d01.csv d02.csv --out lot.toml", [&] { return init(init_arguments); });
   init_command.add_option("files", init_arguments.files, "test records, or a directory of them")->required();
   add_reading(init_command, init_arguments.read);
-  init_command.add_option("--like", init_arguments.like, "a lot file to copy the settings and the way of reading from");
+  init_command.add_option("--like", init_arguments.like, "lot file from which to copy settings and reading options");
   init_command.add_option("--out", init_arguments.out, "lot file to write (default lot.toml)");
   init_command.add_flag("--force", init_arguments.force, "overwrite the lot file");
 
@@ -245,10 +249,12 @@ int dispatch(CLI::App& app, int argc, char** argv) {
                             });
   merge_command.add_option("directory", merge_arguments.directory, "directory of the whole campaign or study")
       ->required();
-  merge_command.add_option("parts", merge_arguments.parts,
-                           "directories of the parts, in any order; without parts: finish what the directory holds");
-  merge_command.add_option("--part", merge_arguments.part,
-                           "K/N, such as 3/40: analyse only this share of the devices, then of the lot's laws");
+  merge_command.add_option(
+      "parts", merge_arguments.parts,
+      "directories of the parts, in any order; without parts: analyse and report what the directory holds");
+  merge_command.add_option(
+      "--part", merge_arguments.part,
+      "K/N, such as 3/40: analyse only part 3 of 40 of the devices or, once that is done, of the lot's laws");
   add_jobs(merge_command, merge_arguments.jobs);
   add_figures(merge_command, merge_arguments.figures);
   merge_command.add_flag("--copy-only", merge_arguments.copy_only,
@@ -271,9 +277,9 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   parts_command.add_option("count", parts_arguments.count, "number of parts; two or three for each thread are usual")
       ->required();
   parts_command
-      .add_option(
-          "--to", parts_arguments.to,
-          "who runs the parts: " + joined(part_script_kinds) + " (to end records early, set `to` in a lot file)")
+      .add_option("--to", parts_arguments.to,
+                  "program that runs the parts: " + joined(part_script_kinds) +
+                      " (to end records early, set `to` in a lot file)")
       ->required();
   parts_command.add_option("--campaign", parts_arguments.campaign,
                            "for a building file: directory of the campaign whose lot supplies the bearings");
@@ -314,7 +320,7 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   add_option(export_command, seed, export_arguments.seed);
   export_command.add_option("--out", export_arguments.out, "file to write (default: standard output)");
   export_command.add_flag("--anyway", export_arguments.anyway,
-                          "export even if the law predicts unusably, or the program's own law is far off");
+                          "export even if the law's prediction is unusable, or the program's own material is far off");
 
   SimulateArguments simulate_arguments;
   add_simulate(add("simulate", "Compute the force of a law under a displacement history, cyclic or seismic, as CSV",
@@ -323,25 +329,25 @@ int dispatch(CLI::App& app, int argc, char** argv) {
                simulate_arguments);
 
   BuildingArguments building_arguments;
-  add_building(
-      add("building", "Analyse an isolated building with bearings drawn from the lot, beside the bound analyses",
-          "isolaw building building.toml --from out/lot",
-          [&] {
-            return building(building_arguments, {argv, argv + argc});
-          }),
-      building_arguments);
+  add_building(add("building", "Analyse an isolated building with bearings drawn from the lot, and its bound analyses",
+                   "isolaw building building.toml --from out/lot",
+                   [&] {
+                     return building(building_arguments, {argv, argv + argc});
+                   }),
+               building_arguments);
 
   std::string rule_set;
   auto& rules_command = add("rules", "List the rule sets, print one, or print a template to write your own",
                             "isolaw rules template > contract.toml", [&] { return list_rules(rule_set, json); });
   rules_command.add_option("name", rule_set, "a rule set, or template");
-  rules_command.add_flag("--json", json, "the list for machines");
+  rules_command.add_flag("--json", json, "print the list as JSON");
 
-  auto& bench_command = add("bench", "Print a signature of the computed numbers and the speed of every law here",
-                            "isolaw bench", [&] { return bench(json); });
+  auto& bench_command =
+      add("bench", "Print a signature of the computed numbers and the speed of every law on this machine",
+          "isolaw bench", [&] { return bench(json); });
   bench_command.add_flag("--json", json, "print JSON");
 
-  auto& check_command = add("check", "Check that a campaign's store is intact and that its numbers come out again",
+  auto& check_command = add("check", "Check that a campaign's store is intact, and compute its numbers again",
                             "isolaw check out/lot", [&] { return check(directory); });
   check_command.add_option("directory", directory, a_campaign)->required();
 

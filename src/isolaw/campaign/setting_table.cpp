@@ -85,7 +85,7 @@ Setting dead_band() {
   auto const place = at(&S::clean, &Clean::dead_band_mm);
   return number_or(
       "auto", "float | Literal[\"auto\"]", place,
-      number<S>("dead-band", "smaller reversals, in mm, are no turning points", place,
+      number<S>("dead-band", "ignore reversals smaller than this, in mm", place,
                 {.least = 0, .most = 1e4, .words = "0 to 10000, or auto (default): 3 times each record's noise"}));
 }
 
@@ -119,12 +119,13 @@ std::vector<Setting> make_settings() {
          .heading = Heading::everyday},
         [](S const& s) -> Json { return s.laws; },
         set_laws}},
-      {word<S>("method", "best (default): search for the best fit there is; ga: the paper's genetic algorithm",
-               at(&S::method), methods)},
-      {word<S>("integration", "converged (default), or paper: one Runge-Kutta step per sample", at(&S::integration),
-               integrations)},
+      {word<S>("method", "best (default): descents from many starts; ga: the paper's genetic algorithm", at(&S::method),
+               methods)},
+      {word<S>("integration",
+               "converged (default): independent of the sampling; paper: one Runge-Kutta step per sample",
+               at(&S::integration), integrations)},
       {word<S>("turning-points",
-               "where the motion turns: at samples (sampled, default), or between them (interpolated)",
+               "sampled (default): reversals lie at samples; interpolated: between them, for smooth records",
                at(&S::turning_points), turnings)},
       {number<S>("runs", "independent runs per law and device", at(&S::runs), {.least = 1, .most = 1e5}, "3; ga: 20")},
       // The upper limits keep the count of evaluations an int; the pressure's limit keeps every weight above zero.
@@ -137,7 +138,7 @@ std::vector<Setting> make_settings() {
       constant("mutation_rate", &Ga::mutation_rate, {.least = 0, .most = 1}),
       constant("stagnation", &Ga::stagnation, {.least = 1, .most = largest, .words = "at least 1 generation"}),
       {number<S>("stagnation_tolerance",
-                 "with --method ga: end a run that improves by no more than this share in 20 generations",
+                 "with --method ga: end a run when 20 generations improve it by no more than this share",
                  at(&S::genetic, &Ga::stagnation_tolerance),
                  {.least = 0, .most = below_1, .words = "0 or more, below 1"}),
        ga},
@@ -153,11 +154,12 @@ std::vector<Setting> make_settings() {
         [](S const& s) -> Json { return s.seed; },
         set_seed}},
       {word<S>("box",
-               "range searched for each parameter: auto (default), from the record, or published: the paper's Table 4",
+               "range searched for parameters, auto (default): scaled from the record; published: the paper's Table 4",
                at(&S::box), boxes)},
       {{{.key = "set",
          .kind = Kind::repeated,
-         .help = "fix a parameter: bilinear.K2=0.6; or =0.5:0.7 (range), =free, =K1 (equal to K1); may be repeated"},
+         .help =
+             "fix a parameter (bilinear.K2=0.6), limit it (=0.5:0.7), free it (=free) or tie it (=K1); may be repeated"},
         [](S const& s) { return texts_of(s.overrides); },
         set_overrides}},
       {number<S>("smooth", "smooth records by a centred moving average", at(&S::clean, &Clean::smooth),
@@ -167,13 +169,15 @@ std::vector<Setting> make_settings() {
       dead_band(),
       blocks("fit-blocks", "fit laws only to these blocks of each test: 2, 1-3, 2- (default all)",
              &data::Selection::blocks),
-      blocks("fit-cycles", "and only to these cycles of each block: 2- leaves out scragging (default all)",
+      blocks("fit-cycles",
+             "fit laws only to these cycles of each block, such as 2- to leave out scragging (default all)",
              &data::Selection::cycles),
       blocks("score-blocks", "with --fit-blocks: predict these blocks with the fitted laws (default all others)",
              &data::Selection::predicted),
-      {word<S>("analysis",
-               "full (default): intervals, what the tests cannot fix, one law for the lot, devices left out; or none",
-               at(&S::analysis), analyses)
+      {word<S>(
+           "analysis",
+           "full (default): intervals, parameters left open, one law for the lot, errors on devices left out; or none",
+           at(&S::analysis), analyses)
            .under(Heading::analysis)},
       // The 2.5 % quantile needs at least forty replicates: one of them lies below it.
       {number<S>("replicates", "bootstrap fits for the intervals", at(&S::replicates),

@@ -138,7 +138,7 @@ Reading correction(std::string_view key, std::string help, std::optional<double>
 
 Reading skew() {
   auto const place = at(&ReadOptions::corrections, &Corrections::skew_s);
-  auto row = correction("skew-ms", "move the force back by this many milliseconds, by which it lags the displacement",
+  auto row = correction("skew-ms", "move the force earlier by this many milliseconds, if it lags the displacement",
                         &Corrections::skew_s);
   row.get = [place](ReadOptions const& from) { return place(from) ? Json(*place(from) / 1e-3) : Json(); };
   row.set = [place](ReadOptions& to, Json const& value) { place(to) = real_of(value, {}) / 1000.0; };
@@ -179,13 +179,14 @@ std::vector<Reading> make_table() {
       date_order(),
       name_or_number("sheet", "sheet of a workbook, struct of a .mat file or key of JSON, by name or number",
                      Kind::text, &R::sheet, [](std::string const& name) { return name; }),
-      name_or_number("test", "which test of a file that holds several: a number, or all in turn", Kind::whole, &R::test,
-                     [](std::string const& text) { return parse_test(text); }),
+      name_or_number("test", "test to read from a file that holds several: a number, or all, joined in turn",
+                     Kind::whole, &R::test, [](std::string const& text) { return parse_test(text); }),
       {flag<R>("flip-force", "reverse the sign of the force", at(&R::flip_force)).under(Heading::reading), true},
       repair(),
       skew(),
-      correction("rig-friction", "subtract the rig's friction, kN", &C::friction_kN, "rig_friction_kN"),
-      correction("rig-friction-coefficient", "the same as a share of the vertical load: 0.005",
+      correction("rig-friction", "subtract this friction of the rig, kN", &C::friction_kN, "rig_friction_kN"),
+      correction("rig-friction-coefficient",
+                 "subtract friction of the rig as this share of the vertical load, such as 0.005",
                  &C::friction_coefficient),
       correction("moving-mass", "subtract the inertia of this mass between device and load cell, kg",
                  &C::moving_mass_kg, "moving_mass_kg"),

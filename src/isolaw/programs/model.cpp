@@ -162,10 +162,10 @@ std::vector<Option<ModelOptions>> const& model_table() {
   static std::vector<Option<ModelOptions>> const table{
       words("layout", "table of the isolators: columns x and y, optionally name, load, K_v, angle; units in the header",
             &ModelOptions::layout),
-      words("mass", "what the isolators carry, as mass or weight: 1200t or 12000kN (default: the layout's loads)",
+      words("mass", "mass or weight on the isolators, such as 1200t or 12000kN (default: the layout's loads)",
             &ModelOptions::mass),
       words("gyration",
-            "radius of gyration of the mass, such as 8.5m (default: that of a rectangle around the bearings)",
+            "radius of gyration of the mass, such as 8.5m (default: as for a rectangle around the bearings)",
             &ModelOptions::gyration),
       words("axial", "vertical stiffness of a bearing, 1200kN/mm (default: from the layout or compression tests)",
             &ModelOptions::axial),
@@ -178,7 +178,8 @@ std::vector<Option<ModelOptions>> const& model_table() {
       number<ModelOptions>("scale", "factor on the ground acceleration", at(&ModelOptions::scale),
                            {.least = 1e-6, .most = 1e6})
           .under(Heading::model),
-      number<ModelOptions>("draws", "draw every bearing from the lot this many times, instead of the bounds",
+      number<ModelOptions>("draws",
+                           "analyse this many buildings with bearings drawn from the lot, instead of the bounds",
                            at(&ModelOptions::draws), {.least = 0, .most = most_drawn_sets})
           .under(Heading::model)};
   return table;

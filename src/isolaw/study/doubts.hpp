@@ -11,7 +11,7 @@
 namespace isolaw::study {
 
 // How well the law predicts the blocks that it was not fitted to: FindingKind::prediction_good to prediction_unusable,
-// or prediction_unknown if no block was left out of the fit.
+// or prediction_unknown where no block was left out of the fit.
 Finding prediction_of(Summary const& summary, LawResult const& law);
 
 struct Doubts {

@@ -56,7 +56,7 @@ std::span<Row const> rows() {
           "[This is part {part} of {parts}. ]{runs} of {expected_runs} runs are done: every number and the choice of a law may still change."),
       campaign(
           analyses_missing, "analyses-missing", "not complete", serious, go_on, one_sentence, everywhere, none,
-          "{analyses} of {expected_analyses} analyses are done: which parameters the tests fix, and the error on a device left out, are not known yet."),
+          "{analyses} of {expected_analyses} analyses are done: open parameters and errors on devices left out are not all known yet."),
       campaign(device_refused, "device-refused", "refused", serious, records, each_alone, in_report | on_certificate,
                none, "{devices} was refused: {reason}"),
       campaign(rule_set_not_kept_by_device, "rule-set-not-kept-by-device", "rule set", serious, records, each_alone,
@@ -72,7 +72,7 @@ std::span<Row const> rows() {
                "{devices} hold the same compression test: its K_v counts {times} times."),
       campaign(
           energy_falls, "energy-falls", "degradation", caution, records, each_alone, everywhere, devices,
-          "the energy of a cycle falls by {measured_percent:2} % from cycle {first_cycle} to cycle {last_cycle} of block {block}. [{several_laws}No law follows that ({law} comes nearest, with {law_percent:2} %): each is right for some cycle in between.][{only_law}{law} does not follow that (its own energy falls by {law_percent:2} %): it is right for some cycle in between.][{fit_cycles}]"),
+          "the energy of a cycle falls by {measured_percent:2} % from cycle {first_cycle} to cycle {last_cycle} of block {block}. [{several_laws}No law follows this fall ({law} comes nearest, with {law_percent:2} %): each fits only some cycle in between.][{only_law}{law} does not follow this fall (its own energy falls by {law_percent:2} %): it fits only some cycle in between.][{fit_cycles}]"),
       campaign(
           law_refused, "law-refused", "law not identified", serious, laws, by_law | by_words, everywhere, none,
           "{law} was not identified on {devices}: {reason}[. Its mean and beta cover the other {others} device{|s} only]"),
@@ -87,12 +87,12 @@ std::span<Row const> rows() {
           "{law} does not describe the devices. Its mean errors are too large[: {misfit:%1} of the force's standard deviation][, {K_eff_error_percent:.1f} % of the effective stiffness][, {energy_error_percent:.1f} % of the dissipated energy]."),
       campaign(
           held_by_box, "held-by-box", "at bound", caution, parameters, each_alone, everywhere, law,
-          "{count} of its {calibrated} parameters lie at a bound on half of the devices or more: the search box keeps them together, so its beta is no robustness."),
+          "{count} of its {calibrated} parameters lie at a bound on half of the devices or more: the search box keeps them together, so its beta does not show robustness."),
       campaign(prediction_poor, "prediction-poor", "prediction", serious, laws, each_alone, everywhere, law,
                "its prediction is poor: {objectives}."),
       campaign(
           prediction_unusable, "prediction-unusable", "prediction", serious, laws, each_alone, everywhere, law,
-          "its prediction is unusable: {objectives}.{collapse} Do not use it for other amplitudes or frequencies than those it was fitted to[, up to {fitted_to_mm:3} mm]."),
+          "its prediction is unusable: {objectives}.{collapse} Use it only for amplitudes and frequencies that it was fitted to[, up to {fitted_to_mm:3} mm]."),
       campaign(searches_disagree, "searches-disagree", "search", caution, search, by_words, everywhere, law,
                "{share:few%} of the runs came within 0.1 % of the best fit of this campaign."),
       campaign(
@@ -101,10 +101,10 @@ std::span<Row const> rows() {
       campaign(
           prediction_not_asked, "prediction-not-asked", "not predicted", note, keep_blocks, one_sentence, everywhere,
           none,
-          "The records hold several blocks, but every block was fitted: nothing shows whether a law fitted to some holds for the others. Use --fit-blocks with the numbers of some to predict the rest."),
+          "The records hold several blocks, but every block was fitted: nothing shows whether a law that is fitted to some blocks holds for the others. Use --fit-blocks with the numbers of some blocks to predict the rest."),
       campaign(
           outlier, "outlier", "outlier", caution, records, by_device, everywhere, none,
-          "{devices} stands apart from its lot: ~{property} {value:4}[ {unit}] ({percent:+.0f} % from the median)~."),
+          "{devices} is an outlier in its lot: ~{property} {value:4}[ {unit}] ({percent:+.0f} % from the median)~."),
       campaign(at_bound, "at-bound", "at bound", caution, parameters, by_law, everywhere, law,
                "~{parameters} at its {side} bound on [all {all_devices} devices][{some}{devices}]~."),
       campaign(lot_law_at_bound, "lot-law-at-bound", "at bound", caution, parameters, by_law, everywhere, law,
@@ -137,7 +137,7 @@ std::span<Row const> rows() {
              "{laws} {does|do} not predict the blocks that were left out of the fit."),
       answer(none_on_every_device, "none-on-every-device", "reason",
              "{laws} {was|were} not identified on every device."),
-      answer(none_has_error, "none-has-error", "reason", "No law has an error, so the laws cannot be compared."),
+      answer(none_has_error, "none-has-error", "reason", "No law has an error, so laws cannot be compared."),
       answer(none_left_out, "none-left-out", "reason",
              "Every block was fitted and no device was left out of the lot's law; --analysis full leaves devices out."),
       answer(none_beside_one_device, "none-beside-one-device", "reason",
@@ -153,13 +153,13 @@ std::span<Row const> rows() {
       answer(weak_open, "weak-open", "confidence", "the tests cannot fix {share:%} of its parameters"),
       answer(surer_finish, "surer-finish", "advice", "finish the campaign with the same command"),
       answer(surer_other_laws, "surer-other-laws", "advice", "identify other laws to compare it with (--laws)"),
-      answer(surer_fit_blocks, "surer-fit-blocks", "advice", "leave an amplitude or rate out of the fit (--fit-blocks)"),
+      answer(surer_fit_blocks, "surer-fit-blocks", "advice",
+             "leave an amplitude or rate out of the fit (--fit-blocks)"),
       answer(surer_other_amplitude, "surer-other-amplitude", "advice",
              "test another amplitude or rate and leave it out of the fit"),
-      answer(surer_further_test, "surer-further-test", "advice",
-             "make a further test and leave it out of the fit"),
+      answer(surer_further_test, "surer-further-test", "advice", "make a further test and leave it out of the fit"),
       answer(surer_more_devices, "surer-more-devices", "advice", "test more devices (only {devices_tested} so far)"),
-      answer(surer_amplitude_between, "surer-amplitude-between", "advice", "test an amplitude between those that were tested"),
+      answer(surer_amplitude_between, "surer-amplitude-between", "advice", "test an amplitude between the tested ones"),
       answer(out_not_identified, "out-not-identified", "standing", "was not identified"),
       answer(out_inadequate, "out-inadequate", "standing", "does not describe the devices"),
       answer(out_prediction, "out-prediction", "standing", "its prediction is {grade}"),
@@ -211,10 +211,10 @@ std::span<Row const> rows() {
           one_sentence),
       answer(
           converged_untested, "converged-untested", "best fits",
-          "For a device that was not tested, the lot's one law of {law} is {error:%1} off on average, {least}, and {worst:%1} at worst ({devices})[; fitted to each device it is {fitted:%1} off]."),
+          "On a device that was not tested, the one law of the lot errs by {error:%1} on average with {law}, {least}, and by {worst:%1} at worst ({devices})[; fitted to each device it would err by {fitted:%1}]."),
       answer(
           converged_prediction, "converged-prediction", "best fits",
-          "{law} is the best at predicting the blocks that were left out of the fit: {grade} (objective {predicted:3}, against {fitted:3} where it was fitted)[; the prediction of {laws} is unusable]."),
+          "{law} is best at predicting the blocks that the laws were not fitted to: {grade} (objective {predicted:3}, against {fitted:3} on the fitted blocks)[; the prediction of {laws} is unusable]."),
       answer(converged_no_prediction, "converged-no-prediction", "best fits",
              "No law that was fitted to some blocks predicts the others: {laws}."),
       answer(converged_determined, "converged-determined", "best fits",
@@ -229,27 +229,31 @@ std::span<Row const> rows() {
              "With {law} the same bounds cover {inside:0%}."),
       answer(building_law_or_lot, "building-law-or-lot", "answer", "{more} matters more than {less}."),
       answer(building_no_draws, "building-no-draws", "answer",
-             "No bearing is a draw of the lot: there is no scatter that bounds could cover."),
-      campaign(displacement_beyond_tests,
-               "displacement-beyond-tests", "extrapolation", serious, "Test to that displacement", each_alone, with_building, law, "bearings move up to {most_mm:.0f} mm (95 % of the draws, under the strongest motion), but the tests went to {tested_mm:.0f} mm. Beyond that the law is extrapolated."),
+             "No bearing is drawn from the lot, so there is no scatter for the bounds to cover."),
+      campaign(
+          displacement_beyond_tests, "displacement-beyond-tests", "extrapolation", serious, "Test to that displacement",
+          each_alone, with_building, law,
+          "bearings move up to {most_mm:.0f} mm (95 % of the draws, under the strongest motion), but the tests went to {tested_mm:.0f} mm. Beyond that the law is extrapolated."),
       campaign(
           bounds_not_monotonic, "bounds-not-monotonic", "bounds", caution, "Ignore the share for this quantity",
           each_alone, with_building, law,
           "[ignore the {inside:0%} for {quantity}: ]both bound analyses ({lower:4} and {upper:4}[ {unit}]) are {side} the nominal building ({nominal:4}[ {unit}])."),
       campaign(bounds_cover_less, "bounds-cover-less", "bounds", caution, "Widen the factors for these quantities",
                by_law, with_building, law,
-               "the bounds cover less than {wanted:0%} of the buildings: ~{inside:0%} in {quantity}~."),
+               "the bounds cover less than {wanted:0%} of the draws: ~{inside:0%} in {quantity}~."),
       campaign(
           springs_as_given, "springs-as-given", "two directions", caution,
           "Fit springs: isolaw calibrate --bidirectional springs", each_alone, with_building, law,
           "it has no coupled form, and its springs have the parameters of the law along one direction: they round its knee and dissipate less. isolaw calibrate --bidirectional springs fits them."),
       campaign(building_runs_failed, "building-runs-failed", "failed runs", serious, "Look at the runs", each_alone,
                with_building, law, "{failed} run{|s} gave no finite numbers and {is|are} left out."),
-      campaign(draws_too_few, "draws-too-few", "not complete", serious, "Draw more buildings", each_alone,
-               with_building, none, "{draws} draws are too few to tell whether {wanted:0%} of the buildings lie between the bounds. There is no answer yet."),
-      campaign(motions_too_few, "motions-too-few", "motions", caution, "Use more motions", each_alone, with_building,
-               none,
-               "{motions} motion{|s} only: codes design for the mean over {wanted} or more motions, some over eleven."),
+      campaign(
+          draws_too_few, "draws-too-few", "not complete", serious, "Draw more buildings", each_alone, with_building,
+          none,
+          "{draws} draws are too few to tell whether {wanted:0%} of buildings lie between the bounds: no answer yet."),
+      campaign(
+          motions_too_few, "motions-too-few", "motions", caution, "Use more motions", each_alone, with_building, none,
+          "{motions} motion{|s}: codes accept the mean over {wanted} motions or more as the design's response, some over eleven."),
       // [records] Signals that cannot be true, and other reasons why there are no cyclic properties.
       doubt(no_cyclic_properties, "no-cyclic-properties", serious, by_words, "no cyclic properties: {reason}"),
       doubt(signal_clipped, "signal-clipped", serious, by_words, "", wording::signal_clipped),
@@ -285,20 +289,20 @@ std::span<Row const> rows() {
           "time runs <from {first_s:10} to {last_s:10} s>, {rate_Hz:4} samples a second. These look like days of a spreadsheet; try --units time=d."),
       doubt(
           about_acceleration, "about-acceleration", serious, by_words,
-          "the file speaks of acceleration ('{line}'), but what is read must be the displacement of the device, one face against the other, over time."),
+          "the file mentions acceleration ('{line}'), but isolaw needs the displacement of the device, one face against the other, over time."),
       doubt(
           cycle_unlike_neighbours, "cycle-unlike-neighbours", caution, one_sentence,
-          "the force at a peak is <in cycle {cycle} of block {block} {percent:3} % of> the force in the neighbouring cycles. A channel may have dropped out or changed its range there, and the values of that cycle are wrong."),
+          "the force at a peak is <in cycle {cycle} of block {block} {percent:3} % of> the force in the cycles beside it. A channel may have dropped out or changed its range in that cycle, and the values of the cycle are wrong."),
       doubt(force_late, "force-late", caution, by_words, "", wording::force_late),
       doubt(friction_in_force, "friction-in-force", caution, one_sentence, "", wording::jump_of_force),
       doubt(
           samples_few, "samples-few", caution, one_sentence,
-          "{samples:.1f} samples per cycle: energy comes out {energy_percent:2} % too small, and a peak up to {peak_percent:2} %. Record {wanted} or more."),
+          "{samples:.1f} samples per cycle: energy comes out {energy_percent:2} % too small, and a peak up to {peak_percent:2} %. Use {wanted} or more."),
       doubt(time_uneven, "time-uneven", caution, one_sentence,
             "sampling is not uniform: <intervals from {least_s:6} to {largest_s:6} s>, {mean_s:6} s on average."),
       doubt(
           time_jumps, "time-jumps", caution, one_sentence,
-          "time jumps <{count} time{|s}, most by {length_s:4} s after sample {sample} ({time_s:6} s), of which {taken_s:4} s count as motion>. How long the motion took is estimated from its speed before and after; periods and frequency leave out the rest."),
+          "time jumps <{count} time{|s}, by up to {length_s:4} s after sample {sample} ({time_s:6} s), and isolaw counts {taken_s:4} s of that as motion>. It estimates the time of the motion from the speed before and after the jump; periods and frequency leave out the rest."),
       doubt(
           noise, "noise", caution, one_sentence,
           "noise of {disp_mm:2} mm in displacement ({disp_percent:2} % of the amplitude) and of {force_kN:2} kN in force ({force_percent:2} %). The extremes of a cycle lie about {beyond_percent:2} % too far out and K_eff comes out at least as much too small; besides, K_eff of one cycle is uncertain by {scatter_percent:2} % (one standard deviation)."),
@@ -311,32 +315,32 @@ std::span<Row const> rows() {
       doubt(speed_off, "speed-off", caution, by_words, "", wording::largest_speed),
       doubt(
           off_centre, "off-centre", caution, by_words,
-          "{channel} is off centre by <{offset:unit4} in cycle {cycle} of block {block}>, {percent:2} % of its amplitude. Peak-to-peak stiffness and energy do not change with it; F/d of one side and the laws do. `isolaw calibrate --center` removes it."),
+          "{channel} is off centre by <{offset:unit4} in cycle {cycle} of block {block}>, {percent:2} % of its amplitude. This does not change peak-to-peak stiffness and energy; it changes F/d of one side and the laws. `isolaw calibrate --center` removes it."),
       doubt(
           starts_off_zero, "starts-off-zero", caution, one_sentence,
           "the first sample is at {disp_mm:4} mm, {percent:2} % of the half range of {half_range_mm:4} mm; laws start at rest at zero."),
       doubt(
           several_amplitudes, "several-amplitudes", caution, one_sentence,
-          "cycles of several amplitudes, {least_mm:4} to {largest_mm:4} mm: the stiffness, energy and damping reported are of <cycle {cycle} of block {block} at {amplitude_mm:4} mm>."),
+          "cycles of several amplitudes, {least_mm:4} to {largest_mm:4} mm: stiffness, energy and damping are from <cycle {cycle} of block {block} at {amplitude_mm:4} mm>."),
       doubt(
           damping_undefined, "damping-undefined", caution, one_sentence,
           "equivalent damping is not defined: it relates the loop's energy to an effective stiffness, and hardly any of this device's force is stiffness."),
       doubt(
           average_too_wide, "average-too-wide", caution, one_sentence,
-          "the moving average over {window_samples} samples, of {samples_per_cycle:3} in a cycle, takes {percent:2} % from the motion at the test's frequency and {third_harmonic_percent:2} % from its third harmonic. That concerns the laws; properties are computed from raw values. A smaller --smooth takes less."),
+          "the moving average over {window_samples} samples, of {samples_per_cycle:3} in a cycle, removes {percent:2} % of the motion at the test's frequency and {third_harmonic_percent:2} % of its third harmonic. This affects only the laws; properties are computed from raw values. A smaller --smooth removes less."),
       doubt(shared_time_short, "shared-time-short", caution, by_words,
             "only {samples} of {of} samples are used: {file} does not cover the time of the others."),
       doubt(
           channel_interpolated, "channel-interpolated", caution, by_words,
           "{file} has a sample only every {interval_s:4} s, {other_file} every {other_interval_s:4} s: values of {file} are interpolated in between."),
       doubt(axis_taken_for_channel, "axis-taken-for-channel", caution, by_words,
-            "{column} is named after the machine's axis. It is read as the {channel}, because no other column can be."),
+            "{column} is named after the machine's axis and used as the {channel}, because the file has no other."),
       doubt(unit_overridden, "unit-overridden", caution, by_words,
-            "{column} says {stated}, but is read in {used}, because --units asks for it."),
+            "{column} states {stated}, but is read in {used} as --units asks."),
       doubt(loads_ambiguous, "loads-ambiguous", caution, by_words,
-            "{columns} may each be the {channel}: none is read ({options} says which)."),
+            "{columns} may each be the {channel}, so none is read; choose one with {options}."),
       doubt(load_unit_unclear, "load-unit-unclear", caution, by_words,
-            "{reason}: the vertical load is not read ({options} says its unit)."),
+            "{reason}: the vertical load is not read; state its unit with {options}."),
       doubt(velocity_unused, "velocity-unused", caution, by_words,
             "{column} is not used: velocities are computed from displacement and time."),
       fact(
@@ -349,16 +353,16 @@ std::span<Row const> rows() {
           "if the rig's friction were 0.5 % of the vertical load of {load_kN:4} kN, it would be {friction_kN:3} kN and add {damping_points:2} points of damping (2 F_f / (pi K D))."),
       fact(
           moving_mass, "moving-mass",
-          "each tonne that moves between the device and the load cell takes {stiffness_kN_per_mm:2} kN/mm from the stiffness at {frequency_Hz:3} Hz, {percent:2} % of it (m w^2)."),
+          "each tonne that moves between the device and the load cell reduces the stiffness by {stiffness_kN_per_mm:2} kN/mm at {frequency_Hz:3} Hz, {percent:2} % of it (m w^2)."),
       fact(
           stands_still, "stands-still",
-          "the device stands still <for {still_s:3} s in cycle {cycle} of block {block}, longer than its period[, and so in {others} more cycle{|s}]>. Period, frequency and samples per cycle leave this rest out, but rubber recovers and cools during it."),
+          "the device is at rest <for {still_s:3} s in cycle {cycle} of block {block}, longer than its period[, and so in {others} more cycle{|s}]>. Period, frequency and samples per cycle leave out that rest, but rubber recovers and cools meanwhile."),
       fact(cut_off_zero, "cut-off-zero",
            "cycles are cut where displacement passes {centre_mm:4} mm, the centre of the motion."),
       fact(largest_speed, "largest-speed", "", wording::largest_speed),
       fact(
           average_over_samples, "average-over-samples",
-          "the moving average over {window_samples} samples, of {samples_per_cycle:3} in a cycle, takes {percent:2} % from the motion at the test's frequency and {third_harmonic_percent:2} % from its third harmonic. That concerns the laws; properties are computed from raw values."),
+          "the moving average over {window_samples} samples, of {samples_per_cycle:3} in a cycle, removes {percent:2} % of the motion at the test's frequency and {third_harmonic_percent:2} % of its third harmonic. This affects only the laws; properties are computed from raw values."),
       fact(file_format, "file-format", stated),
       fact(header_found, "header-found", stated),
       fact(column_taken, "column-taken", stated),
@@ -375,7 +379,7 @@ std::span<Row const> rows() {
       fact(skew_removed, "skew-removed", "", wording::skew_removed),
       fact(
           friction_removed, "friction-removed",
-          "the rig's friction of [{friction_kN:6} kN][{coefficient:6} times the vertical load] was subtracted along the motion"),
+          "the rig's friction of [{friction_kN:6} kN][{coefficient:6} times the vertical load] was subtracted in the direction of the motion"),
       fact(
           inertia_removed, "inertia-removed",
           "the inertia of a moving mass of {mass_kg:6} kg was subtracted, {least_kN:3} to {largest_kN:3} kN; its acceleration comes from displacement averaged three times over {window_samples} samples"),
@@ -385,15 +389,16 @@ std::span<Row const> rows() {
           "centred: {disp_mm:4} mm subtracted from displacement and {force_kN:4} kN from force, (max + min) / 2 over <[cycle {cycle} of block {block}][{whole}]>"),
       fact(
           smoothed, "smoothed",
-          "displacement and force averaged over {window_samples} samples, fewer at the ends[: takes {percent:2} % from a sine of the test's frequency, {third_harmonic_percent:2} % from its third harmonic]"),
+          "displacement and force averaged over {window_samples} samples, fewer at the ends[: this removes {percent:2} % of a sine of the test's frequency and {third_harmonic_percent:2} % of its third harmonic]"),
       fact(not_smoothed, "not-smoothed", "no smoothing"),
       fact(
           scored_in_part, "scored-in-part",
           "laws are judged by {samples} of {of} samples (blocks {blocks}, cycles {cycles}); the rest of the history only acts on their state"),
       fact(all_samples_kept, "all-samples-kept", "", wording::all_samples_kept),
       fact(velocity_computed, "velocity-computed",
-           "velocity comes from central differences of the averaged displacement, at the recorded times"),
-      fact(no_velocity, "no-velocity", "no velocity: the record has no time, which counts samples instead"),
+           "velocity comes from central differences of the averaged displacement, with the recorded times"),
+      fact(no_velocity, "no-velocity",
+           "no velocity: the record has no time, so the number of a sample is used as time"),
       fact(
           samples_thinned, "samples-thinned",
           "thinned from {from_per_cycle:.1f} to {to_per_cycle:.1f} samples per cycle: every {every}th of {of_samples} samples kept ({samples}), each the average of {window_samples}"),

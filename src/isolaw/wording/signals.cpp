@@ -57,7 +57,7 @@ std::string reversal(Group group) {
                      range(group, fmt::format("uncertainty_{}", unit), 2), unit, range(group, "reversals"));
 }
 std::string_view without_jump(Group group) {
-  return group.front().word("without_jump") == "yes" ? ", its jump there subtracted" : "";
+  return group.front().word("without_jump") == "yes" ? ", after its jump is subtracted" : "";
 }
 
 }  // namespace
@@ -102,7 +102,7 @@ std::string signal_spike(Group group) {
                          ? fmt::format(" at {}: {}", places(first), size(first))
                          : ": " + each(group, [&](Finding const& f) { return size(f) + " at " + places(f); });
   return fmt::format(
-      "the {} has {}{}. No properties are computed from such a record; --repair spikes replaces these samples by interpolation.",
+      "the {} has {}{}. No properties are computed from such a record; --repair spikes replaces the samples by interpolation between their neighbours.",
       first.word("channel"), spikes, where);
 }
 
@@ -111,7 +111,7 @@ std::string no_complete_cycle(Group group) {
   if (!f.has_number("least_mm")) return "there are no samples.";
   bool const at_zero = std::ranges::all_of(group, [](Finding const& each) { return each.number("centre_mm") == 0.0; });
   return fmt::format(
-      "less than one complete cycle: displacement goes from {} to {} mm. A cycle needs 2 crossings of {} in the direction of the first motion, with a swing to each side between them; this record has {}. Swings of less than {} mm count as noise.",
+      "less than one complete cycle: displacement goes from {} to {} mm. A cycle needs 2 crossings of {} in the direction of the first motion, with a swing to each side between them; there are {}. Swings of less than {} mm count as noise.",
       range(group, "least_mm", 4), range(group, "largest_mm", 4),
       at_zero ? std::string("zero") : fmt::format("its centre at {} mm", range(group, "centre_mm", 4)),
       range(group, "crossings"), range(group, "noise_mm"));
@@ -123,16 +123,15 @@ std::string force_late(Group group) {
       "{} after displacement{}. No device does that: a channel is late, and damping comes out about {} points too small (pi f dt).{}",
       reversal(group), without_jump(group), range(group, "damping_points", 2),
       group.front().word("unit") != "ms" ? std::string()
-      : group.size() == 1                ? fmt::format(" --skew-ms {} moves the force back.", range(group, late))
-                                         : " --skew-ms moves the force of each back by its own time.");
+      : group.size() == 1                ? fmt::format(" --skew-ms {} corrects it.", range(group, late))
+                                         : " --skew-ms corrects each device by its own time.");
 }
 
 std::string force_early(Group group) {
   return fmt::format(
       "{} before displacement{}: viscosity of the device, or an early channel{}. If it is the channel, damping comes out about {} points too large (pi f dt).",
       reversal(group), without_jump(group),
-      without_jump(group).empty() ? ", or friction too small to be distinguished from it" : "",
-      range(group, "damping_points", 2));
+      without_jump(group).empty() ? ", or friction too small to be recognised" : "", range(group, "damping_points", 2));
 }
 
 std::string jump_of_force(Group group) {
@@ -171,7 +170,7 @@ std::string spikes_repaired(Group group) {
   }
   auto const left = count - static_cast<double>(samples.size());
   if (left > 0.0) samples.push_back(fmt::format("and {} more", left));
-  return fmt::format("{} of {} replaced by interpolation between the neighbours: {}",
+  return fmt::format("{} of {} repaired by interpolation: {}",
                      count == 1.0 ? "a spike" : fmt::format("{} spikes", count), channel, joined(samples));
 }
 
@@ -188,7 +187,8 @@ std::string skew_removed(Group group) {
 std::string all_samples_kept(Group group) {
   auto const& f = group.front();
   if (!f.word("option").empty()) return "all samples kept, as asked for";
-  if (!f.has_number("wanted")) return "all samples kept: without cycles there are no samples per cycle to thin to";
+  if (!f.has_number("wanted"))
+    return "all samples kept: the record has no cycles, so samples per cycle are not defined";
   return fmt::format("all samples kept: {} per cycle is less than twice the {} asked for",
                      with_decimals(f.number("samples_per_cycle"), 1), f.number("wanted"));
 }
