@@ -99,7 +99,7 @@ TEST_F(HeldTo, a_wide_moving_average_is_warned_of) {
                          "--generations", "1", "--smooth", "31", "--out", "O"});
   EXPECT_EQ(o.code, 0) << o;
   EXPECT_TRUE(contains(o.out, "the moving average over 31 samples"));
-  EXPECT_TRUE(contains(unwrapped(o.out), "takes 3.9 % from"));
+  EXPECT_TRUE(contains(unwrapped(o.out), "removes 3.9 % of"));
 }
 
 TEST_F(HeldTo, inspection_states_its_schema_first) {

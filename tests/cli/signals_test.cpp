@@ -154,7 +154,7 @@ TEST_F(Signals, no_law_follows_a_device_that_degrades) {
   EXPECT_TRUE(
       said.front().starts_with("degrading: the energy of a cycle falls by 36 % from cycle 3 to cycle 25 of block 1"))
       << said.front();
-  EXPECT_TRUE(contains(said.front(), "No law follows that"));
+  EXPECT_TRUE(contains(said.front(), "No law follows this fall"));
   EXPECT_TRUE(contains(unwrapped(o.out), said.front())) << o;
   EXPECT_TRUE(contains(read("out/report.html"), said.front()));
   auto const& fits = summary["laws"][0]["devices"];

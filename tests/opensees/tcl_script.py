@@ -24,8 +24,8 @@ def number(word: str):
 
 
 def called(name: str, *words: str) -> str:
-    # The block of a pattern holds commands; any other argument of several words is a list of values.
-    block = words[-1] if name == "pattern" and len(words) > 3 else None
+    # The block of a plain pattern holds commands; any other argument of several words is a list of values.
+    block = words[-1] if name == "pattern" and words[0] == "Plain" else None
     arguments = []
     for word in words[:-1] if block is not None else words:
         parts = tcl.splitlist(word) if " " in word.strip() else (word,)
@@ -43,7 +43,8 @@ def end(code: str = "0") -> None:
 
 
 tcl.createcommand("exit", end)
-builtin = set(tcl.splitlist(tcl.eval("info commands")))
+# Tcl has a command `load` too, for libraries, which OpenSees replaces.
+builtin = set(tcl.splitlist(tcl.eval("info commands"))) - {"load"}
 for command in dir(ops):
     if not command.startswith("_") and callable(getattr(ops, command)) and command not in builtin:
         tcl.createcommand(command, lambda *words, name=command: called(name, *words))
