@@ -303,7 +303,7 @@ class Overflow : public InFreshDirectory {
   void expect_failure(Words const& command) {
     auto const o = isolaw(command);
     ASSERT_EQ(o.code, 1) << o;
-    EXPECT_TRUE(contains(read("O/report.html"), "of the steps alone"));
+    EXPECT_TRUE(contains(read("O/report.html"), "comes from the step size"));
     EXPECT_EQ(query(path("O/campaign.sqlite"), "SELECT law, objective IS NULL, message <> '' FROM run ORDER BY law"),
               (Words{"bilinear|0|0", "hwang-wu|1|1"}));
     EXPECT_TRUE(contains(json("O/summary.json")["laws"].dump(), "these parameters give no finite force"));

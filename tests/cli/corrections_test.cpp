@@ -51,7 +51,7 @@ std::vector<Case> cases() {
            "moving-mass",
            "5000",
            {.mass_kg = 5000.0},
-           "inertia of a moving mass of 5000 kg was subtracted"},
+           "the inertia of a moving mass of 5000 kg was subtracted"},
           {"--force-factor", "force-factor", "0.5", {.factor = 2.0}, "force multiplied by 0.5"}};
 }
 
