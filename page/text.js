@@ -146,7 +146,7 @@ export const text = {
   rubberAll: ['Total rubber thickness T_r, mm', 'Rubber area A_r, mm\u00b2'],
   forAll: 'for all devices',
   differ: 'for all devices; the values differ now',
-  rulesOf: 'Rule set and design values',
+  rulesOf: 'Rule set and size of the lot',
   rules: 'Rule set',
   notVerified: '; limits not verified, so no verdict',
   noRules: 'none',
@@ -222,7 +222,7 @@ export const text = {
   reportFrame: 'Report of the identified laws',
   outdated: 'Records or the lot file were changed since these results were computed. Identify again.',
   old: 'from before the change',
-  incomplete: 'Some runs are not computed yet. Identify computes them.',
+  incomplete: 'Some results are not computed yet. Identify computes them.',
 
   // Save.
   save: 'Save',

@@ -142,8 +142,7 @@ std::string in_doubt(Summary const& summary) {
       ++at->devices;
     }
   std::vector<std::string> parts;
-  std::string_view previous;
-  for (auto const& [quantity, condition, count] : found) {
+  for (std::string_view previous; auto const& [quantity, condition, count] : found) {
     parts.push_back(fmt::format("{}of {}{} if {}", quantity == previous ? "" : quantity + " ", counted(count, "device"),
                                 parts.empty() ? " would be outside its limit" : "", condition));
     previous = quantity;

@@ -70,7 +70,7 @@ function energyCaption() {
   const away = fits.filter((_, place) => runsAway(cycles, place)).map(({ law }) => law.name);
   return (
     'Energy of each cycle: area of the measured loop (bars) and of the best fits\u2019 loops (markers), from the samples drawn.' +
-    (said.length > 0 ? ' Error of the laws over all cycles: ' + said.join(', ') + '.' : '') +
+    (said.length > 0 ? ' Energy error of the laws over all cycles: ' + said.join(', ') + '.' : '') +
     ' If bars fall from cycle to cycle and markers stay level, the device scrags and the law does not model it.' +
     (away.length > 0 ? ' Off the scale: ' + enumerate(away) + '.' : '')
   );

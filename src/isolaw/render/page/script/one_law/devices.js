@@ -25,7 +25,7 @@ function lotDevicesCaption() {
     law.name +
     ': from circle to square, the cost of sharing one law; from circle to diamond, the cost of not testing the device.' +
     (cost.length > 1
-      ? ' Largest for ' +
+      ? ' The second is largest for ' +
         devices[cost[0].device].name +
         ' (' + fixed(cost[0].optimum, 4) + ' with its own law, ' + fixed(cost[0].left_out_objective, 4) +
         ' left out), smallest for ' + devices[cost[cost.length - 1].device].name + '.'

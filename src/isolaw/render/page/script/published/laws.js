@@ -9,7 +9,7 @@ export const publishedLawsFigure = {
   title: 'The study\u2019s laws, here and in its Table A.5',
   wanted: () => report.published !== null,
   caption: () =>
-    'Published: ten other devices, 20 runs of a genetic algorithm each, objectives printed to two digits. \u03c3, runs: standard deviation of OF over the runs, mean over the devices; ' +
+    'Published: the study\u2019s own ten devices, 20 runs of a genetic algorithm each, objectives printed to two digits. \u03c3, runs: standard deviation of OF over the runs, mean over the devices; ' +
     'the genetic algorithm, as the study describes it, scatters more than its table says. Front: only these laws are compared.',
   csv: () => {
     const { columns, cells } = resultColumns('published_laws');
