@@ -833,7 +833,7 @@ const tests = {
     // The folder of results alone: nothing of it is a record.
     await page.drop([join(work, 'ordered-out')]);
     await page.press('show-records');
-    equal(await page.text('#read-band .word'), 'Results alone', 'results');
+    equal(await page.text('#read-band .word'), 'Results only', 'results');
     expect(!(await page.text('#contents')).includes('Not part of the lot'), await page.text('#contents'));
     await end(page);
 
@@ -902,7 +902,7 @@ const tests = {
     await page.key('Escape');
     await page.until("document.getElementById('laws-said')", 'cancelled');
     await page.press('show-save');
-    expect((await page.text('#view-save')).includes('before it was cancelled'), await page.text('#view-save'));
+    expect((await page.text('#view-save')).includes('before you cancelled'), await page.text('#view-save'));
     await page.press('save-whole');
     const { path, bytes } = await page.saved();
     const parts = (await readZip(bytes)).filter(({ path: one }) => one.startsWith('parts/'));

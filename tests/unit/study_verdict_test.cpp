@@ -275,9 +275,11 @@ TEST(OverallVerdict, SaysWhatWouldNotBeKept) {
   summary.devices[0].effects = {{data::damping_by_skew, 3.0, "points", std::nullopt, false}};
   EXPECT_EQ(overall_verdict(summary).text(), "PASS: NTC 2018: 1 device keeps the requirement") << "15.5 % is kept";
   summary.devices[0].effects[0].value = 6.0;
+  summary.devices.push_back(summary.devices[0]);
+  summary.devices[1].effects = {{data::damping_by_rig_friction, 6.0, "points", std::nullopt, false}};
   EXPECT_EQ(overall_verdict(summary).text(),
-            "PASS: NTC 2018: 1 device keeps the requirement; would not be kept: damping of 1 device if the force "
-            "channel is early");
+            "PASS: NTC 2018: 2 devices keep the requirement; check the rig: damping of 1 device would be outside its "
+            "limit if the force channel is early, and of 1 device if the rig's friction is 0.5 % of the vertical load");
 }
 
 TEST(OverallVerdict, SaysThatNothingWasMeasured) {

@@ -142,9 +142,12 @@ std::string in_doubt(Summary const& summary) {
       ++at->devices;
     }
   std::vector<std::string> parts;
-  for (auto const& [quantity, condition, count] : found)
-    parts.push_back(fmt::format("{} of {} if {}", quantity, counted(count, "device"), condition));
-  return parts.empty() ? std::string() : "would not be kept: " + joined(parts, "; ");
+  for (std::string_view previous; auto const& [quantity, condition, count] : found) {
+    parts.push_back(fmt::format("{}of {}{} if {}", quantity == previous ? "" : quantity + " ", counted(count, "device"),
+                                parts.empty() ? " would be outside its limit" : "", condition));
+    previous = quantity;
+  }
+  return parts.empty() ? std::string() : "check the rig: " + joined(parts, ", and ");
 }
 
 std::string sentence_of(OverallVerdict const& overall, std::size_t devices) {

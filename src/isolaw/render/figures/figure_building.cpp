@@ -111,7 +111,7 @@ Figure variance_figure(building::Answers const& answers) {
   script.line("set ylabel 'Scatter, {{/:Italic σ}}_{{ln}} (-)' offset inward,0; set yrange [0:*]");
   auto plot = fmt::format("'{0}.dat' using 2 ls {1} title 'motions', '{0}.dat' using 3 ls {2} title 'the lot'", name,
                           grey, blue);
-  if (uncertain) plot += fmt::format(", '{}.dat' using 4 ls {} title 'populations the tests allow'", name, sky);
+  if (uncertain) plot += fmt::format(", '{}.dat' using 4 ls {} title 'uncertain population'", name, sky);
   if (answers.law_std_ln)
     plot += fmt::format(", {} with lines ls {} dt 2 title 'between laws'", number(*answers.law_std_ln), vermillion);
   script.line("plot {}", plot);

@@ -56,7 +56,7 @@ MaybeFigure loops_figure(Summary const& summary, DeviceResult const& device, Law
   auto const samples = device.record.size();
   if (fit == nullptr || samples == 0 || fit->force_kN.size() != samples) return std::nullopt;
   auto const name = "loops_" + stem + "_" + law.id;
-  std::string const about = "measured and computed force, Fig. 5; residual is measured less computed";
+  std::string const about = "measured and computed force, Fig. 5; residual is measured minus computed";
   return Figure{name, loop_data(device, *fit, about),
                 loop_script(name, about, called(law) + ", " + device.name, device.record.has_time(),
                             place_in_summary(summary, law))};

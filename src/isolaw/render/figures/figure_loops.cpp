@@ -35,7 +35,7 @@ std::string loops_data(DeviceResult const& device, std::vector<LoopPanel> const&
   DataTable table;
   table.comment(about);
   table.comment(loop_units(record.has_time()));
-  table.comment("computed forces in the order of the panels, NaN throughout where a law has none");
+  table.comment("computed forces in the order of the panels; NaN if a law has no fit");
   for (auto const& panel : panels) table.comment(panel.title + (panel.fit == nullptr ? ", " + panel.absence : ""));
   table.comment("time disp measured_force computed_force ...");
   for (auto const i : drawn_samples(record.size(), most_samples)) {

@@ -164,7 +164,7 @@ MaybeFigure published_objective_figure(Summary const& summary) {
   if (laws.empty()) return std::nullopt;
   std::string const name = "published_objective";
   std::string const about =
-      "objective of the published study's laws on every device beside its printed values: mean, standard deviation over the runs, and that by the mean, Fig. 6";
+      "objective of the published study's laws on every device beside its printed values: mean, standard deviation over the runs, and their ratio, Fig. 6";
   DataTable table;
   table.comment(about);
   Range means, stds, relatives;
@@ -223,7 +223,7 @@ MaybeFigure published_parameters_figure(Summary const& summary, LawResult const&
   if (panels.empty()) return std::nullopt;
   auto const name = "published_parameters_" + law.id;
   auto const about = fmt::format(
-      "parameters of {} beside the printed values of law {}: standard deviation over the runs by the mean, "
+      "parameters of {} beside the printed values of law {}: standard deviation over the runs divided by the mean, "
       "and difference from the mean of the devices, Fig. {}",
       law.id, row->number, row->number + 7);
   std::vector<std::string> places;

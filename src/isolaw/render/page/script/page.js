@@ -62,7 +62,7 @@ const incomplete = () =>
     .filter(([missing]) => missing > 0)
     .map(([missing, one, several]) => missing + ' ' + (missing === 1 ? one : several))
     .join(' and ') +
-  ' missing. What follows may change; the last calibrate command there continues the campaign.';
+  ' missing. The results may change. Repeat the last calibrate command to continue the campaign.';
 
 buildPage();
 followWindow({

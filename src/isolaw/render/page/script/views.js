@@ -12,7 +12,7 @@ export const VIEWS = [
     whyNot: (law) => law.beta_note,
     axes: ['robustness index β [-], smaller is more robust', 'mean objective OF [-], smaller is more accurate'],
     names: ['beta', 'mean OF'],
-    says: 'lower is more accurate, further left its parameters agree better from device to device.',
+    says: 'lower is more accurate; further left, its parameters agree better between devices.',
   },
   {
     id: 'converged',
@@ -24,7 +24,7 @@ export const VIEWS = [
     whyNot: (law) => law.beta_converged_note,
     axes: ['β of the least objectives [-]', 'least objective OF [-], mean over devices'],
     names: ['beta of the least objectives', 'least OF'],
-    says: 'as the mean of the runs, but of the least objective of every device instead of the means over runs, and without parameters that most tests do not determine.',
+    says: 'the best fit of every device counts instead of the mean over runs, and \u03b2 leaves out parameters that most tests do not determine.',
   },
   {
     id: 'left-out',
@@ -36,7 +36,7 @@ export const VIEWS = [
     whyNot: () => '',
     axes: ['OF on a device by the law of all others [-]', 'least objective OF [-], mean over devices'],
     names: ['OF on devices left out', 'least OF'],
-    says: 'lower is more accurate on a tested device, further left better for a device that was not tested: one law, fitted to all others.',
+    says: 'lower is more accurate on a tested device; further left, on a device that was not tested (one law, fitted to all others).',
   },
 ].filter((view) => laws.some((law) => isPlaced(view, law)));
 export const FIRST_VIEW = (VIEWS.find(({ id }) => id === 'converged') ?? VIEWS[0])?.id;

@@ -69,7 +69,7 @@ function median(values) {
 function spreadCaption() {
   const [least, most] = extremes(spreadEntries(), median);
   return (
-    'Standard deviation of OF over the runs, a mark a device: what the search adds by itself.' +
+    'Standard deviation of OF over the runs, one mark per device: the scatter of the search itself.' +
     (least.law === most.law
       ? ''
       : ' Smallest for ' + least.law.name + ' (median ' + significant(least.value, 2) + '), largest for ' + most.law.name +
@@ -80,10 +80,10 @@ function spreadCaption() {
 function relativeCaption() {
   const [least, most] = extremes(relativeEntries(), (values) => Math.max(...values.map(Math.abs)));
   return (
-    'Mean OF of a device against the mean over the devices. A law whose marks lie close together suits all devices alike' +
+    'Mean OF of a device against the mean over the devices. A law whose marks lie close together fits all devices equally well' +
     (least.law === most.law
       ? '.'
-      : ': ' + least.law.name + ' does most (within ' + fixed(least.value, 0) + THIN + '%), ' + most.law.name + ' least (' +
+      : ': most so ' + least.law.name + ' (within ' + fixed(least.value, 0) + THIN + '%), least ' + most.law.name + ' (' +
         fixed(most.value, 0) + THIN + '%).')
   );
 }

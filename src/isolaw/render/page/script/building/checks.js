@@ -15,8 +15,8 @@ export const checksSection = {
       title: 'Nominal building under each motion',
       long: true,
       caption: () =>
-        'Implicit path, and how far the path of the draws is from it. Equivalent linear analysis with each motion\u2019s own spectrum is off by ' +
-        deviation(mean(rows.map(({ checked }) => checked.equivalent_error_percent)), 0) + ' on the mean.',
+        'Results of the implicit integrator, and how far the integrator of the draws deviates. Equivalent linear analysis with each motion\u2019s own spectrum deviates by ' +
+        deviation(mean(rows.map(({ checked }) => checked.equivalent_error_percent)), 0) + ' on average.',
       csv: () => ({
         columns: ['law', 'motion', 'outcome', ...NUMBERS],
         rows: rows.map(({ law, motion, checked }) => [law.id, motion, checked.outcome, ...NUMBERS.map((key) => checked[key])]),
@@ -27,9 +27,9 @@ export const checksSection = {
             ...(laws.length > 1 ? [{ title: 'Law', cell: ({ law }) => law.name }] : []),
             { title: 'Motion', cell: ({ motion }) => motion },
             { title: 'Bearing', unit: 'mm', number: true, cell: ({ checked }) => fixed(checked.isolator_mm, 1) },
-            { title: 'Step misses', unit: 'mm', number: true, cell: ({ checked }) => significant(checked.missed_mm, 1) },
+            { title: 'Step error', unit: 'mm', number: true, cell: ({ checked }) => significant(checked.missed_mm, 1) },
             { title: 'Energy error', number: true, cell: ({ checked }) => significant(checked.energy_error, 1) },
-            { title: 'Draws\u2019 path', number: true, cell: ({ checked }) => deviation(checked.lanes_off_percent, 2) },
+            { title: 'Draws deviate', number: true, cell: ({ checked }) => deviation(checked.lanes_off_percent, 2) },
             { title: 'Hand method', unit: 'mm', number: true, cell: ({ checked }) => fixed(checked.equivalent_mm, 1) },
             { title: 'Its error', number: true, cell: ({ checked }) => deviation(checked.equivalent_error_percent, 0) },
             { title: 'Period', unit: 's', number: true, cell: ({ checked }) => fixed(checked.equivalent_period_s, 2) },

@@ -54,7 +54,7 @@ export const historySection = {
       title: 'The centre in plan',
       width: 'half',
       depends: DEPENDS,
-      caption: () => (several() ? 'The way of the centre of mass of the base.' : 'The motion has one component.'),
+      caption: () => (several() ? 'Path of the centre of mass of the base.' : 'The motion has one component.'),
       csv,
       height: () => 380,
       draw: (look) => ({
@@ -66,7 +66,7 @@ export const historySection = {
       id: 'spectra',
       title: 'Floor spectra',
       depends: ['laws'],
-      caption: () => 'What equipment of a period feels on the roof (solid) and on the base (dotted): 5\u202f% damped pseudo-acceleration of the nominal building, mean over the motions.',
+      caption: () => 'Acceleration of equipment, by its period, on the roof (solid) and on the base (dotted): 5\u202f% damped pseudo-acceleration of the nominal building, mean over the motions.',
       csv: () => ({
         columns: ['law', 'period [s]', ...shown().slice(0, 1).flatMap((law) => law.floor_spectra.floors_g.map((_, floor) => (floor === 0 ? 'base' : 'floor ' + floor) + ' [g]'))],
         rows: shown().flatMap((law) => law.floor_spectra.periods_s.map((period, i) => [law.id, period, ...law.floor_spectra.floors_g.map((floor) => floor[i])])),

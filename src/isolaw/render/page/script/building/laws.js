@@ -16,7 +16,7 @@ export const lawsSection = {
       depends: ['quantity'],
       wanted: () => laws.length > 1,
       caption: () =>
-        'Thick: 16 to 84\u202f% of the draws; mark: median; end: 95\u202f%. Grey: from one bound analysis to the other.' +
+        'Thick line: 16 to 84\u202f% of the draws; mark: median; end of the line: 95\u202f%. Grey: between the two bound analyses.' +
         (chosen.quantity === 'isolator_mm' ? ' Medians differ by ' + spreadText(study.law_std_ln) + ' between laws.' : ''),
       csv: () => ({
         columns: ['law', 'lower', 'nominal', 'upper', 'p16', 'p50', 'p84', 'p95'],
@@ -30,8 +30,8 @@ export const lawsSection = {
       title: 'What the bounds cover',
       width: 'half',
       caption: () =>
-        'Share of the buildings between the bound analyses, its 95\u202f% interval, and the least factors on forces that would cover ' +
-        Math.round(100 * study.enough) + '\u202f% (of a grid of 2\u202f%).',
+        'Share of the buildings between the bound analyses, its 95\u202f% interval, and the narrowest factors on forces that would cover ' +
+        Math.round(100 * study.enough) + '\u202f% (in steps of 2\u202f%).',
       csv: () => ({
         columns: ['law', 'quantity', 'inside', 'interval lower', 'interval upper', 'below', 'above', 'factor lower', 'factor upper'],
         rows: covered().map(({ law, key, of }) => [law.id, key, of.inside, of.lower, of.upper, of.below, of.above, of.factor_low, of.factor_high]),

@@ -23,7 +23,7 @@ export const planSection = {
       title: 'Torsion',
       width: 'narrow',
       depends: ['law'],
-      caption: () => 'Means over the motions, of the draws; nominal: without draws, so that what is more comes of unequal devices.',
+      caption: () => 'Means over the motions. Nominal: without draws; any excess of the draws comes from unequal devices.',
       csv: () => ({
         columns: ['law', 'quantity', 'unit', 'nominal', 'p50', 'p95'],
         rows: laws.flatMap((law) => TWISTS.map((key) => [law.id, key, quantityOf(key).unit, ...['nominal', 'p50', 'p95'].map((of) => law.quantities[key][of])])),
@@ -36,7 +36,7 @@ export const planSection = {
       depends: ['law', 'bearing'],
       caption: () =>
         nameOf(study.plan.bearings[chosen.bearing], chosen.bearing) + ', ' + laws[chosen.law].name + ', under ' + study.motions[laws[chosen.law].loops.motion].name + ', ' +
-        (laws[chosen.law].loops.of === 'nominal' ? 'of the nominal building' : 'of the first building drawn') + '. Another: a click in plan, or the choice above.',
+        (laws[chosen.law].loops.of === 'nominal' ? 'of the nominal building' : 'of the first building drawn') + '. For another bearing, click on it in the plan or choose it above.',
       csv: loopData,
       height: () => 380,
       draw: loop,
@@ -84,7 +84,7 @@ function loopData() {
 function caption() {
   const { displacement_mm: moved } = laws[chosen.law].bearings;
   return (
-    laws[chosen.law].name + ': on the mean over draws and motions bearings move ' +
+    laws[chosen.law].name + ': averaged over draws and motions, bearings move ' +
     rangeText([Math.min(...moved), Math.max(...moved)], 'mm') + ' (stronger colour: more). Cross: centre of mass; line: the slab.'
   );
 }

@@ -7,7 +7,7 @@ const parts = () => [
   { key: 'lot_std_ln', name: 'the lot', colour: 'accent' },
   ...(first.quantities[chosen.quantity].uncertain_std_ln === null
     ? []
-    : [{ key: 'uncertain_std_ln', name: 'populations the tests allow', colour: 'care' }]),
+    : [{ key: 'uncertain_std_ln', name: 'uncertain population', colour: 'care' }]),
 ];
 
 export const varianceSection = {
@@ -23,10 +23,10 @@ function caption() {
   const share = Math.round(100 * of.lot_share);
   const between = study.law_std_ln;
   return (
-    atTheHead(quantityOf(chosen.quantity).title) + ', ' + first.name + ': the lot makes ' + (share < 1 ? 'less than 1' : share) +
-    '\u202f% of the variance of single motions. ' +
+    atTheHead(quantityOf(chosen.quantity).title) + ', ' + first.name + ': the lot causes ' + (share < 1 ? 'less than 1' : share) +
+    '\u202f% of the variance under single motions. ' +
     (between === null ? '' : 'Medians of the displacement differ by ' + spreadText(between) + ' between laws. ') +
-    'Bars: standard deviation of ln, as a share.'
+    'Bars: standard deviation of the natural logarithm.'
   );
 }
 

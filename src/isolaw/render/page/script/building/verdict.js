@@ -14,7 +14,7 @@ export const verdictSection = {
     {
       id: 'picture',
       title: 'Largest displacement of a bearing',
-      caption: () => first.name + ': draws as bars, shaded what lies between the bounds.',
+      caption: () => first.name + ': bars show the draws; shading marks the range between the bounds.',
       csv: () => histogramData([first], KEY),
       height: () => 320,
       draw: picture,
@@ -51,7 +51,7 @@ function numbers() {
     reached('shear_over_weight', 'base shear over weight'),
     [
       spreadText(of.lot_std_ln),
-      'scatter by the lot; motions ' + spreadText(of.motion_std_ln) +
+      'scatter from the lot; motions ' + spreadText(of.motion_std_ln) +
         (study.law_std_ln === null ? '' : ', laws ' + spreadText(study.law_std_ln)),
     ],
   ];

@@ -48,12 +48,12 @@ const HELD_BY = { system: 'the isolation system', contract: 'by contract', devic
 
 function boundsCaption() {
   if ((report.assessment?.lot?.factors?.length ?? 0) === 0)
-    return 'No rule set gives modification factors: the smallest and the largest device that was tested. A lot has others beyond them.';
+    return 'No rule set gives modification factors, so the bounds are the smallest and the largest device tested. Other devices of the lot may lie beyond them.';
   const tested = report.assessment.lot.tested;
   return (
-    'By property modification factors, on the design value, or on the mean where there is none. Those of one device hold 95' + THIN +
-    '% of all devices with 95' + THIN + '% confidence, or what was observed; those of the system hold the mean of all devices of the lot.' +
-    (tested < 5 ? ' From ' + count(tested, 'device') + ' alone: bounds by statistics are wide for that reason.' : '')
+    'Design value, or mean where there is none, times the property modification factors. Bounds of one device contain 95' + THIN +
+    '% of all devices with 95' + THIN + '% confidence, or the observed values; bounds of the system contain the mean of all devices of the lot.' +
+    (tested < 5 ? ' Statistical bounds are wide, because the sample is small (' + count(tested, 'device') + ').' : '')
   );
 }
 

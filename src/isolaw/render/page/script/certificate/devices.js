@@ -51,10 +51,10 @@ function certificateCaption() {
       ? 'Values over the cycles that the rule set counts. '
       : 'Values of the third counted cycle of the largest amplitude. ') +
     (marked
-      ? '\u25be: stands apart from the lot (modified z-score above 3.5).'
+      ? '\u25be: outlier of the lot (modified z-score above 3.5).'
       : unjudged.length > 0 || lotQuantities.length === 0
-        ? 'Outliers not judged' + (unjudged.length > 0 ? ': ' + unjudged.join('; ') : '') + '.'
-        : 'No device stands apart from the lot.') +
+        ? 'Outliers not assessed' + (unjudged.length > 0 ? ': ' + unjudged.join('; ') : '') + '.'
+        : 'No device is an outlier of the lot.') +
     conditions.map((condition) => ' ' + letter(condition) + ': if ' + sentence(condition) + '.').join('')
   );
 }

@@ -14,7 +14,7 @@ export const certificateRecordsFigure = {
   id: 'certificate-records',
   title: 'Records',
   long: true,
-  caption: () => 'SHA-256 of each file as it was read: a changed file is another record.',
+  caption: () => 'SHA-256 of each file as it was read. A changed file has another SHA-256.',
   build: recordsTable,
 };
 

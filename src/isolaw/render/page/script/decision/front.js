@@ -72,7 +72,7 @@ function frontCaption() {
   const leftOut = view.id !== 'converged' ? [] : placed.filter((law) => law.left_out_of_beta.length > 0);
   const reduced = view.id !== 'converged' ? [] : placed.filter((law) => law.reduced).map((law) => law.name);
   return (
-    'Each point is a law; ' + view.says +
+    'Each point is a law: ' + view.says +
     (crossed.length > 0 ? ' No law that describes the devices' : ' No law') +
     ' lies both below and left of a filled green point' +
     (dominated.length > 0
@@ -85,7 +85,7 @@ function frontCaption() {
     (leftOut.length > 0
       ? ' Left out of β: ' + leftOut.map((law) => enumerate(law.left_out_of_beta) + ' of ' + law.name).join('; ') + '.'
       : '') +
-    (reduced.length > 0 ? ' Of the form without the redundant parameter: ' + enumerate(reduced) + '.' : '') +
+    (reduced.length > 0 ? ' Shown without the redundant parameter: ' + enumerate(reduced) + '.' : '') +
     (missing.length > 0
       ? ' Not shown: ' +
         missing.map((law) => law.name + (view.whyNot(law) ? ' (' + view.whyNot(law) + ')' : '')).join('; ') + '.'

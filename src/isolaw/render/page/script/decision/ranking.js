@@ -13,21 +13,21 @@ export const rankingFigure = {
   depends: ['purpose'],
   caption: () =>
     ORDERS[chosen.purpose] + ' OF: mean absolute error of the force divided by the standard deviation of the measured force, over devices and runs. ' +
-    'β: how far the parameters stray from their mean over the lot. Errors of stiffness and energy: mean magnitude over devices, best fit against the record.' +
+    'β: how far the parameters of the devices lie from their mean over the lot. Errors of stiffness and energy: best fit against the record, mean magnitude over devices.' +
     (laws.some((law) => isNumber(law.success_share))
       ? ' Found: runs that ended within ' +
         percentText(report.thresholds.found_within) +
-        ' of the least objective of the campaign; where they are few, the mean says more of the search than of the law.'
+        ' of the least objective of the campaign. If few did, the mean reflects the search more than the law.'
       : ''),
   csv: rankingData,
   build: rankingTable,
 };
 
 const ORDERS = {
-  'untested-device': 'In the order of the error on what was not fitted.',
-  'these-tests': 'In the order of the least objective.',
-  simplest: 'The simplest first, then in the order of the error.',
-  robustness: 'In the order of \u03b2.',
+  'untested-device': 'Sorted by the error on what was not fitted.',
+  'these-tests': 'Sorted by the least objective.',
+  simplest: 'The simplest first, then sorted by the error.',
+  robustness: 'Sorted by \u03b2.',
 };
 
 // The laws in the order of the chosen purpose. Laws that were not identified come last.

@@ -50,16 +50,16 @@ function determinedCaption() {
   return (
     (blind.length === 0
       ? 'The tests determine every parameter of ' + law.name + ' that does not lie at its bound.'
-      : 'The tests leave open ' +
+      : 'The tests do not determine ' +
         enumerate(
           blind.map(({ name, times }) =>
             times === fits.length ? name : name + ' (' + times + ' of ' + count(fits.length, 'device') + ')',
           ),
           7,
         ) +
-        ': other values give loops that nobody can tell apart, so do not compare such values between devices.') +
+        ': other values give loops that look the same. Do not compare these values between devices.') +
     (missing.length > 0 ? ' Not examined: ' + enumerate(missing) + '.' : '') +
-    onScreen(' Choose a cell, by the mouse or the arrow keys, for its profile.')
+    onScreen(' Choose a cell by mouse or arrow keys to see its profile.')
   );
 }
 
@@ -128,7 +128,7 @@ function determinedTable() {
               cells: [
                 element(
                   'span',
-                  { class: 'note', title: 'devices whose test leaves it undetermined' },
+                  { class: 'note', title: 'devices whose test does not determine the parameter' },
                   'open, of ' + fits.length,
                 ),
                 ...shares.map((share) => element('td', { class: 'mark note' }, share)),
@@ -157,9 +157,9 @@ function determinedLegend() {
   const { determined_within: near, weakly_determined_within: far } = report.thresholds;
   const meaning = {
     determined: 'known to ±' + percentText(near),
-    'weakly determined': 'to ±' + percentText(far) + ', or its range ends at the box',
-    undetermined: 'anything further, or all of the box',
-    'at its bound': 'the box, not the test, decides the value',
+    'weakly determined': 'to ±' + percentText(far) + ', or its range ends at the search box',
+    undetermined: 'a wider range, or the whole search box',
+    'at its bound': 'the search box, not the test, decides the value',
   };
   return element(
     'ul',

@@ -27,12 +27,12 @@ function profileCaption() {
     where = law.name + ' on ' + devices[chosen.device].name;
   if (!one) return where + ' was not examined.';
   const { name, unit } = one.parameter;
-  const ends = one.ends[0] && one.ends[1] ? 'both ends are' : one.ends[0] ? 'the lower end is' : 'the upper end is';
+  const ends = one.ends[0] && one.ends[1] ? ', the whole range searched,' : one.ends[0] ? ' (searched no lower)' : ' (searched no higher)';
   return (
-    where + '. ' + symbol(name) + ' is held at each point and all others are fitted again. Below the dashed line, ' +
-    significant(one.fit.rise, 2) + ' above the least objective of ' + fixed(one.fit.optimum, 4) +
-    ', the loops get no worse to the eye: there ' + symbol(name) + ' may be ' + rangeText(one.open, unit) +
-    (one.ends.some(Boolean) ? ' (' + ends + ' the search box\u2019s)' : '') + ', so it is ' + one.verdict + '.'
+    where + '. ' + symbol(name) + ' is held at each point and all others are fitted again. Any ' + symbol(name) + ' from ' + rangeText(one.open, unit) +
+    (one.ends.some(Boolean) ? ends : '') + ' fits as well: its OF lies below the dashed line, ' +
+    significant(one.fit.rise, 2) + ' above the least, ' + fixed(one.fit.optimum, 4) +
+    '. ' + symbol(name) + ' is ' + one.verdict + '.'
   );
 }
 

@@ -6,7 +6,7 @@ import { count, isNumber, percentText, sentence } from '../text.js';
 export const tradeOffsFigure = {
   id: 'trade-offs',
   width: 'wide',
-  title: 'What changes together, and the intervals',
+  title: 'Parameters that change together, and intervals',
   depends: ['examined', 'device'],
   wanted: () => examinedLaws.length > 0 && chosen.device !== null,
   build: tradeOffs,
@@ -15,11 +15,11 @@ export const tradeOffsFigure = {
 function intervalSentence({ level, samples, block, replicates }) {
   if (!isNumber(level)) return null;
   return (
-    'The bars under the profile are intervals of ' + percentText(level) + ': by linearisation' +
+    'The bars under the profile are intervals of ' + percentText(level) + ': from linearisation' +
     (replicates > 0 ? ', and from ' + count(replicates, 'fit') + ' of the bootstrap' : '') +
     ', in blocks of ' + count(block, 'sample') + ' of ' + samples +
-    ' because neighbouring residuals are alike. They say how far another record of the same device could move the fit, ' +
-    'taking the law\u2019s misfit for noise; they are no statement on whether the law is true. A parameter at its bound is held there.'
+    ' because neighbouring residuals are alike. They show how far another record of the same device could move the fit if ' +
+    'the law\u2019s misfit were noise. They do not show whether the law is true. A parameter at its bound stays there.'
   );
 }
 
@@ -32,7 +32,7 @@ function tradeOffs() {
     'div',
     { class: 'prose' },
     fit.trade_offs.length === 0
-      ? element('p', {}, 'On ' + name + ' no parameters of ' + law.name + ' change together unseen.')
+      ? element('p', {}, 'On ' + name + ', no parameters of ' + law.name + ' can change together without a visible change of the loops.')
       : element(
           'div',
           {},
@@ -44,7 +44,7 @@ function tradeOffs() {
           'p',
           {},
           element('code', {}, law.reduced_form),
-          ' searches a form of the same loops without the redundant parameter.',
+          ' gives the same loops without the redundant parameter.',
         )
       : null,
     element('p', {}, intervalSentence(fit.intervals)),

@@ -23,9 +23,9 @@ function factorCaption() {
         q.lambda_test_min_cycle + ') to ' + fixed(q.lambda_test_max, 3) + ' (cycle ' + q.lambda_test_max_cycle + ')',
     );
   return (
-    'Factors on the design value (on the mean of the lot where there is none) and the bounds they give. The spread of single devices bounds a device; only the spread of the system may bound the whole isolation system.' +
+    'Factors on the design value (on the mean of the lot where there is none) and the bounds that result. The spread of single devices gives bounds for one device; only the spread of the system may give bounds for the whole isolation system.' +
     (history.length > 0
-      ? ' Each holds that of the test, smallest and largest counted cycle over the mean of the first three: ' +
+      ? ' Each includes the factor of the test: smallest and largest counted cycle, divided by the mean of the first three: ' +
         history.join(', ') + '.'
       : '')
   );

@@ -27,7 +27,7 @@ function lotCaption() {
     (isNumber(lot.required) ? ', ' + lot.required + ' required' : '') + '.' +
     (copies.length > 0 ? ' Copies of a record (' + enumerate(copies) + ') count in n, mean and CoV, not in k.' : '') +
     ' CoV: standard deviation over the mean.' +
-    ' Tolerance: interval that holds 95\u202f% of all devices with 95\u202f% confidence, if normally distributed.' +
+    ' Tolerance: interval that contains 95\u202f% of all devices with 95\u202f% confidence, if normally distributed.' +
     (failing.length > 0 ? ' Outside a limit: ' + enumerate(failing) + '.' : '')
   );
 }

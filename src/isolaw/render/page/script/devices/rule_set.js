@@ -5,7 +5,7 @@ import { THIN, sentence } from '../text.js';
 
 export const ruleSetFigure = {
   id: 'rule-set',
-  title: 'What the lot was held to',
+  title: 'Rule set and design values',
   wanted: () => report.assessment !== null,
   build: ruleSetStatement,
 };
@@ -23,7 +23,7 @@ function ruleSetStatement() {
       'Design values',
       design.length > 0
         ? design.map(({ name, value, unit }) => name + ' ' + value + THIN + unit).join(', ')
-        : 'none given: no deviation can be stated',
+        : 'none given, so no deviations',
     ],
     ...(rules && lot?.sample ? [['Sample', sampleText(lot.sample)]] : []),
     ...(lot?.note ? [['The lot', lot.note]] : []),
@@ -37,7 +37,7 @@ function ruleSetStatement() {
       ? element(
           'p',
           { class: 'warnings' },
-          element('b', {}, 'The limits of this set are not verified: deviations are information, no verdict.'),
+          element('b', {}, 'The limits of this set are not verified: deviations are given without a verdict.'),
         )
       : null,
     termList('facts-list', facts.map(([term, text]) => [term, sentence(text)])),

@@ -25,7 +25,7 @@ function comparedBlock(device) {
 function lotStabilityCaption() {
   const shown = devices.filter((device) => comparedBlock(device));
   return (
-    'One line a device, ' +
+    'One line per device, ' +
     (chosen.block === 'all' ? 'its reported block (the largest amplitude)' : 'block ' + chosen.block + ' of each') +
     '; bold: ' +
     (chosen.tested === null ? 'none' : devices[chosen.tested].name) + '. ' + count(shown.length, 'device') + '.' +

@@ -13,9 +13,9 @@ export const lotStripsFigure = {
   depends: ['tested'],
   wanted: () => stripRows().length > 0,
   caption: () =>
-    'One mark a device; ringed: ' +
+    'One mark per device; ringed: ' +
     (chosen.tested === null ? 'none' : devices[chosen.tested].name) +
-    '. Outliers and what is outside its limits are named.',
+    '. Outliers and devices outside their limits are named.',
   csv: stripData,
   height: () => stripLayout().height,
   draw: drawStrips,

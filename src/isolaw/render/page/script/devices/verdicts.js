@@ -11,7 +11,7 @@ export const verdictTableFigure = {
   long: true,
   wanted: () => devices.some((device) => device.assessments.length > 0),
   caption: () =>
-    'Devices outside a limit come first. Under the verdict the deviation from the design value, or the value.' +
+    'Devices outside a limit come first. Below each verdict: the deviation from the design value, or the value.' +
     onScreen(' Choose a device above for clauses, formulas and reasons.'),
   csv: () => assessmentData(devices),
   build: verdictTable,

@@ -6,7 +6,7 @@ import { record } from './fits.js';
 
 export const cleaningFigure = {
   id: 'cleaning',
-  title: 'Displacement over time, as recorded and as the laws saw it',
+  title: 'Displacement over time, as recorded and after cleaning',
   depends: ['device'],
   wanted: () => drawable.some((device) => device.raw?.samples > 0),
   caption: cleaningCaption,
@@ -18,8 +18,8 @@ export const cleaningFigure = {
 function cleaningCaption() {
   const device = devices[chosen.device];
   return (
-    device.name + ': ' + device.raw.samples + ' samples as recorded, ' + device.record.samples + ' as the laws saw them. ' +
-    (device.cleaning.length > 0 ? 'Done to it: ' + sentence(device.cleaning.join('; ')) + '.' : 'Nothing was changed.')
+    device.name + ': ' + device.raw.samples + ' samples as recorded, ' + device.record.samples + ' after cleaning. ' +
+    (device.cleaning.length > 0 ? 'Changes: ' + sentence(device.cleaning.join('; ')) + '.' : 'Nothing was changed.')
   );
 }
 
@@ -32,7 +32,7 @@ function cleaningData() {
     columns: ['series', axis.timed ? 'time [s]' : 'sample', 'displacement [mm]'],
     rows: [
       ...raw.map((x, k) => ['as recorded', axis.of(rawIndex(device.raw, k)), x]),
-      ...measured.x.map((x, k) => ['as the laws saw it', measured.t[k], x]),
+      ...measured.x.map((x, k) => ['after cleaning', measured.t[k], x]),
     ],
   };
 }
@@ -51,8 +51,8 @@ function drawCleaning(look) {
         hovertemplate: hover + '<extra>as recorded</extra>',
       },
       {
-        name: 'as the laws saw it', mode: 'lines', x: measured.t, y: measured.x,
-        line: { color: look.colour('accent'), width: 1.2 }, hovertemplate: hover + '<extra>as the laws saw it</extra>',
+        name: 'after cleaning', mode: 'lines', x: measured.t, y: measured.x,
+        line: { color: look.colour('accent'), width: 1.2 }, hovertemplate: hover + '<extra>after cleaning</extra>',
       },
     ],
     layout: { showlegend: true, xaxis: { title: axis.title, zeroline: false }, yaxis: { title: 'displacement [mm]' } },

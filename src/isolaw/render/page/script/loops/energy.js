@@ -69,9 +69,9 @@ function energyCaption() {
   const said = fits.map(({ law }, place) => law.name + ' ' + signed(totalError(cycles, place), 1) + THIN + '%');
   const away = fits.filter((_, place) => runsAway(cycles, place)).map(({ law }) => law.name);
   return (
-    'Area of the measured loop of each cycle (bars) and of the best fits\u2019 loops (markers), of the samples drawn.' +
-    (said.length > 0 ? ' Over all cycles the laws dissipate, against the measurement: ' + said.join(', ') + '.' : '') +
-    ' Where bars fall from cycle to cycle and markers stay, it is scragging the law does not know.' +
+    'Energy of each cycle: area of the measured loop (bars) and of the best fits\u2019 loops (markers), from the samples drawn.' +
+    (said.length > 0 ? ' Energy error of the laws over all cycles: ' + said.join(', ') + '.' : '') +
+    ' If bars fall from cycle to cycle and markers stay level, the device scrags and the law does not model it.' +
     (away.length > 0 ? ' Off the scale: ' + enumerate(away) + '.' : '')
   );
 }

@@ -7,7 +7,7 @@ import { LOOP_HEIGHT, chosenLaws, fitCurves, fitsOn, forceRange, isScored, loopD
 export const historyFigure = {
   id: 'history',
   width: 'wide',
-  title: 'Force over time, and what is left unexplained',
+  title: 'Force and residual over time',
   depends: ['device', 'laws'],
   wanted: () => chosen.device !== null,
   caption: historyCaption,
@@ -27,11 +27,11 @@ function historyCaption() {
       significant(Math.max(...force.map((f, i) => (scored[i] ? Math.abs(measured.F[i] - f) : 0))), 3) + THIN + 'kN',
   );
   return (
-    'Residual: measured minus computed force. What repeats from cycle to cycle is the law\u2019s own error, what fades is scragging the law does not know.' +
+    'Residual: measured minus computed force. A residual that repeats from cycle to cycle is the law\u2019s own error; one that fades is scragging, which the law does not model.' +
     (worst.length > 0
       ? ' Largest residual: ' + worst.join(', ') + '; peak force ' + significant(peak, 3) + THIN + 'kN.'
       : '') +
-    (device.scored ? ' Shaded: the part the laws were judged by, the residuals named here among it.' : '')
+    (device.scored ? ' Shaded: the part used for the fit; only its residuals are named.' : '')
   );
 }
 

@@ -26,7 +26,7 @@ function loopCaption() {
       signed(fit.energy_error_percent, 1) + THIN + '%, damping ' + signed(fit.damping_error_percent, 1) + THIN + '%',
   );
   const partly = device.scored
-    ? ' The laws were judged by the part of the record drawn solid; dotted, it acts on their state alone.'
+    ? ' Solid: used for the fit. Dotted: run through, not scored.'
     : '';
   const thinned =
     device.record.drawn < device.record.samples
@@ -38,7 +38,7 @@ function loopCaption() {
     missing
       .map(
         (law) =>
-          ' ' + law.name + ' has no fit here' +
+          ' ' + law.name + ' has no fit' +
           (law.fitOn.get(device.index)?.message ? ' (' + law.fitOn.get(device.index).message + ')' : '') + '.',
       )
       .join('') +
@@ -65,9 +65,9 @@ function drawLoop(look) {
       ...(device.scored
         ? [
             {
-              name: 'measured, not judged', mode: 'lines', x: measured.x, y: halves.outside,
+              name: 'measured, not scored', mode: 'lines', x: measured.x, y: halves.outside,
               line: { color: look.colour('measured'), width: 1.6, dash: 'dot' },
-              hovertemplate: hover + '<extra>measured, not judged</extra>',
+              hovertemplate: hover + '<extra>measured, not scored</extra>',
             },
           ]
         : []),

@@ -11,8 +11,8 @@ export const loopOverviewFigure = {
   depends: ['device', 'order'],
   wanted: () => chosen.device !== null,
   caption: () =>
-    'The best fit of each law (coloured) over the measured loop of ' + devices[chosen.device].name +
-    ' (grey), in one scale, ' + orderText() + '.' + cutOff(laws),
+    'Best fit of each law (coloured) and measured loop of ' + devices[chosen.device].name +
+    ' (grey), all to one scale, ' + orderText() + '.' + cutOff(laws),
   csv: () => loopData(laws),
   height: (width) => overviewGrid(fitsOn(devices[chosen.device], laws).length, width).height,
   draw: drawOverview,

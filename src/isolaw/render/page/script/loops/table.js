@@ -12,9 +12,9 @@ export const fitsFigure = {
   wanted: () => chosen.device !== null,
   caption: () =>
     'Best run of each law on ' + devices[chosen.device].name +
-    ': its objective, and its effective stiffness, dissipated energy and damping against the record, on the third counted cycle of the largest amplitude' +
-    (devices[chosen.device].scored ? ' among those that the laws were judged by.' : '.') +
-    onScreen(' The heads of the columns sort; the loops below follow.'),
+    ': objective, and errors of effective stiffness, dissipated energy and damping in the third counted cycle of the largest amplitude' +
+    (devices[chosen.device].scored ? ' used for the fit.' : '.') +
+    onScreen(' Press a column head to sort the table and the loops below.'),
   csv: () =>
     fitData([
       'objective', 'K_eff_error_percent', 'energy_error_percent', 'damping_error_percent', 'runs', 'failed_runs',
@@ -55,7 +55,7 @@ const current = () => chosen.order && COLUMNS.concat(REMARK).find((column) => ke
 export const inOrder = (fits) => (current() ? sortedBy(fits, (one) => current().by(one) ?? null, chosen.order.down) : fits);
 
 export const orderText = () =>
-  current() ? 'by ' + current().title + ', ' + (chosen.order.down ? 'downwards' : 'upwards') : 'in the order of the laws';
+  current() ? 'sorted by ' + current().title + ', ' + (chosen.order.down ? 'descending' : 'ascending') : 'in the order of the laws';
 
 function fitTable() {
   const device = devices[chosen.device];

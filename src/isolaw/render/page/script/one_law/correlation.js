@@ -30,9 +30,9 @@ function correlationCaption() {
   if (correlations(law).length === 0) return law.name + ' has no correlation to show.';
   return (
     'Correlation of the parameters of ' +
-    law.name + ' between devices, blue: together, rust: against one another; \u2013: a parameter that does not vary. ' +
+    law.name + ' between devices. Blue: both rise together; rust: one rises as the other falls; \u2013: a parameter that does not vary. ' +
     (strong.length === 0
-      ? 'No two go closely together.'
+      ? 'No two are closely correlated.'
       : 'Closest: ' +
         strong
           .slice(0, 3)

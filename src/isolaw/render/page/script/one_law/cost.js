@@ -18,11 +18,11 @@ function lotLawsCaption() {
     .filter((law) => isNumber(law.loo_objective))
     .sort((a, b) => a.loo_objective - b.loo_objective)[0];
   return (
-    'OF of each device\u2019s own law, of the one law with the least mean over the lot, and of the law of all other devices on the one left out. Least worst: the law that is least bad for its worst device; where the descents are global, no law gets below the bound.' +
+    'Own law: OF of a law fitted to each device. Lot\u2019s law: of the one law with the smallest mean OF. Left out: of a law fitted to all other devices. Least worst: of the law that fits its worst device best; if the descents are global, no law gets below the bound.' +
     (best
       ? ' For a device that was not tested, ' +
-        best.name + ' misses least: ' + fixed(best.loo_objective, 4) +
-        ' on average, against ' + fixed(best.objective_converged, 4) + ' of each device\u2019s own law.'
+        best.name + ' has the smallest OF: ' + fixed(best.loo_objective, 4) +
+        ' on average, against ' + fixed(best.objective_converged, 4) + ' with each device\u2019s own law.'
       : '')
   );
 }

@@ -23,12 +23,12 @@ function lotDevicesCaption() {
     .sort((a, b) => b.left_out_objective - b.optimum - (a.left_out_objective - a.optimum));
   return (
     law.name +
-    ': from the circle to the square is what sharing one law costs a device, to the diamond what it costs not to have tested it.' +
+    ': from circle to square, the cost of sharing one law; from circle to diamond, the cost of not testing the device.' +
     (cost.length > 1
-      ? ' Most for ' +
+      ? ' The second is largest for ' +
         devices[cost[0].device].name +
         ' (' + fixed(cost[0].optimum, 4) + ' with its own law, ' + fixed(cost[0].left_out_objective, 4) +
-        ' left out), least for ' + devices[cost[cost.length - 1].device].name + '.'
+        ' left out), smallest for ' + devices[cost[cost.length - 1].device].name + '.'
       : '')
   );
 }

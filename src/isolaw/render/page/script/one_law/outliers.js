@@ -4,10 +4,10 @@ import { THIN, signed, withUnit } from '../text.js';
 
 export const lotOutliersFigure = {
   id: 'lot-outliers',
-  title: 'Devices that stand apart from the lot',
+  title: 'Outliers of the lot',
   wanted: () => report.outliers.length > 0,
   caption: () =>
-    'Properties and misfits far from the median of the lot. Look at the test of such a device before the lot\u2019s law is built on it.',
+    'Properties and misfits far from the median of the lot. Check the test of such a device before you use the lot\u2019s law.',
   csv: () => {
     const { columns, cells } = resultColumns('outliers');
     return { columns, rows: report.outliers.map(cells) };

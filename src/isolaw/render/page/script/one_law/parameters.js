@@ -24,7 +24,7 @@ function lotParametersCaption() {
   const law = ofLot();
   return (
     law.name +
-    ' as one law for all devices, and as the devices scatter: median of the lot, standard deviation between devices without the uncertainty of their fits.' +
+    ': parameters of the one law for all devices, median of the devices\u2019 own parameters, and their standard deviation between devices without the uncertainty of the fits.' +
     (law.population?.note ? ' ' + capitalised(law.population.note) + '.' : '')
   );
 }

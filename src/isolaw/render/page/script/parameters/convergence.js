@@ -5,7 +5,7 @@ import { THIN, plain, significant, spanText } from '../text.js';
 
 export const convergenceFigure = {
   id: 'convergence',
-  title: 'How the search came down',
+  title: 'Convergence of the search',
   depends: ['law', 'device'],
   wanted: () => convergingLaws.length > 0,
   caption: convergenceCaption,
@@ -43,7 +43,7 @@ function convergenceCaption() {
   const spreads = all.map(({ highest, lowest }) => highest[highest.length - 1] / lowest[lowest.length - 1] - 1);
   return (
     'Best OF so far: median over the runs (line) and, on the chosen device, smallest to largest (band). The median run of ' +
-    law.name + ' is within 1' + THIN + '% of its end after ' + spanText(settled, 0) + ' ' + stepName + 's; at the end the runs of a device differ by up to ' +
+    law.name + ' is within 1' + THIN + '% of its final OF after ' + spanText(settled, 0) + ' ' + stepName + 's; the final OF of a device\u2019s runs differs by up to ' +
     significant(100 * Math.max(...spreads), 2) + THIN + '%.'
   );
 }

@@ -52,14 +52,14 @@ function panelsCaption() {
     .sort((a, b) => b.delta - a.delta);
   const bound = panelPlaces(law).filter((place) => law.devices.some((fit) => fit.parameters[place]?.at_bound));
   return (
-    'Mean over the runs \u00b1 standard deviation (left), and the difference from the mean over the devices, dotted (right). ' +
+    'Left: mean over the runs \u00b1 standard deviation. Right: difference from the mean over the devices (dotted). ' +
     (strayed.length > 1
       ? symbol(strayed[0].name) + ' differs most from device to device (' + fixed(100 * strayed[0].delta, 0) + THIN + '%), ' +
         symbol(strayed[strayed.length - 1].name) + ' least (' + fixed(100 * strayed[strayed.length - 1].delta, 0) + THIN + '%).'
       : '') +
     (usable.some((device) => device.name.length > 6) ? ' Devices are numbered in the order of the lot.' : '') +
     (bound.length > 0
-      ? ' Open marks: the best run lies at a bound of its box (' + enumerate(bound.map((place) => symbol(law.parameters[place].name))) + ').'
+      ? ' Open marks: the best run lies at a bound of its search box (' + enumerate(bound.map((place) => symbol(law.parameters[place].name))) + ').'
       : '')
   );
 }

@@ -67,7 +67,7 @@ function predictedCaption() {
   const away = fits.filter(({ force }) => ends(force).some((f) => f < low || f > high));
   const largest = ({ law, force }) => law.name + ' to ' + significant(Math.max(...ends(force).map(Math.abs)), 2) + THIN + 'kN';
   return (
-    device.name + ', ' + enumerate(blocks.map(blockText)) + ', left out of the fit: measured (grey) and predicted, first by the law that predicts best. ' +
+    device.name + ', ' + enumerate(blocks.map(blockText)) + ', left out of the fit: measured (grey) and predicted loops, the best prediction first. ' +
     said.join('; ') + '.' + (away.length > 0 ? ' Off the scale: ' + enumerate(away.map(largest)) + '.' : '')
   );
 }

@@ -51,18 +51,18 @@ function predictionCaption() {
     closest = [...predictedLaws].sort((a, b) => a.fitted_objective - b.fitted_objective)[0];
   const unusable = predictedLaws.filter((law) => law.prediction_grade === 'unusable').map((law) => law.name);
   return (
-    'Every law runs through the whole record and was fitted to the blocks so marked alone. ' +
+    'Every law runs through the whole record but was fitted only to the blocks marked \u201cfitted\u201d. ' +
     (best === closest
       ? best.name + ' is closest both to the blocks it was fitted to and to the others.'
       : closest.name + ' is closest to the blocks it was fitted to, ' + best.name + ' to the others.') +
     (unusable.length > 0
-      ? ' The prediction of ' +
-        enumerate(unusable) + ' is unusable: no law for other amplitudes or frequencies than those of the fit.'
+      ? ' Unusable at other amplitudes or frequencies than those of the fit: ' +
+        enumerate(unusable) + '.'
       : ' No prediction is unusable.') +
     ' Good: OF up to ' + good + ' on the blocks predicted; fair: up to ' + fair + '; poor: up to ' + poor +
-    '; unusable: above, or collapsed: a block missed by more than ' + limits.collapsed_objective +
-    ', or a mean of ' + limits.collapsed_least + ' or more that is over ' + limits.collapsed_ratio +
-    ' times that of the blocks fitted.'
+    '; unusable: above that, or a block with an OF above ' + limits.collapsed_objective +
+    ', or a mean of ' + limits.collapsed_least + ' or more that exceeds ' + limits.collapsed_ratio +
+    ' times the mean of the fitted blocks.'
   );
 }
 

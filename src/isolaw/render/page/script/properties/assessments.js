@@ -15,7 +15,7 @@ export const assessmentsFigure = {
     (devices.length > 1
       ? devices[chosen.tested].name + ' alone; the lot follows below.'
       : 'Block ' + devices[chosen.tested].counting_block + ', ' + devices[chosen.tested].counting_block_choice + '.') +
-    (isVerified() ? '' : ' Deviations are information, no verdict.'),
+    (isVerified() ? '' : ' Deviations are given without a verdict.'),
   csv: () => assessmentData([devices[chosen.tested]]),
   build: assessmentTable,
 };

@@ -28,7 +28,7 @@ function cycleHistoryCaption() {
       ? 'No cycles: ' + noCycles(device)
       : count(device.blocks.length, 'block') + ', ' + count(countedCycles(device).length, 'cycle') + ' counted.') +
     (said.length > 0 ? ' Pale and marked \u2013, not counted: ' + enumerate(said, 4) + '.' : '') +
-    (!inspection && device.scored ? ' The bar along the bottom: the part the laws were judged by.' : '')
+    (!inspection && device.scored ? ' Bar along the bottom: the part used for the fit.' : '')
   );
 }
 

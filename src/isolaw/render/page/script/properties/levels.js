@@ -12,8 +12,8 @@ export const levelsFigure = {
   depends: ['tested'],
   wanted: () => devices.some((device) => device.levels?.length > 1),
   caption: () =>
-    'The third counted cycle of each block, and its ratio to that of the block that counts' +
-    (levels().some(({ reference }) => reference) ? ', block ' + levels().find(({ reference }) => reference).block : '') + '.',
+    'The third counted cycle of each block, and its ratio to the reference block' +
+    (levels().some(({ reference }) => reference) ? ' (' + levels().find(({ reference }) => reference).block + ')' : '') + '.',
   csv: levelsData,
   build: levelsTable,
 };

@@ -28,9 +28,7 @@ function cyclesCaption() {
   return (
     device.name + ', raw values' +
     (device.corrections.length > 0 ? ' after ' + count(device.corrections.length, 'correction') : '') +
-    '. The number stands at the positive peak of each loop' +
-    (blocks.length > 1 ? ', block and cycle' : '') +
-    '; the colour runs from the first cycle (orange) to the last (blue).' +
+    '. Each loop has its ' + (blocks.length > 1 ? 'block and cycle' : 'number') + ' at its positive peak; the colour runs from the first cycle (orange) to the last (blue).' +
     (uncounted > 0
       ? ' Dashed: ' + count(uncounted, 'cycle') + ' that ' + (uncounted === 1 ? 'does' : 'do') + ' not count.'
       : '') +

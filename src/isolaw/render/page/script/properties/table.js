@@ -26,7 +26,7 @@ function cycleTableCaption() {
   if (device.blocks.length === 0) return 'No cycles: ' + noCycles(device);
   return (
     device.name +
-    ', from raw values. In bold the reported cycle: the third of the block of largest amplitude, or its last; grey: not counted.' +
+    ', from raw values. Bold: the reported cycle, which is the third of the block of largest amplitude, or its last; grey: not counted.' +
     ' K+ and K\u2212: force over displacement per side.' +
     onScreen(' The CSV holds more columns.')
   );

@@ -19,7 +19,7 @@ const filesFigure = {
   width: 'wide',
   title: 'Input files',
   wanted: () => !inspection, // an inspection's certificate lists them
-  caption: () => 'SHA-256 of each file as it was read: a changed file is another input.',
+  caption: () => 'SHA-256 of each file as it was read. A changed file has another SHA-256.',
   csv: () => ({
     columns: ['device', 'file', 'sha256', 'status', 'message'],
     rows: devices.map((d) => [d.name, d.file, d.sha256, d.status, d.message]),
@@ -29,18 +29,18 @@ const filesFigure = {
 
 const commandFigure = {
   id: 'command',
-  title: 'The command that makes it again',
+  title: 'The command that repeats this',
   wanted: () => report.command !== '',
   caption: () =>
     report.takes_lot_file
       ? 'LOT.toml: the lot file that names these devices and says how their files are read. The name of a device is part of its seed.'
-      : 'The files as they were named, and every setting. Where columns or units were given, give them again.',
+      : 'The files by name, and every setting. If you gave columns or units, add them.',
   build: commandLine,
 };
 
 const stepsFigure = {
   id: 'steps',
-  title: 'What was recognised and done to the records',
+  title: 'How the records were read and corrected',
   long: true,
   build: stepsList,
 };

@@ -6,11 +6,11 @@ import { DASH, fixed, sentence, significant } from '../text.js';
 
 export const publishedLawsFigure = {
   id: 'published-laws',
-  title: 'Its laws, here and in its Table A.5',
+  title: 'The study\u2019s laws, here and in its Table A.5',
   wanted: () => report.published !== null,
   caption: () =>
-    'Published: its own ten devices, 20 runs of a genetic algorithm each, objectives printed to two digits. \u03c3, of OF over the runs: mean over the devices; ' +
-    'a genetic algorithm as it is described there scatters farther than the table says. Front: among these laws alone.',
+    'Published: the study\u2019s own ten devices, 20 runs of a genetic algorithm each, objectives printed to two digits. \u03c3, runs: standard deviation of OF over the runs, mean over the devices; ' +
+    'the genetic algorithm, as the study describes it, scatters more than its table says. Front: only these laws are compared.',
   csv: () => {
     const { columns, cells } = resultColumns('published_laws');
     return { columns, rows: report.published.laws.map(cells) };

@@ -11,9 +11,9 @@ export const verdictFigure = {
 
 export const statementsFigure = {
   id: 'published-statements',
-  title: 'What it says, and what is found here',
+  title: 'What the study says, and what is found here',
   wanted: () => report.published !== null,
-  caption: () => 'Statements of ' + report.published.source + ', in our words, judged by the mean objective over the runs and \u03b2 alone.',
+  caption: () => 'Statements of ' + report.published.source + ', in our words, tested only by the mean objective over the runs and \u03b2.',
   csv: () => {
     const { columns, cells } = resultColumns('published_statements');
     return { columns, rows: report.published.statements.map(cells) };
