@@ -460,7 +460,7 @@ TEST_F(BuildingRuns, says_what_is_known_against_a_law) {
   EXPECT_EQ(answers.calibration, study.laws[0].doubts);
   std::string const of_device =
       "device-01 is an outlier in its lot: effective stiffness 0.81 kN/mm (+31 % from the median).";
-  auto const warnings = render::building_warnings(made);
+  auto const warnings = render::building_warnings(answers);
   EXPECT_EQ(std::ranges::count(warnings, "From the calibration: " + of_device), 1);
   EXPECT_EQ(std::ranges::count(warnings, "From the calibration: Bilinear: the tests cannot fix Dy (2 of 3 devices)."),
             1);
