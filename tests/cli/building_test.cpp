@@ -355,11 +355,12 @@ TEST_F(Building, carries_the_doubts_of_the_calibration) {
   text.replace(text.find("laws = []"), 9, "laws = [\"bilinear\"]");
   text.replace(text.find("[[motion]]", text.find("[[motion]]") + 5), std::string::npos, "");
   write("case/building.toml", text);
-  auto const made = isolaw({"building", "case/building.toml", "--from", "doubtful", "--out", "B", "--figures", "none"});
-  ASSERT_EQ(made.code, 0) << made;
-  EXPECT_TRUE(contains(made.out, "warning: of the calibration of Bilinear: ")) << made;
-  EXPECT_TRUE(contains(made.out, "xy at its lower bound")) << made;
-  EXPECT_TRUE(contains(made.out, "warning: 1 motion: codes accept the mean over 7 motions or more")) << made;
+  auto const output =
+      isolaw({"building", "case/building.toml", "--from", "doubtful", "--out", "B", "--figures", "none"});
+  ASSERT_EQ(output.code, 0) << output;
+  EXPECT_TRUE(contains(output.out, "warning: From the calibration: Bilinear: ")) << output;
+  EXPECT_TRUE(contains(output.out, "xy at its lower bound")) << output;
+  EXPECT_TRUE(contains(output.out, "warning: 1 motion: codes accept the mean over 7 motions or more")) << output;
   auto const json = this->json("B/building.json");
   EXPECT_TRUE(contains(json["laws"][0]["doubts"].dump(), "xy at its lower bound"));
   EXPECT_TRUE(contains(json["warnings"].dump(), "xy at its lower bound"));

@@ -336,9 +336,9 @@ TEST_F(BuildingRuns, without_draws_bounds_have_nothing_to_cover) {
   for (auto& bearing : study.file.bearings) bearing.stands = Stands::lot;
   RunStore store(file_, properties_of(study), false);
   run_all(study, store, 1);
-  auto const made = answer(study, store);
-  EXPECT_TRUE(contains(made.verdict, "No bearing is drawn")) << made.verdict;
-  EXPECT_FALSE(made.bounds_are_enough.has_value());
+  auto const answers = answer(study, store);
+  EXPECT_TRUE(contains(answers.verdict, "No bearing is drawn")) << answers.verdict;
+  EXPECT_FALSE(answers.bounds_are_enough.has_value());
 }
 
 // Three buildings within the bounds prove nothing about a share of 95 %.
@@ -346,14 +346,14 @@ TEST_F(BuildingRuns, a_few_draws_do_not_show_that_bounds_are_enough) {
   auto study = usual_study(0.001, 3);
   RunStore store(file_, properties_of(study), false);
   run_all(study, store, 1);
-  auto const made = answer(study, store);
-  EXPECT_EQ(made.laws.front().coverage.front().inside, 1.0);
-  EXPECT_FALSE(made.bounds_are_enough.has_value());
-  EXPECT_TRUE(contains(made.verdict, "No answer yet: with Bilinear the bounds cover 100 % of 3 buildings"))
-      << made.verdict;
-  EXPECT_TRUE(says(made.warnings,
+  auto const answers = answer(study, store);
+  EXPECT_EQ(answers.laws.front().coverage.front().inside, 1.0);
+  EXPECT_FALSE(answers.bounds_are_enough.has_value());
+  EXPECT_TRUE(contains(answers.verdict, "No answer yet: with Bilinear the bounds cover 100 % of 3 buildings"))
+      << answers.verdict;
+  EXPECT_TRUE(says(answers.warnings,
                    "3 draws are too few to tell whether 95 % of buildings lie between the bounds: no answer yet."))
-      << made.warnings;
+      << answers.warnings;
 }
 
 // The second law lies far from the first, so the bounds of the first do not cover it.
