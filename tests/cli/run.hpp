@@ -215,7 +215,7 @@ inline std::string unwrapped(std::string const& text) {
   return std::regex_replace(text, std::regex("\n +"), " ");
 }
 
-// What calibrate and report print, without the name of the folder that they wrote into.
+// Output of calibrate and report without the name of the folder that they wrote into.
 inline std::string without_folder(std::string const& text, std::string const& folder) {
   return std::regex_replace(text, std::regex("\\b" + folder + "(?=/report.html| --law)"), "FOLDER");
 }
