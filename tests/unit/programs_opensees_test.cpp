@@ -14,7 +14,7 @@ struct Exported {
   double acceleration_mm_s2 = 450.0;  // of the ground; it moves the mass as far as the tests did
 };
 std::vector<Exported> const exported{{"corner", "bilinear", bilinear_parameters, 900.0},
-                                     {"branches", "menegotto-pinto", menegotto_pinto_parameters},
+                                     {"branches", "menegotto-pinto", menegotto_pinto_parameters, 300.0},
                                      {"smooth", "bouc-wen", bouc_wen_parameters},
                                      {"curves", "vaiana", vaiana_parameters()},
                                      {"hardening curves", "vaiana", vaiana_parameters(800.0, 12.0)},
