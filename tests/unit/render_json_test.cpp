@@ -192,16 +192,17 @@ TEST(SummaryJson, ExactText) {
   auto const said = Json::parse(text);
   ASSERT_EQ(said["warnings"].size(), 2u);
   EXPECT_EQ(keys(said["warnings"][1]),
-            (std::vector<std::string>{"kind", "topic", "severity", "sentence", "certificate", "action", "law", "other_laws", "devices",
-                   "parameters", "blocks", "each"}));
+            (std::vector<std::string>{"kind", "topic", "severity", "sentence", "certificate", "action", "law",
+                                      "other_laws", "devices", "parameters", "blocks", "each"}));
   EXPECT_EQ(said["warnings"][0]["kind"], "runs-missing");
   EXPECT_EQ(said["warnings"][0]["each"][0]["numbers"], (Json{{"runs", 1}, {"expected_runs", 4}}));
   EXPECT_EQ(said["warnings"][1]["kind"], "at-bound");
   EXPECT_EQ(said["warnings"][1]["devices"], Json::array({"D\"1"}));
   ASSERT_EQ(said["recommendations"].size(), 3u);
-  EXPECT_EQ(keys(said["recommendations"][1]),
-            (std::vector<std::string>{"purpose", "law", "sure", "error", "why", "reasons", "weak", "would_decide", "surer", "measure", "ties",
-                   "standings", "answer", "title", "valid", "valid_mm", "programs"}));
+  EXPECT_EQ(
+      keys(said["recommendations"][1]),
+      (std::vector<std::string>{"purpose", "law", "sure", "error", "why", "reasons", "weak", "would_decide", "surer",
+                                "measure", "ties", "standings", "answer", "title", "valid", "valid_mm", "programs"}));
   EXPECT_EQ(keys(said["recommendations"][1]["standings"][0]),
             (std::vector<std::string>{"law", "place", "error", "reason", "reason_kind"}));
 }
