@@ -50,7 +50,7 @@ TEST_F(InOpenSees, exports_of_the_example_lot) {
   EXPECT_EQ(run, 10 * 7 * 2);
 }
 
-// xara reads Tcl by an interpreter and parsers of its own. It passes no arguments, so another script asks for the check.
+// xara has its own interpreter and parsers. It passes no arguments, so another script asks for the check.
 TEST_F(InOpenSees, tcl_scripts_in_an_interpreter_of_their_own) {
   if (!here_.has_xara()) GTEST_SKIP() << "xara is not there; " << here_.lacking();
   ASSERT_EQ(isolaw({"example", "lot"}).code, 0);
