@@ -14,8 +14,8 @@ class InOpenSees : public InFreshDirectory {
 
   Outcome finished(Words const& command) { return Process(command, path("."), path("out"), path("err")).wait(); }
 
-  // Exports every law of the campaign in C for the device, in Tcl and Python: refusals give a reason, all others agree.
-  // Returns how many were run.
+  // Exports every law of the campaign in C for the device, in Tcl and Python. A refusal must give a reason; every other
+  // script must agree. Returns how many were run.
   int check_all(std::string const& device, Words const& laws) {
     int run = 0;
     for (auto const& law : laws)
@@ -50,7 +50,7 @@ TEST_F(InOpenSees, exports_of_the_example_lot) {
   EXPECT_EQ(run, 10 * 7 * 2);
 }
 
-// xara reads Tcl by an interpreter and parsers of its own. It passes no arguments, so another script asks for the check.
+// xara reads Tcl by an interpreter and parsers of its own. It passes no arguments, so another script starts the check.
 TEST_F(InOpenSees, tcl_scripts_in_an_interpreter_of_their_own) {
   if (!here_.has_xara()) GTEST_SKIP() << "xara is not there; " << here_.lacking();
   ASSERT_EQ(isolaw({"example", "lot"}).code, 0);

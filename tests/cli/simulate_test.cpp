@@ -358,7 +358,7 @@ TEST_F(Simulate, two_displacements_give_two_forces_that_turn_with_them) {
 TEST_F(Simulate, two_directions_along_one_are_the_law_coupled_exactly_and_springs_nearly) {
   write("m.csv", orbit(0.0, 0.0));
   auto const one = parsed(isolaw(bouc_wen + Words{"--motion", "m.csv", "--columns", "disp=east"}).out);
-  // A constant displacement would not be read as a motion; one of two parts in a million is.
+  // A constant displacement would not be read as a motion. This displacement is tiny but not constant.
   write("m.csv", orbit(0.0, 1e-6));
   auto const coupled = parsed(isolaw(bouc_wen + in_plane("coupled")).out);
   auto const o = isolaw(bouc_wen + in_plane("springs"));

@@ -97,7 +97,7 @@ TEST_F(Read, ShiftJisOfAnyLengthAndLineEnd) {
     }
 }
 
-// A rest that the logger skipped takes its time; a jump amid motion does not.
+// A rest that the logger skipped is a part of the test's time. A jump of the clock amid motion gives a warning.
 TEST_F(Read, ARestThatWasNotRecordedIsNoJumpOfTheClock) {
   for (bool const at_rest : {true, false}) {
     data::Values values;
