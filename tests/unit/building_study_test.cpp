@@ -436,8 +436,8 @@ TEST_F(BuildingRuns, bounds_on_one_side_of_the_nominal_building_are_told) {
       << answers.warnings;
 }
 
-// Doubts about the calibration come from the campaign. One that both laws have is told once, and one about a tested
-// device names it once, although its finding carries the device as well.
+// Doubts about the calibration come from the campaign. A doubt that both laws have is printed once. A doubt about a
+// tested device names the device once, although its finding carries the device as well.
 TEST_F(BuildingRuns, says_what_is_known_against_a_law) {
   auto study = usual_study(0.07, 4);
   Finding const open{.kind = FindingKind::not_determined,

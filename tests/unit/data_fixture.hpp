@@ -69,7 +69,7 @@ inline ReadOptions with(std::string_view columns, std::string_view units = {}) {
   return options;
 }
 
-// An elliptic loop F = K x + C v/omega: dissipates, positive stiffness.
+// An elliptic loop F = K x + C v/omega, which dissipates energy and has positive stiffness.
 struct Ellipse {
   double amplitude_mm = 100.0;
   double K = 0.75;
