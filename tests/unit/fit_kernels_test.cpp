@@ -122,9 +122,9 @@ class Kernels : public ::testing::TestWithParam<Case> {
     return objectives(model, candidates, set());
   }
 
-  // Whether rounding may grow from step to step: the fourth-order Runge-Kutta rule is stable for a decay of less than
-  // 2.78 per step. The hysteretic force of bouc-wen approaches saturation at the rate n A / z_max, that of the abe laws
-  // at n / U0 or slower.
+  // Whether rounding may grow from step to step. The fourth-order Runge-Kutta rule is stable for a decay of less than
+  // 2.78 per step. The hysteretic force of bouc-wen approaches saturation at the rate n A / z_max, the force of the abe
+  // laws at n / U0 or slower.
   bool may_be_unstable(Values const& p, double longest_step) const {
     if (how() != Integration::paper) return false;
     auto const value = [&](char const* name) { return p[law().index_of(name)]; };

@@ -91,7 +91,7 @@ TEST(ModelNumbers, follow_the_units_of_the_file) {
   EXPECT_NEAR(mass, first.mass, 1e-12);
 }
 
-// A form that is exact only as the step goes to zero takes steps as fine as its own facts ask for.
+// A form that is exact only as the step goes to zero gets steps as fine as its own error requires.
 TEST(ModelNumbers, take_the_step_that_the_law_needs) {
   auto model = four(450.0);
   model.motions = {shaking(450.0, 0.1)};

@@ -58,7 +58,7 @@ TEST_F(OpenSees, a_wrong_script_ends_with_another_exit_code) {
   EXPECT_EQ(run_tcl("bearing.tcl check"), 1) << read("printed");
 }
 
-// Arguments that OpenSees is known to refuse are refused here, and those accepted here are accepted there.
+// isolaw refuses the arguments that OpenSees is known to refuse, and OpenSees accepts those that isolaw accepts.
 TEST_F(OpenSees, arguments_are_refused_where_the_program_refuses_them) {
   for (auto const& [a, taken] : {std::pair(std::vector<double>{2, 1, 3, 0, 0, 0}, true),
                                  {{-2, -3, 3, 0, 0, 0}, false},
@@ -154,7 +154,7 @@ TEST_F(InTime, elements_give_the_force_of_the_replay) {
   }
 }
 
-// Where the replay says that the force stays a number, it must stay one in OpenSees too.
+// Up to the travel that a form claims, its force must be a number in OpenSees too.
 TEST_F(OpenSees, travel_that_is_claimed_is_stood) {
   for (double const beta1 : {0.0, 50.0, 800.0, 6000.0, -50.0, -800.0})
     for (double const alpha : {40.0, 60.0, 140.0}) {
@@ -181,7 +181,7 @@ TEST_F(OpenSees, travel_that_is_claimed_is_stood) {
           *form.longest_travel_mm, 0.5 * *form.longest_swing_mm);
       write("travel.tcl", script);
       EXPECT_EQ(run_tcl("travel.tcl"), 0) << beta1 << " " << alpha << " " << *form.longest_travel_mm << read("printed");
-      // The claimed travel is no small part of what the program stands.
+      // The claimed travel must not be much shorter than the travel at which OpenSees fails.
       EXPECT_GT(*form.longest_travel_mm * 1e-3 * alpha, 20.0) << beta1;
       EXPECT_GE(*form.longest_swing_mm, *form.longest_travel_mm) << beta1;
     }

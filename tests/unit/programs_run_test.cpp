@@ -46,7 +46,7 @@ TEST_F(Folder, headers_are_the_laws) {
       masing.push_back(law.info.traits.masing);
     }
   }
-  // Trials to both sides come first and must leave no trace; then the point itself, twice.
+  // At each point, trials to both sides come first and must leave no trace. Then the point itself is computed twice.
   std::string motion;
   for (std::size_t i = 0; i < history.disp_mm.size(); ++i)
     motion += fmt::format("  {{{}, {}}},\n", history.disp_mm[i] / 1e3, history.vel_mm_s[i] / 1e3);

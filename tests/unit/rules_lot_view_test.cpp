@@ -182,8 +182,8 @@ TEST(LotView, JudgesTheSample) {
             rules_of(limits).id + " has no rule for the sample");
 }
 
-// One of three devices has the record of another. The means count it, but the sample does not, nor does anything that
-// follows from the sample's size.
+// One of three devices has the record of another. The means include the copy, but the sample and everything that
+// follows from its size do not.
 TEST(LotView, ACopyIsNoFurtherDeviceTested) {
   auto const rules = rules_of(fmt::format("[sample]\nshare_percent = 20\nleast = 3\n{}", limits));
   auto devices = lot_of({0.99, 1.01, 1.01});
