@@ -73,7 +73,7 @@ TEST_F(Building, from_template_to_verdict) {
   EXPECT_EQ(output.out.find(json["verdict"].get<std::string>()), 0u);
   EXPECT_EQ(json["plan"]["bearings"].size(), 28u);
   EXPECT_EQ(json["laws"][0]["histories"].size(), 7u);
-  // Quantities with bounds are compared with them; for each of the others the output says why it has none.
+  // Quantities that have bounds are compared with them. For each other quantity the output says why it has no bounds.
   for (auto const& row : json["quantities"])
     EXPECT_NE(row["uncovered"].is_null(), !json["laws"][0]["coverage"]["of"].contains(row["key"])) << row;
   EXPECT_TRUE(json["laws"][0]["coverage"]["of"].contains("roof_acceleration_g"));

@@ -124,7 +124,7 @@ TEST_F(Parts, a_lot_file_names_no_file_outside_for_a_channel_either) {
   EXPECT_EQ(isolaw({"inspect", "lot/lot.toml", "--allow-outside"}).code, 0);
 }
 
-// The file of a channel belongs to one lot: --like does not copy it to another.
+// The file of a channel belongs to one lot, so --like does not copy its name to another lot.
 TEST_F(Parts, like_another_lot_takes_no_file_of_it) {
   write("recs/disp.csv", channel(false));
   write("recs/force.csv", channel(true));

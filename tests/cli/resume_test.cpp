@@ -19,7 +19,7 @@ class Resume : public InFreshDirectory {
                  "40",        "--generations", "20",     "--analysis", "none",   "--out", out} +
            more;
   }
-  // Starts the campaign and sends the signal when some, but not all 40, runs are stored.
+  // Starts the campaign and sends the signal when some of its 40 runs are stored, but not all.
   Outcome stopped(Words const& words, std::string const& out, int signal, std::string const& law = "abe") {
     auto process = start(words);
     Outcome result;

@@ -271,8 +271,8 @@ TEST_F(Simulate, parameters_that_together_are_no_device_are_refused) {
   expect_refused(isolaw(bouc_wen + Words{"--set", "A=-1"}), {"A = -1 leaves its physical limits; allowed: above 0"});
 }
 
-// simulate accepts what calibrate accepted. calibrate refuses a box that contains no possible device, and warns if a
-// search found its best beyond a limit that crosses the box.
+// simulate accepts what calibrate accepted. calibrate refuses a box that contains no possible device, and warns if the
+// best parameters of a search lie beyond a limit that crosses the box.
 TEST_F(Simulate, takes_every_campaign_that_calibrate_made) {
   write("d.csv", csv(record({.strength_kN = 0.5})));
   Words const start{"calibrate", "d.csv", "--laws", "bilinear", "--runs", "1", "--out", "O"};

@@ -476,7 +476,7 @@ TEST_F(BuildingRuns, says_what_is_known_against_a_law) {
   EXPECT_EQ(properties_of(other), properties_of(study));
 }
 
-// Spring runs report progress one by one, and an interrupted run keeps those that are finished.
+// Runs with springs report their progress one by one, and an interrupted study keeps the runs that are finished.
 TEST_F(BuildingRuns, of_springs_are_told_one_by_one_and_can_be_interrupted) {
   auto study = usual_study(0.07, 2);
   study.laws[0].as_springs = true;

@@ -14,7 +14,7 @@
 namespace isolaw::data::testing {
 namespace {
 
-// Five cycles of 208 mm at 0.5 Hz of a bearing that softens exponentially; the force `late_s` late.
+// Five cycles of 208 mm at 0.5 Hz of a bearing that softens exponentially. The force is late by `late_s`.
 TestRecord bearing(double late_s = 0.0) {
   Motion fine;
   fine.dt_s = 0.0005;

@@ -47,7 +47,7 @@ class Files : public ::testing::Test {
     return read_record(write(bytes), options);
   }
 
-  // The complaints, one a line, the file's path written as FILE; empty when the file was read.
+  // The complaints, one a line, with FILE in place of the file's path; empty if the file was read.
   std::string refusal(std::string_view bytes, ReadOptions const& options = {},
                       std::string_view file_name = "test.csv") {
     auto const file = write(bytes, file_name);

@@ -275,7 +275,7 @@ TEST_F(TwoFiles, TakeTheSameRowsOrTimes) {
   EXPECT_EQ(joined(channel(false), channel(true), span).size(), 401u);
 }
 
-// The first line that is refused, without the folder.
+// The first line of the refusal, without the folder.
 std::string first_line(Error const& error) {
   std::string text = error.what();
   text.resize(std::min(text.find('\n'), text.size()));

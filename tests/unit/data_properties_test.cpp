@@ -218,7 +218,7 @@ TEST(Cycles, HistoriesThatAreNoTestsDoNotCrash) {
   for (auto const* cycle : properties.complete()) EXPECT_LT(cycle->first, cycle->last);
 }
 
-// A cycle that gives energy back is named even where the record has too few samples as well.
+// A cycle that gives energy back is reported even if the record also has too few samples.
 TEST(Properties, EnergyGivenBackIsSaidBeforeFewSamples) {
   auto const properties = ellipse(12, 3, 100.0, 70.0, -0.3).properties();
   EXPECT_TRUE(properties.is_false);

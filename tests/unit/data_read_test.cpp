@@ -1,4 +1,4 @@
-// Dialects: delimiter and decimal separator together, line ends, encodings, what stands above the data.
+// Dialects: delimiter and decimal separator together, line ends, encodings, text above the data.
 #include "data_fixture.hpp"
 #include "isolaw/base/hash.hpp"
 

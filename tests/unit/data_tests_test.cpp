@@ -1,4 +1,4 @@
-// Several tests in one file: told apart by repeated headers, chosen, joined, listed.
+// Several tests in one file: separated by repeated headers, chosen, joined, listed.
 #include <algorithm>
 
 #include "data_writers.hpp"

@@ -109,7 +109,8 @@ TEST(Vertical, SignsOfBothSignalsDoNotCount) {
 }
 
 TEST(Vertical, NeitherNoiseNorAHeldLoadMovesIt) {
-  // 1000 kN held for as long as they took to reach, while the rubber creeps by a tenth; then noise of 0.1 % on both.
+  // The load of 1000 kN is held for as long as it took to reach, while the rubber creeps by a tenth. The second test
+  // has noise of 0.1 % on both channels.
   VerticalTest test{.file = "v.csv", .sha256 = {}};
   for (int i = 0; i <= 1000; ++i) {
     test.load_kN.push_back(i);

@@ -65,7 +65,7 @@ double rastrigin(Point x) {
   return sum;
 }
 
-// The identification in small: mean absolute deviation between two curves of one kind, a line plus a decay.
+// A small form of the identification: the mean absolute deviation between two curves of one kind, a line plus a decay.
 double curve_fit(Point x) {
   constexpr int samples = 100;
   double sum = 0.0;

@@ -41,7 +41,7 @@ TEST_F(OpenSees, scripts_check_themselves) {
     }
 }
 
-// A check that cannot fail shows nothing: here a force is wrong, and here OpenSees refuses a command.
+// A check that cannot fail shows nothing. The test makes one force wrong, and makes OpenSees refuse a command.
 TEST_F(OpenSees, a_wrong_script_ends_with_another_exit_code) {
   auto const subject = subject_of("vaiana", vaiana_parameters());
   auto const script = opensees_script(subject, realise(subject), unit_systems[0]);
@@ -142,7 +142,7 @@ TEST_F(InTime, elements_give_the_force_of_the_replay) {
           auto const found = shaken(subject, realisation, element, dimensions, step_s, c.acceleration_mm_s2);
           auto const said = fmt::format("{}, {} in {} dimensions, {} s", c.name, id, dimensions, step_s);
           ASSERT_EQ(found.disp.size(), static_cast<std::size_t>(std::ceil(8.0 / step_s - 1e-9)) - 1) << said;
-          // An analysis that hardly moves shows nothing, and one far beyond the tests shows something else.
+          // An analysis that hardly moves shows nothing, and an analysis far beyond the tests shows something else.
           EXPECT_GT(peak_of(found.disp), 30.0) << said;
           EXPECT_LT(peak_of(found.disp), 225.0) << said;
           auto const expected = replay(in_units(form.nominal, unit_systems[0]), found.disp);

@@ -196,7 +196,7 @@ TEST(Figures, FrontHoldsEveryLawAndTheFrontInOrder) {
 
 TEST(Figures, ALawThatDoesNotDescribeTheDevicesIsCrossedAndLeavesItsPlace) {
   auto summary = fixture::lot(3, 2);
-  // Only the first law is better than the second in both respects, and the test makes it miss the stiffness below.
+  // The first law alone is better than the second in both respects. Later in this test it misses the stiffness.
   summary.laws[0].objective.mean = 0.05;
   summary.laws[1].on_front = false;
   EXPECT_EQ(blocks(figures_of(summary).at("front").data)[0][1][4], "open");

@@ -73,7 +73,7 @@ TEST(Adequacy, OfALawThatMissesTheForceOrTheStiffness) {
       << findings(summary).headline;
 }
 
-// Eight of ten parameters lie at one bound and so hardly scatter: beta is small, but nothing is robust about it.
+// Eight of ten parameters lie at one bound and so hardly scatter. Beta is small, but the law is not robust.
 TEST(Adequacy, ParametersAtBoundsMakeNoLawRobust) {
   auto summary = fixture::lot(10, 6);
   EXPECT_EQ(verdict(summary, "bilinear").role, Role::most_robust);
