@@ -109,7 +109,7 @@ TEST_F(Export, gives_every_law_to_every_target) {
       SCOPED_TRACE(law + " " + to);
       auto const o = exported(law, "a", to, Words{"--anyway"} + needed_by(target, path(".")));
       ASSERT_EQ(o.code, 0) << o;
-      // After one short search on a coarse record some parameters lie at bounds and some stand-ins are far off.
+      // After one short search on a coarse record some parameters lie at bounds and some replacement forms are far off.
       std::istringstream said(o.err);
       for (std::string line; std::getline(said, line);) EXPECT_TRUE(line.starts_with("warning: ")) << line;
       EXPECT_TRUE(contains(o.out, law));
@@ -188,7 +188,7 @@ TEST_F(Export, of_the_lot_needs_its_one_law) {
   ASSERT_EQ(o.code, 0) << o;
   auto const j = Json::parse(o.out);
   EXPECT_EQ(j["of_the_lot"], true);
-  // The lot's law lies between those of its devices, and the bounds lie on both sides of it.
+  // The lot's law lies between the laws of its devices, and the bounds lie on both sides of it.
   auto const K2_of = [&](std::string const& device) {
     return Json::parse(exported("bilinear", device, "json").out)["parameters"][1]["value"].get<double>();
   };

@@ -182,7 +182,7 @@ TEST_F(ExportedModel, vertical_stiffness_comes_from_the_compression_tests) {
   EXPECT_TRUE(contains(said("a"), "# Vertical springs: 700 to 800 kN/mm, the layout;"));
 }
 
-// Names of isolators and files come from other people.
+// Names of isolators and files come from users and may contain anything.
 TEST_F(ExportedModel, hostile_names_stay_names) {
   calibrate("bilinear");
   write("evil [exec touch HACKED].csv", "name,x [m],y [m]\n\"A\"\"; } [exec touch HACKED] $evil\",0,0\nB,6,0\n");

@@ -305,7 +305,7 @@ TEST_F(BuildingRuns, answers) {
       most = std::max(most, std::hypot(history.x_mm[i], history.y_mm[i]));
     EXPECT_NEAR(most, law.distributions[1].nominal_by_motion[m], 0.02 * most);
   }
-  // The stored loops are those of the first draw under the stronger motion; every bearing has its own force.
+  // The stored loops are from the first draw under the stronger motion; every bearing has its own force.
   auto const& loops = law.loops;
   EXPECT_TRUE(loops.drawn);
   auto const strongest = static_cast<std::size_t>(law.checked[1].isolator_mm > law.checked[0].isolator_mm);

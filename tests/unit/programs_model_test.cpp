@@ -177,7 +177,7 @@ TEST(ModelDraws, one_that_the_program_cannot_give_is_named) {
   }
 }
 
-// A form that stands in for a law does so for its draws too, and is fitted to each of them.
+// A form that replaces a law also replaces it in its draws, and is fitted to each of them.
 TEST(ModelDraws, of_a_law_that_has_a_stand_in_are_fitted_one_by_one) {
   auto uneven = vaiana_parameters();
   uneven[1] *= 1.1;

@@ -150,7 +150,7 @@ TEST(Figures, OfThePublishedStudyNeedTwoOfItsLaws) {
   for (auto const& [name, figure] : figures_of(summary)) EXPECT_FALSE(name.starts_with("published")) << name;
 }
 
-// Figs. 5 and 7 are drawn by default: the loops of all laws on one device, and those of all devices.
+// Figs. 5 and 7 are drawn by default: the loops of all laws on one device, and the loops of all devices.
 TEST(Figures, LoopsOfAllLawsAndEachDeviceAgainstTheMeanAreDrawnByDefault) {
   auto const summary = fixture::lot(3, 7);
   auto const figures = figures_of(summary);
