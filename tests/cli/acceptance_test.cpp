@@ -78,7 +78,7 @@ TEST_F(Acceptance, a_verified_limit_that_is_not_kept_ends_with_1) {
   EXPECT_EQ(found["devices"][0]["assessments"][2]["verdict"], "pass");
   auto const text = inspect(not_held);
   EXPECT_EQ(text.code, 1);
-  EXPECT_EQ(count_of("  fail: K_eff -", text.out), 4u) << text;  // with the deviation
+  EXPECT_EQ(count_of("  fail: K_eff -", text.out), 4u) << text;  // each line gives the deviation
 }
 
 TEST_F(Acceptance, a_sample_too_small_fails_and_is_shown_also_for_one_device) {
@@ -136,7 +136,8 @@ TEST_F(Acceptance, calibrate_and_report_judge_alike) {
   EXPECT_EQ(read("P/summary.json"), read("O/summary.json"));
 }
 
-// Neither in text, JSON, tables nor on the page, even with design values far from the measured ones.
+// A rule set that nobody verified gives no verdict in text, JSON, tables or on the page, even if design values are far
+// from the measured ones.
 TEST_F(Acceptance, a_set_that_nobody_verified_never_says_pass_or_fail) {
   auto const no_verdict = [](std::string const& set, Json const& json) {
     auto const verdicts = verdicts_of(json);
@@ -170,7 +171,7 @@ TEST_F(Acceptance, a_set_that_nobody_verified_never_says_pass_or_fail) {
       EXPECT_TRUE(found["assessment"]["lot"]["mean_analysis"]["permitted"].is_null()) << set;
     }
   }
-  write("signed.toml", contract());  // where verdicts are given, the search for them finds them
+  write("signed.toml", contract());  // a verified set gives verdicts, and the search finds them
   auto const verified = inspect({"--rules", "signed.toml", "--design", "K_eff=9"});
   EXPECT_EQ(verified.code, 1);
   EXPECT_TRUE(std::regex_search(verified.out, words)) << verified;
@@ -262,7 +263,7 @@ TEST_F(Stored, a_campaign_continues_under_other_rules_without_another_search) {
   EXPECT_EQ(meta("design"), "");
   EXPECT_EQ(cell(cells_of(read("O/tables/lot.csv")), 1, "lot size"), "30");
 
-  auto const none = calibrate({});  // the same as a campaign that never had rules; a message says so
+  auto const none = calibrate({});  // the campaign loses its rules, and a message says so
   expect_message(none, 0,
                  {"the tests are no longer checked against rule set en-15129; --rules en-15129 checks them again"});
   EXPECT_EQ(runs(), before);

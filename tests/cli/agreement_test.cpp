@@ -66,7 +66,7 @@ class Agreement : public InFreshDirectory {
       text += fmt::format("{:.4f},{:.5f},{:.5f}\n", i / 30.0, x, 0.4 * x + std::clamp(z, -20.0, 20.0));
     }
     write("a.csv", text);
-    // An irregular path from rest with turns of every size, which the tests did not contain.
+    // An irregular path from rest, with turns of every size. The tests contained no such path.
     text = "time [s],disp [mm]\n";
     for (int i = 0; i <= 400; ++i) {
       double const t = 0.02 * i;
@@ -105,7 +105,8 @@ TEST_F(Agreement, simulate_header_and_table_of_every_law_agree_at_every_step) {
       return walk_of(output.out);
     };
     cases.push_back({law, walk_of(read(law + ".csv")), simulated("motion.csv")});
-    // Along the table's own path; not for laws that depend on velocity, which simulate takes from the path's slope.
+    // Simulates along the table's own path. Laws that depend on velocity are left out, since simulate takes velocities
+    // from the slope of the path.
     if (entry.info.traits.rate_independent)
       expect_alike(simulated(law + ".csv").force_kN, cases.back().table.force_kN, 1e-8, "simulate against the table");
     std::string space = "isolaw_" + law + "_a";

@@ -56,7 +56,8 @@ TEST_F(Analysis, tells_what_tests_determine_and_what_an_engineer_meets) {
     EXPECT_EQ(law["success_share"], 1.0);
     EXPECT_EQ(law["success_reference"], "best of this campaign");
     EXPECT_GT(law["beta_converged"], 0.0);
-    // The devices differ by 5 %: predicting one from the others is worse than its own fit; a fit of all is between.
+    // The devices differ by 5 %. A law predicted from the other devices fits a device worse than the device's own fit;
+    // one law fitted to all devices lies between.
     EXPECT_GT(law["loo_objective"], law["objective_converged"]);
     EXPECT_GT(law["lot"]["mean_objective"], law["objective_converged"]);
     EXPECT_GE(law["loo_objective"], law["lot"]["mean_objective"]);
@@ -162,7 +163,7 @@ TEST_F(Analysis, what_one_block_was_fitted_to_predicts_the_other) {
   EXPECT_LT(summary["laws"][0]["predicted_objective"], 0.1);
   EXPECT_EQ(summary["laws"][0]["prediction_collapses"], false);
   EXPECT_TRUE(contains(read("O/tables/prediction.csv"), "bilinear,a,\"block 2, predicted\",the device itself,"));
-  // An export tells its user the same.
+  // Every export gives its user this result too.
   for (auto const* target : {"opensees", "cpp", "opensees-cpp", "abaqus", "sheet", "csv"}) {
     auto const text = isolaw({"export", "O", "--law", "bilinear", "--device", "a", "--to", target}).out;
     for (auto const* part : {"block 1 of the tests alone", "Displacement fitted", "up to 50 mm", "Displacement tested",
@@ -193,7 +194,7 @@ TEST_F(Analysis, what_one_block_was_fitted_to_predicts_the_other) {
                  {"no block of the record is among them", "block 2: cycles 1 to 3"});
 }
 
-// hwang-wu follows the smaller block and runs away beyond it: exports refuse it unless asked for anyway.
+// hwang-wu fits the smaller block but fails beyond it. Exports refuse the law unless --anyway is given.
 TEST_F(Analysis, a_law_that_cannot_predict_is_refused_unless_asked_for_anyway) {
   auto const o = isolaw({"calibrate", "a.csv", "--laws", "bilinear,hwang-wu", "--runs", "1", "--analysis", "none",
                          "--fit-blocks", "1", "--out", "O"});
@@ -245,7 +246,7 @@ TEST_F(Analysis, exports_say_what_is_known_against_the_law) {
   EXPECT_TRUE(contains(simulated.out, "# warning: Bilinear: K1 at its upper bound on a"));
 }
 
-// The paper's method ends above the least objective, which the analysis finds.
+// The genetic algorithm of the paper ends above the least objective. The analysis finds the least.
 TEST_F(Analysis, of_the_genetic_algorithm_compares_with_the_least_objective) {
   auto const o = isolaw(campaign("O", {"--method", "ga", "--population", "10", "--generations", "5"}));
   ASSERT_EQ(o.code, 0) << o;
@@ -285,8 +286,8 @@ TEST_F(Analysis, devices_are_drawn_from_the_lots_population) {
   expect_refused(isolaw({"sample", "O", "--law", "bilinear", "--count", "0"}), {"--count", "1 to 10000000"});
 }
 
-// With vaiana's beta1 at zero, beta2 has no effect and ends anywhere in its box: a lot's population must not take that
-// for scatter.
+// With vaiana's beta1 at zero, beta2 has no effect and ends anywhere in its box. The population of a lot must not count
+// that as scatter.
 TEST_F(Analysis, of_a_parameter_that_does_not_act_gives_it_no_scatter) {
   ASSERT_EQ(isolaw({"example", "ex"}).code, 0);
   auto const o = isolaw({"calibrate", "ex/lot.toml", "--laws", "vaiana", "--runs", "1", "--analysis", "full",
@@ -313,7 +314,8 @@ TEST_F(Analysis, of_a_parameter_that_does_not_act_gives_it_no_scatter) {
   EXPECT_GE(with_scatter, 4);
 }
 
-// A law made this record itself, so objectives are only rounding: neither check nor prediction may make much of them.
+// The record was computed with a law, so the objectives are only rounding errors. Neither the check nor the prediction
+// may treat them as errors of the law.
 TEST_F(Analysis, of_a_record_that_a_law_made_itself) {
   std::string text = "time [s],disp [mm],force [kN]\n";
   double hysteretic = 0.0, before = 0.0;

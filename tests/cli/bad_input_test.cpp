@@ -338,7 +338,7 @@ TEST_F(BadInput, with_a_sampling_interval_all_laws_run_as_with_a_time_column) {
 
 // --- numerics that do not succeed ----------------------------------------------------------------------------------
 
-// Candidates that fail on the way to a good run are counted, and every output says how many.
+// Candidates without a finite force are counted even if their run succeeds, and every output gives the number.
 TEST_F(BadInput, parameter_sets_without_a_finite_force_are_counted_and_said) {
   write("a.csv", csv(record()));
   auto const o = isolaw({"calibrate", "a.csv", "--laws", "bouc-wen", "--set", "bouc-wen.beta=-0.05:0.05", "--runs", "2",

@@ -73,7 +73,7 @@ TEST_F(Building, from_template_to_verdict) {
   EXPECT_EQ(output.out.find(json["verdict"].get<std::string>()), 0u);
   EXPECT_EQ(json["plan"]["bearings"].size(), 28u);
   EXPECT_EQ(json["laws"][0]["histories"].size(), 7u);
-  // Quantities with bounds are compared with them; for each of the others the output says why it has none.
+  // Quantities that have bounds are compared with them. For each other quantity the output says why it has no bounds.
   for (auto const& row : json["quantities"])
     EXPECT_NE(row["uncovered"].is_null(), !json["laws"][0]["coverage"]["of"].contains(row["key"])) << row;
   EXPECT_TRUE(json["laws"][0]["coverage"]["of"].contains("roof_acceleration_g"));
@@ -367,8 +367,8 @@ TEST_F(Building, carries_the_doubts_of_the_calibration) {
   EXPECT_TRUE(contains(read_file(directory() / "B/building.html"), "xy at its lower bound"));
 }
 
-// Like calibrate, it keeps what is finished, exits with 1 and prints the command that continues. The result equals that
-// of an uninterrupted study byte by byte.
+// Like calibrate, an interrupted study keeps what is finished, exits with 1, prints the command that continues, and
+// writes no results.
 TEST_F(BuildingParts, that_are_interrupted_end_as_a_campaign_does) {
   set("draws = 40", "draws = 20000");
   auto const command = study("I", {"--figures", "none"});
@@ -383,8 +383,8 @@ TEST_F(BuildingParts, that_are_interrupted_end_as_a_campaign_does) {
   EXPECT_GT(stored_rows(path("I/building.sqlite"), "runs"), 0);
 }
 
-// A law without a form in the plane carries a building as springs around the circle: fitted as springs if the campaign
-// has such fits, otherwise with the law's own parameters, and then the output says so.
+// A law without a two-dimensional form carries a building as springs around a circle. The springs have fitted
+// parameters if the campaign fitted springs. Otherwise they have the law's own parameters, and the output says so.
 TEST_F(Building, takes_the_springs_that_the_campaign_fitted) {
   campaign();
   Words const fit{"calibrate",  "a.csv", "b.csv",  "c.csv", "--laws",       "bilinear,power-masing",
@@ -428,7 +428,7 @@ TEST_F(Building, takes_the_springs_that_the_campaign_fitted) {
     }
   EXPECT_TRUE(json("G/summary.json")["laws"][1]["devices"][0]["springs_objective"].is_null());
   EXPECT_EQ(isolaw({"check", "W"}).code, 0);
-  // simulate uses them, for a device and for the lot.
+  // simulate uses the fitted springs, for a device and for the lot.
   write("m.csv", "time [s],east [mm],north [mm]\n0,0,0\n0.5,20,5\n1,-20,10\n1.5,0,0\n");
   for (auto const* device : {"a", "lot"}) {
     Words const words{"simulate",      "power-masing", "--from",          "W",         "--device",
@@ -439,7 +439,7 @@ TEST_F(Building, takes_the_springs_that_the_campaign_fitted) {
     EXPECT_TRUE(contains(o.err, "as the campaign stored them")) << o;
     EXPECT_NE(o.out, isolaw(words + Words{"--springs", "given"}).out);
   }
-  // Springs requested later come with the analyses; the store equals one that had them from the start.
+  // Springs requested later are fitted with the analyses. The store then equals one that had springs from the start.
   expect_message(isolaw(fit + Words{"G", "--bidirectional", "springs"}), 0, {"grows by laws fitted as springs"});
   EXPECT_TRUE(read_file(directory() / "G/campaign.sqlite") == read_file(directory() / "W/campaign.sqlite"));
 }

@@ -295,8 +295,8 @@ TEST_F(Calibrate, the_profile_adds_up_to_the_total) {
   EXPECT_EQ(run["profile"][1]["evaluations"], evaluations);
 }
 
-// calibrate and bench run the same blocks at the same cost. Records, candidates, other load of the machine and blocks
-// that are not full change the cost by up to a factor each.
+// calibrate and bench run the same blocks at the same cost. Other records, other candidates, other load of the machine
+// and blocks that are not full each change the cost by some factor.
 TEST_F(Calibrate, kernel_seconds_are_what_bench_measures_times_evaluations_times_samples) {
   Words const command{"calibrate",
                       "ex/lot.toml",

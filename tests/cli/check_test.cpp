@@ -282,7 +282,7 @@ TEST_F(Check, a_directory_without_a_campaign) {
   expect_refused(isolaw({"check", "nowhere"}), {"nowhere/campaign.sqlite", "no such file", "isolaw calibrate"});
 }
 
-// The force is finite in one step per sample but overflows in finer ones. The campaign must survive that.
+// The force is finite with one step per sample but overflows with finer steps. The campaign must survive that.
 class Overflow : public InFreshDirectory {
  protected:
   // The default search for the parameters that are not fixed.

@@ -1,5 +1,5 @@
-// Corrections for what a rig does to the force: from a record with a known disturbance every command recovers the
-// properties of the undisturbed one, and says that it corrected.
+// Corrections for what a rig does to the force. From a record with a known disturbance every command recovers the
+// properties without the disturbance, and says that it corrected the record.
 #include "cli/loops.hpp"
 #include "cli/records.hpp"
 #include "cli/run.hpp"
@@ -165,9 +165,10 @@ TEST_F(Corrections, the_lot_file_has_the_same_keys_for_all_devices_and_for_one) 
 TEST_F(Corrections, several_are_made_together) {
   write("rig.csv", rig_record({.late_s = 0.01, .mass_kg = 3000.0, .factor = 2.0}));
   auto const device =
-      inspected({"rig.csv", "--skew-ms", "10", "--moving-mass", "6000", "--force-factor", "0.5"});  // as the cell feels
+      // 3000 kg, doubled by the cell.
+      inspected({"rig.csv", "--skew-ms", "10", "--moving-mass", "6000", "--force-factor", "0.5"});
   EXPECT_EQ(device["corrections"].size(), 3u);
-  // Inertia is not late, but is moved forward with the rest: 10 ms of 0.03 kN/mm put omega dt of it in phase.
+  // The inertia force was not late, but the correction of the delay moves it by 10 ms too. K_eff must hardly change.
   auto const& cycle = cycle_of(device, 1, 2);
   EXPECT_NEAR(cycle["K_eff_kN_per_mm"].get<double>(), 0.8, 0.002);
 }

@@ -52,7 +52,8 @@ class Export : public InFreshDirectory {
   }
 };
 
-// Fidelity by the law's fitted values: untied limit curves form two sets, which no other program supports.
+// The fidelity that the law's fitted values allow. Limit curves without ties form two sets, which no other program
+// supports.
 std::string expected_fidelity(laws::LawEntry const& law, Json const& exported) {
   std::vector<double> values;
   for (auto const& parameter : exported["parameters"]) values.push_back(parameter["value"]);
@@ -108,7 +109,7 @@ TEST_F(Export, gives_every_law_to_every_target) {
       SCOPED_TRACE(law + " " + to);
       auto const o = exported(law, "a", to, Words{"--anyway"} + needed_by(target, path(".")));
       ASSERT_EQ(o.code, 0) << o;
-      // After one short search on a coarse record some parameters lie at bounds and some stand-ins are far off.
+      // After one short search on a coarse record some parameters lie at bounds and some replacement forms are far off.
       std::istringstream said(o.err);
       for (std::string line; std::getline(said, line);) EXPECT_TRUE(line.starts_with("warning: ")) << line;
       EXPECT_TRUE(contains(o.out, law));
@@ -131,7 +132,8 @@ TEST_F(Export, gives_every_law_to_every_target) {
         EXPECT_TRUE(contains(o.out, "Fidelity: "));
       }
       if (to == "csv" && entry.info.traits.rate_independent) {
-        // Read back as a motion, the file gives its own forces; rate-dependent laws would also need its velocities.
+        // Read back as a motion, the file must give the forces that it contains. Rate-dependent laws would also need
+        // its velocities.
         write("protocol.csv", exported(law, "a", to, {"--units", "kip-in"}).out);
         auto const again = isolaw({"simulate", law, "--from", "C", "--device", "a", "--motion", "protocol.csv",
                                    "--turning-points", "sampled"});
@@ -186,7 +188,7 @@ TEST_F(Export, of_the_lot_needs_its_one_law) {
   ASSERT_EQ(o.code, 0) << o;
   auto const j = Json::parse(o.out);
   EXPECT_EQ(j["of_the_lot"], true);
-  // The lot's law lies between those of its devices, and the bounds lie on both sides of it.
+  // The lot's law lies between the laws of its devices, and the bounds lie on both sides of it.
   auto const K2_of = [&](std::string const& device) {
     return Json::parse(exported("bilinear", device, "json").out)["parameters"][1]["value"].get<double>();
   };
@@ -231,8 +233,8 @@ TEST_F(Export, takes_bounds_from_the_rule_set) {
   auto const table = read("C/tables/lambda.csv");
   for (auto const& [key, property] : {std::pair{"stiffness", "K_d"}, {"strength", "Q_d"}})
     for (auto const& [side, column] : {std::pair{"lower", "lambda min"}, {"upper", "lambda max"}}) {
-      // The bound belongs to the lot: for two devices with values v and 1.1 v, mean 1.05 v, the factors are lambda
-      // times 1.05 and 1.05 / 1.1.
+      // A bound is lambda times the mean of the lot. Two devices with the values v and 1.1 v have the mean 1.05 v, so
+      // their factors are lambda times 1.05 and lambda times 1.05 / 1.1.
       double const lambda = lambda_of(table, property, "contract band", column);
       EXPECT_NEAR(a[side][key].get<double>(), 1.05 * lambda, 0.002 * lambda) << property << " " << side;
       EXPECT_NEAR(b[side][key].get<double>(), 1.05 / 1.1 * lambda, 0.002 * lambda) << property << " " << side;
@@ -245,7 +247,7 @@ TEST_F(Export, takes_bounds_from_the_rule_set) {
   EXPECT_EQ(of("a"), a);
 }
 
-// The export of a general vaiana says which ties would make it exact; here they are set.
+// The export of a general vaiana says which ties would make it exact. This campaign sets these ties.
 TEST_F(Export, of_vaiana_with_equal_branches_is_exact) {
   Words ties;
   for (std::string const name : {"Kb", "f0", "alpha", "beta1", "beta2"})
@@ -297,7 +299,7 @@ TEST_F(Export, of_devices_with_hostile_names_stays_a_comment) {
   ASSERT_EQ(calibration.code, 0) << calibration;
   for (auto const& target : programs::targets()) {
     std::string const to(target.name);
-    if (to == "json" || to == "sheet") continue;  // have no comments
+    if (to == "json" || to == "sheet") continue;  // these formats have no comments
     auto const o = exported("bilinear", "x\"\"\"; } {$a`b` [exec touch HACKED] \\", to, needed_by(target, path(".")));
     ASSERT_EQ(o.code, 0) << o;
     std::istringstream lines(o.out);

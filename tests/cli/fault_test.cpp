@@ -1,5 +1,5 @@
-// After any failure to write files, the same command ends as if nothing had happened. ISOLAW_FAULTS=all tries every
-// operation of every kind of fault, ISOLAW_KILLS=n that many kills at random moments.
+// After any failure to write files, the same command, given again, ends as if nothing had happened. ISOLAW_FAULTS=all
+// tries every kind of fault at every operation; ISOLAW_KILLS=n tries that many kills at random moments.
 #include <cstdlib>
 #include <random>
 
@@ -67,7 +67,7 @@ class Fault : public InFreshDirectory {
     return false;
   }
   // Starts over (--fresh) from the campaign in `former`, whose seed is 1, and kills it before operation `at`. Returns
-  // which store is there, after checking that it continues; `nothing` if there are fewer operations.
+  // which store is left, after checking that it continues, or `nothing` if there are fewer operations.
   enum class Left { former, replaced, nothing };
   Left left_of(std::string const& former, long at) {
     SCOPED_TRACE(fmt::format("killed before operation {}", at));
@@ -89,7 +89,8 @@ class Fault : public InFreshDirectory {
     EXPECT_EQ(check.code, 0) << check;
     return replaced ? Left::replaced : Left::former;
   }
-  // Tries moments over the whole run, and every operation around the exchange of the stores.
+  // Kills the program at operations spread over the whole run, and at every operation around the exchange of the
+  // stores.
   void expect_one_of_both(std::string const& former) {
     constexpr long stride = 10, around = 20;
     long at = 1;

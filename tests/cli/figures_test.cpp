@@ -1,4 +1,4 @@
-// Figures for the user: drawn by default, drawn again from the store, and never an obstacle to the rest.
+// Figures are drawn by default, can be drawn again from the store, and never stop the rest of a report.
 #include "records.hpp"
 #include "run.hpp"
 

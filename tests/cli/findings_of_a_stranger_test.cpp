@@ -1,4 +1,4 @@
-// Small findings of a first-time user: input that was accepted without a word, or quoted oddly.
+// Small faults that a first-time user found: input that was accepted without a word, or quoted oddly.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 

@@ -140,7 +140,7 @@ TEST_F(Formats, sheets_are_chosen_in_the_file_that_has_them) {
   auto const o = isolaw(Words{"inspect", "--json"} + columns + Words{"--sheet", "Test 90"});
   ASSERT_EQ(o.code, 0) << o;
   EXPECT_EQ(Json::parse(o.out)["samples"], 601);
-  // The lot file records the choice, and reading it gives the same.
+  // The lot file records the chosen sheet, and reading the lot file gives the same.
   ASSERT_EQ(isolaw(Words{"init"} + columns + Words{"--sheet", "Test 90"}).code, 0);
   auto const again = isolaw({"inspect", "--json", "lot.toml"});
   ASSERT_EQ(again.code, 0) << again;
@@ -209,7 +209,8 @@ TEST_F(Formats, init_of_a_directory_calibrates_as_the_directory_does) {
   EXPECT_NEAR(cycle_of(second, 1, 3)["energy_kN_mm"].get<double>(), expected.energy, 1e-3 * expected.energy);
 }
 
-// The files' headers name nothing: what the user stated for the first file is reused for a folder of others.
+// The headers of these files name no channels. What the user stated for the first file is reused for a folder of
+// others.
 TEST_F(Formats, init_like_reads_a_folder_as_another_lot_file_does) {
   auto const bare = [](double stiffness) {
     return csv(record({.stiffness_kN_per_mm = stiffness}), "A,B,C", [](std::size_t, Sample const& s) {

@@ -63,8 +63,8 @@ TEST_F(Grow, by_laws_with_what_is_set_for_them) {
   expect_same("G", "W");
 }
 
-// Each run of the genetic algorithm ends elsewhere: where a new run is the best, everything that rests on the best is
-// recomputed.
+// Each run of the genetic algorithm ends at other values. Where a new run is the best, all results that depend on the
+// best run are computed again.
 TEST_F(Grow, by_runs_of_which_some_are_the_best) {
   lot("lot.toml", "abc");
   Words const genetic{"--method", "ga", "--population", "8", "--generations", "4"};
@@ -75,7 +75,7 @@ TEST_F(Grow, by_runs_of_which_some_are_the_best) {
   expect_same("G", "W");
 }
 
-// Marked rows stay, which shows that they are not computed again.
+// The test marks stored rows. The marks stay, which shows that the rows are not computed again.
 TEST_F(Grow, computes_nothing_twice) {
   lot("two.toml", "ab");
   lot("three.toml", "abc");

@@ -31,7 +31,7 @@ class Inspect : public InFreshDirectory {
       write("lot/" + names_[d] + ".csv", csv(samples_[d]));
     }
   }
-  // The samples with the digits that the file has.
+  // The samples rounded to the digits of the file.
   static std::vector<Sample> rounded(std::vector<Sample> samples) {
     for (auto& s : samples) {
       s.disp_mm = std::round(1e5 * s.disp_mm) / 1e5;
@@ -309,7 +309,7 @@ TEST_F(Inspect, the_example_lot) {
   EXPECT_EQ(stiffness["quantity"], "K_eff");
   EXPECT_NEAR(stiffness["mean"].get<double>(), expected.mean, 1e-7);
   EXPECT_NEAR(stiffness["sd"].get<double>(), expected.sd, 1e-7);
-  // The samples of the first device, read here: three cycles, cut where the displacement rises through zero.
+  // The samples of the first device, read by this test: three cycles, cut where the displacement rises through zero.
   std::istringstream lines(read_file(example / "device-01.csv"));
   std::vector<Sample> samples;
   std::string line;

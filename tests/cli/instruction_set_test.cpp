@@ -111,10 +111,10 @@ TEST_F(InstructionSets, what_the_processor_lacks_is_refused_as_that) {
 }
 
 #if defined(ISOLAW_QEMU)
-// Code for a level may use all of its features, not only the vectors.
+// Code compiled for a level may use every feature of the level, not only its vector instructions.
 TEST_F(InstructionSets, a_processor_that_lacks_a_part_of_a_level_is_not_given_its_code) {
   auto const on = [&](std::string const& processor) { return available({ISOLAW_QEMU, "-cpu", processor}); };
-  // Emulators before 7.2 (as in Debian 12) have no AVX, so taking features away would show nothing there.
+  // Emulators before 7.2 (as in Debian 12) have no AVX, so removing features from them would show nothing.
   if (on("max") != Words{"scalar", "sse2", "avx2"}) GTEST_SKIP() << "no x86-64-v3 is emulated here";
   for (auto const* part : {"avx2", "fma", "bmi2", "f16c", "abm", "movbe"})
     EXPECT_EQ(on(std::string("max,-") + part), (Words{"scalar", "sse2"})) << "without " << part;

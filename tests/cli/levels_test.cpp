@@ -14,8 +14,8 @@ class Levels : public InFreshDirectory {
   static constexpr std::array amplitudes{50.0, 100.0, 150.0};
   static constexpr std::array frequencies{0.1, 0.5};
 
-  // Three cycles each, under a vertical load of 1000 kN at the lower frequency, where friction is a tenth larger, and
-  // 1500 kN at the other.
+  // Three cycles in each block. At the lower frequency the vertical load is 1000 kN and friction is a tenth larger; at
+  // the higher frequency the load is 1500 kN.
   static std::string test_in_steps() {
     std::string text = "time [s],displacement [mm],force [kN],vertical load [kN]\n";
     double t = 0.0, z = 0.0, before = 0.0;

@@ -18,7 +18,7 @@ class LotFile : public InFreshDirectory {
     write("lot.toml", lot);
     return isolaw(Words{"calibrate", "lot.toml", "--out", "O", "--fresh"} + more);
   }
-  // Runs a small search whatever the lot file says, for mistakes that might go unnoticed.
+  // Runs a small search whatever the lot file says, so that a mistake that goes unnoticed costs little time.
   Outcome run_limited(std::string const& lot) {
     return run(lot, {"--laws", "bilinear", "--runs", "1", "--population", "4", "--generations", "1"});
   }

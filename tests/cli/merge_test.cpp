@@ -1,5 +1,5 @@
-// A campaign computed in parts and merged equals, byte by byte, that of one machine; merge refuses anything that is no
-// part of it.
+// A campaign computed in parts and merged equals, byte by byte, a campaign computed on one machine. merge refuses
+// anything that is not a part of the campaign.
 #include <sys/file.h>
 
 #include <numeric>
@@ -100,8 +100,8 @@ class Merge : public InFreshDirectory {
 };
 
 TEST_F(Merge, of_seven_parts_in_any_order_one_killed_one_twice_is_what_one_machine_computes) {
-  // Killed in the middle of its search, then continued by the same command. On a busy machine the search may be over
-  // before this process looks: then it is tried again.
+  // The part is killed in the middle of its search, then continued by the same command. On a busy machine the search
+  // may end before the kill; the test then tries again.
   for (int attempt = 1;; ++attempt) {
     auto killed = start(part(4, {"--jobs", "1"}));
     Outcome result;
@@ -155,7 +155,7 @@ TEST_F(Merge, takes_what_others_have_examined_of_devices) {
   EXPECT_EQ(examined("E1/campaign.sqlite") + examined("E2/campaign.sqlite"), 6);
   EXPECT_GE(std::min(examined("E1/campaign.sqlite"), examined("E2/campaign.sqlite")), 1);
   EXPECT_EQ(stored_rows(path("E1/campaign.sqlite"), "lot_analysis"), 0);
-  // Then the laws of the lot, in any number of shares.
+  // Then the laws of the lot are fitted, in any number of shares.
   auto const fit = [&](std::string const& share) {
     auto words = merge(all(), {"E1", "E2", "--part", share});
     words[1] = "L" + share.substr(0, 1);
@@ -387,7 +387,7 @@ TEST_F(Merge, that_was_killed_is_done_again_by_the_same_command) {
     std::this_thread::sleep_for(1ms);
   process.send(SIGKILL);
   process.wait();
-  // No part is needed any more; they may be gone.
+  // All runs were copied before the kill, so the parts are no longer needed and may be removed.
   for (int const number : all()) fs::remove_all(path(dir(number)));
   expect_message(isolaw({"merge", "O", "--figures", "none"}), 1, {"0 runs copied"});
   expect_as_one_machine();
@@ -431,7 +431,8 @@ TEST_F(Merge, parts_are_named_as_they_may_be) {
   expect_message(isolaw(campaign("X", {"--part", "100/100"})), 0, {"part 100 of 100: 0 runs"});
 }
 
-// A record prepared for a law is far larger than the record itself; only those of runs in progress are in memory.
+// A record prepared for a law is far larger than the record itself. Only the prepared records of runs in progress may
+// be in memory.
 TEST_F(Merge, of_a_part_holds_in_memory_what_is_at_work) {
   auto const peak_kB = [&](int devices) {
     auto const folder = fmt::format("lot of {}", devices);
@@ -496,7 +497,7 @@ TEST_F(PartScripts, of_make_and_parallel_end_as_one_machine_also_after_a_loss) {
   }
 }
 
-// A part that is already there is neither computed again nor trusted unchecked.
+// A part that exists is not computed again, but it is checked before it is used.
 TEST_F(PartScripts, merge_nothing_that_is_of_other_settings_or_records) {
   for (std::string const to : {"make", "parallel", "slurm"}) {
     if (to != "slurm" && !is_there(to)) {
@@ -509,7 +510,7 @@ TEST_F(PartScripts, merge_nothing_that_is_of_other_settings_or_records) {
       ASSERT_EQ(printed.code, 0) << printed;
       write(script, printed.out);
     };
-    // As Slurm would run it, part by part.
+    // Runs the whole script, as make and parallel do, or part by part, as Slurm does.
     auto const everything = [&] {
       if (to == "make") return run({"make", "-f", script, "-k"});
       if (to == "parallel") return run({"sh", script}, {"ISOLAW_SCRATCH=" + path("disk").string()});
@@ -550,7 +551,7 @@ TEST_F(PartScripts, merge_nothing_that_is_of_other_settings_or_records) {
     everything();
     EXPECT_TRUE(read(to + ".parts/2/campaign.sqlite") == bytes) << to;
     EXPECT_TRUE(results_in(path(to)) == whole) << to;
-    // Cut off within a page and between pages: merge must not trust it for its name.
+    // The store is cut off within a page or between pages. merge must not accept it because its name is right.
     for (auto const size : {bytes.size() / 2, bytes.size() - 100}) {
       write(to + ".parts/2/campaign.sqlite", std::string_view(bytes).substr(0, size));
       refused({"damaged"});
@@ -575,7 +576,7 @@ TEST_F(PartScripts, merge_nothing_that_is_of_other_settings_or_records) {
     EXPECT_TRUE(exists(to + ".parts/3/campaign.sqlite")) << o;
     // Nothing stays on the node's disk.
     EXPECT_TRUE(!exists("disk") || fs::is_empty(path("disk"))) << to;
-    // Another number of parts in the same directory.
+    // The same directory is used with another number of parts.
     auto words = in_parts(to, to);
     words[2] = "2";
     write(script, isolaw(words).out);

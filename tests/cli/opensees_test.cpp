@@ -14,8 +14,8 @@ class InOpenSees : public InFreshDirectory {
 
   Outcome finished(Words const& command) { return Process(command, path("."), path("out"), path("err")).wait(); }
 
-  // Exports every law of the campaign in C for the device, in Tcl and Python: refusals give a reason, all others agree.
-  // Returns how many were run.
+  // Exports every law of the campaign in C for the device, in Tcl and Python. A refusal must give a reason; every other
+  // script must agree. Returns how many were run.
   int check_all(std::string const& device, Words const& laws) {
     int run = 0;
     for (auto const& law : laws)

@@ -14,7 +14,7 @@ namespace {
 
 class Outputs : public InFreshDirectory {
  protected:
-  // The third device has no time, so a law that needs it applies to two of three.
+  // The third device has no time, so a law that needs time applies to two of the three devices.
   void SetUp() override {
     InFreshDirectory::SetUp();
     write("a.csv", csv(record({.samples = 121, .per_cycle = 40, .interval_s = 0.05})));

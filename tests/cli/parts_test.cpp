@@ -41,7 +41,7 @@ TEST_F(Parts, options_of_the_command_line_are_keys_of_the_lot_file) {
   EXPECT_TRUE(contains(said(lot), "(--footer skip)"));
 }
 
-// The certificate marks what the user stated by its option in brackets; the rest the program recognised.
+// In the certificate, an option in brackets marks what the user stated. The program recognised the rest.
 TEST_F(Parts, what_the_program_was_told_stands_with_its_option) {
   auto const told = [&](Words const& words) {
     Words found;
@@ -124,7 +124,7 @@ TEST_F(Parts, a_lot_file_names_no_file_outside_for_a_channel_either) {
   EXPECT_EQ(isolaw({"inspect", "lot/lot.toml", "--allow-outside"}).code, 0);
 }
 
-// The file of a channel belongs to one lot: --like does not copy it to another.
+// The file of a channel belongs to one lot, so --like does not copy its name to another lot.
 TEST_F(Parts, like_another_lot_takes_no_file_of_it) {
   write("recs/disp.csv", channel(false));
   write("recs/force.csv", channel(true));
@@ -138,7 +138,8 @@ TEST_F(Parts, like_another_lot_takes_no_file_of_it) {
   EXPECT_EQ(inspected({"next/lot.toml"})["blocks"], inspected({"next/b.csv"})["blocks"]);
 }
 
-// init must not replace it, and warns if it lies outside the lot's folder; its content is part of the device's hash.
+// init must not replace the file of a channel, and warns if the file lies outside the lot's folder. The content of the
+// file is part of the device's hash.
 TEST_F(Parts, the_file_of_a_channel_is_a_file_of_the_device) {
   write("recs/disp.csv", channel(false));
   write("force.csv", channel(true));

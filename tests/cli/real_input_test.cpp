@@ -52,8 +52,8 @@ TEST_F(Bearing, inspect_recognises_columns_units_and_cycles_and_says_that_time_i
   for (auto const& block : found["blocks"]) EXPECT_EQ(block["cycles"].size(), 7u);
 }
 
-// Every ninth sample after averaging over nine, from the virgin start. The expected objectives of the literature's laws
-// and power-masing come from other programs (docs/league.md has the rest).
+// The record is averaged over nine samples and thinned to every ninth, from the virgin start. The expected objectives
+// of the literature's laws and of power-masing come from other programs (docs/league.md has the rest).
 TEST_F(Bearing, laws_reach_what_is_known_of_them) {
   if (!fs::exists(file)) GTEST_SKIP() << "measured data are not here: " << file;
   struct Known {
@@ -137,7 +137,8 @@ TEST_F(FrictionDamper, inspects_and_calibrates_after_a_plain_conversion) {
   expect_finite_objectives("damper", 2.0);
 }
 
-// Seven cycles each, of which the three at the nominal amplitude count; two of 1/4 and 3/4 of it come before and after.
+// Each record has seven cycles. The three at the nominal amplitude count; two at 1/4 and 3/4 of that amplitude come
+// before them and two after.
 TEST_F(FrictionDamper, every_record_is_read_as_it_is_and_has_its_three_cycles) {
   if (!fs::exists(packed)) GTEST_SKIP() << "measured data are not here: " << packed;
   if (!have_xz()) GTEST_SKIP() << "xz is not installed";

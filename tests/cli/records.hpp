@@ -39,7 +39,8 @@ inline std::string row(Sample const& s) {
 
 inline constexpr char const* header = "time [s],displacement [mm],force [kN]";
 
-// Comma separated with the header in line 1, so sample i is in line i + 2. `change` may rewrite a row by its sample.
+// Values separated by commas, with the header in line 1, so sample i is in line i + 2. `change` may rewrite the row of
+// a sample.
 inline std::string csv(std::vector<Sample> const& samples, std::string const& head = header,
                        std::function<std::string(std::size_t, Sample const&)> const& change = {}) {
   std::string text = head + "\n";

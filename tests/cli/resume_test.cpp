@@ -19,7 +19,7 @@ class Resume : public InFreshDirectory {
                  "40",        "--generations", "20",     "--analysis", "none",   "--out", out} +
            more;
   }
-  // Starts the campaign and sends the signal when some, but not all 40, runs are stored.
+  // Starts the campaign and sends the signal when some of its 40 runs are stored, but not all.
   Outcome stopped(Words const& words, std::string const& out, int signal, std::string const& law = "abe") {
     auto process = start(words);
     Outcome result;
@@ -109,7 +109,7 @@ TEST_F(Resume, a_closed_terminal_stops_like_ctrl_c) {
   EXPECT_FALSE(exists("P/campaign.sqlite-wal"));
 }
 
-// As under nohup.
+// Under nohup the program must ignore that its terminal is closed.
 TEST_F(Resume, a_closed_terminal_is_ignored_where_it_is_to_be) {
   Process process(Words{"sh", "-c", "trap '' HUP; exec \"$0\" \"$@\"", ISOLAW_BINARY} +
                       Words{"calibrate", "ex/lot.toml", "--laws", "abe", "--runs", "2", "--samples-per-cycle", "40",
@@ -294,7 +294,7 @@ TEST_F(Changed, a_refusal_is_not_silently_left_as_it_was) {
   expect_message(first, 1, {"b.csv: is empty"});
   write("b.csv", csv_with_line(101, "0.9900,nan,12.0"));
   auto const o = run();
-  if (o.code == 2) return;  // a refusal as changed is fine too
+  if (o.code == 2) return;  // a refusal because of the change is fine too
   EXPECT_TRUE(contains(json("O/summary.json")["devices"][1]["message"].get<std::string>(), "b.csv:101")) << o;
 }
 

@@ -226,7 +226,7 @@ inline void expect_refused(Outcome const& o, std::vector<std::string> const& par
   EXPECT_TRUE(o.out.empty()) << o;
 }
 
-// The same for words with --json: standard output holds the complaints as one object, which is returned.
+// Wrong usage with --json: standard output holds the complaints as one object, which is returned.
 inline Json expect_refused_as_object(Outcome const& o, std::vector<std::string> const& parts) {
   expect_message(o, 2, parts);
   auto const object = Json::parse(o.out, nullptr, false);

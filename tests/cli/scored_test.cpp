@@ -10,8 +10,8 @@ namespace {
 constexpr int samples_of_cycle = 200, cycles = 3;
 constexpr std::size_t block_samples = samples_of_cycle * cycles;
 
-// Bilinear, K1 = 2.5, K2 = 0.5 kN/mm, xy = 10 mm, three cycles of 60 mm and three of 100 mm. In the block `disturbed`
-// the force is a third larger than the law's; 0 means no block, 3 the second half of the second block.
+// Bilinear, K1 = 2.5, K2 = 0.5 kN/mm, xy = 10 mm, three cycles of 60 mm and three of 100 mm. In block `disturbed` (1 or
+// 2) the force is a third larger than the law's; 0 means in neither.
 std::vector<Sample> two_blocks(int disturbed) {
   std::vector<Sample> samples;
   double z = 0.0, before = 0.0;

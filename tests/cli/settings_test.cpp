@@ -147,7 +147,7 @@ TEST_F(Settings, published_and_auto_boxes_differ_and_are_recorded) {
 }
 
 TEST_F(Settings, auto_box_follows_a_device_of_another_size_and_unit) {
-  // 1000 times the force and 10 times the displacement, in other units: the same search in other numbers.
+  // Forces 1000 times and displacements 10 times as large, in other units: the same search in other numbers.
   write("big.csv", csv(record(), "time [s],displacement [cm],force [MN]"));
   ASSERT_EQ(run({}).code, 0);
   auto const small = parameter("K2");

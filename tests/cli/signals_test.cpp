@@ -78,7 +78,7 @@ TEST_F(Signals, warnings_of_several_devices_stand_on_the_terminal_grouped) {
   EXPECT_NE(o.out.find("true and again hold the same record"), std::string::npos) << o;
   auto const json = Json::parse(isolaw({"inspect", a, b, "again.csv", "--json"}).out);
   EXPECT_EQ(json["warnings"][0]["topic"], "copies");
-  // Both channels have 50 samples in a cycle: one warning with both names.
+  // Both records have 50 samples in a cycle, which gives one warning with both names.
   auto const coarse = [&](std::string const& name, double factor) {
     std::string text = "time [s],disp [mm],force [kN]\n";
     for (int i = 0; i <= 150; ++i) {

@@ -271,8 +271,8 @@ TEST_F(Simulate, parameters_that_together_are_no_device_are_refused) {
   expect_refused(isolaw(bouc_wen + Words{"--set", "A=-1"}), {"A = -1 leaves its physical limits; allowed: above 0"});
 }
 
-// simulate accepts what calibrate accepted. calibrate refuses a box that contains no possible device, and warns if a
-// search found its best beyond a limit that crosses the box.
+// simulate accepts what calibrate accepted. calibrate refuses a box that contains no possible device, and warns if the
+// best parameters of a search lie beyond a limit that crosses the box.
 TEST_F(Simulate, takes_every_campaign_that_calibrate_made) {
   write("d.csv", csv(record({.strength_kN = 0.5})));
   Words const start{"calibrate", "d.csv", "--laws", "bilinear", "--runs", "1", "--out", "O"};
@@ -358,7 +358,7 @@ TEST_F(Simulate, two_displacements_give_two_forces_that_turn_with_them) {
 TEST_F(Simulate, two_directions_along_one_are_the_law_coupled_exactly_and_springs_nearly) {
   write("m.csv", orbit(0.0, 0.0));
   auto const one = parsed(isolaw(bouc_wen + Words{"--motion", "m.csv", "--columns", "disp=east"}).out);
-  // A constant displacement would not be read as a motion; one of two parts in a million is.
+  // A constant displacement would not be read as a motion. This displacement is tiny but not constant.
   write("m.csv", orbit(0.0, 1e-6));
   auto const coupled = parsed(isolaw(bouc_wen + in_plane("coupled")).out);
   auto const o = isolaw(bouc_wen + in_plane("springs"));

@@ -159,7 +159,7 @@ TEST_F(Terminal, a_lot_file_in_a_directory_of_records_is_named_not_used) {
   EXPECT_EQ(isolaw({"inspect", "lot/lot.toml"}).err, "");
 }
 
-// A cycle shows no number that it cannot have, and none that is only rounding.
+// No cycle prints an impossible number or a number that is only rounding error.
 TEST_F(Terminal, partial_and_one_sided_cycles_print_bounded_numbers) {
   auto samples = record({.samples = 701});
   for (auto& s : samples) s.disp_mm = 0.5 * (1e-13 - s.disp_mm + 100.0), s.force_kN = 0.5 * (-s.force_kN + 70.0);

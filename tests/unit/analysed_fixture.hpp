@@ -1,5 +1,5 @@
-// The made-up lot of study_fixture.hpp as if it had been analysed: it has every verdict, a law whose prediction
-// collapses, a population with a correlation missing, and a device that stands apart.
+// The made-up lot of study_fixture.hpp as if it had been analysed. It has every verdict, a law whose prediction
+// collapses, a population that lacks a correlation, and an outlying device.
 #pragma once
 
 #include <array>

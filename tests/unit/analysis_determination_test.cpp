@@ -1,4 +1,5 @@
-// Sentences of trade-offs, and verdicts at the edges: nothing free, one free parameter, ties, a start that is none.
+// Sentences about trade-offs, and verdicts in limiting cases: no free parameter, one free parameter, ties, a start that
+// is no optimum.
 #include "isolaw/analysis/determination.hpp"
 
 #include <gtest/gtest.h>
@@ -97,7 +98,7 @@ TEST_F(Determine, ATiedParameterGoesWithTheOther) {
   EXPECT_LT(found->objective, 1e-9);
 }
 
-// When a profile finds a lower objective, the whole examination starts anew from there.
+// When a profile finds a lower objective, the whole examination starts anew from the point found.
 TEST_F(Determine, AStartBesideTheOptimumEndsAtIt) {
   auto const given = twin();
   auto start = given.truth;

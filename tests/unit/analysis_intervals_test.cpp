@@ -1,4 +1,5 @@
-// Block lengths of known series, and intervals at the edges: no errors, nothing free, at a bound, ties.
+// Block lengths of known series, and intervals in limiting cases: no errors, no free parameter, a parameter at a bound,
+// ties.
 #include "isolaw/analysis/intervals.hpp"
 
 #include <gtest/gtest.h>

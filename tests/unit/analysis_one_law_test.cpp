@@ -94,7 +94,7 @@ TEST_F(Lot, TheLeastWorstLiesBetweenItsBoundAndTheWorstOfTheLeastMean) {
   EXPECT_GT(found->bound, 0.9 * found->law.worst);
   EXPECT_GE(found->law.mean, mean.mean * (1.0 - 1e-9));
   EXPECT_EQ(found->law.worst, std::ranges::max(found->law.objectives));
-  // No law stays below the bound on all devices; the optimum of each device does not either.
+  // No parameters stay below the bound on all devices, nor does the optimum of any one device.
   for (auto parameters : optima_) {
     double worst = 0.0;
     for (std::size_t d = 0; d < models_.size(); ++d) worst = std::max(worst, objective(d, parameters));

@@ -42,7 +42,7 @@ TEST(WorkAhead, ThreadsWithoutATaskHelp) {
     WorkAhead work(done.size(), [&](std::size_t i) {
       int const now = ++at_once;
       for (int seen = most; seen < now && !most.compare_exchange_weak(seen, now);) continue;
-      // Wait until another thread is here too. Give up after a while if the machine is too busy to start one.
+      // Wait until another thread works on an item too. Give up after a while if the machine is too busy to start one.
       for (int waited = 0; most < 2 && waited < 5000; ++waited)
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
       ++done[i];

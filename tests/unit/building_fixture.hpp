@@ -1,4 +1,4 @@
-// Structures, plans and motions that tests of the building share.
+// Structures, plans and motions that the tests of buildings share.
 #pragma once
 
 #include <cmath>

@@ -95,7 +95,8 @@ TEST(BuildingIntegrate, bearings_at_one_place_may_be_exchanged) {
     EXPECT_NEAR(a.measured[i], b.measured[i], 1e-9 * std::abs(a.measured[i])) << i;
 }
 
-// Forces and masses ten times as large move alike; ten times the yield displacement and acceleration, ten times as far.
+// With forces and masses ten times as large the building moves the same. With yield displacement and acceleration ten
+// times as large it moves ten times as far.
 TEST(BuildingIntegrate, scales) {
   auto frame = three_floors();
   auto const plan = grid(2, 2, 8000.0);

@@ -305,7 +305,7 @@ TEST_F(BuildingRuns, answers) {
       most = std::max(most, std::hypot(history.x_mm[i], history.y_mm[i]));
     EXPECT_NEAR(most, law.distributions[1].nominal_by_motion[m], 0.02 * most);
   }
-  // The stored loops are those of the first draw under the stronger motion; every bearing has its own force.
+  // The stored loops are from the first draw under the stronger motion; every bearing has its own force.
   auto const& loops = law.loops;
   EXPECT_TRUE(loops.drawn);
   auto const strongest = static_cast<std::size_t>(law.checked[1].isolator_mm > law.checked[0].isolator_mm);
@@ -436,8 +436,8 @@ TEST_F(BuildingRuns, bounds_on_one_side_of_the_nominal_building_are_told) {
       << answers.warnings;
 }
 
-// Doubts about the calibration come from the campaign. One that both laws have is told once, and one about a tested
-// device names it once, although its finding carries the device as well.
+// Doubts about the calibration come from the campaign. A doubt that both laws have is printed once. A doubt about a
+// tested device names the device once, although its finding carries the device as well.
 TEST_F(BuildingRuns, says_what_is_known_against_a_law) {
   auto study = usual_study(0.07, 4);
   Finding const open{.kind = FindingKind::not_determined,
@@ -476,7 +476,7 @@ TEST_F(BuildingRuns, says_what_is_known_against_a_law) {
   EXPECT_EQ(properties_of(other), properties_of(study));
 }
 
-// Spring runs report progress one by one, and an interrupted run keeps those that are finished.
+// Runs with springs report their progress one by one, and an interrupted study keeps the runs that are finished.
 TEST_F(BuildingRuns, of_springs_are_told_one_by_one_and_can_be_interrupted) {
   auto study = usual_study(0.07, 2);
   study.laws[0].as_springs = true;

@@ -142,7 +142,7 @@ inline void expect_same(fit::SearchBox const& a, fit::SearchBox const& b, std::s
   }
 }
 
-// Compares everything but the layout of the raw record: `isolaw init` writes that down, and no report needs it.
+// Compares everything but the layout of the raw record, which only `isolaw init` writes and no report needs.
 inline void expect_same(Device const& a, Device const& b) {
   EXPECT_EQ(a.name, b.name);
   EXPECT_EQ(a.file, b.file);

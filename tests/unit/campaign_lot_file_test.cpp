@@ -265,7 +265,7 @@ TEST_F(LotFileTest, FilesOutsideTheFolderHaveTheirLine) {
   EXPECT_EQ(read("[[device]]\nfile = \"../b.csv\"\n", {.allow_outside = true}).devices.size(), 1u);
 }
 
-// Refused whether the file exists or not, and whatever the current directory holds.
+// A rule file outside the folder is refused whether it exists or not, and whatever the current directory holds.
 TEST_F(LotFileTest, RulesOutsideTheFolderHaveTheirLine) {
   auto const built_in = [](std::string_view name) { return name == "known"; };
   auto const lot = [](std::string const& name) {

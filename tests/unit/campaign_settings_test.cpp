@@ -189,7 +189,7 @@ TEST(Settings, RunsAreThoseTheMethodNeeds) {
   EXPECT_EQ(given.runs, 7);
 }
 
-TEST(Settings, Defaults) {  // those of the genetic algorithm are the paper's
+TEST(Settings, Defaults) {  // the defaults of the genetic algorithm are the paper's
   Settings const s;
   EXPECT_EQ(s.method, Method::best);
   EXPECT_EQ(s.integration, laws::Integration::converged);

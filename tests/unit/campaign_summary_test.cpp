@@ -19,7 +19,7 @@ using campaign::Contents;
 using campaign::Outcome;
 using campaign::Run;
 
-// Three cycles of ±100 mm; the force is that of a bilinear device with K1 = 1.5, K2 = 0.6, xy = 20.
+// Three cycles of ±100 mm with the force of a bilinear device with K1 = 1.5, K2 = 0.6, xy = 20.
 data::FitRecord record() {
   data::FitRecord r;
   for (int i = 0; i <= 600; ++i) {

@@ -1,4 +1,5 @@
-// Channels and units from the names laboratories write, from the user's word, and what is asked for instead of guessed.
+// Channels and units from the names that laboratories write and from the user's options. What cannot be known is asked
+// for, not guessed.
 #include "data_fixture.hpp"
 #include "isolaw/data/column_names.hpp"
 #include "isolaw/data/columns.hpp"
@@ -197,7 +198,8 @@ TEST_F(ColumnsTest, NameThatIsNotUnique) {
       "FILE:1: 2 columns are named 'Force'; allowed: a unique column; try: --columns force=2 or --columns force=3");
 }
 
-// The machine's own axis counts where the file says which machine, and nothing else in it could be meant.
+// A channel named after the machine's axis is used only if the file says which machine wrote it and no other channel
+// could be meant.
 TEST_F(ColumnsTest, OfAMachineMayBeNamedAfterItsAxis) {
   std::string const mts = "MTS793|MPT|ENU|1|2|.|/|:|1|0|0|A\n\n";
   std::string const rows = "\n0\t1\t2\t5\n1\t2\t3\t6\n2\t3\t1\t7\n";

@@ -1,4 +1,4 @@
-// Work in a process of its own: results come back, whatever ends it is an outcome.
+// Work in a process of its own: its results come back, and every kind of end is an outcome.
 #include "isolaw/data/confined.hpp"
 
 #include <gtest/gtest.h>

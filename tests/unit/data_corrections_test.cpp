@@ -14,7 +14,7 @@
 namespace isolaw::data::testing {
 namespace {
 
-// Five cycles of 208 mm at 0.5 Hz of a bearing that softens exponentially; the force `late_s` late.
+// Five cycles of 208 mm at 0.5 Hz of a bearing that softens exponentially. The force is late by `late_s`.
 TestRecord bearing(double late_s = 0.0) {
   Motion fine;
   fine.dt_s = 0.0005;
@@ -92,7 +92,8 @@ TEST(Corrections, FrictionOfTheRigIsTakenOff) {
   EXPECT_EQ(by_load.force_kN, record.force_kN);
 }
 
-// Which way the sample at a peak moves is the noise's: it decides nothing, whether the rig rubs or not.
+// At a peak, noise alone decides in which direction a sample moves. Subtracting the rig's friction must not depend on
+// it, whether the rig has friction or not.
 TEST(Corrections, FrictionTakenOffLeavesThePeaksToTheForce) {
   auto const truth = bearing();
   std::mt19937_64 random(3);
@@ -136,7 +137,8 @@ TEST(Corrections, TheInertiaOfANoisyMotionIsNoNoise) {
   for (double& x : record.disp_mm) x += noise(generator);
   auto const before = record.force_kN;
   correct(record, {.moving_mass_kg = 5000.0});
-  double largest = 0.0;  // while the device moves: at the jerks of the start and the end inertia is larger in truth
+  // Only while the device moves, since the jerks at the start and the end have larger true inertia forces.
+  double largest = 0.0;
   for (std::size_t i = 0; i < record.size(); ++i)
     if (record.time_s[i] > 1.0 && record.time_s[i] < 10.0)
       largest = std::max(largest, std::abs(record.force_kN[i] - before[i]));

@@ -54,7 +54,7 @@ TEST(Segment, OneCycleIsCyclic) {
 TEST(Segment, AChangeOfFrequencyAtOneAmplitudeIsABlock) {
   auto const cut = Motion().sine(100.0, 0.1, 3).sine(100.0, 0.5, 5).end().cut();
   EXPECT_EQ(counted_per_block(cut), (Counts{3, 5}));
-  // Without time the samples tell.
+  // Without time the numbers of samples per cycle show the change.
   Motion const motion = Motion().sine(100.0, 0.1, 3).sine(100.0, 0.5, 5).end();
   EXPECT_EQ(counted_per_block(segment(motion.disp_mm)), (Counts{3, 5}));
 }
@@ -114,12 +114,12 @@ TEST(Segment, AStumbleOnTheWayIsNoReversal) {
 }
 
 TEST(Segment, APreLoadRampIsNoFirstMotion) {
-  // A small set the other way before the test proper, which starts downwards.
+  // A small displacement upwards comes before the test itself, which starts downwards.
   Motion motion;
   motion.ramp(0.0, 4.0, 3.0).ramp(4.0, 0.0, 3.0).sine(-100.0, 0.5, 3).end();
   auto const cut = motion.cut();
   EXPECT_EQ(counted_per_block(cut), Counts{3});
-  // Cuts are downward: half a cycle after one the displacement is positive again.
+  // Cycles are cut where the displacement falls, so it is positive in the second half of a cycle.
   auto const& last = cut.cycles.back();
   EXPECT_EQ(last.number, 3);
   EXPECT_GT(value_at(motion.disp_mm, last.first + 0.75 * (last.last - last.first)), 50.0);
@@ -174,7 +174,7 @@ TEST(Segment, ABlockMayStartTheOtherWay) {
       EXPECT_EQ(counted_per_block(cut), (Counts{3, 3})) << pause << " s, noise " << noise;
       EXPECT_EQ(cut.cycles.size(), 6u);
     }
-  // After two and a half cycles: the half is shown.
+  // A block of two and a half cycles lists its half cycle, which does not count.
   auto const cut = Motion().sine(100.0, 0.5, 2.5).sine(-150.0, 0.5, 3).end().cut();
   EXPECT_EQ(counted_per_block(cut), (Counts{2, 3}));
   ASSERT_EQ(cut.cycles.size(), 6u);
@@ -183,7 +183,8 @@ TEST(Segment, ABlockMayStartTheOtherWay) {
 }
 
 TEST(Segment, TheStrengthOfABlockThatStartsTheOtherWay) {
-  // The force before its first cycle is that of the block before: half the loop's height there is no strength.
+  // The force before the first cycle of the second block belongs to the first block. Half of the loop's height there is
+  // not the strength of the second.
   auto const properties = Motion().sine(100.0, 0.5, 3).sine(-150.0, 0.5, 3).end().loop(0.6, 25.0).properties();
   for (int const number : {1, 2, 3}) EXPECT_NEAR(properties.find(2, number)->Q_d_kN, 25.0, 0.1) << number;
 }
@@ -196,7 +197,7 @@ TEST(Segment, ASlowStartDoesNotCount) {
   EXPECT_EQ(counted_per_block(cut), Counts{3});
   EXPECT_EQ(cut.cycles[0].not_counted, "its period of 3.5 s is 1.75 times as long as the block's 2 s, more than 1.4");
   EXPECT_TRUE(cut.cycles.back().partial);
-  // Somewhat slower it counts: rigs start gently.
+  // A first cycle that is only somewhat slower counts, since rigs start gently.
   Motion gentle;
   gentle.ramp(0.0, 150.0, 0.9);
   for (int i = 0; i <= 750; ++i) gentle.add(150.0 * std::cos(pi * 0.01 * i));
@@ -212,7 +213,7 @@ TEST(Segment, ASmallLastingChangeOfFrequencyIsABlock) {
       EXPECT_NEAR(*properties.blocks[0].frequency_Hz, 0.5, 0.005);
       EXPECT_NEAR(*properties.blocks[1].frequency_Hz, frequency, 0.005);
     }
-  // One odd cycle is none, nor are periods that scatter by as much.
+  // One odd cycle does not start a block, nor do periods that scatter by as much.
   auto const odd = Motion().sine(150.0, 0.5, 3).sine(150.0, 0.45, 1).sine(150.0, 0.5, 3).end();
   EXPECT_EQ(counted_per_block(odd.cut()), Counts{7});
   Motion uneven;
@@ -329,7 +330,8 @@ TEST(Segment, AnOffsetIsCutAtTheCentre) {
     EXPECT_EQ(counted_per_block(cut), (Counts{4, 3})) << by;
     EXPECT_NEAR(cut.centre_mm, std::abs(by) <= 5.0 ? 0.0 : by, 0.6) << by;
   }
-  // Three percent of the largest stage is off every cycle of the smallest: the centre is used there as well.
+  // An offset of 3 % of the largest stage moves every cycle of the smallest stage off zero, so cycles are cut at the
+  // centre in this case too.
   auto const cut = Motion().sine(100.0, 0.5, 4).sine(2.5, 0.5, 3).end().offset(3.0).cut();
   EXPECT_EQ(counted_per_block(cut), (Counts{4, 3}));
 }

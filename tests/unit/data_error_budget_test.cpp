@@ -1,4 +1,4 @@
-// Warnings and notes of the error budget: that they come, with their numbers, and only then.
+// Each warning and note of the error budget comes with its numbers when it should, and only then.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -57,7 +57,7 @@ TEST(ErrorBudget, ACleanRecordHasNotesAndNoWarnings) {
   for (auto const& effect : budget.effects) EXPECT_FALSE(effect.exceeds) << effect.effect;
 }
 
-// Two samples of no force at a peak: the cycle's stiffness is half of what it is.
+// Two samples without force at a peak halve the stiffness of the cycle.
 TEST(ErrorBudget, ACycleUnlikeItsNeighboursIsNamed) {
   auto motion = Motion().sine(100.0, 0.5, 5).end().loop();
   EXPECT_FALSE(says(budget_of(motion).warnings, "beside it"));
@@ -122,7 +122,7 @@ TEST(ErrorBudget, FrictionOfTheRig) {
   double const points = friction_damping_points(15.0, properties.reported->K_eff_kN_per_mm, 208.0);
   EXPECT_NEAR(find(quiet, "damping by rig friction of 0.5 % of the vertical load")->value, points, 1e-9);
   EXPECT_EQ(find(quiet, "damping by the jump"), nullptr);
-  // 8 kN of it in the force.
+  // Now the force contains 8 kN of friction.
   for (std::size_t i = 1; i + 1 < motion.disp_mm.size(); ++i)
     motion.force_kN[i] += std::copysign(8.0, motion.disp_mm[i + 1] - motion.disp_mm[i - 1]);
   auto const budget = budget_of(motion);
@@ -193,13 +193,14 @@ TEST(ErrorBudget, NoiseMovesTheExtremes) {
     EXPECT_NEAR(find(budget, "extremes moved by noise")->value, 2.82, 0.4);
     EXPECT_TRUE(find(budget, "extremes moved by noise")->exceeds);
   }
-  // 200 cycles of two extremes each scatter by 0.6 of the noise: their mean by 0.09 mm.
+  // The extremes scatter by 0.6 of the noise, so the mean over 200 cycles of two extremes each scatters by 0.09 mm.
   EXPECT_NEAR(beyond, peak_gain_mm(3.0, 150.0, 200.0), 0.3);
-  // The force at such a sample is off its own peak: the stiffness loses more than the amplitude gains.
+  // At a noisy extreme of displacement the force is not at its own peak, so the stiffness loses more than the amplitude
+  // gains.
   EXPECT_GT(softer, peak_gain_mm(3.0, 150.0, 200.0) / 150.0);
   EXPECT_LT(softer, 2.0 * peak_gain_mm(3.0, 150.0, 200.0) / 150.0);
   EXPECT_DOUBLE_EQ(peak_gain_mm(0.0, 150.0, 200.0), 0.0);
-  // So few samples that one alone stands at the peak: its mean is that of the noise.
+  // With so few samples only one lies near the peak, and its mean error is the mean of the noise, zero.
   EXPECT_NEAR(peak_gain_mm(0.01, 150.0, 20.0), 0.0, 1e-5);
 }
 
@@ -268,14 +269,15 @@ TEST(ErrorBudget, ARecordWithoutCyclesHasItsTimeAssessedOnly) {
 
 // --- how often a channel is called late -----------------------------------------------------------------------------
 
-// Records of 2 to 20 cycles of devices that do not depend on rate, in noise; the force `late_rad` of a cycle late.
+// Counts over noisy records of 2 to 20 cycles, of devices that do not depend on rate. `late_rad` is the delay of the
+// force as a phase.
 struct SkewCount {
   int estimated = 0, late = 0;
 };
 void rubber_or_lead(Plan& plan, Drawn& random) {
   plan.device = random.chance(0.5) ? Device::rubber : Device::lead;
 }
-// Smooth loops that turn sharply: after a reversal their force is no polynomial of the way back.
+// Smooth loops that turn sharply. After a reversal their force is no polynomial of the displacement.
 void sharp(Plan& plan, Drawn& random) {
   plan.device = Device::bouc_wen;
   plan.exponent = random.whole(1, 2);
@@ -338,7 +340,7 @@ TEST(ErrorBudget, HoldsAreNoLateChannel) {
   EXPECT_LE(500 * found.late, found.estimated);
 }
 
-// A device that creeps while it is held loses force, and that must not be taken for friction of the rig.
+// A device that creeps while it is held loses force. This must not count as friction of the rig.
 TEST(ErrorBudget, CreepInHoldsIsNoFriction) {
   int assessed = 0;
   for (auto const waveform : {Waveform::trapezoid, Waveform::dwell})
@@ -356,7 +358,7 @@ TEST(ErrorBudget, CreepInHoldsIsNoFriction) {
   EXPECT_GT(assessed, 80);
 }
 
-// Holds of any length in a clean record must not be taken for a late channel.
+// Holds of any length in a clean record must not make a channel count as late.
 TEST(ErrorBudget, NoHoldAtTheExtremesIsALateChannel) {
   for (double hold = 0.02; hold < 0.45; hold += 0.02) {
     Motion motion;
@@ -380,7 +382,7 @@ TEST(ErrorBudget, ALateChannelIsFoundInNineRecordsOfTen) {
   EXPECT_GE(10 * found.late, 9 * found.estimated) << found.late << " of " << found.estimated;
 }
 
-// Few reversals may agree by chance: of four of them, four standard errors are not enough.
+// Few reversals may agree by chance. With four of them, four standard errors are not enough.
 TEST(ErrorBudget, FewReversalsMustAgreeBetter) {
   Skew skew{.force_late = 0.01, .uncertainty = 2.0 * 0.01 / 6.0, .phase = 0.05, .agreement = 1.0, .reversals = 4};
   EXPECT_FALSE(skew.significant());  // six standard errors; Student's t of 3 asks for 10.2

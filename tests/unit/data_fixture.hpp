@@ -47,7 +47,7 @@ class Files : public ::testing::Test {
     return read_record(write(bytes), options);
   }
 
-  // The complaints, one a line, the file's path written as FILE; empty when the file was read.
+  // The complaints, one a line, with FILE in place of the file's path; empty if the file was read.
   std::string refusal(std::string_view bytes, ReadOptions const& options = {},
                       std::string_view file_name = "test.csv") {
     auto const file = write(bytes, file_name);
@@ -69,7 +69,7 @@ inline ReadOptions with(std::string_view columns, std::string_view units = {}) {
   return options;
 }
 
-// An elliptic loop F = K x + C v/omega: dissipates, positive stiffness.
+// An elliptic loop F = K x + C v/omega, which dissipates energy and has positive stiffness.
 struct Ellipse {
   double amplitude_mm = 100.0;
   double K = 0.75;

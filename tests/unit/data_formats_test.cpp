@@ -1,4 +1,4 @@
-// The same test in every format is the same record; measured files of each.
+// The same test gives the same record in every format. Measured files of each format are read too.
 #include <algorithm>
 #include <cstdlib>
 

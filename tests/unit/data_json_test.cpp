@@ -121,7 +121,7 @@ TEST_F(Json, AListOfTestsHoldsAsManyTests) {
   ASSERT_EQ(listed.size(), 2u);
   EXPECT_EQ(listed[1].test, "2");
   EXPECT_EQ(listed[1].sheet, std::nullopt);
-  expect_three_rows(read("[" + one("A", "-2") + "]", told));  // the only one needs no word
+  expect_three_rows(read("[" + one("A", "-2") + "]", told));  // the only test need not be chosen
 }
 
 TEST_F(Json, TestsOfAListSpeakForThemselvesAlone) {
@@ -145,7 +145,7 @@ TEST_F(Json, TestsOfAListSpeakForThemselvesAlone) {
       "FILE: a list of rows of numbers and of tests; allowed: elements of one kind; try: a list of the tests alone");
 }
 
-// Arrays inside rows make no tests of them.
+// A row that holds arrays does not count as a test.
 TEST_F(Json, RowsMayHoldShortArrays) {
   std::string rows = "[";
   for (int i = 0; i < 2000; ++i)
@@ -167,7 +167,7 @@ TEST_F(Json, TimeStampsAreReadAsInText) {
   auto const rows = R"([{"when": "31.05.2024 23:59:59.9", "disp_mm": 0, "force_kN": 1},
     {"when": "01.06.2024 00:00:00.0", "disp_mm": 1, "force_kN": 2}, {"when": "01.06.2024 00:00:00.1", "disp_mm": 2, "force_kN": 3}])";
   EXPECT_NEAR(read(rows).time_s[2], 0.2, 1e-6);
-  // Beside a column of dates; a part of the rows alone.
+  // The time of day is read beside a column of dates, here for a part of the rows.
   auto options = with("time=clock");
   options.rows = RowRange{.first = 2, .last = 4};
   auto const joined = read(
@@ -257,7 +257,7 @@ TEST_F(Json, HostileTexts) {
   says_of(arrays + "\"x\":[1]}", "more than 1000 arrays");
 }
 
-// A line of text in brackets begins no JSON.
+// A line of text in brackets is not the start of a JSON file.
 TEST_F(Json, IsToldFromText) {
   std::string const data = "Time [s];Disp [mm];Force [kN]\n0;0;1\n1;1;2\n2;2;1\n";
   for (auto const* line : {"[Header]\n", "[ test D07 ]\n", "{D07}\n", "[]\n"})

@@ -55,7 +55,7 @@ TEST_P(Matlab, VectorsByTheirNames) {
   EXPECT_TRUE(says(record.recognised, "4 samples, elements 1 to 4"));
 }
 
-// 2024-05-02 09:00:00 and half a second on: datenum is a spreadsheet's day and 693960 more.
+// 2024-05-02 09:00:00 and steps of half a second. datenum is a spreadsheet's day number plus 693960.
 TEST_P(Matlab, DatenumIsReadAsSeconds) {
   double const start = 45414.0 + 693960.0 + 9.0 / 24.0;
   auto const record = read(mat_of([&](MatWriter& w) {
@@ -211,7 +211,7 @@ TEST_P(Matlab, NoArrays) {
       "FILE: no arrays of numbers; variables Kx (1 x 1 double, no channel), note (1 x 10 char); allowed: real vectors or matrices of 3 rows or more, at the top or in structs one level deep; try: save time, displacement and force as vectors, or export them as CSV");
 }
 
-// Cut anywhere, a file is read as far as it goes or refused; every byte that differs is survived.
+// A file cut off anywhere is read as far as it goes or refused. A wrong byte anywhere must not end the program.
 TEST_P(Matlab, DamagedFilesEndInAMessage) {
   auto const sound = mat_of([](MatWriter& w) { w.all(named).structure("test", {named}); });
   auto const step =
@@ -423,7 +423,7 @@ TEST_F(Mat73, ValuesThatAreNotThere) {
   EXPECT_NE(refusal(text, with("disp=disp_mm,force=disp_mm")).find("1000000000"), std::string::npos);
 }
 
-// A datetime is six numbers that say where it is kept.
+// A datetime is stored as six numbers that only say where in the file its value is kept.
 TEST_F(Mat73, ADatetimeIsAskedFor) {
   auto const text = mat_of([&](hid_t file) {
     add(file, "disp_mm", four_disp);

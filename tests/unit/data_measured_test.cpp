@@ -23,8 +23,8 @@ struct Row {
   double start, end, amplitude_mm, K_eff_kN_per_mm, energy_kN_mm, damping_percent;
 };
 
-// Made by an independent program from the same file: cut at interpolated crossings
-// after displacement has exceeded 5 mm.
+// Computed by an independent program from the same file, with cuts at interpolated crossings after the displacement has
+// exceeded 5 mm.
 constexpr Row gallardo[] = {
     {0.0, 1180.8, 38.14, 2.8448, 6161, 23.7},         {1180.8, 2111.5, 38.03, 2.7546, 4896, 19.56},
     {2111.5, 3042.5, 38.07, 2.7574, 4590, 18.28},     {3042.5, 3973.4, 38.06, 2.7259, 4439, 17.89},
@@ -55,7 +55,7 @@ TEST(Measured, FullScaleBearingIsRecognisedAndCutIntoItsCycles) {
   auto const properties = cyclic_properties(record);
   ASSERT_EQ(properties.blocks.size(), 3u);
   ASSERT_EQ(properties.counted().size(), std::size(gallardo));
-  // All rows agree, also the first: it holds the forced sample (0, 0) and a slow start in the reference as here.
+  // All rows agree, the first too, because the reference also includes the forced sample (0, 0) and the slow start.
   for (std::size_t i = 0; i < std::size(gallardo); ++i) {
     auto const& cycle = *properties.counted()[i];
     auto const& row = gallardo[i];
@@ -95,7 +95,7 @@ int rises(std::vector<double> const& disp_mm) {
   return count;
 }
 
-// As by a saturated amplifier ahead of the converter, whose noise comes after it.
+// The force is clipped as by a saturated amplifier before the converter, and noise is added afterwards.
 TEST(Measured, FullScaleBearingWhoseForceIsClippedIsNamed) {
   auto const file = folder / "hdrb-gallardo-device/cyclic-24-49-98pct.csv";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not here";
@@ -144,7 +144,7 @@ TEST(Measured, MrDampersAreReadAndCutIntoTheirCycles) {
     auto turned = record.disp_mm;
     for (double& x : turned) x = -x;
     bool const falls_first = test.number == 3;
-    // From the middle of one to that of the next.
+    // A cycle lasts from the middle of one rise to the middle of the next (of falls in test 3).
     EXPECT_EQ(complete, rises(falls_first ? turned : record.disp_mm) - 1);
     auto const properties = cyclic_properties(record);
     ASSERT_EQ(properties.blocks.size(), 1u);

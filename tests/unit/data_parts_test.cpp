@@ -62,8 +62,10 @@ TEST_F(Stamps, AreSecondsFromTheFirst) {
   expect_times({"2024-03-31T01:59:59+01:00", "2024-03-31T03:00:00+02:00", "2024-03-31T03:00:01+02:00"}, {0, 1, 2});
   expect_times({"31/12/2023 23:59:59", "01/01/2024 00:00:00", "01/01/2024 00:00:01"}, {0, 1, 2});
   expect_times({"12/31/2023 23:59:59", "01/01/2024 00:00:00", "01/01/2024 00:00:01"}, {0, 1, 2});
-  expect_times({"03/04/2024 23:59:59", "04/04/2024 00:00:00", "04/04/2024 00:00:01"}, {0, 1, 2});  // by the sequence
-  expect_times({"03/04/2024 10:00:00", "03/04/2024 10:00:01", "03/04/2024 10:00:02"}, {0, 1, 2});  // alike either way
+  // The sequence shows that days come first.
+  expect_times({"03/04/2024 23:59:59", "04/04/2024 00:00:00", "04/04/2024 00:00:01"}, {0, 1, 2});
+  // The same whether days or months come first.
+  expect_times({"03/04/2024 10:00:00", "03/04/2024 10:00:01", "03/04/2024 10:00:02"}, {0, 1, 2});
 }
 
 TEST_F(Stamps, OfAnOpenOrderAreRefusedWithBothReadings) {
@@ -172,7 +174,7 @@ TEST_F(Parts, TextBelowTheRowsIsLeftOutOnRequest) {
   EXPECT_EQ(record.sha256, sha256(text_ + footer));
   EXPECT_TRUE(says(record.recognised,
                    "below the rows, lines 604 to 608 are text, 'Max;100;95' and so on, and left out (--footer skip)"));
-  // A row that breaks off is no text.
+  // An incomplete row does not count as text.
   EXPECT_EQ(
       refusal(text_ + "6.01;3.1\n", options),
       "FILE:603: 2 columns: '6.01;3.1'; allowed: 3 columns, as in most rows; try: --rows 1:601, the rows before it");
@@ -200,13 +202,13 @@ TEST_F(Parts, DigitsAreGroupedAsTheUserSays) {
       "234\xE2\x80\xAF"
       "567,5\n",
       ' ');
-  // One column alone.
+  // A motion in a single column.
   ReadOptions one;
   one.dt_s = 0.1;
   one.thousands = ',';
   EXPECT_EQ(read_motion(write("Displacement [mm]\n1,000.5\n2,000.25\n-1,500\n"), one).disp_mm,
             (std::vector{1000.5, 2000.25, -1500.0}));
-  // Whole thousands, which would else be taken for decimals.
+  // Whole thousands, which would be read as decimals without the option.
   EXPECT_EQ(read_with("1;1,234\n2;2,345\n3;3,456\n", ','), (std::vector{1.234, 2.345, 3.456}));
 }
 
@@ -239,7 +241,7 @@ TEST_F(TwoFiles, OfAsManyRowsAreJoinedRowByRow) {
       EXPECT_NEAR(record.force_kN[static_cast<std::size_t>(i)], loop.force(i), 1e-6);
     EXPECT_TRUE(says(record.recognised,
                      timed ? "row by row, at the same times (--columns force=" : "row by row (--columns force="));
-    EXPECT_TRUE(says(record.recognised, sha256(channel(false))));  // of both raw files
+    EXPECT_TRUE(says(record.recognised, sha256(channel(false))));  // hashes of both raw files
     EXPECT_TRUE(says(record.recognised, sha256(channel(true, 0.0, 0, 1, timed))));
   }
   try {
@@ -273,7 +275,7 @@ TEST_F(TwoFiles, TakeTheSameRowsOrTimes) {
   EXPECT_EQ(joined(channel(false), channel(true), span).size(), 401u);
 }
 
-// The first line that is refused, without the folder.
+// The first line of the refusal, without the folder.
 std::string first_line(Error const& error) {
   std::string text = error.what();
   text.resize(std::min(text.find('\n'), text.size()));
@@ -353,7 +355,7 @@ TEST_F(TwoFiles, UnitsOfTimeAreGivenToBoth) {
   auto own = channel(false);
   own.replace(0, own.find(';'), "Time");
   EXPECT_EQ(joined(own, bare, options).size(), 601u);
-  // A unit that the other file states stands.
+  // A unit that the other file states is kept.
   std::string milliseconds = "Time [ms];Force [kN]\n";
   for (int i = 0; i < loop.size(); ++i) milliseconds += fmt::format("{};{:.6f}\n", 10 * i, loop.force(i));
   EXPECT_EQ(joined(own, milliseconds, options).size(), 601u);

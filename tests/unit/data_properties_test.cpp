@@ -218,7 +218,7 @@ TEST(Cycles, HistoriesThatAreNoTestsDoNotCrash) {
   for (auto const* cycle : properties.complete()) EXPECT_LT(cycle->first, cycle->last);
 }
 
-// A cycle that gives energy back is named even where the record has too few samples as well.
+// A cycle that gives energy back is reported even if the record also has too few samples.
 TEST(Properties, EnergyGivenBackIsSaidBeforeFewSamples) {
   auto const properties = ellipse(12, 3, 100.0, 70.0, -0.3).properties();
   EXPECT_TRUE(properties.is_false);
@@ -228,7 +228,7 @@ TEST(Properties, EnergyGivenBackIsSaidBeforeFewSamples) {
   EXPECT_NE(text_of(few.refusal).find("samples per cycle"), std::string::npos) << text_of(few.refusal);
 }
 
-// A spring has no energy: what noise makes of it is no sign.
+// An elastic spring dissipates nothing. The small energy that noise makes must not count as energy given back.
 TEST(Properties, NoiseOfAnElasticSpringGivesNothingBack) {
   for (unsigned seed = 1; seed <= 200; ++seed) {
     std::mt19937 generator(seed);
@@ -242,7 +242,7 @@ TEST(Properties, NoiseOfAnElasticSpringGivesNothingBack) {
   EXPECT_TRUE(ellipse(100, 3, 100.0, 70.0, -0.02).properties().is_false) << "more than noise";
 }
 
-// The exact bilinear loop of K2 = 1, Qd = 45, D_y = 5: the idealisation gives back what made it.
+// The exact bilinear loop of K2 = 1, Qd = 45, D_y = 5. The idealisation must return these values.
 TEST(Properties, TheIdealisationOfABilinearLoopIsTheLoop) {
   double const K1 = 10.0, K2 = 1.0, Qd = 45.0, D = 100.0;
   History history;
@@ -268,7 +268,7 @@ TEST(Properties, TheIdealisationOfABilinearLoopIsTheLoop) {
     EXPECT_NEAR(cycle.K_minus_kN_per_mm, K2 + Qd / D, 1e-12);
     EXPECT_NEAR(cycle.closure_mm, 0.0, 1e-9);
   }
-  // The first quarter starts at rest, so that only the end of the first cycle stands on the loop.
+  // The record starts at rest, so only the end of the first cycle lies on the loop.
   EXPECT_NEAR(nth(properties, 0).Q_d_kN, Qd, 1e-9);
 }
 
@@ -333,7 +333,7 @@ TEST(Properties, StabilityComparesWithTheThirdCycle) {
     cycle.K_eff_kN_per_mm = 2.0 * K;
     block.cycles.push_back(cycle);
   }
-  block.cycles.emplace_back().not_counted = "partial";  // must not enter
+  block.cycles.emplace_back().not_counted = "partial";  // must not be used
   auto const found = stability(block, &Cycle::K_eff_kN_per_mm);
   EXPECT_EQ(found.cycles, 11);
   ASSERT_EQ(found.ratio_to_third.size(), 11u);

@@ -1,4 +1,4 @@
-// Dialects: delimiter and decimal separator together, line ends, encodings, what stands above the data.
+// Dialects: delimiter and decimal separator together, line ends, encodings, text above the data.
 #include "data_fixture.hpp"
 #include "isolaw/base/hash.hpp"
 
@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Trap{"1,5;2\n2,5;4,5\n-3,25;1\n", read_disp, read_force},     // whole numbers among decimals
                       Trap{"1.5;2;\n2.5;4.5;\n-3.25;1;\n", read_disp, read_force},  // trailing empty column
                       Trap{"+1.5,2\r\n+25e-1,4.5\r\n-3.25,1E0\r\n", read_disp, read_force},
-                      Trap{"1.234;5\n5.678;6\n9.123;4\n", {1.234, 5.678, 9.123}, {5, 6, 4}},  // no thousands
+                      Trap{"1.234;5\n5.678;6\n9.123;4\n", {1.234, 5.678, 9.123}, {5, 6, 4}},  // not thousands
                       Trap{"1,234;5\n5,678;6\n9,123;4\n", {1.234, 5.678, 9.123}, {5, 6, 4}}));
 
 TEST_F(Read, AnEmptyColumnBetweenTabsIsAColumn) {
@@ -80,7 +80,8 @@ TEST_F(Read, AnEmptyColumnBetweenTabsIsAColumn) {
   EXPECT_EQ(record.force_kN, (Values{7, 9, 8}));
 }
 
-// Told by its head, which is cut at a line, whatever ends it: a character of two bytes may stand across the cut.
+// The encoding is recognised from the head of the file. The head is cut at a line end of any kind, since a cut
+// elsewhere could split a character of two bytes.
 TEST_F(Read, ShiftJisOfAnyLengthAndLineEnd) {
   for (std::string const end : {"\n", "\r\n", "\r"})
     for (std::size_t shift = 0; shift < 4; ++shift) {
@@ -97,7 +98,7 @@ TEST_F(Read, ShiftJisOfAnyLengthAndLineEnd) {
     }
 }
 
-// A rest that the logger skipped takes its time; a jump amid motion does not.
+// A rest that the logger skipped is a part of the test's time. A jump of the clock amid motion gives a warning.
 TEST_F(Read, ARestThatWasNotRecordedIsNoJumpOfTheClock) {
   for (bool const at_rest : {true, false}) {
     data::Values values;

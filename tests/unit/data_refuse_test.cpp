@@ -127,13 +127,13 @@ TEST_F(Refuse, ThousandsSeparators) {
       "FILE:2: '1,234.56' in column 2 'Force [N]' has thousands separators; allowed: a number with a decimal point and no other separator; try: --thousands ,");
 }
 
-// Seconds since a logger was switched on may lie among the days of a calendar.
+// Seconds since a logger was switched on may be as large as a spreadsheet's day numbers.
 TEST_F(Refuse, NumbersBelowTimeAreNoDaysOfASpreadsheet) {
   for (std::string const name : {"Time", "Zeit", "Tempo", "Timestamp", "Uhrzeit"}) {
     std::string text = name + ";Disp [mm];Force [kN]\n";
     for (int i = 0; i < 20; ++i) text += fmt::format("{:.2f};{};{}\n", 40000.0 + 0.08 * i, i, i % 5);
     auto const said = refusal(text);
-    if (name == "Timestamp" || name == "Uhrzeit")  // which need not be the time
+    if (name == "Timestamp" || name == "Uhrzeit")  // such a column need not be the time
       EXPECT_EQ(read(text).has_time(), false) << name;
     else
       EXPECT_EQ(said, fmt::format("FILE:1: column 1 '{}' (time) has no unit; allowed: {}; try: --units time=s", name,
@@ -159,7 +159,7 @@ TEST_F(Refuse, CellsThatAreNoNumbersAllAtOnce) {
       "FILE: and 1 more cells that are no number");
 }
 
-// The longer part of what was asked for, with the ends that were asked for.
+// The advice names the longer part of the rows that were asked for, and keeps the ends that were asked for.
 TEST_F(Refuse, TheAdviceLeavesEnoughRowsOfThoseAskedFor) {
   auto const text = header_row + "0;1;2\n1;3;3\n2;2;1\n3;1;2\n4;x;1\n5;2;3\n6;1;2\n7;0;1\n8;2;3\n9;3;1\n";
   auto const advice = [&](char const* rows) {

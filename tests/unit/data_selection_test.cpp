@@ -90,7 +90,7 @@ TEST(ScoredSamples, NothingLeftSaysWhatThereIs) {
   }
   Segmentation none;
   EXPECT_THROW(scored_samples({parse("1"), {}}, none, 50), Error);
-  // Pieces of a history without cycles are no block to choose.
+  // The pieces of a history without cycles cannot be chosen as blocks.
   auto not_cyclic = two_blocks();
   not_cyclic.cyclic = false;
   for (auto const& selection : {Selection{parse("1"), {}}, Selection{parse("2"), {}}, Selection{{}, parse("1")}}) {

@@ -1,5 +1,5 @@
 // Signals that cannot be true, on records drawn from fixed seeds: how often a fault is found, and how often one is
-// found where there is none. docs/properties.md states the bounds that are held here, with what the records are.
+// found where there is none. docs/properties.md describes the records and states the bounds that are checked here.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ bool names(std::vector<SignalFault> const& faults, std::string_view channel, Fau
   return std::ranges::any_of(faults, [&](auto const& f) { return f.channel == channel && f.kind == kind; });
 }
 
-// A channel that stands still at its extreme may be called either.
+// A channel that is constant at its extreme may be reported as clipped or as stuck.
 bool stands(std::vector<SignalFault> const& faults, std::string_view channel) {
   return names(faults, channel, FaultKind::clipped) || names(faults, channel, FaultKind::stuck);
 }
@@ -59,7 +59,8 @@ bool near_a_turn(Plan const& plan, Recording const& record, std::size_t where, s
   return std::ranges::any_of(turns, [&](auto turn) { return std::max(turn, where) - std::min(turn, where) < reach; });
 }
 
-// Calls of(plan, random) for each seed, which says whether the record counts and whether what was done to it was found.
+// Draws a record from each seed and calls of(plan, random), which returns whether the record counts and whether its
+// fault was found.
 enum class Found { left_out, no, yes };
 struct Rate {
   int drawn = 0, missed = 0;
@@ -77,7 +78,7 @@ Rate rate_of(unsigned first_seed, bool holds, std::function<Found(Plan&, Drawn&)
   return rate;
 }
 
-// Whether the fault of this depth is found; what is not is printed.
+// Whether the fault of this depth is found. A fault that is not found is printed.
 Found found_at(double depth, auto const& record, std::string const& channel) {
   auto const faults = faults_of(record);
   if (stands(faults, channel)) return Found::yes;
@@ -112,7 +113,7 @@ TEST(Signals, clipped_displacement_is_found_from_one_percent_of_the_amplitude) {
       return found_at(depth, record, "displacement");
     });
     EXPECT_GT(rate.drawn, 200);
-    // In noise that comes after, a clipped triangle may be a trapezoid.
+    // If noise is added after the clipping, a clipped triangle may look like a trapezoid, so more faults may be missed.
     EXPECT_LE((noise_first ? 200 : 40) * rate.missed, rate.drawn) << rate.missed << " of " << rate.drawn;
   }
 }
@@ -186,7 +187,7 @@ TEST(Signals, displacement_clipped_before_its_noise_is_found) {
   EXPECT_GE(100 * (rate.drawn - rate.missed), 95 * rate.drawn) << rate.missed << " of " << rate.drawn;
 }
 
-// Elastic and perfectly plastic, hardening a little or not, in any motion: its force stands as a device's may.
+// Elastic and perfectly plastic devices, with little hardening or none, in any motion. Their force may stay constant.
 TEST(Signals, a_device_that_yields_flat_is_left_alone) {
   auto const rate = rate_of(80000, true, [](Plan& plan, Drawn& random) {
     double const way = plan.amplitude_mm * random.on_logs(0.005, 0.5);
@@ -218,7 +219,7 @@ TEST(Signals, spikes_are_found_from_five_percent_of_the_peak) {
       double const size = random.on_logs(0.05, 2.0) * (random.chance(0.5) ? 1.0 : -1.0);
       auto const where = static_cast<std::size_t>(random.whole(3, static_cast<int>(x.size()) - 4));
       if (std::abs(size) < 20.0 * (of_force ? plan.force_noise : plan.disp_noise)) return Found::left_out;
-      // A jump or a corner of the signal itself beside it.
+      // Leave out a spike beside a jump or a corner of the signal itself.
       if (near_a_turn(plan, record, where, of_force ? 8 : 4)) return Found::left_out;
       x[where] += size * (of_force ? record.force_kN : record.amplitude_mm);
       auto const faults = faults_of(record);
@@ -247,7 +248,8 @@ TEST(Signals, a_stuck_channel_is_found) {
       auto const to = from + static_cast<std::size_t>(length);
       double const level = x[from];
       double const amplitude = of_force ? record.force_kN : record.amplitude_mm;
-      // Where it goes on it is elsewhere, in the middle of a motion; a force without noise may also be one that yields.
+      // The channel must go on at another value, in the middle of a motion. A constant force without noise may also be
+      // a device that yields.
       bool const jumps = std::abs(x[to] - level) > (of_force ? 0.3 : 0.15) * amplitude;
       bool const moves = std::abs(record.disp_mm[to] - record.disp_mm[from]) > 0.15 * record.amplitude_mm;
       if (!jumps || !moves || plan.device == Device::viscous || plan.device == Device::friction ||
@@ -291,7 +293,7 @@ TEST(Signals, a_channel_that_stuck_before_its_noise_is_found) {
   }
 }
 
-// Three to twenty samples of nought, or of another value off the path, while the other channel goes on.
+// Three to twenty samples are zero, or another value off the path, while the other channel goes on.
 TEST(Signals, a_channel_that_drops_out_is_found) {
   for (bool const of_force : {true, false})
     for (bool const to_nought : {true, false}) {
@@ -305,7 +307,7 @@ TEST(Signals, a_channel_that_drops_out_is_found) {
             static_cast<std::size_t>(random.whole(rest + 5, rest + plan.samples * plan.cycles - length - 5));
         auto const to = from + static_cast<std::size_t>(length);
         double const level = to_nought ? 0.0 : amplitude * random.between(-1.5, 1.5);
-        // Clearly off the path on both sides, and no jump of the signal's own beside it.
+        // The samples must be clearly off the path on both sides, without a jump of the signal itself beside them.
         double const off = std::min(std::abs(level - x[from - 1]), std::abs(level - x[to]));
         bool const one_way = (level - x[from - 1]) * (level - x[to]) > 0.0;
         if (!one_way || off < 0.3 * amplitude ||
@@ -393,7 +395,7 @@ TEST(Signals, sentences_name_the_word_the_sample_and_the_time) {
       << text_of(spike.front().finding);
 }
 
-// Elastic and plastic, and a spring with play, without noise or digits, the force a few samples late or not.
+// Elastic-plastic loops and springs with play, without noise or rounding, whose force may be a few samples late.
 TEST(Signals, loops_of_formulas_are_left_alone) {
   for (bool const triangle : {false, true})
     for (double const part : {0.05, 0.2, 0.5})
@@ -421,7 +423,7 @@ TEST(Signals, loops_of_formulas_are_left_alone) {
         }
 }
 
-// Play that is taken up at once, after a hold too: the force is exactly zero and jumps.
+// A device with play has exactly no force until the play is used up. Then the force jumps, also after a hold.
 TEST(Signals, play_is_no_stuck_force) {
   for (bool const holds : {false, true}) {
     Motion motion;
@@ -455,7 +457,7 @@ TEST(Signals, a_time_gap_does_not_change_the_frequency) {
       }
 }
 
-// As many samples a cycle in a slow part as in a fast one: its intervals are long, and are no jumps.
+// The slow part has as many samples a cycle as the fast one. Its long intervals are no gaps in time.
 TEST(Signals, a_slow_part_with_as_many_samples_a_cycle_has_its_own_frequency) {
   auto motion = Motion().sine(50.0, 0.5, 8).sine(100.0, 0.5, 4).end().loop();
   std::size_t const slow = 8 * 200;
@@ -468,7 +470,7 @@ TEST(Signals, a_slow_part_with_as_many_samples_a_cycle_has_its_own_frequency) {
   EXPECT_TRUE(time_gaps(motion.disp_mm, motion.time_s).empty());
 }
 
-// The peak that the clock jumps over is no reason to call what is left a pre-load or a build-up.
+// The clock jumps over a peak. The rest of that cycle must not count as a pre-load or a build-up.
 TEST(Signals, a_time_gap_over_a_peak_leaves_the_cycles_their_numbers) {
   for (std::size_t const first : {25u, 225u, 325u}) {
     auto motion = Motion().sine(100.0, 0.5, 5).end().loop();

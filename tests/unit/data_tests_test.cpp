@@ -1,4 +1,4 @@
-// Several tests in one file: told apart by repeated headers, chosen, joined, listed.
+// Several tests in one file: separated by repeated headers, chosen, joined, listed.
 #include <algorithm>
 
 #include "data_writers.hpp"
@@ -49,7 +49,7 @@ TEST_F(SeveralTests, AllAreOneHistory) {
   EXPECT_NEAR(record.time_s[201], 2.01, 1e-12);  // one sampling interval later
   EXPECT_NEAR(record.time_s[301], 3.01, 1e-12);
   EXPECT_DOUBLE_EQ(record.disp_mm[201 + 25], 50.0);
-  EXPECT_EQ(record.sha256, read(two_tests(), test("1")).sha256);  // of the file
+  EXPECT_EQ(record.sha256, read(two_tests(), test("1")).sha256);  // the hash of the whole file
   EXPECT_TRUE(says(record.recognised, "test 2 continues the history with 101 samples"));
 }
 

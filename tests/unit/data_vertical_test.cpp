@@ -109,7 +109,8 @@ TEST(Vertical, SignsOfBothSignalsDoNotCount) {
 }
 
 TEST(Vertical, NeitherNoiseNorAHeldLoadMovesIt) {
-  // 1000 kN held for as long as they took to reach, while the rubber creeps by a tenth; then noise of 0.1 % on both.
+  // The load of 1000 kN is held for as long as it took to reach, while the rubber creeps by a tenth. The second test
+  // has noise of 0.1 % on both channels.
   VerticalTest test{.file = "v.csv", .sha256 = {}};
   for (int i = 0; i <= 1000; ++i) {
     test.load_kN.push_back(i);
@@ -129,7 +130,7 @@ TEST(Vertical, NeitherNoiseNorAHeldLoadMovesIt) {
   EXPECT_EQ(vertical_stiffness(noisy).loadings_kN_per_mm.size(), 3u);
 }
 
-// The largest of noisy loads lies above the load, and so on: without averaging K_v came out 2 to 7 % too large here.
+// The largest of noisy loads lies above the true load, and so on. Without averages K_v would be 2 to 7 % too large.
 TEST(Vertical, NoiseMakesNoDeviceStiffer) {
   Drawn drawn(7);
   for (int const samples : {200, 1000, 6000})
@@ -239,7 +240,7 @@ TEST(VerticalSignals, OneThatCannotBeTrueGivesNoStiffness) {
     expect("is interrupted at 0 kN, from sample 451", "load", [](auto& t) {
       for (std::size_t i = 450; i < 456; ++i) t.load_kN[i] = 0.0;
     });
-    // Whatever the sign.
+    // The sign of the channels does not matter.
     expect("is clipped at 800 kN, from sample", "load", [](auto& t) {
       for (double& load : t.load_kN) load = -std::min(load, 800.0);
       for (double& disp : t.disp_mm) disp = -disp;
@@ -316,7 +317,7 @@ TEST_F(VerticalFiles, AreReadByTheNamesOfEitherMachine) {
 TEST_F(VerticalFiles, OfARigThatShearsTooAreOfTheVerticalOnes) {
   auto const test = read_vertical(write("Time [s];Displacement [mm];Force [kN];Vertical displacement [mm];Vertical "
                                         "force [kN]\n0;5;1;0.0;10\n0;6;2;0.1;110\n0;7;3;0.2;210\n"),
-                                  {}, {});  // nor does its time matter
+                                  {}, {});  // its time does not matter either
   EXPECT_EQ(test.disp_mm, (std::vector{0.0, 0.1, 0.2}));
   EXPECT_EQ(test.load_kN, (std::vector{10.0, 110.0, 210.0}));
 }

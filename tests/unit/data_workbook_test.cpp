@@ -128,14 +128,14 @@ TEST_F(Workbook, SheetsOfOtherNumbersArePassedOverBesideATest) {
   }
   auto const text = book({{"Test", columns_of(loop)}, {"Grafici", chart}});
   EXPECT_EQ(
-      refusal(text, with("disp=B,force=C")),  // then a sheet without names may be the one
+      refusal(text, with("disp=B,force=C")),  // with columns given by letters, a sheet without names may be the test
       "FILE: tables 'Test', 'Grafici' may each be the test; allowed: one of them; try: --sheet Test, or isolaw init, which makes a device of each");
   EXPECT_EQ(
       refusal(book({{"One", chart}, {"Two", chart}})),
       "FILE: tables 'One', 'Two' may each be the test; allowed: one of them; try: --sheet One, or isolaw init, which makes a device of each");
 }
 
-// "F [kN]" in column G is not what the letter F means.
+// The letter F means column F, not column G with the name "F [kN]".
 TEST_F(Workbook, ALetterIsTheColumnUnlessANameReadsJustSo) {
   Ellipse const loop, small{.amplitude_mm = 50.0};
   auto const named = [&](Ellipse const& of) { return columns_of(of, "t [s]", "d [mm]", "F [kN]"); };
@@ -178,7 +178,7 @@ TEST_F(Workbook, FaultsAreAtTheirSheetAndRow) {
   auto const rest = "; allowed: a number; try: --rows 1:3, the rows before it";
   EXPECT_EQ(at_row_5(text_cell("1,5")),
             std::string("FILE:Test:5: '1,5' in column A 'Disp [mm]' is text, not a number") + rest);
-  EXPECT_EQ(at_row_5(text_cell("1,234.5")),  // --thousands is of text
+  EXPECT_EQ(at_row_5(text_cell("1,234.5")),  // --thousands is an option for text files
             std::string("FILE:Test:5: '1,234.5' in column A 'Disp [mm]' is text, not a number") + rest);
   EXPECT_EQ(at_row_5(cell("#DIV/0!", " t=\"e\"")),
             std::string("FILE:Test:5: 'error #DIV/0!' in column A 'Disp [mm]' is text, not a number") + rest);
@@ -207,7 +207,7 @@ TEST_F(Workbook, DatesAndTimesOfDayAreNoSeconds) {
     return book_with(rows, {{"xl/styles.xml", styles}});
   };
   for (int const number : {0, 2, 4}) EXPECT_EQ(read(styled(number)).size(), 3u) << number;
-  // Whole days are no times of a test.
+  // A column of whole days cannot be the time of a test.
   for (int const date : {1, 3})
     EXPECT_TRUE(
         refusal(styled(date))
@@ -279,7 +279,7 @@ TEST_F(Workbook, CellsThatSayTheyAreElsewhere) {
             std::string("FILE:Test: a cell in column ALM; allowed: 1000 columns, to ALL") + advice);
 }
 
-// A text of 30 000 characters, said in every cell of a small file.
+// A small file that repeats a text of 30 000 characters in every cell.
 TEST_F(Workbook, OneTextSaidManyTimesIsCut) {
   std::string const shared = "<sst><si><t>" + std::string(30'000, 'x') + "</t></si></sst>";
   std::string rows = header_cells;

@@ -85,7 +85,7 @@ inline std::string zip_of(std::filesystem::path const& file,
   return bytes_of(file);
 }
 
-// The least workbook that holds a sheet of these rows, as XML.
+// The smallest workbook that holds a sheet of these rows, as XML.
 inline std::string workbook_with(std::filesystem::path const& file, std::string const& rows,
                                  std::vector<std::pair<std::string, std::string>> more = {}) {
   std::string const relations = "http://schemas.openxmlformats.org/officeDocument/2006/relationships";

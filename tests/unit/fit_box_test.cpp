@@ -303,7 +303,8 @@ struct Published {
   double lower, upper;
 };
 
-// Typed from Table 4 of the paper; the bounds lost there (alpha of bouc-wen, a1 of hwang-wu) are from docs/source.md.
+// Typed from Table 4 of the paper; the bounds that are missing there (alpha of bouc-wen, a1 of hwang-wu) are from
+// docs/source.md.
 std::map<std::string, std::vector<Published>> const table_4{
     {"bilinear", {{"K1", 1, 1.9}, {"K2", 0.35, 0.95}, {"xy", 30, 80}}},
     {"jankowski",

@@ -122,9 +122,9 @@ class Kernels : public ::testing::TestWithParam<Case> {
     return objectives(model, candidates, set());
   }
 
-  // Whether rounding may grow from step to step: the fourth-order Runge-Kutta rule is stable for a decay of less than
-  // 2.78 per step. The hysteretic force of bouc-wen approaches saturation at the rate n A / z_max, that of the abe laws
-  // at n / U0 or slower.
+  // Whether rounding may grow from step to step. The fourth-order Runge-Kutta rule is stable for a decay of less than
+  // 2.78 per step. The hysteretic force of bouc-wen approaches saturation at the rate n A / z_max, the force of the abe
+  // laws at n / U0 or slower.
   bool may_be_unstable(Values const& p, double longest_step) const {
     if (how() != Integration::paper) return false;
     auto const value = [&](char const* name) { return p[law().index_of(name)]; };
@@ -151,7 +151,9 @@ double longest_step(std::span<double const> x) {
   return ::testing::AssertionSuccess();
 }
 
-// Above this a candidate runs away, and every step multiplies its rounding; hwang-wu does so where it gives out energy.
+// An objective above this means that the computed force grows without bound. Each step then multiplies the rounding, so
+// kernel and scalar code need not agree; both must only be large. hwang-wu grows so for parameters with which the
+// device gives out energy (W < 0): exp(a9 W) and exp(a10 W) then grow, since a9 and a10 are not positive.
 constexpr double absurd = 1e6;
 
 // Largest relative differences seen in 40000 candidates: bilinear 1e-15, jankowski 1e-15, vaiana 4e-15, bouc-wen 2e-14,

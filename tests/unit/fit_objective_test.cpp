@@ -111,7 +111,8 @@ TEST(Objective, AllScoredIsAsGoodAsNoneSaid) {
   }
 }
 
-// The last cycle is scored. Forces before it do not count, but displacements before it have shaped the law's state.
+// Only the last cycle is scored. Forces before it do not count, but displacements before it have shaped the law's
+// state.
 TEST(Objective, TheHistoryBeforeActsButIsNotScored) {
   for (auto const& law : laws::catalogue()) {
     auto record = sine();

@@ -1,4 +1,5 @@
-// A law fitted as springs: springs round the knee of the law, and new parameters bring them back near the record.
+// A law fitted as springs: springs make the knee of the law rounder, and new parameters bring their loop back near the
+// record.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,9 +38,9 @@ TEST(FitSprings, find_the_knee_that_they_lose) {
     auto const springs = fitted_as_springs(law, record, box, parameters);
     EXPECT_LT(springs.law, 1e-12) << id;
     EXPECT_GT(springs.given, 0.004) << id;
-    // The three parameters of bilinear hold nothing that could undo the rounding of the knee.
+    // None of the three parameters of bilinear can undo the rounding of the knee.
     EXPECT_LE(springs.fitted, (law.info.id == "bilinear" ? 1.0 : 0.6) * springs.given) << id;
-    // The stated objective must be that of the springs when they run online along the first of them.
+    // The stated objective must be the objective of the springs when they run online along the first spring.
     auto online = LawInPlane{&law, springs.parameters}.form(laws::Bidirectional::springs, {});
     PlaneMotion motion{.time_s = record.time_s, .disp_mm = {}, .vel_mm_s = {}};
     for (std::size_t i = 0; i < record.size(); ++i) {

@@ -152,7 +152,8 @@ TEST(Population, KeepsADirectionBesideOneThatIsNotDetermined) {
   EXPECT_EQ(found.directions, 1u);
 }
 
-// The second estimate of ten devices is noise that happens to follow the first. Declared as noise, it keeps no scatter.
+// The second estimate of ten devices is noise that happens to follow the first. As a parameter without effect it keeps
+// no scatter.
 TEST(Population, HoldsWhatDoesNotActAtItsMedian) {
   SquareMatrix const error{{0.01, 0.0}, {0.0, 9.0}};
   auto const devices = with(ellipse(1.5, 0.75), error);
@@ -292,8 +293,8 @@ TEST(PopulationSample, DoesNotDependOnTheCount) {
   EXPECT_NE(few.values, sample(population, 5, num::Stream(4), limits).values);
 }
 
-// Between two equal variances a trace of correlation turns the axes by 90 degrees, one way or the other by its sign. It
-// must not turn the draws.
+// Between two equal variances a tiny correlation turns the axes by 90 degrees, and its sign decides to which side. The
+// draws must not turn with the axes.
 TEST(PopulationSample, DoesNotJumpWhereVariancesCoincide) {
   auto population = estimate_population(two, with(ellipse(3, 3)));
   expect_near(population.covariance, about_the_diagonal(8.0, 8.0), 1e-12);
@@ -324,11 +325,13 @@ TEST(PopulationSample, StaysWithinLimitsAndSaysWhatItCost) {
   double const median = population.medians[0];
   auto const drawn = sample(population, 400, num::Stream(9), std::vector<Limits>{{.lower = median}, {}});
   for (auto const& v : drawn.values) EXPECT_GE(v[0], median);
-  EXPECT_NEAR(static_cast<double>(drawn.rejected), 400.0, 4.0 * std::sqrt(800.0));  // one draw of two fits: geometric
+  // Half of the draws fit; a geometric law.
+  EXPECT_NEAR(static_cast<double>(drawn.rejected), 400.0, 4.0 * std::sqrt(800.0));
   EXPECT_EQ(drawn.pulled_back, 0u);
 }
 
-// The limits are so narrow that no draw fits: it is pulled back to the medians, on a line that keeps the dependence.
+// The limits are so narrow that no draw fits. A draw is then pulled back towards the medians, on a line that keeps the
+// dependence.
 TEST(PopulationSample, IsPulledBackWhereNoDrawFits) {
   std::vector<Values> values;
   for (double const K1 : {1.0, 1.2, 0.9, 1.5, 1.1}) values.push_back({K1, 3.0 * K1 * K1});

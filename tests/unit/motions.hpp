@@ -33,7 +33,7 @@ struct Motion {
     for (int i = 0; i < steps; ++i) add(from + (to - from) * i / static_cast<double>(steps));
     return *this;
   }
-  // A negative amplitude starts downwards.
+  // With a negative amplitude the motion starts downwards.
   Motion& sine(double amplitude, double frequency_Hz, double cycles, double centre = 0.0) {
     auto const steps = std::lround(cycles / frequency_Hz / dt_s);
     for (int i = 0; i < steps; ++i) add(centre + amplitude * std::sin(2.0 * pi * frequency_Hz * i * dt_s));

@@ -84,7 +84,7 @@ std::vector<double> uniform(double lower, double upper, std::uint64_t seed = 1, 
   for (double& v : values) v = distribution(engine);
   return values;
 }
-// Every binade holds as many values.
+// The values are spread evenly over the binades.
 std::vector<double> binades(double lower, double upper) {
   auto values = uniform(std::log2(lower), std::log2(upper));
   for (double& v : values) v = std::exp2(v);

@@ -37,7 +37,7 @@ TEST(Philox, KnownAnswers) {
             (Words{0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1}));
 }
 
-// The layout must stay, or stored campaigns could no longer be repeated.
+// The layout of the draws must not change, or stored campaigns could not be repeated.
 TEST(Draws, TakeTheWordsOfSuccessiveBlocksOfTheirPlace) {
   Draws draws(Stream(0x0123456789abcdef), 7, 9);
   for (std::uint32_t block = 0; block < 3; ++block)

@@ -52,7 +52,7 @@ TEST(RowKernels, NormalSumsAreThoseOfALoop) {
   constexpr double delta = 0.4, cautious_share = 0.1, bold_share = 0.9;
   for (std::size_t const columns : numbers) {
     Table table(77, columns);
-    // A column that failed spoils its own sums and no other.
+    // A column that failed spoils its own sums only.
     auto const failed = [](std::size_t c) { return c % 4 == 3; };
     for (std::size_t c = 3; c < columns; c += 4) table.values[5 * table.stride + c] = std::nan("");
     std::size_t const n = table.stride;

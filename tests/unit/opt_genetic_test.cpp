@@ -65,7 +65,7 @@ double rastrigin(Point x) {
   return sum;
 }
 
-// The identification in small: mean absolute deviation between two curves of one kind, a line plus a decay.
+// A small form of the identification: the mean absolute deviation between two curves of one kind, a line plus a decay.
 double curve_fit(Point x) {
   constexpr int samples = 100;
   double sum = 0.0;
@@ -248,9 +248,9 @@ TEST(Genetic, AnInterruptionBeforeTheFirstGenerationFindsNothing) {
 
 // --- known optima ---------------------------------------------------------------------------------------------------
 
-// The tolerances are what the algorithm can do: two to three times what nine of ten among 60 streams reach. At the
-// paper's mutation rate a gene is hardly ever better than the nearest of the 100 initial ones, so a quadratic in six
-// parameters ends near 1e-3; curved valleys and fields of local minima need the wide search.
+// Each tolerance is two to three times the error that nine of ten among 60 streams stay within. At the paper's mutation
+// rate a gene is hardly ever better than the nearest of the 100 initial ones, so a quadratic in six parameters ends
+// near 1e-3; curved valleys and fields of local minima need the wide search.
 struct KnownOptimum {
   char const* name;
   std::size_t dimension;
@@ -318,7 +318,7 @@ TEST(Genetic, BeatsUniformSamplingInSixDimensions) {
   }
 }
 
-// The history alone tells how a search ended, also when it was cut short or runs on too long.
+// The history alone decides the outcome of a search, even if the search was cut short or ran on too long.
 TEST(Outcome, FollowsFromTheHistory) {
   for (int const stagnation : {1, 3, 20}) {
     for (int const generations : {1, 4, 60}) {

@@ -38,7 +38,8 @@ TEST(NonDominated, ValuesThatAreNotFiniteNeitherWinNorDominate) {
   EXPECT_EQ(non_dominated(Values{infinity, nan}, Values{1, nan}), (Flags{false, false}));
 }
 
-// An independent way: sort by a, then b. A point is on the front if its b is below that of every smaller a.
+// An independent computation sorts by a, then by b. A point is on the front if its b is below the b of every point with
+// a smaller a.
 TEST(NonDominated, AgreesWithASweepOnRandomPoints) {
   num::Draws draws(num::Stream(1), 0, 0);
   for (int repetition = 0; repetition < 50; ++repetition) {

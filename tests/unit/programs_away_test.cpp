@@ -32,7 +32,7 @@ TEST(OtherCycles, OfTheLawItselfAndOfTwiceItsForce) {
   EXPECT_NE(text(twice).find("a quarter: energy +100 %, peak +100 %; half: "), std::string::npos) << text(twice);
 }
 
-// Being off by 30.1 % on one cycle is enough; 29.9 % is not.
+// An error of 30.1 % on one cycle is enough to call a form far off; 29.9 % is not.
 TEST(OtherCycles, OneThatIsFarOffIsEnough) {
   std::vector<OtherCycle> cycles{{1.0, 1.0, 29.9, -29.9}, {0.5, 1.0, 2.0, {}}};
   EXPECT_FALSE(far_off(cycles));
@@ -92,8 +92,8 @@ TEST(StepsNeeded, AreTheFewestThatKeepTheEnergy) {
   }
 }
 
-// Rigid and plastic: on a circle both springs stand at their strength, together at most sqrt(2) times one's. In a turn
-// each takes 4 Q A, and a coupled bearing of strength Q takes 2 pi A Q.
+// A rigid-plastic law on a circle of radius A. Both springs act with their full strength Q, together with at most
+// sqrt(2) Q. In a turn each spring dissipates 4 Q A, and a coupled bearing of strength Q dissipates 2 pi A Q.
 TEST(TwoSpringsForOne, OfAPlasticLawAreThoseOfItsClosedForm) {
   auto const found = two_springs(subject_of("bilinear", {2000.0, 1e-9, 0.02}));
   ASSERT_TRUE(found);

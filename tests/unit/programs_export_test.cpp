@@ -138,7 +138,7 @@ TEST(Replays, find_a_wrong_order_of_arguments) {
   }
 }
 
-// A unit forgotten in one argument is found as well.
+// Two arguments that are wrong by the same factor, as by a wrong unit, are found as well.
 TEST(Replays, find_a_wrong_normalisation) {
   auto const subject = subject_of("bouc-wen", bouc_wen_parameters);
   auto form = map_law(*subject.law, subject.parameters).forms[0];
@@ -148,8 +148,8 @@ TEST(Replays, find_a_wrong_normalisation) {
   EXPECT_NE(failure_of(form, subject, realised), "");
 }
 
-// The algebraic material stands a travel of 35 / alpha. Beyond it Bouc-Wen with exponent 1 takes its place; a law with
-// hardening has no such substitute and is fitted again.
+// The algebraic material works for a travel up to 35 / alpha. Beyond that, Bouc-Wen with exponent 1 replaces it. A law
+// with hardening has no such replacement and is fitted again.
 TEST(Replays, refuse_the_material_that_turns_into_no_number) {
   auto const fast = subject_of("vaiana", vaiana_parameters(0.0, 0.0, 150.0));  // alpha times travel: 45
   auto const realisation = realise(fast);
@@ -159,7 +159,7 @@ TEST(Replays, refuse_the_material_that_turns_into_no_number) {
   EXPECT_EQ(realisation.fidelity, Fidelity::exact_in_limit);
   EXPECT_EQ(realisation.forms[0].nominal.id, "material_bouc_wen");
 
-  // The material stands the travel of the test, but not half as much again.
+  // The material works for the travel of the test, but not for 1.5 times that travel.
   auto const beyond = realise(subject_of("vaiana", vaiana_parameters(0.0, 0.0, 90.0)));
   ASSERT_FALSE(beyond.refused.empty());
   EXPECT_NE(beyond.refused[0].find("1.5 times as far"), std::string::npos) << beyond.refused[0];
@@ -180,7 +180,7 @@ TEST(Refits, say_their_error_and_are_the_same_again) {
   auto const& error = realisation.forms[0].from_law;
   EXPECT_GT(error.rms, 0.1);
   EXPECT_LT(error.rms, 5.0);
-  // The stated error must be that of the written text.
+  // The stated error must be the error of the written script.
   auto const script = opensees_script(subject, realisation, unit_systems[2]);
   auto const force = of_script(script, "material", "nominal", unit_systems[2], subject.histories[0]);
   EXPECT_NEAR(100.0 * largest_difference(force, subject.histories[0].law_kN) / peak_of(subject.histories[0].law_kN),
@@ -241,7 +241,7 @@ TEST(Tables, say_in_their_head_what_they_hold) {
             std::string::npos);
 }
 
-// The way from zero to the first sample and the turning points are driven through, but they are no samples.
+// The path from zero to the first sample and the turning points are computed too, but they do not count as samples.
 TEST(Refits, root_mean_square_counts_each_sample_once) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   History const history{.device = "D",

@@ -91,7 +91,7 @@ TEST(ModelNumbers, follow_the_units_of_the_file) {
   EXPECT_NEAR(mass, first.mass, 1e-12);
 }
 
-// A form that is exact only as the step goes to zero takes steps as fine as its own facts ask for.
+// A form that is exact only as the step goes to zero gets steps as fine as its own error requires.
 TEST(ModelNumbers, take_the_step_that_the_law_needs) {
   auto model = four(450.0);
   model.motions = {shaking(450.0, 0.1)};
@@ -177,7 +177,7 @@ TEST(ModelDraws, one_that_the_program_cannot_give_is_named) {
   }
 }
 
-// A form that stands in for a law does so for its draws too, and is fitted to each of them.
+// A form that replaces a law also replaces it in its draws, and is fitted to each of them.
 TEST(ModelDraws, of_a_law_that_has_a_stand_in_are_fitted_one_by_one) {
   auto uneven = vaiana_parameters();
   uneven[1] *= 1.1;

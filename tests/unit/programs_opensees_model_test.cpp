@@ -36,8 +36,8 @@ std::vector<double> sum(std::vector<double> a, std::vector<double> const& b) {
 }
 
 // Newmark's rule (average acceleration) on one mass, from rest. The displacement of each step is where mass (4 (x1 -
-// x0)/dt2 - 4 v0/dt - a0) + force equals -mass ground. Bisection finds it, so that nothing of the program's iteration
-// is in it. `force` takes the whole path.
+// x0)/dt2 - 4 v0/dt - a0) + force equals -mass ground. Bisection finds it, so the result is independent of OpenSees'
+// iteration. `force` takes the whole path.
 std::vector<double> response(double mass, std::vector<double> const& ground, double dt,
                              std::function<double(std::vector<double> const&)> const& force) {
   std::vector<double> path{0.0};
@@ -50,7 +50,7 @@ std::vector<double> response(double mass, std::vector<double> const& ground, dou
       path.back() = x;
       return mass * (acceleration(x) + ground[i]) + force(path);
     };
-    // No isolator here moves further in one step.
+    // No isolator of these tests moves further than 20 mm in one step.
     double low = x0 - 20.0, high = x0 + 20.0, at_low = residual(low), at_high = residual(high);
     for (int k = 0; k < 60 && high - low > 1e-11; ++k) {
       double const weight = std::clamp(at_low / (at_low - at_high), 0.01, 0.99);
@@ -136,7 +136,8 @@ TEST_F(ModelInOpenSees, a_symmetric_building_moves_as_one_mass_on_one_isolator) 
     double const peak = peak_of(of_form);
     EXPECT_GT(peak, 30.0) << b.name;
     EXPECT_LT(peak, 225.0) << b.name;
-    // Newton's rule stops at 1e-8 mm in a step, and forms that iterate for z at 1e-9 of it, through 900 steps.
+    // Errors add up over 900 steps: Newton's rule stops at 1e-8 mm in a step, and forms that iterate for z stop at 1e-9
+    // of z.
     EXPECT_LT(largest_difference(found.at("ux"), of_form), 1e-6 * peak) << b.name;
     auto const of_law = at_samples(response(mass, ground, dt, [&](auto const& path) {
       History history;
@@ -196,13 +197,14 @@ TEST_F(ModelInOpenSees, two_components_meet_in_coupled_bearings_alone) {
     EXPECT_GT(peak_of(slab("xy").at("uy")), 10.0) << b.name;
     EXPECT_EQ(largest_difference(x, xy) > 0.05 * peak_of(x), b.coupled) << b.name;
     EXPECT_EQ(largest_difference(x, xy) > 1e-7 * peak_of(x), b.coupled) << b.name;
-    // Turned by 90 degrees, the second spring points against x. It hardens to one side: reverse the ground's sign.
+    // Turned by 90 degrees, the second spring points against x. It hardens to one side, so the sign of the ground
+    // motion is reversed too.
     for (auto& bearing : model.bearings) bearing.angle_deg = 90.0;
     for (double& a : model.motions[0].acceleration_mm_s2) a = -a;
     auto const realisation = shaken(b, model, "turned", unit_systems[0], "nominal");
     auto turned = slab("turned").at("ux");
     for (double& value : turned) value = -value;
-    // The coupled bearing has no sides, so it agrees as well.
+    // The coupled bearing is the same in all directions, so it agrees as well.
     EXPECT_EQ(largest_difference(turned, xy) > 1e-6 * peak_of(x), false) << b.name;
     auto subject = subject_of(b.law, b.parameters);
     subject.model = model;
@@ -287,7 +289,7 @@ TEST_F(ModelInOpenSees, what_fails_ends_with_another_exit_code) {
   write("model.py", openseespy_model(subject, realisation, unit_systems[0]));
   EXPECT_EQ(run_python("model.py run out nonsense"), 1) << read("printed");
   EXPECT_TRUE(contains(read("printed"), "no case nonsense")) << read("printed");
-  // The program does not know this bearing.
+  // OpenSees does not know this bearing.
   auto broken = script;
   constexpr std::string_view name = "element elastomericBearingPlasticity $tag";
   broken.replace(broken.find(name), name.size(), "element elastomericBearingNone $tag");

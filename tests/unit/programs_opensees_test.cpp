@@ -41,7 +41,7 @@ TEST_F(OpenSees, scripts_check_themselves) {
     }
 }
 
-// A check that cannot fail shows nothing: here a force is wrong, and here OpenSees refuses a command.
+// A check that cannot fail shows nothing. The test makes one force wrong, and makes OpenSees refuse a command.
 TEST_F(OpenSees, a_wrong_script_ends_with_another_exit_code) {
   auto const subject = subject_of("vaiana", vaiana_parameters());
   auto const script = opensees_script(subject, realise(subject), unit_systems[0]);
@@ -58,7 +58,7 @@ TEST_F(OpenSees, a_wrong_script_ends_with_another_exit_code) {
   EXPECT_EQ(run_tcl("bearing.tcl check"), 1) << read("printed");
 }
 
-// Arguments that OpenSees is known to refuse are refused here, and those accepted here are accepted there.
+// isolaw refuses the arguments that OpenSees is known to refuse, and OpenSees accepts those that isolaw accepts.
 TEST_F(OpenSees, arguments_are_refused_where_the_program_refuses_them) {
   for (auto const& [a, taken] : {std::pair(std::vector<double>{2, 1, 3, 0, 0, 0}, true),
                                  {{-2, -3, 3, 0, 0, 0}, false},
@@ -142,7 +142,7 @@ TEST_F(InTime, elements_give_the_force_of_the_replay) {
           auto const found = shaken(subject, realisation, element, dimensions, step_s, c.acceleration_mm_s2);
           auto const said = fmt::format("{}, {} in {} dimensions, {} s", c.name, id, dimensions, step_s);
           ASSERT_EQ(found.disp.size(), static_cast<std::size_t>(std::ceil(8.0 / step_s - 1e-9)) - 1) << said;
-          // An analysis that hardly moves shows nothing, and one far beyond the tests shows something else.
+          // An analysis that hardly moves shows nothing, and an analysis far beyond the tests shows something else.
           EXPECT_GT(peak_of(found.disp), 30.0) << said;
           EXPECT_LT(peak_of(found.disp), 225.0) << said;
           auto const expected = replay(in_units(form.nominal, unit_systems[0]), found.disp);
@@ -154,7 +154,7 @@ TEST_F(InTime, elements_give_the_force_of_the_replay) {
   }
 }
 
-// Where the replay says that the force stays a number, it must stay one in OpenSees too.
+// Up to the travel that a form claims, its force must be a number in OpenSees too.
 TEST_F(OpenSees, travel_that_is_claimed_is_stood) {
   for (double const beta1 : {0.0, 50.0, 800.0, 6000.0, -50.0, -800.0})
     for (double const alpha : {40.0, 60.0, 140.0}) {
@@ -181,7 +181,7 @@ TEST_F(OpenSees, travel_that_is_claimed_is_stood) {
           *form.longest_travel_mm, 0.5 * *form.longest_swing_mm);
       write("travel.tcl", script);
       EXPECT_EQ(run_tcl("travel.tcl"), 0) << beta1 << " " << alpha << " " << *form.longest_travel_mm << read("printed");
-      // The claimed travel is no small part of what the program stands.
+      // The claimed travel must not be much shorter than the travel at which OpenSees fails.
       EXPECT_GT(*form.longest_travel_mm * 1e-3 * alpha, 20.0) << beta1;
       EXPECT_GE(*form.longest_swing_mm, *form.longest_travel_mm) << beta1;
     }

@@ -46,7 +46,7 @@ TEST_F(Folder, headers_are_the_laws) {
       masing.push_back(law.info.traits.masing);
     }
   }
-  // Trials to both sides come first and must leave no trace; then the point itself, twice.
+  // At each point, trials to both sides come first and must leave no trace. Then the point itself is computed twice.
   std::string motion;
   for (std::size_t i = 0; i < history.disp_mm.size(); ++i)
     motion += fmt::format("  {{{}, {}}},\n", history.disp_mm[i] / 1e3, history.vel_mm_s[i] / 1e3);
@@ -343,7 +343,7 @@ TEST_F(Folder, python_scripts_check_themselves) {
       EXPECT_NE(read("printed").find("PASS"), std::string::npos);
       EXPECT_EQ(read("printed").find("FAIL"), std::string::npos);
     }
-  // Users who build OpenSees themselves import it by another name.
+  // Users who build OpenSees themselves import the module by another name.
   fs::rename(folder_ / "openseespy/opensees.py", folder_ / "opensees.py");
   fs::remove_all(folder_ / "openseespy");
   EXPECT_EQ(run("python3 bearing.py"), 0) << read("printed");
@@ -452,7 +452,8 @@ TEST_F(Folder, tcl_scripts_check_themselves) {
     ASSERT_EQ(run("tclsh run.tcl"), 0) << read("printed");
     EXPECT_NE(read("printed").find(good ? "PASS" : "FAIL"), std::string::npos) << read("printed");
     EXPECT_NE(read("printed").find(good ? "returned 1" : "returned 0"), std::string::npos) << read("printed");
-    // Run as a program does that passes arguments on; a script that sources the file has arguments of its own.
+    // The script is run as by a program that passes its own arguments on. A script that sources the file has arguments
+    // of its own.
     write("run.tcl", "source stub.tcl\nset argv check\nset argv0 bearing.tcl\nsource bearing.tcl\n");
     EXPECT_EQ(run("tclsh run.tcl"), good ? 0 : 1) << read("printed");
     EXPECT_NE(read("printed").find(good ? "PASS" : "FAIL"), std::string::npos) << read("printed");

@@ -129,8 +129,8 @@ TEST_F(OpenSeesMaterial, is_every_law_through_trials_copies_and_messages) {
   EXPECT_FALSE(std::getline(printed, rest)) << rest;
 }
 
-// The material is compiled with OpenSees' own headers and, where the program lies beside the checkout, run in it: a
-// mass on the bearing is shaken, and the law's force along the motion reached must be that of the element.
+// The material is compiled with OpenSees' own headers and, where OpenSees lies beside the checkout, run in it: a mass
+// on the bearing is shaken. The law's force along the resulting motion must equal the force of the element.
 TEST_F(OpenSeesMaterial, is_every_law_in_the_program_itself) {
   char const* const source = std::getenv("OPENSEES_SOURCE");
   if (source == nullptr)
@@ -158,8 +158,8 @@ TEST_F(OpenSeesMaterial, is_every_law_in_the_program_itself) {
   for (auto const& of : all) {
     SCOPED_TRACE(of.name());
     fs::create_symlink("all.so", folder_ / (of.name() + ".so"));
-    // The slope of a first motion may be unbounded, so that Newton's rule goes to and fro. Units are N and m, the
-    // period is two seconds on the secant to the tested amplitude, and the ground moves the mass about that far.
+    // The slope of a first motion may be unbounded, so that Newton's rule oscillates. Units are N and m, the period is
+    // two seconds on the secant to the tested amplitude, and the ground moves the mass about that far.
     double const secant = 1e6 * peak_of(of.force_kN) / 150.0, mass = secant / (std::numbers::pi * std::numbers::pi);
     write(
         "shaken.tcl",
@@ -374,11 +374,11 @@ TEST_F(AbaqusElement, has_the_names_that_the_programs_header_gives) {
   ASSERT_EQ(run(ISOLAW_COMPILER " -std=c++17 -I with -c one.cpp -o named.o"), 0) << read("printed").substr(0, 3000);
   EXPECT_EQ(run("nm plain.o | grep -q ' T uel_$' && nm plain.o | grep -q ' U xit_$'"), 0);
   EXPECT_EQ(run("nm named.o | grep -q ' T UEL$' && nm named.o | grep -q ' U XIT$'"), 0);
-  // By this head Abaqus knows a function in C++.
+  // Abaqus recognises a function in C++ by this line.
   EXPECT_EQ(run("grep -qE '^extern \"C\" void FOR_NAME\\(uel' one.cpp"), 0);
 }
 
-// In a static step the velocity is that of the increment, as backward differences give it in time.
+// In a static step the velocity is the displacement increment over the time increment, a backward difference.
 TEST_F(AbaqusElement, takes_the_velocity_of_a_static_increment) {
   write("one.cpp",
         abaqus_element(subject_of("hwang-wu", inside_box(laws::find_law("hwang-wu"), 0.35)), unit_systems[0]));
@@ -440,7 +440,7 @@ int main() {{
   }
 }
 
-// The checks in the files themselves must pass; that of the element goes through the element.
+// The checks in the files themselves must pass. The check of the element calls the element.
 TEST_F(AbaqusElement, checks_itself_as_the_material_does) {
   for (std::string_view const id : {"bilinear", "hwang-wu", "kikuchi-aiken"}) {
     auto const subject = subject_of(id, inside_box(laws::find_law(id), 0.35));

@@ -1,4 +1,4 @@
-// Everything written about a building: building.json and its documentation, the page, tables and figures for print.
+// All that is written about a building: building.json and its documentation, the page, tables and figures for print.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -150,7 +150,7 @@ TEST(Figures, OfThePublishedStudyNeedTwoOfItsLaws) {
   for (auto const& [name, figure] : figures_of(summary)) EXPECT_FALSE(name.starts_with("published")) << name;
 }
 
-// Figs. 5 and 7 are drawn by default: the loops of all laws on one device, and those of all devices.
+// Figs. 5 and 7 are drawn by default: the loops of all laws on one device, and the loops of all devices.
 TEST(Figures, LoopsOfAllLawsAndEachDeviceAgainstTheMeanAreDrawnByDefault) {
   auto const summary = fixture::lot(3, 7);
   auto const figures = figures_of(summary);
@@ -196,7 +196,7 @@ TEST(Figures, FrontHoldsEveryLawAndTheFrontInOrder) {
 
 TEST(Figures, ALawThatDoesNotDescribeTheDevicesIsCrossedAndLeavesItsPlace) {
   auto summary = fixture::lot(3, 2);
-  // Only the first law beats the second in both respects, and that one misses the stiffness below.
+  // The first law alone is better than the second in both respects. Later in this test it misses the stiffness.
   summary.laws[0].objective.mean = 0.05;
   summary.laws[1].on_front = false;
   EXPECT_EQ(blocks(figures_of(summary).at("front").data)[0][1][4], "open");

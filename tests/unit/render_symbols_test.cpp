@@ -26,7 +26,7 @@ TEST(Symbols, AreALetterAndAnIndex) {
   EXPECT_EQ(gnuplot_symbol("g"), "{/:Italic g}");
 }
 
-// Two parameters of one law with the same symbol could not be told apart.
+// If two parameters of one law had the same symbol, nobody could distinguish them.
 TEST(Symbols, TellTheParametersOfALawApart) {
   for (auto const& law : laws::catalogue()) {
     std::vector<std::string> set;

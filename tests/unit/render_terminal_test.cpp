@@ -190,7 +190,7 @@ TEST(Answer, NamesTheLawTheNextCommandAndTheReport) {
   EXPECT_TRUE(contains(text, "out/lot/report.html")) << text;
 }
 
-// Findings on the law that is taken and on the records are told; those on other laws are counted.
+// Findings on the recommended law and on the records are printed. Findings on other laws are only counted.
 TEST(Answer, LeavesOutWarningsAboutOtherLaws) {
   auto summary = fixture::analysed(fixture::lot(10, 7));
   for (auto& device : summary.devices) device.raw.warnings.clear();

@@ -182,8 +182,8 @@ TEST(LotView, JudgesTheSample) {
             rules_of(limits).id + " has no rule for the sample");
 }
 
-// One of three devices has the record of another. The means count it, but the sample does not, nor does anything that
-// follows from the sample's size.
+// One of three devices has the record of another. The means include the copy, but the sample and everything that
+// follows from its size do not.
 TEST(LotView, ACopyIsNoFurtherDeviceTested) {
   auto const rules = rules_of(fmt::format("[sample]\nshare_percent = 20\nleast = 3\n{}", limits));
   auto devices = lot_of({0.99, 1.01, 1.01});
@@ -366,7 +366,8 @@ TEST(Bounds, AreLabelledBySource) {
 }
 
 TEST(Bounds, TakeTheDefaultsOnlyOfPropertiesTheSetNames) {
-  // Cycles all alike: test factors of 1. ASCE 7: K_d 1.15 and 0.85 give way to 1.8 and 0.6; K_eff has no [[factor]].
+  // All cycles are alike, so the test factors are 1. In ASCE 7 the defaults 1.8 and 0.6 replace 1.15 and 0.85 for K_d;
+  // K_eff has no [[factor]].
   auto const lot = lot_view(find_rule_set("asce-7-22"), lot_of({1.0, 1.0}), parse_design("K_eff=1.2,K_d=0.9"));
   auto const& named = bound(of(lot, Quantity::K_d), "contract band");
   EXPECT_NEAR(named.upper, 0.9 * 1.8, 1e-12);

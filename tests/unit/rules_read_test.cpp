@@ -248,7 +248,7 @@ TEST(FindRules, NamesWhatThereIs) {
   expect_parts(refusal_of([] { find_rule_set("/dev"); }), {"is a directory"});
 }
 
-// A campaign without rules stores an empty text, so an empty file must not pass for a rule set.
+// A campaign without rules stores an empty text, so an empty file must not be accepted as a rule set.
 TEST(FindRules, AnEmptyFileIsNoRuleSet) {
   auto const path = std::filesystem::temp_directory_path() / "isolaw-empty-rules.toml";
   std::ofstream(path).close();

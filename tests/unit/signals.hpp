@@ -1,6 +1,6 @@
 // Records of cyclic tests with known truth, drawn from a seed: devices, waveforms, sampling, noise and digitisers as
-// laboratories have them, and faults of their channels. tests/unit/data_signals_test.cpp counts with them how often a
-// fault is found, and how often one is reported where there is none.
+// laboratories have them, and faults of their channels. With them tests/unit/data_signals_test.cpp counts how often a
+// fault is found, and how often one is reported where there is no fault.
 #pragma once
 
 #include <algorithm>

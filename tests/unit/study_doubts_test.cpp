@@ -63,7 +63,7 @@ TEST(Adequacy, OfALawThatMissesTheForceOrTheStiffness) {
     EXPECT_FALSE(contains(findings(summary).headline, id)) << findings(summary).headline;
   }
   EXPECT_TRUE(contains(findings(summary).headline, "worth considering"));
-  // Whoever takes the law away is told, and so is whoever reads the warnings alone.
+  // A user who takes this law from the campaign is warned as well.
   auto const with_it = doubts(summary, "jankowski", summary.devices.front().name).findings;
   EXPECT_TRUE(contains(
       with_it.front(),
@@ -73,7 +73,7 @@ TEST(Adequacy, OfALawThatMissesTheForceOrTheStiffness) {
       << findings(summary).headline;
 }
 
-// Eight of ten parameters lie at one bound and so hardly scatter: beta is small, but nothing is robust about it.
+// Eight of ten parameters lie at one bound and so hardly scatter. Beta is small, but the law is not robust.
 TEST(Adequacy, ParametersAtBoundsMakeNoLawRobust) {
   auto summary = fixture::lot(10, 6);
   EXPECT_EQ(verdict(summary, "bilinear").role, Role::most_robust);
@@ -189,7 +189,7 @@ TEST(Adequacy, AFrontThatTheBoxHoldsHasNoRobustEnd) {
       << findings(summary).headline;
 }
 
-// A single device always agrees with itself, so no box can be the reason.
+// A single device always agrees with itself, so the search box cannot be the reason for the agreement.
 TEST(Adequacy, OneDeviceIsHeldByNoBox) {
   auto summary = fixture::lot(1, 2);
   for (auto& one : summary.laws) hold_by_the_box(one);
@@ -255,7 +255,7 @@ TEST(Doubts, OfDegradationAreOfTheLawAlone) {
   EXPECT_FALSE(contains(doubts_of(summary, "bilinear", "D1"), "--fit-cycles"));
 }
 
-// Adequacy is a property of a law on all devices; a part of them would mix populations.
+// Adequacy is judged for a law on all devices together, not for one device.
 TEST(Doubts, TakeAdequacyFromTheWhole) {
   auto summary = fixture::lot(10, 3);
   law(summary, "bilinear").devices[0].K_eff_error_percent = 60.0;
@@ -287,7 +287,7 @@ TEST(Doubts, NameCopiesOfARecord) {
   EXPECT_FALSE(contains(doubts_of(summary, "bilinear", "D3"), copies));
 }
 
-// Whoever takes the law of a lot away is told that the lot fails, and which of its devices the law does not cover.
+// A user who takes the law of a lot is told that the lot fails, and which devices the law does not cover.
 TEST(Doubts, SayWhatIsNotKeptAndWhichDevicesWereRefused) {
   auto summary = fixture::lot();
   auto const count = summary.devices.size();

@@ -1,4 +1,4 @@
-// The energy that a device loses from cycle to cycle, and how much of that a law reproduces.
+// The energy that a device loses from cycle to cycle, and how much of this loss a law reproduces.
 #include "isolaw/study/energy_fall.hpp"
 
 #include <gtest/gtest.h>

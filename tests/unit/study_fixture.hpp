@@ -34,8 +34,8 @@ inline ParameterFit parameter(std::string name, std::string unit, double mean, d
   return fit;
 }
 
-// The first three laws serve exact tests; the others fill the page for browser tests. Objectives and betas are those of
-// the published table.
+// The first three laws serve exact tests; the others fill the page for browser tests. Objectives and betas are from the
+// published table.
 inline std::vector<LawSketch> sketches() {
   return {
       {"bilinear",
@@ -105,7 +105,7 @@ inline std::vector<LawSketch> sketches() {
   };
 }
 
-// The force on three cycles of ±208 mm at 0.5 Hz; factors of 1 give that of the record itself.
+// The force on three cycles of ±208 mm at 0.5 Hz. Factors of 1 give the force of the record itself.
 inline std::vector<double> loop_force(data::FitRecord const& record, double stiffness, double strength,
                                       double scragging) {
   std::vector<double> force;

@@ -172,7 +172,7 @@ TEST(Published, RunsThatEndAtOnePlaceHaveNoScatterToCompare) {
   EXPECT_EQ(statement(*published(summary), "Law 3 scatters").here, true);
 }
 
-// Law 5 has two readings. Where both are there, the closer one is judged, and the two count as one law.
+// Law 5 has two readings. If a campaign has both, the closer one is judged, and the two count as one law.
 TEST(Published, TwoReadingsOfLaw5) {
   auto summary = campaign_of_table();
   auto other = the(summary, "abe-y0");

@@ -179,7 +179,7 @@ TEST(Recommendation, IsWeakWhereTheTestsLeaveParametersOpenOrTheBoxHoldsThem) {
   EXPECT_EQ(of(held, Purpose::untested_device).sure, Sure::weak) << of(held, Purpose::untested_device).why;
 }
 
-// With one law there is no choice, however near it comes.
+// With one law there is no choice, however small its error is.
 TEST(Recommendation, OfTheOnlyLawIsWeak) {
   auto const summary = summary_of({{"only", {0.02, 0.021, 0.022}, {0.03, 0.031, 0.032}}});
   for (auto const& recommendation : recommendations(summary)) {

@@ -1,4 +1,4 @@
-// The device that stands for its lot.
+// The device that represents its lot.
 #include "isolaw/study/typical_device.hpp"
 
 #include <gtest/gtest.h>

@@ -219,7 +219,7 @@ TEST(OverallVerdict, NamesTenDevicesThatFailAndCountsTheOthers) {
   EXPECT_FALSE(verdict_against(summary, "Y"));
 }
 
-// Two devices hold the same record: the second gets no verdict, and the reason stands beside it.
+// Two devices hold the same record. The second gets no verdict, and the reason is given beside it.
 TEST(OverallVerdict, OneRecordIsNoTestOfTwoDevices) {
   auto summary = verified_lot();
   add(summary, "D01", {line("K_eff", Verdict::pass)});

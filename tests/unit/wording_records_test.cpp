@@ -1,5 +1,5 @@
-// Sentences about several records at once: magnitudes stand as a range, and every sample, time, cycle and block stands
-// with its device.
+// Sentences about several records at once: magnitudes are given as a range, and every sample, time, cycle and block is
+// given with its device.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -86,7 +86,7 @@ TEST(RecordSentences, PartsOfAHistoryAreNamedAndNotJoined) {
   EXPECT_TRUE(said[1].starts_with("a: second.csv: the force has")) << said[1];
 }
 
-// Whatever is added to the table: a position is no range.
+// No row of the table, old or new, may turn positions into a range.
 TEST(RecordSentences, NoKindMakesARangeOfPositions) {
   struct Place {
     std::string name;

@@ -56,8 +56,10 @@ class TomlTable {
   // Calls take() for a text, or for each text of a list.
   void strings(std::string_view key, std::function<void(std::string const&)> const& take,
                std::size_t longest = longest_text);
-  // Calls take() with the key's value, if present. A list a, b, c gives the calls [a], [a, b], [a, b, c], less refused
-  // items; a table gives one call per entry. A refusal becomes a complaint at the item's line.
+  // Passes the key's value to take(), if the key is there. A list is passed as it grows, so that an Error of take()
+  // belongs to the item just added: for a, b, c first [a], then [a, b], then [a, b, c]. A table is passed entry by
+  // entry, each as {name: value}. An Error becomes complaints at the item's line, and the list goes on without that
+  // item.
   void json(std::string_view key, std::function<void(Json const&)> const& take, std::size_t longest = longest_text);
   toml::table const* table(std::string_view key);  // the sub-table, or nullptr
   toml::node const* find(std::string_view key);    // the node or nullptr; the key then counts as known

@@ -16,7 +16,8 @@
 namespace isolaw::wording {
 namespace {
 
-// The phrases that replace a word of a finding in its sentence.
+// The text that a sentence gets in place of {name} if the finding has `word` under that name. A word without a row here
+// is printed as it is.
 struct Phrase {
   std::string_view name, word, text;
 };

@@ -1,6 +1,6 @@
-! Calls UEL as Abaqus/Standard does, increment by increment. The file motion.txt gives the number of laws, then for each its
-! type, the number of its variables, the time step, and the displacement and velocity of each point. The output for each
-! point is the force from RHS, AMATRX (1, 1), stiffness and damping, and the work.
+! Calls UEL as Abaqus/Standard does, increment by increment. The file motion.txt gives the number of laws, then for
+! each law its type, the number of its variables, the time step, and the displacement and velocity of each point. The
+! output for each point is the force from RHS, AMATRX (1, 1), stiffness and damping, and the work.
 program drive_uel
   implicit none
   integer, parameter :: most = 4096

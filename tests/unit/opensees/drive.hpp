@@ -1,5 +1,5 @@
-// Drives an exported material as an analysis does and prints force, tangent and damping of each point. Anything else
-// that is wrong gets a line of its own.
+// Drives an exported material as an analysis does and prints force, tangent and damping of each point. Every fault
+// found on the way gets a line of its own.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// A Tcl command for OpenSees, which loads this file: it makes a material of a library with the program's own search and
-// parser. The command uniaxialMaterial ends there too, but only after code that a partial build of OpenSees may lack.
+// A Tcl command for OpenSees, which loads this file. It makes a material of a library with OpenSees' own search and
+// parser. The command uniaxialMaterial uses them too, but only after code that a partial build of OpenSees may lack.
 #include <cstring>
 #include <string>
 

@@ -1,5 +1,5 @@
-// The part of OpenSees that an exported material uses: the program's signatures, with just enough behind them. It was
-// written for the tests from the interface and holds no text of the program.
+// The part of OpenSees that an exported material uses: the program's signatures, with the least code that makes them
+// work. It was written for the tests from the interface and contains no text of the program.
 #pragma once
 
 #include <cstdlib>

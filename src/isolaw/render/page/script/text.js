@@ -106,7 +106,8 @@ export function enumerate(names, most = 5) {
 export const sentence = (text) => text.replace(/(\d) %/g, '$1' + THIN + '%');
 export const count = (number, noun) => number + ' ' + noun + (number === 1 ? '' : 's');
 
-// One factor of 1000^n and one number of decimals for a row, so that its numbers of three or four digits line up.
+// One factor 1000^n and one number of decimals for all numbers of a row, so that their decimal points line up. The
+// largest is printed with four significant digits. From 0.01 to 10,000 the factor is 1.
 export function rowFormat(values) {
   const largest = Math.max(0, ...values.filter(isNumber).map(Math.abs));
   if (largest === 0) return { factor: 1, exponent: 0, decimals: 2 };
