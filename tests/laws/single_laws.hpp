@@ -86,8 +86,8 @@ inline double least_asymmetry(std::string_view law) {
 
 // The error of the force that comes from the sampling, relative to the peak, anywhere in the published box at 50
 // samples a cycle.
-//   abe        holds the yield force over a step, with a correction; errs most on the virgin branch and at x = 0. Largest
-//              seen over 200 paths: 8e-4.
+//   abe        holds the yield force over a step, with a correction; errs most on the virgin branch and at x = 0.
+//              Largest seen over 200 paths: 8e-4.
 //   hwang-wu   Runge-Kutta; if damping is strong and a10 large, exp(a10 W) decays within a step or two at the start.
 //              Largest seen: 1.8e-3.
 //   bwbn       Runge-Kutta; z slips within less than a step if psi and lambda are small. Largest seen: 5e-4.
