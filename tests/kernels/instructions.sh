@@ -2,11 +2,12 @@
 # Code that is compiled for one instruction set must run only on processors that have the set; other processors would
 # stop.
 #
-#   instructions.sh symbols NM SET=OBJECT... -- OBJECT...   checks that every symbol that SET=OBJECT offers to the linker
-#                                                           has the set in its name, and that no other object defines it
-#   instructions.sh binary OBJDUMP PROGRAM                  checks that only functions with avx2 or avx512 in their names
-#                                                           use instructions beyond the baseline, and only functions with
-#                                                           avx512 in their names use 512-bit registers
+#   instructions.sh symbols NM SET=OBJECT... -- OBJECT...   checks that every symbol that SET=OBJECT offers to the
+#                                                           linker has the set in its name, and that no other object
+#                                                           defines the same symbol
+#   instructions.sh binary OBJDUMP PROGRAM                  checks that only functions with avx2 or avx512 in their
+#                                                           names use instructions beyond the baseline, and only those
+#                                                           with avx512 use 512-bit registers
 #
 # Dynamically linked libraries are not checked: they choose their instructions themselves.
 set -eu

@@ -1,4 +1,4 @@
-"""The isolated building from Python: same bytes as from the program, arrays, motions and buildings from memory, refusals."""
+"""The isolated building from Python: the program's bytes, arrays, motions and buildings from memory, refusals."""
 
 import unittest
 

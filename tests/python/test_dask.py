@@ -1,4 +1,4 @@
-"""The Dask example with local processes: parts are futures, a worker may be lost, the bytes are those of one machine."""
+"""The Dask example with local processes: parts are futures, a worker may be lost, the bytes equal one machine's."""
 
 import functools
 import importlib.util
