@@ -136,7 +136,7 @@ function look_at_contents() {
   };
 }
 
-// Presses the heads of every table and returns which tables then have a wrong order or wrong rows. Runs in the page.
+// Presses the heads of every table and returns what is then wrong with its rows. Runs in the page.
 async function look_at_sorting() {
   const number = (text) => Number(text.replace('\u2212', '-').replace(/^[+\u00b1>]/, '').split(/[^\d.-]/)[0]);
   const seen = [];

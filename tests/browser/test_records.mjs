@@ -459,8 +459,8 @@ export function extend(report, { tests = {}, verified = true, assessed = true, l
     }
     const t = device.record.time_s;
     if (t) {
-      // The record of the laws must cover the raw record's cycles. If the raw record has no time, its samples serve as
-      // time.
+      // The laws must have seen the samples that the cycles are cut from. The raw record has no time, so its samples
+      // are counted instead.
       const steps = t.d.reduce((sum, difference) => sum + difference, 0);
       device.record.time_s = { o: 0, s: (test.disp.length - 1) / steps, d: t.d };
     }
