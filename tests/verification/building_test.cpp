@@ -30,7 +30,7 @@ namespace {
 
 using std::numbers::pi;
 
-// Masses are in Mg. base_period_s is the period of the whole moving as a rigid body, floor_period_s that of the
+// Masses are in Mg. base_period_s is the period of the whole moving as a rigid body, floor_period_s the period of the
 // structure on a rigid base, and periods_s are the two expected periods.
 struct TwoMasses {
   double share, base_period_s, floor_period_s;

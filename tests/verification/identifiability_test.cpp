@@ -116,7 +116,7 @@ TEST(Identifiability, WhatDoesNotActIsSaidOnceAndLeavesTheOthersAlone) {
     EXPECT_EQ(verdict_of(found, twin, active), Verdict::determined) << active;
 }
 
-// Of a4 and a5 only a4 acts, because the device is at rest for one sample at each reversal.
+// The device is at rest for one sample at each reversal, so a4 acts; a5 still does not.
 TEST(Identifiability, AParameterThatActsIsNotNamedWithOneThatDoesNot) {
   auto const twin = twins::twin_in_box("jankowski", twins::growing_cycles(3, 100), overrides({"jankowski.a5=4e3:1e4"}));
   auto const found = judged(twin);

@@ -97,7 +97,7 @@ TEST(PowerLaws, ScraggingIsContinuousInItsExponent) {
   auto const middle = at(1.0);
   for (double const d : {1e-12, 1e-6, 1e-4, 2e-3, 1e-2})
     for (double const h : {1.0 - d, 1.0 + d})
-      // The force changes by 17 kN per unit of h here.
+      // At this point the force changes by 17 kN per unit of h.
       EXPECT_LT(largest_difference(at(h), middle), 20.0 * d + 1e-11) << h;
 }
 
@@ -199,7 +199,7 @@ TEST(PowerLaws, TremorIsNoTravel) {
 }
 
 // A cycle from rest to rest dissipates anywhere in the box. A cycle from peak to peak need not dissipate: the device
-// stores energy on the way up with a stiffness that later travel removes, and returns that energy on the way down.
+// stores energy while it moves up, with a stiffness that later travel removes, and returns the energy when it moves back.
 TEST(PowerLaws, CyclesDissipate) {
   for (double const amplitude : {2.0, 50.0, 208.0})
     for (std::uint32_t i = 0; i < 200; ++i) {

@@ -86,7 +86,7 @@ TEST(Replay, asymmetric_material_gives_the_documented_sets) {
   }
 }
 
-// Wen's material with n = 1 and gamma = 0 has dz/dx = A - beta |z| sgn(dx z). Its branches are those of the asymmetric
+// Wen's material with n = 1 and gamma = 0 has dz/dx = A - beta |z| sgn(dx z). Its branches equal the branches of the asymmetric
 // material without hardening, to first order in the step.
 TEST(Replay, bouc_wen_of_exponent_one_is_the_asymmetric_material_as_the_step_goes_to_zero) {
   double const kb = 0.6, f0 = 25.0, alpha = 0.08, D = 150.0, Ke = kb + alpha * f0;
