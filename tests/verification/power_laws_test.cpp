@@ -199,7 +199,7 @@ TEST(PowerLaws, TremorIsNoTravel) {
 }
 
 // A cycle from rest to rest dissipates anywhere in the box. A cycle from peak to peak need not dissipate: the device
-// stores energy while it moves up, with a stiffness that later travel removes, and returns the energy when it moves back.
+// stores energy while it moves up, with a stiffness that later travel removes, and returns it when it moves back.
 TEST(PowerLaws, CyclesDissipate) {
   for (double const amplitude : {2.0, 50.0, 208.0})
     for (std::uint32_t i = 0; i < 200; ++i) {

@@ -86,8 +86,8 @@ TEST(Replay, asymmetric_material_gives_the_documented_sets) {
   }
 }
 
-// Wen's material with n = 1 and gamma = 0 has dz/dx = A - beta |z| sgn(dx z). Its branches equal the branches of the asymmetric
-// material without hardening, to first order in the step.
+// Wen's material with n = 1 and gamma = 0 has dz/dx = A - beta |z| sgn(dx z). To first order in the
+// step its branches equal the branches of the asymmetric material without hardening.
 TEST(Replay, bouc_wen_of_exponent_one_is_the_asymmetric_material_as_the_step_goes_to_zero) {
   double const kb = 0.6, f0 = 25.0, alpha = 0.08, D = 150.0, Ke = kb + alpha * f0;
   Command const algebraic{"HystereticAsym", {kb + 2.0 * alpha * f0, kb, f0, 0, 0, 0}};
