@@ -32,8 +32,9 @@ int decade(double value) {
   return exponent;
 }
 
-// Writes the values of a channel as multiples of the ninth digit of its largest value. The edges between steps are
-// shifted away from the decimal numbers of a file and the means of a few of them, where rounding would decide the step.
+// Writes the values of a channel as multiples of the ninth digit of its largest value. If the edges between steps lay
+// at the decimal numbers of a file, or at the means of a few of them, rounding would decide the step; so the edges are
+// shifted.
 void add_channel(std::string& text, std::string_view name, std::vector<double> const& values) {
   constexpr double shift = 0.318309886;
   double largest = 0.0;

@@ -1,5 +1,5 @@
-// The smallest objectives known for named problems, over every method ever tried: best_known.toml. They judge a search
-// whose own runs may all have ended in the same wrong valley.
+// best_known.toml holds the smallest objectives known for named problems, over every method ever tried. They judge a
+// search even if all its own runs ended in the same wrong valley.
 #pragma once
 
 #include <span>
@@ -24,22 +24,23 @@ struct BestKnown {
 };
 
 // SHA-256 of everything that decides the smallest objective: law, integration, turning points, cleaned record, and the
-// values between which each parameter is free. The scale and the way of searching, which a method may choose, are not
-// in it. Numbers count to nine digits, those of a channel to nine digits of its largest, so that the same record
-// cleaned by another compiler's program has the same key.
+// values between which each parameter is free. It does not contain the scales of the parameters or the kind of search,
+// which a method may choose. Numbers count to nine digits, and those of a channel to nine digits of the largest, so
+// that the same record has the same key if another compiler's program cleaned it.
 std::string problem_key(laws::LawEntry const& law, laws::Integration integration, laws::TurningPoints turning_points,
                         data::FitRecord const& record, fit::SearchBox const& box);
 
-// Throws one Error with every mistake of the text and its line. `file` is the name used in messages.
+// Throws one Error that lists every mistake of the text with its line. Messages use `file` as the name of the text.
 std::vector<BestKnown> read_best_known(std::string_view text, std::string const& file);
 std::vector<BestKnown> load_best_known(std::string const& file);
 std::string best_known_text(std::span<BestKnown const> entries);
 
-// Relative difference from which an objective counts as lower; less is rounding and the last digits of a search.
+// An objective counts as lower if it is lower by this relative difference; less is rounding or the last digits of a
+// search.
 inline constexpr double least_lowering = 1e-6;
 
-// Puts a result into `entries` and never raises an objective there. `redefined`: an entry with the same record, law and
-// settings had another key; its problem no longer exists, so the new entry replaces it.
+// Puts a result into `entries`, and never raises an objective of theirs. `redefined`: an entry with the same record,
+// law and settings had another key. Its problem no longer exists, so the new entry replaces it.
 enum class Change { none, added, lowered, redefined };
 Change lower(std::vector<BestKnown>& entries, BestKnown const& found);
 

@@ -45,7 +45,7 @@ int main(int count, char** arguments) {
     work();
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
-  // This thread's own time, which other work on the machine does not lengthen.
+  // Counts this thread's own time, which does not grow with other work on the machine.
   auto const own_seconds = [](auto&& work) {
     double const start = thread_time_s();
     work();
@@ -61,7 +61,7 @@ int main(int count, char** arguments) {
     });
   });
   double const lanes_cpu = process_time_s() - cpu_before;
-  // The plain loop takes one draw after the other.
+  // The plain loop computes one draw after another.
   std::size_t const scalar_draws = std::min<std::size_t>(draws, 8);
   double const scalar = own_seconds([&] {
                           respond(model, "bouc-wen", std::span(values).first(scalar_draws * each), ground[0], {},

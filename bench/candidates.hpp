@@ -9,7 +9,7 @@
 
 namespace isolaw::bench {
 
-// `count` candidates, uniform in the box, one after another, parameters in the law's order.
+// `count` candidates, uniform in the box, one after another. The parameters of each are in the law's order.
 inline std::vector<double> candidates(fit::SearchBox const& box, std::size_t count) {
   std::vector<double> values(count * box.parameters.size()), point(box.free_count());
   for (std::size_t i = 0; i < count; ++i) {
@@ -20,7 +20,8 @@ inline std::vector<double> candidates(fit::SearchBox const& box, std::size_t cou
   return values;
 }
 
-// `width` of these candidates from number `first` on: the first parameter of each, then the second, and so on.
+// `width` of the candidates, from number `first` on: the first parameter of each, then the second parameter of each,
+// and so on.
 inline std::vector<double> block(std::vector<double> const& candidates, std::size_t parameters, std::size_t first,
                                  std::size_t width) {
   std::vector<double> values(parameters * width);

@@ -1,4 +1,4 @@
-// num/elementary.hpp against the standard library for each instruction set, on arrays of 32 lanes in the first-level
+// Times num/elementary.hpp and the standard library for each instruction set, on arrays of 32 lanes in the first-level
 // cache. The counter `per_element` is the time per element.
 #include <benchmark/benchmark.h>
 

@@ -1,8 +1,8 @@
-// Cost and error of the objective for ways to integrate bouc-wen and abe-y0: Runge-Kutta with sub-steps, and the exact
-// flow. The reference is the exact flow on a path 100 times finer. Three errors: median and largest over candidates
-// drawn in the published box, and the error at the best point that the genetic algorithm finds with that very
-// integration (largest of several searches), since a search exploits the error. Usage: integration_cost RECORD
-// [REPETITIONS]; prints CSV. ISOLAW_SIMD chooses the instruction set.
+// Measures how much time the objective takes and how exact it is for several ways to integrate bouc-wen and abe-y0:
+// Runge-Kutta with sub-steps, and the exact flow. The reference is the exact flow on a path 100 times finer. Prints
+// three errors: the median and the largest over candidates drawn in the published box, and the error at the best point
+// that the genetic algorithm finds with the same integration (the largest of several searches), since a search exploits
+// the error. Usage: integration_cost RECORD [REPETITIONS]; prints CSV. ISOLAW_SIMD chooses the instruction set.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -37,7 +37,7 @@ constexpr std::array routes{
     Route{"rk4 x8", laws::Integration::paper, 8},       Route{"rk4 x32", laws::Integration::paper, 32},
     Route{"rk4 x100", laws::Integration::paper, finer}, Route{"exact flow", laws::Integration::converged, 1}};
 
-// The objective of a law on a record, along paths of any fineness.
+// The objective of a law on a record, on paths of any refinement.
 class Subject {
  public:
   Subject(laws::LawEntry const& law, data::FitRecord const& record)
@@ -50,7 +50,7 @@ class Subject {
   laws::Path path(int refinement) const { return laws::make_path(disp_, {}, refinement); }
   std::size_t samples() const { return disp_.size(); }
 
-  // `candidates` one after another, as bench::candidates gives them.
+  // Expects `candidates` one after another, as bench::candidates gives them.
   std::vector<double> objectives(laws::Path const& path, laws::Integration integration,
                                  std::vector<double> const& candidates) const {
     std::size_t const parameters = law_.parameters.size(), width = fit::wide_block;
@@ -101,7 +101,7 @@ std::vector<double> errors(Subject const& subject, Route const& route, std::vect
   return values;
 }
 
-// The shortest repetition counts: other work on the machine only adds time.
+// Takes the shortest of the repetitions, because other work on the machine only adds time.
 double ns_per_sample(Subject const& subject, Route const& route, std::vector<double> const& candidates,
                      int repetitions) {
   using Clock = std::chrono::steady_clock;

@@ -1,6 +1,6 @@
-// Times the hot path law by law: a block of candidates over one record of 600 samples, for every instruction set of
-// this machine, both block widths and both integrations; `scalar` takes one candidate at a time. The counter
-// `per_sample` is the time per sample and candidate; compare ratios within one run.
+// Times the evaluation of every law: a block of candidates over one record of 600 samples, for every instruction set of
+// this machine, both block widths and both integrations; `scalar` evaluates one candidate at a time. The counter
+// `per_sample` is the time per sample and candidate. Compare ratios within one run.
 #include <benchmark/benchmark.h>
 
 #include <array>

@@ -22,8 +22,8 @@ each = per_part // searches  # runs of a search in a part
 
 def parts_of(count, work):
     runs = each * count
-    # Part 1 has the runs 1, 1 + count, ... of every search, so that each part gets equally many. A real part's runs are
-    # computed once, for the first run of each search.
+    # Part 1 has the runs 1, 1 + count, ... of every search, so that each part gets equally many. The first run of each
+    # search is really computed, once, and copied under the other numbers.
     first = os.path.join(work, "real")
     subprocess.run(
         [isolaw, "calibrate", "lot/lot.toml", "--laws", "bilinear,bouc-wen", "--runs", str(count), "--method", "best",

@@ -1,4 +1,4 @@
-// The searches of a lot as problems with a name and a key, and the file of their smallest known objectives.
+// The searches of a lot as problems with a name and a key, and the file that holds their smallest known objectives.
 #pragma once
 
 #include <fmt/format.h>
@@ -30,7 +30,7 @@ struct NamedProblem {
   fit::SearchBox box;
   fit::LawOnRecord model;
   fit::IdentificationProblem problem{model, box};
-  BestKnown entry;  // without objective, parameters and founder, which found() fills in
+  BestKnown entry;  // has no objective, parameters and found_by; found() fills them in
   num::Stream stream;
 
   NamedProblem(campaign::Contents const& contents, campaign::Search const& search, std::string const& name)
@@ -52,7 +52,7 @@ struct NamedProblem {
   NamedProblem(NamedProblem const&) = delete;
   NamedProblem& operator=(NamedProblem const&) = delete;
 
-  // The entry for a point of the unit box, with the objective of the scalar law, which is the one that is reported.
+  // The entry for a point of the unit box. Its objective comes from the scalar law, as reported objectives do.
   BestKnown found(std::span<double const> point, std::string const& found_by) const {
     auto result = entry;
     std::vector<double> work;
@@ -65,10 +65,10 @@ struct NamedProblem {
 };
 
 struct Choice {
-  std::vector<std::string> laws, devices;  // empty: all in the lot file
+  std::vector<std::string> laws, devices;  // if empty, all that the lot file names
 };
 
-// The records may lie outside the lot file's folder.
+// All chosen problems of a lot. The records may lie outside the lot file's folder.
 struct NamedProblems {
   campaign::Contents contents;
   std::vector<std::unique_ptr<NamedProblem>> all;
@@ -86,8 +86,8 @@ struct NamedProblems {
   }
 };
 
-// The file of best objectives, to be added to. Without a file name it reads the project's own and leaves that
-// unchanged.
+// The file of best objectives, which results are added to. Without a file name the project's own file is read and never
+// written.
 class BestFile {
  public:
   explicit BestFile(std::string file) : file_(std::move(file)) {

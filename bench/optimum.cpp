@@ -1,10 +1,10 @@
-// How often, and at what cost, the search `best` finds the smallest objective: repeats it with other random numbers for
-// every law and device of a lot, on request beside other programs. A run succeeds if it ends within 0.1 % of the
-// smallest objective of all runs and of the best known.
+// Measures how often, and at what cost, the search `best` finds the smallest objective. It repeats the search with
+// other random numbers for every law and device of a lot, and on request does the same with other programs. A run
+// succeeds if it ends within 0.1 % of the smallest objective, over all runs and the best known.
 // Usage: optimum LOT.toml RUNS [LAW...] [--device NAME]... [--peers FACTOR] [--update FILE --name RECORD]
-//   --peers    other programs too; each run gets FACTOR times the evaluations that `best` takes on average
-//   --update   add results to FILE (bench/best_known.toml or another) and lower its objectives; entries have the record
-//              "RECORD, device"
+//   --peers    runs other programs too; each run gets FACTOR times the evaluations that `best` takes on average
+//   --update   adds results to FILE (bench/best_known.toml or another) and lowers its objectives; the record of an
+//              entry is "RECORD, device"
 // Prints the runs as CSV, then a table by law and method. The records may lie outside the lot file's folder.
 #include <fmt/format.h>
 

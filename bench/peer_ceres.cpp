@@ -1,6 +1,6 @@
-// Ceres on isolaw's residuals: Levenberg-Marquardt with bounds from random starts. Its soft L1 loss rounds off the
-// absolute value, first widely, then closely. One batch computes all residuals and differences of a step before Ceres
-// asks for them one by one.
+// Ceres minimises isolaw's residuals: Levenberg-Marquardt with bounds from random starts. Its soft L1 loss rounds the
+// corner of the absolute value, first widely, then closely. One batch computes all residuals and differences of a step
+// before Ceres asks for them one by one.
 #include <ceres/ceres.h>
 
 #include <algorithm>
@@ -108,7 +108,7 @@ void search_by_ceres(Watched const& problem, std::uint64_t seed, int budget) {
     num::Draws draws(num::Stream(seed), start, 0);
     std::vector<double> x(problem.dimension());
     for (double& coordinate : x) coordinate = draws.uniform();
-    Watched here(problem);  // of this start alone
+    Watched here(problem);  // watches this start alone
     opt::Points one(problem.dimension(), 1);
     std::ranges::copy(x, one[0].begin());
     std::vector<double> residuals(problem.weights().size());

@@ -1,4 +1,5 @@
-// pagmo's simple genetic algorithm on isolaw's scalar objective: one search of 5,000 evaluations on one record.
+// pagmo's simple genetic algorithm on isolaw's scalar objective: one search of 5,000 evaluations by default, on one
+// record.
 // Usage: peer_pagmo RECORD LAW paper|converged [EVALUATIONS]; prints one JSON object.
 #include <chrono>
 #include <cstdio>

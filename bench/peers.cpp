@@ -12,8 +12,8 @@
 namespace isolaw::bench {
 namespace {
 
-// A Python program at the other end of a socket. It names its searches. For each search it gets a line with the task,
-// asks for values or residuals of points in the unit box, and says when it is done.
+// A Python program at the other end of a socket. It first sends the names of its searches. For each search it gets a
+// line with the task, asks for values or residuals of points in the unit box, and says when it is done.
 class PythonPeer {
  public:
   explicit PythonPeer(std::string const& script) {
@@ -25,7 +25,7 @@ class PythonPeer {
       dup2(ends[1], STDOUT_FILENO);
       close(ends[0]);
       close(ends[1]);
-      // Debian's interpreter first: it finds Debian's libraries.
+      // Debian's interpreter is tried first, because it finds Debian's libraries.
       execl("/usr/bin/python3", "python3", script.c_str(), static_cast<char*>(nullptr));
       execlp("python3", "python3", script.c_str(), static_cast<char*>(nullptr));
       _exit(127);
@@ -40,7 +40,7 @@ class PythonPeer {
     if (child_ > 0) waitpid(child_, nullptr, 0);
   }
 
-  // Names of its searches; empty if Python or its libraries are missing.
+  // Returns the names of the program's searches, or none if Python or its libraries are missing.
   std::vector<std::string> methods() {
     std::string line;
     for (char c = 0; receive(&c, 1) && c != '\n';) line += c;
@@ -73,7 +73,7 @@ class PythonPeer {
     std::vector<double> values(points.size() * (wants_residuals ? problem.weights().size() : 1));
     if (wants_residuals) {
       problem.residuals(points, values);
-      // Scaled so that the mean of the residuals' absolute values is the objective.
+      // Scales the weights so that the weighted mean of the residuals' absolute values is the objective.
       auto const weights = problem.weights();
       for (std::size_t i = 0; i < values.size(); ++i)
         values[i] *= weights[i % weights.size()] * static_cast<double>(weights.size());

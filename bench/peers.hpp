@@ -1,4 +1,5 @@
-// Searches of other programs on isolaw's objective, for bench/optimum; all evaluate the same blocks of candidates.
+// Searches of other programs on isolaw's objective, for bench/optimum. All of them evaluate the same blocks of
+// candidates.
 #pragma once
 
 #include <cmath>
@@ -14,8 +15,8 @@
 
 namespace isolaw::bench {
 
-// A problem that counts evaluations and remembers the best point: a search is judged by the best it has evaluated,
-// whatever it returns.
+// A problem that counts evaluations and remembers the best point. A search is judged by the best point that it has
+// evaluated, whatever it returns.
 class Watched final : public opt::DeviationProblem {
  public:
   explicit Watched(opt::DeviationProblem const& problem) : problem_(problem) {}
@@ -24,7 +25,7 @@ class Watched final : public opt::DeviationProblem {
   void evaluate(opt::Points const& points, std::span<double> values) const override;
   void residuals(opt::Points const& points, std::span<double> values) const override;
 
-  std::vector<double> const& best() const { return best_; }  // empty when nothing was finite
+  std::vector<double> const& best() const { return best_; }  // empty if no value was finite
   double best_value() const { return best_value_; }
   int evaluations() const { return evaluations_; }
 
@@ -43,10 +44,11 @@ struct Peer {
   std::function<void(Watched const& problem, std::uint64_t seed, int budget)> search;
 };
 
-// The installed peers; standard error names those that are missing. `script` is bench/peers/optimum.py.
+// The peers that are installed. The program names the missing ones on standard error. `script` is
+// bench/peers/optimum.py.
 std::vector<Peer> peers(std::string const& script);
 
-// In peer_ceres.cpp, compiled only if Ceres is installed.
+// This function is in peer_ceres.cpp, which is compiled only if Ceres is installed.
 void search_by_ceres(Watched const& problem, std::uint64_t seed, int budget);
 
 }  // namespace isolaw::bench

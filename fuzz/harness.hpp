@@ -1,4 +1,4 @@
-// Shared by the fuzz targets. Each input must end in a result or an isolaw::Error; any other exception ends the
+// All fuzz targets use this file. Each input must end in a result or an isolaw::Error. Any other exception ends the
 // program, which libFuzzer and the replay report.
 #pragma once
 
@@ -23,7 +23,7 @@ inline std::string_view as_text(std::uint8_t const* data, std::size_t size) {
   return {static_cast<char const*>(static_cast<void const*>(data)), size};
 }
 
-// A check in every build type; the condition must hold for every input.
+// Ends the program, in every build type, if the condition does not hold; it must hold for every input.
 inline void require(bool holds, char const* what) {
   if (holds) return;
   std::fprintf(stderr, "does not hold: %s\n", what);
@@ -36,7 +36,7 @@ inline void require_plain_message(Error const& error) {
     require(printable(to_string(complaint), true) == to_string(complaint), "a message holds no control characters");
 }
 
-// A folder in memory, removed with the process.
+// A folder in memory that is removed when the process ends.
 class Folder {
  public:
   Folder() {

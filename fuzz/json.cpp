@@ -1,4 +1,4 @@
-// The bytes of a JSON record.
+// Reads the input as a JSON record.
 #include "record.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {

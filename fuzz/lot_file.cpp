@@ -1,4 +1,4 @@
-// The text of a lot file. A file that can be read must also be writable and read back as the same.
+// Reads the input as a lot file. If it can be read, it can also be written, and reads back as the same lot.
 #include "isolaw/campaign/lot_file.hpp"
 #include "harness.hpp"
 

@@ -1,4 +1,5 @@
-// The bytes of a MATLAB file of version 7.3, read in a process of its own; if that process dies the result is an Error.
+// Reads the input as a MATLAB file of version 7.3. A separate process reads it; if that process dies, the result is an
+// Error.
 #include "record.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {

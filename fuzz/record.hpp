@@ -1,4 +1,4 @@
-// Reads a record's bytes as `isolaw inspect` and `isolaw calibrate` do; shared by the targets for kinds of records.
+// Reads a record's bytes as `isolaw inspect` and `isolaw calibrate` do. The targets for kinds of records use this file.
 #pragma once
 
 #include <cmath>

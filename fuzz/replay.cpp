@@ -1,5 +1,5 @@
-// Feeds every file of the named folders to the target that this is linked with, so that the corpus is an ordinary test
-// without libFuzzer. Fails if there is no file.
+// Gives every file of the named folders to the fuzz target that this file is linked with, so that the corpus is an
+// ordinary test without libFuzzer. Fails if there is no file.
 #include <algorithm>
 #include <fstream>
 #include <iterator>
@@ -18,7 +18,8 @@ int main(int argc, char** argv) {
       std::ifstream stream(file, std::ios::binary);
       std::vector<char> const bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
       std::vector<std::uint8_t> const data(bytes.begin(), bytes.end());
-      std::fprintf(stderr, "%s\n", file.filename().c_str());  // the last name printed is the culprit
+      std::fprintf(stderr, "%s\n",
+                   file.filename().c_str());  // if the target dies, the last name printed is the file that killed it
       LLVMFuzzerTestOneInput(data.data(), data.size());
       ++count;
     }

@@ -1,4 +1,5 @@
-// The text of a rule file. A set that can be read keeps its bounds, and without a signature it gives no verdict.
+// Reads the input as a rule file. The texts of a rule set are printable, and a set that nobody verified gives no
+// verdict.
 #include "harness.hpp"
 #include "isolaw/rules/lot_view.hpp"
 

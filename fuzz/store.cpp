@@ -1,4 +1,4 @@
-// The bytes of a campaign's store, reported as by `isolaw report`.
+// Reads the input as a campaign's store and reports it as `isolaw report` does.
 #include <fstream>
 #include <nlohmann/json.hpp>
 

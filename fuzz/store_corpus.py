@@ -16,7 +16,7 @@ ENDLESS = "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n)"
 
 
 def view(table, body):
-    """SQL that replaces a table by a view of the same name."""
+    """Returns SQL that replaces a table by a view of the same name."""
     return f"ALTER TABLE {table} RENAME TO kept; CREATE VIEW {table} AS {body}"
 
 
@@ -75,8 +75,8 @@ FAULTS = {
                         "GENERATED ALWAYS AS (hex(zeroblob(400000000))) VIRTUAL",
 }
 
-# The committed files: those that once hung a reader or passed unnoticed, and the kinds that get furthest into the reader.
-# --all writes every one, as seeds for a longer run.
+# The committed files are those that once made a reader hang or passed unnoticed, and the kinds that get furthest into
+# the reader. --all writes every file, as seeds for a longer run.
 KEPT = {"sound", "view-endless-runs", "view-endless-setting", "view-large-values", "generated-column", "setting-range",
         "run-number-huge", "parameters-infinite", "box-null", "name-control", "series-one-nan", "history-odd"}
 

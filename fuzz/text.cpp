@@ -1,4 +1,4 @@
-// The bytes of a record in delimited text.
+// Reads the input as a record in delimited text.
 #include "record.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {

@@ -1,4 +1,4 @@
-// The bytes of an .xlsx workbook.
+// Reads the input as an .xlsx workbook.
 #include "record.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {

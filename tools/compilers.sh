@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# Measures how far compilers, optimisation levels and processors move forces and objectives: repeats the sweep of
-# tests/regression, as g++ -O3 (the release preset) computes it, in other builds. Prints a table for each; exit code 1
-# where one exceeds fit::evaluation_tolerance.  ISOLAW_DRAWS=N: N candidates of each box, else 250.
-# It compiles only the few modules that it needs: configuring a tree for each build would take ten times as long.
+# Measures how far compilers, optimisation levels and processors move forces and objectives. It repeats the sweep of
+# tests/regression in other builds and compares each with the sweep that g++ -O3 (the release preset) computes. It
+# prints a table for each build; the exit code is 1 if one exceeds fit::evaluation_tolerance. ISOLAW_DRAWS=N takes N
+# candidates of each box, otherwise 250. The script compiles only the few modules that it needs: configuring a tree for
+# each build would take ten times as long.
 #   tools/compilers.sh                       all variants
-#   tools/compilers.sh [--reference SWEEP] NAME...  only these; SWEEP: a program of the sweep to compare with, not g++ -O3's
+#   tools/compilers.sh [--reference SWEEP] NAME...  only these; SWEEP is a program of the sweep that replaces g++ -O3's
 set -euo pipefail
 reference=
 if [ "${1:-}" = --reference ]; then
@@ -24,7 +25,7 @@ variants=(
   "gcc-O0: g++ -O0"
   "gcc-O2-x86-64-v3: g++ -O2 -march=x86-64-v3"  # contracts products and sums (FMA)
   "gcc-O3-native: g++ -O3 -march=native"
-  "gcc-O2-x87: g++ -O2 -mfpmath=387"            # intermediate results of 64 bits
+  "gcc-O2-x87: g++ -O2 -mfpmath=387"            # intermediate results have 64 bits
   "clang-O2: clang++ -O2"
   "clang-O3-native: clang++ -O3 -march=native -ffp-contract=fast"
   "aarch64: aarch64-linux-gnu-g++ -O2 -static"  # NEON, in an emulator
@@ -34,7 +35,7 @@ make_sweep() { # name, compiler and flags...
   local name=$1 object=$folder/$1-objects source
   shift
   mkdir -p "$object"
-  # The linker drops what the sweep does not use.
+  # The linker leaves out functions that the sweep does not use.
   for source in "${sources[@]}"; do
     printf '%s\0-o\0%s\0' "$source" "$object/${source//\//_}.o"
   done | xargs -0 -n 3 -P "$(nproc)" "$@" -w -DNDEBUG -DFMT_HEADER_ONLY -DISOLAW_KERNELS=kernels_portable -std=c++20 \
@@ -74,7 +75,7 @@ for variant in "${variants[@]}"; do
   compare "$name (${command[*]})" "${emulator[@]}" "$folder/$name"
 done
 [ ${#wanted[@]} -eq 0 ] || { rm -f "$folder/reference.bin" "$folder/probe"; exit $broken; }
-# glibc chooses its elementary functions by the processor; these are an old processor's.
+# glibc chooses its elementary functions by the processor. This run gets the functions for an old processor.
 compare "reference without FMA in the mathematical library" \
   env GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-AVX512F,-FMA,-FMA4 "$reference"
 rm -f "$folder/reference.bin" "$folder/probe"

@@ -11,7 +11,7 @@ mp.dps = 60
 
 
 def fit(function, lower, upper, degree, fixed=()):
-    """Doubles c[0..degree] with sum c[k] x^k ~ function(x); the first ones may be given."""
+    """Returns doubles c[0..degree] with sum c[k] x^k ~ function(x); the caller may give the first ones."""
     count = 6 * (degree + 1)
     middle, half = (lower + upper) / 2, (upper - lower) / 2
     points = [middle + half * mp.cos(mp.pi * (2 * k + 1) / (2 * count)) for k in range(count)]
@@ -38,7 +38,7 @@ def report(name, coefficients, error, lower, upper, samples=2001):
 
 
 def power_of(base, degree, half, ones):
-    """base^f = 1 + f q(f) on [-half, half]: coefficients of the whole polynomial; `ones` leading ones are exact."""
+    """Coefficients of base^f = 1 + f q(f) on [-half, half]; the first `ones` coefficients are 1."""
     function = lambda f: mp.power(base, f)
     c = fit(function, -half, half, degree, [1] * ones)
     report(f"{mp.nstr(base, 4)}^f, |f| <= {mp.nstr(half, 4)}, degree {degree}", c,

@@ -7,12 +7,12 @@ set -euo pipefail
 folder=$(mkdir -p "$1" && cd "$1" && pwd)
 sources=(expat minizip nettle sqlite3 zlib)
 headers=(libboost1.74-dev libcli11-dev libeigen3-dev libfmt-dev librandom123-dev libtomlplusplus-dev nlohmann-json3-dev)
-# The compiler links its own runtime into every program.
+# The compiler links its own runtime into every program, so its licence counts too.
 compiled_in=(emscripten)
 stamp="$folder/complete"
 [ -e "$stamp" ] && [ "$stamp" -nt "${BASH_SOURCE[0]}" ] && exit 0
 
-# Uses a list of package sources of its own and leaves the machine's alone.
+# This script makes its own list of package sources and does not change the machine's list.
 apt=$folder/apt
 mkdir -p "$apt/lists/partial" "$apt/archives"
 . /etc/os-release
@@ -28,7 +28,7 @@ rm -f "$folder/versions"
 mkdir -p "$folder/licences"
 cd "$apt/archives"
 for name in "${sources[@]}"; do
-  # Takes the newest version that the mirror really holds; its list may name a newer one.
+  # Takes the newest version that the mirror really holds, since its list may name a newer one.
   fetched=
   for version in $(apt-cache "${options[@]}" showsrc "$name" | sed -n 's/^Version: //p' | sort -rVu); do
     apt-get "${options[@]}" source --only-source --download-only "$name=$version" >/dev/null 2>&1 && fetched=$version && break
@@ -40,7 +40,7 @@ for name in "${sources[@]}"; do
   echo "$name $fetched" >> "$folder/versions"
   cp "$folder/$name/debian/copyright" "$folder/licences/$name"
 done
-# SQLite is compiled as one file that its own build joins.
+# SQLite is compiled as one file, which its own build joins from many.
 mkdir -p "$folder/sqlite3/made"
 (cd "$folder/sqlite3/made" && ../configure --disable-tcl && make sqlite3.c) > "$folder/sqlite3.log" 2>&1 ||
   { tail -20 "$folder/sqlite3.log" >&2; exit 1; }

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Has the program write the files that describe it: tools/reference.sh ISOLAW DIR writes DIR/docs/laws.md, DIR/docs/cli.md
+# The program writes the files that describe it: tools/reference.sh ISOLAW DIR makes DIR/docs/laws.md, DIR/docs/cli.md
 # and DIR/python/isolaw/__init__.pyi, the stub with the keywords of the option tables.
 set -euo pipefail
 shopt -s inherit_errexit
@@ -8,7 +8,7 @@ mkdir -p "$docs" "$2/${stub%/*}"
 "$isolaw" laws --markdown >"$docs/laws.md"
 "$isolaw" reference >"$docs/cli.md"
 
-# In the stub, the output of a command replaces the lines below each comment `isolaw keywords ...`.
+# Below each comment `isolaw keywords ...` of the stub, the lines are replaced by what this command prints.
 written=$(
   keep=yes
   while IFS= read -r line; do

@@ -56,8 +56,8 @@ below() {
   done
 }
 
-# Kills the daemon and, for each job, the process that minds it, its script (found by its place in the node's spool) and
-# all their children.
+# Kills the node's daemon. For each job it also kills the process that watches over the job, the job's script (found by
+# its path in the node's spool) and all their children.
 kill_node() {
   local entry pid doomed=()
   pid=$(cat "$directory/slurmd.pid" 2>/dev/null || true)
@@ -72,7 +72,7 @@ kill_node() {
   rm -f "$directory/slurmd.pid"
 }
 
-# Also marks the node as down, which Slurm would only do after SlurmdTimeout.
+# Kills the node and marks it as down; Slurm would do so only after SlurmdTimeout.
 lose_node() {
   kill_node
   scontrol update nodename=here state=down reason=killed
@@ -120,7 +120,8 @@ MinJobAge=300
 NodeName=here NodeHostname=$(hostname) NodeAddr=127.0.0.1 CPUs=$(nproc) RealMemory=1000000 State=UNKNOWN
 PartitionName=all Nodes=here Default=YES MaxTime=INFINITE State=UP
 CONF
-    # Slurm always loads a plugin for cgroups, though nothing here uses it; the one for version 2 would need systemd.
+    # Slurm always loads a plugin for cgroups, although this cluster uses none. The plugin for version 2 would need
+    # systemd.
     echo 'CgroupPlugin=cgroup/v1' >"$directory/cgroup.conf"
   fi
   munged --force --key-file "$directory/munge.key" --socket "$directory/munge.socket" \
@@ -132,7 +133,7 @@ CONF
   mv "$directory/env.new" "$directory/env"
 }
 
-# Asks a process to end and waits until it has: a controller first saves its state.
+# Asks a process to end and waits until it has ended; a controller saves its state before it ends.
 end() {
   local asked
   for ((asked = 0; asked < 100; ++asked)); do

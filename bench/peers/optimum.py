@@ -22,7 +22,7 @@ except ImportError:
 
 DONE, VALUES, RESIDUALS = 0, 1, 2
 DIFFERENCE = 1e-6
-WORST = 1e10  # instead of infinity, for methods that cannot handle it
+WORST = 1e10  # replaces infinity for methods that cannot handle it
 
 
 class BudgetSpent(Exception):
@@ -57,7 +57,7 @@ class Problem:
 
 
 def descents(problem, generator):
-    """From random starts; soft_l1 rounds off the absolute value, first widely, then closely."""
+    """Least squares from random starts. soft_l1 rounds the corner of the absolute value, first widely, then closely."""
     while True:
         x = generator.random(problem.dimension)
         for rounding in (0.3, 0.01):

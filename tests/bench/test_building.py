@@ -1,4 +1,4 @@
-"""bench/building on times that are given: rows of every path, and what they say of one another."""
+"""bench/building with a program that prints given times: it writes a row for every path, with the right ratios."""
 
 import csv
 import os

@@ -1,4 +1,4 @@
-"""bench/campaigns on the cheapest law: every part gives its rows, and phases add up to their campaign."""
+"""bench/campaigns on the cheapest law: every part gives its rows, and the phases of a campaign add up to it."""
 
 import csv
 import os

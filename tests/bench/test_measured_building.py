@@ -1,4 +1,4 @@
-"""The measured building: what docs/measured-building.md says of the law that the program recommends, made again."""
+"""Computes again what docs/measured-building.md says of the law that the program recommends."""
 
 import importlib.machinery
 import importlib.util
@@ -60,7 +60,7 @@ class MeasuredBuilding(unittest.TestCase):
             self.assertLess(abs(error.disp), 10.0)
 
     def test_the_levels_are_turned_in_the_runs_named_after_ica(self):
-        """A building below its first mode moves more above than below: in these files the first level is the roof."""
+        """Below its first mode a building moves more at the roof, which shows that these files number it first."""
         self.assertEqual([name for name, run in self.runs.items() if run.turned], ["ICA50", "ICA100"])
         for run in self.runs.values():
             self.assertGreater(abs(measured.transfer(run.roof, run.acceleration[0], 0.6)), 1.15)

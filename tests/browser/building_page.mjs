@@ -1,5 +1,6 @@
-// Opens the page of a made-up building in headless Chromium: no script error, no request, every figure drawn, no page
-// wider than its window, the verdict within few words before the first scroll, choices that figures follow, paper, axe-core.
+// Opens the page of a made-up building in headless Chromium. Checks that there is no script error and no request, that
+// every figure is drawn, that the page is not wider than its window, that the verdict stands within few words above the
+// first scroll, that figures follow the reader's choices; also the page on paper, and the rules of axe-core.
 //   node building_page.mjs MAKE_BUILDING [CHROMIUM]
 // ISOLAW_SCREENSHOTS=DIR keeps a picture of every case; ISOLAW_BUILDING_PAGE=FILE looks at that page instead.
 import { execFileSync } from 'node:child_process';
@@ -56,7 +57,7 @@ async function look({ print }) {
       .filter((text) => text.getBoundingClientRect().left < frame.left - 2 || text.getBoundingClientRect().right > frame.right + 2)
       .map((text) => plot.parentNode.id + ': ' + text.textContent);
   });
-  const wide = [document.documentElement.scrollWidth, window.innerWidth]; // paper makes no choices
+  const wide = [document.documentElement.scrollWidth, window.innerWidth]; // nothing can be chosen on paper
   const axis = () => document.querySelector('#figure-histograms .xtitle')?.textContent;
   const before = axis();
   const select = document.getElementById('quantity');
@@ -69,7 +70,7 @@ async function look({ print }) {
   select.value = 'isolator_mm';
   select.dispatchEvent(new Event('change'));
   await wait(200);
-  // The loop of a bearing by the choice and by a click in plan.
+  // The figure of a bearing's loop follows the choice of a bearing and a click on a bearing in the plan.
   const loopOf = () => document.querySelector('#figure-loops figcaption').textContent;
   document.getElementById('figure-loops').scrollIntoView();
   await wait(200);
@@ -100,7 +101,7 @@ async function look({ print }) {
   };
 }
 
-// The rules of axe-core, where that is at hand.
+// Checks the rules of axe-core if it is installed.
 const axe = fileURLToPath(new URL('../../node_modules/axe-core/axe.min.js', import.meta.url));
 const violations = `window.axe.run(document, { resultTypes: ['violations'] }).then(({ violations: found }) =>
   found.map(({ id, nodes }) => id + ': ' + nodes.slice(0, 3).map((node) => node.html.slice(0, 120)).join(' | ')))`;

@@ -1,4 +1,4 @@
-// A headless Chromium driven over the DevTools protocol through its debugging pipe: nothing but Node is needed.
+// Drives a headless Chromium over its debugging pipe with the DevTools protocol; needs nothing but Node.
 import { spawn } from 'node:child_process';
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -18,7 +18,7 @@ const FLAGS = [
   '--remote-debugging-pipe',
 ];
 
-// The page's data with laws and parameters called as the page calls them. Runs in the page.
+// Returns the page's data, with laws and parameters named as the page names them. Runs in the page.
 function reportAsShown() {
   const report = JSON.parse(document.getElementById('isolaw-data').textContent);
   const names = Object.fromEntries(report.laws.map(({ id, name }) => [id, name]));
@@ -36,7 +36,7 @@ function reportAsShown() {
   return report;
 }
 
-// A sentence of the program as the page shows it, with symbols typeset. Runs in the page.
+// Returns a sentence of the program as the page shows it, with symbols typeset. Runs in the page.
 function asSet(text) {
   const { words } = JSON.parse(document.getElementById('isolaw-data').textContent).notation;
   return text.replace(/(?<![\w./-])[A-Za-z]\w*(?![\w/-]|[.]\w)/g, (word) => (Object.hasOwn(words, word) ? words[word].join('') : word));
@@ -79,7 +79,8 @@ export class Chromium {
     return new Promise((resolve, reject) => this.pending.set(id, { resolve, reject }));
   }
 
-  // A page of its own window: send() and evaluate() act on it; errors and requests are collected from the start.
+  // Opens a page in a window of its own. send() and evaluate() act on it; errors and requests are collected from the
+  // start.
   async open(url, { width, height, dark = false }) {
     const { targetId } = await this.send('Target.createTarget', { url: 'about:blank' });
     const { sessionId } = await this.send('Target.attachToTarget', { targetId, flatten: true });

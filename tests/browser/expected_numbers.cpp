@@ -1,6 +1,7 @@
-// Numbers that the page must show, by plain SQL from a store, without isolaw: expected_numbers STORE prints JSON. The
-// statistics are those of docs/method.md: means and sample standard deviations over the runs that have an objective,
-// and the robustness index, the mean over the free parameters of the largest relative difference of a device's mean.
+// Computes the numbers that the page must show, with plain SQL on a store and without isolaw: expected_numbers STORE
+// prints JSON. The statistics are the ones in docs/method.md: means and sample standard deviations over the runs that
+// have an objective, and the robustness index, which is the mean, over the free parameters, of the largest relative
+// difference of a device's mean.
 #include <sqlite3.h>
 
 #include <cstdio>

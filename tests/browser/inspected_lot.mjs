@@ -1,5 +1,6 @@
-// The page of an inspection as the program writes it, of a lot with a copy and a record that was cut, in a browser: what its
-// certificate says of them, and that a window of 1280 shows its tables whole.
+// Opens the page of an inspection in a browser, as the program writes it. The lot holds a copy of a record and a record
+// that was cut. Checks what the certificate says of them, and that a window of 1280 pixels shows all columns of its
+// tables.
 //   node inspected_lot.mjs ISOLAW [CHROMIUM]
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
@@ -14,7 +15,7 @@ if (!program || !existsSync(program)) {
   process.exit(77);
 }
 
-// A device of stiffness 0.5 kN/mm and a strength in kN, at 0.5 Hz and 100 mm.
+// Returns the record of a device with a stiffness of 0.5 kN/mm and a given strength in kN, at 0.5 Hz and 100 mm.
 function record(samples, strength) {
   const rows = ['time [s],displacement [mm],force [kN]'];
   for (let i = 0, z = 0, before = 0; i < samples; ++i) {

@@ -11,7 +11,8 @@ macro(join)
   string(REGEX REPLACE "[ \n]+" " " said "${said}")
 endmacro()
 
-# refused(WORDS PAGE A [FILE TEXT]...): page.js and low/a.js of these texts, and further files.
+# refused(WORDS PAGE A [FILE TEXT]...) expects an error that contains WORDS if page.js and low/a.js have the texts PAGE
+# and A. Further files may be given.
 function(refused words page a)
   file(REMOVE_RECURSE ${folder})
   file(WRITE ${folder}/page.js "${page}")
@@ -51,7 +52,7 @@ if(failed OR low LESS 0 OR high LESS low)
   message(SEND_ERROR "joined wrong: ${said} ${joined}")
 endif()
 
-# Two scripts of one folder each get the modules that they reach; a module that neither reaches is refused.
+# Two scripts of one folder each get the modules that they reach. A module that no script reaches is refused.
 macro(join_of_two)
   file(WRITE ${folder}/other.js "import { b } from './low/b.js';\nconsole.log(b);\n")
   file(WRITE ${folder}/low/b.js "export const b = 2;\n")

@@ -15,7 +15,8 @@ namespace {
 
 using namespace isolaw;
 
-// Smooth where the bilinear one has a corner, a tenth weaker; its places are those of the other's population.
+// A law that is smooth where the bilinear one has a corner, and a tenth weaker. Its alpha and Ke take their random
+// values from the places of the other law's population.
 building::LawSource smooth(building::LawSource const& of) {
   auto law = of;
   auto const& [K1, K2, Dy] = std::tie(of.median[0], of.median[1], of.median[2]);

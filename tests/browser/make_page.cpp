@@ -1,8 +1,8 @@
 // Writes the outputs of a made-up lot for the browser tests: make_page DIR [DEVICES [LAWS [STATE]]]. States:
-//   analysed     with everything that an analysis adds
+//   analysed     has everything that an analysis adds
 //   inadequate   the second law does not describe the devices
-//   crowded      analysed; any number of laws, close to one another on the front, one of them runs away
-//   predicted    analysed; a block that was left out of the fit, in which the second law runs away
+//   crowded      analysed, with any number of laws, close to one another on the front; one of them runs away
+//   predicted    analysed, with a block that was left out of the fit; in this block the second law runs away
 //   passing      every requirement of the rule set is assessed and kept
 //   failing      a device is not within the limits
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace {
 
 using namespace isolaw;
 
-// Names as long as those of real laws, beyond those that the made-up lot has.
+// Adds laws beyond those of the made-up lot, with names as long as those of real laws.
 void add_laws(study::Summary& summary, std::size_t count) {
   constexpr std::string_view names[]{"power-masing", "power-masing-viscous", "history-integral", "kikuchi-aiken",
                                      "ramberg-osgood"};
@@ -67,7 +67,7 @@ void run_away(study::LawResult& law) {
       if (!block.fitted) block.objective = 60.0;
 }
 
-// The last third of every record is a block of its own.
+// Makes the last third of every record a block of its own.
 void keep_a_block(study::Summary& summary) {
   for (auto& device : summary.devices) {
     if (device.properties.blocks.empty()) continue;
@@ -105,18 +105,19 @@ int main(int argc, char** argv) {
     if (state == "crowded") crowd(summary);
     if (state == "crowded" || state == "predicted") run_away(summary.laws.at(1));
     if (state == "predicted") keep_a_block(summary);
-    // The second law, on the front as published, misses the stiffness.
+    // The second law is on the published front, but its stiffness is far off.
     if (state == "inadequate")
       for (auto& fit : summary.laws.at(1).devices) fit.K_eff_error_percent = 60.0;
     for (auto& law : summary.laws)
       for (auto& fit : law.devices)
         for (double const above : {1.3, 1.7})
           if (fit.objective.mean) fit.histories.push_back({above * *fit.objective.mean, *fit.objective.mean});
-    // Records alone, held to a set that asks for what they have; failing: to design values far off.
+    // The page has only records and a rule set that asks for no more than they contain. For `failing` the design values
+    // are far off.
     if (argc > 4 && (std::string_view(argv[4]) == "passing" || std::string_view(argv[4]) == "failing")) {
       summary.laws.clear();
       summary.outliers.clear();
-      summary.devices.pop_back();  // the refused one, and with it what is wrong
+      summary.devices.pop_back();  // the refused device, and with it the only fault of the lot
       auto rules = isolaw::rules::find_rule_set("ntc-2018");
       rules.load_variation.reset();
       rules.test = {};

@@ -1,5 +1,6 @@
-// A campaign whose runs have the printed means and standard deviations of Table A.5, with its reports: make_table_a5
-// DIR. Two runs a device and law, one standard deviation over the root of two to either side of the mean.
+// Writes a campaign whose runs have the printed means and standard deviations of Table A.5, and its reports:
+// make_table_a5 DIR. Each device and law has two runs, which lie one standard deviation over the root of two above and
+// below the mean.
 #include <cmath>
 #include <filesystem>
 #include <fstream>

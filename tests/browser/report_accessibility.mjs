@@ -1,4 +1,5 @@
-// The report against the rules of axe-core (WCAG 2 and its good practice), in light and dark, on a laptop and a telephone.
+// Checks the report with the rules of axe-core (WCAG 2 and its good practice), in light and dark, on a laptop and a
+// telephone.
 //   node report_accessibility.mjs MAKE_PAGE [CHROMIUM]
 import { existsSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -19,7 +20,7 @@ const CASES = [
   { name: 'inspection, dark', devices: 4, laws: 3, records: { laws: false, verified: false }, width: 1366, dark: true },
 ];
 
-// Runs in the page, after all of it was drawn and opened.
+// Runs in the page, after everything was drawn and opened.
 async function violations() {
   const wait = (ms) => new Promise((done) => setTimeout(done, ms));
   for (const details of document.querySelectorAll('details')) details.open = true;

@@ -1,5 +1,6 @@
-// Opens the made-up lot's report in headless Chromium and fails on what a reader would stumble over: script errors,
-// figures that are not drawn, a page wider than its window, a request to the network, markup of the input coming alive.
+// Opens the made-up lot's report in headless Chromium and fails on everything that would disturb a reader: script
+// errors, figures that are not drawn, a page wider than its window, requests to the network, markup from the input that
+// takes effect.
 //   node report_page.mjs MAKE_PAGE [CHROMIUM]
 // ISOLAW_SCREENSHOTS=DIR keeps a picture of every case, page by page, and its PDF.
 import { execFileSync } from 'node:child_process';
@@ -16,7 +17,8 @@ if (!program || !existsSync(program)) {
   process.exit(77);
 }
 
-// `records`: what test_records.mjs makes of the page's data; false leaves the page as the program wrote it.
+// `records` are the options of extend() in test_records.mjs, which changes the page's data; false leaves the page as
+// the program wrote it.
 const CASES = [
   { name: 'laptop', devices: 3, laws: 3, width: 1366, height: 768 },
   { name: 'dark', devices: 10, laws: 7, width: 1366, height: 768, dark: true },
@@ -54,7 +56,7 @@ const SOURCES = [
   'statistical, system predicted',
 ];
 
-// Keys of the page's data where made-up records replace what the program wrote, by what they are of.
+// Returns the keys of those parts of the page's data that made-up records replace, so that both can be compared.
 function shape(report) {
   const lot = report.assessment?.lot;
   const device = report.devices[0];
@@ -78,8 +80,8 @@ function shape(report) {
   };
 }
 
-// The second device of a page of made-up records: expected blocks, cycles and verdicts come from the data, those shown
-// from the document. Runs in the page.
+// Looks at the second device of a page of made-up records. Expected blocks, cycles and verdicts come from the data;
+// those that are shown come from the document. Runs in the page.
 async function look_at_records() {
   const report = reportAsShown();
   const place = Math.min(1, report.devices.filter((device) => device.raw).length - 1);
@@ -111,7 +113,7 @@ async function look_at_records() {
       ).length,
     };
   };
-  // Loops whose drawn line does not reach the extremes of its cycle and no further.
+  // The number of loops whose drawn line ends short of the extremes of its cycle or goes beyond them.
   const misdrawn = () =>
     [...document.querySelector('#figure-cycles .plot').data].filter(({ x }) => {
       const [low, high] = [Math.min(...x), Math.max(...x)];
@@ -244,7 +246,7 @@ function check_records(name, seen, { laws = true, verified = true, assessed = tr
     : verified
       ? ['fail', 'information', 'not assessed', 'pass']
       : ['information', 'not assessed'];
-  // A small lot may have nothing outside its limits.
+  // In a small lot every device may be within its limits.
   expect(
     words.every((word) => word === 'fail' || seen.words.includes(word)),
     name,
@@ -295,7 +297,7 @@ function check_records(name, seen, { laws = true, verified = true, assessed = tr
   expect(same(seen.sections, sections), name, 'sections ' + seen.sections);
 }
 
-// The first screen: what it says for every purpose, and how many words it takes. Runs in the page.
+// Returns what the first screen says for every purpose, and how many words it takes. Runs in the page.
 async function look_at_answer() {
   const report = reportAsShown();
   const wait = (ms) => new Promise((done) => setTimeout(done, ms));
@@ -355,7 +357,8 @@ function check_answer(name, { words, seen, report }, { width }) {
   }
 }
 
-// A law that does not describe the devices has a mark of its own, the same in the plot and in the list. Runs in the page.
+// A law that does not describe the devices has a mark of its own, which is the same in the plot and in the list. Runs
+// in the page.
 async function look_at_inadequate() {
   const report = reportAsShown();
   document.querySelector('#figure-answer button[value=robustness]')?.click();
@@ -393,7 +396,7 @@ function check_inadequate(name, seen) {
   expect(seen.caption.includes('does not describe the devices: ' + seen.wanted[0]), name, 'caption ' + seen.caption);
 }
 
-// The contents and the choices of the page of an analysed campaign. Runs in the page.
+// Looks at the contents and the choices on the page of an analysed campaign. Runs in the page.
 async function look_at_analysis() {
   const report = reportAsShown();
   const wait = (ms) => new Promise((done) => setTimeout(done, ms));
@@ -565,7 +568,7 @@ function check_analysis(name, seen, { devices }) {
   );
 }
 
-// Runs in the page. Scrolls through it as a reader does and tries the controls; says what it saw.
+// Scrolls through the page as a reader does, tries the controls and returns what it saw. Runs in the page.
 async function look() {
   const wait = (ms) => new Promise((done) => setTimeout(done, ms));
   const until = async (condition) => {
@@ -620,7 +623,7 @@ async function look() {
     published: look_at_published(),
   };
 
-  // Whether every row of the data stands beside the published study.
+  // Returns whether the comparison with the published study shows every row of the data.
   function look_at_published() {
     const { published, laws } = reportAsShown();
     const section = document.getElementById('published');
@@ -643,7 +646,8 @@ async function look() {
   }
 }
 
-// Runs in the page: the laws of a device after each head of their table was pressed, and the loops that follow.
+// Presses each head of the table of laws; returns the laws of a device after each press, and the loops that follow
+// them. Runs in the page.
 async function look_at_order() {
   const wait = (ms) => new Promise((done) => setTimeout(done, ms));
   const seen = [];
@@ -663,7 +667,7 @@ async function look_at_order() {
   return seen;
 }
 
-// Runs in the page: the areas of the loops, and the cycles of the record. report_numbers.mjs compares them.
+// Returns the areas of the loops, and the cycles of the record; report_numbers.mjs compares them. Runs in the page.
 async function look_at_energy() {
   const wait = (ms) => new Promise((done) => setTimeout(done, ms));
   const report = reportAsShown();
@@ -697,7 +701,8 @@ function check_order(name, seen, { laws: rows }) {
   }
 }
 
-// Runs in the page: the bands of limits that are drawn for the lot, and the properties that a rule set limits.
+// Returns the number of bands of limits that are drawn for the lot, and the number of properties that a rule set
+// limits. Runs in the page.
 function look_at_bands() {
   const { assessment } = reportAsShown();
   const limited = (assessment?.lot.quantities ?? [])
@@ -720,7 +725,8 @@ function check_bands(name, seen) {
     expect(drawn === limited, name, `${drawn} bands of ${limited} limits on the lot: ${figure}`);
 }
 
-// The first screen of what was held to limits: the word and what fails stand within 600 px, and no loop before the band.
+// Looks at the first screen of a lot that was held to limits. The word of the verdict and the failures must end within
+// 600 px, and no loop may come before the verdict.
 function look_at_verdict() {
   scrollTo(0, 0);
   const { result } = reportAsShown();
@@ -750,7 +756,7 @@ function check_verdict(name, seen, { devices, width, inspects }) {
   expect(seen.order.join().startsWith(opens), name, 'the page opens with ' + seen.order);
 }
 
-// Printed alone, the certificate leaves nothing else on the paper, and within it nothing out.
+// If the certificate is printed alone, nothing else is on the paper, and no part of it is missing.
 async function check_certificate(page, name, pictures, state) {
   const seen = await page.evaluate(`(() => {
     const report = reportAsShown();
@@ -786,7 +792,7 @@ async function check_certificate(page, name, pictures, state) {
   expect(seen.signers === (seen.mark ? 0 : seen.word === 'PASS' ? 3 : 2), name, `${seen.signers} may sign what is marked ${seen.mark}`);
   expect(seen.result, name, 'the certificate does not say what was shown');
   expect(!seen.misfits, name, 'a law is on the certificate');
-  // 267 mm of A4 between its margins: values and signatures on one page.
+  // A4 has 267 mm between its margins; values and signatures must fit on one page.
   expect(seen.names > 12 || seen.height < 1009, name, `values and signatures take ${Math.round(seen.height)} px of paper`);
   expect(!(seen.open && state) || seen.alone === 0, name, `${seen.alone} bare passes on a certificate with open requirements`);
   expect(seen.hashes.length > 0 && seen.hashes.every(Boolean), name, 'a file of the certificate is not its own');
@@ -858,8 +864,8 @@ async function check(browser, directory, one) {
 
   expect(page.errors.length === 0 && seen.errors === '', name, 'errors: ' + [...page.errors, seen.errors].join('; '));
   expect(page.requests.length === 0, name, 'requested ' + page.requests.join(', '));
-  const { laws: identified = laws > 0 } = records || {}; // as written: with the rules of make_page.cpp
-  // An inspection of one device has no strips and no lot, records of one block have no history.
+  const { laws: identified = laws > 0 } = records || {}; // unchanged pages have `laws` laws
+  // The inspection of one device has no strips and no lot; records of one block have no history.
   const ofTests = identified ? 5 : 5 - (devices > 1 ? 0 : 2) - (one.state ? 1 : 0);
   const expected = (identified ? (devices > 1 ? 11 : 10) : 0) + ofTests + (one.analysed ? (devices > 1 ? 2 : 1) : 0);
   expect(
@@ -892,7 +898,7 @@ async function check(browser, directory, one) {
   if (one.analysed) check_analysis(name, await page.evaluate(`(${look_at_analysis})()`), one);
   if (records) check_records(name, await page.evaluate(`(${look_at_records})()`), records);
 
-  // Printed: light whatever the screen, nothing cut off at the right edge of the paper.
+  // On paper the report is light whatever the screen, and nothing is cut off at the right edge.
   await page.send('Emulation.setDeviceMetricsOverride', {
     width: 681,
     height: 960,

@@ -1,6 +1,6 @@
-// Hand-made test records for the page of the browser tests: puts blocks, cycles, verdicts and a lot into its data, with
-// every kind of thing a page must show, whatever the records of the page were. Cuts and properties are simple ones that
-// suffice for clean records; they check nothing.
+// Hand-made test records for the page of the browser tests. They put blocks, cycles, verdicts and a lot into the page's
+// data, whatever its own records were, and contain every kind of thing that a page must show. The cuts and properties
+// are simple ones that suffice for clean records; this file checks nothing.
 
 const mean = (values) => values.reduce((sum, value) => sum + value, 0) / values.length;
 
@@ -17,8 +17,8 @@ export function coded(values) {
   return { o: low, s: step, d };
 }
 
-// Two blocks with a change of amplitude and frequency, a smaller cycle to start with and half a one to end; scragging
-// fades.
+// Two blocks with a change of amplitude and frequency between them, a smaller cycle at the start and half a cycle at
+// the end. The scragging fades.
 export function made_up_record(scatter, perCycle = 80) {
   const disp = [],
     time = [];
@@ -45,7 +45,7 @@ export function made_up_record(scatter, perCycle = 80) {
   return { disp, force, time };
 }
 
-// Fractional indices where displacement crosses zero in the direction of its first motion.
+// The fractional indices at which the displacement crosses zero in the direction of its first motion.
 function cuts(disp) {
   const largest = Math.max(...disp.map(Math.abs)),
     band = 0.04 * largest;
@@ -179,7 +179,7 @@ const QUANTITIES = [
   { quantity: 'Q_d', key: 'Q_d_kN', unit: 'kN' },
   { quantity: 'K_d', key: 'K_d_kN_per_mm', unit: 'kN/mm' },
 ];
-const LIMIT = 'a fifth to either side'; // in words, since the page draws what the numbers say: 20 %
+const LIMIT = 'a fifth to either side'; // the page draws the numbers, 20 %, and shows these words
 const LIMITS = { lower_percent: -20, upper_percent: 20 };
 const NO_LIMITS = { lower_percent: null, upper_percent: null };
 const TOLERANCE_K = 2.752;
@@ -298,7 +298,7 @@ function lot_of(devices, nominal, verified, assessed, hostile) {
       },
       limit_individual: given === null ? '' : LIMIT,
       ...(given === null ? NO_LIMITS : LIMITS),
-      // As of a set that limits the means of stiffness and damping alone.
+      // As with a rule set that limits the means of stiffness and damping, and no other means.
       mean_limits: !assessed || !['K_eff', 'damping'].includes(quantity)
         ? []
         : [
@@ -397,7 +397,7 @@ function lot_of(devices, nominal, verified, assessed, hostile) {
   };
 }
 
-// The verdict of the whole.
+// The verdict on the whole lot.
 function result_of({ devices, assessment: { lot } }, verified, assessed) {
   const none = { word: null, failing: [], not_assessed: [], requirements: [], mark_is_red: false };
   if (!assessed) return { ...none, sentence: 'no verdict: no rule set', mark: null };
@@ -421,8 +421,8 @@ function result_of({ devices, assessment: { lot } }, verified, assessed) {
   };
 }
 
-// `tests`: raw records by name of the device ({disp, force, time?, load?}); a made-up one for the others that were not
-// refused. A record with cyclic: false has no cycles.
+// `tests` holds raw records by the name of their device ({disp, force, time?, load?}). Every other device that was not
+// refused gets a made-up record. A record with cyclic: false has no cycles.
 export function extend(report, { tests = {}, verified = true, assessed = true, laws = true, scored = true } = {}) {
   const hostile = '<img src=x onerror=alert(2)>';
   report.devices.forEach((device, d) => {
@@ -459,7 +459,8 @@ export function extend(report, { tests = {}, verified = true, assessed = true, l
     }
     const t = device.record.time_s;
     if (t) {
-      // The laws saw what the cycles are of: samples of a raw record that has no time here.
+      // The laws must have seen the samples that the cycles are cut from. The raw record has no time, so its samples
+      // are counted instead.
       const steps = t.d.reduce((sum, difference) => sum + difference, 0);
       device.record.time_s = { o: 0, s: (test.disp.length - 1) / steps, d: t.d };
     }
@@ -515,14 +516,14 @@ export function extend(report, { tests = {}, verified = true, assessed = true, l
     report.laws = [];
     report.published = null;
     report.by_objective = [];
-    // As of an inspection: what is said of devices and records stays.
+    // An inspection keeps the warnings about devices and records, and no others.
     const warnings = report.findings.warnings.filter(({ topic }) => ['refused', 'copies', 'record'].includes(topic));
     report.findings = { recommendations: [], headline: '', beta_note: '', verdicts: [], converged: [], warnings };
   }
   return report;
 }
 
-// The same page with other data.
+// Returns the same page with changed data.
 export function with_data(page, change) {
   const [, before, text, after] = page.match(
     /^(.*<script type="application\/json" id="isolaw-data">)(.*?)(<\/script>.*)$/s,

@@ -1,4 +1,5 @@
-# Runs the example and the program on one record: their objectives must agree, and the better law has the smaller one.
+# Runs the example and the program on one record. Their objectives must agree, and the law that the example calls better
+# must have the smaller objective.
 # Usage: cmake -DEXAMPLE=... -DISOLAW=... -DRECORD=... -P same_as_program.cmake
 execute_process(COMMAND ${EXAMPLE} ${RECORD} OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${EXAMPLE} no-such-file.csv RESULT_VARIABLE code ERROR_VARIABLE error OUTPUT_QUIET)

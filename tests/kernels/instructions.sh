@@ -1,10 +1,13 @@
 #!/bin/sh
-# Code compiled for one instruction set must run only where that set is available: other processors would stop there.
+# Code that is compiled for one instruction set must run only on processors that have the set; other processors would
+# stop.
 #
-#   instructions.sh symbols NM SET=OBJECT... -- OBJECT...   every symbol that SET=OBJECT offers to the linker carries the
-#                                                           set in its name, and no other object defines the same one
-#   instructions.sh binary OBJDUMP PROGRAM                  instructions beyond the baseline only in functions named after
-#                                                           avx2 or avx512, 512-bit registers only in those of avx512
+#   instructions.sh symbols NM SET=OBJECT... -- OBJECT...   checks that every symbol that SET=OBJECT offers to the
+#                                                           linker has the set in its name, and that no other object
+#                                                           defines the same symbol
+#   instructions.sh binary OBJDUMP PROGRAM                  checks that only functions with avx2 or avx512 in their
+#                                                           names use instructions beyond the baseline, and only those
+#                                                           with avx512 use 512-bit registers
 #
 # Dynamically linked libraries are not checked: they choose their instructions themselves.
 set -eu
@@ -20,7 +23,7 @@ symbols() {
         --) set_name=-; continue ;;
         *=*) set_name=${argument%%=*} ;;
       esac
-      # "SET name", with SET "-" for the other objects.
+      # Prints "SET name", or "- name" for the objects after --.
       "$tool" --defined-only --extern-only -P "${argument#*=}" | awk -v s="$set_name" 'NF >= 2 { print s, $1 }'
     done | awk '
       { seen[$2] = seen[$2] " " $1; if ($1 != "-") kernel[$2] = 1; total[$1]++ }
@@ -44,7 +47,7 @@ binary() {
     $1 !~ /^[0-9a-f]+:$/ { next }
     {
       zmm = /%zmm/; ymm = /%ymm/; mnemonic = $2
-      # AVX encodings on short registers and BMI count too: leaked code need not be wide.
+      # AVX encodings on short registers and BMI count too, as code that leaked from a kernel need not be wide.
       beyond = zmm || ymm || (mnemonic ~ /^v/ && /%xmm/) || /%k[0-7]/ ||
                mnemonic ~ /^(andn|bextr|bls[ir]|blsmsk|bzhi|mulx|pdep|pext|rorx|sarx|shlx|shrx)[lq]?$/
       if (zmm) wide512++

@@ -40,7 +40,7 @@ TEST(AnotherLaw, IsComputedInLanes) {
   }
 }
 
-// Two devices whose records the trilinear law made, the second a tenth stronger.
+// The trilinear law made the records of these two devices; the second device is a tenth stronger.
 class AnotherLawInTheProgram : public cli_test::InFreshDirectory {
  protected:
   void SetUp() override {
@@ -92,7 +92,8 @@ TEST_F(AnotherLawInTheProgram, IsHeldToItsJointLimit) {
   EXPECT_NE(o.err.find("x1 = 50, x2 = 40; allowed: x1 <= x2"), std::string::npos) << o;
 }
 
-// Programs without such a material get the nearest law that they have; the C++ target works once its header is written.
+// For programs without a trilinear material the export takes the nearest law that they have. The C++ target works once
+// its header is written.
 TEST_F(AnotherLawInTheProgram, IsExported) {
   ASSERT_EQ(calibrated().code, 0);
   auto const to = [&](std::string_view target) {

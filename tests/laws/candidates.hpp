@@ -32,7 +32,7 @@ inline std::string_view name_of(laws::Integration integration) {
   return integration == laws::Integration::paper ? "paper" : "converged";
 }
 
-// Converts a list of laws, such as AllLaws, to googletest's types; and names the test instances.
+// Converts a list of laws, such as AllLaws, to the list of types that googletest expects, and names the test instances.
 template <class Tuple>
 struct AsTypes;
 template <class... Law>
@@ -62,7 +62,8 @@ laws::RecordScales published_device() {
           .work = 1e5 * force * length};
 }
 
-// The published search box. A parameter without one (vaiana's sigmoid) gets that of an unknown device of the same size.
+// The published search box. A parameter that has no published interval (vaiana's sigmoid) gets the interval for an
+// unknown device of the same size.
 template <class Law>
 std::array<laws::Interval, laws::parameter_count<Law>> box() {
   std::array<laws::Interval, laws::parameter_count<Law>> intervals{};
@@ -84,8 +85,8 @@ Values<Law> candidate(std::uint32_t index) {
   return values;
 }
 
-// The same in the box of an otherwise unknown device of the published size, uniform on the declared scale: linear or
-// logarithmic. Parameters that are fixed by default stay fixed.
+// Candidate number `index`, drawn from the box of an otherwise unknown device of the published size, uniform on the
+// scale that each parameter declares: linear or logarithmic. Parameters that are fixed by default stay fixed.
 template <class Law>
 Values<Law> scaled_candidate(std::uint32_t index) {
   num::Draws draws(num::Stream(20250109), 0, index);
@@ -112,7 +113,7 @@ std::size_t index_of(std::string_view name) {
   return static_cast<std::size_t>(found - rows.begin());
 }
 
-// A parameter set by names; parameters that are not named are 0.
+// A parameter set, given by names. Parameters that are not named are 0.
 template <class Law>
 Values<Law> named(std::initializer_list<std::pair<std::string_view, double>> parameters) {
   Values<Law> values{};

@@ -1,4 +1,5 @@
-// Halving the step shows the declared order of each integration, and how much error the sampling leaves in the force.
+// Halves the step, which shows the order of each integration, and measures how much error the sampling leaves in the
+// force.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +17,7 @@ namespace {
 
 using laws::Integration;
 
-// Largest error relative to the peak force, against the path refined 128 times with the same integration.
+// The largest error relative to the peak force. The reference is the path refined 128 times, with the same integration.
 template <class Law>
 double error_at(Values<Law> const& values, Motion const& motion, int refinement, Integration integration) {
   auto const reference = forces<Law>(values, motion, 128, integration);
@@ -41,7 +42,7 @@ TEST(Order, PaperStepOfBoucWenIsFourth) {
     EXPECT_NEAR(order_at<laws::BoucWen>(values, polyline(corners, 20), refinement, Integration::paper), 4.0, 0.2);
 }
 
-// n = 1 and p = 2 make abe smooth along a branch where neither x nor F2 changes sign.
+// With n = 1 and p = 2 abe is smooth along any branch on which neither x nor F2 changes its sign.
 template <class Law>
 Values<Law> smooth_abe() {
   auto values = named<Law>({{"K1", 6.0},
@@ -74,9 +75,9 @@ TEST(Order, PaperStepOfAbeIsFourth) {
     EXPECT_NEAR(order_at<laws::Abe>(values, polyline(corners, 40), refinement, Integration::paper), 4.0, 0.3);
 }
 
-// The law's file declares that the correction for the changing yield force makes abe's step fourth order where all is
-// smooth: here from 45 to 95 mm, inside the earlier peak of 100 mm. Two thousand steps lead to 45 mm, where F2 has
-// passed zero (25 mm of travel since the reversal; Ut = 24 mm). The last force is compared.
+// The law's file declares that the correction for the changing yield force makes abe's step fourth order where
+// everything is smooth. Here this is so from 45 to 95 mm, inside the earlier peak of 100 mm. Two thousand steps lead to
+// 45 mm, where F2 has already passed zero (25 mm of travel since the reversal; Ut = 24 mm). The last force is compared.
 TEST(Order, ConvergedStepOfAbeIsFourth) {
   auto const last_force = [](int steps) {
     auto motion = polyline(std::vector{0.0, 100.0, 20.0, 45.0}, 2000);
@@ -120,7 +121,7 @@ TYPED_TEST(Convergence, RefiningThePathHardlyChangesTheForce) {
     }
 }
 
-// At a laboratory's sampling rate the published devices do far better than the corners of the box.
+// At a laboratory's sampling rate the published devices have far smaller errors than the corners of the box.
 TYPED_TEST(Convergence, TheSamplingOfALaboratoryIsEnough) {
   for (std::size_t number = 0; number < table_a5::devices; ++number) {
     auto const values = device<TypeParam>(number);
@@ -131,9 +132,9 @@ TYPED_TEST(Convergence, TheSamplingOfALaboratoryIsEnough) {
   }
 }
 
-// The two integrations share only parts of the right-hand side. The reference is Runge-Kutta at 200 steps per sample;
-// where the slope jumps (F2 = 0, small n) its own error is first order in the step, up to 1e-4 of the peak. abe's error
-// at one step per sample is 4e-4 on this path, which reverses at almost every sample.
+// The two integrations share only parts of the right-hand side. The reference is Runge-Kutta with 200 steps per sample.
+// Where the slope jumps (F2 = 0, small n), the error of the reference itself is of first order in the step, up to 1e-4
+// of the peak. With one step per sample abe errs by 4e-4 on this path, which reverses at almost every sample.
 TYPED_TEST(Convergence, FineRungeKuttaAgreesWithTheConvergedIntegration) {
   for (std::size_t number = 0; number < table_a5::devices; ++number) {
     auto const values = device<TypeParam>(number);

@@ -1,4 +1,4 @@
-// Where a formula of the paper is 0/0, infinite or undefined, the law still has a defined value.
+// Where a formula of the paper is 0/0, infinite or undefined, the law still gives a defined value.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,7 +30,7 @@ TYPED_TEST(Defined, AFiniteForceEverywhereInTheBoxOnACoarseRecord) {
   }
 }
 
-// The same with every parameter at its lower or upper bound, chosen at random.
+// The force is also finite if every parameter is at its lower or upper bound, chosen at random.
 TYPED_TEST(Defined, AFiniteForceInTheCornersOfTheBox) {
   auto const intervals = box<TypeParam>();
   for (std::uint32_t index = 0; index < 1000; ++index) {
@@ -87,7 +87,7 @@ TYPED_TEST(DefinedByThePaper, TheVirginStateIsTheFirstSampleWhereverItIs) {
       }
 }
 
-// At rest C v = 0, even where C is infinite; the smallest velocity brings the whole damping force.
+// At rest C v = 0, even where C is infinite. The smallest velocity gives the whole damping force.
 TEST(DefinedJankowski, NoMotionAndNoSaturationVelocity) {
   using laws::Jankowski;
   auto const values = named<Jankowski>({{"a1", 3e5},
@@ -167,7 +167,7 @@ TEST(DefinedVaiana, ABranchThatNeverApproachesItsLimitCurve) {
 }
 
 // The general branch equations hold from any reversal point. With a large virgin offset the loading branch starts above
-// the upper limit curve, where Eqs. (11)-(12) would take the logarithm of a negative number.
+// the upper limit curve. Eqs. (11)-(12) would take the logarithm of a negative number for such a point.
 TEST(DefinedVaiana, AReversalPointOutsideTheLimitCurves) {
   using laws::Vaiana;
   double const Kb = 4e5, f0 = 4e4, alpha = 30.0;

@@ -1,5 +1,6 @@
-// Random draws from the whole box of every law. Every force is finite, or the candidate is known to have none and its
-// objective says so. ISOLAW_DRAWS sets the number of candidates per law and box; the counts are printed.
+// Draws candidates at random from the whole box of every law. Every force is finite, unless the candidate is known to
+// have no finite force and its objective says so. ISOLAW_DRAWS sets the number of candidates per law and box; the
+// counts are printed.
 #include <gtest/gtest.h>
 
 #include <chrono>

@@ -1,5 +1,5 @@
-// Records and parameters that no device has, but that a user may pass: every law answers with a force, an objective of
-// +infinity or an Error. ISOLAW_DRAWS=100000 tests a million samples and more candidates.
+// Records and parameters that no device has but that a user may pass. Every law answers with a force, an objective of
+// +infinity or an Error. With ISOLAW_DRAWS=100000 the tests take a million samples and more candidates.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -72,8 +72,8 @@ void expect_defined(laws::LawEntry const& law, data::FitRecord const& record, Nu
 
 // Parameters ------------------------------------------------------------------------------------------------------
 
-// This also holds where the law has a limit (an infinite yield displacement: no yielding), or where the record does not
-// exercise the parameter: at rest, or moving one way only.
+// A parameter that is not finite leaves no force even if the law has a limit for it (an infinite yield displacement
+// means no yielding), or if the record does not exercise it, because the device rests or moves one way only.
 TEST_P(Faults, AParameterThatIsNotFiniteLeavesNoForce) {
   auto const moving = motion_of(published_record());
   Motion const rest{Numbers(5, 0.0), Numbers(5, 0.0)}, push{{0.0, 10.0, 20.0}, {10.0, 10.0, 10.0}};
@@ -122,8 +122,8 @@ TEST_P(Faults, ParametersAtTheEndsOfThePhysicalLimits) {
   }
 }
 
-// Every parameter that may be zero is set to zero in turn: a11 and a8 (the damping saturates at once), alpha (the
-// branch never approaches its limit curve; the stiffness softens at once), exponents, rates and stiffnesses.
+// Sets every parameter that may be zero to zero, one after another: a11 and a8 (the damping saturates at once), alpha
+// (the branch never approaches its limit curve; the stiffness softens at once), exponents, rates and stiffnesses.
 TEST_P(Faults, AnyParameterThatMayBeZeroMayBeZero) {
   Motion const slow = scaled(irregular(3, 208.0, 2, 20), 1.0, 1e-200), still = scaled(slow, 1.0, 0.0);
   for (std::size_t i = 0; i < law.parameters.size(); ++i) {
@@ -188,8 +188,8 @@ TEST_P(Faults, TwoSamplesAreTheFirstTwoOfMore) {
   }
 }
 
-// The device is pushed to 300 mm and stays there. An explicit Runge-Kutta step can follow 0.1 mm in the published
-// boxes.
+// The device is pushed to 300 mm in a straight line. The steps are 0.1 mm long, which an explicit Runge-Kutta step can
+// follow anywhere in the published boxes.
 TEST_P(Faults, AMonotonicRecord) {
   auto const push = polyline(Numbers{0.0, 300.0}, 3000), pull = scaled(push, -1.0, -1.0);
   for (std::uint32_t index = 0; index < 50; ++index)
@@ -200,8 +200,8 @@ TEST_P(Faults, AMonotonicRecord) {
       }
 }
 
-// Displacement differences are denormal and squares of velocities vanish. The automatic box of such a record is
-// infinite; then every candidate must have an infinite objective.
+// Displacements so small that their differences are denormal and the squares of velocities vanish. If the automatic box
+// of such a record is infinite, every candidate must have an infinite objective.
 TEST_P(Faults, DenormalDisplacements) {
   for (double const size : {1e-150, 1e-300, 1e-310, 5e-324}) {
     Motion const motion = scaled(irregular(5, 1.0, 3, 20), size, size);
@@ -271,9 +271,9 @@ TEST_P(Faults, RepeatedSamplesChangeNothing) {
 
 // Sampling --------------------------------------------------------------------------------------------------------
 
-// At 10 Hz the samples still contain this motion's extremes (0.5 Hz, odd multiples of 0.5 s), so all sampling rates
-// give one path. Laws that depend on the path alone agree to rounding, abe to its integration error; the rate-dependent
-// laws are algebraic (jankowski) or interpolate the velocity between samples (hwang-wu).
+// The motion has its extremes at odd multiples of 0.5 s, so all sampling rates from 10 Hz on contain them and give one
+// path. Laws that depend on the path alone agree to rounding, abe to its integration error. The rate-dependent laws are
+// either algebraic (jankowski) or interpolate the velocity between samples (hwang-wu).
 TEST_P(Faults, TheSamplingRateDoesNotMatterFrom10To10000Hz) {
   constexpr double slowest_Hz = 10.0;
   std::vector<double> largest(3, 0.0);
@@ -299,7 +299,8 @@ TEST_P(Faults, TheSamplingRateDoesNotMatterFrom10To10000Hz) {
              largest[0], largest[1], largest[2]);
 }
 
-// A path with steps of 1 to 1000 yield displacements, against the same path with each step cut in a thousand.
+// A path with steps of 1 to 1000 yield displacements is compared with the same path whose steps are each cut into a
+// thousand.
 TEST_P(Faults, StepsOfAThousandYieldDisplacements) {
   if (!rate_independent()) GTEST_SKIP() << "not a function of the path alone";
   for (double const yields : {1.0, 10.0, 100.0, 1000.0}) {
@@ -321,8 +322,8 @@ TEST_P(Faults, StepsOfAThousandYieldDisplacements) {
 
 // Length ----------------------------------------------------------------------------------------------------------
 
-// After thousands of equal cycles the last loop equals the tenth to rounding. The second loop still shows the virgin
-// branch, most in abe: 6e-7 of the peak force were seen.
+// After thousands of equal cycles the last loop equals the tenth to rounding. The second loop still contains a trace of
+// the virgin branch, most in abe, where it was 6e-7 of the peak force.
 TEST_P(Faults, AMillionSamplesDoNotDrift) {
   constexpr std::size_t per_cycle = 200;
   std::size_t const cycles = draws(2000) >= 100000 ? 5000 : 500;

@@ -1,8 +1,8 @@
-// The laws' descriptions of their parameters are complete and consistent, and the published box is that of Table 4.
-// Required of every law: a source that names its equation ("Eq"), a formula that contains every parameter as a word,
-// boxes in the units of their parameters. Other tests of this folder require: force 0 where all parameters are 0 (or
-// the law's name in needs_parameters of single_laws.hpp), no finite force from NaN or overflow (mind the order of
-// arguments of min and max), and the same bits mirrored, cut and driven at any rate as the traits declare.
+// The laws' descriptions of their parameters are complete and consistent, and the published box equals Table 4. Every
+// law must have a source that names its equation ("Eq"), a formula that contains every parameter as a word, and boxes
+// in the units of their parameters. Other tests of this folder require: a force of 0 if all parameters are 0 (or the
+// law's name in needs_parameters of single_laws.hpp); no finite force from NaN or overflow (mind the order of arguments
+// of min and max); and the same bits if the motion is mirrored, cut or driven at another rate, as the traits declare.
 
 #include <gtest/gtest.h>
 
@@ -55,7 +55,7 @@ TYPED_TEST(Metadata, TheLawSaysWhatItIs) {
   EXPECT_EQ(TypeParam::info.length.dimension, Dimension::length);
 }
 
-// A deliberate change of a law's facts must be repeated in paper_facts.
+// Whoever changes a law's facts on purpose must repeat the change in paper_facts.
 TYPED_TEST(OfThePaperOnly, UnitsParametersAndTraitsAreThoseOfTheSpecification) {
   auto const& facts = paper_facts.at(TypeParam::info.id);
   EXPECT_EQ(std::string(TypeParam::info.force.symbol) + ' ' + std::string(TypeParam::info.length.symbol), facts.units);
@@ -68,7 +68,7 @@ TYPED_TEST(OfThePaperOnly, UnitsParametersAndTraitsAreThoseOfTheSpecification) {
   EXPECT_EQ(TypeParam::info.traits.path_integrated, facts.traits.path_integrated);
 }
 
-// A joint limit that names no parameter of the law would never be checked for a box.
+// If a joint limit named a parameter that the law does not have, no box would ever be checked for it.
 TYPED_TEST(Metadata, JointLimitsNameTheirParametersAndHoldForDevices) {
   auto const& law = laws::find_law(TypeParam::info.id);
   for (auto const& limit : law.joint_limits) EXPECT_FALSE(limit.parameters.empty()) << limit.statement;
@@ -103,7 +103,7 @@ TYPED_TEST(Metadata, TheFormulaHasEveryParameter) {
     EXPECT_TRUE(names(TypeParam::info.formula, row.info.name)) << row.info.name << " in\n" << TypeParam::info.formula;
 }
 
-// unpack() puts value i into the member of row i, and no two values into one member.
+// unpack() puts value i into the member of row i, and never two values into one member.
 TYPED_TEST(Metadata, EveryRowIsAMemberOfItsOwn) {
   Values<TypeParam> values{};
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = 1.0 + static_cast<double>(i);
@@ -144,7 +144,7 @@ TYPED_TEST(OfThePaperOnly, PublishedBoxIsTable4) {
   EXPECT_EQ(next, table.size());
 }
 
-// Names in Tables 4 and A.5 that differ from the law's.
+// The names that Tables 4 and A.5 use where they differ from the law's own names.
 TYPED_TEST(Metadata, PaperNamesAreThoseThatDiffer) {
   std::map<std::string, std::string> const printed{
       {"bilinear xy", "F_y"}, {"vaiana f0+", "F_0+"}, {"vaiana f0-", "F_0-"}, {"abe Uh", "X_h"},    {"abe U0", "X_0"},
@@ -199,10 +199,10 @@ TYPED_TEST(Metadata, ScaledIntervalsAreOrderedPhysicalAndSearchable) {
     }
 }
 
-// With lengths ten times as long and forces a hundred times as large, every interval scales with its parameter's unit,
-// so a law fitted to the larger device has the smaller one's parameters in other units. The powers of force, length and
-// time are read off the printed unit. bouc-wen's beta and gamma are exempt: their unit depends on n. A size defined at
-// a fixed displacement scales with a further power of the length.
+// If lengths are ten times as long and forces a hundred times as large, every interval scales with its parameter's
+// unit, so a law fitted to the larger device has the smaller one's parameters in other units. The powers of force,
+// length and time are read from the printed unit. bouc-wen's beta and gamma are exempt: their unit depends on n. A size
+// that is defined at a fixed displacement scales with a further power of the length.
 TYPED_TEST(Metadata, ScaledIntervalsHaveTheUnitOfTheirParameter) {
   constexpr double force = 100.0, length = 10.0, time = 4.0;
   auto const small = published_device<TypeParam>();

@@ -33,8 +33,8 @@ inline Motion sine(double amplitude_mm, double frequency_Hz, int cycles, int sam
   return motion;
 }
 
-// Straight lines through the given displacements at constant speed, each in `steps` equal steps, starting with a sample
-// at the first displacement. The velocity at a sample is that of the line that ends there.
+// Straight lines at constant speed through the given displacements, each in `steps` equal steps. The first sample is
+// the first displacement. The velocity at a sample is the velocity on the line that ends there.
 inline Motion polyline(std::span<double const> corners_mm, int steps, double speed_mm_s = 100.0) {
   Motion motion;
   motion.disp_mm.push_back(corners_mm[0]);
@@ -49,7 +49,7 @@ inline Motion polyline(std::span<double const> corners_mm, int steps, double spe
   return motion;
 }
 
-// The displacements of such a polyline, for laws that do not depend on velocity.
+// The displacements of a polyline as above, for laws that do not depend on velocity.
 inline std::vector<double> through(std::span<double const> corners, int steps) {
   return polyline(corners, steps).disp_mm;
 }
@@ -64,8 +64,9 @@ inline double sign(double x) {
   return x < 0.0 ? -1.0 : x > 0.0 ? 1.0 : 0.0;
 }
 
-// Cycles of growing, then shrinking amplitude with noise: reversals at almost every sample around the peaks, small
-// loops inside large ones, new peaks throughout the first half. 50 samples a second; velocity by differences.
+// Cycles of growing, then shrinking amplitude with noise: they reverse at almost every sample around the peaks, have
+// small loops inside large ones, and reach new peaks throughout the first half. 50 samples a second; velocity by
+// differences.
 inline Motion irregular(std::uint64_t seed, double amplitude_mm, int cycles, int samples_per_cycle,
                         double noise_share = 0.02) {
   num::Draws draws(num::Stream(seed), 0, 0);

@@ -1,4 +1,4 @@
-// Laws in online form: the same forces as in batch form, tangents, and copies of the state.
+// Laws in online form give the same forces as in batch form; their tangents and copies of their state are right.
 #include "isolaw/laws/online.hpp"
 
 #include <gtest/gtest.h>
@@ -81,7 +81,7 @@ TEST_P(EveryLaw, gives_the_force_of_the_law) {
     for (double const f : expected) peak = std::max(peak, std::abs(f));
     laws::Online online(law.info.id, parameters);
     for (std::size_t i = 0; i < motion.x.size(); ++i) {
-      // A discarded trial has no effect, and neither has a trial of a copy.
+      // Neither a discarded trial nor a trial of a copy has an effect.
       online.trial(-2.0 * motion.x[i], motion.v[i]);
       laws::Online copy = online;
       copy.trial(3.0 * motion.x[i], 0.0);

@@ -1,5 +1,5 @@
 // Facts that exist only for the laws of the paper: its tables, and the statements of docs/source.md. Tests of PaperLaws
-// leave the other laws out.
+// do not run for the other laws.
 #pragma once
 
 #include <algorithm>
@@ -51,8 +51,8 @@ table_a5::Law const& published() {
   return *std::ranges::find_if(table_a5::laws, [&](auto const& law) { return law.id == id; });
 }
 
-// The published means of a device (0 .. 9). Parameters that the table lacks are zero (vaiana's sigmoid); table columns
-// that the law lacks are skipped (abe-y0's p).
+// The published means of a device (0 .. 9). Parameters that the table lacks are zero (vaiana's sigmoid). Columns of the
+// table for which the law has no parameter are skipped (abe-y0 has no p).
 template <class Law>
 Values<Law> published_means(std::size_t device) {
   Values<Law> values{};
@@ -62,7 +62,7 @@ Values<Law> published_means(std::size_t device) {
   return values;
 }
 
-// One of ten devices (0 .. 9): the published one, or a candidate from the box for other laws.
+// One of ten devices (0 .. 9): for a law of the paper the published device, for other laws a candidate from the box.
 template <class Law>
 Values<Law> device(std::size_t number) {
   if constexpr (of_the_paper<Law>)
@@ -71,8 +71,8 @@ Values<Law> device(std::size_t number) {
     return candidate<Law>(static_cast<std::uint32_t>(number));
 }
 
-// The force at the first sample, from the formulas without history: z = 0, F2 = 0, W = 0, a branch that starts at zero
-// force. x is in the law's unit of length.
+// The force at the first sample, from the formulas without history: z = 0, F2 = 0, W = 0, and a branch that starts at
+// zero force. x is in the law's unit of length.
 template <class Law>
 double virgin_force(Values<Law> const& values, double x, double v) {
   std::string_view const id = Law::info.id;

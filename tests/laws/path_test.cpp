@@ -1,4 +1,4 @@
-// The path that make_path() makes of a record.
+// Tests the path that make_path() makes of a record.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,7 +30,8 @@ TEST(Path, FirstStepStandsStillAtTheFirstSample) {
   EXPECT_EQ(first.peak1, 3.0);
 }
 
-// The first motion counts as a reversal. A hold keeps the direction, so going on after it is no reversal.
+// The first motion counts as a reversal. During a hold the direction is kept, so a motion that goes on after the hold
+// is no reversal.
 TEST(Path, DirectionsAndReversals) {
   std::vector<double> const x{1.0, 1.0, 2.0, 2.0, 3.0, 2.5, 2.5, 2.0, 4.0};
   std::vector<double> const direction{0, 0, 1, 1, 1, -1, -1, -1, 1};
@@ -50,7 +51,7 @@ TEST(Path, ThePeakIsTheLargestMagnitudeSoFar) {
   for (std::size_t i = 0; i < x.size(); ++i) EXPECT_EQ(path.steps[i].peak1, peak[i]) << i;
 }
 
-// Every refinement connects the samples, with displacement and velocity on straight lines between them.
+// Every refinement connects the samples by straight lines, in displacement and in velocity.
 TEST(Path, RefinementGoesThroughTheSamples) {
   auto const motion = irregular(1, 100.0, 2, 25);
   for (int const refinement : {1, 2, 3, 7}) {
@@ -84,7 +85,8 @@ TEST(Path, RefinementGoesThroughTheSamples) {
   }
 }
 
-// x = 4 - (t - 1.3)^2 at uneven times: the vertex is found exactly, at rest, and is not marked as a sample.
+// The path is x = 4 - (t - 1.3)^2 at uneven times. Its vertex is found exactly, has no velocity, and is not marked as a
+// sample.
 TEST(Path, ATurningPointIsTheVertexOfTheParabola) {
   std::vector<double> const t{0.0, 0.5, 1.0, 1.8, 2.5};
   std::vector<double> x, v;
@@ -108,7 +110,7 @@ TEST(Path, ATurningPointIsTheVertexOfTheParabola) {
   }
 }
 
-// At 20 samples a cycle the samples miss up to 1.2 % of the peak, the vertices less than a fiftieth of that.
+// At 20 samples a cycle the samples miss up to 1.2 % of the peak; the vertices miss less than a fiftieth of that.
 TEST(Path, TurningPointsOfASineAreItsPeaks) {
   std::vector<double> t, x, v;
   for (int i = 0; i < 100; ++i) {
@@ -127,7 +129,7 @@ TEST(Path, TurningPointsOfASineAreItsPeaks) {
   EXPECT_EQ(turns, 10);
 }
 
-// Plateaus, monotone records and turns exactly at a sample add no point.
+// No point is added to plateaus, to monotone records, or to turns exactly at a sample.
 TEST(Path, NoTurningPointWhereThereIsNone) {
   std::vector<double> const t{0.0, 1.0, 2.0, 3.0, 4.0};
   for (auto const& x : {std::vector{0.0, 1.0, 2.0, 3.0, 4.0}, std::vector{0.0, 1.0, 1.0, 1.0, 0.0},

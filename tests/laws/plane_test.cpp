@@ -1,4 +1,5 @@
-// Laws of the plane: agreement with the one-directional law on a line, rotated motions, tangents, lanes.
+// Laws of the plane: they agree with the one-directional law on a line and follow rotated motions; their tangents are
+// slopes; each lane equals the scalar law.
 #include "isolaw/laws/plane.hpp"
 
 #include <gtest/gtest.h>
@@ -181,7 +182,7 @@ TYPED_TEST(PlaneLaw, tangents_are_slopes) {
   }
 }
 
-// Lanes that each have their own parameters and motion equal the scalar path.
+// Lanes that each have their own parameters and motion give the same as the scalar law.
 TYPED_TEST(PlaneLaw, lanes_are_scalars) {
   constexpr std::size_t lanes = 8;
   using T = num::Batch<lanes>;
@@ -221,7 +222,7 @@ TYPED_TEST(PlaneLaw, lanes_are_scalars) {
   }
 }
 
-// A lane has the same bits beside any other lanes; a NaN stays in its lane.
+// A lane gives the same bits whatever the other lanes hold; a NaN stays in its lane.
 TYPED_TEST(PlaneLaw, lanes_do_not_know_one_another) {
   constexpr std::size_t lanes = 8;
   using T = num::Batch<lanes>;
@@ -262,7 +263,8 @@ TYPED_TEST(PlaneLaw, lanes_do_not_know_one_another) {
   EXPECT_EQ(run(true), run(false));
 }
 
-// Without motion the force stays the same; a step of a thousand yield lengths terminates and is saturated.
+// Without motion the force stays the same. A step of a thousand yield lengths comes to an end and leaves a saturated
+// force.
 TYPED_TEST(PlaneLaw, at_rest_and_far_away) {
   auto const& p = Case<TypeParam>::parameters[0];
   auto state = TypeParam::template start<double>(p);

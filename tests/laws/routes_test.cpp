@@ -1,6 +1,6 @@
-// All ways to evaluate a law give the same force: double, the value of a dual number and the catalogue bit by bit, a
-// lane of a batch within rounding. The derivative must be that of the value. Batches here use the compiler's baseline
-// instructions; tests/unit/fit_kernels_test.cpp covers every instruction set.
+// All ways to evaluate a law give the same force. A double, the value of a dual number and the catalogue agree bit by
+// bit; a lane of a batch agrees within rounding. The derivative must belong to the value. Batches in this file use the
+// compiler's baseline instructions; tests/unit/fit_kernels_test.cpp covers every instruction set.
 #include "isolaw/num/batch.hpp"
 #include "isolaw/num/dual.hpp"
 
@@ -30,8 +30,8 @@ using laws::parameter_count;
 // Two vectors wide, so that neighbouring lanes lie both within one vector and across two.
 constexpr std::size_t width = 2 * num::vector_lanes;
 using Lanes = num::Batch<width>;
-// Share of the peak force. Batches have their own exp, exp2 and log2, which differ from the library's by one or two
-// units in the last place, and compute a power as one operation. The largest difference seen is 5e-14 (vaiana).
+// As a share of the peak force. Batches have their own exp, exp2 and log2, which differ from the library's by one or
+// two units in the last place, and compute a power as one operation. The largest difference seen is 5e-14 (vaiana).
 constexpr double lane_tolerance = 1e-11;
 
 template <class Law>
@@ -48,7 +48,7 @@ Group<Law> group_from(std::uint32_t first) {
   return group;
 }
 
-// Forces of each lane when the candidates go through the law as one batch.
+// The forces of each lane if all candidates are evaluated in one batch.
 template <class Law>
 std::array<std::vector<double>, width> batch_forces(Group<Law> const& group, laws::Path const& path,
                                                     Integration integration) {
@@ -67,7 +67,7 @@ std::array<std::vector<double>, width> batch_forces(Group<Law> const& group, law
   return out;
 }
 
-// The same bits; any NaN equals any other, as its sign and payload mean nothing.
+// True if the bits are the same. Any NaN equals any other, as its sign and payload mean nothing.
 ::testing::AssertionResult same(std::vector<double> const& a, std::vector<double> const& b) {
   if (a.size() != b.size()) return ::testing::AssertionFailure() << a.size() << " samples against " << b.size();
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -76,7 +76,8 @@ std::array<std::vector<double>, width> batch_forces(Group<Law> const& group, law
   return ::testing::AssertionSuccess();
 }
 
-// Non-finite where the scalar is; elsewhere within lane_tolerance of the peak force so far.
+// True if the lane is not finite wherever the scalar is not, and is elsewhere within lane_tolerance of the peak force
+// so far.
 ::testing::AssertionResult agrees(std::vector<double> const& lane, std::vector<double> const& scalar) {
   double peak = 0.0;
   for (std::size_t i = 0; i < scalar.size(); ++i) {
@@ -93,8 +94,8 @@ Motion some_motion() {
   return irregular(7, 150.0, 4, 40);
 }
 
-// Where a Runge-Kutta step is too long to be stable, as bouc-wen's are between the samples of some_motion, rounding
-// errors grow with every step. Paper-integration steps are therefore shortened by this factor.
+// If a Runge-Kutta step is too long to be stable, rounding errors grow with every step. bouc-wen's steps between the
+// samples of some_motion are too long, so with the paper's integration the steps are shortened by this factor.
 constexpr int stable = 4;
 
 TYPED_TEST(Routes, ALaneIsAScalar) {
@@ -112,7 +113,7 @@ TYPED_TEST(Routes, ALaneIsAScalar) {
     }
 }
 
-// A candidate's force is the same to the last bit, whatever fills the lanes before and after it.
+// A candidate's force is the same to the last bit, whatever the lanes before and after it hold.
 TYPED_TEST(Routes, ALaneDoesNotNoticeItsNeighbours) {
   auto const path = path_of<TypeParam>(some_motion());
   for (auto const integration : both_integrations) {
@@ -153,7 +154,7 @@ TYPED_TEST(Routes, ANaNStaysInItsLane) {
   }
 }
 
-// A NaN parameter must not get lost in a comparison and leave a plausible force.
+// A NaN parameter must not disappear in a comparison and leave a plausible force.
 TYPED_TEST(Routes, ANaNParameterShowsInTheForce) {
   auto const path = path_of<TypeParam>(some_motion());
   for (auto const integration : both_integrations)
@@ -173,7 +174,7 @@ Values<Law> overflowing() {
   return values;
 }
 
-// Fine sampling keeps one Runge-Kutta step per sample stable for the neighbours.
+// With fine sampling one Runge-Kutta step per sample is stable in the neighbouring lanes.
 TYPED_TEST(Routes, AnOverflowStaysInItsLane) {
   auto const path = path_of<TypeParam>(irregular(7, 150.0, 2, 1000, 0.0));
   for (auto const integration : both_integrations) {
@@ -223,7 +224,7 @@ std::vector<num::Dual<parameter_count<Law>>> dual_forces(Values<Law> const& valu
   return out;
 }
 
-// The value of a dual number results from the same operations in the same order as a double.
+// The value of a dual number comes from the same operations as a double, in the same order.
 TYPED_TEST(Routes, TheValueOfADerivativeNumberIsAScalar) {
   auto const path = path_of<TypeParam>(some_motion());
   for (auto const integration : both_integrations)
@@ -238,8 +239,9 @@ TYPED_TEST(Routes, TheValueOfADerivativeNumberIsAScalar) {
 
 // Central differences with h = 1e-6 of the box err by 1e-12 (truncation) plus a few roundings of the force over h. The
 // tolerance is 1e-5 of the parameter's largest derivative plus a hundred roundings over h. A difference across a kink
-// (yielding of bilinear, z = 0 for small exponents) is wrong, while the derivative is right, and a differential law
-// carries the error on to later samples. Such a difference changes with h and is left out; few may be.
+// (yielding of bilinear, z = 0 for small exponents) is wrong although the derivative is right, and a differential law
+// carries the error on to later samples. Such a difference changes with h and is left out; only few differences may be
+// left out.
 TYPED_TEST(Routes, TheDerivativeIsTheCentralDifference) {
   constexpr double relative = 1e-5, largest_share_left_out = 0.02;
   auto const path = path_of<TypeParam>(irregular(11, 150.0, 3, 120, 0.01));

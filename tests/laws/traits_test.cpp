@@ -1,4 +1,4 @@
-// The traits that a law declares, and the mechanics that every hysteretic law must obey.
+// Tests the traits that a law declares, and the mechanics that every hysteretic law must obey.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -24,8 +24,8 @@ Motion slower_motion() {
   return irregular(3, 150.0, 4, 60);
 }
 
-// The same displacements at a higher speed give the same bits, or, for most candidates of a rate-dependent law, a
-// visibly different force (by 1 % of the peak).
+// The same displacements are driven at a higher speed. A rate-independent law gives the same bits; a rate-dependent law
+// gives, for most candidates, a visibly different force (by 1 % of the peak).
 TYPED_TEST(Traits, RateIndependence) {
   auto const motion = slower_motion();
   constexpr std::uint32_t candidates = 10;
@@ -100,8 +100,9 @@ TEST(TraitsOfVaiana, MirroredWithItsBranchesExchanged) {
   }
 }
 
-// A law without a differential equation gives the same force with both integrations and any refinement. One with a
-// differential equation changes with the refinement, by the paper's Runge-Kutta steps or, if it has none, by its own.
+// A law without a differential equation gives the same force with both integrations and any refinement. The force of a
+// law with a differential equation changes with the refinement: it takes the paper's Runge-Kutta steps or, if the paper
+// has none for it, its own.
 TYPED_TEST(Traits, IntegrationMattersToPathIntegratedLawsOnly) {
   auto const motion = slower_motion();
   auto const values = candidate<TypeParam>(1);
@@ -116,8 +117,8 @@ TYPED_TEST(Traits, IntegrationMattersToPathIntegratedLawsOnly) {
     EXPECT_LT(largest_difference(finer, converged), rounding);
 }
 
-// The third cycle of a closed loop never returns energy, for every device and both signs of the motion; at the
-// amplitude of the tests it dissipates. (At 20 mm bilinear is elastic: zero within rounding.)
+// The third cycle of a closed loop never returns energy, for every device and both signs of the motion. At the
+// amplitude of the tests it dissipates energy. (At 20 mm bilinear is elastic and dissipates nothing but rounding.)
 TYPED_TEST(Traits, AClosedLoopDissipates) {
   constexpr int samples_per_cycle = 400;
   for (double const amplitude_mm : {20.0, 208.0})
@@ -141,7 +142,7 @@ TYPED_TEST(Traits, RestAtTheOriginIsForceFree) {
         EXPECT_EQ(force, 0.0);
 }
 
-// At rest anywhere, virgin or after any history, the force stays constant: no law depends on time itself.
+// At rest at any displacement, before any motion or after it, the force stays constant: no law depends on time itself.
 TYPED_TEST(Traits, RestElsewhereKeepsTheForce) {
   for (auto const integration : both_integrations)
     for (std::uint32_t index = 0; index < 10; ++index) {

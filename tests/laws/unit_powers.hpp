@@ -1,4 +1,5 @@
-// How a parameter scales with the size of a device: the powers of force, length and time in its unit.
+// The powers of force, length and time in a parameter's unit, which say how the parameter scales with the size of a
+// device.
 #pragma once
 
 #include <algorithm>
@@ -40,7 +41,8 @@ inline std::optional<Powers> powers_of(std::string_view unit) {
   return powers;
 }
 
-// The additional power of length of a size that is defined at a fixed displacement.
+// A size that is defined at a fixed displacement scales with an additional power of length, which this function
+// measures.
 inline double at_reference(double (*size)(laws::RecordScales const&)) {
   std::map<double (*)(laws::RecordScales const&), double> const known{{laws::force_at_reference, -0.4},
                                                                       {laws::coefficient_at_reference<1>, -1.0},

@@ -1,5 +1,5 @@
 # base <- num <- {laws, opt, data} <- wording <- fit <- analysis <- {campaign, lot, rules} <- building <- study <- {render, programs} <- api <- app
-# Modules of one rank do not know one another. Nor do the folders of render, except that all of them may use `json`.
+# Modules of one rank do not include one another. Nor do the folders of render, but all of them may include `json`.
 # Usage: cmake -DSOURCE=src/isolaw -P direction.cmake
 get_filename_component(SOURCE "${SOURCE}" ABSOLUTE)
 set(rank_base 0)

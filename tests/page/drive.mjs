@@ -1,4 +1,5 @@
-// The program's page in a browser as its users have it: opened from a file, files dropped on it, what it saves caught.
+// Uses the program's page in a browser as its users do: opens it from a file, drops files on it, catches the files it
+// saves.
 import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -7,12 +8,12 @@ import { Chromium } from '../browser/chromium.mjs';
 
 export const wait = (ms) => new Promise((done) => setTimeout(done, ms));
 
-// `stand_in`: answers the page's calls in place of the engine; of stand_in.mjs.
+// `stand_in` answers the page's calls in place of the engine; it comes from stand_in.mjs.
 export async function openPage(browser, file, { width = 1280, height = 800, dark = false, standIn = null } = {}) {
   const page = await browser.open('about:blank', { width, height, dark });
   const downloads = mkdtempSync(join(tmpdir(), 'isolaw-downloads-'));
   await browser.send('Browser.setDownloadBehavior', { behavior: 'allow', downloadPath: downloads });
-  // Frames of another origin are targets of their own, which report their errors apart.
+  // Frames of another origin are targets of their own and report their errors separately.
   const targets = new Map();
   browser.listeners.add(({ method, params, sessionId }) => {
     if (method === 'Runtime.bindingCalled') page.onBinding?.(params.payload);
@@ -41,10 +42,11 @@ export async function openPage(browser, file, { width = 1280, height = 800, dark
   await page.until("document.body?.dataset.ready === '' || (document.getElementById('failure') && !document.getElementById('failure').hidden)", 'the page to be ready');
   page.openedIn = (Date.now() - started) / 1000;
   page.idle = (seconds = 120) => page.until("(document.body.dataset.busy ?? '0') === '0'", 'the page to be idle', seconds);
-  // Files or folders, as a hand drops them.
+  // Drags files or folders over the page, as a reader does with the pointer.
   page.drag = (type, paths, [x, y] = [300, 200]) => page.send('Input.dispatchDragEvent', { type, x, y, data: { items: [], files: paths, dragOperationsMask: 1 } });
   page.drop = async (paths, at) => {
-    // Where a sheet comes to lie over a frame a browser tells it that one enters; the protocol does not by itself.
+    // When the page lays a sheet over a frame, a browser sends another dragEnter. The protocol does not, so it is sent
+    // here.
     for (const type of at ? ['dragEnter', 'dragEnter', 'dragOver', 'drop'] : ['dragEnter', 'dragOver', 'drop']) {
       await page.drag(type, paths, at);
       await wait(at ? 200 : 10);
@@ -52,7 +54,7 @@ export async function openPage(browser, file, { width = 1280, height = 800, dark
     await wait(50);
     await page.idle();
   };
-  // As a hand does it: the pointer down, a moment, up; keys one by one.
+  // Clicks and types as a reader does: the pointer goes down, waits a moment and goes up; keys come one by one.
   page.click = async (selector) => {
     const { x, y } = await page.evaluate(`(() => { const it = document.querySelector(${JSON.stringify(selector)}); it.scrollIntoView({ block: 'center' }); const { x, y, width, height } = it.getBoundingClientRect(); return { x: x + Math.min(width / 2, 60), y: y + height / 2 }; })()`);
     for (const type of ['mousePressed', 'mouseReleased']) {
@@ -74,7 +76,7 @@ export async function openPage(browser, file, { width = 1280, height = 800, dark
   page.type = (id, value) =>
     page.evaluate(`(() => { const it = document.getElementById(${JSON.stringify(id)}); it.value = ${JSON.stringify(value)}; it.dispatchEvent(new Event('change', { bubbles: true })); })()`);
   page.text = (selector) => page.evaluate(`document.querySelector(${JSON.stringify(selector)})?.innerText ?? ''`);
-  // Evaluated in the frame of a report, once it is drawn.
+  // Evaluates an expression in the frame of a report, once the frame is attached.
   page.inFrame = async (expression) => {
     const [session] = [...targets.keys()].slice(-1);
     if (!session) throw new Error('no frame is attached');
@@ -83,7 +85,7 @@ export async function openPage(browser, file, { width = 1280, height = 800, dark
     return result.value;
   };
   page.frames = targets;
-  // The next file that is saved: {name, bytes, path}.
+  // Waits for the next file that is saved and returns {name, bytes, path}.
   const seen = new Set();
   page.saved = async (seconds = 60) => {
     const end = Date.now() + 1000 * seconds;
@@ -112,14 +114,14 @@ export async function openPage(browser, file, { width = 1280, height = 800, dark
   return page;
 }
 
-// The memory of a process and all below it, shared pages in their shares, looked at twice a second (Linux). Returns
-// what ends it and says the most bytes it saw.
+// Watches the memory of a process and all its descendants twice a second (Linux); of a shared page each process counts
+// its share. Returns a function that ends the watch and gives the most bytes it saw.
 export function watchMemory(pid) {
   const read = (path) => {
     try {
       return readFileSync(path, 'utf8');
     } catch {
-      return ''; // it has ended
+      return ''; // the process has ended
     }
   };
   let most = 0;

@@ -1,4 +1,4 @@
-// A headless Firefox driven by WebDriver BiDi over its own socket: nothing but Node is needed.
+// Drives a headless Firefox with WebDriver BiDi over its own socket; needs nothing but Node.
 import { spawn } from 'node:child_process';
 import { randomBytes } from 'node:crypto';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
@@ -120,7 +120,7 @@ export class Firefox {
     return new Promise((resolve, reject) => this.pending.set(id, { resolve, reject }));
   }
 
-  // The value of an expression that JSON can hold, here or in a frame.
+  // Returns the value of an expression, if JSON can hold it, in the page or in a frame.
   async evaluate(expression, context = this.context) {
     const found = await this.send('script.evaluate', { expression: `Promise.resolve(${expression}).then((value) => JSON.stringify(value ?? null))`, target: { context }, awaitPromise: true });
     if (found.type === 'exception') throw new Error(found.exceptionDetails.text);

@@ -1,4 +1,4 @@
-// The same page in Firefox: opened from a file, records chosen, inspected, identified, saved.
+// Uses the same page in Firefox: opens it from a file, chooses records, inspects, identifies, saves.
 //   node firefox_test.mjs PAGE.html ISOLAW [FIREFOX]
 import { execFileSync } from 'node:child_process';
 import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
@@ -45,7 +45,7 @@ const saved = async (ending) => {
   throw new Error('nothing was saved that ends in ' + ending);
 };
 try {
-  // The best of three: load can only slow it.
+  // The best of three counts, since other load can only slow the page.
   const times = [];
   for (let i = 0; i < 3; ++i) {
     const start = Date.now();
@@ -84,7 +84,7 @@ try {
   const whole = await saved('.isolaw.zip');
   expect((await readZip(new Uint8Array(readFileSync(whole)))).some(({ path }) => path === 'out/campaign.sqlite'), 'the campaign as one file');
 
-  // Dropped back, in a page opened anew.
+  // The saved file is chosen again in a page that is opened anew.
   await browser.send('browsingContext.navigate', { context: browser.context, url: 'about:blank', wait: 'complete' }).catch(() => {});
   await browser.send('browsingContext.handleUserPrompt', { context: browser.context, accept: true }).catch(() => {});
   await browser.send('browsingContext.navigate', { context: browser.context, url: pathToFileURL(file).href, wait: 'complete' });
@@ -93,7 +93,7 @@ try {
   await browser.until("document.getElementById('report-frame')", 'the report again');
   await browser.until("document.querySelectorAll('.plot .main-svg').length > 0", 'the report drawn again', 60, () => browser.frame());
 
-  // Cancel.
+  // A search is cancelled.
   await press('change');
   await press('laws-all');
   await idle();

@@ -1,4 +1,5 @@
-// Modules of the page without a browser: the lot file as a form edits it, zip files, no way from text to markup.
+// Tests modules of the page without a browser: the lot file as a form edits it, zip files, and that text never becomes
+// markup.
 //   node modules_test.mjs
 import assert from 'node:assert/strict';
 import { copyFileSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
@@ -12,7 +13,8 @@ import { errorIn } from '../../page/engine/errors.js';
 const source = fileURLToPath(new URL('../../page/', import.meta.url));
 const folder = mkdtempSync(join(tmpdir(), 'isolaw-modules-'));
 process.on('exit', () => rmSync(folder, { recursive: true, force: true }));
-// Modules by their extension: the page's are joined by the build and have none of their own.
+// Node takes only files with the extension .mjs for modules. The page's modules have the extension .js, because the
+// build joins them, so this loads a copy.
 const load = (name) => {
   copyFileSync(join(source, name + '.js'), join(folder, name + '.mjs'));
   return import(pathToFileURL(join(folder, name + '.mjs')).href);
@@ -171,7 +173,7 @@ test('a zip file that unpacks to too much is refused', async () => {
   const zip = await writeZip([{ path: 'bomb', bytes: new Uint8Array(70 * 1024 * 1024) }]);
   assert.ok(zip.length < 200000);
   await assert.rejects(readZip(zip), TooLarge);
-  // The same where the sizes it states are small.
+  // It is also refused if the zip file states small sizes.
   const lying = zip.slice();
   new DataView(lying.buffer).setUint32(22, 10, true);
   await assert.rejects(readZip(lying), TooLarge);

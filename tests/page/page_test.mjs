@@ -1,7 +1,8 @@
-// The program as one page, as its users have it: opened from a file in Chromium, files dropped on it, what it saves read.
+// Uses the program as one page, as its users do: opens it from a file in Chromium, drops files on it, reads the files
+// it saves.
 //   node page_test.mjs PAGE.html ISOLAW [CHROMIUM] [--stand-in] [--only NAME]
-// ISOLAW: the native program, whose results the page's are held against. With --stand-in it answers in place of the
-// page's engine too (the page is then assembled with stand_in/engine.js).
+// ISOLAW is the native program, with whose results the page's are compared. With --stand-in it also answers in place of
+// the page's engine (the page is then assembled with stand_in/engine.js).
 import { execFileSync, spawnSync } from 'node:child_process';
 import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, truncateSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -28,7 +29,7 @@ const expect = (holds, what) => {
 };
 const equal = (found, wanted, what) => expect(JSON.stringify(found) === JSON.stringify(wanted), `${what}: ${JSON.stringify(found)}, not ${JSON.stringify(wanted)}`);
 
-// The page's own reader of zip files; its modules have no extension of their own.
+// The page's own reader of zip files. Node takes only a copy with the extension .mjs for a module.
 copyFileSync(join(root, 'page/zip.js'), join(work, 'zip.mjs'));
 const { readZip } = await import(pathToFileURL(join(work, 'zip.mjs')).href);
 
@@ -37,7 +38,7 @@ const example = join(work, 'example');
 const records = readdirSync(example).filter((one) => one.startsWith('device-')).sort();
 
 const open = (options = {}) => openPage(browser, file, { standIn, ...options });
-// Nothing went wrong unseen: no error in the page or its frames, nothing asked of any network.
+// Nothing may go wrong unseen: there is no error in the page or its frames, and no request to any network.
 async function end(page) {
   await wait(200);
   equal(page.errors, [], 'errors on the console');
@@ -50,7 +51,7 @@ const failure = (page) => page.evaluate("document.getElementById('failure').hidd
 const rows = (page) => page.evaluate("[...document.querySelectorAll('#devices tr.device')].map((row) => ({ name: row.querySelector('.named span').firstChild.textContent, tone: row.dataset.tone, samples: row.children[2].textContent, amplitude: row.children[3].textContent, stiffness: row.children[4].textContent, damping: row.children[5].textContent, words: row.innerText }))");
 const lotText = (page) => page.evaluate("document.getElementById('lot-text').value");
 const band = (page) => page.text('#read-band .word');
-// A field of the first device's form that ends so.
+// Returns the field of a device's form whose id ends with the key.
 const fieldOf = (page, row, key) => page.evaluate(`(() => { const number = document.querySelectorAll('#devices tr.device')[${row}].querySelector('[id^=correct-]').id.slice(8); return 'device-' + number + '-' + ${JSON.stringify(key)}; })()`);
 const openForm = (page, row) => page.evaluate(`(() => { const it = document.querySelectorAll('#devices tr.device')[${row}].querySelector('[id^=correct-]'); if (it.getAttribute('aria-expanded') === 'false') it.click(); })()`);
 const set = async (page, id, value) => {
@@ -67,7 +68,7 @@ const inFrameUntil = async (page, expression, what) => {
 };
 const narrow = async (page, what) => expect((await page.evaluate('document.documentElement.scrollWidth <= innerWidth')) === true, what + ': wider than the window');
 
-// With the settings that the page shows; seconds to the report.
+// Identifies with the settings that the page shows; returns the seconds until the report.
 async function identified(page, seconds) {
   await page.press('show-laws');
   const began = performance.now();
@@ -79,7 +80,7 @@ async function identified(page, seconds) {
   return (performance.now() - began) / 1000;
 }
 
-// Small settings: one law, one run, no analyses.
+// Identifies with small settings: one law, one run, no analyses.
 async function identifyLittle(page, laws = ['bilinear'], seconds = 300) {
   await page.press('show-laws');
   if (await page.evaluate("Boolean(document.getElementById('change'))")) await page.press('change');
@@ -97,7 +98,7 @@ async function identifyLittle(page, laws = ['bilinear'], seconds = 300) {
 }
 
 const tests = {
-  // The best of three: load can only slow it.
+  // The best of three counts, since other load can only slow the page.
   'first use within 3 s': async () => {
     const times = [];
     for (let i = 0; i < 3; ++i) {
@@ -120,7 +121,7 @@ const tests = {
     expect((await band(page)).startsWith('10'), await band(page));
     equal(await lotText(page), readFileSync(join(example, 'lot.toml'), 'utf8'), 'the lot file');
 
-    // Properties: the same numbers as those of the command line.
+    // The properties are the same numbers as on the command line.
     execFileSync(isolaw, ['inspect', join(example, 'lot.toml'), '--out', join(work, 'inspected')], { stdio: 'ignore' });
     await page.press('show-properties');
     await page.until("document.getElementById('inspection-frame')", 'the inspection');
@@ -131,7 +132,7 @@ const tests = {
     await page.press('save-inspection-json');
     const own = JSON.parse((await page.saved()).bytes),
       other = JSON.parse(readFileSync(join(work, 'inspected/inspection.json')));
-    // Digits that differ between instruction sets come after the sixth.
+    // Instruction sets differ only after the sixth digit.
     const plain = (value) => (typeof value === 'number' ? Number(value.toPrecision(6)) : value);
     const rounded = (value) => JSON.stringify(value, (_, one) => plain(one));
     equal(own.devices.map(({ sha256 }) => sha256), other.devices.map(({ sha256 }) => sha256), 'hashes');
@@ -172,7 +173,7 @@ const tests = {
     equal(found[0].name, 'A <b>1</b>', 'the name');
     expect((await page.evaluate("document.querySelectorAll('#contents b').length && [...document.querySelectorAll('#contents b')].some((one) => one.textContent === '1')")) === false, 'markup stays text');
 
-    // Another unit makes another amplitude; the text and the form say the same.
+    // Another unit gives another amplitude, and the text follows the form and the form the text.
     await set(page, await fieldOf(page, 0, 'units-disp'), 'cm');
     found = await rows(page);
     expect(found[0].amplitude.startsWith('208'), 'in cm: ' + found[0].amplitude);
@@ -182,7 +183,7 @@ const tests = {
     expect(found[0].amplitude.startsWith('208') && Math.abs(parseFloat(found[0].amplitude) - 208.1) < 0.2, 'in mm: ' + found[0].amplitude);
     equal(await page.evaluate(`document.getElementById(${JSON.stringify(await fieldOf(page, 0, 'units-disp'))}).value`), 'mm', 'the form follows the text');
 
-    // A key that does not exist: said with its line, and mended.
+    // If a key does not exist, the page says so, and the user can mend it.
     const good = await lotText(page);
     await set(page, 'lot-text', good.replace("serial = '1'", 'colums = 3'));
     expect(/unknown key 'colums'/.test(await page.text('#read-band')), 'an unknown key: ' + (await page.text('#read-band')));
@@ -191,7 +192,7 @@ const tests = {
     await set(page, 'lot-text', good);
     expect((await band(page)).startsWith('10'), await band(page));
 
-    // One is left out, and comes back.
+    // A device is left out and taken in again.
     await page.evaluate("[...document.querySelectorAll('.form-end button')].at(-1).click()");
     await page.idle();
     equal((await rows(page)).length, 9, 'devices without it');
@@ -212,7 +213,7 @@ const tests = {
     };
     await choose('pick', [join(example, records[0]), join(example, records[1])]);
     equal((await rows(page)).length, 2, 'devices of files');
-    // More beside them: what was said of the first stays.
+    // More files are chosen beside the first; whatever was typed about the first stays.
     await openForm(page, 0);
     await set(page, await fieldOf(page, 0, 'serial'), 'kept');
     await choose('pick', [join(example, records[2])]);
@@ -240,13 +241,13 @@ const tests = {
     equal(await band(page), '4\u202fdevices read, 1 not', 'the band');
     expect((await page.text('.notes')).includes('photo.jpg'), 'what was left alone: ' + (await page.text('.notes')));
     expect((await lotText(page)).includes("title = 'damaged'") && (await lotText(page)).includes("file = 'deeper/device-04.txt'"), 'the lot file');
-    // A file that could not be read is in every result until somebody leaves it out.
+    // A file that could not be read appears in every result until somebody leaves it out.
     await page.press('show-save');
     await page.press('save-inspection-json');
     const inspection = JSON.parse((await page.saved()).bytes);
     equal(inspection.devices.filter(({ status }) => status === 'refused').map(({ name: one }) => one), ['broken'], 'refused');
     expect(inspection.warnings.some(({ sentence }) => sentence.startsWith('broken was refused')), 'the warning');
-    // The other devices are identified all the same.
+    // The other devices are identified nevertheless.
     await identifyLittle(page);
     await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots');
     expect(/broken was refused/.test(await page.inFrame('document.body.textContent')), 'the report says it');
@@ -268,7 +269,7 @@ const tests = {
 
   'a workbook, a MATLAB file, and files that need to be told': async () => {
     const warts = join(root, 'tests/warts');
-    // A complaint about a file stands in parts.
+    // A complaint about a file is shown in parts: the fault, the allowed values, the advice.
     const alone = await open();
     await alone.drop([join(warts, 'no-units.csv')]);
     const problems = await alone.evaluate("[...document.querySelectorAll('#devices .problem')].map((one) => [one.textContent, [...one.querySelectorAll('b')].map((b) => b.textContent.trim())])");
@@ -325,7 +326,7 @@ const tests = {
     await end(page);
   },
 
-  // On measured rows, at the settings that are usual: how long it takes is told, not judged.
+  // Uses measured rows with the usual settings. The test prints how long they take but does not judge it.
   'the paper\u2019s laws on the measured bearing\u2019s third stage': async () => {
     const record = join(root, '../shared/data/hdrb-gallardo-device/cyclic-24-49-98pct.csv');
     if (!existsSync(record)) {
@@ -353,12 +354,13 @@ const tests = {
     const found = best(JSON.parse((await page.saved()).bytes)),
       wanted = best(JSON.parse(readFileSync(join(work, 'bearing-native/summary.json'))));
     equal(Object.keys(found).length, 7, 'laws');
-    // Searches count as alike within this (docs/performance.md): on a ragged floor instruction sets differ by as much.
+    // Searches may differ by this much (docs/performance.md): where an objective is ragged near its minimum,
+    // instruction sets differ as much.
     for (const [law, objective] of Object.entries(wanted)) expect(Math.abs(found[law] / objective - 1) < (law === 'abe' ? 1e-3 : 1e-5), `objective of ${law}: ${found[law]}, natively ${objective}`);
     await end(page);
   },
 
-  // All of a year's devices are held at once, and little is computed of each.
+  // The page holds the devices of a whole year at once, and computes little for each.
   'two hundred devices': async () => {
     const folder = join(work, 'many');
     mkdirSync(folder);
@@ -411,7 +413,7 @@ const tests = {
     equal(await inFrameUntil(page, "'none' + document.body.dataset.errors", 'errors'), 'none', 'errors in the frame');
     await page.press('to-save');
 
-    // Single files.
+    // Single files are saved.
     await page.press('save-report-html');
     const report = await page.saved();
     expect(report.name.endsWith('-report.html') && report.bytes.includes('isolaw-data'), 'the report: ' + report.name);
@@ -424,7 +426,7 @@ const tests = {
     await page.press('save-summary-json');
     const summary = JSON.parse((await page.saved()).bytes);
 
-    // The numbers of the command line, of the same lot file.
+    // The command line gives the same numbers for the same lot file.
     writeFileSync(join(example, 'page.toml'), lot.bytes);
     execFileSync(isolaw, ['calibrate', join(example, 'page.toml'), '--out', join(work, 'native'), '--figures', 'none'], { stdio: 'ignore' });
     rmSync(join(example, 'page.toml'));
@@ -432,7 +434,7 @@ const tests = {
     const objectives = ({ laws }) => Object.fromEntries(laws.map(({ id, objective }) => [id, objective.best]));
     for (const [law, objective] of Object.entries(objectives(native))) expect(Math.abs(objectives(summary)[law] / objective - 1) < 1e-3, `objective of ${law}: ${objectives(summary)[law]}, natively ${objective}`);
 
-    // Exports: one that works, one that the program refuses, in its words.
+    // An export is saved, and the page says so.
     await page.press('show-save');
     await page.type('export-law', 'bouc-wen');
     await page.type('export-to', 'opensees');
@@ -443,7 +445,7 @@ const tests = {
     await page.idle();
     expect((await page.text('#export-said')).includes('bouc-wen-D03.tcl'), 'it is said');
 
-    // Everything: read by the command line, and by the page.
+    // Everything is saved in one file, which the command line and the page can read.
     await page.press('save-whole');
     const whole = await page.saved();
     expect(whole.name.endsWith('.isolaw.zip'), whole.name);
@@ -468,7 +470,7 @@ const tests = {
     await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots again');
     await page.press('show-records');
     equal((await rows(page)).length, 10, 'its devices');
-    // One law more: what was computed stays.
+    // One more law is identified; whatever was computed before stays.
     await identifyLittle(page, ['bilinear', 'bouc-wen', 'hwang-wu']);
     await page.press('show-save');
     await page.press('save-summary-json');
@@ -477,7 +479,7 @@ const tests = {
     for (const [law, objective] of Object.entries(objectives(summary))) equal(more[law], objective, 'kept: ' + law);
     await end(page);
 
-    // The store alone: to look again, and to export of.
+    // The store alone can be looked at, and its report can be saved.
     page = await open();
     await page.drop([join(unpacked, 'out/campaign.sqlite')]);
     await page.until("document.getElementById('report-frame')", 'the report of a store');
@@ -488,7 +490,7 @@ const tests = {
     await end(page);
   },
 
-  // The best of three, as load can only slow it.
+  // The best of three counts, since other load can only slow the page.
   'cancel within 1 s, and go on': async () => {
     const page = await open();
     await page.drop([example]);
@@ -502,7 +504,7 @@ const tests = {
       await page.press('identify');
       await page.until("document.getElementById('progress-bar')", 'progress');
       await wait(1500);
-      // The longest time that the page did not answer while it computes: told, not judged.
+      // The longest time in which the page did not answer while it computed; it is printed but not judged.
       const longest = await page.evaluate('new Promise((done) => { let last = performance.now(), most = 0, n = 0; const tick = () => { const now = performance.now(); most = Math.max(most, now - last); last = now; ++n < 100 ? setTimeout(tick, 10) : done(most); }; tick(); })');
       const took = await page.evaluate("new Promise((done) => { const start = performance.now(); document.getElementById('cancel').click(); const look = () => (document.getElementById('progress-bar') ? setTimeout(look, 5) : done(performance.now() - start)); look(); })");
       times.push(took);
@@ -511,7 +513,7 @@ const tests = {
       expect((await page.evaluate("document.getElementById('identify').disabled")) === false, 'it can be started again');
     }
     expect(Math.min(...times) < 1000, 'cancelled in ' + Math.min(...times) + ' ms at best');
-    // Nothing is left of it that would harm.
+    // A cancelled search leaves nothing that disturbs the next one.
     await identifyLittle(page);
     await end(page);
   },
@@ -525,7 +527,8 @@ const tests = {
     writeFileSync(join(folder, "';alert(1);'.csv"), [lines[0].replace('Vertical load', 'Vertical load <svg onload=window.hacked=1>'), ...lines.slice(1)].join('\n'));
     writeFileSync(join(folder, '--out=x.csv'), lines.join('\n'));
     writeFileSync(join(folder, '{{script}}$&.csv'), lines.join('\n'));
-    // In a folder that is dropped a browser passes over these.
+    // A browser skips files with these names if they are in a folder that is dropped, so they are dropped by
+    // themselves.
     const single = [' lead.csv', 'turned\u202e.csv'].map((one) => join(work, one));
     for (const one of single) writeFileSync(one, lines.join('\n'));
     writeFileSync(join(folder, 'none.csv'), bad + ',' + bad + '\n1,2\n3,</script><script>hacked=1</script>\n');
@@ -553,7 +556,7 @@ const tests = {
     await end(page);
   },
 
-  // The inputs of the fuzz targets: what they break is a worker at most.
+  // Drops the inputs of the fuzz targets; they may break a worker but nothing else.
   'damaged and hostile files': async () => {
     const corpus = join(root, 'fuzz/corpus');
     const folder = join(work, 'corpus');
@@ -578,7 +581,7 @@ const tests = {
         await page.drop([join(work, 'single', called)]);
         expect((await page.text('#read-band')).length > 0 || (await failure(page)).length > 20, one + ' is answered');
       }
-    // The page and its workers are what they were.
+    // The page and its workers still work.
     await page.evaluate('window.confirm = () => true');
     await page.press('show-records');
     await page.press('start-over');
@@ -620,15 +623,15 @@ const tests = {
     writeFileSync(join(work, 'alone.csv'), 'no record at all\n');
     await page.drop([join(work, 'alone.csv')]);
     equal((await rows(page)).map(({ name: one, tone }) => one + ' ' + tone), ['alone poor'], 'no record');
-    // Too much is refused before it is read: a file of a size alone.
+    // Too much is refused before it is read; this file has a size but no contents.
     writeFileSync(join(work, 'big.csv'), '');
     truncateSync(join(work, 'big.csv'), 900e6);
     await page.drop([join(work, 'big.csv')]);
     expect(/900\sMB/.test(await failure(page)), 'too much: ' + (await failure(page)));
-    // And the next drop works.
+    // The next drop works.
     await page.drop([join(example, records[0])]);
     equal((await rows(page)).map(({ tone }) => tone).sort(), ['good', 'poor'], 'a device beside it');
-    // A drop without anything to read gets an answer.
+    // A drop with nothing that can be read gets an answer too.
     mkdirSync(join(work, 'photos'));
     writeFileSync(join(work, 'photos/one.jpg'), 'none');
     const empty = await open();
@@ -638,7 +641,8 @@ const tests = {
     await end(page);
   },
 
-  // By real keys and a real pointer: what is drawn anew takes nothing from under the hand.
+  // Uses real keys and a real pointer. When the page draws something anew, it must not move away what the user is
+  // working on.
   'one edit after the other, without waiting': async () => {
     const page = await open();
     await page.drop([join(example, records[0])]);
@@ -654,7 +658,7 @@ const tests = {
     await page.write('250000');
     await page.click('#lot-size');
     await page.write('28');
-    // Which makes a table above the devices.
+    // The size of the lot adds a table above the devices, which moves the button that is clicked next.
     await page.click('[id^=correct-]');
     await page.click('[id^=correct-]');
     equal(await page.evaluate("document.querySelectorAll('.form-row').length"), 0, 'opened and closed');
@@ -668,7 +672,7 @@ const tests = {
     for (const line of ["title = 'Bridge 7'", 'rubber-thickness-mm = 150', 'rubber-area-mm2 = 250000', 'lot-size = 28', 'K_eff = 0.62', 'damping = 19.5']) expect(lot.includes(line), line + ' in ' + lot);
     equal(await page.text('#title'), 'Bridge 7', 'the title');
     equal(await page.evaluate("document.querySelectorAll('.form-row').length"), 1, 'the click after an edit opens the form');
-    // Unfolded details stay open, and the form ends with one click.
+    // Details that the user has unfolded stay open, and one click closes the form.
     await page.evaluate("[...document.querySelectorAll('.form-row details')].at(-1).open = true");
     const factor = await fieldOf(page, 0, 'force-factor');
     await page.click('#' + factor);
@@ -679,7 +683,7 @@ const tests = {
     await page.click('.form-end .action');
     await page.idle();
     equal(await page.evaluate("document.querySelectorAll('.form-row').length"), 0, 'one click ends the form');
-    // A form stays open under another name, and under none.
+    // A form stays open if the device gets another name or none.
     await page.click('[id^=correct-]');
     await page.click('#device-1-name');
     for (const called of ['Other', '']) {
@@ -692,7 +696,7 @@ const tests = {
     await page.click('.form-end .action');
     await page.idle();
     expect((await lotText(page)).includes('force-factor = 0.5') && (await lotText(page)).includes('skew-ms = 1'), await lotText(page));
-    // While one writes the next, the numbers of the last edit come.
+    // While the user types the next text, the page shows the numbers of the last edit.
     await page.click('#lot-title');
     await page.key('a', { control: true });
     await page.write('A');
@@ -702,7 +706,7 @@ const tests = {
     await page.key('Tab');
     await page.idle();
     equal(await page.text('#title'), 'A long name that goes on while all is computed', 'nothing typed is lost');
-    // No number of another kind than the lot file\u2019s.
+    // A field takes a decimal comma, but no notation of numbers that the lot file does not have.
     await set(page, 'design-damping', '0x10');
     await set(page, 'design-K_eff', '0,7');
     expect((await lotText(page)).includes("design = { K_eff = 0.7, damping = '0x10' }"), await lotText(page));
@@ -718,7 +722,7 @@ const tests = {
     await page.drop([join(folder, 'one.csv')]);
     await identifyLittle(page);
     equal(await page.text('#laws-doubt'), '', 'nothing was changed');
-    // Another record of the same name.
+    // The record is replaced by another record with the same name.
     const stronger = readFileSync(join(folder, 'one.csv'), 'utf8').replace(/^([^,\n]*,[^,\n]*,)(-?\d[^,\n]*)/gm, (_, before, force) => before + 2 * Number(force));
     writeFileSync(join(folder, 'one.csv'), stronger);
     await page.drop([join(folder, 'one.csv')], [300, 20]);
@@ -745,7 +749,7 @@ const tests = {
     equal(await again.text('#laws-doubt'), '', 'identified again');
     await end(again);
 
-    // A campaign of the command line comes without its lot file; other records are noticed all the same.
+    // A campaign of the command line comes without its lot file. The page notices changed records nevertheless.
     execFileSync(isolaw, ['calibrate', join(folder, 'one.csv'), '--laws', 'bilinear', '--runs', '1', '--analysis', 'none', '--out', join(folder, 'out'), '--figures', 'none'], { stdio: 'ignore' });
     writeFileSync(join(folder, 'lot.toml'), "title = 'T'\n[[device]]\nname = 'one'\nfile = 'one.csv'\n");
     for (const [changed, file] of [[false, stronger], [true, stronger.replace(/\n[^\n]*\n$/, '\n')]]) {
@@ -756,7 +760,7 @@ const tests = {
       await end(third);
     }
 
-    // Another campaign in place of what is not saved: asked first.
+    // If another campaign would replace something that is not saved, the page asks first.
     await page.evaluate('window.asked = 0; window.confirm = () => { ++window.asked; return false; }');
     await set(page, 'lot-title', 'Not saved');
     await page.drop([path], [300, 20]);
@@ -777,7 +781,8 @@ const tests = {
     const store = join(work, 'ordered-out/campaign.sqlite');
     const said = /were changed since/;
 
-    // The store first: the records that come are compared with its own, and it can be continued.
+    // The store is dropped first. The page compares the records that follow with the store's own, and can continue the
+    // campaign.
     const page = await open();
     await page.drop([store]);
     equal(await page.text('#laws-doubt'), '', 'nothing to compare with');
@@ -792,7 +797,7 @@ const tests = {
     await page.drop([join(work, 'newer')], [300, 20]);
     await page.press('show-laws');
     expect(said.test(await page.text('#laws-doubt')), 'another record: ' + (await page.text('#view-laws .tools')));
-    // A lot file that is broken and mended.
+    // A lot file is broken and then mended.
     const text = await lotText(page);
     await set(page, 'lot-text', text + '\n[[device');
     await page.drop([join(example, records[2])], [300, 20]);
@@ -803,7 +808,7 @@ const tests = {
     await page.press('show-laws');
     equal(await page.evaluate("document.getElementById('identify').disabled"), false, 'it can be identified again');
 
-    // Records in a folder of results are records, saved and dropped again.
+    // Records in a folder of results count as records; they are saved and can be dropped again.
     await page.press('identify');
     await page.until("!document.getElementById('progress-bar') && document.getElementById('report-frame')", 'the report', 120);
     await page.idle();
@@ -820,7 +825,7 @@ const tests = {
     await page.evaluate('window.asked = 0');
     await page.press('start-over');
     equal(await page.evaluate('window.asked'), 1, 'an edit that is not saved is asked about');
-    // Work that was begun for a lot that is gone does not come back.
+    // If work was begun for a lot that is gone, its result does not appear.
     await page.drop([path]);
     await page.press('show-save');
     equal(await page.text('#export-said'), '', 'nothing of the earlier export');
@@ -830,14 +835,14 @@ const tests = {
     await page.idle();
     equal([await page.text('#title'), await page.evaluate("document.getElementById('show-properties').disabled")], ['From test records to calibrated laws of seismic isolators', true], 'an empty page');
 
-    // The folder of results alone: nothing of it is a record.
+    // Only the folder of results is dropped; nothing in it counts as a record.
     await page.drop([join(work, 'ordered-out')]);
     await page.press('show-records');
     equal(await page.text('#read-band .word'), 'Results only', 'results');
     expect(!(await page.text('#contents')).includes('Not part of the lot'), await page.text('#contents'));
     await end(page);
 
-    // A rule set of one's own is one of the records' kind: changed, it is told.
+    // The user's own rule set counts like a record: if it was changed, the page says so.
     const held = await open();
     const rules = execFileSync(isolaw, ['rules', 'template'], { encoding: 'utf8' });
     mkdirSync(join(work, 'held'));
@@ -868,7 +873,7 @@ const tests = {
     await page.key('p', { control: true });
     await wait(200);
     equal(await page.inFrame('window.printed === true'), true, 'Ctrl+P prints the report');
-    // Over the frame what is dragged is the page's.
+    // Files that are dragged over the frame of a report go to the page.
     const other = join(example, records[1]);
     await page.drop([other], [640, 500]);
     await page.idle();
@@ -892,7 +897,7 @@ const tests = {
     await page.idle();
     equal((await rows(page)).map(({ tone }) => tone), ['good', 'good'], 'each once');
 
-    // Cancelled, saved, dropped again: it goes on from there.
+    // A search is cancelled, saved and dropped again; it goes on from where it stopped.
     await page.press('show-laws');
     await set(page, 'method', 'best');
     await set(page, 'analysis', 'none');
@@ -915,7 +920,8 @@ const tests = {
     await again.press('identify');
     await again.until("document.getElementById('report-frame')", 'the report', 300);
     equal(await again.text('#laws-doubt'), '', 'whole');
-    // Escape elsewhere ends nothing; a second one that is cancelled says so beside the first.
+    // Escape in another view does not end a search. If a second search is cancelled, the page says so beside the first
+    // result.
     await again.press('change');
     await set(again, 'runs', '5');
     await again.press('identify');
@@ -930,7 +936,8 @@ const tests = {
     await again.until("document.getElementById('report-frame')", 'the first report');
     await end(again);
 
-    // A lot file of Windows, and one of a flat folder.
+    // Drops a lot file that was written on Windows and names a folder that does not exist. The files are found by their
+    // names.
     const folder = join(work, 'windows');
     mkdirSync(join(folder, 'data'), { recursive: true });
     copyFileSync(join(example, records[0]), join(folder, 'data/a.csv'));
@@ -940,7 +947,7 @@ const tests = {
     await third.drop([folder]);
     equal((await rows(third)).map(({ name: one, tone }) => one + ' ' + tone), ['A good', 'B good'], 'found by their names');
     expect((await lotText(third)).includes("serial = '7'") && (await third.text('#title')) === 'W', await lotText(third));
-    // Columns that were recognised in one file are not taken for a later one.
+    // Columns that were recognised in one file do not decide about a later file.
     writeFileSync(join(work, 'in-cm.csv'), readFileSync(join(example, records[0]), 'utf8').replace('Displacement [mm]', 'Displacement [cm]'));
     await third.drop([join(work, 'in-cm.csv')]);
     const millimetres = async (one) => Number((await rows(one)).at(-1).amplitude);
@@ -950,7 +957,8 @@ const tests = {
     await fifth.drop([join(work, 'in-cm.csv')]);
     expect((await millimetres(fifth)) > 2000, 'in cm, after another that is not: ' + (await millimetres(fifth)));
     await end(fifth);
-    // With a lot file that names none of them: its settings, and a title of its own.
+    // The files come with a lot file that names none of them. Its settings hold, and the lot gets the title of the
+    // folder.
     const other = join(work, 'next-month');
     mkdirSync(other);
     copyFileSync(join(example, records[0]), join(other, 'm1.csv'));
@@ -994,7 +1002,7 @@ const tests = {
     await key('Escape');
     await page.until("!document.getElementById('progress-bar')", 'the end by Escape');
     equal(await focused(), 'identify', 'the focus comes back');
-    // Whatever can be pressed can be reached.
+    // The keyboard reaches everything that can be pressed.
     for (const view of ['records', 'laws', 'save', 'about']) {
       await page.press('show-' + view);
       expect((await page.evaluate("[...document.querySelectorAll('button, input:not([type=file]), select, textarea, summary, a[href]')].every((one) => one.tabIndex >= 0)")) === true, view + ': all can be reached');

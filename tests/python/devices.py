@@ -1,4 +1,4 @@
-"""Devices with constant stiffness and friction under a sine, as arrays and files; and a way to run the program."""
+"""Makes records of devices with constant stiffness and friction under a sine, as arrays and files; runs the program."""
 
 import os
 import pathlib

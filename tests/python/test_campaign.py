@@ -129,7 +129,7 @@ class Campaigns(InFolder):
         with self.assertRaisesRegex(isolaw.Error, "there are none"):
             isolaw.calibrate([], "bilinear")
 
-    # Samples for settings that are neither a number, a flag nor one of several words.
+    # Sample values for settings that are neither a number nor a flag and have no list of words to choose from.
     TEXTS = json.loads((pathlib.Path(os.environ["ISOLAW_SOURCE_DIR"]) / "tests/setting_samples.json").read_text())
 
     def another(self, name, setting):

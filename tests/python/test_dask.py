@@ -1,4 +1,4 @@
-"""The Dask example with local processes: parts as futures, loss of a worker, the same bytes as on one machine."""
+"""The Dask example with local processes: parts are futures, a worker may be lost, the bytes equal one machine's."""
 
 import functools
 import importlib.util
@@ -25,7 +25,7 @@ LAWS = "bilinear,vaiana"
 
 
 def share_of_a_worker_that_is_lost(mark, files, settings, number, of, there=None):
-    """Kills the worker of the second part once: if `mark` does not exist yet."""
+    """Computes a part. Kills the worker of the second part, but only once: a file `mark` says that it was done."""
 
     def lose(*told):
         try:
@@ -70,7 +70,7 @@ class Dask(InFolder):
         said = self.run_example(out)
         self.assertEqual([line for line in said.splitlines() if line.startswith("part ")], ["part 2 of 3 is here"])
         self.expect_one_machines(out)
-        # The parts that exist were made with other settings, whatever their names.
+        # Whatever their names, the parts that exist were made with other settings, so the example refuses them.
         self.run_example(out, runs=3, refused="of a campaign that is now larger, by 3 runs instead of 2")
         self.expect_one_machines(out)
 

@@ -1,8 +1,9 @@
-// Many evaluations of every law, written by one build and compared by another: they show how much compilers,
-// optimisation levels and processors change a result (tools/compilers.sh).
+// Evaluates every law many times in one build and compares the results with another build's, which shows how much
+// compilers, optimisation levels and processors change a result (tools/compilers.sh).
 //   sweep write FILE     evaluates and writes record, candidates, forces and objectives
-//   sweep compare FILE   evaluates the same candidates on the same record; a line per law; exit code 1 beyond the bound
-// ISOLAW_DRAWS is the number of candidates of each box, the same for both.
+//   sweep compare FILE   evaluates the same candidates on the same record and prints a line per law; the exit code is 1
+//                        if a difference exceeds the bound
+// ISOLAW_DRAWS is the number of candidates of each box and must be the same for both.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -30,7 +31,8 @@ namespace {
 using namespace isolaw;
 using Values = std::vector<double>;
 
-constexpr double absurd = 1e6;  // on the objective: a candidate that runs away multiplies rounding
+constexpr double absurd =
+    1e6;  // larger objectives are not compared, as the force of such a candidate multiplies rounding
 
 constexpr std::array boxes{fit::BoxKind::published, fit::BoxKind::scaled};
 constexpr std::array integrations{laws::Integration::converged, laws::Integration::paper};
@@ -61,7 +63,7 @@ struct Difference {
   double force = 0.0;      // share of the peak force
   int compared = 0, flagged = 0;
   int flagged_once = 0;  // flagged by only one of the two builds
-  double lanes = 0.0;    // relative, between this build's batches and its scalar law
+  double lanes = 0.0;    // relative difference between this build's batches and its scalar law
 
   void add(double here, double there, Values const& force_here, Values const& force_there) {
     ++compared;
@@ -107,7 +109,8 @@ Difference sweep(laws::LawEntry const& law, laws::Integration integration, data:
       objectives.push_back(here[0]);
     }
   }
-  // With the paper's integration a step may multiply rounding errors: unit_fit tests for which candidates.
+  // With the paper's integration a step may multiply rounding errors. unit_fit tests batches for the candidates whose
+  // steps do not.
   if (integration == laws::Integration::paper) return difference;
   for (auto const set : num::available_instruction_sets()) {
     Values lanes(candidates.size());

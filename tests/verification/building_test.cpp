@@ -1,6 +1,6 @@
-// An isolated building against closed forms and printed examples: frequencies, free vibration on a bilinear bearing,
-// Chopra's examples of Newmark's method, a rigid mass on a bilinear bearing under El Centro, and the torsion that
-// scatter of the bearings gives.
+// An isolated building is compared with closed forms and printed examples: frequencies, free vibration on a bilinear
+// bearing, Chopra's examples of Newmark's method, a rigid mass on a bilinear bearing under El Centro, and the torsion
+// that comes from the scatter of the bearings.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -30,7 +30,8 @@ namespace {
 
 using std::numbers::pi;
 
-// Masses are in Mg. The expected periods are those of the structure on a rigid base and of the whole as a rigid body.
+// Masses are in Mg. base_period_s is the period of the whole moving as a rigid body, floor_period_s the period of the
+// structure on a rigid base, and periods_s are the two expected periods.
 struct TwoMasses {
   double share, base_period_s, floor_period_s;
   std::array<double, 2> periods_s;
@@ -64,7 +65,8 @@ TEST(Building, frequencies_of_an_eccentric_deck) {
        {Case{0.1, 1.2, {0.9891102469, 1.2089916954}}, Case{0.2, 1.0, {0.8944271910, 1.0954451150}},
         Case{0.05, 1.4, {0.9987005855, 1.4009272431}}}) {
     Structure const deck({.base = {.mass_Mg = mass, .gyration_mm = r}, .floors = {}});
-    // Stiffness along x acts off the centre of mass in y. `ratio` is that of the rotation about the mass.
+    // The stiffness along x acts off the centre of mass in y. `ratio` is the frequency of rotation over the frequency
+    // along x, both taken about the centre of mass.
     Matrix3 bearings = Vector3(k, 100.0 * k, k * r * r * ratio * ratio).asDiagonal();
     bearings(0, 2) = bearings(2, 0) = -k * e * r;
     auto const frequencies = deck.frequencies_on(bearings);
@@ -140,7 +142,7 @@ struct Released {
   double half_cycle_s = 0.0, elastic_s = 0.0, speed_mm_s = 0.0;
 };
 
-// Turning points are found on the cubic through the displacements and velocities at both ends of a step.
+// A turning point lies on the cubic through the displacements and velocities at both ends of a step.
 Released release(double step_s) {
   std::vector<double> const law{6.0, 0.9, 30.0 / 5.1};
   Bearings bearings;
@@ -204,7 +206,7 @@ TEST(Building, rigid_mass_on_el_centro) {
     auto const run = integrate(rigid_mass(mass / Mg_in_mass), bearings, motion,
                                {.longest_step_s = 1.25e-4, .rest_s = 20.0, .histories = true});
     ASSERT_EQ(run.outcome, Outcome::completed) << run.why;
-    // Tolerances are the integrator's own error at this step plus the rounding of the digits in the sources.
+    // Each tolerance is the integrator's own error at this step plus the rounding of the digits in the sources.
     EXPECT_NEAR(run.of(Measure::isolator), peak, 1e-4);
     EXPECT_NEAR(run.of(Measure::shear) / weight, force, 1.5e-6);
     EXPECT_NEAR(run.history.base.back()[0], end, 3e-4);
@@ -212,8 +214,9 @@ TEST(Building, rigid_mass_on_el_centro) {
   }
 }
 
-// Every bearing has its own random stiffness (coefficient of variation 7 %); the load acts along x through the centre.
-// The expected values come from 200,000 draws of another program; as many here agree within the sampling error.
+// Every bearing has its own random stiffness (coefficient of variation 7 %), and the load acts along x through the
+// centre. The expected values come from 200,000 draws of another program. This test makes as many draws and must agree
+// within the sampling error.
 TEST(Building, torsion_of_scattered_bearings) {
   struct Grid {
     std::size_t along, across;

@@ -1,5 +1,5 @@
-// The laws against closed forms: loops that can be integrated by hand, differential laws at exponents where the
-// equation has a solution, algebraic laws at arguments where cosh and the square root are rational.
+// The laws are compared with closed forms: loops that can be integrated by hand, differential laws at exponents for
+// which the equation has a solution, algebraic laws at arguments where cosh and the square root are rational.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ using laws::Jankowski;
 using laws::MenegottoPinto;
 using laws::Vaiana;
 
-// Energy of the last of three triangular cycles between +D and -D, in units of the law.
+// The energy of the last of three triangular cycles between +D and -D, in the law's units.
 double loop_energy(std::vector<double> const& force, std::vector<double> const& x, std::size_t first) {
   double energy = 0.0;
   for (std::size_t i = first; i + 1 < x.size(); ++i) energy += 0.5 * (force[i] + force[i + 1]) * (x[i + 1] - x[i]);
@@ -60,7 +60,8 @@ TEST(ClosedForm, BilinearBranches) {
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(force[i], expected[i], 1e-12) << motion.disp_mm[i];
 }
 
-// The steel model of the 1983 report: values of other programs, from each branch's (x0, F0), to the printed digits.
+// The steel model of the 1983 report. Other programs gave the expected values, to the printed digits, from each
+// branch's (x0, F0).
 TEST(ClosedForm, MenegottoPintoBranches) {
   auto const values =
       named<MenegottoPinto>({{"E", 1.0}, {"Fy", 1.0}, {"b", 0.1}, {"R0", 20.0}, {"cR1", 0.925}, {"cR2", 0.15}});
@@ -73,10 +74,10 @@ TEST(ClosedForm, MenegottoPintoBranches) {
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(force[i], expected[i], 5.1e-10) << i;
 }
 
-// Without the exponential and sigmoid terms, with equal branches: K_eff = kb + f0 tanh(alpha D) / D and energy 4 f0 [D
-// - tanh(alpha D) / alpha]. kb 0.6 kN/mm, f0 25 kN, alpha 0.08 / mm, D 150 mm give 0.766667 kN/mm and 13750.00 kN mm,
-// each to half a printed digit. The first loop is still open by 2 f0 exp(-2 alpha D) = 2e-9 kN. The trapezoidal rule
-// errs by 2 f0 alpha h^2 / 6 = 1e-3 kN mm in all.
+// Without the exponential and sigmoid terms and with equal branches, K_eff = kb + f0 tanh(alpha D) / D, and the energy
+// is 4 f0 [D - tanh(alpha D) / alpha]. With kb 0.6 kN/mm, f0 25 kN, alpha 0.08 / mm and D 150 mm they are 0.766667
+// kN/mm and 13750.00 kN mm, each to half a printed digit. The first loop is still open by 2 f0 exp(-2 alpha D) = 2e-9
+// kN. The trapezoidal rule errs by 2 f0 alpha h^2 / 6 = 1e-3 kN mm in all.
 TEST(ClosedForm, VaianaLoop) {
   double const kb = 0.6, f0 = 25.0, alpha = 0.08, D = 150.0;
   constexpr int steps = 8000;
@@ -99,8 +100,9 @@ TEST(ClosedForm, VaianaLoop) {
   EXPECT_NEAR(energy, 13750.00, 0.005);
 }
 
-// The limit curves of Eqs. (6)-(9) with all sixteen parameters, so far along a branch that the exponential has vanished
-// (alpha times the travel is 40: 4e-18). The expected values were written out by hand from the equations.
+// The limit curves of Eqs. (6)-(9) with all sixteen parameters. The points lie so far along a branch that the
+// exponential has vanished (alpha times the travel is 40: 4e-18). The expected values were written out by hand from the
+// equations.
 TEST(ClosedForm, VaianaLimitCurves) {
   double const ln2 = std::numbers::ln2;
   auto const values = named<Vaiana>({{"Kb+", 4e5},
@@ -168,8 +170,9 @@ TEST(ClosedForm, BoucWenWithExponentOne) {
 }
 
 // With gamma far above beta, unloading from saturation starts at the slope A (1 + kappa), where kappa = (beta - gamma)
-// / (beta + gamma) is near -1: z leaves saturation slowly. The box of an unknown device allows gamma = 1200 beta. The
-// closed form multiplies an error made at the start by 1 / (1 + kappa); the tolerance grows by the same factor.
+// / (beta + gamma) is near -1, so z leaves saturation slowly. The box of an unknown device allows gamma = 1200 beta.
+// The closed form multiplies an error made at the start by 1 / (1 + kappa), so the tolerance is multiplied by the same
+// factor.
 TEST(ClosedForm, BoucWenThatHardlyUnloads) {
   for (double const ratio : {5.0, 20.0, 200.0, 1000.0}) {
     double const beta = 0.1 / (1.0 + ratio), gamma = ratio * beta, z_max = 10.0, one_plus_kappa = 2.0 * beta / 0.1;
@@ -187,8 +190,9 @@ TEST(ClosedForm, BoucWenThatHardlyUnloads) {
   }
 }
 
-// A is redundant: the change z -> c z, A -> c A, beta and gamma times c^(1-n), with stiffnesses that keep alpha Ke and
-// (1 - alpha) Ke z, gives the same force. Only rounding differs, which a travel of a hundred samples multiplies.
+// A is redundant. The force stays the same if z becomes c z, A becomes c A, beta and gamma are multiplied by c^(1-n),
+// and the stiffnesses keep alpha Ke and (1 - alpha) Ke z. Only rounding differs, which a travel of a hundred samples
+// multiplies.
 TEST(ClosedForm, BoucWenRescaled) {
   constexpr double alpha = 0.2, Ke = 3.0, A = 1.2, beta = 0.05, gamma = 0.03, n = 1.2;
   auto const motion = irregular(4, 200.0, 4, 80);
@@ -207,7 +211,7 @@ TEST(ClosedForm, BoucWenRescaled) {
   }
 }
 
-// A yield force of 1e-12 kN leaves F1 and F3 alone, which are algebraic in x and the peak.
+// With a yield force of 1e-12 kN only F1 and F3 are left, which are algebraic in x and the peak.
 template <class Law>
 Values<Law> without_hysteresis(double Y0) {
   auto values = named<Law>({{"K1", 8.0},
@@ -256,8 +260,9 @@ TEST(ClosedForm, AbeY0ElasticPartsAlone) {
   elastic_parts_alone<AbeY0>();
 }
 
-// Long one-way motion saturates F2 at +-Y0: abe-y0 always, abe if Uh is so large that the yield force does not grow
-// ((400 / 1e12)^1.7 is negligible). 1 - u falls by exp(-n) per Ut = 4 mm: n = 0.3 and 400 mm leave e^-30.
+// A long one-way motion saturates F2 at +-Y0. In abe-y0 it always does; in abe it does if Uh is so large that the yield
+// force does not grow ((400 / 1e12)^1.7 is negligible). 1 - u falls by the factor exp(-n) per Ut = 4 mm, so n = 0.3 and
+// 400 mm leave e^-30.
 template <class Law>
 void saturates() {
   auto values = without_hysteresis<Law>(45.0);
@@ -276,8 +281,8 @@ TEST(ClosedForm, AbeY0Saturated) {
 }
 
 // With n = 1 and a constant yield displacement (Us huge) u is Bouc-Wen's exponential with A = beta = 1 / U0, gamma = 0.
-// When the yield displacement grows, the virgin branch has dt = dx / [U0 (1 + x / Us)], so u = 1 - (1 + x / Us)^(-Us /
-// U0). The tolerance is that of the tabulated flow.
+// If the yield displacement grows, the virgin branch has dt = dx / [U0 (1 + x / Us)], so u = 1 - (1 + x / Us)^(-Us /
+// U0). The tolerance is the error that the tabulated flow may have.
 TEST(ClosedForm, AbeY0WithExponentOne) {
   auto values = named<AbeY0>({{"alpha", 1.0}, {"n", 1.0}, {"Y0", 45.0}, {"Uh", 80.0}, {"U0", 5.0}, {"Us", 1e9}});
   auto const motion = polyline(std::vector{0.0, 12.0, 3.0, 9.0, -30.0, -28.0, 60.0}, 9);
@@ -295,7 +300,7 @@ TEST(ClosedForm, AbeY0WithExponentOne) {
     EXPECT_NEAR(growing[i], 45.0 * (1.0 - std::pow(1.0 + virgin.disp_mm[i] / 20.0, -4.0)), 1e-5 * 45.0) << i;
 }
 
-// Points where cosh and the root are rational: cosh(ln 2) = 5/4; v / sqrt(a11^2 + v^2) = 4/5 for v = 0.4, a11 = 0.3.
+// At these points cosh and the root are rational: cosh(ln 2) = 5/4; v / sqrt(a11^2 + v^2) = 4/5 for v = 0.4, a11 = 0.3.
 TEST(ClosedForm, JankowskiByHand) {
   double const ln2 = std::numbers::ln2;
   auto const values = named<Jankowski>({{"a1", 100.0},

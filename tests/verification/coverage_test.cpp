@@ -1,7 +1,7 @@
-// Coverage of the 95 % intervals: records with known noise are made a hundred times over, and the share of intervals
-// that hold the true parameter is counted, pooled over the parameters that the program says the record determines. The
-// share must lie between 90 and 99 %. With fewer than a hundred records, these bounds are one standard error of that
-// many independent answers wider.
+// Coverage of the 95 % intervals. Records with known noise are made a hundred times over. The test counts the share of
+// intervals that hold the true parameter, over all parameters that, as the program says, the record determines. The
+// share must lie between 90 and 99 %. With fewer than a hundred records these bounds are wider by one standard error
+// for that many independent answers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -101,8 +101,8 @@ TEST_P(Coverage, OfIntervals) {
 
 constexpr twins::Noise correlated{.correlation = 0.8};
 
-// vaiana's exponents are narrowed to where the hardening shows. Of abe's parameters, those of the elastic part and of
-// the decay are fixed: three cycles with this noise do not determine all of them.
+// The intervals of vaiana's exponents are narrowed to values at which the hardening shows. abe's parameters of the
+// elastic part and of the decay are fixed, because three cycles with this noise do not determine all of them.
 std::vector<CoverageCase> linearised() {
   std::vector<std::string> const abe{"alpha=20", "beta=0.5", "a=0", "b=1", "Uh=300", "K2=0.4", "r=0.5"};
   std::map<std::string_view, std::vector<std::string>> narrowed{

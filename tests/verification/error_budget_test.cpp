@@ -1,5 +1,6 @@
-// The formulas of the error budget against loops whose properties are known exactly: effect of sampling, skew, friction
-// and mass on an ellipse, a bilinear and an exponential loop (Vaiana's without hardening) of 208 mm at 0.5 Hz.
+// The formulas of the error budget are compared with loops whose properties are known exactly: the effects of sampling,
+// skew, friction and mass on an ellipse, a bilinear and an exponential loop (Vaiana's without hardening) of 208 mm at
+// 0.5 Hz.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -49,7 +50,8 @@ Loop exponential() {
   };
 }
 
-// Four cycles with `samples` per cycle, the first at sample `start` of the sine, the force delayed by `late_s`.
+// Four cycles with `samples` samples each. The first sample is number `start` of the sine; the force is delayed by
+// `late_s`.
 Cycle measured(Loop const& loop, int samples, double late_s = 0.0, double start = 0.0) {
   std::vector<double> time, disp, force;
   for (int i = 0; i <= 4 * samples + 1; ++i) {
@@ -58,7 +60,8 @@ Cycle measured(Loop const& loop, int samples, double late_s = 0.0, double start 
     disp.push_back(D * std::sin(phase));
     force.push_back(loop(phase - 2.0 * pi * f * late_s));
   }
-  // Also where the program reports no cycle: a delayed force may return more energy than a slim loop dissipates.
+  // The properties are also wanted where the program reports no cycle: a delayed force may return more energy than a
+  // slim loop dissipates.
   return *cyclic_properties(CycleView{disp, force, time, {}}).find(1, 3);
 }
 
@@ -69,7 +72,7 @@ TEST_P(Sampling, OfAnEllipse) {
   auto const cycle = measured(ellipse(0.6, 0.15), N);
   double const exact = 2.0 * pi * 0.15 * 0.6 * D * D;
   EXPECT_NEAR(100.0 * (1.0 - cycle.energy_kN_mm / exact), energy_loss_percent(N), 1e-9);
-  EXPECT_NEAR(cycle.K_eff_kN_per_mm, 0.6, 1e-12);  // the peaks are sampled: N is a multiple of 4
+  EXPECT_NEAR(cycle.K_eff_kN_per_mm, 0.6, 1e-12);  // N is a multiple of 4, so samples lie on the peaks
   EXPECT_NEAR(energy_loss_percent(N), 100.0 * (1.0 - N / (2.0 * pi) * std::sin(2.0 * pi / N)), 1e-12);
 }
 
@@ -79,9 +82,10 @@ TEST_P(Sampling, MissesThePeakBetweenSamples) {
   EXPECT_NEAR(100.0 * (1.0 - cycle.amplitude_mm / D), peak_loss_percent(N), 1e-9);
 }
 
-// A bilinear loop has corners between samples, which cost about as much energy as the curvature of an ellipse. The
-// exponential loop bends within two lengths 1 / alpha = 12.5 mm after a reversal, where samples are dense. Both stay
-// within twice the ellipse's figure, except the bilinear corner at 20 samples, which has its own tolerance.
+// A bilinear loop has corners between samples, which cost about as much energy as the curvature of an ellipse does. The
+// exponential loop bends within two lengths 1 / alpha = 12.5 mm after a reversal, where samples are dense. For both
+// loops the error is less than twice the ellipse's. Only the bilinear corner at 20 samples needs a tolerance of its
+// own.
 TEST_P(Sampling, OfABilinearLoop) {
   int const N = GetParam();
   auto const cycle = measured(bilinear(), N);
@@ -101,10 +105,11 @@ TEST_P(Sampling, OfAnExponentialLoop) {
 INSTANTIATE_TEST_SUITE_P(PerCycle, Sampling, ::testing::Values(20, 48, 100, 200));
 
 // --- skew of 10 ms at 0.5 Hz, epsilon = 2 pi f dt = 0.0314 rad ------------------------------------------------------
-// A force early by epsilon adds pi D a1 sin(epsilon) to the energy; a1 is the part of the force's first harmonic in
-// phase with x. So damping grows by (a1 / (K D)) epsilon / 2, 1.571 points times a1 / (K D), K the effective stiffness.
-// At the peak the force has already fallen, with the unloading stiffness K_u, over D epsilon^2 / 2: K becomes smaller
-// and damping larger by the share (epsilon^2 / 2) (K_u / K - 1), which includes the cosine that the energy loses.
+// If the force is early by epsilon, the energy grows by pi D a1 sin(epsilon), where a1 is the part of the force's first
+// harmonic that is in phase with x. Damping therefore grows by (a1 / (K D)) epsilon / 2, which is 1.571 points times a1
+// / (K D), with K the effective stiffness. At the peak the force has already fallen, with the unloading stiffness K_u,
+// over D epsilon^2 / 2. K becomes smaller and damping larger by the share (epsilon^2 / 2) (K_u / K - 1), which includes
+// the cosine that the energy loses.
 
 constexpr double skew_s = 0.010;
 
@@ -129,16 +134,17 @@ TEST(Skew, OfAnEllipse) {
   }
 }
 
-// By how many percentage points damping `xi` grows, from the in-phase amplitude and the unloading stiffness as above.
+// The growth of the damping `xi` in percentage points, from the in-phase amplitude and the unloading stiffness as
+// above.
 double predicted(double in_phase_kN, double K, double xi, double K_unloading) {
   double const epsilon = 2.0 * pi * f * skew_s;
   double const first_order = in_phase_kN / (K * D) * epsilon / 2.0;
   return 100.0 * ((xi + first_order) * (1.0 + epsilon * epsilon / 2.0 * (K_unloading / K - 1.0)) - xi);
 }
 
-// The elastoplastic part of height Qd turns after cos(beta) = 1 - 2 Dy / D; its first harmonic in phase is
-// (Qd / Dy) (D / pi) (beta - sin(2 beta) / 2) = 0.366 Qd (Caughey 1960). With Qd / (K D) = 0.224:
-// a1 / (K D) = 1 - 0.224 (1 - 0.366) = 0.858, 1.348 points; K_u = K2 + Qd / Dy = 3.5 kN/mm adds 0.031.
+// The elastoplastic part of height Qd turns after cos(beta) = 1 - 2 Dy / D. Its first harmonic in phase is (Qd / Dy) (D
+// / pi) (beta - sin(2 beta) / 2) = 0.366 Qd (Caughey 1960). With Qd / (K D) = 0.224, a1 / (K D) = 1 - 0.224 (1 - 0.366)
+// = 0.858, which gives 1.348 points. K_u = K2 + Qd / Dy = 3.5 kN/mm adds 0.031.
 TEST(Skew, OfABilinearLoop) {
   double const K = K2 + Qd / D;
   double const beta = std::acos(1.0 - 2.0 * Dy / D);
@@ -150,9 +156,9 @@ TEST(Skew, OfABilinearLoop) {
   EXPECT_LT(shift, 1.40);
 }
 
-// The exponential part falls from its peak as f0 (1 + tanh(alpha D)) exp(-alpha D (1 - cos)): its first harmonic in
-// phase is 2 f0 (1 + tanh(alpha D)) exp(-alpha D) I1(alpha D) = 0.382 f0. With f0 / (K D) = 0.252: a1 / (K D) = 0.844,
-// 1.326 points; K_u = kb + alpha f0 (1 + tanh(alpha D)) = 6.1 kN/mm adds 0.06.
+// The exponential part falls from its peak as f0 (1 + tanh(alpha D)) exp(-alpha D (1 - cos)). Its first harmonic in
+// phase is 2 f0 (1 + tanh(alpha D)) exp(-alpha D) I1(alpha D) = 0.382 f0. With f0 / (K D) = 0.252, a1 / (K D) = 0.844,
+// which gives 1.326 points. K_u = kb + alpha f0 (1 + tanh(alpha D)) = 6.1 kN/mm adds 0.06.
 TEST(Skew, OfAnExponentialLoop) {
   double const a = alpha * D;
   double const K = kb + f0 * std::tanh(a) / D;
@@ -181,11 +187,11 @@ TEST(Offset, OfEitherChannelLeavesPeakToPeakStiffnessAndEnergy) {
     EXPECT_NEAR(moved.K_eff_kN_per_mm, plain.K_eff_kN_per_mm, 1e-12);
     EXPECT_NEAR(moved.energy_kN_mm, plain.energy_kN_mm, 1e-9 * plain.energy_kN_mm);
     EXPECT_NEAR(moved.damping_percent, plain.damping_percent, 1e-9);
-    EXPECT_GT(std::abs(moved.K_plus_kN_per_mm - plain.K_plus_kN_per_mm), 0.05);  // that of one side changes
+    EXPECT_GT(std::abs(moved.K_plus_kN_per_mm - plain.K_plus_kN_per_mm), 0.05);  // the stiffness of one side changes
   }
 }
 
-// Friction F_f along the motion adds 4 F_f D to the energy; at the peak it is zero as the velocity is.
+// A friction F_f along the motion adds 4 F_f D to the energy. At the peak the velocity is zero, and so is the friction.
 TEST(Friction, AddsTwoFOverPiKD) {
   double const friction = 15.0;
   auto const plain = measured(exponential(), 2000);

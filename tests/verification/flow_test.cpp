@@ -1,5 +1,5 @@
-// The flow of the differential laws against quadrature. The travel from u0 to u1 is the integral of du / rate(u), which
-// Gauss-Kronrod and tanh-sinh give to twelve digits and more; the flow must reach u1 after that travel.
+// The flow of the differential laws is compared with quadrature. The travel from u0 to u1 is the integral of du /
+// rate(u), which Gauss-Kronrod and tanh-sinh give to twelve digits and more. After that travel the flow must be at u1.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ constexpr double exponents[] = {0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1.0,
 // box of an unknown device.
 constexpr double kappas[] = {-0.99, -0.9, -0.75, -0.5, 0.0, 1.0, 3.0};
 
-// The flow beyond saturation is abe's: kappa = 1, n at most 1 in any box.
+// Only abe uses the flow beyond saturation: kappa = 1, and n is at most 1 in any box.
 constexpr double abe_exponents[] = {0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1.0};
 constexpr double abe_kappa = 1.0;
 
@@ -56,8 +56,8 @@ double travel_below_zero(double n, double kappa, double u0, double u1) {
   return rule.integrate([&](double w) { return 1.0 / (1.0 + kappa * std::pow(w, n)); }, -u1, -u0, 1e-13);
 }
 
-// Travel on the rising piece from 0 <= u0 < u1 < 1: in u up to 0.5, since u^n may be singular at 0; beyond that in s =
-// -ln(1 - u), where the integrand is smooth up to saturation.
+// Travel on the rising piece from 0 <= u0 < u1 < 1. Up to 0.5 the integral is in u, since u^n may be singular at 0.
+// Beyond 0.5 it is in s = -ln(1 - u), in which the integrand is smooth up to saturation.
 double travel_below_one(double n, double u0, double u1) {
   constexpr double half = 0.5;
   double travel = 0.0;
@@ -89,7 +89,7 @@ double travel(double n, double kappa, double u0, double u1) {
   return sum;
 }
 
-// n = 1 and n = 2 have elementary travels, which check the quadrature itself.
+// For n = 1 and n = 2 the travels are elementary functions, which check the quadrature itself.
 TEST(Quadrature, KnownTravels) {
   EXPECT_NEAR(travel(1.0, 1.0, -0.8, 0.6), std::log(1.8) - std::log(0.4), 1e-12);
   EXPECT_NEAR(travel(2.0, 1.0, -0.8, 0.6), std::atan(0.8) + std::atanh(0.6), 1e-12);
@@ -119,8 +119,8 @@ double largest_rising_error(double n, double kappa, std::vector<double> const& p
   return worst;
 }
 
-// Near kappa = -1 the curve leaves u = -1 at the rate 1 + kappa only, and the equation itself multiplies an error made
-// there by 1 / (1 + kappa) until the rate is 1.
+// Near kappa = -1 the curve leaves u = -1 at a rate of only 1 + kappa. Until the rate is 1, the equation itself
+// multiplies an error made at the start by 1 / (1 + kappa).
 TEST(SaturatingFlow, FollowsTheEquationFromBelowSaturation) {
   for (double const kappa : kappas) {
     double worst = 0.0;
@@ -133,7 +133,7 @@ TEST(SaturatingFlow, FollowsTheEquationFromBelowSaturation) {
   }
 }
 
-// abe also starts below -1; errors there are measured relative to the rate at the start, 1 + |u|^n.
+// abe also starts below -1. Errors of such starts are measured relative to the rate at the start, 1 + |u|^n.
 TEST(SaturatingFlow, FollowsTheEquationFromFarBelowToo) {
   auto places = rising_places;
   places.insert(places.begin(), {-50.0, -20.0, -7.0, -2.0});
@@ -144,7 +144,7 @@ TEST(SaturatingFlow, FollowsTheEquationFromFarBelowToo) {
   }
 }
 
-// Decrease from above saturation down to it; errors are relative to u.
+// u falls from above saturation towards saturation; errors are relative to u.
 TEST(SaturatingFlow, FallsToSaturationFromAbove) {
   std::vector<double> const places{50.0, 30.0, 12.0, 5.0, 2.5, 1.6, 1.2, 1.05, 1.01, 1.0001};
   for (double const n : abe_exponents) {
@@ -158,8 +158,8 @@ TEST(SaturatingFlow, FallsToSaturationFromAbove) {
   }
 }
 
-// Every reversal converts u to travel and back. Ten thousand reversals must not move a device by a hundredth of the
-// flow's permitted error: a conversion is two Newton steps from a good guess.
+// Every reversal converts u to travel and back. A conversion is two Newton steps from a good guess. Ten thousand
+// reversals must not change u by more than a hundredth of the flow's permitted error.
 template <class Flow>
 double largest_drift(double n, double kappa, std::vector<double> const& places) {
   Flow flow(n, kappa);
@@ -189,8 +189,8 @@ TEST(SaturatingFlow, RoundTripsDoNotDriftBeyondSaturation) {
         << "n " << n;
 }
 
-// u is monotone in the travel, never passes saturation, and is within 1e-7 of it in the end: from u = -1 the curve
-// reaches zero within a travel of 1 / (1 + kappa), then 1 - u falls like exp(-n t). The allowances are for rounding.
+// u is monotone in the travel, never passes saturation, and is within 1e-7 of it in the end. From u = -1 the curve
+// reaches zero within a travel of 1 / (1 + kappa); then 1 - u falls like exp(-n t). The allowances are for rounding.
 TEST(SaturatingFlow, RisesMonotonicallyToSaturation) {
   for (double const n : exponents)
     for (double const kappa : kappas) {
@@ -249,7 +249,8 @@ TEST(SaturatingFlow, RatesAreThoseOfTheEquation) {
   }
 }
 
-// For n <= 0 or kappa <= -1, z runs away on unloading instead of returning; the class promises non-finite values there.
+// For n <= 0 or kappa <= -1, z grows without bound on unloading instead of returning. The class promises values that
+// are not finite for such parameters.
 TEST(SaturatingFlow, PromisesNothingFiniteOutsideItsDomain) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (auto const& [n, kappa] :

@@ -1,5 +1,5 @@
-// ozdemir and bwbn against closed forms of the flow, against the sources' equations integrated here in many steps, and
-// against values of another implementation.
+// ozdemir and bwbn are compared with closed forms of the flow, with the sources' equations, which this file integrates
+// in many steps, and with values of another implementation.
 #include "isolaw/num/error_function.hpp"
 
 #include <gtest/gtest.h>
@@ -48,7 +48,8 @@ double energy(std::vector<double> const& x, std::vector<double> const& force, st
   return sum;
 }
 
-// Against the C library: every binade, both signs, the seam of the two rational functions and the end of the range.
+// Comparison with the C library in every binade, for both signs, at the seam of the two rational functions and at the
+// end of the range.
 TEST(ErrorFunction, IsThatOfTheLibrary) {
   for (double u = 1e-300; u < 1e3; u *= 1.0007) {
     EXPECT_NEAR(num::erf(u), std::erf(u), 4e-16 * std::min(1.0, 2.0 * u)) << u;
@@ -59,8 +60,8 @@ TEST(ErrorFunction, IsThatOfTheLibrary) {
   EXPECT_TRUE(std::isnan(num::erf(std::nan(""))));
 }
 
-// For n = 1, z approaches saturation as exp(-K |dx| / Y), whatever its sign. For n = 2 it is a tanh, after unloading by
-// a tan. The flow's table errs by 1e-9 here, and by 1e-5 at worst for other n.
+// For n = 1, z approaches saturation as exp(-K |dx| / Y), whatever its sign. For n = 2 it is a tanh and, on unloading,
+// a tan. The flow's table errs by 1e-9 for these n, and by 1e-5 at worst for other n.
 TEST(Ozdemir, ClosedForms) {
   double const K = 3.0, Y = 40.0, alpha = 0.2;
   double z1 = 0.0, z2 = 0.0;
@@ -79,7 +80,7 @@ TEST(Ozdemir, ClosedForms) {
   }
 }
 
-// The source's form: F' = Ks (x' - |x'| |s/Ys|^n sgn(s)), s = F - Ks alpha (x - F/Ks).
+// The equation as the source writes it: F' = Ks (x' - |x'| |s/Ys|^n sgn(s)), s = F - Ks alpha (x - F/Ks).
 TEST(Ozdemir, IsTheSourceWithItsBackstress) {
   double const Ks = 3.6, Ys = 30.0, alpha = 0.25;
   for (double const n : {1.0, 1.7, 3.0}) {
@@ -89,7 +90,7 @@ TEST(Ozdemir, IsTheSourceWithItsBackstress) {
     });
     double const K = Ks / (1.0 + alpha), Y = Ys * std::pow(1.0 + alpha, -1.0 - 1.0 / n);
     auto const found = forces<Ozdemir>({K, Y, n, alpha, 0, 0, 0}, laws::make_path(corners, {}));
-    // The table errs by 9e-8 here; the 20,000 Runge-Kutta steps err far less.
+    // The table errs by 9e-8 for these parameters; the 20,000 Runge-Kutta steps err far less.
     for (std::size_t i = 0; i < corners.size(); ++i) EXPECT_NEAR(found[i], oracle[i][0], 1e-6 * Ys) << n << ", " << i;
   }
 }
@@ -107,7 +108,7 @@ TEST(Ozdemir, TheTermOfAlloysIsElastic) {
   }
 }
 
-// ozdemir as bouc-wen: the parameters that exports state give the same forces.
+// Exports write ozdemir as bouc-wen; the parameters that they state give the same forces.
 TEST(Ozdemir, IsBoucWen) {
   auto const x = through(corners, 7);
   auto const path = laws::make_path(x, {});
@@ -115,7 +116,8 @@ TEST(Ozdemir, IsBoucWen) {
     auto const values = scaled_candidate<Ozdemir>(i);
     auto const form = std::get<laws::BoucWenForm>(Ozdemir::canonical(laws::unpack<Ozdemir, double>(values)));
     auto const force = forces<Ozdemir>(values, path);
-    // The difference is rounding, also in powers of 1 / z_max.
+    // Equal but for rounding. The bound leaves room because bouc-wen takes z_max as a root of 1/beta, with beta = (1 /
+    // z_max)^n: that multiplies beta's rounding by 1/n, ten for n = 0.1.
     EXPECT_LT(largest_difference(forces<laws::BoucWen>({form.alpha, form.Ke, 1.0, form.beta, form.n, form.gamma}, path),
                                  force),
               1e-11 * largest_magnitude(force));
@@ -123,7 +125,7 @@ TEST(Ozdemir, IsBoucWen) {
   EXPECT_TRUE(std::holds_alternative<laws::NoForm>(Ozdemir::canonical({3, 40, 1, 0.2, 10, 0.5, 0.01})));
 }
 
-// One step and the same step cut in a thousand give the same force.
+// One step gives the same force as a thousand steps that cover the same displacement.
 TEST(Ozdemir, StepsAdd) {
   for (std::uint32_t i = 0; i < 50; ++i) {
     auto const values = candidate<Ozdemir>(i);
@@ -134,7 +136,8 @@ TEST(Ozdemir, StepsAdd) {
   }
 }
 
-// As the step is halved the change of the force tends to 0. The slope is at most the elastic one at the start plus 2 K.
+// As the step is halved the change of the force tends to 0. `bound` is the largest change that the law's slopes allow
+// over a step of a given length.
 template <class Law, class Bound>
 void expect_continuous(Values<Law> const& values, Bound const& bound) {
   std::vector<std::vector<double>> const histories{
@@ -145,14 +148,14 @@ void expect_continuous(Values<Law> const& values, Bound const& bound) {
         auto x = history;
         x.push_back(x.back() + side * d);
         auto const force = forces<Law>(values, laws::make_path(x, {}));
-        // On both sides of a reversal the table agrees within 1e-11 of the force.
+        // On both sides of a reversal the table gives the same force within a share of 1e-11.
         EXPECT_LE(std::abs(force.back() - force[force.size() - 2]), bound(d) + 1e-9) << d << " from " << history.back();
       }
 }
 
 TEST(Ozdemir, IsContinuous) {
   double const K = 3.0, alpha = 0.2;
-  // The largest slope of erf is 2 / sqrt(pi) times its rate.
+  // The slope of an error function is at most its rate times 2 / sqrt(pi).
   for (double const n : {0.2, 1.0, 2.5})
     expect_continuous<Ozdemir>({K, 40.0, n, alpha, 25.0, 0.5, 0.03}, [&](double d) {
       return (2.0 * K + alpha * K * (1.0 + 25.0 * (2.0 * 0.03 + 0.01))) * d;
@@ -160,7 +163,8 @@ TEST(Ozdemir, IsContinuous) {
 }
 
 // From dx = dz / K + |dx| |z/Y|^n sgn(z), the work is the energy stored in z, z^2 / 2K, plus the loss |z| |z/Y|^n |dx|.
-// From rest to rest, the first and the second cycle lose energy anywhere in the box, at 2, 50 and 208 mm.
+// A device that starts at rest loses energy in the first and in the second cycle, anywhere in the box, at 2, 50 and 208
+// mm.
 TEST(Ozdemir, CyclesDissipate) {
   for (double const amplitude : {2.0, 50.0, 208.0})
     for (std::uint32_t i = 0; i < 200; ++i) {
@@ -190,14 +194,15 @@ TEST(Bwbn, Values) {
     double const force = Bwbn::step<double>(params, state, fine_path.steps[i]);
     if (i == 0 || i % steps != 0) continue;
     std::size_t const corner = i / steps - 1;
-    // A little more than half of the last printed digit; e has as few as five digits.
+    // The tolerances are a little more than half a unit of the last digit that the source prints. It prints some values
+    // of e with only five digits.
     EXPECT_NEAR(force, F[corner], 8e-8);
     EXPECT_NEAR(state.z, z[corner], 8e-8);
     EXPECT_NEAR(state.e, e[corner], corner == 0 ? 8e-8 : 6e-6);
   }
 }
 
-// The equations with degradation, integrated here in z itself.
+// The law is compared with its equations, with degradation, which this test integrates in z itself.
 TEST(Bwbn, IsItsEquations) {
   Values<Bwbn> const bearing{0.15, 3.0, 1.0, 0.06, 0.02, 1.3, 0.25, 0.5, 2e-4, 3.0, 1e-4, 0.3, 2e-5, 1e-5};
   for (double const A : {1.0, 1.4}) {
@@ -224,7 +229,7 @@ TEST(Bwbn, IsItsEquations) {
   }
 }
 
-// Without pinching and degradation bwbn is bouc-wen, with the same redundancy of A.
+// Without pinching and degradation bwbn equals bouc-wen, and A is redundant in the same manner.
 TEST(Bwbn, IsBoucWenWithoutPinching) {
   auto const path = laws::make_path(through(corners, 7), {});
   for (std::uint32_t i = 0; i < 50; ++i) {
@@ -255,7 +260,7 @@ TEST(Bwbn, AIsRedundant) {
   }
 }
 
-// Unloading is nowhere flatter than loading at the same z, even with pinching (q >= 0), so e never falls below 0, and
+// Unloading is nowhere flatter than loading at the same z, even with pinching (q >= 0). So e never falls below 0, and
 // cycles from rest to rest lose energy anywhere in the box.
 TEST(Bwbn, CyclesDissipate) {
   for (double const amplitude : {2.0, 50.0, 208.0})
@@ -270,7 +275,7 @@ TEST(Bwbn, CyclesDissipate) {
 TEST(Bwbn, IsContinuous) {
   Values<Bwbn> const bearing{0.15, 3.0, 1.0, 0.06, 0.02, 0.6, 0.25, 0.5, 2e-4, 3.0, 1e-4, 0.3, 2e-5, 1e-5};
   double const zu = std::pow(0.08, -1.0 / 0.6);
-  // The steepest unloading, from saturation: 1 + |z|^n (beta - gamma).
+  // Unloading is steepest at saturation, where its slope is 1 + |z|^n (beta - gamma).
   expect_continuous<Bwbn>(bearing, [&](double d) { return 3.0 * (1.0 + 0.04 * std::pow(zu, 0.6)) * d; });
 }
 

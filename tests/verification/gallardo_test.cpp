@@ -1,5 +1,6 @@
-// gallardo against the published algorithm, written here from its equations and run in many small steps; against closed
-// forms where they exist; and against properties that its definition implies for any path.
+// gallardo is compared with the published algorithm, which is written here from its equations and run in many small
+// steps, and with closed forms where they exist. Its forces also have properties that its definition implies for any
+// path.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,9 +21,9 @@ namespace {
 
 using laws::Gallardo;
 
-// The published algorithm: one step at a time, g = x/100 mm. The states of the elastic part are those of the side where
-// a step ends, and take the whole step; z follows the implicit midpoint rule, solved by iteration; phi and the turn
-// count change one step later.
+// The published algorithm, one step at a time, with g = x/100 mm. The elastic part uses the states of the side on which
+// a step ends, for the whole step. z follows the implicit midpoint rule, solved by iteration. phi and the count of
+// turns change one step later.
 class Stepwise {
  public:
   explicit Stepwise(Values<Gallardo> const& values) : p_(laws::unpack<Gallardo, double>(values)) {}
@@ -76,7 +77,7 @@ class Stepwise {
   double g_ = 0.0, dg_ = 0.0, z_ = 0.0, phi_ = 0.0, uip_ = 0.0;
 };
 
-// Forces at the corners.
+// The forces at the corners, by the law.
 std::vector<double> exact(Values<Gallardo> const& values, std::vector<double> const& corners, int steps = 1) {
   auto const all = forces<Gallardo>(values, laws::make_path(through(corners, steps), {}));
   std::vector<double> at_corners;
@@ -132,7 +133,7 @@ Values<Gallardo> with(Values<Gallardo> values, std::initializer_list<std::pair<s
   return values;
 }
 
-// Known values: the published algorithm with 1,000 to 50,000 steps a leg, each within .002.
+// The expected values come from the published algorithm with 1,000 to 50,000 steps a leg and are each good to .002.
 TEST(Gallardo, PublishedAlgorithm) {
   std::vector<double> const corners{0, 78, -78, 78, -156, 156, 0};
   std::array<double, 6> const known{19.128, -20.033, 16.395, -30.740, 30.877, -4.894};
@@ -143,8 +144,8 @@ TEST(Gallardo, PublishedAlgorithm) {
   }
 }
 
-// The published algorithm tends to the law in proportion to its step. The path turns before and after z has passed 0,
-// on both sides, inside the peaks and beyond them.
+// The error of the published algorithm, compared with the law, is proportional to its step. The path turns before and
+// after z has passed 0, on both sides, inside the peaks and beyond them.
 TEST(Gallardo, StepsConvergeToIt) {
   std::vector<double> const corners{0,    78,  60,  77.5, 77, 90,  -20, -19.7, -60, 10,   9.8, 40,  -110, -100,
                                     -101, -95, 0.1, 3,    -4, 130, 128, 131,   60,  64.5, -70, 140, -40,  0};
@@ -158,14 +159,15 @@ TEST(Gallardo, StepsConvergeToIt) {
     for (std::size_t k = 0; k < errors.size(); ++k)
       errors[k] = largest_difference(stepwise(values, corners, std::array{200, 2000, 20000}[k]), limit) / peak;
     EXPECT_LT(errors[0], 3e-3) << describe<Gallardo>(values);
-    // In proportion to the step, down to the error of the flow's table and of phi, which changes one step later.
+    // The error falls in proportion to the step, down to the errors of the flow's table and of phi, which changes one
+    // step later.
     EXPECT_LT(errors[1], 0.15 * errors[0] + 1e-6) << describe<Gallardo>(values);
     EXPECT_LT(errors[2], 0.15 * errors[1] + 1e-6) << describe<Gallardo>(values);
   }
 }
 
-// For n = 1 the curves are exponentials. Under loading z tends to 1/(1 - 2 phi); when the motion opposes it, z goes to
-// 0 as (1 + k z0) exp(-k t), k = 2 B - 1.
+// For n = 1 the curves are exponentials. Under loading z tends to 1/(1 - 2 phi). If the motion opposes z, z goes to 0
+// as (1 + k z0) exp(-k t), k = 2 B - 1.
 TEST(Gallardo, ClosedForm) {
   double const uy = 4.0, phimax = 0.2, pphi = 0.05;
   for (double const B : {0.75, 1.0}) {
@@ -202,7 +204,7 @@ TEST(Gallardo, ClosedForm) {
   }
 }
 
-// One step and the same step cut in a thousand give the same force.
+// One step gives the same force as a thousand steps that cover the same displacement.
 TEST(Gallardo, StepsAdd) {
   for (std::uint32_t i = 0; i < 50; ++i) {
     auto const values = scaled_candidate<Gallardo>(i);
@@ -221,9 +223,9 @@ TEST(Gallardo, FirstSample) {
   }
 }
 
-// The law is odd except that it measures the distance of turns from uy. Without hardening it is odd to the last bit.
-// With hardening, mirrored turns are up to two yield displacements nearer or farther, phi differs by at most 2 pphi
-// phimax, and the strength (1 - 2 phi)^(-1/n) by its slope times that.
+// The law measures the distance of turns on both sides from uy, and is odd in everything else. Without hardening it is
+// odd to the last bit. With hardening, mirrored turns are up to two yield displacements nearer or farther, so phi
+// differs by at most 2 pphi phimax, and the strength by its slope, the derivative of (1 - 2 phi)^(-1/n), times that.
 TEST(Gallardo, MirroredMotion) {
   for (std::uint32_t i = 0; i < 50; ++i) {
     auto values = scaled_candidate<Gallardo>(i);
@@ -242,7 +244,8 @@ TEST(Gallardo, MirroredMotion) {
   }
 }
 
-// As the step is halved the change of the force tends to 0: as C^pm where a side is left for the first time.
+// As the step is halved the change of the force tends to 0. Where the path leaves 0 for the first time it falls as
+// C^pm.
 TEST(Gallardo, Continuous) {
   std::vector<std::vector<double>> const histories{
       {0}, {0, 50}, {0, 50, 10}, {0, 50, -50, 0}, {0, 50, -30, 50}, {0, 20, 5, 20}, {0, 50, 40, 45}};
@@ -253,15 +256,15 @@ TEST(Gallardo, Continuous) {
         auto x = history;
         x.push_back(x.back() + direction * d);
         auto const force = exact(published, x);
-        // The bound: the slope of z, at most 2 fy/uy; 20 kN times fm C^pm; and the change of G.
+        // The bound adds up the slope of z, at most 2 fy/uy, 20 kN times fm C^pm, and the change of G.
         double const bound = 4.0 * d + 20.0 * 0.12 * std::pow(d / 100.0, pm);
         EXPECT_LE(std::abs(force.back() - force[force.size() - 2]), bound) << d << " from " << history.back();
       }
 }
 
-// A cycle from rest to rest takes energy anywhere in the box. With a2 = 0 this follows: at any x the elastic force is
-// smaller on the way back than on the way out, for G and C never shrink, and z returns less than it took. It also holds
-// for every a2 of the box.
+// A cycle from rest to rest takes energy anywhere in the box. For a2 = 0 this can be shown: G and C never shrink, so at
+// any x the elastic force is smaller on the return than on the first passage, and z returns less energy than it took.
+// The test finds it for every a2 of the box too.
 TEST(Gallardo, CyclesDissipate) {
   for (double const amplitude : {1.0, 2.0, 50.0, 208.0})
     for (std::uint32_t i = 0; i < 300; ++i)

@@ -1,4 +1,5 @@
-// history-integral against the closed form of its terms: along a straight path of length L, q = d + (q0 - d) exp(-L/D).
+// history-integral is compared with the closed form of its terms: along a straight path of length L, q = d + (q0 - d)
+// exp(-L/D).
 #include <gtest/gtest.h>
 
 #include <array>
@@ -13,13 +14,15 @@ namespace {
 
 using laws::HistoryIntegral;
 
-// Terms (S, D) = (.1, .2) and (.05, .8), elastic stiffness .4, in a dimensionless displacement that is 1 at 100 mm.
+// Terms (S, D) = (.1, .2) and (.05, .8) and an elastic stiffness of .4, in a dimensionless displacement that is 1 at
+// 100 mm.
 Values<HistoryIntegral> two_terms(double g) {
   return named<HistoryIntegral>({{"K", 0.4}, {"g", g}, {"S", 0.15}, {"D", 80.0}, {"s", 2.0 / 3.0}, {"u", 0.25}});
 }
 
-// The first force is that of a published path in two directions, whose first leg is straight; the others come from a
-// script that writes the terms down leg by leg. All are printed to 1e-9. A step cut in a thousand is the same step.
+// The first force belongs to a published path in two directions, whose first leg is straight. The others come from a
+// script that writes the terms down leg by leg. All are printed to 1e-9. A step that is cut into a thousand pieces must
+// give the same force.
 TEST(HistoryIntegral, TwoTerms) {
   struct Case {
     double g;
@@ -43,12 +46,13 @@ TEST(HistoryIntegral, StationaryCycle) {
   double energy = 0.0;
   for (std::size_t i = 9 * steps; i + 1 < x.size(); ++i) energy += 0.5 * (force[i] + force[i + 1]) * (x[i + 1] - x[i]);
   auto const of_term = [](double S, double D) { return 4.0 * S * (100.0 - D * std::tanh(100.0 / D)); };
-  // The remainder of the start after nine half cycles, and the error of the trapezoidal rule with 20,000 steps per leg.
+  // The tolerance covers what is left of the start after nine half cycles, and the error of the trapezoidal rule with
+  // 20,000 steps per leg.
   EXPECT_NEAR(energy, of_term(0.1, 20.0) + of_term(0.05, 80.0), 1e-5);
   EXPECT_NEAR(force.back(), 0.4 + 0.1 * std::tanh(5.0) + 0.05 * std::tanh(1.25), 1e-7);
 }
 
-// As the step is halved the change of the force tends to 0: as d^g where the peak grows from 0.
+// As the step is halved the change of the force tends to 0. Where the peak grows from 0 it falls as d^g.
 TEST(HistoryIntegral, IsContinuous) {
   std::vector<std::vector<double>> const histories{{0}, {0, 50}, {0, 50, 10}, {0, 50, -50, 0}, {0, 50, -30, 50}};
   for (auto const& history : histories)
@@ -77,7 +81,7 @@ TEST(HistoryIntegral, CyclesDissipate) {
     }
 }
 
-// With one memory and no softening it is vaiana with straight limit curves (in N and m).
+// With one memory and no softening the law equals vaiana with straight limit curves (in N and m).
 TEST(HistoryIntegral, OneMemoryIsVaiana) {
   auto const here = named<HistoryIntegral>({{"K", 40.0}, {"g", 1.0}, {"S", 30.0}, {"D", 25.0}, {"s", 0.0}, {"u", 0.1}});
   auto const there =

@@ -1,5 +1,5 @@
-// The program's verdict on which parameters a record determines, where the answer is known: a redundant parameter, one
-// without effect, one whose true value lies outside the box, and a record that determines everything.
+// Tests the program's verdict on which parameters a record determines, in cases whose answer is known: a redundant
+// parameter, one without effect, one whose true value lies outside the box, and a record that determines everything.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -74,7 +74,7 @@ TEST(Identifiability, ARecordOfABilinearDeviceDeterminesAll) {
   }
 }
 
-// z may be counted in other units, which rescales A, alpha and Ke, and also beta and gamma unless n = 1.
+// The unit of z is arbitrary. Another unit rescales A, alpha and Ke, and unless n = 1 also beta and gamma.
 TEST(Identifiability, AOfBoucWenIsRedundant) {
   for (bool const n_is_one : {false, true}) {
     auto const set = n_is_one ? std::vector<std::string>{"bouc-wen.n=1"} : std::vector<std::string>{};
@@ -100,7 +100,8 @@ TEST(Identifiability, WithAFixedBoucWenIsDetermined) {
   }
 }
 
-// The stiffness a4 exp(-a5 |v|) acts only at rest: at a5 = 1000 s/m and speeds of 10 mm/s and more it is below e^-10.
+// The stiffness that a4 and a5 describe acts only at rest. Here a5 is at least 4000 s/m and the device moves faster
+// than 4 mm/s at every sample, so a5 |v| is above 16 and the stiffness vanishes.
 TEST(Identifiability, WhatDoesNotActIsSaidOnceAndLeavesTheOthersAlone) {
   auto const motion = twins::growing_cycles(3, 98);
   ASSERT_GT(std::abs(*std::ranges::min_element(motion.vel_mm_s, {}, [](double v) { return std::abs(v); })), 4.0);
@@ -115,7 +116,7 @@ TEST(Identifiability, WhatDoesNotActIsSaidOnceAndLeavesTheOthersAlone) {
     EXPECT_EQ(verdict_of(found, twin, active), Verdict::determined) << active;
 }
 
-// Only one of the two acts: at the reversals the device is at rest for one sample.
+// The device is at rest for one sample at each reversal, so a4 acts; a5 still does not.
 TEST(Identifiability, AParameterThatActsIsNotNamedWithOneThatDoesNot) {
   auto const twin = twins::twin_in_box("jankowski", twins::growing_cycles(3, 100), overrides({"jankowski.a5=4e3:1e4"}));
   auto const found = judged(twin);
@@ -137,14 +138,14 @@ TEST(Identifiability, ATruthOutsideTheBoxEndsAtItsBound) {
   EXPECT_DOUBLE_EQ(found.optimum[twin.law->index_of("K2")], K2.lower);
   EXPECT_EQ(verdict_of(found, twin, "K1"), Verdict::determined);
   EXPECT_EQ(verdict_of(found, twin, "xy"), Verdict::determined);
-  EXPECT_EQ(found.singular_values.size(), 2u);  // without the one at its bound
+  EXPECT_EQ(found.singular_values.size(), 2u);  // the parameter at its bound has none
   auto const& p = found.parameters[1];
   EXPECT_TRUE(p.open_below);
   EXPECT_FALSE(p.open_above);
   EXPECT_GE(p.lower, K2.lower);
 }
 
-// The root mean square over time of the change of the force, divided by the standard deviation of the force.
+// The root mean square of the change of the force over time, divided by the standard deviation of the force.
 double force_change(fit::LawOnRecord const& model, std::vector<double> const& from, std::vector<double> const& to) {
   std::vector<double> residuals(2 * model.samples());
   model.residuals(
@@ -156,8 +157,9 @@ double force_change(fit::LawOnRecord const& model, std::vector<double> const& fr
   return std::sqrt(sum);
 }
 
-// Changing the parameters, of either sign, by the percentages of the sentence moves the force by little more than the
-// sentence says. The parameters it leaves out move the force by up to a tenth of what the first named one does alone.
+// If parameters of either sign change by the percentages of the sentence, the force changes by little more than the
+// sentence says. The parameters that the sentence leaves out change the force by at most a tenth of the change that the
+// first parameter causes alone.
 TEST(Identifiability, ATradeOffHoldsForParametersOfEitherSign) {
   struct Case {
     std::string law;

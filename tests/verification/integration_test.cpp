@@ -1,7 +1,7 @@
-// How exactly the laws are integrated. On each record of the example lot and on the measured bearing's third stage, the
-// objective at random parameter sets of the box and at the best one found may differ by at most 1e-4 from the one with
-// 20 times finer steps. `paper` must be one classical Runge-Kutta step per sample: it is compared with one written here
-// from the printed equations. No expected value is our own past output.
+// Tests how exactly the laws are integrated. On each record of the example lot and on the measured bearing's third
+// stage, the objective at random parameter sets of the box, and at the best set found, may differ by at most 1e-4 from
+// the objective with 20 times finer steps. `paper` must be one classical Runge-Kutta step per sample: it is compared
+// with such steps that this file computes from the printed equations. No expected value is our own past output.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>  // mkdtemp
@@ -28,11 +28,12 @@ namespace {
 constexpr double tolerance = 1e-4;  // on the objective; the laws' best objectives differ by 1e-3 and more
 constexpr int finer = 20;
 constexpr int random_sets = 100;
-constexpr double rare = 0.05;  // share of random sets with a bounded force whose objective is not finite
+constexpr double rare =
+    0.05;  // permitted share of sets whose objective is not finite, among random sets with a bounded force
 
 using Values = std::vector<double>;
 
-// Eq. (27) again, written apart from the library: forces in kN, trapezoidal rule, population form of the deviation.
+// Eq. (27) once more, written without the library: forces in kN, trapezoidal rule, population form of the deviation.
 double objective(data::FitRecord const& record, Values const& computed) {
   auto const& measured = record.force_kN;
   double mean = 0.0, square = 0.0, integral = 0.0;
@@ -77,12 +78,13 @@ struct Shift {
   std::string worst;                         // the random set with the largest shift
 };
 
-// In Eq. (14), z grows without end where beta + gamma <= 0.
+// With beta + gamma <= 0, z of Eq. (14) grows without end.
 bool without_bounded_force(laws::LawEntry const& law, Values const& p) {
   return law.info.id == "bouc-wen" && p[law.index_of("beta")] + p[law.index_of("gamma")] <= 0.0;
 }
 
-// Adds the shifts of one law on one record to `found`, without the record's dead band, which does not concern steps.
+// Adds the shifts of one law on one record to `found`. The record's dead band is switched off, as it does not depend on
+// steps.
 void measure(laws::LawEntry const& law, data::FitRecord record, BoxKind kind, std::uint64_t stream_number,
              Shift& found) {
   record.dead_band_mm = 0.0;
@@ -309,7 +311,8 @@ TEST(PaperIntegration, OfAbeIsOneClassicalStepPerSample) {
   }
 }
 
-// The converged integration must agree with many small steps of the printed equations, not only with itself.
+// The converged integration must agree with many small steps of the printed equations, and not only with its own small
+// steps.
 TEST(ConvergedIntegration, IsTheLimitOfManyClassicalSteps) {
   auto const record = swept();
   constexpr int parts = 2000;
@@ -346,8 +349,9 @@ TEST(ConvergedIntegration, IsTheLimitOfManyClassicalSteps) {
                thinned(abe_by_hand(fine, p, true, 1.7)));
 }
 
-// By Eq. (18) F2 never exceeds the largest yield force so far, Y0 (1 + |D/Uh|^p), whatever the step: 400 kN here, with
-// steps of up to 38 yield displacements, as a small yield displacement has at 100 samples per cycle.
+// By Eq. (18) F2 never exceeds the largest yield force so far, Y0 (1 + |D/Uh|^p), whatever the step. In this test that
+// is 400 kN, and the steps are up to 38 yield displacements long, as they are at 100 samples per cycle for a device
+// with a small yield displacement.
 TEST(ConvergedIntegration, OfAbeStaysBelowTheYieldForceForSmallYieldDisplacements) {
   data::FitRecord record;
   for (int i = 0; i <= 300; ++i) {
@@ -394,8 +398,8 @@ TEST(IntegrationShift, IsTheDifferenceFromAPathOfFinerSteps) {
   }
 }
 
-// docs/source.md, "Integration": with n = 0.3, one step per sample at 100 samples per cycle moves the objective by
-// 0.007. The order of magnitude is tested: `paper` must show a shift large enough for a warning.
+// docs/source.md, "Integration", says that with n = 0.3 one step per sample at 100 samples per cycle moves the
+// objective by 0.007. Only the order of magnitude is tested: `paper` must show a shift large enough for a warning.
 TEST(IntegrationShift, OfThePaperIsLargeWhereTheSpecificationSaysSo) {
   data::FitRecord record;
   for (int i = 0; i <= 300; ++i) {

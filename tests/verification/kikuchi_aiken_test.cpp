@@ -1,5 +1,5 @@
-// kikuchi-aiken: its loops with the published functions of a compound, its own functions against an independent script,
-// and properties that its definition implies for any path.
+// The loops of kikuchi-aiken are compared with the published functions of a compound, and its own functions with an
+// independent script. Its forces also have properties that its definition implies for any path.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -17,7 +17,7 @@ using laws::KikuchiAiken;
 using AtPeak = laws::kikuchi_aiken::AtPeak<double>;
 using CompoundLoops = laws::kikuchi_aiken::Loops<double>;
 
-// Compound X0.6 at its standard pressure: stress in MPa over strain.
+// The parameters of compound X0.6 at its standard pressure, with stress in MPa over strain.
 AtPeak compound(double g) {
   double const G =
       g < 1.15 ? 0.68358 * std::pow(g, -0.39964) : 1.10103 - 0.61946 * g + 0.22047 * g * g - 0.022191 * g * g * g;
@@ -47,13 +47,13 @@ double work_along(std::vector<double> const& x, std::vector<double> const& force
   return sum;
 }
 
-// With the published functions, values of another implementation to six digits: the peak, the zero crossing of
-// unloading, the energy of a cycle, which is 2 pi h G A^2, and the solution of the equation for a.
+// Uses the published functions. Another implementation gave the expected values to six digits: the peak, the zero
+// crossing of unloading, the energy of a cycle, which is 2 pi h G A^2, and the solution of the equation for a.
 TEST(KikuchiAiken, Compound) {
   struct Case {
     double A, peak, zero, energy, a, b, energy_tolerance;
   };
-  // At strain 2 the published b neglects exp(-2c), while here the force meets the peak: 5e-5 of the energy.
+  // At strain 2 the published b neglects exp(-2c), but isolaw's force meets the peak, which changes the energy by 5e-5.
   for (auto const& k : {Case{0.5, 0.450882, -0.184539, 0.317729, 7.116283, 0.0, 1e-6},
                         Case{1.0, 0.683580, -0.256665, 0.903336, 8.294444, 0.0, 1e-6},
                         Case{2.0, 1.132924, -0.347124, 2.597845, 10.19171, 2.448609, 1.5e-4}}) {
@@ -78,16 +78,19 @@ TEST(KikuchiAiken, InnerBranchesOfTheCompound) {
   }
 }
 
-// Inner branches with the overshoot term of b: it acts after a turn on the other side, not after two turns on one side.
+// Inner branches with the overshoot term of b, which acts after a turn on the other side but not after two turns on one
+// side.
 TEST(KikuchiAiken, InnerBranchesWithOvershoot) {
   std::array const stress{1.132924000, -1.132924000, 0.683569418, -0.474645786,
                           0.575618041, -0.284326719, 0.683569418, 1.132924000};
   auto const found = of_compound({0, 2, -2, 1, -0.4, 0.7, 0.2, 1, 2});
-  // The turn at -0.4 follows one at 1, that at 0.2 follows one at 0.7. Values of an independent script, to 1e-9.
+  // The turn at -0.4 follows a turn at 1, the turn at 0.2 follows one at 0.7. An independent script gave the values to
+  // 1e-9.
   for (std::size_t i = 0; i < stress.size(); ++i) EXPECT_NEAR(found.stress[i + 1], stress[i], 6e-10) << i;
 }
 
-// Values of a script that finds a by bisection and has its own stack; the second case overshoots and hardens.
+// The expected values come from a script that finds a by bisection and has its own stack. The second case overshoots
+// and hardens.
 TEST(KikuchiAiken, ItsOwnFunctions) {
   struct Case {
     Values<KikuchiAiken> values;
@@ -105,8 +108,8 @@ TEST(KikuchiAiken, ItsOwnFunctions) {
     }
 }
 
-// The second branch of the secant stiffness: above xn the peak force is (1 + s1 (m - xn)) times that of the first
-// branch, and a closed loop dissipates the share h of the resulting energy.
+// The second branch of the secant stiffness. Above xn the peak force is (1 + s1 (m - xn)) times the peak force of the
+// first branch, and a closed loop dissipates the share h of the resulting energy.
 TEST(KikuchiAiken, SecondBranchOfTheStiffness) {
   Values<KikuchiAiken> const stiffening{60, 0.4, 0.22, -2e-4, 0.42, -4e-4, 0.0, 30, 0.004, 10.19171, 5};
   constexpr int steps = 4000;
@@ -124,10 +127,10 @@ TEST(KikuchiAiken, SecondBranchOfTheStiffness) {
 
 Values<KikuchiAiken> const rubber{60, 0.4, 0.22, -2e-4, 0.42, -4e-4, 0.02, 30, 0, 10.19171, 5};
 Values<KikuchiAiken> const overshooting{60, 0.4, 0.22, 0, 0.38, -1e-3, 0.02, 30, 0, 10.19171, 5};
-// Here a is 1.36, and the published branch would miss the peak by 13 % of the hysteretic force.
+// In this set a is 1.36, and the published branch would miss the peak by 13 % of the hysteretic force.
 Values<KikuchiAiken> const far_off{60, 0.4, 0.1, 0, 0.5, 0, 0, 30, 0, 10.19171, 5};
 
-// A closed loop of unloading and reloading leaves no trace in later forces, but for rounding in sums of branches.
+// A closed loop of unloading and reloading leaves no trace in later forces, except for rounding in sums of branches.
 TEST(KikuchiAiken, LoopsClose) {
   for (auto const& values : {rubber, overshooting, far_off}) {
     auto const plain = forces<KikuchiAiken>(values, laws::make_path(std::vector<double>{0, 50, -60, 40, 80}, {}));
@@ -143,8 +146,8 @@ TEST(KikuchiAiken, LoopsClose) {
   }
 }
 
-// As the step is halved the change of the force tends to 0: as d^(1-p) from rest, elsewhere as d, also when a step ends
-// on or goes past a peak or a turning point.
+// As the step is halved the change of the force tends to 0. From rest it falls as d^(1-p), elsewhere as d, even if a
+// step ends on a peak or a turning point or goes past it.
 TEST(KikuchiAiken, IsContinuous) {
   std::vector<std::vector<double>> const histories{{0},
                                                    {0, 50},
@@ -162,7 +165,8 @@ TEST(KikuchiAiken, IsContinuous) {
         for (double d = 1.0; d > 1e-12; d *= 0.5) {
           auto on = history, onto = history;
           on.push_back(on.back() + sign * d);
-          // The last point is approached from its own side; the step before it ends short of it.
+          // The path approaches its last point from the side of the point before, and the step before ends just short
+          // of it.
           double const from = onto.size() < 2 ? 0.0 : onto[onto.size() - 2] < onto.back() ? -1.0 : 1.0;
           if (from != 0.0) onto.insert(onto.end() - 1, onto.back() + from * std::min(d, 0.5));
           double const bound = 60.0 * std::pow(d / 100.0, 0.6) + 25.0 * d + 1e-12;
@@ -174,7 +178,7 @@ TEST(KikuchiAiken, IsContinuous) {
         }
 }
 
-// A closed loop between the peaks dissipates 2 pi h Fm m; where b is not needed only exp(-2a) is missing.
+// A closed loop between the peaks dissipates 2 pi h Fm m. If b is not needed, only a share of exp(-2a) is missing.
 TEST(KikuchiAiken, DampingIsThatOfTheLoop) {
   constexpr int steps = 4000;
   for (double const A : {20.0, 100.0, 200.0}) {
@@ -186,9 +190,9 @@ TEST(KikuchiAiken, DampingIsThatOfTheLoop) {
   }
 }
 
-// In the box and at twice its size, both the cycle from rest to rest and the next one dissipate. At five times its
-// size, where h may have fallen to 0, only the next cycle must: its dissipation then is only that which closes the
-// branches, and on the way to a peak whose force grows faster than the peak, less energy goes in than comes back.
+// In the box and at twice its size, both the cycle from rest to rest and the next one dissipate. At five times its size
+// h may have fallen to 0, and then only the next cycle must dissipate: only the terms that close the branches lose
+// energy, and on the way to a peak whose force grows faster than the peak less energy goes in than comes back.
 TEST(KikuchiAiken, CyclesDissipate) {
   for (double const amplitude : {2.0, 50.0, 208.0, 416.0, 1040.0})
     for (std::uint32_t i = 0; i < 500; ++i) {

@@ -1,8 +1,9 @@
-// The differential laws against an adaptive integration of their equations, written from docs/laws.md and sharing no
-// code with the laws: Dormand-Prince 5(4) of Boost.odeint, in displacement along the piecewise linear path, restarted
-// at every sample and wherever the right-hand side has a corner in x (x = 0, a new peak). The step control handles the
-// remaining corner, F2 = 0 or z = 0 with n < 1: the slope there is bounded and never 0, so a step across it errs by at
-// most the jump of the slope times its length, and is shortened until that is below the tolerance.
+// The differential laws are compared with an adaptive integration of their equations that is written from docs/laws.md
+// and shares no code with the laws. It is Boost.odeint's Dormand-Prince 5(4), in displacement along the piecewise
+// linear path, restarted at every sample and wherever the right-hand side has a corner in x (x = 0, a new peak). The
+// step control handles the remaining corner, F2 = 0 or z = 0 with n < 1. The slope is bounded at that corner and never
+// 0, so a step across the corner errs by at most the jump of the slope times the length of the step, and the control
+// shortens the step until this is below the tolerance.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +24,7 @@ namespace {
 
 constexpr double tolerance = 1e-11;
 
-// y after a travel `length` from the y given, with dy/ds = slope(s, y). `scale` is the size of y, for the tolerance.
+// y after a travel `length` from the given y, with dy/ds = slope(s, y). `scale` is the size of y, for the tolerance.
 template <class Slope>
 double integrate(Slope const& slope, double y, double length, double scale) {
   using State = std::array<double, 1>;
@@ -127,8 +128,8 @@ Oracle hwang_wu(Values<laws::HwangWu> const& values, std::vector<double> const& 
   return force;
 }
 
-// Paths of 60 to 100 samples a cycle: two sines, one with small loops around the peaks, and one that reverses at every
-// other sample. The last two differ from candidate to candidate.
+// Paths of 60 to 100 samples a cycle: two sines, one path with small loops around the peaks, and one that reverses at
+// every other sample. The last two paths differ from candidate to candidate.
 std::vector<Motion> motions(std::uint32_t index, double roughness) {
   return {sine(208.0, 0.5, 2, 100), sine(60.0, 0.5, 2, 60), irregular(index, 200.0, 3, 100, 0.005),
           irregular(1000 + index, 150.0, 2, 100, roughness)};
@@ -189,18 +190,19 @@ TEST(OdeOracle, AbeY0) {
   EXPECT_LT(errors<laws::AbeY0>(40, abe_y0, candidate<laws::AbeY0>).back(), 1e-5);
 }
 
-// abe holds the yield force constant over a step, with a correction. Most errors are far below the largest, which come
-// from the first sample (with p near 0 the yield force jumps at x = 0) and from steps across F2 = 0 on the rough path.
+// abe holds the yield force constant over a step, with a correction. The largest errors come from the first sample
+// (with p near 0 the yield force jumps at x = 0) and from steps across F2 = 0 on the rough path. Most errors are far
+// smaller.
 TEST(OdeOracle, Abe) {
   auto const all = errors<laws::Abe>(40, abe, candidate<laws::Abe>);
   EXPECT_LT(median(all), 2e-5);
   EXPECT_LT(all.back(), 5e-4);
 }
 
-// One Runge-Kutta step per sample errs by 4e-6 for ordinary devices. Where a10 F dx exceeds one, at the start of a
-// strongly damped candidate, exp(a10 W) vanishes within a step or two. On a path as rough as the other laws' some
-// velocities would oppose the motion: damping would feed energy in and exponentials would grow, which no tolerance
-// covers.
+// One Runge-Kutta step per sample errs by 4e-6 for ordinary devices. If a10 F dx exceeds one, at the start of a
+// strongly damped candidate, exp(a10 W) vanishes within a step or two. The path is smoother than the other laws' paths.
+// On a path as rough as those, some velocities would oppose the motion, so damping would feed energy in and
+// exponentials would grow beyond any tolerance.
 TEST(OdeOracle, HwangWu) {
   auto const all = errors<laws::HwangWu>(40, hwang_wu, candidate<laws::HwangWu>, 0.005);
   EXPECT_LT(median(all), 2e-5);
@@ -218,7 +220,7 @@ TEST(OdeOracle, HwangWuForThePublishedDevices) {
   }
 }
 
-// Skips candidates without a bounded force, beta + gamma <= 0.
+// Skips candidates without a bounded force, which have beta + gamma <= 0.
 Values<laws::BoucWen> bounded_bouc_wen(std::uint32_t index) {
   for (std::uint32_t next = index;; next += 100) {
     auto const values = scaled_candidate<laws::BoucWen>(next);
@@ -227,9 +229,9 @@ Values<laws::BoucWen> bounded_bouc_wen(std::uint32_t index) {
   }
 }
 
-// The sets that an optimiser meets with a device of its own size: for bouc-wen, exponents 0.5 to 2 and any ratio of
-// beta to gamma; for abe, yield displacements down to a thousandth of the largest displacement. A search would exploit
-// wrong forces there.
+// The parameter sets that an optimiser meets in the box of a device's own size. bouc-wen has exponents from 0.5 to 2
+// and any ratio of beta to gamma; abe has yield displacements down to a thousandth of the largest displacement. A
+// search would exploit wrong forces of such sets.
 TEST(OdeOracleInTheScaledBox, BoucWen) {
   EXPECT_LT(errors<laws::BoucWen>(100, bouc_wen, bounded_bouc_wen).back(), 1e-4);
 }
@@ -243,8 +245,8 @@ TEST(OdeOracleInTheScaledBox, Abe) {
 }
 
 // With tiny yield displacements F2 is saturated at Yt(x) = 40 (1 + (x/100)^2), except within a millimetre after each
-// reversal, whatever the step. In the steady state F2 lags behind Yt by about Ut Yt' / n, 0.8 kN here, and never
-// exceeds the largest Yt, 200 kN (plus 0.1 % for the integration).
+// reversal, whatever the step. In the steady state F2 lags behind Yt by about Ut Yt' / n, which is 0.8 kN in this test.
+// F2 never exceeds the largest Yt, 200 kN (plus 0.1 % for the integration).
 TEST(OdeOracle, AbeSaturatesAtItsYieldForceInLargeSteps) {
   auto const values = named<laws::Abe>(
       {{"alpha", 1.0}, {"n", 0.6}, {"Y0", 40.0}, {"Uh", 100.0}, {"p", 2.0}, {"U0", 0.5}, {"Us", 200.0}, {"r", 0.1}});

@@ -28,7 +28,7 @@ using S = typename Law::template State<double>;
 laws::BoucWen::Params<double> bouc_wen(double n, double beta, double gamma) {
   return {.alpha = 0.0, .Ke = 1.0, .A = 1.0, .beta = beta, .n = n, .gamma = gamma};
 }
-// The hysteretic part alone with unit strength; its yield length stays U.
+// The hysteretic part alone, with unit strength and the yield length U.
 laws::AbeY0::Params<double> abe(double n, double U) {
   laws::AbeY0::Params<double> p{};
   p.n = n;
@@ -62,7 +62,8 @@ TEST(PlaneLaws, a_straight_step_of_bouc_wen_switches_where_the_component_along_i
   EXPECT_NEAR(at_zero.y, 0.440567110531, 1e-12);
 }
 
-// The last turn around a polygon with `corners` corners: q at the last corner and the work of the turn.
+// The last turn around a polygon with `corners` corners: the size and the lag of the force at the last corner, and the
+// work of the turn.
 struct Turn {
   double size, lag, work;
 };
@@ -80,11 +81,11 @@ Turn turn(P<Law> const& p, double radius, int corners, int turns = 4) {
     from = to;
   }
   last_turn.size = std::hypot(force.x, force.y);
-  last_turn.lag = std::atan2(-force.x, force.y);  // behind the direction of motion, which is y here
+  last_turn.lag = std::atan2(-force.x, force.y);  // behind the direction of motion, which is y at the last corner
   last_turn.lag = std::abs(last_turn.lag) * 180.0 / pi;
   return last_turn;
 }
-// A polygon errs by the square of its chords' angle: two polygons are extrapolated to the circle.
+// A polygon errs by the square of the angle of one side, so two polygons are extrapolated to the circle.
 template <class Law>
 Turn circle(P<Law> const& p, double radius, int corners = 4000) {
   auto const once = turn<Law>(p, radius, corners), twice = turn<Law>(p, radius, 2 * corners);
@@ -155,7 +156,8 @@ Vector<double> integrated(Vector<double> const& z, Vector<double> const& n, doub
   return {at[0], at[1]};
 }
 
-// The same, stopped where z.n passes 0: the slope may have a corner there that the step control does not notice.
+// z after a straight path. The integration stops where z.n passes 0: the slope may have a corner at that point, which
+// the step control does not notice.
 template <class Slope>
 Vector<double> integrated_to_the_corner(Vector<double> z, Vector<double> const& n, double length, Slope const& slope) {
   double done = 0.0;
@@ -173,7 +175,7 @@ Vector<double> integrated_to_the_corner(Vector<double> z, Vector<double> const& 
   return integrated(z, n, length - done, slope);
 }
 
-// Straight steps of all lengths against the differential form, each starting from the law's own state.
+// Straight steps of all lengths, compared with the differential form. Each step starts from the law's own state.
 template <class Law, class Slope>
 double worst_over_a_walk(P<Law> const& p, Vector<double> S<Law>::*q, Slope const& slope) {
   std::mt19937_64 random(3);
@@ -206,7 +208,7 @@ TEST(PlaneLaws, bouc_wen_of_any_sharpness_follows_its_differential_form) {
     }
 }
 
-// The form in components is not isotropic; docs/bidirectional.md quotes these numbers.
+// The law written in components is not isotropic; docs/bidirectional.md quotes these numbers.
 TEST(PlaneLaws, the_form_in_components_turns_with_the_axes) {
   constexpr int samples = 10000;
   auto const force = [&](double angle, double beta, bool in_components) {

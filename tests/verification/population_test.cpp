@@ -63,8 +63,8 @@ data::FitRecord motion() {
   return record;
 }
 
-// A law with its free parameters on logarithmic scales that reach four times to either side of the medians, so that the
-// box limits no draw.
+// A law whose free parameters are on logarithmic scales. The scales reach from a quarter of the medians to four times
+// the medians, so that the box limits no draw.
 class Laboratory {
  public:
   explicit Laboratory(Lot const& lot) : lot_(lot), law_(laws::find_law(lot.law)), record_(motion()) {
@@ -80,7 +80,7 @@ class Laboratory {
     }
   }
 
-  // `noise` is its standard deviation as a share of the force's.
+  // `noise` is the standard deviation of the noise as a share of the force's standard deviation.
   data::FitRecord test(Values const& device, double noise, num::Draws& draws) const {
     auto record = record_;
     record.force_kN = fit::LawOnRecord(law_, record_, laws::Integration::converged).force_kN(all(device));
@@ -162,10 +162,11 @@ Matrix matrix(SquareMatrix const& rows) {
   return square;
 }
 
-// The moments of the parameters' logarithms: true, of the devices drawn, and recovered from the tests.
+// The moments of the parameters' logarithms: of the population (true), of the devices that were drawn, and as recovered
+// from the tests.
 struct Recovered {
   Vector true_mean, drawn_mean, mean;
-  Matrix true_covariance, drawn_covariance;  // the population's; these devices'
+  Matrix true_covariance, drawn_covariance;  // of the population; of the devices drawn
   Matrix covariance, S, C;                   // recovered; of the estimates; mean covariance of their errors
   Population population;
 };
@@ -203,7 +204,8 @@ Recovered recover(Lot const& lot, double level, double noise) {
   return moments;
 }
 
-// Every entry must lie within 3.5 of its standard errors, whose squares are `variance`.
+// Every entry must lie within 3.5 standard errors of its expected value. `variance` holds the squares of the standard
+// errors.
 void expect_within(Matrix const& found, Matrix const& expected, Matrix const& variance, char const* what) {
   for (Index i = 0; i < found.rows(); ++i)
     for (Index j = 0; j < found.cols(); ++j)
@@ -222,7 +224,7 @@ Matrix variance_of_cross_terms(Matrix const& A, Matrix const& B) {
 
 class PopulationRecovery : public testing::TestWithParam<std::size_t> {};
 
-// The errors of the fits are small beside the scatter of the devices: 0.1 to 0.8 %.
+// The errors of the fits are 0.1 to 0.8 % and thus small beside the scatter of the devices.
 TEST_P(PopulationRecovery, GivesMeanAndCovarianceBack) {
   auto const& lot = lots[GetParam()];
   for (double const level : {0.025, 0.05, 0.10, 0.15}) {
@@ -232,7 +234,7 @@ TEST_P(PopulationRecovery, GivesMeanAndCovarianceBack) {
     EXPECT_EQ(found.population.directions, lot.names.size());
     EXPECT_TRUE(found.population.undetermined.empty());
 
-    // Against the population: the sampling of the devices and the errors of the fits both count.
+    // Compared with the population, the estimates differ by the sampling of the devices and by the errors of the fits.
     Matrix const T = found.true_covariance + found.C;
     expect_within(found.mean, found.true_mean, T.diagonal() / devices, "mean");
     expect_within(found.covariance, found.true_covariance, variance_of_covariance(T), "covariance");
@@ -240,7 +242,7 @@ TEST_P(PopulationRecovery, GivesMeanAndCovarianceBack) {
     EXPECT_NEAR(std::atanh(found.population.correlation[0][1]), std::atanh(correlation),
                 standard_errors / std::sqrt(freedom - 2.0));
 
-    // Against these very devices: only the errors of the fits count.
+    // Compared with the devices drawn, the estimates differ by the errors of the fits alone.
     expect_within(found.mean, found.drawn_mean, found.C.diagonal() / devices, "mean of the devices");
     expect_within(found.covariance, found.drawn_covariance,
                   variance_of_cross_terms(found.drawn_covariance, found.C) + variance_of_covariance(found.C),
@@ -248,10 +250,11 @@ TEST_P(PopulationRecovery, GivesMeanAndCovarianceBack) {
   }
 }
 
-// Equal devices differ by the errors of their fits alone. trace(C^-1 S) m is then chi-squared with n m degrees of
-// freedom; the kernel estimates f(0) too low by half the square of its relative width, so C is high by that square:
-// 0.10. The largest eigenvalue of C^-1 S exceeds (1 + root(n / m) + t / root(m))^2 with probability exp(-t^2 / 2) at
-// most (Davidson and Szarek 2001, Theorem II.13); what exceeds 1 is taken for scatter.
+// If all devices are equal, their estimates differ only by the errors of the fits. m trace(C^-1 S) is then chi-squared
+// with n m degrees of freedom. C itself is about 0.10 too large: the kernel estimates the density of the residuals at
+// zero, f(0), too low by half the square of its relative width, and C goes with 1/f(0)^2. The largest eigenvalue of
+// C^-1 S exceeds (1 + root(n / m) + t / root(m))^2 with probability exp(-t^2 / 2) at most (Davidson and Szarek 2001,
+// Theorem II.13). The program takes whatever exceeds 1 for scatter between devices.
 TEST_P(PopulationRecovery, OfEqualDevicesFindsNoMoreThanTheErrorsOfTheFits) {
   auto const& lot = lots[GetParam()];
   auto const found = recover(lot, 0.0, 0.01);
@@ -267,8 +270,8 @@ TEST_P(PopulationRecovery, OfEqualDevicesFindsNoMoreThanTheErrorsOfTheFits) {
   expect_within(found.mean, found.true_mean, found.C.diagonal() / devices, "mean");
 }
 
-// With ten times the noise the errors of the fits are at least as large as the scatter; the estimates scatter by the
-// sum of both.
+// With ten times the noise the errors of the fits are at least as large as the scatter of the devices. The estimates
+// then scatter by the sum of both.
 TEST_P(PopulationRecovery, AccountsForErrorsAsLargeAsTheScatter) {
   auto const& lot = lots[GetParam()];
   auto const found = recover(lot, 0.025, 0.10);

@@ -1,5 +1,5 @@
-// power-masing and power-scragging against two other implementations, along a path with inner loops, and properties
-// that their definitions imply for any path.
+// power-masing and power-scragging are compared with two other implementations, along a path with inner loops. Their
+// forces also have the properties that their definitions imply for any path.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ void expect_at_corners(Values<Law> const& values, std::array<double, 5> const& e
   }
 }
 
-// Forces from two independent implementations in Python.
+// The expected forces come from two independent implementations in Python.
 TEST(PowerLaws, Masing) {
   expect_at_corners<PowerMasing>({80, 0.36, 45, 10, 60, 0.25},
                                  {129.532082, -113.471661, -143.227964, 109.233601, 169.340264});
@@ -42,7 +42,7 @@ TEST(PowerLaws, Scragging) {
                                     {133.626557, -121.483364, -147.377735, 106.630371, 170.597619});
 }
 
-// Forces at every corner from two independent implementations, in C++ and Python.
+// The expected forces come from two independent implementations, in C++ and Python, and cover every corner.
 TEST(PowerLaws, Worn) {
   Values<laws::PowerMasingWorn> const values{96, 0.37, 49, 14, 51, 0.15, 1.9, 0.033};
   std::vector<double> const expected{0,           90.743914, 141.827865, -21.715459, -121.017257,
@@ -54,7 +54,7 @@ TEST(PowerLaws, Worn) {
   }
 }
 
-// Without its dashpot, or without wear and kept force, each variant equals power-masing bit by bit.
+// Without its dashpot, or without wear and kept force, each variant gives the bits of power-masing.
 TEST(PowerLaws, VariantsAreTheLawWithoutTheirTerms) {
   auto const motion = polyline(corners, 9);
   auto const path = laws::make_path(motion.disp_mm, motion.velocity_mm_s);
@@ -67,7 +67,7 @@ TEST(PowerLaws, VariantsAreTheLawWithoutTheirTerms) {
     EXPECT_NEAR(damped[i] - force[i], 0.05 * motion.velocity_mm_s[i], 1e-12);
 }
 
-// The closed form of the branches at integers: f (1 + f^4) = x/xy. The energy of a cycle is 4 a xy Fy f^(r+1)
+// At integer exponents the branches have a closed form: f (1 + f^4) = x/xy. The energy of a cycle is 4 a xy Fy f^(r+1)
 // (r-1)/(r+1).
 TEST(PowerLaws, RambergOsgood) {
   double const K = 2.0, Fy = 30.0, xy = Fy / K;
@@ -90,19 +90,19 @@ TEST(PowerLaws, RambergOsgood) {
   }
 }
 
-// At h = 1 the length of the memory is a logarithm, the limit of the powers on both sides.
+// At h = 1 the length of the memory is a logarithm; the powers at smaller and larger h tend to it.
 TEST(PowerLaws, ScraggingIsContinuousInItsExponent) {
   auto const path = laws::make_path(through(corners, 3), {});
   auto const at = [&](double h) { return forces<PowerScragging>({50, 0.36, 80, 10, 60, 35, h, 0.25, 0.05}, path); };
   auto const middle = at(1.0);
   for (double const d : {1e-12, 1e-6, 1e-4, 2e-3, 1e-2})
     for (double const h : {1.0 - d, 1.0 + d})
-      // The force changes by 17 kN per unit of h here.
+      // At this point the force changes by 17 kN per unit of h.
       EXPECT_LT(largest_difference(at(h), middle), 20.0 * d + 1e-11) << h;
 }
 
-// A closed loop of unloading and reloading leaves no trace in the hysteretic force: without scragging and hardening the
-// later forces are the same, but for rounding in the sums of branches.
+// A closed loop of unloading and reloading leaves no trace in the hysteretic force. Without scragging and hardening the
+// later forces are the same, except for rounding in the sums of branches.
 TEST(PowerLaws, MasingLoopsClose) {
   Values<PowerMasing> const values{80, 0.36, 45, 0, 0, 0.25};
   auto const plain = forces<PowerMasing>(values, laws::make_path(std::vector<double>{0, 50, -60, 40, 80}, {}));
@@ -128,7 +128,8 @@ TEST(PowerLaws, MemoryIsAsDeepAsThePath) {
   EXPECT_NEAR(outwards.back(), -inwards[1], 1e-9);
 }
 
-// As the step is halved the change of the force tends to 0: as d^g where a branch begins, also on a virgin side.
+// As the step is halved the change of the force tends to 0. Where a branch begins, and on a virgin side, it falls as
+// d^g.
 TEST(PowerLaws, MasingIsContinuous) {
   Values<PowerMasing> const values{80, 0.36, 45, 10, 60, 0.25};
   std::vector<std::vector<double>> const histories{
@@ -139,7 +140,8 @@ TEST(PowerLaws, MasingIsContinuous) {
         auto x = history;
         x.push_back(x.back() + sign * d);
         auto const force = forces<PowerMasing>(values, laws::make_path(x, {}));
-        // The bound: sk'(0) of the branch, the elastic force of a virgin side, and the change of C and H along d.
+        // The bound adds up sk'(0) of the branch, the elastic force of a virgin side, and the change of C and H along
+        // d.
         double const bound = 2.0 * 80.0 * std::pow(d / 100.0, 0.36) + 45.0 * std::pow(d / 100.0, 0.36) + 1.5 * d;
         EXPECT_LE(std::abs(force.back() - force[force.size() - 2]), bound) << d << " from " << history.back();
       }
@@ -147,8 +149,8 @@ TEST(PowerLaws, MasingIsContinuous) {
 
 Values<PowerMasing> const bearing{87.1, 0.370, 46.4, 9.8, 65.5, 0.27};  // the measured bearing
 
-// At five times the tests' largest amplitude, 151.2 mm, the first loading reaches 1,333 kN, and 560 kN of that are the
-// hardening, which grows with the square.
+// At five times the tests' largest amplitude, 151.2 mm, the first loading reaches 1,333 kN. The hardening, which grows
+// with the square of the displacement, makes up 560 kN of them.
 TEST(PowerLaws, HardeningGovernsFarBeyondTheTests) {
   auto const path = laws::make_path(through({0.0, 5.0 * 151.2}, 100), {});
   auto without = bearing;
@@ -158,15 +160,16 @@ TEST(PowerLaws, HardeningGovernsFarBeyondTheTests) {
   EXPECT_NEAR(force - forces<PowerMasing>(without, path).back(), 560.0, 0.5);
 }
 
-// White noise with a normal distribution.
+// Adds white noise with a normal distribution.
 std::vector<double> with_noise(std::vector<double> x, double deviation) {
   num::Draws draws(num::Stream(7), 0, 0);
   for (double& value : x) value += deviation * draws.normal();
   return x;
 }
 
-// A dead band of three standard deviations costs a noise-free path little: for noise of 0.1 % of the amplitude at most
-// 0.5 % of the peak force on average over the samples (0.31 % here; more after reversals, where branches are steepest).
+// A dead band of three standard deviations changes the force on a noise-free path only a little. For noise of 0.1 % of
+// the amplitude the mean change over the samples may be 0.5 % of the peak force; it is 0.31 % in this test. It is
+// largest after reversals, where branches are steepest.
 TEST(PowerLaws, DeadBandKeepsThePath) {
   std::vector<double> x;
   for (double const amplitude : {38.0, 76.0, 152.0})
@@ -182,8 +185,8 @@ TEST(PowerLaws, DeadBandKeepsThePath) {
   EXPECT_EQ(laws::followed(x, 0.0), x);
 }
 
-// At rest with a tremor of 0.01 mm over ten thousand samples, 9 % of the force are lost to travel that is not real;
-// with the dead band less than 1 %.
+// A device rests for ten thousand samples while its record trembles by 0.01 mm. The law takes the tremor for travel and
+// loses 9 % of the force; with the dead band it loses less than 1 %.
 TEST(PowerLaws, TremorIsNoTravel) {
   auto x = through({0.0, 50.0}, 100);
   x.resize(x.size() + 10000, 50.0);
@@ -195,8 +198,8 @@ TEST(PowerLaws, TremorIsNoTravel) {
   EXPECT_GT(behind.back(), 0.99 * behind[100]);
 }
 
-// A cycle from rest to rest dissipates anywhere in the box. From peak to peak it need not: energy stored on the way up
-// at a stiffness that travel later removes is returned there.
+// A cycle from rest to rest dissipates anywhere in the box. A cycle from peak to peak need not dissipate: the device
+// stores energy while it moves up, with a stiffness that later travel removes, and returns it when it moves back.
 TEST(PowerLaws, CyclesDissipate) {
   for (double const amplitude : {2.0, 50.0, 208.0})
     for (std::uint32_t i = 0; i < 200; ++i) {

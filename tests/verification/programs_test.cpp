@@ -1,4 +1,4 @@
-// Other programs' materials as isolaw replays them, against closed forms and values of independent implementations.
+// isolaw's replays of other programs' materials, compared with closed forms and values of independent implementations.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -42,7 +42,7 @@ TEST(Replay, bilinear_materials_have_the_closed_form) {
   }
 }
 
-// Values of another implementation; f at 1 follows by hand: 0.1 + 0.9 / 2^(1/20).
+// The expected values come from another implementation. The force at 1 can be checked by hand: 0.1 + 0.9 / 2^(1/20).
 TEST(Replay, steel02_has_the_branches_of_menegotto_and_pinto) {
   Command const command{"Steel02", {1.0, 1.0, 0.1, 20.0, 0.925, 0.15}};
   auto const f = replay({&command, 1}, std::vector<double>{1, 5, -5, 5, 2, 5, 6});
@@ -51,8 +51,8 @@ TEST(Replay, steel02_has_the_branches_of_menegotto_and_pinto) {
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(f[i], expected[i], 5.1e-10) << i;
 }
 
-// Without hardening K_eff = kb + f0 tanh(alpha D) / D and EDC = 4 f0 (D - tanh(alpha D) / alpha); kb 0.6, f0 25, alpha
-// 0.08, D 150 give 0.766667 kN/mm and 13750.00 kN mm.
+// Without hardening K_eff = kb + f0 tanh(alpha D) / D and EDC = 4 f0 (D - tanh(alpha D) / alpha). With kb 0.6, f0 25,
+// alpha 0.08 and D 150 they are 0.766667 kN/mm and 13750.00 kN mm.
 TEST(Replay, asymmetric_material_without_hardening_has_the_closed_form) {
   double const kb = 0.6, f0 = 25.0, alpha = 0.08, D = 150.0;
   Command const command{"HystereticAsym", {kb + 2.0 * alpha * f0, kb, f0, 0, 0, 0}};
@@ -62,8 +62,8 @@ TEST(Replay, asymmetric_material_without_hardening_has_the_closed_form) {
   EXPECT_NEAR(energy(x, f, 1999), 13750.0, 0.05);
 }
 
-// The documentation's example, ka 5, kb 0.5, f0 0.45, along 0, 1, -1, 1: values of an independent port. The energy is
-// that of the loop -1, 1, -1.
+// The example of the documentation, ka 5, kb 0.5, f0 0.45, along 0, 1, -1, 1. The expected values come from an
+// independent port. The energy belongs to the loop -1, 1, -1.
 TEST(Replay, asymmetric_material_gives_the_documented_sets) {
   struct Set {
     double b1, b2, gamma, at_1, at_0, at_minus_1, again, energy;
@@ -86,8 +86,8 @@ TEST(Replay, asymmetric_material_gives_the_documented_sets) {
   }
 }
 
-// Wen's material with n = 1 and gamma = 0 has dz/dx = A - beta |z| sgn(dx z). Its branches are those of the asymmetric
-// material without hardening, to first order in the step.
+// Wen's material with n = 1 and gamma = 0 has dz/dx = A - beta |z| sgn(dx z). To first order in the
+// step its branches equal the branches of the asymmetric material without hardening.
 TEST(Replay, bouc_wen_of_exponent_one_is_the_asymmetric_material_as_the_step_goes_to_zero) {
   double const kb = 0.6, f0 = 25.0, alpha = 0.08, D = 150.0, Ke = kb + alpha * f0;
   Command const algebraic{"HystereticAsym", {kb + 2.0 * alpha * f0, kb, f0, 0, 0, 0}};

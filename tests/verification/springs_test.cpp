@@ -1,5 +1,5 @@
-// Springs around the circle: stiffness, strength and energy of bilinear ones against values that an independent script
-// computed from the formulas; the effect of turning the springs; tangents.
+// Springs around the circle. Stiffness, strength and energy of bilinear springs are compared with values that an
+// independent script computed from the formulas. Further tests turn the springs and compare tangents.
 #include "isolaw/laws/springs.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ laws::Online bilinear(double K2 = 0.9) {
   return {"bilinear", std::vector{6.0, K2, 30.0 / (6.0 - K2)}};
 }
 
-// The force after every corner, each side cut into steps; the work of the last round of `round` corners.
+// The force after every point of the path, and the work along the last `round` pieces.
 struct Walked {
   std::vector<Vector<double>> forces;
   double work = 0.0;
@@ -79,7 +79,8 @@ TEST(Springs, energies_of_bilinear_ones) {
     EXPECT_NEAR(work(e.springs, circles), e.energy, 0.3) << e.springs;
 }
 
-// 16 springs lose part of the knee; docs/bidirectional.md quotes these numbers.
+// Sixteen springs yield one after another, so the loop loses part of its knee, and work with it, at small amplitudes.
+// docs/bidirectional.md quotes these numbers.
 TEST(Springs, lose_work_at_small_amplitudes) {
   constexpr int steps = 2000;
   auto const change_percent = [&](double size) {
@@ -130,7 +131,8 @@ TEST(Springs, turn_by_their_own_angle_exactly_and_by_any_within_a_spring) {
 
 TEST(Springs, tangents_and_damping_are_slopes) {
   bool damped = false;
-  // Towards a side never visited the second law has no bounded slope; only its dashpot is compared.
+  // The second law's slope is unbounded towards a side that was never visited, so only the effect of its dashpot is
+  // compared.
   struct Subject {
     laws::Online law;
     bool has_slopes;

@@ -1,5 +1,6 @@
-// Search boxes of Table 4 of Cucuzza et al. 2025 (Structures 73, 108355) as printed, in its order and units, typed in
-// independently of Table A.5, with isolaw's parameter names. std::nullopt: the bound is illegible in our copy.
+// Search boxes of Table 4 of Cucuzza et al. 2025 (Structures 73, 108355) as printed, in its order and units, with
+// isolaw's parameter names. They were typed in independently of Table A.5. std::nullopt means that a bound is illegible
+// in our copy.
 #pragma once
 
 #include <array>

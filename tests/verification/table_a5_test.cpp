@@ -1,6 +1,6 @@
-// The post-processing against the printed Table A.5 of Cucuzza et al. 2025 (docs/source.md, "The statistics"): mean
-// objective, robustness index and front of the six laws. A separate script computed the expected numbers from the
-// printed table; they test the arithmetic, not the identification.
+// The post-processing is compared with the printed Table A.5 of Cucuzza et al. 2025 (docs/source.md, "The statistics"):
+// mean objective, robustness index and front of the six laws. A separate script computed the expected numbers from the
+// printed table. They test the arithmetic, not the identification.
 #include "isolaw/study/table_a5.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ double mean_objective(Law const& law) {
   return num::moments(law.objective_mean).mean;
 }
 
-// beta over the law's printed parameters, without the one named `leave_out`.
+// beta over the law's printed parameters. The parameter named `leave_out` does not count.
 lot::Robustness robustness(Law const& law, std::string_view leave_out = {}) {
   std::vector<std::string> names;
   std::vector<std::vector<double>> means;
@@ -37,7 +37,7 @@ lot::Robustness robustness(Law const& law, std::string_view leave_out = {}) {
   return lot::robustness_index(names, means);
 }
 
-// This checks the transcription: Table 4 and Table A.5 were typed in independently.
+// Checks the transcription: Table 4 and Table A.5 were typed in independently.
 TEST(TableA5, EveryMeanLiesInItsSearchBox) {
   ASSERT_EQ(laws.size(), 6u);
   for (auto const& law : laws)
@@ -66,7 +66,8 @@ TEST(TableA5, RobustnessIndices) {
   }
 }
 
-// Section 7 of the paper: law 2 about 30 %; law 3 about 22 % at an objective of 9 %. We take "about" as half a percent.
+// Section 7 of the paper says about 30 % for law 2, and about 22 % at an objective of 9 % for law 3. We read "about" as
+// within half a percent.
 TEST(TableA5, AgreesWithThePapersText) {
   EXPECT_NEAR(*robustness(laws[1]).beta, 0.30, 0.005);
   EXPECT_NEAR(*robustness(laws[2]).beta, 0.22, 0.005);

@@ -1,4 +1,5 @@
-// Two-sided tolerance factors of the normal distribution, coverage and confidence 95 %, against printed tables.
+// Two-sided tolerance factors of the normal distribution, for a coverage and a confidence of 95 %, against printed
+// tables.
 #include "isolaw/num/tolerance_factor.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +26,7 @@ TEST(ToleranceFactor, TendsToTheNormalQuantile) {
   EXPECT_TRUE(std::isnan(tolerance_factor(1)));
 }
 
-// By drawing samples: the interval must hold 95 % of the distribution in 95 % of the samples.
+// Draws samples: the interval must hold 95 % of the distribution in 95 % of the samples.
 TEST(ToleranceFactor, HoldsItsShareWithItsConfidence) {
   std::mt19937_64 random(11);
   std::normal_distribution<double> normal;

@@ -58,8 +58,8 @@ TEST_P(Twin, IsFoundAgain) {
       elsewhere.insert(parameter.name);
     }
   }
-  // Other values are allowed for parameters that the law itself calls redundant, and for abe-y0's hardening force K2
-  // |x|^r / Uh^r, of which only the product is known.
+  // A parameter may differ from its true value if the law itself calls it redundant. So may the factors of abe-y0's
+  // hardening force K2 |x|^r / Uh^r, of which only the product is known.
   std::string const law = GetParam();
   EXPECT_GE(determined, law == "bouc-wen" || law == "abe" ? 1u : 3u);
   std::set<std::string_view> redundant{twin.law->redundant_with.begin(), twin.law->redundant_with.end()};

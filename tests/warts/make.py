@@ -94,7 +94,7 @@ def time_stamps():
 
 
 def workbook(name, head, time):
-    """Writes the least that Excel reads; cells of the first column have style 1, a date and time."""
+    """Writes the smallest workbook that Excel can read; cells of the first column have style 1, a date and time."""
     def text(content):
         return f'<c t="inlineStr"><is><t>{content}</t></is></c>'
     rows = '<row>' + text(head) + text('Displacement [mm]') + text('Force [kN]') + '</row>'
@@ -183,8 +183,9 @@ def text_files():
     write('empty.csv', b'')
 
 
-# Writes load and displacement of a compression test: `loadings` from `least` to `largest` kN along d(P), with some
-# hysteresis on unloading; the first loading settles by a tenth more.
+# Writes load and displacement of a compression test. The load rises `loadings` times from `least` to `largest` kN along
+# d(P) and falls with some hysteresis. In the first loading a settlement grows with the load up to `settles` mm; in the
+# later ones it is complete from the start.
 def compression(name, head, disp_of, loadings=3, least=50.0, largest=1000.0, load_sign=1.0, settles=0.02, unloads=True, end=math.inf):
     lines = [head]
     for number in range(loadings):
@@ -199,7 +200,7 @@ def compression(name, head, disp_of, loadings=3, least=50.0, largest=1000.0, loa
 def compression_tests():
     english = 'Vertical displacement [mm];Vertical load [kN]'
     compression('compression.csv', english, lambda p: 0.3 + p / 1200.0)
-    # A stiffening law, d ~ P^0.8: from 300 to 1000 kN it moves by 700/1200 mm.
+    # A law that stiffens, d ~ P^0.8: from 300 to 1000 kN the displacement grows by 700/1200 mm.
     scale = 700.0 / 1200.0 / (1000.0 ** 0.8 - 300.0 ** 0.8)
     compression('compression-ramp.csv', 'Displacement [mm];Load [kN]', lambda p: scale * p ** 0.8, loadings=1, least=0.0, settles=0.0, unloads=False)
     compression('compression-negative.csv', 'Weg vertikal [mm];Vertikalkraft [kN]', lambda p: 0.3 + p / 1200.0, load_sign=-1.0)
@@ -211,7 +212,8 @@ def machine(name, head, row, encoding='utf-8', end='\r\n'):
     table(name, head, row, encoding=encoding, end=end)
 
 
-# Files as testing machines and measuring amplifiers write them; the device and times are those of all files here.
+# Writes files as testing machines and measuring amplifiers write them, with the device and the times of the other
+# files.
 def machines():
     tabs = lambda t, x, f: f'{t:.4f}\t{x:.4f}\t{f:.4f}'
     machine('mts-793.dat', 'MTS793|MPT|ENU|1|2|.|/|:|1|0|0|A\r\n\r\nData Acquisition\t\tTime:\t6.02\tSec\t5/2/2024 10:00:06 AM\r\n'
@@ -232,7 +234,7 @@ def machines():
             'Channels\t2\t\t\r\nSamples\t301\t301\t\r\nDate\t2024/05/02\t2024/05/02\t\r\nTime\t10:00:00.25\t10:00:00.25\t\r\n'
             'Y_Unit_Label\tmm\tkN\t\r\nX_Dimension\tTime\tTime\t\r\nX0\t0.0E+0\t0.0E+0\t\r\nDelta_X\t0.020000\t0.020000\t\r\n***End_of_Header***\t\t\t\r\n'
             'X_Value\tDisplacement\tForce\tComment', tabs)
-    # Without a time column: the header states the interval, if all channels have the same one.
+    # A file without a time column: if all channels have the same interval, the header states it.
     head = ('LabVIEW Measurement\t\r\nSeparator\tTab\r\nDecimal_Separator\t.\r\nX_Columns\tNo\r\n***End_of_Header***\t\r\n\t\r\n'
             'Channels\t2\t\t\r\nSamples\t301\t301\t\r\nY_Unit_Label\tmm\tkN\t\r\nX_Dimension\tTime\tTime\t\r\nX0\t0.0E+0\t0.0E+0\t\r\n'
             'Delta_X\t{}\t0.020000\t\r\n***End_of_Header***\t\t\t\r\nX_Value\tDisplacement\tForce\tComment')

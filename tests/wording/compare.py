@@ -15,7 +15,7 @@ scratch = pathlib.Path(scratch)
 shutil.rmtree(scratch, ignore_errors=True)
 scratch.mkdir(parents=True)
 
-# Members of JSON that hold sentences and nothing else.
+# Members of JSON that hold nothing but sentences.
 SENTENCES = {
     "sentence", "why", "would_decide", "answer", "reason", "programs", "headline", "warnings", "recognised", "notes",
     "corrections", "cleaning", "message", "verdict_text", "properties_refusal", "prediction", "objection", "verdict",
@@ -25,7 +25,7 @@ SENTENCES = {
 
 
 def with_spike(source: pathlib.Path, target: pathlib.Path, sample: int) -> None:
-    """A copy of a record of the example lot whose force is 60 kN off on one sample."""
+    """Returns a copy of a record of the example lot in which the force of one sample is wrong by 60 kN."""
     lines = source.read_text(encoding="utf-8-sig").splitlines()
     first = next(i for i, line in enumerate(lines) if re.match(r"[-\d]", line))
     cells = lines[first + sample - 1].split(",")
@@ -61,7 +61,7 @@ def run(binary: str, out: pathlib.Path) -> list[tuple[int, str]]:
 
 
 def differences(one, other, path: str, found: list[str]) -> None:
-    """Where two JSON values differ, sentences left out; the folder of the results is in some of them."""
+    """Collects where two JSON values differ. Sentences are not compared, as some name the folder of the results."""
     if isinstance(one, dict) and isinstance(other, dict):
         for key in one.keys() | other.keys():
             if key not in SENTENCES and key not in ("profile", "isolaw", "build"):

@@ -1,5 +1,5 @@
-// Takes the place of wording/fill.cpp: every sentence of the table becomes the key of its kind, reversed. A program
-// that reads its own sentences anywhere then behaves differently.
+// Replaces wording/fill.cpp in a program for tests: every sentence of the table becomes the reversed key of its kind.
+// If the program reads its own sentences anywhere, it then behaves differently.
 #include <algorithm>
 #include <string>
 

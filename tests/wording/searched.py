@@ -19,9 +19,9 @@ SCRIPT = re.compile(
     r"|[!=]==?\s*['\"`](" + PHRASE + r")['\"`]"
     r"|/(" + PHRASE + r")/[a-z]*\.test\("
 )
-# Words of files that others wrote, names of JSON members and enumerations: no sentences of the program.
+# These literals are words of foreign files, names of JSON members and enumerations, not sentences of the program.
 ALLOWED = {
-    ("src/isolaw/data/exporter.cpp", "Raw Data"),  # written by the program that recorded
+    ("src/isolaw/data/exporter.cpp", "Raw Data"),  # the program that recorded wrote it
     ("src/isolaw/data/mat_table.cpp", "table or object"),  # a class of MATLAB variables
     ("src/isolaw/programs/header_parts.cpp", "struct TurningPoints"),  # C++ of an exported header
     ("src/isolaw/render/page/script/certificate/verdict.js", "not assessed"),  # an enumeration

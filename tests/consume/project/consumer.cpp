@@ -1,4 +1,5 @@
-// A program of somebody else: it computes the force of a bilinear bearing under a sine, and asks for an unknown law.
+// A program of a user of the library: it computes the force of a bilinear bearing under a sine, and asks for an unknown
+// law.
 #include <cmath>
 #include <cstdio>
 #include <isolaw/api/isolaw.hpp>

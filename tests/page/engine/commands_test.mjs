@@ -1,4 +1,5 @@
-// Commands on the page's engine: the answers of the native program, and what goes wrong ends a worker at most.
+// Commands on the page's engine give the answers of the native program, and a command that goes wrong ends at most a
+// worker.
 //   node commands_test.mjs PAGE ISOLAW
 import assert from 'node:assert/strict';
 import { readFileSync, readdirSync } from 'node:fs';
@@ -15,7 +16,7 @@ assert.equal(native(['example', 'example']).code, 0);
 const example = filesIn(join(work, 'example'), 'example');
 const at = (name) => example.filter(({ path }) => path.endsWith(name));
 
-// Digit by digit but for the last of computed numbers: mathematical functions are of another library there.
+// Equal digit by digit, except for the last digits of computed numbers: the engine has another mathematical library.
 const number = /-?\d+(?:\.\d+)?(?:e[-+]?\d+)?/g;
 const same = (said, own, name) => {
   assert.equal(said.code, own.code, name + ': ' + said.stderr);
@@ -44,7 +45,7 @@ test('wrong words are an answer, not a rejection', async () => {
   const said = await engine.run({ argv: ['calibrate', 'nowhere.csv'] });
   assert.equal(said.code, 2);
   assert.match(said.stderr, /nowhere\.csv: no such file/);
-  // Its complaints are objects, whose line stands in no stream.
+  // The engine also gives its complaints as objects, and prints them in the same line as the native program.
   const own = native(['calibrate', 'nowhere.csv']);
   assert.equal(said.stderr, own.stderr);
   assert.equal(said.error.kind, 'input');
@@ -60,7 +61,7 @@ test('inspection says the same, number by number', async () => {
   same(said, native(argv), 'the example lot');
 });
 
-// Records that readers are fuzzed with, sound and broken: text, workbooks, MATLAB files, JSON.
+// Records that the readers are fuzzed with, sound and broken: text, workbooks, MATLAB files, JSON.
 for (const kind of ['text', 'workbook', 'mat', 'json'])
   test(`files of others: ${kind}`, async () => {
     const extension = { text: '.csv', workbook: '.xlsx', mat: '.mat', json: '.json' }[kind];
@@ -115,7 +116,7 @@ test('what stops a worker is an error, and the next command runs', async () => {
   assert.equal((await engine.run({ argv: ['--version'] })).code, 0);
 });
 
-// As where a browser refuses more: the growth of an instance's memory ends at 48 MiB.
+// Imitates a browser that refuses more memory: an instance's memory cannot grow beyond 48 MiB.
 const poor = `
 const grow = WebAssembly.Memory.prototype.grow;
 WebAssembly.Memory.prototype.grow = function (pages) {
@@ -149,9 +150,10 @@ test('a campaign that was cancelled goes on from what was finished', async () =>
   assert.ok(cancelled.parts.some(({ path }) => path.startsWith('parts/')));
   const again = await engine.identify({ inputs, files, options, parts: cancelled.parts });
   assert.equal(again.code, 0, again.stderr);
-  // Dealt among the workers to its end: the laws of the lot too.
+  // The analyses too, also those of the laws of the lot, were dealt among the workers up to the end, so that they only
+  // had to be copied.
   assert.match(again.stderr, / and 10 analyses copied/);
-  // The same campaign as one machine makes, byte by byte where the same machine makes it.
+  // The summary equals, byte by byte, the one of a campaign that the engine makes in a single command.
   const one = await engine.run({ argv: ['calibrate', ...inputs, ...options, '--out', 'out', '--figures', 'none'], files });
   assert.equal(textOf(again.files, 'out/summary.json'), textOf(one.files, 'out/summary.json'));
   assert.ok(told.every(({ share }, i) => share >= 0 && share <= 1 && (i === 0 || share >= told[i - 1].share)));

@@ -1,5 +1,5 @@
-// The page's program gives the native program's numbers, on both sides of every law: its results hold where the native
-// program computes them again, and searches end at the same objectives.
+// The page's program and the native program give the same numbers for every law. The results of the page hold when the
+// native program computes them again, and the searches of both end at the same objectives.
 //   node numbers_test.mjs PAGE ISOLAW
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -11,25 +11,27 @@ import { bearing, engine, filesIn, lay, native, textOf, work } from './support.m
 
 after(() => engine.close());
 
-// Objectives of single runs, of two instruction sets (docs/performance.md): abe's floor is ragged.
+// Objectives of single runs may differ by as much as between two instruction sets (docs/performance.md), because abe's
+// objective is ragged near its minimum.
 const tolerance = 1e-5;
-// Where an objective is flat to that, a parameter is to its root.
+// If an objective is flat to within this tolerance, a parameter is known only to about the root of it.
 const parameterTolerance = 1e-3;
 
 const objectives = (summary) =>
   new Map(summary.laws.flatMap(({ id, devices }) => devices.map(({ name, objective, parameters }) => [id + ' on ' + name, { best: objective.best, parameters }])));
 
-// `identify` with the same settings on both sides.
+// Runs `identify` with the same settings in the page's engine and in the native program.
 async function compare(name, inputs, files, options) {
   const out = join(work, name);
   const said = await engine.identify({ inputs, files, options });
   assert.equal(said.code, 0, said.stderr);
-  // Every objective again from its parameters, within 1e-9 of itself (fit::evaluation_tolerance), and every row of the
-  // store; not the reports beside it, whose numbers may differ in the last digit.
+  // The native program computes every objective again from its parameters and demands agreement within 1e-9
+  // (fit::evaluation_tolerance); it also checks every row of the store. It gets no reports, because their numbers may
+  // differ in the last digit.
   lay(said.files.filter(({ path }) => path === 'out/campaign.sqlite'), join(out, 'page'));
   const check = native(['check', join(out, 'page/out')]);
   assert.equal(check.code, 0, check.stdout + check.stderr);
-  // The native report of the page's campaign.
+  // The native program writes a report of the page's campaign.
   const report = native(['report', join(out, 'page/out'), '--json', '--figures', 'none', '--out', join(out, 'report')]);
   assert.equal(report.code, 0, report.stderr);
   const found = objectives(JSON.parse(textOf(said.files, 'out/summary.json')));
@@ -49,7 +51,7 @@ async function compare(name, inputs, files, options) {
   return comparedParameters(name, found, wanted);
 }
 
-// Compares the parameters that the test determines; gives their number.
+// Compares the parameters that the test determines; returns their number.
 function comparedParameters(name, found, wanted) {
   let count = 0,
     largest = 0,

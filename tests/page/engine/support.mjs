@@ -1,4 +1,5 @@
-// For tests of the page's engine under Node: PAGE ISOLAW are the tests' arguments, the page and the native program.
+// Shared by the tests of the page's engine under Node. The tests get the page and the native program as arguments, PAGE
+// ISOLAW.
 import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -13,7 +14,7 @@ process.on('exit', () => rmSync(work, { recursive: true, force: true }));
 export const engineWith = (options) => engineOf(page, options);
 export const engine = await engineWith({ workers: 2 });
 
-// The native program. ISOLAW_SIMD is left to the caller.
+// Runs the native program. The caller may choose ISOLAW_SIMD.
 export const native = (words, env = {}) => {
   const { status, stdout, stderr } = spawnSync(isolaw, words, { cwd: work, encoding: 'utf8', env: { ...process.env, ...env }, maxBuffer: 1 << 28 });
   return { code: status, stdout, stderr };
@@ -32,6 +33,7 @@ export const lay = (files, folder = work) => {
 };
 export const textOf = (files, path) => new TextDecoder().decode(files.find((file) => file.path === path)?.bytes ?? new Uint8Array());
 
-// The measured bearing, where it lies beside the checkout: its third stage as records of 0.0021 s (bench/measured_lots.py).
+// The measured bearing, if it lies beside the checkout. Its third stage becomes records of 0.0021 s
+// (bench/measured_lots).
 const record = fileURLToPath(new URL('../../../../shared/data/hdrb-gallardo-device/cyclic-24-49-98pct.csv', import.meta.url));
 export const bearing = existsSync(record) ? readFileSync(record) : null;

@@ -1,5 +1,5 @@
-// A stand-in for the engine: the test that drives the browser runs the native program (stand_in.mjs). Same contract as
-// page/engine/engine.js.
+// Replaces the engine in a test: the test that drives the browser runs the native program instead (stand_in.mjs). It
+// offers the same functions as page/engine/engine.js.
 const waiting = new Map();
 let count = 0;
 
