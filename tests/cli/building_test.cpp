@@ -417,7 +417,8 @@ TEST_F(Building, takes_the_springs_that_the_campaign_fitted) {
   EXPECT_TRUE(contains(of_fitted["assumed"].dump(), "with parameters fitted as such"));
   EXPECT_NE(of_given["laws"][0]["quantities"]["isolator_mm"]["nominal"],
             of_fitted["laws"][0]["quantities"]["isolator_mm"]["nominal"]);
-  // The store has springs only for the law without a coupled form, and they fit no worse than the law's own parameters.
+  // The campaign fitted springs around a circle only for power-masing, since bilinear has a two-dimensional form. With
+  // the fitted parameters the springs fit no worse than with the law's own.
   auto const summary = json("W/summary.json");
   EXPECT_EQ(summary["settings"]["bidirectional"], "springs");
   for (auto const& law : summary["laws"])

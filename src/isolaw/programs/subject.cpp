@@ -73,7 +73,7 @@ rules::LotQuantity const* quantity_of(study::Summary const& summary, rules::Quan
   return nullptr;
 }
 
-// The value that the factors refer to: the device's in the cycle that counts, or the lot's mean.
+// The value that the bounds' factors multiply: the lot's mean, or a device's in the third counted cycle of its block.
 std::optional<double> own_value(study::Summary const& summary, Subject const& subject, rules::LotQuantity const& view) {
   if (subject.lot) return view.mean;
   auto const device = std::ranges::find(summary.devices, subject.device, &study::DeviceResult::name);
@@ -160,7 +160,8 @@ Bounds bounds_of(study::Summary const& summary, Subject const& subject, UnitSyst
     return spread_of_the_lot(summary, subject, units,
                              "rule set " + rules.id + " has no factors of K_d and Q_d for this lot");
   Bounds bounds;
-  // The overall factor is the mean of both, weighted by the parts' shares of the force at the design displacement.
+  // The factor on the whole force is the mean of the factors on stiffness and strength, weighted by the shares of K_d d
+  // and Q_d in the force at the design displacement d.
   double const spring = K_d->own * subject.design_disp_mm, both = spring + Q_d->own;
   auto const factors = [&](std::optional<double> stiffness, std::optional<double> strength) {
     return stiffness && strength

@@ -24,7 +24,8 @@ bool dominates(LawResult const& a, LawResult const& b) {
   return no_worse && (*a.objective.mean < *b.objective.mean || *a.beta < *b.beta);
 }
 
-// Adds findings against a law that is offered as a choice: its search box holds it, or it does not predict.
+// Adds what speaks against a law that is offered as a choice: bounds of its search box decide its fit (pinned), or it
+// predicts the blocks left out of the fit worse than fair.
 void add_cautions(std::vector<Finding>& findings, Summary const& summary, LawResult const& law) {
   if (auto const held = pinned(law); held.decides()) findings.push_back(held.finding(law.id));
   if (!law.prediction_holds()) findings.push_back(prediction_of(summary, law));

@@ -1,5 +1,5 @@
-// Sentences of the table that have to decide something about a signal or a step of cleaning. Each function gets the
-// findings of one group and returns their sentence without its subject, "device-01: ".
+// Sentences about signals and cleaning whose wording depends on the findings: the `compose` functions of the table's
+// rows (table.hpp). Each gets the findings of one group and returns their sentence without its subject, "device-01: ".
 #pragma once
 
 #include <string>
