@@ -1,19 +1,19 @@
 #!/usr/bin/env bash
-# One front to the CMake presets; every step can be run by hand (the commands are printed as they run).
+# Sets up, builds, tests and measures isolaw with the presets of CMake. It prints every command before it runs it.
 #   ./isolaw.sh setup        install what is missing: Debian packages, one npm package
 #   ./isolaw.sh build        configure and build (preset `release`, or ISOLAW_PRESET=developer|sanitize|sanitize-thread)
 #   ./isolaw.sh run          setup, build, identify the example lot into out/published-lot/
-#   ./isolaw.sh test         setup, build, run all tests (npm's axe-core too)
-#   ./isolaw.sh sanitize     the fuzz corpora, bad and hostile input and every writer of outputs under address and
-#                            undefined-behaviour sanitizers; tools/reliability.sh runs everything under them
-#   ./isolaw.sh fuzz [SECONDS]  every fuzz target for so long (60), with clang; fails at a finding
+#   ./isolaw.sh test         setup, build, run all tests (installs the npm package axe-core too)
+#   ./isolaw.sh sanitize     the tests of bad input, of the fuzz corpora and of all output files under the address and
+#                            undefined-behaviour sanitizers; tools/reliability.sh runs all tests under them
+#   ./isolaw.sh fuzz [SECONDS]  run every fuzz target for SECONDS (60), with clang; fails if one finds a fault
 #   ./isolaw.sh bench        setup, build and run the benchmarks
 #   ./isolaw.sh study [--quick]  time the published study, its scaling and other programs; see docs/performance.md
-#   ./isolaw.sh format       clang-format, without changing files (format --fix formats)
-#   ./isolaw.sh lint         format, clang-tidy, eslint for the page's script
-#   ./isolaw.sh compilers    other compilers and processors against this one: the largest differences of any result
-#   ./isolaw.sh page         the program as one HTML file, build/page/isolaw.html, and its tests; docs/page.md
-#   ./isolaw.sh docs         what the program writes of itself: docs/laws.md, docs/cli.md, keywords of the Python stub
+#   ./isolaw.sh format       check the format with clang-format (format --fix changes the files)
+#   ./isolaw.sh lint         format, clang-tidy, and eslint for JavaScript
+#   ./isolaw.sh compilers    compare results across compilers and processors: prints the largest differences
+#   ./isolaw.sh page         build the program as one HTML file, build/page/isolaw.html, and test it; see docs/page.md
+#   ./isolaw.sh docs         let the program write docs/laws.md, docs/cli.md and the keywords of the Python stub
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 preset=${ISOLAW_PRESET:-release}
@@ -31,7 +31,7 @@ install_missing() {
   command -v dpkg-query >/dev/null || { echo "isolaw.sh: not a Debian system; install the packages listed here by other means" >&2; return; }
   local missing=()
   for package in "$@"; do
-    # npm may have come with a Node.js from elsewhere.
+    # npm may be installed with a Node.js that is not from Debian.
     [ "$package" = npm ] && command -v npm >/dev/null && continue
     dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
   done
@@ -49,7 +49,7 @@ setup() {
   fi
 }
 
-# Every file, or --fix.
+# Checks the format of every C++ file, or with --fix corrects it.
 format() {
   install_missing clang-format
   mapfile -t sources < <(find src cli python examples tests bench fuzz -name '*.[ch]pp' | sort)
@@ -58,7 +58,7 @@ format() {
   else
     printf '+ clang-format --dry-run --Werror (%d files)\n' "${#sources[@]}" >&2
     clang-format --dry-run --Werror "${sources[@]}" || { echo "isolaw.sh: run ./isolaw.sh format --fix" >&2; exit 1; }
-    # It leaves comments alone, which break where a person would.
+    # clang-format does not break comments, so this checks their width.
     if LC_ALL=C.UTF-8 grep -nE '^ *//.{119,}' "${sources[@]}" | LC_ALL=C.UTF-8 grep -E '^[^:]*:[0-9]*:.{121,}'; then
       echo "isolaw.sh: comments wider than 120 columns" >&2
       exit 1
@@ -81,7 +81,7 @@ case "${1:-help}" in
     ;;
   test)
     setup "${test_packages[@]}"
-    # The test of the page that skips without it.
+    # Without axe-core the accessibility test of the report is skipped.
     [ -e node_modules/axe-core/axe.min.js ] || step npm ci --no-audit --no-fund --loglevel=error
     step tools/opensees.sh build/opensees
     build
@@ -100,7 +100,8 @@ case "${1:-help}" in
     findings=0
     for program in build/fuzz/fuzz/fuzz_*; do
       target=${program##*/fuzz_}
-      # New inputs are kept aside; the committed corpus grows by hand, one minimised input per fault.
+      # libFuzzer writes new inputs to build/fuzz/found. People add inputs to fuzz/corpus by hand, one minimised input
+      # for each fault.
       mkdir -p "build/fuzz/found/$target"
       step "$program" -max_total_time="${2:-60}" -timeout=20 -rss_limit_mb=4096 -print_final_stats=1 \
         -artifact_prefix="build/fuzz/found/$target-" "build/fuzz/found/$target" "fuzz/corpus/$target" || findings=$((findings + 1))
@@ -116,7 +117,8 @@ case "${1:-help}" in
     step build/bench/bench/elementary_bench "${@:2}"
     ;;
   study)
-    # The programs that it compares with are measured where they are: python3-scipy, octave, libpagmo-dev.
+    # The study times other programs only if they are installed (python3-scipy, octave, libpagmo-dev). This setup does
+    # not install them.
     setup libbenchmark-dev python3 time
     step cmake --preset bench
     step cmake --build --preset bench
@@ -137,13 +139,13 @@ case "${1:-help}" in
     step tools/compilers.sh
     ;;
   page)
-    # Emscripten, and what fetches and unpacks the sources of libraries (tools/page_libraries.sh).
+    # tools/page_libraries.sh needs dpkg-dev to unpack the sources of libraries and tcl to build SQLite.
     setup chromium dpkg-dev emscripten firefox-esr tcl
     [ -e node_modules/axe-core/axe.min.js ] || step npm ci --no-audit --no-fund --loglevel=error
     step cmake --preset page
     step cmake --build --preset page
     ls -l build/page/isolaw.html
-    # The same numbers as the native program.
+    # The tests compare the page's numbers with those of the native program.
     step cmake --preset release
     step cmake --build --preset release --target isolaw_cli
     step ctest --test-dir build/page --output-on-failure "${@:2}"

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t key_length = 64;
 constexpr int digits = 9;
 
-// Nine significant digits; 0 and -0 give the same text.
+// Returns the number with nine significant digits. Adding 0.0 turns -0 into 0, so that both give the same text.
 std::string rounded(double value) {
   return fmt::format("{:.{}e}", value + 0.0, digits - 1);
 }
@@ -32,9 +32,9 @@ int decade(double value) {
   return exponent;
 }
 
-// Writes the values of a channel as multiples of the ninth digit of its largest value. If the edges between steps lay
-// at the decimal numbers of a file, or at the means of a few of them, rounding would decide the step; so the edges are
-// shifted.
+// Writes each value as the number of a step that contains it. A step is one unit of the ninth digit of the largest
+// value. Values in a file are often short decimal numbers or means of a few such numbers. A shift of the steps keeps
+// their edges away from such values, so that rounding errors do not move a value into the next step.
 void add_channel(std::string& text, std::string_view name, std::vector<double> const& values) {
   constexpr double shift = 0.318309886;
   double largest = 0.0;
@@ -139,7 +139,7 @@ class Reader {
   std::vector<BestKnown> entries_;
 };
 
-// TOML would read a float without a point as an integer.
+// TOML reads a number without a decimal point as an integer, so this function always writes a point.
 std::string number(double value) {
   auto const text = fmt::format("{}", value + 0.0);
   return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
@@ -154,7 +154,8 @@ std::string toml_string(std::string_view text) {
   return quoted + '"';
 }
 
-// A TOML key; names such as kb+ need quotes.
+// Returns the name as a TOML key. A name with other characters than letters, digits and _ gets quotes, for example
+// "kb+".
 std::string toml_key(std::string_view name) {
   bool const bare = std::ranges::all_of(name, [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';

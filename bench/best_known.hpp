@@ -1,5 +1,6 @@
-// best_known.toml holds the smallest objectives known for named problems, over every method ever tried. They judge a
-// search even if all its own runs ended in the same wrong valley.
+// Reads and writes best_known.toml. That file holds, for each named problem, the smallest objective that any search
+// ever found. The benchmark judges every search by it and so notices when all runs of a search end in the same local
+// minimum.
 #pragma once
 
 #include <span>
@@ -14,19 +15,20 @@
 namespace isolaw::bench {
 
 struct BestKnown {
-  std::string record;    // "example lot, D03"
-  std::string settings;  // "box published, integration converged"
+  std::string record;    // for example "example lot, D03"
+  std::string settings;  // for example "box published, integration converged"
   std::string law;
-  std::string key;  // problem_key()
+  std::string key;  // result of problem_key()
   double objective = 0.0;
-  std::vector<double> parameters;  // all of the law's, in its order
-  std::string found_by;            // "isolaw best", "SciPy differential evolution"
+  std::vector<double> parameters;  // all parameters, fixed ones too, in the law's order
+  std::string found_by;            // for example "isolaw best" or "SciPy differential evolution"
 };
 
 // SHA-256 of everything that decides the smallest objective: law, integration, turning points, cleaned record, and the
-// values between which each parameter is free. It does not contain the scales of the parameters or the kind of search,
-// which a method may choose. Numbers count to nine digits, and those of a channel to nine digits of the largest, so
-// that the same record has the same key if another compiler's program cleaned it.
+// limits between which each parameter is searched. The scales of the parameters and the kind of search are left out,
+// because a search method may choose them. All numbers are rounded before they are hashed: the channels of the record
+// to nine digits of their largest value, other numbers to nine digits. Programs of different compilers thus get the
+// same key for the same record.
 std::string problem_key(laws::LawEntry const& law, laws::Integration integration, laws::TurningPoints turning_points,
                         data::FitRecord const& record, fit::SearchBox const& box);
 
@@ -35,12 +37,13 @@ std::vector<BestKnown> read_best_known(std::string_view text, std::string const&
 std::vector<BestKnown> load_best_known(std::string const& file);
 std::string best_known_text(std::span<BestKnown const> entries);
 
-// An objective counts as lower if it is lower by this relative difference; less is rounding or the last digits of a
-// search.
+// A new objective replaces an old one only if it is smaller by this relative difference. A smaller gain is only
+// rounding or unfinished convergence.
 inline constexpr double least_lowering = 1e-6;
 
-// Puts a result into `entries`, and never raises an objective of theirs. `redefined`: an entry with the same record,
-// law and settings had another key. Its problem no longer exists, so the new entry replaces it.
+// Adds `found` to `entries`, or replaces an entry by it. An objective for the same key never rises. If an entry with
+// the same record, law and settings has another key, the problem itself has changed. The new entry then replaces the
+// old one, and the result is `redefined`.
 enum class Change { none, added, lowered, redefined };
 Change lower(std::vector<BestKnown>& entries, BestKnown const& found);
 

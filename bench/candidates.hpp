@@ -1,4 +1,5 @@
-// Candidates from a search box, in the layouts that the benchmarks need.
+// Draws candidates, which are sets of parameters, from a search box and lays them out in memory as the benchmarks need
+// them.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +10,8 @@
 
 namespace isolaw::bench {
 
-// `count` candidates, uniform in the box, one after another. The parameters of each are in the law's order.
+// Returns `count` candidates drawn uniformly from the box. All parameters of the first candidate come first, in the
+// law's order, then all parameters of the second candidate, and so on.
 inline std::vector<double> candidates(fit::SearchBox const& box, std::size_t count) {
   std::vector<double> values(count * box.parameters.size()), point(box.free_count());
   for (std::size_t i = 0; i < count; ++i) {
@@ -20,8 +22,8 @@ inline std::vector<double> candidates(fit::SearchBox const& box, std::size_t cou
   return values;
 }
 
-// `width` of the candidates, from number `first` on: the first parameter of each, then the second parameter of each,
-// and so on.
+// Copies `width` candidates, starting at candidate `first`, and transposes them: the first parameter of every candidate
+// comes first, then the second parameter of every candidate, and so on.
 inline std::vector<double> block(std::vector<double> const& candidates, std::size_t parameters, std::size_t first,
                                  std::size_t width) {
   std::vector<double> values(parameters * width);

@@ -1,5 +1,5 @@
-// Times num/elementary.hpp and the standard library for each instruction set, on arrays of 32 lanes in the first-level
-// cache. The counter `per_element` is the time per element.
+// Times the functions of num/elementary.hpp and of the standard library for each instruction set, on arrays of 32
+// lanes, which fit into the first-level cache. The counter `per_element` is the time per element.
 #include <benchmark/benchmark.h>
 
 #include <array>

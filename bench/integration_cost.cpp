@@ -1,8 +1,9 @@
-// Measures how much time the objective takes and how exact it is for several ways to integrate bouc-wen and abe-y0:
-// Runge-Kutta with sub-steps, and the exact flow. The reference is the exact flow on a path 100 times finer. Prints
-// three errors: the median and the largest over candidates drawn in the published box, and the error at the best point
-// that the genetic algorithm finds with the same integration (the largest of several searches), since a search exploits
-// the error. Usage: integration_cost RECORD [REPETITIONS]; prints CSV. ISOLAW_SIMD chooses the instruction set.
+// Measures the time and the error of the objective for several ways to integrate bouc-wen and abe-y0: Runge-Kutta with
+// sub-steps, and the exact flow. The reference is the exact flow on a path 100 times finer. The program prints three
+// errors. Two are the median and the largest over candidates drawn from the published box. The third is the error at
+// the best point that a genetic algorithm finds with the integration under test, the largest of several searches; this
+// error can be larger, because the search prefers points where the error lowers the objective. Usage: integration_cost
+// RECORD [REPETITIONS]. It prints CSV. ISOLAW_SIMD chooses the instruction set.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -37,7 +38,7 @@ constexpr std::array routes{
     Route{"rk4 x8", laws::Integration::paper, 8},       Route{"rk4 x32", laws::Integration::paper, 32},
     Route{"rk4 x100", laws::Integration::paper, finer}, Route{"exact flow", laws::Integration::converged, 1}};
 
-// The objective of a law on a record, on paths of any refinement.
+// Computes the objectives of a law on a record, with any number of sub-steps per sample.
 class Subject {
  public:
   Subject(laws::LawEntry const& law, data::FitRecord const& record)
@@ -50,7 +51,7 @@ class Subject {
   laws::Path path(int refinement) const { return laws::make_path(disp_, {}, refinement); }
   std::size_t samples() const { return disp_.size(); }
 
-  // Expects `candidates` one after another, as bench::candidates gives them.
+  // The layout of `candidates` is that of bench::candidates: all parameters of one candidate stand together.
   std::vector<double> objectives(laws::Path const& path, laws::Integration integration,
                                  std::vector<double> const& candidates) const {
     std::size_t const parameters = law_.parameters.size(), width = fit::wide_block;
@@ -101,7 +102,7 @@ std::vector<double> errors(Subject const& subject, Route const& route, std::vect
   return values;
 }
 
-// Takes the shortest of the repetitions, because other work on the machine only adds time.
+// Returns the shortest time of all repetitions, because other work on the machine can only lengthen a time.
 double ns_per_sample(Subject const& subject, Route const& route, std::vector<double> const& candidates,
                      int repetitions) {
   using Clock = std::chrono::steady_clock;

@@ -1,6 +1,7 @@
 // Times the evaluation of every law: a block of candidates over one record of 600 samples, for every instruction set of
-// this machine, both block widths and both integrations; `scalar` evaluates one candidate at a time. The counter
-// `per_sample` is the time per sample and candidate. Compare ratios within one run.
+// this machine, two widths of a block and two integrations. The case `scalar` evaluates one candidate at a time. The
+// counter `per_sample` is the time per sample and candidate. Only ratios of times from one run of the program are
+// comparable.
 #include <benchmark/benchmark.h>
 
 #include <array>

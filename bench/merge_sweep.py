@@ -17,13 +17,14 @@ isolaw = os.path.abspath(sys.argv[1])
 per_part = int(sys.argv[2]) if len(sys.argv) > 2 else 200
 sweep = [int(n) for n in sys.argv[3].split(",")] if len(sys.argv) > 3 else [10, 100, 1000]
 searches = 20
-each = per_part // searches  # runs of a search in a part
+each = per_part // searches  # number of runs that one part computes for each search
 
 
 def parts_of(count, work):
     runs = each * count
-    # Part 1 has the runs 1, 1 + count, ... of every search, so that each part gets equally many. The first run of each
-    # search is really computed, once, and copied under the other numbers.
+    # If a campaign is split into `count` parts, part 1 computes the runs 1, 1 + count, 1 + 2 count and so on of every
+    # search. Here `isolaw calibrate` computes only run 1, and the other runs are copies of it with their numbers
+    # changed.
     first = os.path.join(work, "real")
     subprocess.run(
         [isolaw, "calibrate", "lot/lot.toml", "--laws", "bilinear,bouc-wen", "--runs", str(count), "--method", "best",

@@ -1,4 +1,5 @@
-// The searches of a lot as problems with a name and a key, and the file that holds their smallest known objectives.
+// Turns the searches of a lot into problems that have a name and a key, and reads and writes the file that holds the
+// smallest known objective of each problem.
 #pragma once
 
 #include <fmt/format.h>
@@ -22,7 +23,7 @@
 
 namespace isolaw::bench {
 
-// A run succeeds if it ends within this relative distance of the best objective.
+// A run counts as successful if its objective is at most this much, relatively, above the best known one.
 inline constexpr double success_tolerance = 1e-3;
 
 struct NamedProblem {
@@ -30,7 +31,7 @@ struct NamedProblem {
   fit::SearchBox box;
   fit::LawOnRecord model;
   fit::IdentificationProblem problem{model, box};
-  BestKnown entry;  // has no objective, parameters and found_by; found() fills them in
+  BestKnown entry;  // found() fills in the objective, the parameters and found_by
   num::Stream stream;
 
   NamedProblem(campaign::Contents const& contents, campaign::Search const& search, std::string const& name)
@@ -52,7 +53,8 @@ struct NamedProblem {
   NamedProblem(NamedProblem const&) = delete;
   NamedProblem& operator=(NamedProblem const&) = delete;
 
-  // The entry for a point of the unit box. Its objective comes from the scalar law, as reported objectives do.
+  // Makes the entry for a point of the unit box. The objective is computed by scalar code, like the objectives in
+  // reports.
   BestKnown found(std::span<double const> point, std::string const& found_by) const {
     auto result = entry;
     std::vector<double> work;
@@ -65,10 +67,10 @@ struct NamedProblem {
 };
 
 struct Choice {
-  std::vector<std::string> laws, devices;  // if empty, all that the lot file names
+  std::vector<std::string> laws, devices;  // an empty list takes all laws or devices that the lot file names
 };
 
-// All chosen problems of a lot. The records may lie outside the lot file's folder.
+// Prepares all chosen problems of a lot. The records may lie outside the lot file's folder.
 struct NamedProblems {
   campaign::Contents contents;
   std::vector<std::unique_ptr<NamedProblem>> all;
@@ -86,8 +88,8 @@ struct NamedProblems {
   }
 };
 
-// The file of best objectives, which results are added to. Without a file name the project's own file is read and never
-// written.
+// The smallest known objectives, read from a file. write() stores them in that file. If no file name is given, they
+// come from the project's own best_known.toml and write() does nothing.
 class BestFile {
  public:
   explicit BestFile(std::string file) : file_(std::move(file)) {

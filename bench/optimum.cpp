@@ -1,10 +1,11 @@
 // Measures how often, and at what cost, the search `best` finds the smallest objective. It repeats the search with
-// other random numbers for every law and device of a lot, and on request does the same with other programs. A run
-// succeeds if it ends within 0.1 % of the smallest objective, over all runs and the best known.
+// other random numbers for every law and device of a lot. With --peers it does the same with searches of other
+// programs. A run succeeds if its objective is within 0.1 % of the smallest one that any run found or that
+// best_known.toml lists.
 // Usage: optimum LOT.toml RUNS [LAW...] [--device NAME]... [--peers FACTOR] [--update FILE --name RECORD]
 //   --peers    runs other programs too; each run gets FACTOR times the evaluations that `best` takes on average
-//   --update   adds results to FILE (bench/best_known.toml or another) and lowers its objectives; the record of an
-//              entry is "RECORD, device"
+//   --update   writes results that are new or smaller to FILE (for example bench/best_known.toml); the record of an
+//              entry is called "RECORD, device"
 // Prints the runs as CSV, then a table by law and method. The records may lie outside the lot file's folder.
 #include <fmt/format.h>
 
@@ -85,7 +86,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// All runs on one problem, and the best point of each method.
+// Collects all runs on one problem and the best point of each method.
 class Contest {
  public:
   explicit Contest(bench::NamedProblem const& named) : named_(named) {}

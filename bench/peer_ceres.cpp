@@ -1,6 +1,6 @@
-// Ceres minimises isolaw's residuals: Levenberg-Marquardt with bounds from random starts. Its soft L1 loss rounds the
-// corner of the absolute value, first widely, then closely. One batch computes all residuals and differences of a step
-// before Ceres asks for them one by one.
+// Ceres minimises isolaw's residuals by Levenberg-Marquardt with bounds, from random starts. The objective is a mean of
+// absolute values, so the residuals get a soft L1 loss, which is smooth at zero. A first pass smooths widely, a second
+// one narrowly. Ceres asks for residuals and derivatives one by one, so one batch computes all of a step in advance.
 #include <ceres/ceres.h>
 
 #include <algorithm>
@@ -93,7 +93,7 @@ void descend(Watched const& problem, std::vector<double>& x, double rounding, in
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
   options.max_num_iterations = 100;
-  options.function_tolerance = 1e-8;  // as in SciPy
+  options.function_tolerance = 1e-8;  // bench/peers/optimum.py gives SciPy the same tolerance
   options.logging_type = ceres::SILENT;
   options.num_threads = 1;
   options.callbacks.push_back(&stop);
@@ -108,7 +108,7 @@ void search_by_ceres(Watched const& problem, std::uint64_t seed, int budget) {
     num::Draws draws(num::Stream(seed), start, 0);
     std::vector<double> x(problem.dimension());
     for (double& coordinate : x) coordinate = draws.uniform();
-    Watched here(problem);  // watches this start alone
+    Watched here(problem);  // counts only the evaluations of this start
     opt::Points one(problem.dimension(), 1);
     std::ranges::copy(x, one[0].begin());
     std::vector<double> residuals(problem.weights().size());

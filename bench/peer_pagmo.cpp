@@ -1,5 +1,5 @@
-// pagmo's simple genetic algorithm on isolaw's scalar objective: one search of 5,000 evaluations by default, on one
-// record.
+// Runs pagmo's simple genetic algorithm on isolaw's scalar objective: one search on one record, by default with 5,000
+// evaluations.
 // Usage: peer_pagmo RECORD LAW paper|converged [EVALUATIONS]; prints one JSON object.
 #include <chrono>
 #include <cstdio>

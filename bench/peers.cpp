@@ -12,8 +12,9 @@
 namespace isolaw::bench {
 namespace {
 
-// A Python program at the other end of a socket. It first sends the names of its searches. For each search it gets a
-// line with the task, asks for values or residuals of points in the unit box, and says when it is done.
+// Runs a Python program and talks to it over a socket. The Python program first sends the names of its searches. For
+// each search this class sends one line with the task. The Python program then asks for values or residuals at points
+// in the unit box until it says that the search is done.
 class PythonPeer {
  public:
   explicit PythonPeer(std::string const& script) {
@@ -25,7 +26,7 @@ class PythonPeer {
       dup2(ends[1], STDOUT_FILENO);
       close(ends[0]);
       close(ends[1]);
-      // Debian's interpreter is tried first, because it finds Debian's libraries.
+      // Runs Debian's interpreter if there is one, because only that interpreter finds Debian's Python libraries.
       execl("/usr/bin/python3", "python3", script.c_str(), static_cast<char*>(nullptr));
       execlp("python3", "python3", script.c_str(), static_cast<char*>(nullptr));
       _exit(127);
@@ -40,7 +41,7 @@ class PythonPeer {
     if (child_ > 0) waitpid(child_, nullptr, 0);
   }
 
-  // Returns the names of the program's searches, or none if Python or its libraries are missing.
+  // Returns the names of the searches. There are none if Python or its libraries are missing.
   std::vector<std::string> methods() {
     std::string line;
     for (char c = 0; receive(&c, 1) && c != '\n';) line += c;
@@ -73,7 +74,8 @@ class PythonPeer {
     std::vector<double> values(points.size() * (wants_residuals ? problem.weights().size() : 1));
     if (wants_residuals) {
       problem.residuals(points, values);
-      // Scales the weights so that the weighted mean of the residuals' absolute values is the objective.
+      // Multiplies each residual by its weight and by the number of residuals. The mean of the absolute values is then
+      // the objective.
       auto const weights = problem.weights();
       for (std::size_t i = 0; i < values.size(); ++i)
         values[i] *= weights[i % weights.size()] * static_cast<double>(weights.size());

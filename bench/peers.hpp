@@ -1,5 +1,5 @@
-// Searches of other programs on isolaw's objective, for bench/optimum. All of them evaluate the same blocks of
-// candidates.
+// Lets the searches of other programs minimise isolaw's objective, for bench/optimum. Every search evaluates its points
+// with isolaw's own vector kernels.
 #pragma once
 
 #include <cmath>
@@ -15,8 +15,8 @@
 
 namespace isolaw::bench {
 
-// A problem that counts evaluations and remembers the best point. A search is judged by the best point that it has
-// evaluated, whatever it returns.
+// Wraps a problem, counts its evaluations and remembers the best point. A search is judged by the best point that it
+// ever evaluated, even if it returns another one.
 class Watched final : public opt::DeviationProblem {
  public:
   explicit Watched(opt::DeviationProblem const& problem) : problem_(problem) {}
@@ -40,15 +40,15 @@ class Watched final : public opt::DeviationProblem {
 
 struct Peer {
   std::string name;
-  // Searches until it has spent about `budget` evaluations.
+  // Stops after about `budget` evaluations.
   std::function<void(Watched const& problem, std::uint64_t seed, int budget)> search;
 };
 
-// The peers that are installed. The program names the missing ones on standard error. `script` is
-// bench/peers/optimum.py.
+// Returns the searches of those programs that are installed, and names the missing programs on standard error. `script`
+// is the path of bench/peers/optimum.py.
 std::vector<Peer> peers(std::string const& script);
 
-// This function is in peer_ceres.cpp, which is compiled only if Ceres is installed.
+// Defined in peer_ceres.cpp, which is compiled only if Ceres is installed.
 void search_by_ceres(Watched const& problem, std::uint64_t seed, int budget);
 
 }  // namespace isolaw::bench

@@ -1,12 +1,13 @@
-# Writes OUTPUT, which defines isolaw::app::source_commit, the commit of the sources in ROOT: "8394911", or "8394911, modified"
-# if a file that git follows was changed since. Archives made by `git archive` carry their commit in cmake/COMMIT; a copy
-# without either is of an "unknown commit". OUTPUT is only written if it changes, so that nothing is compiled in vain.
+# Writes the C++ source OUTPUT, which defines isolaw::app::source_commit: the commit of the sources in ROOT, for example
+# "8394911", or "8394911, modified" if a file under version control was changed since. `git archive` writes the commit
+# into cmake/COMMIT. If that file has no commit and ROOT has no .git, the text is "unknown commit". OUTPUT is only
+# written if it changes, so that an unchanged commit compiles nothing again.
 # cmake -DROOT=... -DOUTPUT=... -P commit.cmake
 set(commit "unknown commit")
 file(STRINGS ${ROOT}/cmake/COMMIT packed LIMIT_COUNT 1)
 if(packed MATCHES "^[0-9a-f]+$")
   set(commit ${packed})
-elseif(EXISTS ${ROOT}/.git)  # not the commit of a repository around an unpacked archive
+elseif(EXISTS ${ROOT}/.git)  # else git would find a repository around an unpacked archive
   find_program(git git)
   if(git)
     execute_process(COMMAND ${git} -C ${ROOT} rev-parse --short HEAD RESULT_VARIABLE failed OUTPUT_VARIABLE head

@@ -1,5 +1,5 @@
-# Everything comes from the distribution's packages; nothing is downloaded while building (docs/decisions/0001).
-find_package(Boost REQUIRED)  # only its headers
+# All libraries come from the distribution's packages. The build downloads nothing (docs/decisions/0001).
+find_package(Boost REQUIRED)  # isolaw uses only headers of Boost
 find_package(CLI11 REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(EXPAT REQUIRED)
@@ -13,6 +13,6 @@ find_package(ZLIB REQUIRED)
 include(isolaw-libraries)
 find_path(ISOLAW_MINIZIP_INCLUDE minizip/unzip.h REQUIRED DOC "directory that holds minizip/unzip.h")
 find_path(ISOLAW_HDF5_INCLUDE hdf5_hl.h PATH_SUFFIXES hdf5/serial REQUIRED DOC "directory that holds hdf5_hl.h")
-# Random123 is a folder of headers without a CMake package.
+# Random123 consists of headers and has no CMake package.
 find_path(ISOLAW_RANDOM123 Random123/philox.h REQUIRED DOC "directory that holds Random123/philox.h")
 include(plotly)

@@ -1,6 +1,7 @@
-# isolaw_embed(TARGET FUNCTION BASE FILES...) puts the files' names and texts into TARGET as a table. The function
-# `std::span<isolaw::Embedded const> FUNCTION()` (base/embedded.hpp) returns it, in the order given. A file below BASE is
-# named by its path relative to BASE, any other by its file name. After a change the next build writes the table again.
+# isolaw_embed(TARGET FUNCTION BASE FILES...) puts the names and texts of the files into TARGET as a table. The C++
+# function `std::span<isolaw::Embedded const> FUNCTION()` (base/embedded.hpp) returns the table in the order of FILES.
+# The name of a file below BASE is its path relative to BASE; the name of any other file has no folder. If a file
+# changes, the next build writes the table again.
 if(NOT CMAKE_SCRIPT_MODE_FILE)
   set(isolaw_embed_script ${CMAKE_CURRENT_LIST_FILE})
   function(isolaw_embed target function base)
@@ -10,7 +11,8 @@ if(NOT CMAKE_SCRIPT_MODE_FILE)
     add_custom_command(OUTPUT ${source}
       COMMAND ${CMAKE_COMMAND} -DFUNCTION=${function} -DBASE=${base} "-DFILES=${files}" -DOUTPUT=${source} -P ${isolaw_embed_script}
       DEPENDS ${ARGN} ${isolaw_embed_script} VERBATIM COMMENT "Embedding ${function}")
-    # CMake knows a custom command only in its own folder, and TARGET may be in another.
+    # TARGET may be in another folder, where CMake does not know this custom command. A custom target is known in all
+    # folders.
     add_custom_target(${file} DEPENDS ${source})
     add_dependencies(${target} ${file})
     target_sources(${target} PRIVATE ${source})
@@ -31,7 +33,7 @@ foreach(file IN LISTS FILES)
     cmake_path(GET file FILENAME named)
   endif()
   file(READ ${file} text)
-  # A raw string, in which no character is special; GCC and clang accept a raw string of any length.
+  # In a raw string no character is special. GCC and clang accept raw strings of any length.
   string(APPEND table "    {\"${named}\", R\"_embedded_(${text})_embedded_\"sv},\n")
 endforeach()
 file(WRITE ${OUTPUT} "#include \"isolaw/base/embedded.hpp\"\n\n#pragma GCC diagnostic ignored \"-Woverlength-strings\"\n\n"

@@ -1,10 +1,12 @@
-# Joins the ES modules of a folder into one script without global names. Each module becomes a function, after the modules
-# that it imports.
+# Joins the ES modules of a folder into one script without global names. Each module becomes a function. A module's
+# function stands after the functions of all modules that it imports.
 #   cmake -D FOLDER=DIR -D ENTRY=NAME.js [-D ENTRIES=A.js,B.js] -D OUTPUT=FILE -P join_modules.cmake
-# ENTRIES names the entries of all scripts made from the folder; modules that ENTRY does not reach are left out.
-# This script does not parse JavaScript and accepts only these forms, at the beginning of a line:
+# If several scripts are made from the folder, ENTRIES names the entry modules of all these scripts. A script contains
+# only modules that its ENTRY reaches by imports.
+# This CMake script does not parse JavaScript and accepts only these forms, at the beginning of a line:
 #   import { a, b } from './folder/file.js';    export const a = ...    export function a(...)
-# It refuses any other form, an import that its module does not export, an export or a file that nobody imports, a cycle.
+# It refuses any other form, an import of a name that the module does not export, an export or a file that no module
+# imports, and a cycle of imports.
 cmake_minimum_required(VERSION 3.20)
 if(DEFINED ENTRIES)
   string(REPLACE "," ";" entries "${ENTRIES}")
@@ -79,7 +81,8 @@ foreach(file IN LISTS files)
   endforeach()
 endforeach()
 
-# Collects the modules that the entry reaches, cycles included, which are refused below.
+# Collects the modules that ENTRY reaches by imports. Modules that import one another are among them; they are refused
+# further below.
 set(reached "${ENTRY}")
 set(open "${ENTRY}")
 while(open)
@@ -101,7 +104,7 @@ if(DEFINED ENTRIES)
   set(files ${kept})
 endif()
 
-# A module can be written once all its imports have been.
+# A module is written once all modules that it imports have been written.
 set(script "(() => {\n'use strict';\nconst modules = {};\n")
 set(done "")
 while(files)

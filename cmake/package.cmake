@@ -1,9 +1,9 @@
-# install() and the exported package: find_package(isolaw) in another project.
+# Installs isolaw with an exported package, so that another project can call find_package(isolaw).
 include(CMakePackageConfigHelpers)
 install(TARGETS isolaw EXPORT isolaw-targets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 
-# The public headers: api/isolaw.hpp and everything that it includes.
+# Returns the public headers: api/isolaw.hpp and every header of isolaw that it includes directly or indirectly.
 function(isolaw_public_headers result)
   set(open isolaw/api/isolaw.hpp)
   set(known "")

@@ -1,5 +1,5 @@
-# The plotting script inlined into the pages (npm package plotly.js-basic-dist-min). Without it the build goes on, and a
-# page says in place of its figures how to get them.
+# Finds the script that draws figures in HTML pages (npm package plotly.js-basic-dist-min). If it is missing, the build
+# goes on, and each page shows instead of figures how to get them.
 set(ISOLAW_PLOTLY "${PROJECT_SOURCE_DIR}/node_modules/plotly.js-basic-dist-min/plotly-basic.min.js" CACHE FILEPATH
     "plotly-basic.min.js, inlined into the pages")
 set(ISOLAW_PLOTTING_SCRIPT "${ISOLAW_PLOTLY}")

@@ -1,16 +1,17 @@
-# Every target of the project links isolaw_warnings privately.
+# Every target of the project links isolaw_warnings as PRIVATE, so that users of the library do not get these options.
 add_library(isolaw_warnings INTERFACE)
 target_compile_options(isolaw_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Wold-style-cast
   -Woverloaded-virtual -Wnull-dereference -Wdouble-promotion
   $<$<BOOL:${ISOLAW_DEVELOPER}>:-Werror>)
-# g++ 12 warns of overlapping copies in string concatenations where there are none (GCC bug 105651).
+# The warning -Wrestrict of g++ 12 is wrong for joined strings (GCC bug 105651).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(isolaw_warnings INTERFACE -Wno-restrict)
-  # At -O1 and -O3 it warns of null pointers and uninitialised values in the standard library. At -O2 it does not, so
-  # both warnings remain errors in the developer preset.
+  # With -O3, g++ 12 also warns of null pointers and uninitialised values inside the standard library. With -O2 it does
+  # not, so the developer preset keeps both warnings as errors.
   target_compile_options(isolaw_warnings INTERFACE
     $<$<CONFIG:Release>:-Wno-null-dereference> $<$<CONFIG:Release>:-Wno-maybe-uninitialized>)
 endif()
-# The scalar path must give the same bits in every build type, so products and sums are not fused.
+# Without this option compilers may fuse a product and a sum into one operation, which rounds differently. Scalar code
+# must give the same bits in every build type.
 target_compile_options(isolaw_warnings INTERFACE -ffp-contract=off)

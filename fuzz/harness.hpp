@@ -1,5 +1,5 @@
-// All fuzz targets use this file. Each input must end in a result or an isolaw::Error. Any other exception ends the
-// program, which libFuzzer and the replay report.
+// Shared by all fuzz targets. Every input must end in a result or in an isolaw::Error. Any other exception ends the
+// program, and libFuzzer or replay.cpp reports the input.
 #pragma once
 
 #include <unistd.h>
@@ -23,7 +23,8 @@ inline std::string_view as_text(std::uint8_t const* data, std::size_t size) {
   return {static_cast<char const*>(static_cast<void const*>(data)), size};
 }
 
-// Ends the program, in every build type, if the condition does not hold; it must hold for every input.
+// Ends the program if the condition is false, in every build type. It checks conditions that must be true for every
+// input.
 inline void require(bool holds, char const* what) {
   if (holds) return;
   std::fprintf(stderr, "does not hold: %s\n", what);
@@ -36,7 +37,7 @@ inline void require_plain_message(Error const& error) {
     require(printable(to_string(complaint), true) == to_string(complaint), "a message holds no control characters");
 }
 
-// A folder in memory that is removed when the process ends.
+// A temporary folder, in memory if the system has /dev/shm. The destructor removes it.
 class Folder {
  public:
   Folder() {

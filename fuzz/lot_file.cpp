@@ -1,4 +1,5 @@
-// Reads the input as a lot file. If it can be read, it can also be written, and reads back as the same lot.
+// Reads the input as a lot file. If this succeeds, the lot is written to a text again, and reading that text must give
+// the same lot.
 #include "isolaw/campaign/lot_file.hpp"
 #include "harness.hpp"
 

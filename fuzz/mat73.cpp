@@ -1,5 +1,5 @@
-// Reads the input as a MATLAB file of version 7.3. A separate process reads it; if that process dies, the result is an
-// Error.
+// Reads the input as a MATLAB file of version 7.3. A separate process does the reading. If that process crashes, the
+// result is an isolaw::Error.
 #include "record.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {

@@ -1,4 +1,5 @@
-// Reads a record's bytes as `isolaw inspect` and `isolaw calibrate` do. The targets for kinds of records use this file.
+// Reads the bytes of a record as `isolaw inspect` and `isolaw calibrate` do. Every fuzz target for a kind of record
+// file includes this header.
 #pragma once
 
 #include <cmath>

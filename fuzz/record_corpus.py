@@ -26,7 +26,6 @@ def write(kind, name, data):
     (CORPUS / kind / name).write_bytes(data if isinstance(data, bytes) else data.encode())
 
 
-# --- workbooks --------------------------------------------------------------------------------------------------------
 
 HEAD = '<?xml version="1.0" encoding="UTF-8"?>\n'
 MAIN = 'xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"'
@@ -78,7 +77,7 @@ def shared(texts):
 
 
 def workbooks():
-    stored = zipfile.ZIP_STORED  # uncompressed, so that a fuzzer can change the text
+    stored = zipfile.ZIP_STORED  # a fuzzer can change the text of an uncompressed file
     sound = worksheet(sheet_rows())
     write("workbook", "sound.xlsx", workbook({"Test": sound}))
     write("workbook", "stored.xlsx", workbook({"Test": sound}, method=stored))
@@ -117,7 +116,6 @@ def workbooks():
     write("workbook", "plain.zip", out.getvalue())
 
 
-# --- MATLAB -----------------------------------------------------------------------------------------------------------
 
 HEADER = b"MATLAB 5.0 MAT-file, made for tests".ljust(116) + bytes(8) + struct.pack("<H", 0x100) + b"IM"
 
@@ -223,7 +221,6 @@ def matlab73():
     write("mat73", "cut.mat", path.read_bytes()[:1500])
 
 
-# --- JSON -------------------------------------------------------------------------------------------------------------
 
 def json_files():
     rows = ", ".join(f"[{t:.3g}, {x}, {f}]" for t, x, f in zip(TIME, DISP, FORCE))

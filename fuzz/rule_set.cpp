@@ -1,5 +1,5 @@
-// Reads the input as a rule file. The texts of a rule set are printable, and a set that nobody verified gives no
-// verdict.
+// Reads the input as a rule file and assesses tests by it. All texts of the rule set must be printable. A rule set that
+// nobody has verified must not give a verdict.
 #include "harness.hpp"
 #include "isolaw/rules/lot_view.hpp"
 

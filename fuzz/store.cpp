@@ -1,4 +1,4 @@
-// Reads the input as a campaign's store and reports it as `isolaw report` does.
+// Reads the input as the SQLite file of a campaign and makes its report, as `isolaw report` does.
 #include <fstream>
 #include <nlohmann/json.hpp>
 

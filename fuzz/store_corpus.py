@@ -75,8 +75,8 @@ FAULTS = {
                         "GENERATED ALWAYS AS (hex(zeroblob(400000000))) VIRTUAL",
 }
 
-# The committed files are those that once made a reader hang or passed unnoticed, and the kinds that get furthest into
-# the reader. --all writes every file, as seeds for a longer run.
+# Only these files are committed: files that made an earlier reader hang or that it accepted wrongly, and files of which
+# the reader reads most before it refuses them. --all writes all files, as a start for a longer fuzz run.
 KEPT = {"sound", "view-endless-runs", "view-endless-setting", "view-large-values", "generated-column", "setting-range",
         "run-number-huge", "parameters-infinite", "box-null", "name-control", "series-one-nan", "history-odd"}
 

@@ -1,4 +1,4 @@
-// Reads the input as a record in delimited text.
+// Reads the input as a record in delimited text, for example CSV.
 #include "record.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {

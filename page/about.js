@@ -1,4 +1,4 @@
-// Shows the page's version, privacy, self-test and licences.
+// The view "About": it shows the version, what happens to the user's data, the self-test and the licences.
 
 import { button, element, fill, place, visible } from './dom.js';
 import { engine } from './engine_use.js';

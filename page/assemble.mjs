@@ -1,9 +1,10 @@
-// Joins page/ into one HTML file that needs no other file.
+// Joins the sources of the page into one HTML file that needs no other file.
 //   node assemble.mjs --out isolaw.html --cmake cmake --engine DIR [--engine-html FILE] [--report FILE.html]...
-// --engine: a folder with engine.js (and its imports), which replaces page/engine.
-// --engine-html: elements for the body, above the script: scripts that hold only data, which the engine reads.
-// --report: reports as the program writes them. Frames inherit the page's policy, which allows the page's own scripts
-// and, by their hashes, the scripts of these reports, but no others.
+// --engine: a folder with engine.js and the modules that it imports. Tests give tests/page/stand_in in place of
+// page/engine.
+// --engine-html: HTML elements that embed.mjs wrote. They hold the program as data, which engine.js reads.
+// --report: sample reports. The page's security policy applies to its frames too. It allows only the page's own scripts
+// and scripts with the same hashes as those of the sample reports.
 import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { cpSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -17,10 +18,11 @@ const options = { cmake: ['cmake'], report: [], 'engine-html': [] };
 for (let i = 2; i < process.argv.length; i += 2) (options[process.argv[i].slice(2)] ??= []).push(process.argv[i + 1]);
 const one = (name) => options[name]?.at(-1);
 
-// The text of the scripts that a browser runs, as it is written in HTML.
+// Returns the texts of all scripts that a browser runs. A <script> with an attribute `type` holds only data here.
 const scriptsOf = (html) => [...html.matchAll(/<script(?![^>]*\btype=)[^>]*>([\s\S]*?)<\/script>/g)].map(([, script]) => script);
 const hash = (script) => "'sha256-" + createHash('sha256').update(script, 'utf8').digest('base64') + "'";
-// Escapes the only sequences that end or change a <script>, as render/page/html.cpp does.
+// Escapes the only sequences that can end or change a <script>. render/page/html.cpp escapes the same sequences in
+// reports.
 const inline = (script) => script.replace(/<(?=!--|\/s)/gi, '<\\');
 
 function joined() {
@@ -59,5 +61,5 @@ const policy = [
   "form-action 'none'",
   "base-uri 'none'",
 ].join('; ');
-// Replaces only the first place: the same text within scripts must stay as it is.
+// Replaces only the first occurrence. Scripts that contain the same text must keep it.
 writeFileSync(one('out'), page.replace('{{policy}}', () => policy));

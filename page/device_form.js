@@ -1,4 +1,4 @@
-// The form for one device, which edits its table in the lot file.
+// The form for one device. It edits the device's table in the lot file.
 
 import { element, visible } from './dom.js';
 import { choiceField, choicesOf, fieldset, flagField, textField } from './fields.js';
@@ -9,17 +9,19 @@ const CHANNELS = ['time', 'disp', 'force', 'load'];
 const UNITS = { time: ['s', 'ms', 'min', 'd'], disp: ['mm', 'cm', 'm', 'in'], force: ['kN', 'N', 'MN', 'tonf', 'kgf', 'daN', 'kip', 'lbf'] };
 UNITS.load = UNITS.force;
 
-// Suggestions for names of columns: the columns that were read or, if one was not found, the columns that exist.
+// Suggests names of columns: the columns that the program read and, if it did not find a column, the columns that the
+// file has.
 const columnNames = (found, problems) => [...new Set([...Object.values(found?.columns ?? {}).map(String), ...problems.flatMap(({ names = [] }) => names)])];
 
-// The first lines of a text file.
+// Returns the first lines of a text file, or null if the file is not text.
 function linesOf(bytes) {
   const head = bytes.subarray(0, 6000);
   const wide = (head[0] === 0xff && head[1] === 0xfe && 'utf-16le') || (head[0] === 0xfe && head[1] === 0xff && 'utf-16be');
   if (!wide && head.includes(0)) return null;
   let words;
   try {
-    // Ends with a whole line, since the last character of `head` may be incomplete.
+    // The 6000 bytes of `head` may end within a character, which UTF-8 decoding refuses. So this decodes only whole
+    // lines.
     words = new TextDecoder(wide || 'utf-8', { fatal: !wide }).decode(wide ? head : head.subarray(0, head.length === bytes.length ? head.length : head.lastIndexOf(10) + 1));
   } catch {
     words = new TextDecoder('windows-1252').decode(head);
@@ -27,8 +29,8 @@ function linesOf(bytes) {
   return words.split(/\r\n|\r|\n/).slice(0, 16).map((line) => visible(line.slice(0, 300)));
 }
 
-// `found`: the device in inspection.json, or undefined; `problems`: the program's complaints. `write(key, value)` and
-// `writePart(key, channel, value)` change the lot file.
+// `found` is the device's entry in inspection.json, or undefined. `problems` are the program's complaints about the
+// device. `write(key, value)` and `writePart(key, channel, value)` change the lot file.
 export function deviceForm(device, found, problems, write, writePart) {
   const id = (key) => 'device-' + device.place + '-' + key;
   const value = (key) => device.table.keys.get(key)?.value;

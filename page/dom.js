@@ -1,4 +1,4 @@
-// Makes elements of the document. Text always becomes text, never markup.
+// Creates elements of the HTML document. Text is always inserted as text and never read as HTML.
 
 import { listen, patchChildren } from './patch.js';
 
@@ -17,7 +17,8 @@ export function element(tag, attributes = {}, ...children) {
 
 export const place = (id) => document.getElementById(id);
 
-// Makes `children` the content of `node`, and changes only what differs.
+// Makes `children` the content of `node`. Elements that do not change stay in place, with their focus and scroll
+// position.
 export function fill(node, ...children) {
   const next = document.createDocumentFragment();
   next.append(...present(children));
@@ -26,10 +27,11 @@ export function fill(node, ...children) {
 
 export const button = (title, press, attributes = {}) => element('button', { type: 'button', click: press, ...attributes }, title);
 
-// Control characters, and marks that change the direction of writing.
+// Control characters, and invisible characters that change the direction of writing.
 export const unseen = /[\u0000-\u001f\u007f-\u009f\u200e\u200f\u202a-\u202e\u2066-\u2069]/g;
 
-// Spells out such characters in names and messages, except line ends and tabs.
+// Replaces control characters and direction marks by their codes, for example \x1b, so that the user sees them. Line
+// ends and tabs stay.
 export const visible = (words) =>
   String(words).replace(unseen, (sign) => (sign === '\n' || sign === '\t' ? sign : '\\x' + sign.codePointAt(0).toString(16).padStart(2, '0')));
 
@@ -40,7 +42,7 @@ const shapes = {
   down: 'M6 1 L6 8 M2.8 5 L6 8.2 L9.2 5 M1.5 11 L10.5 11',
 };
 
-// A small sign in a field of 12 by 12. Words beside it say the same.
+// Draws an icon. Words beside it say the same, so screen readers skip it.
 export function sign(name, tone) {
   const space = 'http://www.w3.org/2000/svg';
   const svg = document.createElementNS(space, 'svg');

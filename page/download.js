@@ -1,8 +1,8 @@
-// Saves a file in the folder that the browser uses for downloads.
+// Offers a file for download. The browser puts it into its folder for downloads.
 
 import { element } from './dom.js';
 
-// Makes a file name that every file system accepts.
+// Turns a title into a file name that every file system accepts.
 export const fileName = (title) =>
   title
     .normalize('NFKC')

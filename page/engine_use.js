@@ -1,10 +1,11 @@
-// Calls the engine for the rest of the page.
+// Starts the engine and offers short functions to use it, for the rest of the page.
 
 import { createEngine } from './engine/engine.js';
 
 let ready = null;
 
-// Starts the engine once, at the first call. The page is shown before the engine is ready.
+// The first call starts the engine. Every later call returns the same promise. The page can be used while the engine
+// starts.
 export const engine = () => (ready ??= createEngine());
 
 const decoder = new TextDecoder();
@@ -15,11 +16,12 @@ export const run = async (argv, files, keep, signal) => (await engine()).run({ a
 
 export const fileOf = (files, path) => files.find((file) => file.path === path)?.bytes ?? null;
 
-// Writes a path as an argument that cannot be mistaken for an option.
+// Writes a path as an argument. A path that begins with "-" gets "./" in front, so that the program does not read it as
+// an option.
 export const argument = (path) => (path.startsWith('-') ? './' + path : path);
 
-// The program's complaints about a command or, if it has none, its messages in the same form.
+// Returns the program's complaints about a command. If it has none, every line on standard error becomes a complaint.
 export const complaintsOf = ({ error, stderr = '' }) => error?.complaints ?? asComplaints(stderr);
 
-// Turns each line of a text into a complaint without other parts.
+// Returns a complaint for each line of a text.
 export const asComplaints = (text) => text.split('\n').filter(Boolean).map((found) => ({ where: '', found, allowed: '', advice: '' }));

@@ -1,4 +1,4 @@
-// Fields of forms. Each shows a key of the lot file and writes it back when it changes.
+// Form fields. Each field shows the value of a key of the lot file and writes it back when the user changes it.
 
 import { element } from './dom.js';
 import { text } from './text.js';
@@ -14,7 +14,7 @@ const shown = (value) => (value === undefined || value === null ? '' : typeof va
 const labelled = (id, [label, hint], control) =>
   element('div', { class: 'field' }, element('label', { for: id }, label), control, hint && element('small', { id: id + '-hint' }, hint));
 
-// Calls `write` with the value, or with null if the field was emptied.
+// Calls `write` with the new value, or with null if the user emptied the field.
 export function textField(id, words, value, write, { number = false, whole = false, list = null } = {}) {
   const control = element('input', {
     id,
@@ -33,7 +33,7 @@ export function textField(id, words, value, write, { number = false, whole = fal
   return labelled(id, words, control);
 }
 
-// `options`: [[value, label], ...].
+// `options` is a list of pairs [value, label].
 export function choiceField(id, words, options, value, write) {
   const known = options.some(([one]) => one === shown(value));
   const all = known ? options : [...options, [shown(value), shown(value)]];

@@ -1,4 +1,5 @@
-// Shows a report in a frame with another origin, without access to this page, and under the page's policy.
+// Shows a report in a frame. The frame has an origin of its own, so that the report's scripts cannot reach this page.
+// The page's security policy also holds in it.
 
 import { button, element } from './dom.js';
 import { download } from './download.js';
@@ -6,7 +7,8 @@ import { text } from './text.js';
 
 const addresses = new Set();
 
-// Adds a script to the report that prints on a message: the page cannot print a frame of another origin.
+// Adds a script to the report, which prints the report when it gets a message. The page cannot print a frame of another
+// origin by itself.
 function addressOf(bytes) {
   const script = document.getElementById('isolaw-frame').textContent;
   const url = URL.createObjectURL(new Blob([bytes, '<script>', script, '</script>'], { type: 'text/html;charset=utf-8' }));
@@ -16,7 +18,7 @@ function addressOf(bytes) {
 
 const print = (frame) => frame.contentWindow.postMessage('isolaw: print', '*');
 
-// Prints the report in a view. Returns whether there is one.
+// Prints the report that a view shows. Returns false if the view shows none.
 export function printFrame(view) {
   const frame = view.querySelector('iframe');
   if (frame) print(frame);
@@ -39,7 +41,7 @@ export function reportFrame(id, title, bytes, name, extra = []) {
   return { tools, frame };
 }
 
-// Frees reports that are no longer shown. A report that was opened in a new tab stays open.
+// Frees the memory of reports that are no longer shown. A report that was opened in a new tab stays open.
 export function forgetFrames() {
   for (const url of addresses) URL.revokeObjectURL(url);
   addresses.clear();

@@ -1,4 +1,4 @@
-// Identification: its settings, its progress and its report.
+// The view "Laws": the settings of an identification, its progress and its report.
 
 import { button, element, fill, place, visible } from './dom.js';
 import { complaintsOf, engine, fileOf } from './engine_use.js';
@@ -12,19 +12,19 @@ import { text } from './text.js';
 import { withSetting } from './toml.js';
 import { OF_GA, usualRuns } from './usual.js';
 
-let running = null; // an AbortController while an identification runs
+let running = null; // an AbortController while an identification runs, else null
 let workers = 1;
 let settingsOpen = false;
 let shown = null;
-let progress = null; // the engine's last report of progress
-let furthest = 0; // the largest share reported: more work may turn up, but the bar must not go back
+let progress = null; // the last progress that the engine reported
+let furthest = 0; // the largest share so far; the bar shows it, so that it never goes back
 let started = 0;
 
 const settings = () => lotTables().tables?.find(({ path }) => path === 'calibrate')?.keys ?? new Map();
 const value = (key, other) => settings().get(key)?.value ?? other;
 const chosenRuns = () => value('runs', usualRuns(value('method', 'best')));
 
-// Returns 'paper', 'usual', 'all', or ids.
+// Returns 'paper', 'usual', 'all' or a list of ids of laws.
 const chosenLaws = () => {
   const laws = value('laws', 'usual');
   return Array.isArray(laws) && laws.length === 1 && text.lawSets[laws[0]] ? laws[0] : laws;
@@ -94,7 +94,8 @@ function drawProgress() {
   document.title = known ? text.percent(furthest) + ' \u2013 ' + text.program : text.program;
 }
 
-// The engine splits the work by these settings, so they are repeated as options although the lot file has them.
+// The engine cuts the work into parts by these settings, and it does not read the lot file. So they are given as
+// options too.
 const spelled = () => [...['method', 'analysis'].flatMap((key) => (settings().has(key) ? ['--' + key, String(value(key))] : [])), '--runs', String(chosenRuns())];
 
 export const isIdentifying = () => running !== null;
@@ -129,7 +130,8 @@ async function identify({ fail }) {
   try {
     const parts = state.parts.length > 0 ? state.parts : store?.length > 0 ? store : undefined;
     let result = await ask(parts);
-    // The earlier campaign had other settings and cannot be continued, so a new one is started.
+    // Without a summary the earlier campaign could not be continued, because it had other settings. So a new one is
+    // started.
     if (parts && !fileOf(result.files, 'out/summary.json')) result = await ask(undefined);
     if (state.lots !== lots) return;
     state.parts = [];
@@ -146,7 +148,7 @@ async function identify({ fail }) {
     running = null;
     document.title = text.program;
     changed();
-    // Moves the focus only if nobody is typing.
+    // Moves the focus to the result, but not away from a field in which the user is typing.
     if (document.activeElement === document.body) place(state.campaign && !state.cancelled ? 'laws-title' : 'identify')?.focus();
   }
 }

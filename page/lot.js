@@ -1,5 +1,5 @@
-// Makes a lot from files. It distinguishes lot files, saved campaigns and records; the program reads and writes them
-// all.
+// Builds a lot from dropped files. It tells lot files, saved campaigns and records apart. The program itself reads and
+// writes all of them.
 
 import { argument, asBytes, asText, complaintsOf, fileOf, run } from './engine_use.js';
 import { changed, state } from './state.js';
@@ -13,7 +13,8 @@ const recordFiles = () => [...state.files].map(([path, bytes]) => ({ path, bytes
 export const lotFiles = () => [...recordFiles(), { path: LOT, bytes: asBytes(state.lot) }];
 export const lotPath = LOT;
 
-// The tables of the lot file; null if this page cannot read it. Each text is read once.
+// The tables of the lot file, or null if this page cannot parse the file. They are parsed again only if the text has
+// changed.
 const NONE = { tables: null, line: 0 };
 let readOf = null,
   read = NONE;
@@ -32,7 +33,7 @@ export function lotTables() {
 
 const filesOf = (table) => [table.keys.get('file')?.value, table.keys.get('files')?.value].flat().filter((file) => typeof file === 'string');
 
-// All files that the lot file names, including files of channels, compression tests and a rule set.
+// Returns all files that the lot file names: records, single channels, compression tests and a rule set.
 export function namedFiles() {
   const { tables } = lotTables();
   return tables && namedIn(tables);
@@ -60,16 +61,19 @@ function devicesIn(tables) {
   });
 }
 
-// The devices of the lot file as [{number, place, table, file, name}]: `number` counts tables, `place` devices.
+// Returns the devices of the lot file as [{number, place, table, file, name, valuesOf}]. `number` is the index of the
+// device's table among all tables. `place` is its number among the devices, from 1.
 export const lotDevices = () => devicesIn(lotTables().tables ?? []);
 
-// `isolaw init` lists files that it cannot read in a last paragraph of comments, `# file = ...` for each. On the page
-// they become devices that are refused.
+// `isolaw init` ends its lot file with a paragraph of comments. A line `# file = ...` in it names a file that the
+// program cannot read. This page removes the paragraph and makes a device of each such file, which the program then
+// refuses with a reason.
 const FILES_LEFT_OUT = /\n\n(?:#.*\n)*# file = .*\n(?:#.*\n)*$/;
 
 const stem = (path) => path.replace(/^.*\//, '').replace(/\.[^.]*$/, '');
 
-// A file that was not recognised becomes a device too, so that every output reports it until the user removes it.
+// Returns the table of a device with this file. The page adds it for files that the program could not read, so that
+// every result reports such a file until the user removes it.
 const deviceOf = (file) => '\n[[device]]\nfile = ' + writeValue(file) + '\n';
 
 async function recognise(paths, like) {
@@ -91,7 +95,8 @@ const empty = () => 'title = ' + writeValue(state.title || text.untitled) + '\n'
 
 const devicesFrom = (lot) => readToml(lot).find(({ array }) => array)?.from ?? lot.length;
 
-// Writes the columns and units that all these files share into each device, since later files may have others.
+// `isolaw init` writes columns and units only once if all files share them. This writes them into each device instead,
+// because files that the user adds later may have others.
 function withReadInDevices(lot) {
   for (const key of ['columns', 'units']) {
     const shared = readToml(lot).find(({ path }) => path === 'read')?.keys.get(key)?.value;
@@ -102,7 +107,7 @@ function withReadInDevices(lot) {
   return lot;
 }
 
-// Gives every device a different name: a repeated name is replaced by the file's path or gets a number.
+// Gives every device a name of its own. A repeated name is replaced by the path of the file or gets a number.
 function withNamesApart(lot) {
   const taken = new Set();
   for (const { number, name, file } of devicesIn(readToml(lot))) {
@@ -118,25 +123,27 @@ function withNamesApart(lot) {
 const digestOf = async (bytes) => [...new Uint8Array(await crypto.subtle.digest('SHA-256', bytes))].map((byte) => byte.toString(16).padStart(2, '0')).join('');
 
 const MARKER = 'isolaw-campaign.json';
-const PARTS = /^(parts|shares|lots)\/\d+-of-\d+\//; // folders of a campaign that was cancelled
+const PARTS = /^(parts|shares|lots)\/\d+-of-\d+\//; // folders of finished work of a cancelled campaign
 
-// The file in a saved campaign that names the lot file and the records that its results belong to.
+// Returns the file that the page adds to a saved campaign. It holds the lot file and the digests of the records that
+// the results were computed from.
 export const markerFile = () => ({
   path: MARKER,
   bytes: asBytes(JSON.stringify({ isolaw: 'campaign', schema: 2, of: state.campaign?.of && { lot: state.campaign.of.lot, files: Object.fromEntries(state.campaign.of.digests) } }) + '\n'),
 });
 
-// The present lot file and digests of its records, to be kept with the results that are computed from them.
+// Returns the present lot file and the digests of its records. They are kept with results, to notice later changes.
 export const present = () => ({ lot: state.lot, digests: new Map([...(namedFiles() ?? [])].map((path) => [path, state.digests.get(path)])) });
 
-// Whether the results were computed from another lot file or other records than the present ones.
+// Returns whether the lot file or a record has changed since the results were computed.
 export const outdated = () => {
   if (!state.campaign || state.lot === null) return false;
   const { lot, digests } = state.campaign.of ?? digestsOf(state.campaign.summary);
   return (lot !== null && lot !== state.lot) || [...digests].some(([path, digest]) => state.digests.get(path) !== digest);
 };
 
-// The warning that is shown beside results and when they are saved; '' if there is none.
+// Returns the warning that the page shows beside results and when the user saves them, or '' if there is nothing to
+// warn of.
 export const resultsDoubt = () => (outdated() ? text.outdated : state.campaign?.summary.complete === false ? text.incomplete : '');
 
 export const titleOfAll = () => {
@@ -144,7 +151,8 @@ export const titleOfAll = () => {
   return (typeof own === 'string' && own) || state.inspection?.title || state.campaign?.summary.title || state.title;
 };
 
-// Finds records whose names the lot file writes differently: with '\\', other capitals, or another folder.
+// The lot file may name a record with '\\', with other capitals or in another folder. This finds the dropped record
+// that is meant.
 function rename(named) {
   const lower = (path) => path.replace(/\\/g, '/').toLowerCase();
   const last = (path) => lower(path).replace(/^.*\//, '');
@@ -154,7 +162,8 @@ function rename(named) {
     const same = [lower, last].map((short) => free.filter((one) => short(one) === short(path))).find((found) => found.length === 1)?.[0];
     if (same === undefined) continue;
     if (/^([A-Za-z]:|[\\/])|(^|[\\/])\.\.([\\/]|$)/.test(path)) {
-      // The path leads out of the lot's folder, so the lot file gets the record's path instead.
+      // The path leads out of the lot's folder, which the program refuses. So the lot file gets the path of the dropped
+      // record instead.
       const device = lotDevices().find(({ file }) => file === path);
       if (device?.table.keys.get('file')) state.lot = withKey(state.lot, device.number, 'file', same);
       continue;
@@ -168,13 +177,14 @@ function rename(named) {
 
 const isStore = ({ path }) => /(^|\/)campaign\.sqlite$/.test(path) && !PARTS.test(path);
 const isToml = ({ path }) => /\.toml$/i.test(path);
-// Distinguishes a lot file of any name from a rule set, which has no devices.
+// Tells a lot file of any name from a rule set. Only a lot file has devices.
 const namesDevices = ({ bytes }) => /^\s*\[\[\s*device/m.test(asText(bytes));
 
 const folderOf = ({ path }) => path.slice(0, path.lastIndexOf('/') + 1);
 
-// Finds the lot file and the store among these files. `results`: files that the program writes again from the store,
-// which are no records unless the lot file names them. `base`: the folder that names in the lot file are relative to.
+// Finds the lot file and the campaign's database (`store`) among dropped files. `results` are the files that the
+// program can write again from the database; they are no records unless the lot file names them. `base` is the folder
+// of the lot file, to which the paths in it are relative.
 function sorted(files) {
   const store = files.find(isStore);
   const lots = files.filter(isToml);
@@ -184,21 +194,22 @@ function sorted(files) {
   try {
     if (lot) named = namedIn(readToml(asText(lot.bytes)));
   } catch {
-    // The program reports this fault later.
+    // The lot file cannot be parsed. The program reports the fault when it reads the file.
   }
   const outputs = /^(tables|figures)\/|^(summary|run)\.json$|\.(html|tex|sqlite)$/i;
   const results = new Set(store ? files.filter((file) => file === store || (file.path.startsWith(folderOf(store)) && !PARTS.test(file.path) && outputs.test(file.path.slice(folderOf(store).length)) && !named.has(file.path.slice(base.length)))) : []);
   return { store, lot, base, results };
 }
 
-// The part of the page that these files would replace: 'results', 'everything', or '' for none.
+// Returns what the dropped files would replace on the page: 'results', 'everything', or '' for nothing.
 export function replaces(files) {
   if (!files.some(isStore)) return '';
   const { lot, results } = sorted(files);
   return lot || files.some((file) => file.path !== MARKER && !results.has(file)) ? 'everything' : 'results';
 }
 
-// Adds files to the present ones. Returns {store, of} if the files contain a store, whose report must then be made.
+// Adds dropped files to the files of the page. If a campaign's database is among them, it returns {store, of}: the
+// database and the data that it was computed from. The caller must then make the report of the database.
 export const addFiles = async ({ files, title, notes }) => {
   state.notes = notes;
   const { store, lot: own, base, results } = sorted(files);
@@ -231,9 +242,10 @@ export const addFiles = async ({ files, title, notes }) => {
     rename(namedFiles() ?? new Set());
     const named = namedFiles();
     const records = fresh.filter((path) => !/\.toml$/i.test(path));
-    // The user brings new records with the lot file of earlier ones.
+    // None of the records that the lot file names is here, so the user wants the new records to be read like those of
+    // an earlier lot.
     if (!store && named && records.length > 0 && named.size > 0 && ![...named].some((path) => state.files.has(path))) {
-      // Without a title the program would use the name of its working folder.
+      // If the lot file had no title, the program would use the name of its working folder as the title.
       state.lot = withSetting(withNamesApart(await recognise(records, lot)), '', 'title', state.title || text.untitled);
       state.notes.push(text.likeLast(records.length));
     }
@@ -257,7 +269,7 @@ function markedOf(bytes) {
 
 const namedFilesOr = (other) => (state.lot === null ? other : (namedFiles() ?? other));
 
-// Makes devices of files that belong to none yet, with what the program recognises in them.
+// Lets the program recognise files that belong to no device yet, and adds a device for each.
 export const readRecords = async (paths) => {
   const { lots } = state;
   const found = await recognise(paths, null);
@@ -269,7 +281,8 @@ export const readRecords = async (paths) => {
 let running = false,
   again = false;
 
-// Computes cycles, properties and verdicts for the present lot file. A call during a run makes it run again afterwards.
+// Computes cycles, properties and verdicts for the present lot file. If it is called while it runs, it runs once more
+// afterwards.
 export const inspect = async () => {
   if (running) {
     again = true;
@@ -294,14 +307,15 @@ export const inspect = async () => {
   }
 };
 
-// The digests in a summary of the command line. The summary does not contain the lot file.
+// Returns the records' digests from the summary of a campaign that the command line computed. That summary does not
+// hold the lot file, so `lot` is null.
 function digestsOf({ devices }) {
   const here = (file) => [...state.files.keys()].filter((path) => path === file || path.endsWith('/' + file));
   return { lot: null, digests: new Map(devices.flatMap(({ file, sha256 }) => (here(file).length === 1 ? [[here(file)[0], sha256]] : []))) };
 }
 
-// Makes the report of a store again with this version of the program. `of`: the lot file and the records that the
-// results were computed from, if known.
+// Lets this version of the program make the report of a campaign's database. `of` is the lot file and the digests of
+// the records that the results were computed from, if they are known.
 export const openStore = async (bytes, of) => {
   const { lots } = state;
   const result = await run(['report', 'out', '--figures', 'none'], [{ path: 'out/campaign.sqlite', bytes }], ['out/*']);
@@ -310,7 +324,7 @@ export const openStore = async (bytes, of) => {
   if (state.lots !== lots) return;
   const { saved } = state;
   setCampaign(files, of ?? null);
-  state.saved = saved; // a store that was dropped is saved already
+  state.saved = saved; // the user dropped this database, so it is saved already
 };
 
 export function setCampaign(files, of) {
@@ -320,14 +334,14 @@ export function setCampaign(files, of) {
   state.saved = false;
 }
 
-// Laws and rule sets come from the program, so that the page has no list of its own.
+// Asks the program for its laws and rule sets, so that the page needs no list of its own.
 export const readCatalogue = async () => {
   const [laws, rules] = await Promise.all([run(['laws', '--json'], [], []), run(['rules', '--json'], [], [])]);
   state.laws = JSON.parse(laws.stdout).map(({ id, title, set, parameters }) => ({ id, title, set, parameters: parameters.length }));
   state.rules = JSON.parse(rules.stdout).map(({ id, title, verified_by: by }) => ({ id, title, verified: by !== '' }));
 };
 
-// The built-in lot, in the form of a dropped folder.
+// Returns the files of the built-in example lot as if the user had dropped its folder.
 export const exampleLot = async () => {
   const { files } = await run(['example', 'example-lot'], [], ['example-lot/*']);
   return files.map(({ path, bytes }) => ({ path, bytes, inFolder: true }));

@@ -1,4 +1,4 @@
-// The form for the whole lot, which edits the lot file, and the text of the lot file itself.
+// The form for the whole lot, and a text field with the lot file. Both edit the lot file.
 
 import { button, element, place } from './dom.js';
 import { choiceField, fieldset, textField } from './fields.js';
@@ -7,7 +7,7 @@ import { state } from './state.js';
 import { text } from './text.js';
 import { settingsOf, withKey, withSetting } from './toml.js';
 
-// `edit` is called with the new text of the lot file.
+// `edit` takes the new text of the lot file.
 export function lotForm(edit) {
   const { tables, line } = lotTables();
   const parts = [];

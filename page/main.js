@@ -1,4 +1,4 @@
-// The page: its views, how it takes dropped files, and which step follows.
+// Starts the page: it shows the views, takes dropped files, and offers the next step.
 
 import { drawAbout } from './about.js';
 import { button, element, fill, place, visible } from './dom.js';
@@ -88,7 +88,7 @@ const use = {
 };
 
 const inspectIfAny = async () => {
-  // The program is asked even if this page cannot read the lot file, since it says why.
+  // If this page cannot parse the lot file, the program still reads it and reports the fault.
   if (state.lot !== null && /^\s*\[\[\s*device/m.test(state.lot)) await inspect();
 };
 
@@ -122,7 +122,7 @@ function startOver() {
   show('records', true);
 }
 
-// Shows `words` during `work`. The page can be used meanwhile.
+// Shows the text `words` while `work` runs. The user can use the page in the meantime.
 async function busy(words, work) {
   ++working;
   document.body.dataset.busy = String(working);
@@ -184,7 +184,7 @@ const takeIn = async (files) => {
   } else show('records');
 };
 
-let received = Promise.resolve(); // handles drops one after the other, since each adds to the last
+let received = Promise.resolve(); // a drop waits for the one before it
 const receive = (chosen) => {
   const before = received;
   received = busy(text.starting, async () => {
@@ -200,7 +200,8 @@ const receive = (chosen) => {
 };
 
 function listen() {
-  // While a file is dragged a sheet covers the page. Otherwise a report's frame would receive the drop.
+  // While the user drags a file, an element covers the whole page. Without it, the frame of a report would get the
+  // dropped file.
   const over = (on) => document.body.toggleAttribute('data-dropping', on);
   addEventListener('dragenter', (event) => {
     event.preventDefault();
@@ -208,12 +209,12 @@ function listen() {
   });
   addEventListener('message', ({ data, source }) => data === 'isolaw: drag' && isFrame(source) && over(true));
   place('dropping').addEventListener('dragleave', () => over(false));
-  addEventListener('pointermove', () => over(false)); // browsers send no such event during a drag
+  addEventListener('pointermove', () => over(false)); // a pointer that moves means that no drag is going on
   addEventListener('dragover', (event) => event.preventDefault());
   addEventListener('drop', (event) => {
     event.preventDefault();
     over(false);
-    document.activeElement?.blur(); // writes a field that is being edited into the present lot
+    document.activeElement?.blur(); // a field that is being edited first writes its value to the lot file
     receive(ofDrop(event.dataTransfer));
   });
   for (const id of ['pick', 'pick-folder'])
@@ -229,7 +230,7 @@ function listen() {
   });
   addEventListener('keydown', (event) => {
     if (event.key === 'Escape' && current === 'laws' && isIdentifying()) cancelIdentifying();
-    // Browsers print only one sheet of a page with a frame, so the frame prints itself.
+    // Browsers print only one sheet of a page that contains a frame. So the report in the frame prints itself.
     if (event.key.toLowerCase() === 'p' && (event.ctrlKey || event.metaKey) && printFrame(place('view-' + current))) event.preventDefault();
   });
 }

@@ -1,5 +1,5 @@
-// Redraws a view by changing only elements that differ. The field in use, the button under the pointer, open details
-// and the scroll position therefore stay as they are.
+// Redraws a view by changing only the elements that differ. The focus, open details and the scroll position stay as
+// they were, and a button does not vanish under the pointer.
 
 const handlers = new WeakMap(); // element -> Map of event -> function
 
@@ -10,7 +10,8 @@ export function listen(node, event, handler) {
   own.set(event, handler);
 }
 
-// A report's frame is replaced. Another address in the same frame would add a step to the browser's history.
+// A frame is always replaced by a new element. If only its address changed, the browser would add a step to its
+// history.
 const alike = (old, next) =>
   old.nodeType === next.nodeType && old.nodeName === next.nodeName && (old.id ?? '') === (next.id ?? '') && old.type === next.type && old.nodeName !== 'IFRAME';
 
@@ -21,7 +22,7 @@ function patch(old, next) {
   }
   const isText = old.nodeName === 'TEXTAREA' || (old.nodeName === 'INPUT' && old.type === 'text');
   const isTyped = isText && old === document.activeElement && old.value !== old.defaultValue;
-  // Only the reader opens and closes details, so `open` is left alone.
+  // Only the user opens and closes <details> elements, so their attribute `open` stays as it is.
   for (const { name } of [...old.attributes]) if (name !== 'open' && !next.hasAttribute(name)) old.removeAttribute(name);
   for (const { name, value } of [...next.attributes]) if (name !== 'open' && old.getAttribute(name) !== value) old.setAttribute(name, value);
   for (const [event] of handlers.get(old) ?? []) handlers.get(old).set(event, null);
@@ -32,7 +33,7 @@ function patch(old, next) {
   if ((old.type === 'checkbox' || old.type === 'radio') && old.checked !== next.checked) old.checked = next.checked;
 }
 
-// Makes the children of `old` like the children of `next`, from which some of them are taken.
+// Makes the children of `old` equal to the children of `next`. New elements are moved from `next` to `old`.
 export function patchChildren(old, next) {
   const wanted = new Set([...next.childNodes].map(({ id }) => id).filter(Boolean));
   const mayGo = (node) => !wanted.has(node.id) && !node.contains(document.activeElement);

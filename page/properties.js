@@ -1,4 +1,4 @@
-// The view of properties: it shows the page with cycles, rule set and certificate that `isolaw inspect` writes.
+// The view "Properties": it shows the page with cycles, verdicts and the certificate that `isolaw inspect` writes.
 
 import { button, element, fill, place, visible } from './dom.js';
 import { fileOf } from './engine_use.js';
@@ -21,7 +21,7 @@ export function drawProperties({ show }) {
     return;
   }
   const { word, sentence } = state.inspection.result ?? {};
-  // The frame shows the reasons of a verdict. If there is no verdict, this line says why.
+  // The report in the frame gives the reasons of a verdict. If there is no verdict, this line gives the reason.
   const verdict = element('p', { class: 'verdict-line' }, word ? element('b', { class: 'word ' + (TONES[word] ?? '') }, word) : visible(sentence ?? text.noVerdict));
   const { tools, frame } = reportFrame('inspection-frame', text.inspectionFrame, page, fileName(titleOfAll() || text.untitled) + '-inspection.html', [
     verdict,

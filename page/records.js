@@ -1,4 +1,4 @@
-// The first screen: the dropped files, what the program recognised in them, and the forms to correct this.
+// The first view: it lists the dropped files and what the program recognised in them, and offers forms to correct it.
 
 import { button, element, fill, place, sign, visible } from './dom.js';
 import { deviceForm } from './device_form.js';
@@ -9,7 +9,7 @@ import { state } from './state.js';
 import { text } from './text.js';
 import { withKey, withoutDevice } from './toml.js';
 
-// Places of the devices whose forms are open, in the present lot.
+// The numbers of the devices whose forms are open. They count only for the lot with the number openIn.
 let openForms = new Set(),
   openIn = 0;
 const leftOut = (place) => {
@@ -20,7 +20,8 @@ const CHANNELS = ['time', 'disp', 'force', 'load'];
 
 const number = (value, digits) => (typeof value === 'number' ? String(Number(value.toPrecision(digits))).replace('-', '\u2212') : '\u2013');
 
-// Shows the program's complaints. Complaints about the file `own` do not name it, since its name is above them.
+// Shows complaints of the program. `own` is the file whose name stands above the list; complaints about it do not
+// repeat the name.
 export const problemList = (complaints, own = '') =>
   complaints.map(({ where, found, allowed, advice }) =>
     element(
@@ -32,7 +33,7 @@ export const problemList = (complaints, own = '') =>
     ),
   );
 
-// The devices of the lot file, each with its result from `isolaw inspect`.
+// Returns the devices of the lot file, each with its entry in the result of `isolaw inspect`.
 function devicesFound() {
   const devices = lotDevices();
   const found = state.inspection?.devices ?? [];
@@ -45,7 +46,7 @@ function devicesFound() {
   });
 }
 
-// The reasons why a device is refused, or why it has no properties.
+// Returns the complaints because of which a device was refused or has no properties.
 const refusalOf = ({ status, complaints, message, properties_refusal: bare }) =>
   status === 'ok' ? asComplaints(bare ?? '') : (complaints ?? asComplaints(message));
 
@@ -156,9 +157,9 @@ function band(all) {
   const read = all.filter((one) => one.readable).length;
   const not = all.length - read;
   const bare = all.filter((one) => one.readable && one.problems.length > 0).length;
-  // A single device's fault is shown in its row instead.
+  // If the lot has one device, its fault is shown in its row and not above the table.
   const broken = state.problems.length > 0 && !state.inspection && all.length !== 1;
-  // The page has a store without records.
+  // The user dropped only the results of a campaign, without records and lot file.
   if (state.lot === null && state.campaign && not === 0) return { read, node: ['muted', text.readBand.results, text.readResults, false] };
   const [tone, word, said] = broken
     ? ['poor', text.readBand.broken, '']

@@ -1,4 +1,4 @@
-// Saves everything as one file, single files, or a law for an analysis program.
+// The view "Save": it saves everything as one file, single files, or a law for an analysis program.
 
 import { button, element, fill, place, visible } from './dom.js';
 import { asBytes, complaintsOf, fileOf, run } from './engine_use.js';
@@ -11,14 +11,14 @@ import { text } from './text.js';
 import { writeZip } from './zip.js';
 
 const TYPES = { html: 'text/html', json: 'application/json', toml: 'application/toml', zip: 'application/zip' };
-let said = []; // messages on the last export
-let exportsOf = null; // the campaign that was exported last
+let said = []; // messages about the last export
+let exportsOf = null; // the campaign to which `said` belongs
 const chosen = { law: null, device: null, to: 'opensees-cpp', units: 'kN-mm', anyway: false };
 
 const name = () => fileName(titleOfAll() || text.untitled);
 
-// The lot file, its records and the results below out/ in the command line's folders, and the finished parts of a
-// cancelled campaign.
+// Returns the files of a whole saved campaign: the lot file, the records, the results below out/ as the command line
+// names them, and finished work of a cancelled campaign.
 const wholeFiles = () => [
   ...(state.lot === null ? [] : [{ path: 'lot.toml', bytes: asBytes(state.lot) }]),
   ...[...state.files].map(([path, bytes]) => ({ path, bytes })),
@@ -68,7 +68,7 @@ async function makeExport() {
   const result = await run(words, under(state.campaign.files, 'out/').filter(({ path }) => /\.(sqlite|json)$/.test(path)), ['*']);
   const written = result.files.filter(({ path }) => !path.startsWith('out/'));
   for (const { path, bytes } of written) download(path.replace(/^.*\//, ''), bytes);
-  // Leaves out the name of the written file, which the page already shows.
+  // The command prints the name of the written file. The page already shows it, so this line is left out.
   const warnings = result.stderr.split('\n').filter((line) => line !== file).join('\n').trim();
   said = [
     written.length > 0 ? element('p', { class: warnings || resultsDoubt() ? 'care' : 'good' }, visible(text.exported(written.map(({ path }) => path).join(', ')))) : null,
@@ -89,7 +89,7 @@ export function drawSave({ busy, show }) {
   if (!laws.includes(chosen.law)) chosen.law = summary?.recommendations?.find(({ law }) => laws.includes(law))?.law ?? laws[0] ?? null;
   const title = (id) => state.laws.find((one) => one.id === id)?.title ?? id;
   const devices = summary?.devices.filter(({ status }) => status === 'ok').map(({ name: one }) => one) ?? [];
-  // The lot's law comes from an analysis and needs at least two devices.
+  // A law for the whole lot exists only if the analyses were made and the lot has at least two devices.
   const ofLot = summary?.settings.analysis !== 'none' && devices.length > 1;
   if (chosen.device === null || (chosen.device === 'lot' ? !ofLot : !devices.includes(chosen.device))) chosen.device = ofLot ? 'lot' : (devices[0] ?? null);
   const choose = (key) => (picked) => {

@@ -1,23 +1,25 @@
-// Turns dropped or chosen files into files with a path: it walks folders, unpacks zip files and makes names safe.
+// Turns dropped or chosen files into a list of files with paths: it walks through folders, unpacks zip files and makes
+// names safe.
 
 import { unseen } from './dom.js';
 import { text } from './text.js';
 import { TooLarge, looksLikeZip, readZip } from './zip.js';
 
-const MOST = 768 * 1024 * 1024; // for all files together, since workers hold copies of them
+const MOST = 768 * 1024 * 1024; // bytes of all files together; every worker holds a copy of them
 
-// Names of files that isolaw reads in a folder (docs/records.md). It tries a file chosen by hand whatever its name.
+// Names of record files that are read from a folder (docs/records.md). A single file is read whatever its name is.
 const RECORD = /\.(csv|tsv|txt|dat|asc|lvm|mat|xlsx|json)$/i;
 
 const failure = (message) => Object.assign(new Error(message), { shown: true });
 
-// A path that stays in its folder, without characters that a file system or a lot file refuses.
+// Returns a path that cannot leave its folder and has no characters that file systems or lot files refuse.
 function safePath(path) {
   const parts = path.replace(/\\/g, '/').split('/').filter((part) => part !== '' && part !== '.' && part !== '..');
   return parts.map((part) => part.replace(unseen, '_')).join('/');
 }
 
-// Walks a folder by its handle, since Chromium gives no folder entries to a page that was opened from a file.
+// Lists the files of a folder by its file system handle. In Chromium the older interface of entries does not work for a
+// page that was opened from a file.
 async function walkHandle(directory, folder, found) {
   for await (const [name, handle] of directory.entries()) {
     if (handle.kind === 'file') found.push({ path: folder + name, file: await handle.getFile(), inFolder: true });
@@ -25,7 +27,7 @@ async function walkHandle(directory, folder, found) {
   }
 }
 
-// Does the same in browsers without handles.
+// Lists the files of a folder by its entry, for browsers that have no file system handles.
 async function walkEntry(directory, folder, found) {
   const reader = directory.createReader();
   const some = () => new Promise((resolve, reject) => reader.readEntries(resolve, reject));
@@ -36,7 +38,8 @@ async function walkEntry(directory, folder, found) {
     }
 }
 
-// Returns [{path, file, inFolder}] for a drop. It must be called while the event is handled.
+// Returns the dropped files as [{path, file, inFolder}]. Call it within the event handler, because the browser empties
+// `transfer` afterwards.
 export const ofDrop = (transfer) => {
   const dropped = [...transfer.items]
     .filter(({ kind }) => kind === 'file')
@@ -58,14 +61,15 @@ export const ofDrop = (transfer) => {
         }
       }
     }
-    return found.sort((a, b) => (a.path < b.path ? -1 : 1)); // in the order in which a folder is shown
+    return found.sort((a, b) => (a.path < b.path ? -1 : 1)); // file managers show a folder in this order
   })();
 };
 
 export const ofInput = (input) =>
   [...input.files].map((file) => ({ path: file.webkitRelativePath || file.name, file, inFolder: Boolean(file.webkitRelativePath) })).sort((a, b) => (a.path < b.path ? -1 : 1));
 
-// Returns the files as [{path, bytes, inFolder}], with remarks. `size`: bytes of the files that the page already has.
+// Reads the chosen files and returns them as [{path, bytes, inFolder}], with remarks. `size` is the number of bytes
+// that the page already holds.
 export const take = async (chosen, size) => {
   if (chosen.length === 0) throw failure(text.nothing);
   let total = size;
@@ -93,7 +97,7 @@ export const take = async (chosen, size) => {
       const unpacked = await readZip(bytes).catch((error) => {
         throw failure(error instanceof TooLarge ? text.bigZip(path) : text.badZip(path));
       });
-      // A workbook is also a zip file; this one has another name.
+      // An Excel workbook is also a zip file. A file with this entry is a workbook whose name does not end in .xlsx.
       if (unpacked.some((one) => one.path === '[Content_Types].xml')) files.push({ path: safePath(path), bytes, inFolder });
       else
         for (const one of unpacked) {
@@ -108,7 +112,7 @@ export const take = async (chosen, size) => {
   return { files: files.filter(({ path }) => path !== ''), notes };
 };
 
-// Removes the folder that contains all files from their paths. Its name becomes the title.
+// If one folder contains all files, removes it from their paths and returns its name as the title.
 export function withoutFolder(files) {
   const first = files[0]?.path.split('/')[0];
   if (!files.every(({ path, inFolder }) => inFolder && path.startsWith(first + '/'))) return { files, title: '' };

@@ -1,4 +1,4 @@
-// All text of the page itself; a translation is another file like this one. The program's own text is not in it.
+// All texts of the page itself. A translation replaces this file. Texts that come from the program are not here.
 
 const several = (number, one, many) => number + '\u202f' + (number === 1 ? one : many);
 const some = (names, most = 6) => (names.length > most ? names.slice(0, most).join(', ') + ' and ' + (names.length - most) + ' more' : names.join(', '));
@@ -57,7 +57,7 @@ export const text = {
   replaced: (names) => 'Replaced: ' + some(names) + '.',
   likeLast: (number) => 'The lot file names none of these records. They were read like the records that it names (' + several(number, 'file', 'files') + ').',
 
-  // Records.
+  // The view "Records".
   records: 'Records',
   readBand: {
     all: (number) => several(number, 'device', 'devices') + ' read',
@@ -97,7 +97,7 @@ export const text = {
   absent: 'This file is missing. Drop it too.',
   missing: (names) => 'The lot file names files that are not here: ' + some(names) + '. Drop them too.',
 
-  // The form of a device. For each key of the lot file it has a label and a hint.
+  // The form of a device: label and hint for each key of the lot file.
   form: {
     name: ['Name', ''],
     serial: ['Serial number', ''],
@@ -140,7 +140,7 @@ export const text = {
   lookBinary: 'This is not a text file.',
   recognised: 'What was recognised, and why',
 
-  // The lot.
+  // The form of the lot.
   lot: 'The lot',
   lotTitle: 'Title',
   rubberAll: ['Total rubber thickness T_r, mm', 'Rubber area A_r, mm\u00b2'],
@@ -167,7 +167,7 @@ export const text = {
   lotFileWhy: 'The forms above write this file. You can edit it here too, or run it with its records on the command line.',
   lotFileLine: (line) => 'Line ' + line + ' cannot be read by the forms; the message above says more.',
 
-  // Properties.
+  // The view "Properties".
   properties: 'Properties',
   noVerdict: 'No verdict',
   inspectionFrame: 'Cycles, properties, rule set and certificate',
@@ -179,7 +179,7 @@ export const text = {
   newTab: 'Open in a tab',
   savePage: 'Save this page',
 
-  // Laws.
+  // The view "Laws".
   laws: 'Laws',
   whichLaws: 'Which laws',
   lawSets: { usual: 'Usual', paper: 'The paper\u2019s', all: 'All', some: 'Some' },
@@ -224,7 +224,7 @@ export const text = {
   old: 'from before the change',
   incomplete: 'Some results are not computed yet. Identify computes them.',
 
-  // Save.
+  // The view "Save".
   save: 'Save',
   whole: 'Everything, as one file',
   wholeWhy: 'Records, lot file, results. Drop it here again to view or to continue. Unpacked, it works on the command line: isolaw report out, isolaw calibrate lot.toml --out out.',
@@ -263,7 +263,7 @@ export const text = {
   makeExport: 'Export',
   exported: (name) => name + ' is saved.',
 
-  // About.
+  // The view "About".
   about: 'About',
   aboutIs: 'This page is the command-line program isolaw, compiled for browsers. It opens from a folder, a USB stick or a mail attachment; nothing is installed.',
   aboutPrivacy: 'Nothing leaves this machine: the page names no server, and its policy forbids the browser every connection. Closing the page loses what is not saved.',

@@ -1,6 +1,6 @@
-// Reads a lot file into tables whose keys know their position in the text, so that a form can change one value and
-// leave all else, including comments. It reads the part of TOML 1.0 that lot files use; the program itself checks the
-// text.
+// Parses a lot file into tables that know where in the text each key stands. A form can then change one value and leave
+// the rest of the text, with its comments, as it is. The parser knows only the part of TOML 1.0 that lot files use. The
+// program itself checks the text.
 
 class Reader {
   constructor(text) {
@@ -101,8 +101,9 @@ class Reader {
   }
 }
 
-// Returns [{path, array, keys, comments, from, to}]. The first table holds the keys above all headings. Its lines are
-// text[from] to text[to]. keys and comments (`# key = ...`): name -> {from, to, value, valueFrom, valueTo}, for whole
+// Returns the tables of a text as [{path, array, keys, comments, from, to}]. The first table has the keys that stand
+// before any heading. A table takes up text[from] to text[to]. `keys` maps a name to {from, to, value, valueFrom,
+// valueTo}, and `comments` maps the name in a comment `# name = ...` to {from, to}; `from` and `to` enclose whole
 // lines.
 export function readToml(text) {
   const reader = new Reader(text);
@@ -150,7 +151,8 @@ export function writeValue(value) {
   return plain ? "'" + value + "'" : JSON.stringify(value).replace(/\u007f/g, '\\u007f');
 }
 
-// Returns the text with `name` set in a table (`number` counts as in readToml), or removed if the value is null.
+// Returns the text with the value of a key changed or added, or with the key removed if the value is null. `number` is
+// the index of the table in the result of readToml().
 export function withKey(text, number, name, value) {
   const table = readToml(text)[number];
   const key = table.keys.get(name);
@@ -160,7 +162,7 @@ export function withKey(text, number, name, value) {
   const line = name + ' = ' + writeValue(value) + '\n';
   const comment = table.comments.get(name);
   if (comment) return text.slice(0, comment.from) + line + text.slice(comment.to);
-  // A new key goes below the last key, or to the top of a table without keys.
+  // A new key stands below the last key of its table. In a table without keys it stands below the heading.
   const keys = [...table.keys.values()];
   const at = keys.length > 0 ? Math.max(...keys.map(({ to }) => to)) : table.path === '' ? 0 : lineEnd(text, table.from);
   const before = text.slice(0, at);
@@ -172,7 +174,7 @@ const lineEnd = (text, from) => {
   return end < 0 ? text.length : end + 1;
 };
 
-// As withKey, for the table called `path`. If there is none, it is added above the first device.
+// Does the same as withKey() for the table with the name `path`. A missing table is added above the first device.
 export function withSetting(text, path, name, value) {
   const tables = readToml(text);
   const number = tables.findIndex((table) => table.path === path && !table.array);
@@ -185,7 +187,7 @@ export function withSetting(text, path, name, value) {
   return before + gap + '[' + path + ']\n' + name + ' = ' + writeValue(value) + '\n\n' + text.slice(at);
 }
 
-// A number as people type it, also within several values in one text ('disp=2, force=F'), but not 0x10.
+// A number as people write it, also in texts such as 'disp=2, force=F'. Other notations such as 0x10 do not match.
 export const NUMERAL = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 
 const entriesOf = (words) =>
@@ -194,8 +196,9 @@ const entriesOf = (words) =>
     return [name, NUMERAL.test(value) ? Number(value) : value];
   });
 
-// The values called `name` of table `number`: inline, as one text, as dotted keys, or as a table with its own heading,
-// which in an array follows its entry. Returns { values, write(text, key, value) }.
+// Returns the values of a group such as `columns` in the table with index `number`, and a function that changes them: {
+// values, write(text, key, value) }. TOML can write a group in four ways: inline, as one text, as dotted keys, or as a
+// table with its own heading. Below an array element that heading follows the element.
 export function valuesOf(tables, number, name) {
   const { path, array, keys } = tables[number];
   const heading = path + '.' + name;
@@ -219,7 +222,7 @@ export function valuesOf(tables, number, name) {
   return { values, write };
 }
 
-// As valuesOf, for the table called `path`, which need not exist.
+// Does the same as valuesOf() for the table with the name `path`, which may be missing.
 export function settingsOf(tables, path, name) {
   const number = tables.findIndex((table) => table.path === path && !table.array);
   if (number >= 0) return valuesOf(tables, number, name);
@@ -230,10 +233,10 @@ export function settingsOf(tables, path, name) {
   return { values, write };
 }
 
-// The numbers of the tables that are devices, in order.
+// Returns the indices of the tables that describe devices.
 export const deviceTables = (tables) => tables.flatMap(({ path, array }, number) => (path === 'device' && array ? [number] : []));
 
-// Returns the text without a device and the tables below it.
+// Returns the text without the table of a device and the tables that belong to it.
 export function withoutDevice(text, number) {
   const tables = readToml(text);
   let last = number;

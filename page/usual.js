@@ -1,6 +1,7 @@
-// Settings of the program that the page needs before it can ask the program. The test page.commands compares them.
+// Values of the program that the page needs before it can ask the program. The test page.commands compares them with
+// the program.
 
 export const usualRuns = (method) => (method === 'ga' ? 20 : 3);
 
-// Options that the program accepts only with the genetic algorithm.
+// The program accepts these options only together with the genetic algorithm.
 export const OF_GA = ['population', 'generations', 'stagnation-tolerance'];

@@ -1,5 +1,6 @@
-// Reads and writes zip files, such as saved campaigns: APPNOTE.TXT 6.3.10, without encryption, spanning or ZIP64. The
-// limit for unpacked files is as for records (docs/records.md): 30 times the file, at least 64 MiB, at most 1 GiB.
+// Reads and writes zip files, in which the page saves campaigns. The format is APPNOTE.TXT 6.3.10 without encryption,
+// spanning or ZIP64. The files in a zip file may have 30 times its size, but at least 64 MiB and at most 1 GiB. Records
+// have the same limit (docs/records.md).
 
 const LOCAL = 0x04034b50,
   CENTRAL = 0x02014b50,
@@ -18,10 +19,10 @@ function crc32(bytes) {
   return (crc ^ 0xffffffff) >>> 0;
 }
 
-// Thrown for a file that unpacks to more bytes than allowed.
+// Thrown if a file unpacks to more bytes than are allowed.
 export const TooLarge = class extends RangeError {};
 
-// Returns all bytes that come out of a stream. Throws if there are more than `most`.
+// Sends bytes through a stream and returns its output. Throws TooLarge if the output is longer than `most`.
 async function through(bytes, stream, most) {
   const reader = new Blob([bytes]).stream().pipeThrough(stream).getReader();
   const parts = [];
@@ -45,7 +46,8 @@ async function through(bytes, stream, most) {
 
 export const looksLikeZip = (bytes) => bytes.length > 21 && bytes[0] === 0x50 && bytes[1] === 0x4b && (bytes[2] === 3 || bytes[2] === 5);
 
-// Makes a zip file from [{path, bytes}]. It contains no times, so that the same files give the same bytes.
+// Returns the bytes of a zip file with [{path, bytes}]. All files get the same date, so that equal files always give
+// equal bytes.
 export const writeZip = async (files) => {
   const encoder = new TextEncoder();
   const parts = [],
@@ -59,10 +61,10 @@ export const writeZip = async (files) => {
     const head = new DataView(new ArrayBuffer(30));
     const common = (view, from) => {
       view.setUint16(from, 20, true);
-      view.setUint16(from + 2, 0x0800, true); // names in UTF-8
+      view.setUint16(from + 2, 0x0800, true); // flag: names are in UTF-8
       view.setUint16(from + 4, stored ? 0 : 8, true);
       view.setUint16(from + 6, 0, true);
-      view.setUint16(from + 8, 0x21, true); // 1 January 1980
+      view.setUint16(from + 8, 0x21, true); // the date 1 January 1980
       view.setUint32(from + 10, crc, true);
       view.setUint32(from + 14, data.length, true);
       view.setUint32(from + 18, bytes.length, true);
@@ -90,8 +92,8 @@ export const writeZip = async (files) => {
   return new Uint8Array(await new Blob([...parts, ...entries, end.buffer]).arrayBuffer());
 };
 
-// Returns the files in a zip file as [{path, bytes}]. Throws if it is damaged or no zip file, TooLarge if it is too
-// large.
+// Returns the files in a zip file as [{path, bytes}]. Throws an Error if the bytes are damaged or no zip file, and
+// TooLarge if the files are too large.
 export const readZip = async (bytes) => {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   let end = bytes.length - 22;

@@ -1,6 +1,6 @@
-// The compiled part of the Python package `isolaw`. It gives NumPy views of the library's values and releases the
-// interpreter's lock during long calls. Users read the docstrings in this file and in isolaw/__init__.py; tests/python
-// compares the package with its stub __init__.pyi.
+// The compiled part of the Python package `isolaw`. It gives NumPy views of the library's values and releases Python's
+// global lock (GIL) during long calls. Users read the docstrings in this file and in isolaw/__init__.py. tests/python
+// compares the package with its type stub __init__.pyi.
 #include <pybind11/functional.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -35,11 +35,12 @@ namespace isolaw::python {
 namespace {
 
 using Array = py::array_t<double>;
-// Rows of doubles in C order. An array of the caller that has this form is not copied.
+// An array of doubles in C order. If the caller's array already has this form, it is not copied.
 using Rows = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Contents = campaign::Contents;
 
-// A read-only view, without a copy, of values that `owner` keeps alive.
+// Returns an array that shows `values` without a copy and is read-only. `owner` is the Python object that keeps the
+// values alive.
 Array view(std::vector<double> const& values, py::object owner) {
   Array array(static_cast<py::ssize_t>(values.size()), values.data(), std::move(owner));
   array.attr("flags").attr("writeable") = false;
@@ -71,7 +72,7 @@ Json json_of(py::handle value) {
   if (PyIndex_Check(value.ptr()) != 0) {
     auto const whole = py::reinterpret_steal<py::int_>(PyNumber_Index(value.ptr()));
     auto const text = std::string(py::str(py::handle(whole)));
-    auto const number = Json::parse(text);  // above 64 bits this gives a rounded double, so the text is passed on
+    auto const number = Json::parse(text);  // JSON would round an integer above 64 bits, so it stays a text
     return number.is_number_integer() ? number : Json(text);
   }
   if (py::isinstance<py::dict>(value)) {
@@ -85,7 +86,8 @@ Json json_of(py::handle value) {
   return array;
 }
 
-// The values that keywords give for a table's rows. None counts as not given.
+// Returns the values that the caller gave for the settings in `rows`. A keyword with the value None counts as not
+// given.
 template <class Rows>
 Values given_of(Rows const& rows, py::dict const& given) {
   Values values;
@@ -103,7 +105,7 @@ campaign::Settings settings_of(py::dict const& given) {
   return settings;
 }
 
-// Describes a table's rows for Python, by their keywords.
+// Describes the settings in `rows` for Python: a dict with one entry for each keyword.
 template <class Rows>
 Json described(Rows const& rows) {
   using Row = std::remove_cvref_t<decltype(rows.front())>;
@@ -137,8 +139,8 @@ RecordPtr record_of_file(std::filesystem::path const& file, bool motion, std::op
              .raw = motion ? data::read_motion(file, options) : data::read_record(file, options)});
 }
 
-// A compression test, given as a file, as K_v in kN/mm, or as a dict of file, loads and reading keywords. None: no
-// test.
+// Reads how the caller gives a compression test: as a file, as K_v in kN/mm, or as a dict with file, loads and keywords
+// for reading. None means that there is no test.
 campaign::VerticalInput vertical_input(py::handle const& given, std::string const& where) {
   campaign::VerticalInput test;
   if (given.is_none()) return test;
@@ -230,7 +232,7 @@ Rows rows_of(py::object const& given) {
   try {
     return given.cast<Rows>();
   } catch (py::cast_error const&) {
-  } catch (py::error_already_set& error) {  // raised by NumPy
+  } catch (py::error_already_set& error) {  // NumPy raised it
     if (!error.matches(PyExc_ValueError) && !error.matches(PyExc_TypeError)) throw;
   }
   throw Error({.where = "parameters",
@@ -238,7 +240,7 @@ Rows rows_of(py::object const& given) {
                .allowed = "a dict by name, or numbers in the law's order"});
 }
 
-// A law's parameters in its order, given as a dict by name or as values in that order.
+// Returns a law's parameters in the law's order. The caller gives them as a dict by name or as values in that order.
 std::vector<double> parameters_of(laws::LawEntry const& law, py::object const& given,
                                   Together together = Together::checked) {
   if (py::isinstance<py::dict>(given))
@@ -256,7 +258,7 @@ std::vector<double> parameters_of(laws::LawEntry const& law, py::object const& g
   return parameters_in_order(law, named, "parameters", together);
 }
 
-// The array that receives a result: the caller's, or a new one.
+// Returns the array for a result: the array that the caller passed as `out`, or a new one.
 Array result_array(std::optional<Array> const& out, std::size_t size) {
   if (!out) return Array(static_cast<py::ssize_t>(size));
   bool const fits = out->ndim() == 1 && static_cast<std::size_t>(out->size()) == size && out->writeable() &&
@@ -283,7 +285,7 @@ Array force_of(std::string const& law_id, py::object const& parameters, Record c
   return result;
 }
 
-// A law on a record, which is cleaned as calibrate() cleans it.
+// A law on a record. The record is cleaned in the same way as by calibrate().
 class Model {
  public:
   Model(std::string const& law, RecordPtr record, campaign::Settings const& how, int refinement)
@@ -398,9 +400,9 @@ py::dict runs_of(Campaign const& campaign, std::string const& law, std::string c
   return result;
 }
 
-// Runs `work` in another thread without the interpreter's lock. The caller's thread waits, passes progress to Python by
-// `tell`, and checks for signals, which Python delivers only to its main thread. An exception from either stops the
-// work and is rethrown.
+// Runs `work` in another thread without Python's global lock. Python delivers signals only to the main thread, so the
+// calling thread waits, checks for signals and passes progress to the Python function `tell`. An exception from a
+// signal or from `tell` stops the work and is thrown again at the end. So is an exception from the work itself.
 template <class Told, class Work>
 auto in_a_thread(std::function<void(Told const&)> const& tell, Work const& work) {
   std::mutex mutex;
@@ -416,7 +418,7 @@ auto in_a_thread(std::function<void(Told const&)> const& tell, Work const& work)
   };
   std::function<bool()> const interrupted = [&] { return stop.load(); };
   std::optional<decltype(work(progress, interrupted))> result;
-  std::exception_ptr asked;  // why Python stops the work: a signal, or an exception from `tell`
+  std::exception_ptr asked;  // the exception from a signal or from `tell`
   {
     std::jthread const worker([&] {
       try {
@@ -447,7 +449,7 @@ auto in_a_thread(std::function<void(Told const&)> const& tell, Work const& work)
         stop = true;
       }
     }
-    py::gil_scoped_release const released;  // until the thread has ended
+    py::gil_scoped_release const released;  // lets other Python threads run
   }
   if (asked) std::rethrow_exception(asked);
   if (failure) std::rethrow_exception(failure);
@@ -518,7 +520,8 @@ CampaignPtr loaded(std::filesystem::path const& directory) {
 
 using BuildingPtr = std::shared_ptr<StudiedBuilding>;
 
-// A motion, given as (step in s, accelerations along x in m/s2[, along y]) or as a text for building::read_motion.
+// Reads how the caller gives a ground motion: as a tuple (step in s, accelerations along x in m/s2[, along y]) or as a
+// text for building::read_motion.
 building::Motion motion_of(py::handle const& given, std::size_t place) {
   if (py::isinstance<py::str>(given)) return building::read_motion(given.cast<std::string>());
   auto const values = given.cast<py::tuple>();
@@ -557,7 +560,8 @@ BuildingPtr studied(py::object const& file, py::object const& from, py::list con
       });
 }
 
-// A view of `count` measures of every draw from `first` on, shape (laws, draws, motions, count).
+// Every draw has a row of measures for each motion. Returns a view of `count` of them, from index `first` on, with the
+// shape (laws, draws, motions, count).
 Array measures(py::object const& self, std::size_t first, std::size_t count) {
   auto const& studied = *self.cast<BuildingPtr>();
   auto const width = static_cast<py::ssize_t>(studied.layout.count()),
@@ -603,10 +607,10 @@ py::dict history_of(StudiedBuilding const& studied, std::size_t law, std::size_t
   return result;
 }
 
-// isolaw.Error. It is never released, because exceptions may outlive the modules.
+// The Python class isolaw.Error. This reference is never released, because exceptions may live longer than the module.
 py::handle error_type;
 
-// Replaces the names of command-line options in complaints by the Python keywords.
+// Replaces the names of command-line options in complaints by the names of the Python keywords.
 std::vector<Complaint> in_keywords(std::vector<Complaint> complaints) {
   auto const rename = [](auto const& rows, std::string& where) {
     auto const end = std::min(where.find(' '), where.size());

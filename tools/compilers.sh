@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# Measures how far compilers, optimisation levels and processors move forces and objectives. It repeats the sweep of
-# tests/regression in other builds and compares each with the sweep that g++ -O3 (the release preset) computes. It
-# prints a table for each build; the exit code is 1 if one exceeds fit::evaluation_tolerance. ISOLAW_DRAWS=N takes N
-# candidates of each box, otherwise 250. The script compiles only the few modules that it needs: configuring a tree for
-# each build would take ten times as long.
-#   tools/compilers.sh                       all variants
-#   tools/compilers.sh [--reference SWEEP] NAME...  only these; SWEEP is a program of the sweep that replaces g++ -O3's
+# Measures how much forces and objectives differ between compilers, optimisation levels and processors. It builds the
+# program tests/regression/sweep.cpp with each of them and compares its output with the output of the build with g++
+# -O3, as in the release preset. It prints a table for each build. The exit code is 1 if a difference exceeds
+# fit::evaluation_tolerance. ISOLAW_DRAWS=N takes N candidates from each search box, by default 250. The script compiles
+# only the few sources that the program needs, because configuring the whole project for each build would take ten times
+# as long.
+#   tools/compilers.sh                       all builds
+#   tools/compilers.sh [--reference SWEEP] NAME...  only these; SWEEP is a program to compare with instead of g++ -O3's
 set -euo pipefail
 reference=
 if [ "${1:-}" = --reference ]; then
@@ -20,22 +21,23 @@ sources=(tests/regression/sweep.cpp src/isolaw/laws/*.cpp src/isolaw/base/{error
   src/isolaw/num/{instruction_set,random,statistics}.cpp src/isolaw/data/clean.cpp src/isolaw/opt/problem.cpp
   src/isolaw/fit/{box,joint_limits,kernel_choice,kernels,objective}.cpp)
 
-# name: compiler and flags
+# Each entry has the form "name: compiler and flags".
 variants=(
   "gcc-O0: g++ -O0"
-  "gcc-O2-x86-64-v3: g++ -O2 -march=x86-64-v3"  # contracts products and sums (FMA)
+  "gcc-O2-x86-64-v3: g++ -O2 -march=x86-64-v3"  # fuses products and sums (FMA)
   "gcc-O3-native: g++ -O3 -march=native"
-  "gcc-O2-x87: g++ -O2 -mfpmath=387"            # intermediate results have 64 bits
+  "gcc-O2-x87: g++ -O2 -mfpmath=387"            # x87 instructions: intermediate results have 64 bits
   "clang-O2: clang++ -O2"
   "clang-O3-native: clang++ -O3 -march=native -ffp-contract=fast"
-  "aarch64: aarch64-linux-gnu-g++ -O2 -static"  # NEON, in an emulator
+  "aarch64: aarch64-linux-gnu-g++ -O2 -static"  # runs with NEON in an emulator
 )
 
 make_sweep() { # name, compiler and flags...
   local name=$1 object=$folder/$1-objects source
   shift
   mkdir -p "$object"
-  # The linker leaves out functions that the sweep does not use.
+  # The linker then leaves out functions that the sweep does not use, and those may refer to sources that are not
+  # compiled here.
   for source in "${sources[@]}"; do
     printf '%s\0-o\0%s\0' "$source" "$object/${source//\//_}.o"
   done | xargs -0 -n 3 -P "$(nproc)" "$@" -w -DNDEBUG -DFMT_HEADER_ONLY -DISOLAW_KERNELS=kernels_portable -std=c++20 \
@@ -65,7 +67,7 @@ for variant in "${variants[@]}"; do
     printf '%s\n  left out: no %s here\n' "$name" "${command[0]}"
     continue
   fi
-  # A processor without the instructions, or another architecture's compiler, cannot run the variant.
+  # The processor may lack instructions that the compiler uses, or the compiler may be for another processor.
   if ! echo 'int main() {}' | "${command[@]}" -x c++ - -o "$folder/probe" 2>/dev/null ||
     ! "${emulator[@]}" "$folder/probe"; then
     printf '%s\n  left out: does not run here\n' "$name"
@@ -75,7 +77,8 @@ for variant in "${variants[@]}"; do
   compare "$name (${command[*]})" "${emulator[@]}" "$folder/$name"
 done
 [ ${#wanted[@]} -eq 0 ] || { rm -f "$folder/reference.bin" "$folder/probe"; exit $broken; }
-# glibc chooses its elementary functions by the processor. This run gets the functions for an old processor.
+# glibc chooses its mathematical functions at run time, by the instructions of the processor. This run makes it choose
+# those for an old processor.
 compare "reference without FMA in the mathematical library" \
   env GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-AVX512F,-FMA,-FMA4 "$reference"
 rm -f "$folder/reference.bin" "$folder/probe"

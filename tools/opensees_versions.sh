@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Tries exported scripts in further versions of OpenSees: tools/opensees_versions.sh BUILD [VERSIONS...]
-#   BUILD   a build folder with tests, build/release
-# A version that no Python on this machine can load is left out, and a line says so.
+# Runs the tests of exported scripts with several versions of OpenSees: tools/opensees_versions.sh BUILD [VERSIONS...]
+#   BUILD   a build folder with tests, for example build/release
+# If no Python on this machine can load a version, the script leaves it out and says so.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=$1

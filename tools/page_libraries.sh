@@ -1,18 +1,19 @@
 #!/usr/bin/env bash
-# Puts the libraries that the page is compiled with into FOLDER: C sources from Debian's source packages (no package has
-# them compiled for WebAssembly), and links to the headers of installed packages, so that /usr/include is not searched.
+# Puts the libraries that the page is compiled with into FOLDER. C sources come from Debian's source packages, because
+# Debian does not compile them for WebAssembly. Headers of installed packages are linked into FOLDER, so that the
+# compiler does not search /usr/include.
 #   tools/page_libraries.sh FOLDER
-# FOLDER/licences/NAME: their copyright files; FOLDER/versions: a line `NAME VERSION` for each.
+# FOLDER/licences/NAME gets the copyright file of each library, and FOLDER/versions gets a line `NAME VERSION` for each.
 set -euo pipefail
 folder=$(mkdir -p "$1" && cd "$1" && pwd)
 sources=(expat minizip nettle sqlite3 zlib)
 headers=(libboost1.74-dev libcli11-dev libeigen3-dev libfmt-dev librandom123-dev libtomlplusplus-dev nlohmann-json3-dev)
-# The compiler links its own runtime into every program, so its licence counts too.
+# Emscripten links its own runtime into every program, so the page must also contain the licence of emscripten.
 compiled_in=(emscripten)
 stamp="$folder/complete"
 [ -e "$stamp" ] && [ "$stamp" -nt "${BASH_SOURCE[0]}" ] && exit 0
 
-# This script makes its own list of package sources and does not change the machine's list.
+# The machine's own list of package sources stays as it is.
 apt=$folder/apt
 mkdir -p "$apt/lists/partial" "$apt/archives"
 . /etc/os-release
@@ -28,7 +29,7 @@ rm -f "$folder/versions"
 mkdir -p "$folder/licences"
 cd "$apt/archives"
 for name in "${sources[@]}"; do
-  # Takes the newest version that the mirror really holds, since its list may name a newer one.
+  # Debian's list may name a version that the server no longer has, so this tries all versions, newest first.
   fetched=
   for version in $(apt-cache "${options[@]}" showsrc "$name" | sed -n 's/^Version: //p' | sort -rVu); do
     apt-get "${options[@]}" source --only-source --download-only "$name=$version" >/dev/null 2>&1 && fetched=$version && break
@@ -40,7 +41,7 @@ for name in "${sources[@]}"; do
   echo "$name $fetched" >> "$folder/versions"
   cp "$folder/$name/debian/copyright" "$folder/licences/$name"
 done
-# SQLite is compiled as one file, which its own build joins from many.
+# SQLite's own build joins all its sources into the one file sqlite3.c.
 mkdir -p "$folder/sqlite3/made"
 (cd "$folder/sqlite3/made" && ../configure --disable-tcl && make sqlite3.c) > "$folder/sqlite3.log" 2>&1 ||
   { tail -20 "$folder/sqlite3.log" >&2; exit 1; }
@@ -56,5 +57,5 @@ for name in "${headers[@]}" "${compiled_in[@]}"; do
   echo "$name $version" >> "$folder/versions"
   cp "/usr/share/doc/$name/copyright" "$folder/licences/$name"
 done
-rm -f "$folder"/*.tar.*  # copies left by dpkg-source
+rm -f "$folder"/*.tar.*  # dpkg-source leaves copies of archives
 touch "$stamp"

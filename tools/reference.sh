@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The program writes the files that describe it: tools/reference.sh ISOLAW DIR makes DIR/docs/laws.md, DIR/docs/cli.md
-# and DIR/python/isolaw/__init__.pyi, the stub with the keywords of the option tables.
+# Lets the program write the files that describe it. `tools/reference.sh ISOLAW DIR` writes DIR/docs/laws.md,
+# DIR/docs/cli.md and the Python stub DIR/python/isolaw/__init__.pyi, which lists the program's settings as keywords.
 set -euo pipefail
 shopt -s inherit_errexit
 isolaw=$1 docs=$2/docs stub=python/isolaw/__init__.pyi
@@ -8,7 +8,8 @@ mkdir -p "$docs" "$2/${stub%/*}"
 "$isolaw" laws --markdown >"$docs/laws.md"
 "$isolaw" reference >"$docs/cli.md"
 
-# Below each comment `isolaw keywords ...` of the stub, the lines are replaced by what this command prints.
+# In the stub, a comment `# isolaw keywords ...` holds a command, and a second comment marks the end of its output. The
+# lines from the first comment to the second are replaced by the new output of the command.
 written=$(
   keep=yes
   while IFS= read -r line; do

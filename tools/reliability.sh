@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Produces the numbers of docs/reliability.md. It runs the tests that take too long for every change, in about two hours
-# on two cores; each part may be run alone by its name. The script ends with an error at the first promise that does not
-# hold.
+# Produces the numbers of docs/reliability.md by running the tests that take too long for every change. All parts
+# together take about two hours on two cores. Arguments choose single parts. The script stops with an error at the first
+# part that fails.
 #   tools/reliability.sh [faults] [draws] [compilers] [sanitize] [sanitize-thread] [fuzz]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -11,7 +11,8 @@ parts=("$@")
 : "${ISOLAW_KILLS:=200}" "${ISOLAW_DRAWS:=100000}" "${ISOLAW_FUZZ_SECONDS:=240}"
 export ISOLAW_KILLS ISOLAW_DRAWS
 
-# Runs a command and shows only those lines of its output that hold counts.
+# Runs a command and prints only those lines of its output that count tests. If the command fails, it prints the last 50
+# lines too.
 run() {
   echo "== $*"
   local log status=0

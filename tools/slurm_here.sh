@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# A Slurm cluster of this one host, for tests: no systemd, no accounting, nothing outside DIR.
+# Runs a Slurm cluster on this machine alone, for tests. It needs no systemd and no accounting and writes only to DIR.
 #   tools/slurm_here.sh start DIR       starts munged, slurmctld and a node; when they are ready DIR/env can be sourced
 #   tools/slurm_here.sh kill-node DIR   kills the node's daemon and its jobs, as if its power failed
 #   tools/slurm_here.sh start-node DIR  starts the node again
 #   tools/slurm_here.sh stop DIR        stops everything
-#   tools/slurm_here.sh possible        exit code 0 where `start` can work; else 1, and a line that says why
-# Debian: slurmctld, slurmd, slurm-client, munge (all in slurm-wlm). Needs root, a container's will do; uses no cgroups.
+#   tools/slurm_here.sh possible        exit code 0 if `start` can work; else 1, and a line that says why not
+# Debian packages: slurmctld, slurmd, slurm-client, munge (all in slurm-wlm). Needs root; a container's root will do.
 set -euo pipefail
 
 possible() {
@@ -26,7 +26,8 @@ free_port() {
   return 1
 }
 
-# Repeats the command until it succeeds, for SECONDS at most.
+# wait_for SECONDS COMMAND... repeats the command until it succeeds. After SECONDS it prints the ends of all logs and
+# fails.
 wait_for() {
   local seconds=$1 tenths log
   shift
@@ -44,7 +45,7 @@ node_is_up() { sinfo -h -o %T | grep -q -E '^(idle|mixed|allocated)$'; }
 start_node() {
   slurmd -N here -f "$directory/slurm.conf" -L "$directory/slurmd.log" >>"$directory/slurmd.out" 2>&1 </dev/null ||
     { tail -n 5 "$directory/slurmd.log" >&2; return 1; }
-  scontrol update nodename=here state=resume >/dev/null 2>&1 || true  # it may have been marked down
+  scontrol update nodename=here state=resume >/dev/null 2>&1 || true  # Slurm may have marked the node as down
   wait_for 60 node_is_up
 }
 
@@ -72,7 +73,7 @@ kill_node() {
   rm -f "$directory/slurmd.pid"
 }
 
-# Kills the node and marks it as down; Slurm would do so only after SlurmdTimeout.
+# Kills the node and marks it as down. Slurm itself would mark it only after the time SlurmdTimeout.
 lose_node() {
   kill_node
   scontrol update nodename=here state=down reason=killed
@@ -120,8 +121,8 @@ MinJobAge=300
 NodeName=here NodeHostname=$(hostname) NodeAddr=127.0.0.1 CPUs=$(nproc) RealMemory=1000000 State=UNKNOWN
 PartitionName=all Nodes=here Default=YES MaxTime=INFINITE State=UP
 CONF
-    # Slurm always loads a plugin for cgroups, although this cluster uses none. The plugin for version 2 would need
-    # systemd.
+    # Slurm loads a plugin for cgroups even though this cluster uses none. The plugin for cgroups of version 2 would
+    # need systemd, so this chooses version 1.
     echo 'CgroupPlugin=cgroup/v1' >"$directory/cgroup.conf"
   fi
   munged --force --key-file "$directory/munge.key" --socket "$directory/munge.socket" \
@@ -133,7 +134,7 @@ CONF
   mv "$directory/env.new" "$directory/env"
 }
 
-# Asks a process to end and waits until it has ended; a controller saves its state before it ends.
+# Asks a process to end and waits for at most 10 s until it has ended. slurmctld saves its state before it ends.
 end() {
   local asked
   for ((asked = 0; asked < 100; ++asked)); do

@@ -22,7 +22,7 @@ except ImportError:
 
 DONE, VALUES, RESIDUALS = 0, 1, 2
 DIFFERENCE = 1e-6
-WORST = 1e10  # replaces infinity for methods that cannot handle it
+WORST = 1e10  # takes the place of infinity, which some methods cannot handle
 
 
 class BudgetSpent(Exception):

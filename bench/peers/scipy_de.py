@@ -54,7 +54,7 @@ def main(record, law, parameters, evaluations):
     weight = 0.5 * (np.append(interval, 0.0) + np.insert(interval, 0, 0.0)) / (time_s[-1] - time_s[0]) / measured.std()
     counted = 0
 
-    def objective(points):  # (parameters, candidates)
+    def objective(points):  # shape (parameters, candidates)
         nonlocal counted
         counted += points.shape[1]
         with np.errstate(all="ignore"):

@@ -1,4 +1,5 @@
-# The targets of cmake/dependencies.cmake, built for WebAssembly from the sources that tools/page_libraries.sh fetches.
+# Defines the same targets as cmake/dependencies.cmake. tools/page_libraries.sh fetches the sources, and this build
+# compiles them to WebAssembly.
 set(ISOLAW_PAGE_LIBRARIES ${PROJECT_BINARY_DIR}/libraries CACHE PATH "folder of tools/page_libraries.sh")
 execute_process(COMMAND ${PROJECT_SOURCE_DIR}/tools/page_libraries.sh ${ISOLAW_PAGE_LIBRARIES} COMMAND_ERROR_IS_FATAL ANY)
 set(from ${ISOLAW_PAGE_LIBRARIES})
@@ -16,11 +17,12 @@ add_library(page_fmt INTERFACE)
 target_link_libraries(page_fmt INTERFACE page_headers)
 target_compile_definitions(page_fmt INTERFACE FMT_HEADER_ONLY)
 add_library(fmt::fmt ALIAS page_fmt)
-# A program in a browser has one thread.
+# The program has one thread in a browser, so the target for threads is empty.
 add_library(page_threads INTERFACE)
 add_library(Threads::Threads ALIAS page_threads)
 
-# Third-party C libraries, compiled without warnings.
+# Builds a library from C sources of others. Compiler warnings are off, because this project does not change these
+# sources.
 function(page_library name)
   add_library(${name} STATIC ${ARGN})
   target_compile_options(${name} PRIVATE -O2 -w)
@@ -40,30 +42,31 @@ set(ISOLAW_WITHOUT_PACKAGE page_minizip)
 set(ISOLAW_MINIZIP_INCLUDE ${from})
 
 page_library(page_expat ${from}/expat/expat/lib/xmlparse.c ${from}/expat/expat/lib/xmlrole.c ${from}/expat/expat/lib/xmltok.c)
-file(WRITE ${PROJECT_BINARY_DIR}/made/expat_config.h "")  # configure's results are the definitions below
+# The compile definitions below replace the header that expat's configure script would write.
+file(WRITE ${PROJECT_BINARY_DIR}/made/expat_config.h "")
 target_include_directories(page_expat PRIVATE ${PROJECT_BINARY_DIR}/made)
 target_compile_definitions(page_expat PRIVATE XML_NS XML_DTD XML_GE=1 XML_CONTEXT_BYTES=1024 XML_DEV_URANDOM HAVE_MEMMOVE)
 target_include_directories(page_expat SYSTEM PUBLIC ${from}/expat/expat/lib)
 add_library(EXPAT::EXPAT ALIAS page_expat)
 
 page_library(page_sqlite ${from}/sqlite3/made/sqlite3.c)
-# SQLite without locks for threads, without extensions that are loaded at run time, and without reading mapped files.
+# SQLite needs no locks here because there is one thread. It loads no extensions and maps no files into memory.
 target_compile_definitions(page_sqlite PRIVATE SQLITE_THREADSAFE=0 SQLITE_OMIT_LOAD_EXTENSION SQLITE_MAX_MMAP_SIZE=0)
 target_include_directories(page_sqlite SYSTEM PUBLIC ${from}/sqlite3/made)
 add_library(SQLite::SQLite3 ALIAS page_sqlite)
 
-# Nettle for SHA-256 only, in place of OpenSSL.
+# Only SHA-256 is needed. Nettle's is much smaller than OpenSSL.
 page_library(page_nettle ${from}/nettle/sha256.c ${from}/nettle/sha256-compress.c ${from}/nettle/write-be32.c)
 target_include_directories(page_nettle SYSTEM PUBLIC ${from})
 add_library(OpenSSL::Crypto ALIAS page_nettle)
 
-# The page does not read files of MATLAB 7.3 (data/mat73_page.cpp).
+# The page cannot read MATLAB files of version 7.3, so HDF5 is not needed (data/mat73_page.cpp).
 set(ISOLAW_HDF5_INCLUDE "")
 set(ISOLAW_RANDOM123 ${from}/include)
 include(plotly)
 
-# Options for every source and for linking: 128-bit vectors, which the portable kernels use (num/batch.hpp), and
-# WebAssembly's own exceptions, which cost nothing unless one is thrown.
+# Every source is compiled and linked with these options. -msimd128 gives the portable kernels their vectors of 128 bits
+# (num/batch.hpp). -fwasm-exceptions uses WebAssembly's own exceptions, which cost no time unless one is thrown.
 set(ISOLAW_PAGE_OPTIONS -fwasm-exceptions -msimd128)
 add_compile_options(${ISOLAW_PAGE_OPTIONS} "$<$<COMPILE_LANGUAGE:CXX>:SHELL:-include ${PROJECT_SOURCE_DIR}/cmake/page/gaps.hpp>"
                     "$<$<COMPILE_LANGUAGE:CXX>:SHELL:-isystem ${from}/include>")

@@ -1,5 +1,6 @@
-// Parts of C++20 that the program uses and emscripten's libc++ 13 lacks; included before every source of the page
-// (-include). Range algorithms call the algorithms over iterators. Views are not lazy, which no caller notices.
+// Defines parts of C++20 that the program uses and emscripten's libc++ 13 lacks. The option -include puts this file
+// before every source of the page. Range algorithms call the algorithms for iterators. Views compute all elements at
+// once instead of one by one; no code of the program depends on the difference.
 #pragma once
 
 #ifdef __cplusplus
@@ -24,14 +25,14 @@
 
 _LIBCPP_BEGIN_NAMESPACE_STD
 
-// <bit>
+// From <bit>.
 template <class To, class From>
 constexpr To bit_cast(From const& from) noexcept {
   return __builtin_bit_cast(To, from);
 }
 
-// from_chars for floating point. A short decimal number is one exact product or quotient (Clinger's fast path); any
-// other goes through strtod, which musl rounds correctly.
+// std::from_chars for floating-point numbers. A short decimal number is one exact product or quotient (Clinger's fast
+// path). For other numbers it calls strtod, which rounds correctly in musl, emscripten's C library.
 inline from_chars_result from_chars(char const* first, char const* last, double& value,
                                     chars_format format = chars_format::general) {
   auto at = first;
@@ -105,7 +106,7 @@ inline from_chars_result from_chars(char const* first, char const* last, double&
   return {at, errc()};
 }
 
-// The shortest text that reads back as the same number, fixed or scientific, made from the digits that fmt finds.
+// Writes the shortest text that reads back as the same number, in fixed or scientific notation. fmt finds the digits.
 inline to_chars_result to_chars(char* first, char* last, double value) {
   auto text = fmt::format("{}", value);
   if (value == 0.0) text = signbit(value) ? "-0" : "0";
@@ -164,7 +165,8 @@ struct min_max_result {
 
 namespace page {
 
-// Function objects, as in the standard, so that argument-dependent lookup does not find them.
+// The standard makes range algorithms function objects, which argument-dependent lookup does not find. These are
+// function objects too.
 #define ISOLAW_RANGES_TEST(name)                                           \
   struct name##_of {                                                       \
     template <input_range R, class F, class P = identity>                  \
@@ -184,7 +186,7 @@ ISOLAW_RANGES_TEST(find_if)
 ISOLAW_RANGES_TEST(find_if_not)
 #undef ISOLAW_RANGES_TEST
 
-// Compares by projections.
+// Algorithms that compare two elements, after a projection of each.
 #define ISOLAW_RANGES_ORDER(name)                                          \
   struct name##_of {                                                       \
     template <forward_range R, class C = less, class P = identity>         \

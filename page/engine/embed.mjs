@@ -1,4 +1,5 @@
-// Writes the program as elements for the page's body: scripts that contain data and that no browser runs.
+// Writes the compiled program as HTML elements for the body of the page. They are <script> elements that hold data, so
+// that browsers do not run them.
 //   node embed.mjs --script isolaw.js --program isolaw.wasm --libraries DIR --out FILE
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
@@ -9,7 +10,8 @@ const here = dirname(fileURLToPath(import.meta.url));
 const options = {};
 for (let i = 2; i < process.argv.length; i += 2) options[process.argv[i].slice(2)] = process.argv[i + 1];
 
-// Escapes the sequences that end or change a <script>. In a JavaScript string the backslash changes nothing.
+// Escapes the sequences that can end or change a <script>. They occur only in JavaScript strings, where the backslash
+// changes nothing.
 const inline = (script) => script.replace(/<(?=!--|\/?script)/gi, '<\\');
 const versions = new Map(
   readFileSync(join(options.libraries, 'versions'), 'utf8')
@@ -21,11 +23,11 @@ const called = { 'libboost1.74-dev': 'Boost', 'libcli11-dev': 'CLI11', 'libeigen
 const packages = readdirSync(join(options.libraries, 'licences'));
 const licences = packages.map((name) => {
   const text = readFileSync(join(options.libraries, 'licences', name), 'utf8');
-  // The first name of a licence that the copyright file states.
+  // A copyright file may state several licences. This is the name of the first one.
   const licence = /^License: *(\S[^\n]*)/m.exec(text)?.[1].trim() ?? '';
   return { name: called[name] ?? name, version: versions.get(name) ?? '', licence, text };
 });
-// The library that draws the reports' plots comes from npm.
+// Plotly draws the figures of reports. It comes from npm, unlike the libraries above.
 const plotly = join(here, '../../node_modules/plotly.js-basic-dist-min');
 const { version, license } = JSON.parse(readFileSync(join(plotly, 'package.json'), 'utf8'));
 licences.push({ name: 'Plotly', version, licence: license, text: readFileSync(join(plotly, 'LICENSE'), 'utf8') });

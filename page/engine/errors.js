@@ -1,11 +1,11 @@
-// Failures of a command as objects. If asked to, the program writes one as its last line to standard error
-// (src/isolaw/app/app.cpp).
+// Reads the errors of a command as objects. With the option --errors-as-json the program writes an error as its last
+// line on standard error (src/isolaw/app/app.cpp).
 
 export const asksForErrors = (argv) => ['--errors-as-json', ...argv];
 
-// Returns {kind, complaints: [{where, found, allowed, advice, names}]} or null, and removes its line from `lines`, the
-// lines of standard error. `kind`: 'input', 'memory', 'system', 'internal'; `names`: existing columns, if one was not
-// found.
+// Returns the error of a command or null. `lines` are the lines of standard error, and the line with the error is
+// removed from them. The error is {kind, complaints: [{where, found, allowed, advice, names}]}. `kind` is 'input',
+// 'memory', 'system' or 'internal'. If a column was not found, `names` are the columns that exist.
 export function errorIn(lines, code) {
   if (code === 0 || lines.length === 0) return null;
   try {
@@ -13,6 +13,6 @@ export function errorIn(lines, code) {
     if (error) lines.pop();
     return error;
   } catch {
-    return null; // the command refused without an error: its last line is a message
+    return null; // the last line is a message and not JSON
   }
 }

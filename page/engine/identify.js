@@ -1,23 +1,26 @@
-// Computes a campaign on all workers, with the commands that the program has for several machines: parts of the runs,
-// parts of the examined devices, parts of the laws of the lot, and a merge.
+// Computes a campaign on all workers, with the commands that serve to distribute a campaign over several machines.
+// Workers first compute parts of the runs, then parts of the analyses of devices, then parts of the laws that are
+// fitted to the whole lot. One worker merges all parts.
 
 import { isProgress, makeProgress } from './progress.js';
 
 const stores = (folder) => [folder + '/campaign.sqlite*'];
 
-// The value of an option given as `--runs N` or `--runs=N`; null if it is not given.
+// Returns the value of an option that is given as `--runs N` or `--runs=N`, or null if the option is not given.
 const valueOf = (options, name) => {
   const at = options.findIndex((word) => word === name || word.startsWith(name + '='));
   return at < 0 ? null : options[at].includes('=') ? options[at].slice(name.length + 1) : options[at + 1];
 };
 
-// The number of parts of an earlier campaign, from its folders: 8 for 'parts/3-of-8/...'; null if there are none.
+// Returns the number of parts of an earlier campaign, for example 8 for the path 'parts/3-of-8/...', or null if there
+// was none.
 const dealtInto = (parts, kind) => {
   const found = parts.map(({ path }) => /^(\w+)\/\d+-of-(\d+)\//.exec(path)).find((one) => one && one[1] === kind);
   return found ? Number(found[2]) : null;
 };
 
-// Runs `works`, `workers` of them at a time. Rejects as soon as one of them does.
+// Runs all functions in `works`, at most `workers` at a time, and returns their results. It rejects as soon as one of
+// them rejects.
 const inTurn = async (works, workers) => {
   const results = Array(works.length);
   let next = 0;
@@ -31,7 +34,7 @@ const inTurn = async (works, workers) => {
   return results;
 };
 
-// Thrown if a part of the campaign ends with an error. `said` is the result of its command.
+// Thrown if the command of a part fails. `said` is the result of that command.
 class Refused extends Error {
   constructor(said) {
     super('refused');
@@ -44,22 +47,22 @@ export function identifyWith(pool) {
     const workers = Math.max(1, Math.min(wanted, pool.count));
     const begun = (folder) => parts.filter(({ path }) => path.startsWith(folder + '/'));
     const analysed = valueOf(options, '--analysis') !== 'none';
-    const runs = Number(valueOf(options, '--runs') ?? 3); // only the progress bar needs this number
+    const runs = Number(valueOf(options, '--runs') ?? 3); // used only for the progress bar
     const kept = new Map();
-    // If one part fails, this ends the others.
+    // Aborting this controller ends all commands, for example after one has failed.
     const ended = new AbortController();
     const abort = () => ended.abort();
     signal?.addEventListener('abort', abort);
     if (signal?.aborted) abort();
 
-    // More parts than workers, so that no worker waits long for the last part, but not many, since each part reads all
-    // records.
+    // With several parts for each worker, no worker waits long for the last part. With too many parts, much time goes
+    // into reading, because each part reads all records.
     const count = dealtInto(parts, 'parts') ?? workers * (files.length > 20 ? 2 : 4);
     const isWhole = (workers === 1 && dealtInto(parts, 'parts') === null) || (begun('out').length > 0 && dealtInto(parts, 'parts') === null);
     const shares = analysed ? (dealtInto(parts, 'shares') ?? workers) : 0;
-    // A single record has no law of the lot.
+    // A law for the whole lot needs at least two records.
     const lots = analysed && files.filter(({ path }) => path !== lotPath).length > 1 ? (dealtInto(parts, 'lots') ?? workers) : 0;
-    // The analyses take about as long as three runs of each law.
+    // The weights estimate the computing time. All analyses together take about as long as three runs of each law.
     const phases = isWhole
       ? [{ name: 'runs', weight: 1, tasks: 1 }]
       : [
@@ -70,7 +73,7 @@ export function identifyWith(pool) {
         ];
     const progress = makeProgress(phases, workers, onProgress);
 
-    // Runs one command. Its finished work is kept in case the campaign is cancelled.
+    // Runs one command and keeps the files with its finished work. A cancelled campaign returns these files.
     const work = async (phase, task, folder, argv, given) => {
       progress.begin(phase, task);
       const own = begun(folder);
@@ -89,7 +92,7 @@ export function identifyWith(pool) {
       said.stderr = said.stderr.split('\n').filter((line) => !isProgress(line)).join('\n');
       if (folder === 'out') return said;
       if (said.code !== 0) throw new Refused(said);
-      // A command without new files had nothing left to do.
+      // If a command wrote no file, all its work was already done in its earlier files.
       const found = said.files.length > 0 ? said.files : own;
       kept.set(folder, found);
       progress.end(phase, task);

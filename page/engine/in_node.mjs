@@ -1,20 +1,22 @@
-// Runs the engine in Node with the program from the page, for the build and the tests.
+// Runs the engine under Node, for the build and the tests. The program comes from the page's HTML.
 import { readFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { Worker } from 'node:worker_threads';
 import { createEngine } from './engine.js';
 
-// Gives a Node worker the interface of a browser's worker.
+// JavaScript that gives a worker thread of Node the global names of a browser's worker.
 const ofBrowser = `
 const { parentPort } = require('node:worker_threads');
 globalThis.self = globalThis;
 globalThis.postMessage = (message, transfer) => parentPort.postMessage(message, transfer);
 parentPort.on('message', (data) => self.onmessage({ data }));
 `;
-// The text of a script element needs no decoding: its escapes are JavaScript's own.
+// Returns the text of a <script> element. embed.mjs escapes it in a way that JavaScript undoes, so it needs no decoding
+// here.
 const elementIn = (html, id) => new RegExp(`<script type="[^"]*" id="${id}">([\\s\\S]*?)</script>`).exec(html)[1];
 
-// `file`: isolaw.html, or the output of embed.mjs. Tests put `before` in front of a worker's script.
+// `file` is isolaw.html or the output of embed.mjs. `before` is JavaScript that tests put in front of a worker's
+// script.
 export const engineOf = (file, { before = '', ...options } = {}) => {
   const html = readFileSync(file, 'utf8');
   const script = before + ofBrowser + elementIn(html, 'isolaw-worker');

@@ -1,4 +1,4 @@
-// Workers that run one command each. More commands than workers wait in a queue.
+// Keeps a pool of workers. Each worker runs one command at a time. If all workers are busy, commands wait in a queue.
 
 import { asksForErrors, errorIn } from './errors.js';
 
@@ -6,7 +6,8 @@ const NO_MEMORY = 'the page has no more memory for this; try fewer or shorter re
 
 const named = (name, message, more) => Object.assign(new Error(message), { name, ...more });
 
-// `start()` makes a worker. `module` is a promise of the compiled program.
+// `start()` returns a new worker. `module` is a promise of the compiled WebAssembly program. `count` is the largest
+// number of workers.
 export function makePool(start, module, count) {
   const waiting = [];
   const busy = new Set();
@@ -32,7 +33,7 @@ export function makePool(start, module, count) {
     busy.delete(worker);
     if (whole && !closed) idle.push(worker);
     else worker.terminate();
-    // Starts the next worker at once, so that the next command need not wait for it.
+    // A worker was ended. This starts another one now, so that the next command need not wait for its start.
     if (!whole && !closed && idle.length + busy.size < count) idle.push(open());
     next();
   };

@@ -1,9 +1,11 @@
-// Combines the lines `progress SHARE SECONDS_LEFT DONE TOTAL runs|analyses` of all instances into one share and time.
+// The program prints lines `progress SHARE SECONDS_LEFT DONE TOTAL runs|analyses`. This module combines the lines of
+// all commands of a campaign into one share of finished work and one remaining time.
 
 const line = /^progress ([\d.]+) ([\d.]+) (\d+) (\d+) (\w+)$/;
 export const isProgress = (text) => line.test(text);
 
-// `phases`: [{ name, weight, tasks }], in order. `workers` work on the tasks of a phase. `tell` is onProgress.
+// `phases` is [{ name, weight, tasks }], in the order of computing. At most `workers` tasks of a phase run at once.
+// `tell` is the onProgress of engine.js.
 export function makeProgress(phases, workers, tell) {
   const all = phases.map(({ name, weight, tasks }) => ({ name, weight, began: null, tasks: Array.from({ length: tasks }, () => ({ share: 0, left: null, done: 0, total: 0, began: null, took: null })) }));
   const weights = all.reduce((sum, { weight }) => sum + weight, 0);
@@ -11,7 +13,8 @@ export function makeProgress(phases, workers, tell) {
     told = 0,
     shown = { share: 0, left: null, at: 0 };
 
-  // Seconds left in a phase. Tasks without an own estimate are assumed to take as long as the others on average.
+  // Estimates the seconds left in a phase. A task that has not reported a time yet is assumed to take as long as the
+  // average of the others.
   const leftIn = (phase, now) => {
     const known = phase.tasks.filter(({ took, left }) => took !== null || left !== null).map(({ took, left, began }) => took ?? (now - began) / 1000 + left);
     if (known.length === 0) return null;
@@ -27,7 +30,7 @@ export function makeProgress(phases, workers, tell) {
     const left = leftIn(phase, now);
     let seconds = left;
     if (left !== null) {
-      // Estimates later phases from this one, in proportion to their weights.
+      // Estimates the time of later phases from the time of this phase, in proportion to their weights.
       const whole = (now - phase.began) / 1000 + left;
       const after = all.slice(current + 1).reduce((sum, { weight }) => sum + weight, 0);
       seconds = left + (whole * after) / phase.weight;
@@ -40,7 +43,8 @@ export function makeProgress(phases, workers, tell) {
     const sum = (key) => phase.tasks.reduce((total, task) => total + task[key], 0);
     const since = (Date.now() - shown.at) / 1000;
     const left = shown.left === null ? null : Math.max(0, shown.left - since);
-    // Between two lines of progress the share goes on with time, but never back and never to the end.
+    // Between two lines of progress the share grows with time. It never decreases, and it does not reach 1 by time
+    // alone.
     const gone = shown.left > 0 ? 0.9 * Math.min(1, since / shown.left) : 0;
     told = Math.max(told, Math.min(1, shown.share + (1 - shown.share) * gone));
     tell?.({ done: sum('done'), total: sum('total'), share: told, secondsLeft: left, phase: phase.name });

@@ -1,4 +1,5 @@
-// Writes a campaign's report and an inspection's page of the built-in lot, with the program in the page.
+// Writes one report of a campaign and one page of an inspection, both for the built-in example lot. The program in the
+// page computes them.
 //   node sample_reports.mjs --engine-html FILE --out DIR
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';

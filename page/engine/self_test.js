@@ -1,7 +1,7 @@
-// Identifies two laws on a record of the built-in lot and compares them with the results of the native program.
+// Fits two laws to a record of the example lot and compares the objectives with those of the native program.
 
 const expected = { bilinear: 0.05060711114368681, vaiana: 0.021805097912677526 };
-// Searches on different instruction sets end this far apart (docs/page.md).
+// Native programs with different instruction sets reach objectives that differ relatively by as much (docs/page.md).
 const tolerance = 1e-6;
 
 export const runSelfTest = async (run) => {

@@ -1,8 +1,9 @@
-// Runs in a worker after the script of emscripten (`isolawProgram`). It runs one command at a time, each in a new
-// instance. It is a classic script: every browser can run one in a worker from a blob.
-// In:  { kind: 'compiled', module }, then { kind: 'run', argv, files, keep, watch }
-// Out: { kind: 'text', stream, lines }, { kind: 'kept', files } (what `watch` names, while it runs), then
-//      { kind: 'done', code, files } or { kind: 'failed', name, message }
+// The script of a worker. It stands behind the script of emscripten, which defines `isolawProgram`. The worker runs one
+// command at a time, each in a new instance of the program. The script is no module, because not every browser can
+// start a module as a worker from a blob.
+// It receives { kind: 'compiled', module } once, then { kind: 'run', argv, files, keep, watch } for each command. It
+// posts { kind: 'text', stream, lines }, and { kind: 'kept', files } with the files that `watch` names while the
+// command runs. At the end it posts { kind: 'done', code, files } or { kind: 'failed', name, message }.
 /* global isolawProgram */
 'use strict';
 (() => {
@@ -50,7 +51,8 @@
       said[stream].push(line);
       const now = Date.now();
       if (now - last > pauseOfText_ms) flush();
-      // The program stores runs before it reports them in a line of progress, so the store is up to date.
+      // The program prints a line of progress after it has stored the runs that the line counts. At this moment the
+      // stored files are therefore complete.
       if (watch && now - lastKept > pauseOfKept_ms) {
         const watched = matcher(watch);
         post({ kind: 'kept', files: collected(program.FS, (name) => watched(name)) });
