@@ -11,7 +11,7 @@
 //     signal: abortController.signal,
 //   });
 //   r = { code, stdout, stderr, error, files }              // files: [{ path, bytes }], files that the command made
-//                                                           // or changed and `keep` names; error: see errors.js, or null
+//                                                           // or changed and `keep` names; error: see errors.js
 //
 // Each command runs in a worker, in a new instance of the program, so that it starts with fresh memory and files. If
 // there are more commands than workers, the rest waits. If the input of a command is wrong, run() still resolves:

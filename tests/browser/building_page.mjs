@@ -1,8 +1,9 @@
-// Opens the page of a made-up building in headless Chromium. Checks that there is no script error and no request, that
-// every figure is drawn, that the page is not wider than its window, that the verdict stands within few words above the
-// first scroll, that figures follow the reader's choices; also the page on paper, and the rules of axe-core.
+// Opens the page of a made-up building in headless Chromium. There must be no script error and no request, every figure
+// must be drawn, the page must fit into its window, the verdict must appear without scrolling and after few words, and
+// figures must follow what the reader chooses. The test also checks the printed page and the rules of axe-core.
 //   node building_page.mjs MAKE_BUILDING [CHROMIUM]
-// ISOLAW_SCREENSHOTS=DIR keeps a picture of every case; ISOLAW_BUILDING_PAGE=FILE looks at that page instead.
+// ISOLAW_SCREENSHOTS=DIR saves a picture of every case. With ISOLAW_BUILDING_PAGE=FILE the test opens that page
+// instead.
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -26,7 +27,7 @@ const CASES = [
 ];
 const MOST_WORDS = 130;
 
-// Runs in the page.
+// Scrolls to every figure, uses the controls and returns what it saw. This function runs in the page.
 async function look({ print }) {
   const wait = (ms) => new Promise((done) => setTimeout(done, ms));
   const data = JSON.parse(document.getElementById('isolaw-data').textContent);
@@ -57,7 +58,7 @@ async function look({ print }) {
       .filter((text) => text.getBoundingClientRect().left < frame.left - 2 || text.getBoundingClientRect().right > frame.right + 2)
       .map((text) => plot.parentNode.id + ': ' + text.textContent);
   });
-  const wide = [document.documentElement.scrollWidth, window.innerWidth]; // nothing can be chosen on paper
+  const wide = [document.documentElement.scrollWidth, window.innerWidth]; // measured before anything is chosen, since paper has no controls
   const axis = () => document.querySelector('#figure-histograms .xtitle')?.textContent;
   const before = axis();
   const select = document.getElementById('quantity');
@@ -70,7 +71,7 @@ async function look({ print }) {
   select.value = 'isolator_mm';
   select.dispatchEvent(new Event('change'));
   await wait(200);
-  // The figure of a bearing's loop follows the choice of a bearing and a click on a bearing in the plan.
+  // The figure of a loop shows one bearing. The reader chooses it from a list or by a click on a bearing in the plan.
   const loopOf = () => document.querySelector('#figure-loops figcaption').textContent;
   document.getElementById('figure-loops').scrollIntoView();
   await wait(200);
@@ -101,7 +102,7 @@ async function look({ print }) {
   };
 }
 
-// Checks the rules of axe-core if it is installed.
+// If axe-core is installed, the page must not break its rules.
 const axe = fileURLToPath(new URL('../../node_modules/axe-core/axe.min.js', import.meta.url));
 const violations = `window.axe.run(document, { resultTypes: ['violations'] }).then(({ violations: found }) =>
   found.map(({ id, nodes }) => id + ': ' + nodes.slice(0, 3).map((node) => node.html.slice(0, 120)).join(' | ')))`;

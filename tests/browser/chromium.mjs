@@ -1,4 +1,4 @@
-// Drives a headless Chromium over its debugging pipe with the DevTools protocol; needs nothing but Node.
+// Drives a headless Chromium by the DevTools protocol over a pipe. It needs only Node.
 import { spawn } from 'node:child_process';
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -18,7 +18,7 @@ const FLAGS = [
   '--remote-debugging-pipe',
 ];
 
-// Returns the page's data, with laws and parameters named as the page names them. Runs in the page.
+// Returns the data of a report. Laws and parameters have the names that the page shows. This function runs in the page.
 function reportAsShown() {
   const report = JSON.parse(document.getElementById('isolaw-data').textContent);
   const names = Object.fromEntries(report.laws.map(({ id, name }) => [id, name]));
@@ -36,7 +36,7 @@ function reportAsShown() {
   return report;
 }
 
-// Returns a sentence of the program as the page shows it, with symbols typeset. Runs in the page.
+// Returns a sentence of the program as the page shows it, with symbols of parameters. This function runs in the page.
 function asSet(text) {
   const { words } = JSON.parse(document.getElementById('isolaw-data').textContent).notation;
   return text.replace(/(?<![\w./-])[A-Za-z]\w*(?![\w/-]|[.]\w)/g, (word) => (Object.hasOwn(words, word) ? words[word].join('') : word));
@@ -79,8 +79,8 @@ export class Chromium {
     return new Promise((resolve, reject) => this.pending.set(id, { resolve, reject }));
   }
 
-  // Opens a page in a window of its own. send() and evaluate() act on it; errors and requests are collected from the
-  // start.
+  // Opens a page in a new window. send() and evaluate() of the result act on this page. Its errors and requests are
+  // collected from the start.
   async open(url, { width, height, dark = false }) {
     const { targetId } = await this.send('Target.createTarget', { url: 'about:blank' });
     const { sessionId } = await this.send('Target.attachToTarget', { targetId, flatten: true });

@@ -1,7 +1,7 @@
-// Computes the numbers that the page must show, with plain SQL on a store and without isolaw: expected_numbers STORE
-// prints JSON. The statistics are the ones in docs/method.md: means and sample standard deviations over the runs that
-// have an objective, and the robustness index, which is the mean, over the free parameters, of the largest relative
-// difference of a device's mean.
+// Computes the numbers that the report must show, with SQL statements on a campaign's database and without isolaw.
+// `expected_numbers STORE` prints them as JSON. docs/method.md defines the statistics: means and sample standard
+// deviations over the runs that have an objective, and the robustness index beta. Beta is the mean over the free
+// parameters of the largest relative difference between a device's mean and the lot's mean.
 #include <sqlite3.h>
 
 #include <cstdio>

@@ -1,6 +1,6 @@
-// Opens the page of an inspection in a browser, as the program writes it. The lot holds a copy of a record and a record
-// that was cut. Checks what the certificate says of them, and that a window of 1280 pixels shows all columns of its
-// tables.
+// Opens the page that `isolaw inspect` writes for a lot of four records. One record is a copy of another, and one is
+// cut off early. The test checks what the certificate says of the copy, and that a window of 1280 pixels shows all
+// columns of the tables.
 //   node inspected_lot.mjs ISOLAW [CHROMIUM]
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
@@ -15,7 +15,8 @@ if (!program || !existsSync(program)) {
   process.exit(77);
 }
 
-// Returns the record of a device with a stiffness of 0.5 kN/mm and a given strength in kN, at 0.5 Hz and 100 mm.
+// Returns the record of a bilinear device as CSV: stiffness 0.5 kN/mm, the given strength in kN, cycles of 100 mm at
+// 0.5 Hz.
 function record(samples, strength) {
   const rows = ['time [s],displacement [mm],force [kN]'];
   for (let i = 0, z = 0, before = 0; i < samples; ++i) {
@@ -27,7 +28,7 @@ function record(samples, strength) {
   return rows.join('\n') + '\n';
 }
 
-// Runs in the page.
+// Returns what the certificate says, and the tables that do not fit. This function runs in the page.
 function look() {
   const rows = [...document.querySelectorAll('#figure-certificate-devices tbody tr')];
   const facts = [...document.querySelectorAll('#figure-certificate-head dt')];

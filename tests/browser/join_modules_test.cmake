@@ -1,4 +1,5 @@
-# Good modules are joined in the order of their imports; bad ones end the build with a message that names file and fault.
+# Tests cmake/join_modules.cmake. It must join correct modules in the order of their imports. For wrong modules it must
+# end with an error that names the file and the fault.
 #   cmake -D SCRIPT=join_modules.cmake -D WORK=DIR -P join_modules_test.cmake
 set(folder ${WORK}/modules)
 set(good "import { a } from './low/a.js';\nconsole.log(a);\n")
@@ -11,8 +12,8 @@ macro(join)
   string(REGEX REPLACE "[ \n]+" " " said "${said}")
 endmacro()
 
-# refused(WORDS PAGE A [FILE TEXT]...) expects an error that contains WORDS if page.js and low/a.js have the texts PAGE
-# and A. Further files may be given.
+# refused(WORDS PAGE A [FILE TEXT]) writes a file page.js with the text PAGE, a file low/a.js with the text A, and FILE
+# with TEXT if they are given. Joining these files must end with an error that contains WORDS.
 function(refused words page a)
   file(REMOVE_RECURSE ${folder})
   file(WRITE ${folder}/page.js "${page}")
@@ -45,14 +46,15 @@ file(WRITE ${folder}/page.js "${good}")
 file(WRITE ${folder}/low/a.js "${good_a}")
 join()
 file(READ ${WORK}/joined.js joined)
-string(SUBSTRING "${good_a}" 7 -1 bare) # without `export `
+string(SUBSTRING "${good_a}" 7 -1 bare) # good_a without the word `export `
 string(FIND "${joined}" "${bare}return { a };" low)
 string(FIND "${joined}" "const { a } = modules['low/a.js'];\nconsole.log(a);" high)
 if(failed OR low LESS 0 OR high LESS low)
   message(SEND_ERROR "joined wrong: ${said} ${joined}")
 endif()
 
-# Two scripts of one folder each get the modules that they reach. A module that no script reaches is refused.
+# Two scripts are made from one folder. Each must contain only the modules that it imports. A module that neither script
+# imports is an error.
 macro(join_of_two)
   file(WRITE ${folder}/other.js "import { b } from './low/b.js';\nconsole.log(b);\n")
   file(WRITE ${folder}/low/b.js "export const b = 2;\n")

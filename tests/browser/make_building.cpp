@@ -1,4 +1,4 @@
-// Writes the outputs of a made-up building for the browser tests: make_building DIR [LAWS], one law or two.
+// Writes the outputs of a made-up building for the browser tests. In `make_building DIR [LAWS]`, LAWS is 1 or 2.
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -15,8 +15,8 @@ namespace {
 
 using namespace isolaw;
 
-// A law that is smooth where the bilinear one has a corner, and a tenth weaker. Its alpha and Ke take their random
-// values from the places of the other law's population.
+// Makes a bouc-wen law from a bilinear law: a smooth curve instead of the corner, and 0.9 of the first stiffness. Its
+// parameters alpha and Ke get the random values that the bilinear law uses for its first two parameters.
 building::LawSource smooth(building::LawSource const& of) {
   auto law = of;
   auto const& [K1, K2, Dy] = std::tie(of.median[0], of.median[1], of.median[2]);

@@ -1,10 +1,10 @@
-// Writes the outputs of a made-up lot for the browser tests: make_page DIR [DEVICES [LAWS [STATE]]]. States:
-//   analysed     has everything that an analysis adds
+// Writes the outputs of a made-up lot for the browser tests: make_page DIR [DEVICES [LAWS [STATE]]]. STATE is one of
+//   analysed     the results of the analyses are there
 //   inadequate   the second law does not describe the devices
-//   crowded      analysed, with any number of laws, close to one another on the front; one of them runs away
-//   predicted    analysed, with a block that was left out of the fit; in this block the second law runs away
-//   passing      every requirement of the rule set is assessed and kept
-//   failing      a device is not within the limits
+//   crowded      analysed; any number of laws with similar accuracy and robustness; the second law predicts huge forces
+//   predicted    analysed; one block was left out of the fit, and the second law predicts huge forces in it
+//   passing      an inspection in which every requirement of the rule set is met
+//   failing      an inspection in which the devices miss their design values
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -24,7 +24,7 @@ namespace {
 
 using namespace isolaw;
 
-// Adds laws beyond those of the made-up lot, with names as long as those of real laws.
+// Adds copies of laws, with names as long as those of real laws.
 void add_laws(study::Summary& summary, std::size_t count) {
   constexpr std::string_view names[]{"power-masing", "power-masing-viscous", "history-integral", "kikuchi-aiken",
                                      "ramberg-osgood"};
@@ -67,7 +67,7 @@ void run_away(study::LawResult& law) {
       if (!block.fitted) block.objective = 60.0;
 }
 
-// Makes the last third of every record a block of its own.
+// Makes the last cycle of every record a block that was left out of the fit. The second law gives huge forces in it.
 void keep_a_block(study::Summary& summary) {
   for (auto& device : summary.devices) {
     if (device.properties.blocks.empty()) continue;
@@ -105,24 +105,25 @@ int main(int argc, char** argv) {
     if (state == "crowded") crowd(summary);
     if (state == "crowded" || state == "predicted") run_away(summary.laws.at(1));
     if (state == "predicted") keep_a_block(summary);
-    // The second law is on the published front, but its stiffness is far off.
+    // The second law lies on the front of accuracy and robustness, but its stiffness is 60 % off, so it is not
+    // adequate.
     if (state == "inadequate")
       for (auto& fit : summary.laws.at(1).devices) fit.K_eff_error_percent = 60.0;
     for (auto& law : summary.laws)
       for (auto& fit : law.devices)
         for (double const above : {1.3, 1.7})
           if (fit.objective.mean) fit.histories.push_back({above * *fit.objective.mean, *fit.objective.mean});
-    // The page has only records and a rule set that asks for no more than they contain. For `failing` the design values
-    // are far off.
+    // This page shows an inspection: it has no laws, and the rule set requires nothing that the records lack. For
+    // `failing` the design stiffness is far off.
     if (argc > 4 && (std::string_view(argv[4]) == "passing" || std::string_view(argv[4]) == "failing")) {
       summary.laws.clear();
       summary.outliers.clear();
-      summary.devices.pop_back();  // the refused device, and with it the only fault of the lot
+      summary.devices.pop_back();  // removes the refused device, the only fault of the lot
       auto rules = isolaw::rules::find_rule_set("ntc-2018");
       rules.load_variation.reset();
       rules.test = {};
       std::erase_if(rules.limits, [](auto const& limit) { return limit.quantity == isolaw::rules::Quantity::K_v; });
-      rules.stiffness_formula = rules.damping_formula = isolaw::rules::Formula::peak_to_peak;  // cycles have no sides
+      rules.stiffness_formula = rules.damping_formula = isolaw::rules::Formula::peak_to_peak;  // these cycles have no values per side
       isolaw::rules::Design design;
       bool const fails = std::string_view(argv[4]) == "failing";
       design.K_eff_kN_per_mm = fails ? 0.72 : 0.6;
@@ -133,7 +134,7 @@ int main(int argc, char** argv) {
                               std::filesystem::path(argv[1]) / "report.html");
       return 0;
     }
-    // Facts that a careful reader must be told: a failed run, a coarse integration, a law that does not apply.
+    // The report must warn of a failed run, of a coarse integration and of a constant load channel.
     summary.laws.back().devices.back().integration_shift = 0.0021;
     summary.laws.back().devices.front().failed_runs = 1;
     summary.laws.back().devices.front().failure = "the computed force became infinite";

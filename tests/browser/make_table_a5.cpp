@@ -1,6 +1,6 @@
-// Writes a campaign whose runs have the printed means and standard deviations of Table A.5, and its reports:
-// make_table_a5 DIR. Each device and law has two runs, which lie one standard deviation over the root of two above and
-// below the mean.
+// Writes a campaign whose runs have the means and standard deviations that Table A.5 of the paper prints, and its
+// reports: make_table_a5 DIR. Each law has two runs on each device. They lie one standard deviation over the root of
+// two above and below the mean.
 #include <cmath>
 #include <filesystem>
 #include <fstream>

@@ -1,4 +1,4 @@
-// Makes pages of made-up lots for the browser tests, and holds the code that these tests share.
+// Opens pages of made-up lots for the browser tests.
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -7,8 +7,8 @@ import { pathToFileURL } from 'node:url';
 import { Chromium } from './chromium.mjs';
 import { extend, with_data } from './test_records.mjs';
 
-// Runs `test` with a function that opens pages and one that checks, then ends the process; with code 77 if there is no
-// browser.
+// Calls `test` with two functions, one that opens pages and one that records failures, and ends the process. The exit
+// code is 77 if there is no browser.
 export async function withBrowser(program, makePage, test) {
   if (!program || !existsSync(program)) {
     console.log('skipped: no Chromium found (install chromium, or configure with -DISOLAW_CHROMIUM=FILE)');
@@ -20,8 +20,8 @@ export async function withBrowser(program, makePage, test) {
   const expect = (holds, name, what) => {
     if (!holds) failures.push(`${name}: ${what}`);
   };
-  // `records` are the options of extend() in test_records.mjs, which changes the page's data; `state` goes to
-  // make_page.cpp.
+  // `state` goes to make_page.cpp. `records` are the options of extend() in test_records.mjs, which replaces data of
+  // the page.
   const written = new Map();
   const open = async ({ devices, laws, state, records, width, height = 800, dark }) => {
     const name = [devices, laws, state ?? 'plain', records ? JSON.stringify(records) : 'as-written'].join('-').replace(/[^\w-]/g, '');
@@ -37,7 +37,7 @@ export async function withBrowser(program, makePage, test) {
       await page.send('Emulation.setDeviceMetricsOverride', { width: wide, height, deviceScaleFactor: 1, mobile: wide < 500 });
       await page.evaluate('new Promise((done) => setTimeout(done, 300))');
     };
-    // Shows the page as on paper that leaves 180 mm between its margins.
+    // Shows the page as it is printed on paper with 180 mm between the margins.
     page.print = async () => {
       await page.resize(681);
       await page.send('Emulation.setEmulatedMedia', { media: 'print' });

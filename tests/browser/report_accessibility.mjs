@@ -1,5 +1,5 @@
-// Checks the report with the rules of axe-core (WCAG 2 and its good practice), in light and dark, on a laptop and a
-// telephone.
+// The report must not break the rules of axe-core (WCAG 2 and recommended practice), in light and dark colours, on the
+// screens of a laptop and a telephone.
 //   node report_accessibility.mjs MAKE_PAGE [CHROMIUM]
 import { existsSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -20,7 +20,7 @@ const CASES = [
   { name: 'inspection, dark', devices: 4, laws: 3, records: { laws: false, verified: false }, width: 1366, dark: true },
 ];
 
-// Runs in the page, after everything was drawn and opened.
+// Returns the broken rules after all figures were drawn and all details opened. This function runs in the page.
 async function violations() {
   const wait = (ms) => new Promise((done) => setTimeout(done, ms));
   for (const details of document.querySelectorAll('details')) details.open = true;

@@ -1,12 +1,13 @@
-// Measures the layout of the report in a browser: labels, contents, tables on screen and paper, the order of their
-// rows, bars that are cut, and the parts that the page shows first.
+// Measures the layout of the report in a browser: labels of figures, the table of contents, tables on screen and paper,
+// the order of their rows, bars that are cut short, and what the page shows before the reader chooses anything.
 //   node report_layout.mjs MAKE_PAGE [CHROMIUM]
 import { withBrowser } from './page_of.mjs';
 
 const [makePage, program] = process.argv.slice(2);
 const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
 
-// Returns the names of the laws in the plot of accuracy against robustness, with their boxes. Runs in the page.
+// Returns the labels and markers of the laws in the plot of accuracy against robustness, with their boxes. This
+// function runs in the page.
 async function look_at_front() {
   document.querySelector('#figure-answer button[value=robustness]').click();
   document.getElementById('figure-front').scrollIntoView();
@@ -20,7 +21,7 @@ async function look_at_front() {
     laws: reportAsShown().laws.map(({ id }) => id).sort(),
     labels: [...plot.querySelectorAll('.annotation-text')].map((node) => ({ text: node.textContent, ...box(node) })),
     markers: [...plot.querySelectorAll('.scatterlayer .point')].map(box),
-    // The points of the lines that join labels to their markers.
+    // A line joins each label to its marker. These are points along the lines.
     leaders: [...plot.querySelectorAll('.annotation')].flatMap((node) => {
       const line = node.querySelector('.annotation-arrow-g path');
       if (!line || getComputedStyle(line).stroke === 'rgba(0, 0, 0, 0)') return [];
@@ -48,7 +49,7 @@ function check_front(expect, name, { laws, labels, markers, leaders, plot }) {
     }
 }
 
-// Returns what the bars of the errors show for each law. Runs in the page.
+// Returns what the bars of the prediction errors show for each law. This function runs in the page.
 async function look_at_errors() {
   const report = reportAsShown();
   const purpose = report.findings.recommendations.find(({ standings }) => standings.some(({ error }) => error > 5)).purpose;
@@ -81,8 +82,8 @@ function check_errors(expect, name, { cut, marks, named, bars, outside, caption 
   expect(caption.includes('broken: longer than drawn'), name, 'caption ' + caption);
 }
 
-// Returns the column heads of the tables that are shown, by the tables' labels. A table in several parts has one entry
-// with the heads of all parts. Runs in the page.
+// Returns the column heads of all visible tables, by the label of the table. On paper a wide table is printed in
+// several parts, whose heads are joined here. This function runs in the page.
 function heads() {
   const found = {};
   for (const region of document.querySelectorAll('.scroll')) {
@@ -94,7 +95,7 @@ function heads() {
     const own = (found[region.getAttribute('aria-label')] ??= { columns: [], wide: 0, broken: [] });
     own.columns = [...new Set([...own.columns, ...texts])].sort();
     own.wide = Math.max(own.wide, ...tables.map((table) => table.getBoundingClientRect().width - region.clientWidth));
-    // The words of a head that are broken over two lines.
+    // Collects the words in a column head that are broken over two lines.
     for (const head of tables.flatMap((table) => [...table.querySelectorAll('thead th')])) {
       const texts = document.createTreeWalker(head, window.NodeFilter.SHOW_TEXT);
       while (texts.nextNode())
@@ -123,7 +124,7 @@ function check_paper(expect, name, screen, paper) {
   }
 }
 
-// Returns whether the names of all sections fit into the window. Runs in the page.
+// Returns the links of the table of contents that the window cuts off. This function runs in the page.
 function look_at_contents() {
   const { width } = document.documentElement.getBoundingClientRect();
   const links = [...document.querySelectorAll('nav a')];
@@ -136,7 +137,8 @@ function look_at_contents() {
   };
 }
 
-// Presses the heads of every table and returns what is then wrong with its rows. Runs in the page.
+// Sorts every table by each of its columns and returns what is then wrong with the rows. This function runs in the
+// page.
 async function look_at_sorting() {
   const number = (text) => Number(text.replace('\u2212', '-').replace(/^[+\u00b1>]/, '').split(/[^\d.-]/)[0]);
   const seen = [];
@@ -171,7 +173,7 @@ async function look_at_sorting() {
   return seen;
 }
 
-// Returns what the figures show before the reader chooses anything. Runs in the page.
+// Returns what the figures show before the reader chooses anything. This function runs in the page.
 async function look_at_first() {
   const report = reportAsShown();
   const loop = document.getElementById('figure-loop');
@@ -181,7 +183,7 @@ async function look_at_first() {
   const axis = loop.querySelector('.plot').layout.yaxis.range;
   const measured = loop.querySelector('.plot').data.find(({ name }) => name === 'measured').y.filter((value) => value !== null);
   const ticked = [...document.querySelectorAll('#loops input:checked')].map((box) => box.closest('label').textContent);
-  // The reader ticks a law that runs away.
+  // The reader chooses a law that computes huge forces. The axis must still fit the record.
   const away = report.laws.find(({ prediction_grade: grade }) => grade === 'unusable');
   const box = [...document.querySelectorAll('#loops input')].find((one) => one.closest('label').textContent === away.id);
   box.click();

@@ -1,7 +1,8 @@
-// Reads the numbers that the page draws from its figures in a real browser and compares them with the numbers that
-// plain SQL takes from the store: node report_numbers.mjs ISOLAW MAKE_TABLE_A5 EXPECTED_NUMBERS CHROMIUM. Uses a
-// campaign as a user makes it, and one whose runs have the means and standard deviations of the paper's Table A.5, for
-// which the page must show the paper's own numbers.
+// Reads the numbers that the report's figures draw in a real browser. They must equal numbers that SQL statements
+// compute from the campaign's database. The first campaign is a small one by `isolaw calibrate`. The runs of the second
+// campaign have the means and standard deviations of Table A.5, so its numbers must also equal those that the paper
+// prints.
+//   node report_numbers.mjs ISOLAW MAKE_TABLE_A5 EXPECTED_NUMBERS CHROMIUM
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -29,14 +30,15 @@ function same(name, found, expected) {
     failures.push(`${name}: ${JSON.stringify(found)}, expected ${JSON.stringify(expected)}`);
 }
 
-// Returns every figure of the campaign as it is drawn, law by law if the reader can choose a law. Runs in the page.
+// Returns what every figure draws. If the reader can choose a law in a figure, it does so for each law. This function
+// runs in the page.
 async function drawn() {
   const wait = (ms) => new Promise((done) => setTimeout(done, ms));
   const plot = async (id) => {
     const node = document.querySelector('#figure-' + id + ' .plot');
     node.scrollIntoView();
     for (let i = 0; i < 200 && !node.data; ++i) await wait(30);
-    await wait(60); // after a choice the page draws the visible figures anew
+    await wait(60); // after a choice the page draws visible figures again
     return node.data.map(({ name, x, y, text, error_y, marker }) => ({
       name,
       x: [...(x ?? [])],
@@ -52,7 +54,7 @@ async function drawn() {
     front: (await plot('front')).filter((trace) => trace.name !== 'published'),
     ghosts: (await plot('front')).find((trace) => trace.name === 'published'),
     published: Object.fromEntries(reportAsShown().laws.map(({ name, on_front }) => [name, on_front])),
-    // The names by which the page calls laws and their parameters.
+    // The page shows laws and parameters under names that differ from their ids.
     names: Object.fromEntries(JSON.parse(document.getElementById('isolaw-data').textContent).laws.map(({ id, name }) => [id, name])),
     notation: JSON.parse(document.getElementById('isolaw-data').textContent).notation.parameters,
     objective: await plot('objective-devices'),
@@ -102,7 +104,7 @@ async function drawn() {
       [...row.children].map((cell) => cell.querySelector('.cell-mean')?.textContent ?? ownName(cell)),
     );
   }
-  // The text that appears when a reader points at a mark.
+  // Collects the text that appears when the reader points at a mark.
   seen.hover = [];
   for (const [id, pick] of [
     ['front', (node) => node.data.findIndex((trace) => trace.mode?.includes('markers') && trace.x.length > 0)],
@@ -124,7 +126,7 @@ async function drawn() {
 
 const number = (text) => Number(text.replace(/\u2212/g, '-').replace(/[\u202f\u2009%]/g, ''));
 
-// Returns the power of ten in the text of a scale: "10⁻³ N" gives 1e-3.
+// Returns the power of ten in the label of a scale. For "10⁻³ N" it returns 1e-3.
 function factorOf(text) {
   const found = /10([\u207b\u2070\u00b9\u00b2\u00b3\u2074-\u2079]+)/.exec(text);
   if (!found) return 1;
@@ -132,7 +134,7 @@ function factorOf(text) {
   return 10 ** Number(digits.join(''));
 }
 
-// Mean objective and robustness index of each law, rounded as in the paper's text and figures.
+// Mean objective and robustness index of each law as the paper prints them, rounded.
 const PAPER = {
   bilinear: [0.137, 0.1421],
   jankowski: [0.079, 0.303],
@@ -161,13 +163,13 @@ function compareFront(name, seen, expected) {
     near(`${name}, front, beta of ${law}`, point[0], beta);
     near(`${name}, front, OF of ${law}`, point[1], mean);
     same(`${name}, on front, ${law}`, seen.published[law], Boolean(on_front));
-    // A law that does not describe the devices has a mark of its own, even if no law dominates it.
+    // A law that does not describe the devices has a mark of its own, on the front or not.
     if (point[2] !== 'not adequate') same(`${name}, front, ${law}`, point[2], on_front ? 'not dominated' : 'dominated');
   }
 }
 
-// The bars are areas of loops with the page's points, which are cleaned and thinned, so they only come near to the
-// energies of the raw record's cycles.
+// The bars show areas of loops through the page's points, which are smoothed and thinned. The expected energies come
+// from the raw record, so the numbers agree only nearly.
 function compareEnergies(name, { energy, cycles }) {
   same(`${name}, cycles`, energy[0]?.y.length ?? 0, cycles.length);
   cycles.forEach((cycle, i) => near(`${name}, energy of cycle ${i + 1}`, energy[0].y[i], cycle.energy_kN_mm, 0.02));
@@ -185,14 +187,15 @@ function compareObjectives(name, seen, expected) {
       near(`${name}, OF of ${law} on ${device}`, trace.y[i], devices[device].mean);
       near(`${name}, std of OF of ${law} on ${device}`, trace.array[i], devices[device].std);
       near(`${name}, spread of ${law} on ${device}`, spread.y[spread.text.indexOf(device)], devices[device].std);
-      // The percentage is a difference of numbers with nine digits, so 100 is added before it is compared.
+      // `percent` is a small difference of numbers with nine digits and has few exact digits. The comparison is
+      // relative, so both sides get 100 added.
       const percent = relative.y[relative.text.indexOf(device)];
       near(`${name}, ${law} on ${device} against its mean`, 100 + percent, 100 + devices[device].percent);
     });
   }
 }
 
-// Names of parameters that the paper's tables print differently.
+// Parameters that the paper's tables call by another name.
 const PAPER_NAMES = [
   'Abe Uh, paper: Xh', 'Abe U0, paper: X0', 'Abe Us, paper: Xs', 'Abe (constant yield) Uh, paper: Xh', 'Abe (constant yield) U0, paper: X0',
   'Abe (constant yield) Us, paper: Xs', 'Bilinear xy, paper: Fy', 'Vaiana f0+, paper: F0+', 'Vaiana f0-, paper: F0-',
@@ -217,7 +220,7 @@ function compareParameters(name, seen, expected) {
         near(where + ', right axis', right[0], panels.left[k][0] * factor, 1e-9);
         same(where + ', percent', shown?.[1].replace('\u2212', '-').replace('+', ''), of.devices[device].percent.toFixed(1).replace(/^-0\.0$/, '0.0'));
       });
-      // The table shows at least three digits.
+      // The table shows numbers with at least three digits.
       const row = seen.table[law].find((cells) => cells[0] === parameter);
       near(`${name}, table of ${law}, ${parameter}`, number(row[3]) * factorOf(row[1]), of.lot, 5e-3);
     });
@@ -228,7 +231,7 @@ function compareParameters(name, seen, expected) {
   }
 }
 
-// The label of a mark names the mark's law or device and the number at which it is drawn, rounded.
+// The label of a mark must contain the law or device and the rounded number of that mark.
 function compareHover(name, seen) {
   for (const { id, text, y, of } of seen.hover) {
     ++compared;
@@ -270,7 +273,7 @@ try {
 
   execFileSync(makeTableA5, [join(directory, 'a5')], quiet);
   const published = await check(browser, 'Table A.5', join(directory, 'a5'));
-  // The expected numbers of law 5 are without p, because abe-y0 has no p.
+  // The paper's beta of its fifth law includes a parameter p. abe-y0 has no p, so another number is expected here.
   for (const [law, [objective, beta]] of Object.entries({ ...PAPER, 'abe-y0': [0.085, 0.276] })) {
     near(`Table A.5, ${law}, OF`, published[law].mean, objective, 6e-4);
     near(`Table A.5, ${law}, beta`, published[law].beta, beta, 6e-4);

@@ -1,8 +1,8 @@
-// Opens the made-up lot's report in headless Chromium and fails on everything that would disturb a reader: script
-// errors, figures that are not drawn, a page wider than its window, requests to the network, markup from the input that
-// takes effect.
+// Opens the report of a made-up lot in headless Chromium and fails on everything that would disturb a reader: script
+// errors, figures that are not drawn, a page wider than its window, requests to the network, and HTML in names that the
+// browser executes.
 //   node report_page.mjs MAKE_PAGE [CHROMIUM]
-// ISOLAW_SCREENSHOTS=DIR keeps a picture of every case, page by page, and its PDF.
+// ISOLAW_SCREENSHOTS=DIR saves pictures of every case, screen by screen, and its PDF.
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -17,8 +17,8 @@ if (!program || !existsSync(program)) {
   process.exit(77);
 }
 
-// `records` are the options of extend() in test_records.mjs, which changes the page's data; false leaves the page as
-// the program wrote it.
+// `records` are the options of extend() in test_records.mjs, which replaces data of the page. With `false` the page
+// stays as the program wrote it.
 const CASES = [
   { name: 'laptop', devices: 3, laws: 3, width: 1366, height: 768 },
   { name: 'dark', devices: 10, laws: 7, width: 1366, height: 768, dark: true },
@@ -56,7 +56,7 @@ const SOURCES = [
   'statistical, system predicted',
 ];
 
-// Returns the keys of those parts of the page's data that made-up records replace, so that both can be compared.
+// extend() must make the same keys as the program. Returns the keys of those parts of the data that extend() replaces.
 function shape(report) {
   const lot = report.assessment?.lot;
   const device = report.devices[0];
@@ -80,8 +80,8 @@ function shape(report) {
   };
 }
 
-// Looks at the second device of a page of made-up records. Expected blocks, cycles and verdicts come from the data;
-// those that are shown come from the document. Runs in the page.
+// Looks at the second device of a page whose data extend() has replaced. The data tell which blocks, cycles and
+// verdicts the page must show; the document tells what it shows. This function runs in the page.
 async function look_at_records() {
   const report = reportAsShown();
   const place = Math.min(1, report.devices.filter((device) => device.raw).length - 1);
@@ -113,7 +113,7 @@ async function look_at_records() {
       ).length,
     };
   };
-  // The number of loops whose drawn line ends short of the extremes of its cycle or goes beyond them.
+  // Returns the number of loops whose drawn line ends before or beyond the extreme displacements of its cycle.
   const misdrawn = () =>
     [...document.querySelector('#figure-cycles .plot').data].filter(({ x }) => {
       const [low, high] = [Math.min(...x), Math.max(...x)];
@@ -246,7 +246,7 @@ function check_records(name, seen, { laws = true, verified = true, assessed = tr
     : verified
       ? ['fail', 'information', 'not assessed', 'pass']
       : ['information', 'not assessed'];
-  // In a small lot every device may be within its limits.
+  // In a small lot all devices may pass, so the word "fail" may be missing.
   expect(
     words.every((word) => word === 'fail' || seen.words.includes(word)),
     name,
@@ -297,7 +297,7 @@ function check_records(name, seen, { laws = true, verified = true, assessed = tr
   expect(same(seen.sections, sections), name, 'sections ' + seen.sections);
 }
 
-// Returns what the first screen says for every purpose, and how many words it takes. Runs in the page.
+// Returns what the first screen says for every purpose of a law, and in how many words. This function runs in the page.
 async function look_at_answer() {
   const report = reportAsShown();
   const wait = (ms) => new Promise((done) => setTimeout(done, ms));
@@ -357,8 +357,8 @@ function check_answer(name, { words, seen, report }, { width }) {
   }
 }
 
-// A law that does not describe the devices has a mark of its own, which is the same in the plot and in the list. Runs
-// in the page.
+// A law that does not describe the devices must have a mark of its own, the same in the plot and in the list. This
+// function runs in the page.
 async function look_at_inadequate() {
   const report = reportAsShown();
   document.querySelector('#figure-answer button[value=robustness]')?.click();
@@ -396,7 +396,7 @@ function check_inadequate(name, seen) {
   expect(seen.caption.includes('does not describe the devices: ' + seen.wanted[0]), name, 'caption ' + seen.caption);
 }
 
-// Looks at the contents and the choices on the page of an analysed campaign. Runs in the page.
+// Looks at the contents and the controls of the report of an analysed campaign. This function runs in the page.
 async function look_at_analysis() {
   const report = reportAsShown();
   const wait = (ms) => new Promise((done) => setTimeout(done, ms));
@@ -568,7 +568,7 @@ function check_analysis(name, seen, { devices }) {
   );
 }
 
-// Scrolls through the page as a reader does, tries the controls and returns what it saw. Runs in the page.
+// Scrolls through the page as a reader does, uses all controls and returns what it saw. This function runs in the page.
 async function look() {
   const wait = (ms) => new Promise((done) => setTimeout(done, ms));
   const until = async (condition) => {
@@ -595,11 +595,11 @@ async function look() {
     select.dispatchEvent(new Event('change'));
   }
   for (const box of document.querySelectorAll('input[type=checkbox]')) box.click();
-  document.querySelector('#figure-loop, #figure-cycles').scrollIntoView(); // a figure out of sight is not drawn again
+  document.querySelector('#figure-loop, #figure-cycles').scrollIntoView(); // only visible figures are drawn again
   await wait(300);
   for (const button of document.querySelectorAll('button.csv')) button.click();
   await wait(100);
-  // Only tables and the contents may be wider than the page, inside their own scroller.
+  // Only tables and the table of contents may be wider than the page, because they scroll by themselves.
   const width = document.documentElement.clientWidth;
   const wide = [...document.querySelectorAll('body *')].filter(
     (node) => !node.closest('.scroll, nav, .skip, svg') && node.getBoundingClientRect().right > width + 1,
@@ -623,7 +623,7 @@ async function look() {
     published: look_at_published(),
   };
 
-  // Returns whether the comparison with the published study shows every row of the data.
+  // Returns whether the comparison with the published study shows every row of its data.
   function look_at_published() {
     const { published, laws } = reportAsShown();
     const section = document.getElementById('published');
@@ -646,13 +646,13 @@ async function look() {
   }
 }
 
-// Presses each head of the table of laws; returns the laws of a device after each press, and the loops that follow
-// them. Runs in the page.
+// Sorts the table of laws by each column. Returns for each column the order of the laws in the table and in the figure
+// of loops, which must be the same. This function runs in the page.
 async function look_at_order() {
   const wait = (ms) => new Promise((done) => setTimeout(done, ms));
   const seen = [];
   for (const head of document.querySelectorAll('#figure-fits button.sort')) {
-    document.getElementById('figure-fits').scrollIntoView(); // a figure out of sight is not built anew
+    document.getElementById('figure-fits').scrollIntoView(); // only visible figures are drawn again
     await wait(150);
     head.click();
     document.querySelector('#figure-loop-overview').scrollIntoView();
@@ -667,7 +667,8 @@ async function look_at_order() {
   return seen;
 }
 
-// Returns the areas of the loops, and the cycles of the record; report_numbers.mjs compares them. Runs in the page.
+// Returns the areas of the drawn loops and the number of cycles of the record. report_numbers.mjs checks the values.
+// This function runs in the page.
 async function look_at_energy() {
   const wait = (ms) => new Promise((done) => setTimeout(done, ms));
   const report = reportAsShown();
@@ -701,8 +702,8 @@ function check_order(name, seen, { laws: rows }) {
   }
 }
 
-// Returns the number of bands of limits that are drawn for the lot, and the number of properties that a rule set
-// limits. Runs in the page.
+// Returns how many bands of limits the figures of the lot draw, and how many properties the rule set limits. The two
+// must be equal. This function runs in the page.
 function look_at_bands() {
   const { assessment } = reportAsShown();
   const limited = (assessment?.lot.quantities ?? [])
@@ -725,8 +726,8 @@ function check_bands(name, seen) {
     expect(drawn === limited, name, `${drawn} bands of ${limited} limits on the lot: ${figure}`);
 }
 
-// Looks at the first screen of a lot that was held to limits. The word of the verdict and the failures must end within
-// 600 px, and no loop may come before the verdict.
+// Looks at the first screen of a lot with a rule set. The verdict and the list of failures must end within 600 px, and
+// no loop may come before the verdict. This function runs in the page.
 function look_at_verdict() {
   scrollTo(0, 0);
   const { result } = reportAsShown();
@@ -756,7 +757,7 @@ function check_verdict(name, seen, { devices, width, inspects }) {
   expect(seen.order.join().startsWith(opens), name, 'the page opens with ' + seen.order);
 }
 
-// If the certificate is printed alone, nothing else is on the paper, and no part of it is missing.
+// When the certificate is printed alone, the paper must show nothing else and all parts of the certificate.
 async function check_certificate(page, name, pictures, state) {
   const seen = await page.evaluate(`(() => {
     const report = reportAsShown();
@@ -792,7 +793,8 @@ async function check_certificate(page, name, pictures, state) {
   expect(seen.signers === (seen.mark ? 0 : seen.word === 'PASS' ? 3 : 2), name, `${seen.signers} may sign what is marked ${seen.mark}`);
   expect(seen.result, name, 'the certificate does not say what was shown');
   expect(!seen.misfits, name, 'a law is on the certificate');
-  // A4 has 267 mm between its margins; values and signatures must fit on one page.
+  // A4 paper has 267 mm between its margins, which is 1009 px. With up to 12 devices, values and signatures must fit on
+  // one page.
   expect(seen.names > 12 || seen.height < 1009, name, `values and signatures take ${Math.round(seen.height)} px of paper`);
   expect(!(seen.open && state) || seen.alone === 0, name, `${seen.alone} bare passes on a certificate with open requirements`);
   expect(seen.hashes.length > 0 && seen.hashes.every(Boolean), name, 'a file of the certificate is not its own');
@@ -864,8 +866,8 @@ async function check(browser, directory, one) {
 
   expect(page.errors.length === 0 && seen.errors === '', name, 'errors: ' + [...page.errors, seen.errors].join('; '));
   expect(page.requests.length === 0, name, 'requested ' + page.requests.join(', '));
-  const { laws: identified = laws > 0 } = records || {}; // unchanged pages have `laws` laws
-  // The inspection of one device has no strips and no lot; records of one block have no history.
+  const { laws: identified = laws > 0 } = records || {}; // a page as written has `laws` laws
+  // The inspection of one device has no figures of the lot. A record with one block has no figure of its history.
   const ofTests = identified ? 5 : 5 - (devices > 1 ? 0 : 2) - (one.state ? 1 : 0);
   const expected = (identified ? (devices > 1 ? 11 : 10) : 0) + ofTests + (one.analysed ? (devices > 1 ? 2 : 1) : 0);
   expect(
@@ -898,7 +900,7 @@ async function check(browser, directory, one) {
   if (one.analysed) check_analysis(name, await page.evaluate(`(${look_at_analysis})()`), one);
   if (records) check_records(name, await page.evaluate(`(${look_at_records})()`), records);
 
-  // On paper the report is light whatever the screen, and nothing is cut off at the right edge.
+  // On paper the report must be light even if the screen is dark, and nothing may be cut off at the right edge.
   await page.send('Emulation.setDeviceMetricsOverride', {
     width: 681,
     height: 960,
@@ -937,7 +939,7 @@ try {
   for (const one of CASES) {
     const firstScreen = await check(browser, directory, one);
     if (firstScreen > FIRST_SCREEN_MS)
-      console.log(`note: ${one.name} took ${Math.round(firstScreen)} ms to its first figure`); // never a failure: machines differ
+      console.log(`note: ${one.name} took ${Math.round(firstScreen)} ms to its first figure`); // only a note, because machines differ
   }
 } finally {
   await browser.close();

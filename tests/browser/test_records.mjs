@@ -1,6 +1,7 @@
-// Hand-made test records for the page of the browser tests. They put blocks, cycles, verdicts and a lot into the page's
-// data, whatever its own records were, and contain every kind of thing that a page must show. The cuts and properties
-// are simple ones that suffice for clean records; this file checks nothing.
+// Replaces the records in the data of a report by made-up ones, with blocks, cycles, verdicts and a lot. They contain
+// every kind of thing that a page must show. The formulas here are simple and only good for clean records. This file
+// itself checks nothing.
+//
 
 const mean = (values) => values.reduce((sum, value) => sum + value, 0) / values.length;
 
@@ -17,8 +18,8 @@ export function coded(values) {
   return { o: low, s: step, d };
 }
 
-// Two blocks with a change of amplitude and frequency between them, a smaller cycle at the start and half a cycle at
-// the end. The scragging fades.
+// Returns a record with blocks of 50 mm and 100 mm at different frequencies, after a smaller cycle and before half a
+// cycle. Its stiffness falls with the distance travelled, as rubber does by scragging.
 export function made_up_record(scatter, perCycle = 80) {
   const disp = [],
     time = [];
@@ -45,7 +46,8 @@ export function made_up_record(scatter, perCycle = 80) {
   return { disp, force, time };
 }
 
-// The fractional indices at which the displacement crosses zero in the direction of its first motion.
+// Returns the places, as fractional sample indices, where the displacement crosses zero in the direction of its first
+// motion.
 function cuts(disp) {
   const largest = Math.max(...disp.map(Math.abs)),
     band = 0.04 * largest;
@@ -179,7 +181,7 @@ const QUANTITIES = [
   { quantity: 'Q_d', key: 'Q_d_kN', unit: 'kN' },
   { quantity: 'K_d', key: 'K_d_kN_per_mm', unit: 'kN/mm' },
 ];
-const LIMIT = 'a fifth to either side'; // the page draws the numbers, 20 %, and shows these words
+const LIMIT = 'a fifth to either side'; // the page must draw the limit of 20 % and show these words
 const LIMITS = { lower_percent: -20, upper_percent: 20 };
 const NO_LIMITS = { lower_percent: null, upper_percent: null };
 const TOLERANCE_K = 2.752;
@@ -298,7 +300,7 @@ function lot_of(devices, nominal, verified, assessed, hostile) {
       },
       limit_individual: given === null ? '' : LIMIT,
       ...(given === null ? NO_LIMITS : LIMITS),
-      // As with a rule set that limits the means of stiffness and damping, and no other means.
+      // This rule set limits the means of stiffness and damping and no other mean.
       mean_limits: !assessed || !['K_eff', 'damping'].includes(quantity)
         ? []
         : [
@@ -346,7 +348,7 @@ function lot_of(devices, nominal, verified, assessed, hostile) {
               ['statistical, system predicted', 'system', 0.95, 1.05, 'mean of the devices predicted'],
             ]),
       ].map(([source, spread, spec_min, spec_max, note]) => {
-        const lower = spec_min > 0 ? spec_min : null; // below zero there is no bound
+        const lower = spec_min > 0 ? spec_min : null; // a negative factor is no bound
         return {
           property: quantity,
           source,
@@ -397,7 +399,7 @@ function lot_of(devices, nominal, verified, assessed, hostile) {
   };
 }
 
-// The verdict on the whole lot.
+// Returns the verdict on the whole lot.
 function result_of({ devices, assessment: { lot } }, verified, assessed) {
   const none = { word: null, failing: [], not_assessed: [], requirements: [], mark_is_red: false };
   if (!assessed) return { ...none, sentence: 'no verdict: no rule set', mark: null };
@@ -421,8 +423,8 @@ function result_of({ devices, assessment: { lot } }, verified, assessed) {
   };
 }
 
-// `tests` holds raw records by the name of their device ({disp, force, time?, load?}). Every other device that was not
-// refused gets a made-up record. A record with cyclic: false has no cycles.
+// Replaces the records in the data of a report. `tests` holds records {disp, force, time?, load?} by the name of the
+// device. Every other device that was not refused gets a made-up record. A record with `cyclic: false` has no cycles.
 export function extend(report, { tests = {}, verified = true, assessed = true, laws = true, scored = true } = {}) {
   const hostile = '<img src=x onerror=alert(2)>';
   report.devices.forEach((device, d) => {
@@ -459,8 +461,8 @@ export function extend(report, { tests = {}, verified = true, assessed = true, l
     }
     const t = device.record.time_s;
     if (t) {
-      // The laws must have seen the samples that the cycles are cut from. The raw record has no time, so its samples
-      // are counted instead.
+      // The raw record on the page has no times, and its cycles count samples. The record that the laws were fitted to
+      // has times. These times are stretched to the number of samples of the raw record.
       const steps = t.d.reduce((sum, difference) => sum + difference, 0);
       device.record.time_s = { o: 0, s: (test.disp.length - 1) / steps, d: t.d };
     }
@@ -516,14 +518,14 @@ export function extend(report, { tests = {}, verified = true, assessed = true, l
     report.laws = [];
     report.published = null;
     report.by_objective = [];
-    // An inspection keeps the warnings about devices and records, and no others.
+    // An inspection has only warnings about devices and records.
     const warnings = report.findings.warnings.filter(({ topic }) => ['refused', 'copies', 'record'].includes(topic));
     report.findings = { recommendations: [], headline: '', beta_note: '', verdicts: [], converged: [], warnings };
   }
   return report;
 }
 
-// Returns the same page with changed data.
+// Returns the HTML of a page after `change` has changed its data.
 export function with_data(page, change) {
   const [, before, text, after] = page.match(
     /^(.*<script type="application\/json" id="isolaw-data">)(.*?)(<\/script>.*)$/s,

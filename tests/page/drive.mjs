@@ -1,5 +1,4 @@
-// Uses the program's page in a browser as its users do: opens it from a file, drops files on it, catches the files it
-// saves.
+// Uses the page in Chromium as a user does: opens its file, drops files on it and collects the files that it saves.
 import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -8,12 +7,13 @@ import { Chromium } from '../browser/chromium.mjs';
 
 export const wait = (ms) => new Promise((done) => setTimeout(done, ms));
 
-// `stand_in` answers the page's calls in place of the engine; it comes from stand_in.mjs.
+// `standIn` is a function from stand_in.mjs that makes the native program answer in place of the page's engine. Without
+// it the page uses its engine.
 export async function openPage(browser, file, { width = 1280, height = 800, dark = false, standIn = null } = {}) {
   const page = await browser.open('about:blank', { width, height, dark });
   const downloads = mkdtempSync(join(tmpdir(), 'isolaw-downloads-'));
   await browser.send('Browser.setDownloadBehavior', { behavior: 'allow', downloadPath: downloads });
-  // Frames of another origin are targets of their own and report their errors separately.
+  // In the DevTools protocol a frame of another origin is a target of its own, and it reports its errors separately.
   const targets = new Map();
   browser.listeners.add(({ method, params, sessionId }) => {
     if (method === 'Runtime.bindingCalled') page.onBinding?.(params.payload);
@@ -42,11 +42,11 @@ export async function openPage(browser, file, { width = 1280, height = 800, dark
   await page.until("document.body?.dataset.ready === '' || (document.getElementById('failure') && !document.getElementById('failure').hidden)", 'the page to be ready');
   page.openedIn = (Date.now() - started) / 1000;
   page.idle = (seconds = 120) => page.until("(document.body.dataset.busy ?? '0') === '0'", 'the page to be idle', seconds);
-  // Drags files or folders over the page, as a reader does with the pointer.
+  // Drags files or folders over the page with the pointer.
   page.drag = (type, paths, [x, y] = [300, 200]) => page.send('Input.dispatchDragEvent', { type, x, y, data: { items: [], files: paths, dragOperationsMask: 1 } });
   page.drop = async (paths, at) => {
-    // When the page lays a sheet over a frame, a browser sends another dragEnter. The protocol does not, so it is sent
-    // here.
+    // `at` lies over a frame, on which the page lays an element when a drag begins. Browsers then send a second
+    // dragEnter. The protocol does not send it, so this does.
     for (const type of at ? ['dragEnter', 'dragEnter', 'dragOver', 'drop'] : ['dragEnter', 'dragOver', 'drop']) {
       await page.drag(type, paths, at);
       await wait(at ? 200 : 10);
@@ -54,7 +54,8 @@ export async function openPage(browser, file, { width = 1280, height = 800, dark
     await wait(50);
     await page.idle();
   };
-  // Clicks and types as a reader does: the pointer goes down, waits a moment and goes up; keys come one by one.
+  // Clicks as a user does: the button goes down, waits a moment and goes up. write() enters one character after the
+  // other.
   page.click = async (selector) => {
     const { x, y } = await page.evaluate(`(() => { const it = document.querySelector(${JSON.stringify(selector)}); it.scrollIntoView({ block: 'center' }); const { x, y, width, height } = it.getBoundingClientRect(); return { x: x + Math.min(width / 2, 60), y: y + height / 2 }; })()`);
     for (const type of ['mousePressed', 'mouseReleased']) {
@@ -76,7 +77,7 @@ export async function openPage(browser, file, { width = 1280, height = 800, dark
   page.type = (id, value) =>
     page.evaluate(`(() => { const it = document.getElementById(${JSON.stringify(id)}); it.value = ${JSON.stringify(value)}; it.dispatchEvent(new Event('change', { bubbles: true })); })()`);
   page.text = (selector) => page.evaluate(`document.querySelector(${JSON.stringify(selector)})?.innerText ?? ''`);
-  // Evaluates an expression in the frame of a report, once the frame is attached.
+  // Evaluates an expression in the frame that was attached last.
   page.inFrame = async (expression) => {
     const [session] = [...targets.keys()].slice(-1);
     if (!session) throw new Error('no frame is attached');
@@ -85,7 +86,7 @@ export async function openPage(browser, file, { width = 1280, height = 800, dark
     return result.value;
   };
   page.frames = targets;
-  // Waits for the next file that is saved and returns {name, bytes, path}.
+  // Waits for the next file that the page saves and returns it as {name, bytes, path}.
   const seen = new Set();
   page.saved = async (seconds = 60) => {
     const end = Date.now() + 1000 * seconds;
@@ -114,8 +115,8 @@ export async function openPage(browser, file, { width = 1280, height = 800, dark
   return page;
 }
 
-// Watches the memory of a process and all its descendants twice a second (Linux); of a shared page each process counts
-// its share. Returns a function that ends the watch and gives the most bytes it saw.
+// Measures the memory of a process and all its descendants twice a second (only Linux). Processes that share memory
+// each count their share of it. Returns a function that ends the measurement and returns the largest number of bytes.
 export function watchMemory(pid) {
   const read = (path) => {
     try {

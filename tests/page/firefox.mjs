@@ -1,4 +1,4 @@
-// Drives a headless Firefox with WebDriver BiDi over its own socket; needs nothing but Node.
+// Drives a headless Firefox by the protocol WebDriver BiDi over a socket. It needs only Node.
 import { spawn } from 'node:child_process';
 import { randomBytes } from 'node:crypto';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
@@ -6,7 +6,8 @@ import { connect } from 'node:net';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
-// A client of RFC 6455 for one local server: text messages, whole or in parts.
+// A WebSocket client (RFC 6455) for a server on this machine. It handles text messages, also if they come in several
+// frames.
 class Socket {
   constructor(port, path, onMessage) {
     this.onMessage = onMessage;
@@ -120,7 +121,7 @@ export class Firefox {
     return new Promise((resolve, reject) => this.pending.set(id, { resolve, reject }));
   }
 
-  // Returns the value of an expression, if JSON can hold it, in the page or in a frame.
+  // Returns the value of an expression in the page or in a frame. JSON must be able to represent the value.
   async evaluate(expression, context = this.context) {
     const found = await this.send('script.evaluate', { expression: `Promise.resolve(${expression}).then((value) => JSON.stringify(value ?? null))`, target: { context }, awaitPromise: true });
     if (found.type === 'exception') throw new Error(found.exceptionDetails.text);
@@ -142,7 +143,7 @@ export class Firefox {
     await this.send('input.setFiles', { context: this.context, element: { sharedId: nodes[0].sharedId }, files });
   }
 
-  // The last frame of the page.
+  // Returns the last frame in the page.
   async frame() {
     const { contexts } = await this.send('browsingContext.getTree', { root: this.context });
     return contexts[0].children.at(-1)?.context;

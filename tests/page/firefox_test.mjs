@@ -1,4 +1,5 @@
-// Uses the same page in Firefox: opens it from a file, chooses records, inspects, identifies, saves.
+// Tests the page in Firefox: opens its file, chooses records, looks at their properties, identifies laws and saves
+// everything.
 //   node firefox_test.mjs PAGE.html ISOLAW [FIREFOX]
 import { execFileSync } from 'node:child_process';
 import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
@@ -45,7 +46,7 @@ const saved = async (ending) => {
   throw new Error('nothing was saved that ends in ' + ending);
 };
 try {
-  // The best of three counts, since other load can only slow the page.
+  // The shortest of three times is judged, because other work on the machine can only slow the page.
   const times = [];
   for (let i = 0; i < 3; ++i) {
     const start = Date.now();
@@ -84,7 +85,7 @@ try {
   const whole = await saved('.isolaw.zip');
   expect((await readZip(new Uint8Array(readFileSync(whole)))).some(({ path }) => path === 'out/campaign.sqlite'), 'the campaign as one file');
 
-  // The saved file is chosen again in a page that is opened anew.
+  // The page is opened again, and the user chooses the saved campaign. The page must show its report.
   await browser.send('browsingContext.navigate', { context: browser.context, url: 'about:blank', wait: 'complete' }).catch(() => {});
   await browser.send('browsingContext.handleUserPrompt', { context: browser.context, accept: true }).catch(() => {});
   await browser.send('browsingContext.navigate', { context: browser.context, url: pathToFileURL(file).href, wait: 'complete' });
@@ -93,7 +94,7 @@ try {
   await browser.until("document.getElementById('report-frame')", 'the report again');
   await browser.until("document.querySelectorAll('.plot .main-svg').length > 0", 'the report drawn again', 60, () => browser.frame());
 
-  // A search is cancelled.
+  // The user starts a long identification and cancels it.
   await press('change');
   await press('laws-all');
   await idle();

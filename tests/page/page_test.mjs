@@ -1,8 +1,7 @@
-// Uses the program as one page, as its users do: opens it from a file in Chromium, drops files on it, reads the files
-// it saves.
+// Tests the page in Chromium as a user uses it: opens its file, drops files on it and reads the files that it saves.
 //   node page_test.mjs PAGE.html ISOLAW [CHROMIUM] [--stand-in] [--only NAME]
-// ISOLAW is the native program, with whose results the page's are compared. With --stand-in it also answers in place of
-// the page's engine (the page is then assembled with stand_in/engine.js).
+// ISOLAW is the native program. The page's results are compared with its results. With --stand-in it also answers in
+// place of the page's engine; the page must then be assembled with stand_in/engine.js.
 import { execFileSync, spawnSync } from 'node:child_process';
 import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, truncateSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -29,7 +28,7 @@ const expect = (holds, what) => {
 };
 const equal = (found, wanted, what) => expect(JSON.stringify(found) === JSON.stringify(wanted), `${what}: ${JSON.stringify(found)}, not ${JSON.stringify(wanted)}`);
 
-// The page's own reader of zip files. Node takes only a copy with the extension .mjs for a module.
+// Loads the page's own reader of zip files. Node needs a copy that ends in .mjs to read it as a module.
 copyFileSync(join(root, 'page/zip.js'), join(work, 'zip.mjs'));
 const { readZip } = await import(pathToFileURL(join(work, 'zip.mjs')).href);
 
@@ -38,7 +37,7 @@ const example = join(work, 'example');
 const records = readdirSync(example).filter((one) => one.startsWith('device-')).sort();
 
 const open = (options = {}) => openPage(browser, file, { standIn, ...options });
-// Nothing may go wrong unseen: there is no error in the page or its frames, and no request to any network.
+// At the end of each test the page and its frames must have reported no error and requested nothing from a network.
 async function end(page) {
   await wait(200);
   equal(page.errors, [], 'errors on the console');
@@ -51,7 +50,7 @@ const failure = (page) => page.evaluate("document.getElementById('failure').hidd
 const rows = (page) => page.evaluate("[...document.querySelectorAll('#devices tr.device')].map((row) => ({ name: row.querySelector('.named span').firstChild.textContent, tone: row.dataset.tone, samples: row.children[2].textContent, amplitude: row.children[3].textContent, stiffness: row.children[4].textContent, damping: row.children[5].textContent, words: row.innerText }))");
 const lotText = (page) => page.evaluate("document.getElementById('lot-text').value");
 const band = (page) => page.text('#read-band .word');
-// Returns the field of a device's form whose id ends with the key.
+// Returns the id of the field for a key in a device's form.
 const fieldOf = (page, row, key) => page.evaluate(`(() => { const number = document.querySelectorAll('#devices tr.device')[${row}].querySelector('[id^=correct-]').id.slice(8); return 'device-' + number + '-' + ${JSON.stringify(key)}; })()`);
 const openForm = (page, row) => page.evaluate(`(() => { const it = document.querySelectorAll('#devices tr.device')[${row}].querySelector('[id^=correct-]'); if (it.getAttribute('aria-expanded') === 'false') it.click(); })()`);
 const set = async (page, id, value) => {
@@ -68,7 +67,7 @@ const inFrameUntil = async (page, expression, what) => {
 };
 const narrow = async (page, what) => expect((await page.evaluate('document.documentElement.scrollWidth <= innerWidth')) === true, what + ': wider than the window');
 
-// Identifies with the settings that the page shows; returns the seconds until the report.
+// Identifies laws with the settings that the page shows. Returns the seconds until the report appeared.
 async function identified(page, seconds) {
   await page.press('show-laws');
   const began = performance.now();
@@ -80,7 +79,7 @@ async function identified(page, seconds) {
   return (performance.now() - began) / 1000;
 }
 
-// Identifies with small settings: one law, one run, no analyses.
+// Identifies laws with little work: one run of each law and no analyses.
 async function identifyLittle(page, laws = ['bilinear'], seconds = 300) {
   await page.press('show-laws');
   if (await page.evaluate("Boolean(document.getElementById('change'))")) await page.press('change');
@@ -98,7 +97,7 @@ async function identifyLittle(page, laws = ['bilinear'], seconds = 300) {
 }
 
 const tests = {
-  // The best of three counts, since other load can only slow the page.
+  // The shortest of three times is judged, because other work on the machine can only slow the page.
   'first use within 3 s': async () => {
     const times = [];
     for (let i = 0; i < 3; ++i) {
@@ -121,7 +120,7 @@ const tests = {
     expect((await band(page)).startsWith('10'), await band(page));
     equal(await lotText(page), readFileSync(join(example, 'lot.toml'), 'utf8'), 'the lot file');
 
-    // The properties are the same numbers as on the command line.
+    // The page must show the same properties as the command line computes.
     execFileSync(isolaw, ['inspect', join(example, 'lot.toml'), '--out', join(work, 'inspected')], { stdio: 'ignore' });
     await page.press('show-properties');
     await page.until("document.getElementById('inspection-frame')", 'the inspection');
@@ -132,14 +131,14 @@ const tests = {
     await page.press('save-inspection-json');
     const own = JSON.parse((await page.saved()).bytes),
       other = JSON.parse(readFileSync(join(work, 'inspected/inspection.json')));
-    // Instruction sets differ only after the sixth digit.
+    // The page and the command line use different instruction sets, whose results agree to six digits.
     const plain = (value) => (typeof value === 'number' ? Number(value.toPrecision(6)) : value);
     const rounded = (value) => JSON.stringify(value, (_, one) => plain(one));
     equal(own.devices.map(({ sha256 }) => sha256), other.devices.map(({ sha256 }) => sha256), 'hashes');
     const cycles = (one) => one.devices.map(({ blocks }) => blocks.map((block) => block.cycles.map(({ K_eff_kN_per_mm: k, damping_percent: d, energy_kN_mm: e }) => [k, d, e])));
     equal(rounded(cycles(own)), rounded(cycles(other)), 'cycles');
 
-    // A rule set and design values give a verdict.
+    // After the user has chosen a rule set and design values, the page must show a verdict.
     await page.press('show-properties');
     await page.press('choose-rules');
     expect((await page.evaluate('document.activeElement.id')) === 'rules', 'the rule set has the focus');
@@ -173,7 +172,8 @@ const tests = {
     equal(found[0].name, 'A <b>1</b>', 'the name');
     expect((await page.evaluate("document.querySelectorAll('#contents b').length && [...document.querySelectorAll('#contents b')].some((one) => one.textContent === '1')")) === false, 'markup stays text');
 
-    // Another unit gives another amplitude, and the text follows the form and the form the text.
+    // When the user chooses another unit in the form, the amplitude and the lot file must change. When the user edits
+    // the lot file, the form must change.
     await set(page, await fieldOf(page, 0, 'units-disp'), 'cm');
     found = await rows(page);
     expect(found[0].amplitude.startsWith('208'), 'in cm: ' + found[0].amplitude);
@@ -183,7 +183,7 @@ const tests = {
     expect(found[0].amplitude.startsWith('208') && Math.abs(parseFloat(found[0].amplitude) - 208.1) < 0.2, 'in mm: ' + found[0].amplitude);
     equal(await page.evaluate(`document.getElementById(${JSON.stringify(await fieldOf(page, 0, 'units-disp'))}).value`), 'mm', 'the form follows the text');
 
-    // If a key does not exist, the page says so, and the user can mend it.
+    // The user writes an unknown key into the lot file. The page must report it, and the user can correct it.
     const good = await lotText(page);
     await set(page, 'lot-text', good.replace("serial = '1'", 'colums = 3'));
     expect(/unknown key 'colums'/.test(await page.text('#read-band')), 'an unknown key: ' + (await page.text('#read-band')));
@@ -192,7 +192,7 @@ const tests = {
     await set(page, 'lot-text', good);
     expect((await band(page)).startsWith('10'), await band(page));
 
-    // A device is left out and taken in again.
+    // The user removes a device from the lot and adds it again.
     await page.evaluate("[...document.querySelectorAll('.form-end button')].at(-1).click()");
     await page.idle();
     equal((await rows(page)).length, 9, 'devices without it');
@@ -213,7 +213,7 @@ const tests = {
     };
     await choose('pick', [join(example, records[0]), join(example, records[1])]);
     equal((await rows(page)).length, 2, 'devices of files');
-    // More files are chosen beside the first; whatever was typed about the first stays.
+    // The user chooses one more file. What the user typed for the first device must stay.
     await openForm(page, 0);
     await set(page, await fieldOf(page, 0, 'serial'), 'kept');
     await choose('pick', [join(example, records[2])]);
@@ -241,13 +241,13 @@ const tests = {
     equal(await band(page), '4\u202fdevices read, 1 not', 'the band');
     expect((await page.text('.notes')).includes('photo.jpg'), 'what was left alone: ' + (await page.text('.notes')));
     expect((await lotText(page)).includes("title = 'damaged'") && (await lotText(page)).includes("file = 'deeper/device-04.txt'"), 'the lot file');
-    // A file that could not be read appears in every result until somebody leaves it out.
+    // A file that could not be read must appear in all results until the user removes it.
     await page.press('show-save');
     await page.press('save-inspection-json');
     const inspection = JSON.parse((await page.saved()).bytes);
     equal(inspection.devices.filter(({ status }) => status === 'refused').map(({ name: one }) => one), ['broken'], 'refused');
     expect(inspection.warnings.some(({ sentence }) => sentence.startsWith('broken was refused')), 'the warning');
-    // The other devices are identified nevertheless.
+    // The unreadable file must not stop the identification of the other devices.
     await identifyLittle(page);
     await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots');
     expect(/broken was refused/.test(await page.inFrame('document.body.textContent')), 'the report says it');
@@ -269,7 +269,7 @@ const tests = {
 
   'a workbook, a MATLAB file, and files that need to be told': async () => {
     const warts = join(root, 'tests/warts');
-    // A complaint about a file is shown in parts: the fault, the allowed values, the advice.
+    // The page must show the three parts of a complaint separately: the fault, the allowed values and the advice.
     const alone = await open();
     await alone.drop([join(warts, 'no-units.csv')]);
     const problems = await alone.evaluate("[...document.querySelectorAll('#devices .problem')].map((one) => [one.textContent, [...one.querySelectorAll('b')].map((b) => b.textContent.trim())])");
@@ -326,7 +326,8 @@ const tests = {
     await end(page);
   },
 
-  // Uses measured rows with the usual settings. The test prints how long they take but does not judge it.
+  // Identifies laws on a measured record with the settings that users get. The test prints the time but does not judge
+  // it.
   'the paper\u2019s laws on the measured bearing\u2019s third stage': async () => {
     const record = join(root, '../shared/data/hdrb-gallardo-device/cyclic-24-49-98pct.csv');
     if (!existsSync(record)) {
@@ -354,13 +355,14 @@ const tests = {
     const found = best(JSON.parse((await page.saved()).bytes)),
       wanted = best(JSON.parse(readFileSync(join(work, 'bearing-native/summary.json'))));
     equal(Object.keys(found).length, 7, 'laws');
-    // Searches may differ by this much (docs/performance.md): where an objective is ragged near its minimum,
-    // instruction sets differ as much.
+    // Native searches with different instruction sets may differ as much (docs/performance.md). The objective of abe is
+    // rough near its minimum, so its limit is wider.
     for (const [law, objective] of Object.entries(wanted)) expect(Math.abs(found[law] / objective - 1) < (law === 'abe' ? 1e-3 : 1e-5), `objective of ${law}: ${found[law]}, natively ${objective}`);
     await end(page);
   },
 
-  // The page holds the devices of a whole year at once, and computes little for each.
+  // A manufacturer may drop the devices of a whole year at once. The page must hold them all; the computing for each is
+  // kept short.
   'two hundred devices': async () => {
     const folder = join(work, 'many');
     mkdirSync(folder);
@@ -413,7 +415,7 @@ const tests = {
     equal(await inFrameUntil(page, "'none' + document.body.dataset.errors", 'errors'), 'none', 'errors in the frame');
     await page.press('to-save');
 
-    // Single files are saved.
+    // The user saves single files.
     await page.press('save-report-html');
     const report = await page.saved();
     expect(report.name.endsWith('-report.html') && report.bytes.includes('isolaw-data'), 'the report: ' + report.name);
@@ -426,7 +428,7 @@ const tests = {
     await page.press('save-summary-json');
     const summary = JSON.parse((await page.saved()).bytes);
 
-    // The command line gives the same numbers for the same lot file.
+    // The command line must compute the same objectives from the lot file that the page saved.
     writeFileSync(join(example, 'page.toml'), lot.bytes);
     execFileSync(isolaw, ['calibrate', join(example, 'page.toml'), '--out', join(work, 'native'), '--figures', 'none'], { stdio: 'ignore' });
     rmSync(join(example, 'page.toml'));
@@ -434,7 +436,7 @@ const tests = {
     const objectives = ({ laws }) => Object.fromEntries(laws.map(({ id, objective }) => [id, objective.best]));
     for (const [law, objective] of Object.entries(objectives(native))) expect(Math.abs(objectives(summary)[law] / objective - 1) < 1e-3, `objective of ${law}: ${objectives(summary)[law]}, natively ${objective}`);
 
-    // An export is saved, and the page says so.
+    // The user exports a law. The page must save the file and say so.
     await page.press('show-save');
     await page.type('export-law', 'bouc-wen');
     await page.type('export-to', 'opensees');
@@ -445,7 +447,7 @@ const tests = {
     await page.idle();
     expect((await page.text('#export-said')).includes('bouc-wen-D03.tcl'), 'it is said');
 
-    // Everything is saved in one file, which the command line and the page can read.
+    // The user saves everything as one file. The command line and the page must both be able to read it.
     await page.press('save-whole');
     const whole = await page.saved();
     expect(whole.name.endsWith('.isolaw.zip'), whole.name);
@@ -470,7 +472,7 @@ const tests = {
     await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots again');
     await page.press('show-records');
     equal((await rows(page)).length, 10, 'its devices');
-    // One more law is identified; whatever was computed before stays.
+    // The user identifies one more law. The results of the first two laws must stay exactly the same.
     await identifyLittle(page, ['bilinear', 'bouc-wen', 'hwang-wu']);
     await page.press('show-save');
     await page.press('save-summary-json');
@@ -479,7 +481,7 @@ const tests = {
     for (const [law, objective] of Object.entries(objectives(summary))) equal(more[law], objective, 'kept: ' + law);
     await end(page);
 
-    // The store alone can be looked at, and its report can be saved.
+    // The user drops only the database of the campaign. The page must show its report and save it.
     page = await open();
     await page.drop([join(unpacked, 'out/campaign.sqlite')]);
     await page.until("document.getElementById('report-frame')", 'the report of a store');
@@ -490,7 +492,7 @@ const tests = {
     await end(page);
   },
 
-  // The best of three counts, since other load can only slow the page.
+  // The shortest of three times is judged, because other work on the machine can only slow the page.
   'cancel within 1 s, and go on': async () => {
     const page = await open();
     await page.drop([example]);
@@ -504,7 +506,8 @@ const tests = {
       await page.press('identify');
       await page.until("document.getElementById('progress-bar')", 'progress');
       await wait(1500);
-      // The longest time in which the page did not answer while it computed; it is printed but not judged.
+      // Measures the longest time in which the page did not react while it computed. The test prints it but does not
+      // judge it.
       const longest = await page.evaluate('new Promise((done) => { let last = performance.now(), most = 0, n = 0; const tick = () => { const now = performance.now(); most = Math.max(most, now - last); last = now; ++n < 100 ? setTimeout(tick, 10) : done(most); }; tick(); })');
       const took = await page.evaluate("new Promise((done) => { const start = performance.now(); document.getElementById('cancel').click(); const look = () => (document.getElementById('progress-bar') ? setTimeout(look, 5) : done(performance.now() - start)); look(); })");
       times.push(took);
@@ -513,7 +516,7 @@ const tests = {
       expect((await page.evaluate("document.getElementById('identify').disabled")) === false, 'it can be started again');
     }
     expect(Math.min(...times) < 1000, 'cancelled in ' + Math.min(...times) + ' ms at best');
-    // A cancelled search leaves nothing that disturbs the next one.
+    // After the cancelled searches a new identification must work.
     await identifyLittle(page);
     await end(page);
   },
@@ -527,8 +530,7 @@ const tests = {
     writeFileSync(join(folder, "';alert(1);'.csv"), [lines[0].replace('Vertical load', 'Vertical load <svg onload=window.hacked=1>'), ...lines.slice(1)].join('\n'));
     writeFileSync(join(folder, '--out=x.csv'), lines.join('\n'));
     writeFileSync(join(folder, '{{script}}$&.csv'), lines.join('\n'));
-    // A browser skips files with these names if they are in a folder that is dropped, so they are dropped by
-    // themselves.
+    // Browsers skip files with such names in a dropped folder, so they are dropped as single files.
     const single = [' lead.csv', 'turned\u202e.csv'].map((one) => join(work, one));
     for (const one of single) writeFileSync(one, lines.join('\n'));
     writeFileSync(join(folder, 'none.csv'), bad + ',' + bad + '\n1,2\n3,</script><script>hacked=1</script>\n');
@@ -556,7 +558,7 @@ const tests = {
     await end(page);
   },
 
-  // Drops the inputs of the fuzz targets; they may break a worker but nothing else.
+  // Drops the inputs of the fuzz targets. They may stop a worker of the engine, but the page must go on working.
   'damaged and hostile files': async () => {
     const corpus = join(root, 'fuzz/corpus');
     const folder = join(work, 'corpus');
@@ -581,7 +583,7 @@ const tests = {
         await page.drop([join(work, 'single', called)]);
         expect((await page.text('#read-band')).length > 0 || (await failure(page)).length > 20, one + ' is answered');
       }
-    // The page and its workers still work.
+    // After all these files the page must still read sound records.
     await page.evaluate('window.confirm = () => true');
     await page.press('show-records');
     await page.press('start-over');
@@ -623,15 +625,15 @@ const tests = {
     writeFileSync(join(work, 'alone.csv'), 'no record at all\n');
     await page.drop([join(work, 'alone.csv')]);
     equal((await rows(page)).map(({ name: one, tone }) => one + ' ' + tone), ['alone poor'], 'no record');
-    // Too much is refused before it is read; this file has a size but no contents.
+    // This file has a size of 900 MB but no contents. The page must refuse it by its size, before it reads it.
     writeFileSync(join(work, 'big.csv'), '');
     truncateSync(join(work, 'big.csv'), 900e6);
     await page.drop([join(work, 'big.csv')]);
     expect(/900\sMB/.test(await failure(page)), 'too much: ' + (await failure(page)));
-    // The next drop works.
+    // After the refusals the page must read the next dropped file.
     await page.drop([join(example, records[0])]);
     equal((await rows(page)).map(({ tone }) => tone).sort(), ['good', 'poor'], 'a device beside it');
-    // A drop with nothing that can be read gets an answer too.
+    // The dropped folder has only a photo. The page must say that it left the photo out.
     mkdirSync(join(work, 'photos'));
     writeFileSync(join(work, 'photos/one.jpg'), 'none');
     const empty = await open();
@@ -641,8 +643,8 @@ const tests = {
     await end(page);
   },
 
-  // Uses real keys and a real pointer. When the page draws something anew, it must not move away what the user is
-  // working on.
+  // Types with real key events and clicks with a real pointer. Every edit makes the page draw its view again; this must
+  // not move away the field or button that the user is using.
   'one edit after the other, without waiting': async () => {
     const page = await open();
     await page.drop([join(example, records[0])]);
@@ -658,7 +660,8 @@ const tests = {
     await page.write('250000');
     await page.click('#lot-size');
     await page.write('28');
-    // The size of the lot adds a table above the devices, which moves the button that is clicked next.
+    // The size of the lot adds a table to the lot file, above the devices. Its form moves the button that is clicked
+    // next.
     await page.click('[id^=correct-]');
     await page.click('[id^=correct-]');
     equal(await page.evaluate("document.querySelectorAll('.form-row').length"), 0, 'opened and closed');
@@ -672,7 +675,7 @@ const tests = {
     for (const line of ["title = 'Bridge 7'", 'rubber-thickness-mm = 150', 'rubber-area-mm2 = 250000', 'lot-size = 28', 'K_eff = 0.62', 'damping = 19.5']) expect(lot.includes(line), line + ' in ' + lot);
     equal(await page.text('#title'), 'Bridge 7', 'the title');
     equal(await page.evaluate("document.querySelectorAll('.form-row').length"), 1, 'the click after an edit opens the form');
-    // Details that the user has unfolded stay open, and one click closes the form.
+    // <details> that the user opened must stay open after an edit, and one click must close the form.
     await page.evaluate("[...document.querySelectorAll('.form-row details')].at(-1).open = true");
     const factor = await fieldOf(page, 0, 'force-factor');
     await page.click('#' + factor);
@@ -683,7 +686,7 @@ const tests = {
     await page.click('.form-end .action');
     await page.idle();
     equal(await page.evaluate("document.querySelectorAll('.form-row').length"), 0, 'one click ends the form');
-    // A form stays open if the device gets another name or none.
+    // The form of a device must stay open when the device gets another name or loses its name.
     await page.click('[id^=correct-]');
     await page.click('#device-1-name');
     for (const called of ['Other', '']) {
@@ -696,7 +699,7 @@ const tests = {
     await page.click('.form-end .action');
     await page.idle();
     expect((await lotText(page)).includes('force-factor = 0.5') && (await lotText(page)).includes('skew-ms = 1'), await lotText(page));
-    // While the user types the next text, the page shows the numbers of the last edit.
+    // While the page still computes after the first edit, the user goes on typing. No typed character may be lost.
     await page.click('#lot-title');
     await page.key('a', { control: true });
     await page.write('A');
@@ -706,7 +709,8 @@ const tests = {
     await page.key('Tab');
     await page.idle();
     equal(await page.text('#title'), 'A long name that goes on while all is computed', 'nothing typed is lost');
-    // A field takes a decimal comma, but no notation of numbers that the lot file does not have.
+    // A field accepts a decimal comma. It must not read '0x10' as a number, because that is not a number for the
+    // program.
     await set(page, 'design-damping', '0x10');
     await set(page, 'design-K_eff', '0,7');
     expect((await lotText(page)).includes("design = { K_eff = 0.7, damping = '0x10' }"), await lotText(page));
@@ -722,7 +726,8 @@ const tests = {
     await page.drop([join(folder, 'one.csv')]);
     await identifyLittle(page);
     equal(await page.text('#laws-doubt'), '', 'nothing was changed');
-    // The record is replaced by another record with the same name.
+    // The user drops another record with the same name. The page must warn that the results belong to the earlier
+    // record.
     const stronger = readFileSync(join(folder, 'one.csv'), 'utf8').replace(/^([^,\n]*,[^,\n]*,)(-?\d[^,\n]*)/gm, (_, before, force) => before + 2 * Number(force));
     writeFileSync(join(folder, 'one.csv'), stronger);
     await page.drop([join(folder, 'one.csv')], [300, 20]);
@@ -749,7 +754,8 @@ const tests = {
     equal(await again.text('#laws-doubt'), '', 'identified again');
     await end(again);
 
-    // A campaign of the command line comes without its lot file. The page notices changed records nevertheless.
+    // A campaign of the command line has no copy of the lot file that it used. The page must notice by the digests of
+    // the records that a record has changed.
     execFileSync(isolaw, ['calibrate', join(folder, 'one.csv'), '--laws', 'bilinear', '--runs', '1', '--analysis', 'none', '--out', join(folder, 'out'), '--figures', 'none'], { stdio: 'ignore' });
     writeFileSync(join(folder, 'lot.toml'), "title = 'T'\n[[device]]\nname = 'one'\nfile = 'one.csv'\n");
     for (const [changed, file] of [[false, stronger], [true, stronger.replace(/\n[^\n]*\n$/, '\n')]]) {
@@ -760,7 +766,7 @@ const tests = {
       await end(third);
     }
 
-    // If another campaign would replace something that is not saved, the page asks first.
+    // A dropped campaign would replace edits that are not saved, so the page must ask first.
     await page.evaluate('window.asked = 0; window.confirm = () => { ++window.asked; return false; }');
     await set(page, 'lot-title', 'Not saved');
     await page.drop([path], [300, 20]);
@@ -781,8 +787,8 @@ const tests = {
     const store = join(work, 'ordered-out/campaign.sqlite');
     const said = /were changed since/;
 
-    // The store is dropped first. The page compares the records that follow with the store's own, and can continue the
-    // campaign.
+    // The user drops the database first and the records afterwards. The page must compare the records with the digests
+    // in the database, and the user can continue the campaign.
     const page = await open();
     await page.drop([store]);
     equal(await page.text('#laws-doubt'), '', 'nothing to compare with');
@@ -797,7 +803,8 @@ const tests = {
     await page.drop([join(work, 'newer')], [300, 20]);
     await page.press('show-laws');
     expect(said.test(await page.text('#laws-doubt')), 'another record: ' + (await page.text('#view-laws .tools')));
-    // A lot file is broken and then mended.
+    // While the lot file has a fault, the page must refuse new records. After the user has corrected it, identification
+    // is possible again.
     const text = await lotText(page);
     await set(page, 'lot-text', text + '\n[[device');
     await page.drop([join(example, records[2])], [300, 20]);
@@ -808,7 +815,8 @@ const tests = {
     await page.press('show-laws');
     equal(await page.evaluate("document.getElementById('identify').disabled"), false, 'it can be identified again');
 
-    // Records in a folder of results count as records; they are saved and can be dropped again.
+    // These records lie in the folder out, where results usually lie. The lot file names them, so they must be kept as
+    // records when the campaign is saved and dropped again.
     await page.press('identify');
     await page.until("!document.getElementById('progress-bar') && document.getElementById('report-frame')", 'the report', 120);
     await page.idle();
@@ -825,7 +833,8 @@ const tests = {
     await page.evaluate('window.asked = 0');
     await page.press('start-over');
     equal(await page.evaluate('window.asked'), 1, 'an edit that is not saved is asked about');
-    // If work was begun for a lot that is gone, its result does not appear.
+    // The user edits the lot and starts over at once. The result of the edit, which is still being computed, must not
+    // appear.
     await page.drop([path]);
     await page.press('show-save');
     equal(await page.text('#export-said'), '', 'nothing of the earlier export');
@@ -835,14 +844,15 @@ const tests = {
     await page.idle();
     equal([await page.text('#title'), await page.evaluate("document.getElementById('show-properties').disabled")], ['From test records to calibrated laws of seismic isolators', true], 'an empty page');
 
-    // Only the folder of results is dropped; nothing in it counts as a record.
+    // The user drops only a folder of results. None of its files may be taken for a record.
     await page.drop([join(work, 'ordered-out')]);
     await page.press('show-records');
     equal(await page.text('#read-band .word'), 'Results only', 'results');
     expect(!(await page.text('#contents')).includes('Not part of the lot'), await page.text('#contents'));
     await end(page);
 
-    // The user's own rule set counts like a record: if it was changed, the page says so.
+    // The user's own rule set is a file of the lot. The page must warn when it has changed since the results were
+    // computed.
     const held = await open();
     const rules = execFileSync(isolaw, ['rules', 'template'], { encoding: 'utf8' });
     mkdirSync(join(work, 'held'));
@@ -873,7 +883,7 @@ const tests = {
     await page.key('p', { control: true });
     await wait(200);
     equal(await page.inFrame('window.printed === true'), true, 'Ctrl+P prints the report');
-    // Files that are dragged over the frame of a report go to the page.
+    // The user drags a file over the frame of a report. The page must get the file, not the frame.
     const other = join(example, records[1]);
     await page.drop([other], [640, 500]);
     await page.idle();
@@ -897,7 +907,8 @@ const tests = {
     await page.idle();
     equal((await rows(page)).map(({ tone }) => tone), ['good', 'good'], 'each once');
 
-    // A search is cancelled, saved and dropped again; it goes on from where it stopped.
+    // The user cancels an identification, saves everything and drops it again. The identification must continue with
+    // the finished runs.
     await page.press('show-laws');
     await set(page, 'method', 'best');
     await set(page, 'analysis', 'none');
@@ -920,8 +931,8 @@ const tests = {
     await again.press('identify');
     await again.until("document.getElementById('report-frame')", 'the report', 300);
     equal(await again.text('#laws-doubt'), '', 'whole');
-    // Escape in another view does not end a search. If a second search is cancelled, the page says so beside the first
-    // result.
+    // Escape must not cancel the identification while the page shows another view. When the user cancels a second
+    // identification, the page must say so and still show the first report.
     await again.press('change');
     await set(again, 'runs', '5');
     await again.press('identify');
@@ -936,8 +947,8 @@ const tests = {
     await again.until("document.getElementById('report-frame')", 'the first report');
     await end(again);
 
-    // Drops a lot file that was written on Windows and names a folder that does not exist. The files are found by their
-    // names.
+    // The lot file comes from Windows: one path has a backslash, the other names a folder that does not exist and has
+    // another case. The page must find both files by their names.
     const folder = join(work, 'windows');
     mkdirSync(join(folder, 'data'), { recursive: true });
     copyFileSync(join(example, records[0]), join(folder, 'data/a.csv'));
@@ -947,7 +958,8 @@ const tests = {
     await third.drop([folder]);
     equal((await rows(third)).map(({ name: one, tone }) => one + ' ' + tone), ['A good', 'B good'], 'found by their names');
     expect((await lotText(third)).includes("serial = '7'") && (await third.text('#title')) === 'W', await lotText(third));
-    // Columns that were recognised in one file do not decide about a later file.
+    // The next file has its displacement in cm. The unit that the page recognised in the first file must not be used
+    // for it.
     writeFileSync(join(work, 'in-cm.csv'), readFileSync(join(example, records[0]), 'utf8').replace('Displacement [mm]', 'Displacement [cm]'));
     await third.drop([join(work, 'in-cm.csv')]);
     const millimetres = async (one) => Number((await rows(one)).at(-1).amplitude);
@@ -957,8 +969,8 @@ const tests = {
     await fifth.drop([join(work, 'in-cm.csv')]);
     expect((await millimetres(fifth)) > 2000, 'in cm, after another that is not: ' + (await millimetres(fifth)));
     await end(fifth);
-    // The files come with a lot file that names none of them. Its settings hold, and the lot gets the title of the
-    // folder.
+    // None of the files that the lot file names is here, but another record is. The page must read it with the settings
+    // of the lot file and use the name of the folder as the title.
     const other = join(work, 'next-month');
     mkdirSync(other);
     copyFileSync(join(example, records[0]), join(other, 'm1.csv'));
@@ -1002,7 +1014,7 @@ const tests = {
     await key('Escape');
     await page.until("!document.getElementById('progress-bar')", 'the end by Escape');
     equal(await focused(), 'identify', 'the focus comes back');
-    // The keyboard reaches everything that can be pressed.
+    // The keyboard must reach every control of each view.
     for (const view of ['records', 'laws', 'save', 'about']) {
       await page.press('show-' + view);
       expect((await page.evaluate("[...document.querySelectorAll('button, input:not([type=file]), select, textarea, summary, a[href]')].every((one) => one.tabIndex >= 0)")) === true, view + ': all can be reached');

@@ -1,4 +1,5 @@
-// Runs the native program for the replacement of the engine (stand_in/engine.js), over the DevTools protocol.
+// Runs the native program in place of the page's engine. The page calls it from stand_in/engine.js over the DevTools
+// protocol.
 import { spawn } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';

@@ -84,7 +84,6 @@ class Campaigns(InFolder):
             model = isolaw.Model(law, self.campaign.record("a"))
             np.testing.assert_array_equal(model.force(self.campaign.parameters(law, "a")), force)
             self.assertEqual(model.objective(self.campaign.parameters(law, "a")), runs["objective"].min())
-            # the set fitted to the whole lot
             of_lot = next(one["lot"] for one in self.printed["laws"] if one["id"] == law)
             self.assertEqual(list(self.campaign.parameters(law, "lot").values()), list(of_lot["parameters"].values())
                              if isinstance(of_lot["parameters"], dict) else of_lot["parameters"])  # fmt: skip
@@ -129,7 +128,7 @@ class Campaigns(InFolder):
         with self.assertRaisesRegex(isolaw.Error, "there are none"):
             isolaw.calibrate([], "bilinear")
 
-    # Sample values for settings that are neither a number nor a flag and have no list of words to choose from.
+    # Values for settings that are neither numbers nor flags and have no list of allowed words.
     TEXTS = json.loads((pathlib.Path(os.environ["ISOLAW_SOURCE_DIR"]) / "tests/setting_samples.json").read_text())
 
     def another(self, name, setting):

@@ -18,7 +18,7 @@ if importlib.util.find_spec("distributed") is None:
 
 import distributed
 
-sys.path.insert(0, str(SOURCE / "examples/python"))  # the workers get it too
+sys.path.insert(0, str(SOURCE / "examples/python"))  # the worker processes find this path too
 import parts_with_dask
 
 LAWS = "bilinear,vaiana"
@@ -70,7 +70,8 @@ class Dask(InFolder):
         said = self.run_example(out)
         self.assertEqual([line for line in said.splitlines() if line.startswith("part ")], ["part 2 of 3 is here"])
         self.expect_one_machines(out)
-        # Whatever their names, the parts that exist were made with other settings, so the example refuses them.
+        # The parts from the run before have the same names but were computed with 2 runs. The example now asks for 3
+        # runs and must refuse them.
         self.run_example(out, runs=3, refused="of a campaign that is now larger, by 3 runs instead of 2")
         self.expect_one_machines(out)
 
@@ -81,7 +82,7 @@ class Dask(InFolder):
             with distributed.Client(cluster) as client:
                 lossy = functools.partial(share_of_a_worker_that_is_lost, str(lost))
                 campaign = parts_with_dask.campaign(client, self.files, {"laws": LAWS, "runs": 2}, 3, out, lossy)
-        self.assertTrue(lost.exists())  # a worker was lost
+        self.assertTrue(lost.exists())  # the file shows that a worker was killed
         self.assertTrue(campaign.complete)
         self.expect_one_machines(out)
 

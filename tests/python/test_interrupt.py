@@ -35,7 +35,7 @@ class Interrupt(unittest.TestCase):
             child = subprocess.Popen([sys.executable, "-c", LONG, folder + "/out"], stdout=subprocess.PIPE,
                                      stderr=subprocess.PIPE, text=True, cwd=os.path.dirname(__file__))  # fmt: skip
             try:
-                # The store exists from the start of the search.
+                # isolaw creates this file when the search starts.
                 limit = time.monotonic() + 60
                 while not os.path.exists(folder + "/out/campaign.sqlite") and time.monotonic() < limit:
                     time.sleep(0.05)
@@ -50,7 +50,8 @@ class Interrupt(unittest.TestCase):
         self.assertEqual(child.returncode, 0, errors)
         word, beats = out.split()[-2:]
         self.assertEqual(word, "interrupted", errors)
-        # The search ran for a second without the interpreter's lock, so another thread could beat.
+        # The search ran for a second. Another thread ran meanwhile, because the search does not hold Python's global
+        # lock.
         self.assertGreater(int(beats), 10)
 
     def test_an_interrupted_campaign_is_continued_by_the_same_call(self):

@@ -53,7 +53,7 @@ class Stubs(unittest.TestCase):
             members = public(node.body)
             names = {member.name for member in members}
             own = {name for name in vars(thing) if not name.startswith("_")}
-            if node.name != "Error":  # its only name is an attribute
+            if node.name != "Error":  # Error has only attributes, no methods
                 self.assertEqual(names, own, node.name)
             for member in members:
                 found = inspect.getattr_static(thing, member.name)

@@ -1,5 +1,5 @@
-// Commands on the page's engine give the answers of the native program, and a command that goes wrong ends at most a
-// worker.
+// Commands in the page's engine must give the same answers as in the native program. A command that fails must not
+// affect other commands.
 //   node commands_test.mjs PAGE ISOLAW
 import assert from 'node:assert/strict';
 import { readFileSync, readdirSync } from 'node:fs';
@@ -16,7 +16,8 @@ assert.equal(native(['example', 'example']).code, 0);
 const example = filesIn(join(work, 'example'), 'example');
 const at = (name) => example.filter(({ path }) => path.endsWith(name));
 
-// Equal digit by digit, except for the last digits of computed numbers: the engine has another mathematical library.
+// Compares two outputs. Words must be equal. Numbers may differ in their last digits, because the engine has another
+// mathematical library.
 const number = /-?\d+(?:\.\d+)?(?:e[-+]?\d+)?/g;
 const same = (said, own, name) => {
   assert.equal(said.code, own.code, name + ': ' + said.stderr);
@@ -45,7 +46,8 @@ test('wrong words are an answer, not a rejection', async () => {
   const said = await engine.run({ argv: ['calibrate', 'nowhere.csv'] });
   assert.equal(said.code, 2);
   assert.match(said.stderr, /nowhere\.csv: no such file/);
-  // The engine also gives its complaints as objects, and prints them in the same line as the native program.
+  // The engine returns the complaints as objects too. Its message must be the same as that of the native program and
+  // consist of these complaints.
   const own = native(['calibrate', 'nowhere.csv']);
   assert.equal(said.stderr, own.stderr);
   assert.equal(said.error.kind, 'input');
@@ -61,7 +63,8 @@ test('inspection says the same, number by number', async () => {
   same(said, native(argv), 'the example lot');
 });
 
-// Records that the readers are fuzzed with, sound and broken: text, workbooks, MATLAB files, JSON.
+// The inputs of the fuzz targets are sound and broken records: text, workbooks, MATLAB files, JSON. Both programs must
+// say the same of each.
 for (const kind of ['text', 'workbook', 'mat', 'json'])
   test(`files of others: ${kind}`, async () => {
     const extension = { text: '.csv', workbook: '.xlsx', mat: '.mat', json: '.json' }[kind];
@@ -116,7 +119,7 @@ test('what stops a worker is an error, and the next command runs', async () => {
   assert.equal((await engine.run({ argv: ['--version'] })).code, 0);
 });
 
-// Imitates a browser that refuses more memory: an instance's memory cannot grow beyond 48 MiB.
+// Imitates a browser that is short of memory: the memory of the program cannot grow beyond 48 MiB.
 const poor = `
 const grow = WebAssembly.Memory.prototype.grow;
 WebAssembly.Memory.prototype.grow = function (pages) {
@@ -150,10 +153,10 @@ test('a campaign that was cancelled goes on from what was finished', async () =>
   assert.ok(cancelled.parts.some(({ path }) => path.startsWith('parts/')));
   const again = await engine.identify({ inputs, files, options, parts: cancelled.parts });
   assert.equal(again.code, 0, again.stderr);
-  // The analyses too, also those of the laws of the lot, were dealt among the workers up to the end, so that they only
-  // had to be copied.
+  // The first campaign finished all analyses of devices and of the lot, and it was cancelled in the last step. The
+  // second campaign only has to copy them.
   assert.match(again.stderr, / and 10 analyses copied/);
-  // The summary equals, byte by byte, the one of a campaign that the engine makes in a single command.
+  // A campaign that was computed in parts must give the same bytes as one that a single command computes.
   const one = await engine.run({ argv: ['calibrate', ...inputs, ...options, '--out', 'out', '--figures', 'none'], files });
   assert.equal(textOf(again.files, 'out/summary.json'), textOf(one.files, 'out/summary.json'));
   assert.ok(told.every(({ share }, i) => share >= 0 && share <= 1 && (i === 0 || share >= told[i - 1].share)));

@@ -1,5 +1,5 @@
-// The page's program and the native program give the same numbers for every law. The results of the page hold when the
-// native program computes them again, and the searches of both end at the same objectives.
+// The page's engine and the native program must give the same numbers for every law. If the native program computes the
+// objectives of the page's results again, they must be equal. The searches of both must reach equal objectives.
 //   node numbers_test.mjs PAGE ISOLAW
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -11,27 +11,28 @@ import { bearing, engine, filesIn, lay, native, textOf, work } from './support.m
 
 after(() => engine.close());
 
-// Objectives of single runs may differ by as much as between two instruction sets (docs/performance.md), because abe's
-// objective is ragged near its minimum.
+// Searches with two instruction sets may end at objectives that differ as much (docs/performance.md), because the
+// objective of the law abe is rough near its minimum. The page may differ by the same amount.
 const tolerance = 1e-5;
-// If an objective is flat to within this tolerance, a parameter is known only to about the root of it.
+// Near a minimum the objective changes with the square of a parameter. So a parameter is only known to about the root
+// of the tolerance.
 const parameterTolerance = 1e-3;
 
 const objectives = (summary) =>
   new Map(summary.laws.flatMap(({ id, devices }) => devices.map(({ name, objective, parameters }) => [id + ' on ' + name, { best: objective.best, parameters }])));
 
-// Runs `identify` with the same settings in the page's engine and in the native program.
+// Runs the same campaign in the page's engine and in the native program and compares the results.
 async function compare(name, inputs, files, options) {
   const out = join(work, name);
   const said = await engine.identify({ inputs, files, options });
   assert.equal(said.code, 0, said.stderr);
-  // The native program computes every objective again from its parameters and demands agreement within 1e-9
-  // (fit::evaluation_tolerance); it also checks every row of the store. It gets no reports, because their numbers may
-  // differ in the last digit.
+  // `isolaw check` computes every objective again from its parameters and requires agreement within 1e-9
+  // (fit::evaluation_tolerance). It also checks the whole database. It does not get the reports of the page, because
+  // numbers in them may differ in the last digit.
   lay(said.files.filter(({ path }) => path === 'out/campaign.sqlite'), join(out, 'page'));
   const check = native(['check', join(out, 'page/out')]);
   assert.equal(check.code, 0, check.stdout + check.stderr);
-  // The native program writes a report of the page's campaign.
+  // The native program must read the page's campaign and report the same objectives.
   const report = native(['report', join(out, 'page/out'), '--json', '--figures', 'none', '--out', join(out, 'report')]);
   assert.equal(report.code, 0, report.stderr);
   const found = objectives(JSON.parse(textOf(said.files, 'out/summary.json')));
@@ -51,7 +52,7 @@ async function compare(name, inputs, files, options) {
   return comparedParameters(name, found, wanted);
 }
 
-// Compares the parameters that the test determines; returns their number.
+// Compares those parameters that the record determines, and returns how many there are.
 function comparedParameters(name, found, wanted) {
   let count = 0,
     largest = 0,

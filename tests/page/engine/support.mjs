@@ -1,5 +1,5 @@
-// Shared by the tests of the page's engine under Node. The tests get the page and the native program as arguments, PAGE
-// ISOLAW.
+// Code that all tests of the page's engine share. They run under Node. Their arguments are the page and the native
+// program: PAGE ISOLAW.
 import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -14,7 +14,7 @@ process.on('exit', () => rmSync(work, { recursive: true, force: true }));
 export const engineWith = (options) => engineOf(page, options);
 export const engine = await engineWith({ workers: 2 });
 
-// Runs the native program. The caller may choose ISOLAW_SIMD.
+// Runs the native program. `env` may hold ISOLAW_SIMD to choose an instruction set.
 export const native = (words, env = {}) => {
   const { status, stdout, stderr } = spawnSync(isolaw, words, { cwd: work, encoding: 'utf8', env: { ...process.env, ...env }, maxBuffer: 1 << 28 });
   return { code: status, stdout, stderr };
@@ -33,7 +33,7 @@ export const lay = (files, folder = work) => {
 };
 export const textOf = (files, path) => new TextDecoder().decode(files.find((file) => file.path === path)?.bytes ?? new Uint8Array());
 
-// The measured bearing, if it lies beside the checkout. Its third stage becomes records of 0.0021 s
-// (bench/measured_lots).
+// The record of a measured bearing, if it lies beside the checkout, else null. bench/measured_lots makes records from
+// it.
 const record = fileURLToPath(new URL('../../../../shared/data/hdrb-gallardo-device/cyclic-24-49-98pct.csv', import.meta.url));
 export const bearing = existsSync(record) ? readFileSync(record) : null;

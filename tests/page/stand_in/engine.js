@@ -1,5 +1,5 @@
-// Replaces the engine in a test: the test that drives the browser runs the native program instead (stand_in.mjs). It
-// offers the same functions as page/engine/engine.js.
+// Takes the place of page/engine/engine.js in a test and offers the same functions. Each call goes to the test that
+// drives the browser, which runs the native program (stand_in.mjs).
 const waiting = new Map();
 let count = 0;
 
