@@ -58,7 +58,8 @@ async function look({ print }) {
       .filter((text) => text.getBoundingClientRect().left < frame.left - 2 || text.getBoundingClientRect().right > frame.right + 2)
       .map((text) => plot.parentNode.id + ': ' + text.textContent);
   });
-  const wide = [document.documentElement.scrollWidth, window.innerWidth]; // measured before anything is chosen, since paper has no controls
+  // The width is measured before a control is used, because a printed page has no controls.
+  const wide = [document.documentElement.scrollWidth, window.innerWidth];
   const axis = () => document.querySelector('#figure-histograms .xtitle')?.textContent;
   const before = axis();
   const select = document.getElementById('quantity');

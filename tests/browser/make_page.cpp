@@ -123,7 +123,8 @@ int main(int argc, char** argv) {
       rules.load_variation.reset();
       rules.test = {};
       std::erase_if(rules.limits, [](auto const& limit) { return limit.quantity == isolaw::rules::Quantity::K_v; });
-      rules.stiffness_formula = rules.damping_formula = isolaw::rules::Formula::peak_to_peak;  // these cycles have no values per side
+      // The cycles of the made-up records have no values per side, so the formulas from peak to peak are used.
+      rules.stiffness_formula = rules.damping_formula = isolaw::rules::Formula::peak_to_peak;
       isolaw::rules::Design design;
       bool const fails = std::string_view(argv[4]) == "failing";
       design.K_eff_kN_per_mm = fails ? 0.72 : 0.6;
