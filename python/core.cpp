@@ -285,7 +285,7 @@ Array force_of(std::string const& law_id, py::object const& parameters, Record c
   return result;
 }
 
-// A law on a record. The record is cleaned in the same way as by calibrate().
+// A law on a record. calibrate() cleans its records in the same way.
 class Model {
  public:
   Model(std::string const& law, RecordPtr record, campaign::Settings const& how, int refinement)
@@ -560,8 +560,8 @@ BuildingPtr studied(py::object const& file, py::object const& from, py::list con
       });
 }
 
-// Every draw has a row of measures for each motion. Returns a view of `count` of them, from index `first` on, with the
-// shape (laws, draws, motions, count).
+// Every draw of the building has a row of measured numbers for each motion. Returns a view of `count` numbers of each
+// row, from index `first` on. Its shape is (laws, draws, motions, count).
 Array measures(py::object const& self, std::size_t first, std::size_t count) {
   auto const& studied = *self.cast<BuildingPtr>();
   auto const width = static_cast<py::ssize_t>(studied.layout.count()),

@@ -55,7 +55,7 @@ target_compile_definitions(page_sqlite PRIVATE SQLITE_THREADSAFE=0 SQLITE_OMIT_L
 target_include_directories(page_sqlite SYSTEM PUBLIC ${from}/sqlite3/made)
 add_library(SQLite::SQLite3 ALIAS page_sqlite)
 
-# Only SHA-256 is needed. Nettle's is much smaller than OpenSSL.
+# The program needs only SHA-256 from OpenSSL. Nettle has it in three small sources.
 page_library(page_nettle ${from}/nettle/sha256.c ${from}/nettle/sha256-compress.c ${from}/nettle/write-be32.c)
 target_include_directories(page_nettle SYSTEM PUBLIC ${from})
 add_library(OpenSSL::Crypto ALIAS page_nettle)

@@ -25,7 +25,7 @@
 
 _LIBCPP_BEGIN_NAMESPACE_STD
 
-// From <bit>.
+// std::bit_cast, which belongs to <bit>.
 template <class To, class From>
 constexpr To bit_cast(From const& from) noexcept {
   return __builtin_bit_cast(To, from);

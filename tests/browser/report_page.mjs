@@ -56,7 +56,7 @@ const SOURCES = [
   'statistical, system predicted',
 ];
 
-// extend() must make the same keys as the program. Returns the keys of those parts of the data that extend() replaces.
+// Returns the keys of those parts of the data that extend() replaces. extend() must make the same keys as the program.
 function shape(report) {
   const lot = report.assessment?.lot;
   const device = report.devices[0];
@@ -938,8 +938,9 @@ const browser = new Chromium(program);
 try {
   for (const one of CASES) {
     const firstScreen = await check(browser, directory, one);
+    // A slow first screen is only noted, because machines differ in speed.
     if (firstScreen > FIRST_SCREEN_MS)
-      console.log(`note: ${one.name} took ${Math.round(firstScreen)} ms to its first figure`); // no failure: machines differ
+      console.log(`note: ${one.name} took ${Math.round(firstScreen)} ms to its first figure`);
   }
 } finally {
   await browser.close();

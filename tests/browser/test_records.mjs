@@ -1,7 +1,6 @@
 // Replaces the records in the data of a report by made-up ones, with blocks, cycles, verdicts and a lot. They contain
 // every kind of thing that a page must show. The formulas here are simple and only good for clean records. This file
 // itself checks nothing.
-//
 
 const mean = (values) => values.reduce((sum, value) => sum + value, 0) / values.length;
 
