@@ -124,8 +124,8 @@ function check_paper(expect, name, screen, paper) {
   }
 }
 
-// Returns which links of the table of contents the window cuts off, and on how many lines the links stand. This function
-// runs in the page.
+// Returns which links of the table of contents the window cuts off, and on how many lines the links stand. This
+// function runs in the page.
 function look_at_contents() {
   const { width } = document.documentElement.getBoundingClientRect();
   const links = [...document.querySelectorAll('nav a')];

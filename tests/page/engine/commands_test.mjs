@@ -153,8 +153,8 @@ test('a campaign that was cancelled goes on from what was finished', async () =>
   assert.ok(cancelled.parts.some(({ path }) => path.startsWith('parts/')));
   const again = await engine.identify({ inputs, files, options, parts: cancelled.parts });
   assert.equal(again.code, 0, again.stderr);
-  // The workers computed all analyses in parts, also the laws that are fitted to the whole lot. So the last merge had to
-  // compute none and only copied them.
+  // The workers computed all analyses in parts, also the laws that are fitted to the whole lot. So the last merge had
+  // to compute none and only copied them.
   assert.match(again.stderr, / and 10 analyses copied/);
   // A campaign that was computed in parts must give the same bytes as one that a single command computes.
   const one = await engine.run({ argv: ['calibrate', ...inputs, ...options, '--out', 'out', '--figures', 'none'], files });
