@@ -88,12 +88,11 @@ inline double least_asymmetry(std::string_view law) {
 // The largest error of the force that the sampling may cause, relative to the peak, anywhere in the published box at 50
 // samples a cycle.
 //   abe        keeps the yield force constant over a step and corrects for it. The error is largest on the first
-//   loading
-//              and at x = 0. Largest seen over 200 paths: 8e-4.
+//              loading and at x = 0. The largest seen over 200 paths is 8e-4.
 //   hwang-wu   uses Runge-Kutta. With strong damping and large a10, exp(a10 W) decays within a step or two at the
-//   start.
-//              Largest seen: 1.8e-3.
-//   bwbn       uses Runge-Kutta. With small psi and lambda, z slips within less than a step. Largest seen: 5e-4.
+//              start. The largest error seen is 1.8e-3.
+//   bwbn       uses Runge-Kutta. With small psi and lambda, z slips within less than a step. The largest error seen
+//              is 5e-4.
 //   others     are exact along a straight path. The bound is a hundred times the largest rounding seen.
 inline double error_of_the_path(std::string_view id) {
   return id == "abe" || id == "bwbn" ? 1.5e-3 : id == "hwang-wu" ? 3e-3 : 1e-12;

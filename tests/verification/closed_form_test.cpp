@@ -130,7 +130,7 @@ TEST(ClosedForm, VaianaLimitCurves) {
 
 // Bouc-Wen with n = 1 while x moves one way. The direction of motion is s, the travel t = |x - x0|, and y = s z obeys
 //     y' = A + c y  for y < 0, c = gamma - beta;     y' = A - b y  for y >= 0, b = beta + gamma.
-//  Both equations are linear and have exponential solutions; y passes zero at most once, upwards.
+// Both equations are linear and have exponential solutions; y passes zero at most once, upwards.
 double bouc_wen_n1(double y, double travel, double A, double beta, double gamma) {
   double const b = beta + gamma, c = gamma - beta;
   if (y < 0.0) {

@@ -104,11 +104,11 @@ TEST_P(Sampling, OfAnExponentialLoop) {
 INSTANTIATE_TEST_SUITE_P(PerCycle, Sampling, ::testing::Values(20, 48, 100, 200));
 
 // --- skew of 10 ms at 0.5 Hz, epsilon = 2 pi f dt = 0.0314 rad ------------------------------------------------------
-//  If the force is early by epsilon, the energy grows by pi D a1 sin(epsilon), where a1 is the part of the force's
-//  first harmonic that is in phase with x. Damping therefore grows by (a1 / (K D)) epsilon / 2, which is 1.571
-//  percentage points times a1 / (K D), with K the effective stiffness. At the displacement peak the force has already
-//  fallen, with the unloading stiffness K_u, over D epsilon^2 / 2. K becomes smaller and damping larger by the share
-//  (epsilon^2 / 2) (K_u / K - 1). This share already contains the factor cos(epsilon) on the energy.
+// If the force is early by epsilon, the energy grows by pi D a1 sin(epsilon), where a1 is the part of the force's
+// first harmonic that is in phase with x. Damping therefore grows by (a1 / (K D)) epsilon / 2, which is 1.571
+// percentage points times a1 / (K D), with K the effective stiffness. At the displacement peak the force has already
+// fallen, with the unloading stiffness K_u, over D epsilon^2 / 2. K becomes smaller and damping larger by the share
+// (epsilon^2 / 2) (K_u / K - 1). This share already contains the factor cos(epsilon) on the energy.
 
 constexpr double skew_s = 0.010;
 

@@ -1,6 +1,7 @@
 // Population recovery: 50 synthetic devices of a law are drawn from a known population at five levels of variability,
 // tested (one record each, with noise) and fitted one by one. The population estimated from the fits must equal the
 // known one within the sampling error.
+//
 // The devices are drawn here with a Cholesky factor, not by the library's sampler. Tolerances are 3.5 standard errors,
 // from the normal theory of sample covariances (Anderson 2003, An Introduction to Multivariate Statistical Analysis,
 // section 3.4). With m = devices - 1 and independent vectors x, y of covariances A and B: var(cov(x, x)_ij) = (A_ii
