@@ -1,4 +1,4 @@
-// Each kind of bad input: the message says where, what was found, what is allowed and what to try.
+// For each kind of bad input the message must say where it is, what was found, what is allowed and what to try.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 #include "cli/store.hpp"
@@ -338,7 +338,7 @@ TEST_F(BadInput, with_a_sampling_interval_all_laws_run_as_with_a_time_column) {
 
 // --- numerics that do not succeed ----------------------------------------------------------------------------------
 
-// Candidates without a finite force are counted even if their run succeeds, and every output gives the number.
+// A run may succeed although some of its parameter sets gave no finite force. Every output states how many.
 TEST_F(BadInput, parameter_sets_without_a_finite_force_are_counted_and_said) {
   write("a.csv", csv(record()));
   auto const o = isolaw({"calibrate", "a.csv", "--laws", "bouc-wen", "--set", "bouc-wen.beta=-0.05:0.05", "--runs", "2",
@@ -356,7 +356,7 @@ TEST_F(BadInput, parameter_sets_without_a_finite_force_are_counted_and_said) {
 }
 
 TEST_F(BadInput, a_law_without_any_finite_force_is_a_failed_law_not_a_failed_campaign) {
-  // This exponential overflows.
+  // With these fixed parameters an exponential of vaiana overflows for every parameter set.
   write("a.csv", csv(record()));
   auto const o = isolaw({"calibrate", "a.csv", "--laws", "vaiana,bilinear", "--set", "vaiana.beta1+=1", "--set",
                          "vaiana.beta2+=1e9", "--runs", "2", "--population", "8", "--generations", "2", "--out", "O"});
