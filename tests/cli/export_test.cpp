@@ -260,7 +260,7 @@ TEST_F(Export, of_vaiana_with_equal_branches_is_exact) {
   auto const hardening = Json::parse(exported("vaiana", "a", "json").out);
   EXPECT_EQ(hardening["fidelity"], "exact") << hardening["explanation"] << hardening["refused"];
   EXPECT_LT(hardening["forms"][0]["from_law"]["largest_percent_of_peak"], 1e-7);
-  // With hardening the law needs a Multiplier around one material, with softening two materials in Parallel.
+  // Hardening needs one Multiplier material in OpenSees, softening two materials in Parallel.
   double beta1 = 0.0;
   for (auto const& parameter : hardening["parameters"])
     if (parameter["name"] == "beta1+") beta1 = parameter["value"];

@@ -8,7 +8,7 @@
 namespace isolaw::cli_test {
 namespace {
 
-// A hash of the first seven digits of 128 objectives of every law with both integrations. It changes with the numbers
+// A hash of seven digits of 128 objectives of every law with both integrations. It changes with the numbers
 // of a law, its published box or the random draws. Whoever changes one of these on purpose replaces the hash.
 constexpr char const* signature = "24a88ca8388e7756";
 

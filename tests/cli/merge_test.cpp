@@ -289,7 +289,7 @@ TEST_F(Merge, that_starts_over_replaces_no_part_and_nothing_whole_by_less) {
   change(path("X/campaign.sqlite"), "UPDATE run SET evaluations = evaluations + 1");
   refused(isolaw(merge(all(), {"X", "--fresh"})), {"X/campaign.sqlite: run ", "is another one than"});
   EXPECT_EQ(isolaw({"merge", "P1"}).code, 2);
-  // A complete merge replaces any store: here the complete one, then empty and damaged ones.
+  // merge --fresh may replace a complete store if all parts are given. It may always replace an empty or damaged store.
   expect_message(isolaw(merge(all(), {"--fresh"})), 1, {"24 runs copied to O/campaign.sqlite"});
   EXPECT_TRUE(results_in(path("O")) == whole);
   for (auto const size : {std::size_t{0}, std::size_t{5000}}) {
@@ -553,7 +553,7 @@ TEST_F(PartScripts, merge_nothing_that_is_of_other_settings_or_records) {
     everything();
     EXPECT_TRUE(read(to + ".parts/2/campaign.sqlite") == bytes) << to;
     EXPECT_TRUE(results_in(path(to)) == whole) << to;
-    // The store of part 2 is cut off, within a page and at the end. merge must refuse it although its name is right.
+    // The store of part 2 is cut off in its middle or near its end. merge must refuse it although its name is right.
     for (auto const size : {bytes.size() / 2, bytes.size() - 100}) {
       write(to + ".parts/2/campaign.sqlite", std::string_view(bytes).substr(0, size));
       refused({"damaged"});

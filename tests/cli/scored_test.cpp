@@ -120,7 +120,7 @@ TEST_F(Scored, errors_in_properties_are_of_a_cycle_that_was_judged) {
   for (auto const& [block, error] : {std::pair{"2", 0.0}, {"1", -25.0}}) {
     auto const fit = calibrated({"--fit-blocks", block})["laws"][0]["devices"][0];
     EXPECT_NEAR(fit["K_eff_error_percent"].get<double>(), error, 1e-3) << block;
-    // The last sample of the cycle belongs to block 2, which has no disturbance, so the energy differs a little.
+    // The last cycle of block 1 ends with a sample of block 2, which is undisturbed, so the energy differs a little.
     EXPECT_NEAR(fit["energy_error_percent"].get<double>(), error, 0.2) << block;
   }
 }

@@ -16,7 +16,6 @@ class Settings : public InFreshDirectory {
     InFreshDirectory::SetUp();
     write("one.csv", csv(record()));
   }
-  // A campaign on one record. Options in `more` come last.
   Words command(Words const& more) const { return Words{"calibrate", "one.csv", "--out", "O", "--fresh"} + more; }
   Outcome run(Words const& more, std::string const& laws = "bilinear") {
     return isolaw(command(Words{"--laws", laws, "--runs", "2", "--population", "8", "--generations", "2"} + more));

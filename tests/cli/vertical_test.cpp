@@ -198,7 +198,7 @@ TEST_F(Vertical, that_was_changed_in_the_store_is_found_by_check) {
   EXPECT_EQ(isolaw({"check", "O"}).code, 0);
   auto const store = path("O/campaign.sqlite");
   auto const kept = query(store, "SELECT hex(\"values\") FROM series WHERE channel = 'vertical_load_kN'").front();
-  // First one sample of the load, which K_v does not depend on, is changed from 100 kN to 50 kN; then all samples are.
+  // First one sample of the load, which K_v does not depend on, is changed from 50 kN to 100 kN; then all samples are.
   execute(store, "UPDATE series SET \"values\" = x'" + std::string(12, '0') + "5940" + kept.substr(16) +
                      "' WHERE channel = 'vertical_load_kN'");
   auto const one = isolaw({"check", "O"});

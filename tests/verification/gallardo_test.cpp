@@ -159,7 +159,7 @@ TEST(Gallardo, StepsConvergeToIt) {
     for (std::size_t k = 0; k < errors.size(); ++k)
       errors[k] = largest_difference(stepwise(values, corners, std::array{200, 2000, 20000}[k]), limit) / peak;
     EXPECT_LT(errors[0], 3e-3) << describe<Gallardo>(values);
-    // The error falls in proportion to the step until only isolaw's own error, 1e-6, is left.
+    // The error falls in proportion to the step, down to 1e-6. That is the error of isolaw's curve between reversals and of phi, which the algorithm changes one step late.
     EXPECT_LT(errors[1], 0.15 * errors[0] + 1e-6) << describe<Gallardo>(values);
     EXPECT_LT(errors[2], 0.15 * errors[1] + 1e-6) << describe<Gallardo>(values);
   }
@@ -243,8 +243,7 @@ TEST(Gallardo, MirroredMotion) {
   }
 }
 
-// The force must be continuous: as the last step is halved, the change of the force over it tends to 0. On the first
-// motion away from 0 the change falls as C^pm, C the travel on the way back.
+// The force must be continuous: as the last step is halved, the change of the force over it tends to 0. On the first unloading, where the travel C on the way back starts at 0, the change falls as C^pm.
 TEST(Gallardo, Continuous) {
   std::vector<std::vector<double>> const histories{
       {0}, {0, 50}, {0, 50, 10}, {0, 50, -50, 0}, {0, 50, -30, 50}, {0, 20, 5, 20}, {0, 50, 40, 45}};

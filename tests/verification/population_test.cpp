@@ -242,7 +242,7 @@ TEST_P(PopulationRecovery, GivesMeanAndCovarianceBack) {
     Matrix const T = found.true_covariance + found.C;
     expect_within(found.mean, found.true_mean, T.diagonal() / devices, "mean");
     expect_within(found.covariance, found.true_covariance, variance_of_covariance(T), "covariance");
-    // The correlation is far from 0, so its error is not normal. Fisher's transform makes it so.
+    // The correlation is far from 0, so its error is skewed. After Fisher's transform it is nearly normal.
     EXPECT_NEAR(std::atanh(found.population.correlation[0][1]), std::atanh(correlation),
                 standard_errors / std::sqrt(freedom - 2.0));
 

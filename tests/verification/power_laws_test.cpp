@@ -169,7 +169,7 @@ std::vector<double> with_noise(std::vector<double> x, double deviation) {
   return x;
 }
 
-// A dead band of three standard deviations of the noise, here 0.1 % of the amplitude, changes the force little. The
+// The noise is 0.1 % of the amplitude. A dead band of three of its standard deviations changes the force little. The
 // mean change may be 0.5 % of the peak force; the largest seen is 0.31 %. It is largest after reversals, where branches
 // are steepest.
 TEST(PowerLaws, DeadBandKeepsThePath) {
