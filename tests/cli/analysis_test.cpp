@@ -267,7 +267,8 @@ TEST_F(Analysis, devices_are_drawn_from_the_lots_population) {
   EXPECT_EQ(count_of("\n", few.out), 6u);
   EXPECT_TRUE(many.out.starts_with(few.out)) << "a draw depends on its number alone";
   EXPECT_TRUE(contains(few.err, "5 devices of a population estimated from 3"));
-  // Both stiffnesses of a device have the same factor, so their ratio is equal in all devices, and in all drawn ones.
+  // In every device both stiffnesses have the same factor, so their ratio is the same in all devices. The drawn devices
+  // must keep this ratio.
   std::istringstream rows(many.out);
   std::string row;
   std::getline(rows, row);

@@ -11,7 +11,7 @@ namespace {
 constexpr double amplitude_mm = 100.0, frequency_Hz = 0.5, interval_s = 0.005, load_kN = 2000.0;
 constexpr double omega = 2.0 * std::numbers::pi * frequency_Hz;
 
-// What the rig adds to the device's force: a delay, friction, inertia of a moving mass, and a factor on the reading.
+// The rig may change the force: by a delay, by friction, by the inertia of a moving mass, and by a factor.
 struct Rig {
   double late_s = 0.0, friction_kN = 0.0, mass_kg = 0.0, factor = 1.0;
 };

@@ -149,7 +149,7 @@ TEST_F(Hostile, output_directories_are_made_as_deep_as_asked) {
   EXPECT_TRUE(exists("x/y z/O/report.html"));
 }
 
-// --- names --------------------------------------------------------------------------------------------------------
+// --- hostile names of devices and files ---------------------------------------------------------------------------
 
 TEST_F(Hostile, device_name_with_quotes_html_and_sql_is_kept_and_shown_as_text) {
   write("a.csv", csv(record()));
@@ -204,7 +204,7 @@ TEST_F(Hostile, init_of_a_name_no_lot_file_can_hold_is_refused) {
   EXPECT_FALSE(exists("lot.toml"));
 }
 
-// --- paths --------------------------------------------------------------------------------------------------------
+// --- paths outside the lot's folder -------------------------------------------------------------------------------
 
 TEST_F(Hostile, lot_file_cannot_read_outside_its_folder) {
   write("secret.csv", csv(record()));
@@ -251,7 +251,7 @@ TEST_F(Hostile, init_of_files_elsewhere_says_what_calibrate_will_need) {
   EXPECT_EQ(isolaw({"init", "data/a.csv"}).err, "");
 }
 
-// --- sizes and kinds ----------------------------------------------------------------------------------------------
+// --- huge files, special files and large counts -------------------------------------------------------------------
 
 TEST_F(Hostile, special_files_are_refused_at_once) {
   ASSERT_EQ(mkfifo(path("pipe.csv").c_str(), 0600), 0);

@@ -1,4 +1,4 @@
-// What lot.toml may contain. Every mistake in it must be reported with its line.
+// The keys of lot.toml, and mistakes in it, each of which must be reported with its line.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 #include "cli/store.hpp"

@@ -239,7 +239,7 @@ TEST_F(Parts, init_fills_the_keys_that_headers_say_and_writes_the_others_as_comm
   EXPECT_EQ(inspected({"lot.toml"})["devices"].size(), 5u);
 }
 
-// --- what a lot is called, and how it ends --------------------------------------------------------------------------
+// --- titles of lots, and exit codes -------------------------------------------------------------------------------
 
 TEST_F(Parts, several_files_are_called_by_their_folder_or_their_number) {
   for (auto const* name : {"lot-7/a.csv", "lot-7/b.csv", "other/c.csv"})

@@ -1,4 +1,4 @@
-// What the terminal says of verdicts, of design values and of inputs that are not what they seem.
+// The terminal's text on verdicts, on design values and on inputs that are not what they seem, such as copied records.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 

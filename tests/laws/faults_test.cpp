@@ -322,7 +322,7 @@ TEST_P(Faults, StepsOfAThousandYieldDisplacements) {
   }
 }
 
-// Length ----------------------------------------------------------------------------------------------------------
+// Very long records -----------------------------------------------------------------------------------------------
 
 // After thousands of equal cycles the last loop must equal the tenth within rounding. The second loop is compared with
 // a wider tolerance, because it still depends on the first loading of the device. This dependence was largest in abe,

@@ -40,8 +40,9 @@ inline std::optional<Powers> powers_of(std::string_view unit) {
   return powers;
 }
 
-// Some scales are defined at a fixed displacement, not at the device's own. Such a scale grows by an additional power
-// of length, which this function returns for the scale function `size`; it returns 0 for all others.
+// The automatic interval of a parameter is a multiple of a size of the device, which a function such as
+// laws::force_at_reference computes. If that size is taken at a fixed displacement, it grows by an additional power of
+// length. This function returns that power, and 0 for all other sizes.
 inline double at_reference(double (*size)(laws::RecordScales const&)) {
   std::map<double (*)(laws::RecordScales const&), double> const known{{laws::force_at_reference, -0.4},
                                                                       {laws::coefficient_at_reference<1>, -1.0},

@@ -51,7 +51,7 @@ TEST(ClosedForm, BilinearLoop) {
 // Forces of Eq. (1) with kinematic hardening on the first loading, on unloading and on reloading, on both sides of each
 // yield point.
 TEST(ClosedForm, BilinearBranches) {
-  auto const values = named<Bilinear>({{"K1", 2.0}, {"K2", 0.5}, {"xy", 10.0}});  // Qd = 15
+  auto const values = named<Bilinear>({{"K1", 2.0}, {"K2", 0.5}, {"xy", 10.0}});  // so the strength (K1 - K2) xy is 15
   Motion motion;
   motion.disp_mm = {0.0, 8.0, 10.0, 30.0, 20.0, 10.0, 0.0, -30.0, -15.0, -10.0, 0.0};
   motion.velocity_mm_s.assign(motion.disp_mm.size(), 0.0);

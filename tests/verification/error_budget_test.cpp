@@ -21,7 +21,7 @@ constexpr double f = 0.5;    // Hz
 // The force of a steady loop as a function of the phase of x = D sin(phase).
 using Loop = std::function<double(double)>;
 
-Loop ellipse(double K, double damping) {  // F = K (x + tan(phi) D cos), damping = tan(phi) / 2
+Loop ellipse(double K, double damping) {  // F = K (x + tan(phi) D cos(phase)), damping = tan(phi) / 2
   return [=](double phase) { return K * D * (std::sin(phase) + 2.0 * damping * std::cos(phase)); };
 }
 

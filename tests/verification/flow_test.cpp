@@ -241,8 +241,8 @@ TEST(SaturatingFlow, RatesAreThoseOfTheEquation) {
     for (double const u : {-20.0, -1.0, -0.3, -0.01, 0.01, 0.2, 0.8, 0.999, 1.2, 5.0, 40.0})
       for (double const t : {0.0, 0.02, 0.3, 2.0}) {
         auto const moved = flow.advance(u, t);
-        // The derivative of the table's polynomial is less exact than its value. Its error may be 1e-3 of 1 + |u|^n,
-        // which is the largest rate at this |u|.
+        // Where the flow comes from the table, its rate is less exact than its value. The error may be 1e-3 of 1 +
+        // |u|^n, the largest rate at this |u|.
         double const scale = 1e-3 * (1.0 + std::pow(std::abs(u), n));
         EXPECT_NEAR(moved.rate0, rate(n, u), scale) << "n " << n << ", from " << u;
         if (std::abs(moved.u) > 1e-5) {

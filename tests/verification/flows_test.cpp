@@ -276,7 +276,7 @@ TEST(Bwbn, CyclesDissipate) {
 TEST(Bwbn, IsContinuous) {
   Values<Bwbn> const bearing{0.15, 3.0, 1.0, 0.06, 0.02, 0.6, 0.25, 0.5, 2e-4, 3.0, 1e-4, 0.3, 2e-5, 1e-5};
   double const zu = std::pow(0.08, -1.0 / 0.6);
-  // Unloading is steepest at saturation, where its slope is 1 + |z|^n (beta - gamma).
+  // The law is steepest on unloading from saturation, where dz/dx = 1 + |z|^n (beta - gamma).
   expect_continuous<Bwbn>(bearing, [&](double d) { return 3.0 * (1.0 + 0.04 * std::pow(zu, 0.6)) * d; });
 }
 

@@ -159,7 +159,8 @@ TEST(Gallardo, StepsConvergeToIt) {
     for (std::size_t k = 0; k < errors.size(); ++k)
       errors[k] = largest_difference(stepwise(values, corners, std::array{200, 2000, 20000}[k]), limit) / peak;
     EXPECT_LT(errors[0], 3e-3) << describe<Gallardo>(values);
-    // The error falls in proportion to the step, down to 1e-6. That is the error of isolaw's curve between reversals and of phi, which the algorithm changes one step late.
+    // The error falls in proportion to the step, down to 1e-6. That is the error of isolaw's curve between reversals
+    // and of phi, which the algorithm changes one step late.
     EXPECT_LT(errors[1], 0.15 * errors[0] + 1e-6) << describe<Gallardo>(values);
     EXPECT_LT(errors[2], 0.15 * errors[1] + 1e-6) << describe<Gallardo>(values);
   }
@@ -222,9 +223,10 @@ TEST(Gallardo, FirstSample) {
   }
 }
 
-// The law measures turns on both sides from +uy; in everything else it is odd. Without hardening (phimax = 0) it must
-// be odd to the last bit. With hardening, mirrored turns are up to two yield displacements nearer or farther. phi then
-// differs by at most 2 pphi phimax, and the strength by this times the derivative of (1 - 2 phi)^(-1/n).
+// The law measures the distance of a turning point on either side from +uy; in everything else it is odd. Without
+// hardening (phimax = 0) it must be odd to the last bit. With hardening, mirrored turns are up to two yield
+// displacements nearer or farther. phi then differs by at most 2 pphi phimax, and the strength by this times the
+// derivative of (1 - 2 phi)^(-1/n).
 TEST(Gallardo, MirroredMotion) {
   for (std::uint32_t i = 0; i < 50; ++i) {
     auto values = scaled_candidate<Gallardo>(i);
@@ -243,7 +245,8 @@ TEST(Gallardo, MirroredMotion) {
   }
 }
 
-// The force must be continuous: as the last step is halved, the change of the force over it tends to 0. On the first unloading, where the travel C on the way back starts at 0, the change falls as C^pm.
+// The force must be continuous: as the last step is halved, the change of the force over it tends to 0. On the first
+// unloading, where the travel C on the way back starts at 0, the change falls as C^pm.
 TEST(Gallardo, Continuous) {
   std::vector<std::vector<double>> const histories{
       {0}, {0, 50}, {0, 50, 10}, {0, 50, -50, 0}, {0, 50, -30, 50}, {0, 20, 5, 20}, {0, 50, 40, 45}};

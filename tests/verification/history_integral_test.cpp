@@ -38,7 +38,8 @@ TEST(HistoryIntegral, TwoTerms) {
     }
 }
 
-// In a stationary cycle of amplitude A a term has q = tanh(A/D) at the peak and dissipates 4 S (A - D tanh(A/D)).
+// In a stationary cycle of amplitude A, a term (S, D) has q = tanh(A/D) at the peak and dissipates 4 S (A - D
+// tanh(A/D)).
 TEST(HistoryIntegral, StationaryCycle) {
   constexpr int steps = 20000;
   auto const x = through({0, 100, -100, 100, -100, 100, -100, 100, -100, 100, -100, 100}, steps);

@@ -4,7 +4,7 @@
 // step per sample, which this file computes from the printed equations. No expected value is our own past output.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>  // mkdtemp
+#include <stdlib.h>  // for mkdtemp
 
 #include <algorithm>
 #include <cmath>

@@ -128,7 +128,8 @@ TEST(KikuchiAiken, SecondBranchOfTheStiffness) {
 
 Values<KikuchiAiken> const rubber{60, 0.4, 0.22, -2e-4, 0.42, -4e-4, 0.02, 30, 0, 10.19171, 5};
 Values<KikuchiAiken> const overshooting{60, 0.4, 0.22, 0, 0.38, -1e-3, 0.02, 30, 0, 10.19171, 5};
-// Here a is 1.36, so small that the published branch would miss the peak by 13 % of the hysteretic force.
+// With these values the exponent a is 1.36, so small that the published branch would miss the peak by 13 % of the
+// hysteretic force.
 Values<KikuchiAiken> const far_off{60, 0.4, 0.1, 0, 0.5, 0, 0, 30, 0, 10.19171, 5};
 
 // A small loop of unloading and reloading that closes must not change later forces, except by rounding.

@@ -49,7 +49,7 @@ Oracle bouc_wen(Values<laws::BoucWen> const& values, std::vector<double> const& 
   Oracle force;
   for (std::size_t i = 0; i < x.size(); ++i) {
     double const dx = i == 0 ? 0.0 : x[i] - x[i - 1], direction = dx < 0.0 ? -1.0 : 1.0;
-    // z' = A x' - beta |x'| z |z|^(n-1) - gamma x' |z|^n
+    // The equation is z' = A x' - beta |x'| z |z|^(n-1) - gamma x' |z|^n, with the travel as the variable.
     auto const slope = [&, A = A, beta = beta, n = n, gamma = gamma](double, double now) {
       double const power = std::pow(std::abs(now), n), sign = now < 0.0 ? -1.0 : 1.0;
       return A * direction - beta * sign * power - gamma * direction * power;

@@ -87,7 +87,7 @@ TEST(PowerLaws, RambergOsgood) {
     EXPECT_NEAR(found[2 * steps] / Fy, at_zero, 1e-12);
     double energy = 0.0;
     for (std::size_t i = steps; i + 1 < x.size(); ++i) energy += 0.5 * (found[i] + found[i + 1]) * (x[i + 1] - x[i]);
-    // The energy is integrated by the trapezoidal rule in steps of a twenty-thousandth of the amplitude.
+    // The tolerance covers the trapezoidal rule, whose steps are a twenty-thousandth of the amplitude.
     EXPECT_NEAR(energy, 4.0 * xy * Fy * std::pow(force, 6.0) * 4.0 / 6.0, 1e-7 * D * Fy);
   }
 }
@@ -100,7 +100,7 @@ TEST(PowerLaws, ScraggingIsContinuousInItsExponent) {
   auto const middle = at(1.0);
   for (double const d : {1e-12, 1e-6, 1e-4, 2e-3, 1e-2})
     for (double const h : {1.0 - d, 1.0 + d})
-      // Here the derivative of the force by h is 17 kN.
+      // Near h = 1 the force changes by up to 17 kN per unit of h.
       EXPECT_LT(largest_difference(at(h), middle), 20.0 * d + 1e-11) << h;
 }
 
