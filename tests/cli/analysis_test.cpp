@@ -246,7 +246,7 @@ TEST_F(Analysis, exports_say_what_is_known_against_the_law) {
   EXPECT_TRUE(contains(simulated.out, "# warning: Bilinear: K1 at its upper bound on a"));
 }
 
-// The paper's genetic algorithm stops above the least objective. The analysis finds the least.
+// The genetic algorithm of Cucuzza et al. 2025 stops above the least objective. The analysis finds the least.
 TEST_F(Analysis, of_the_genetic_algorithm_compares_with_the_least_objective) {
   auto const o = isolaw(campaign("O", {"--method", "ga", "--population", "10", "--generations", "5"}));
   ASSERT_EQ(o.code, 0) << o;

@@ -325,7 +325,8 @@ TEST_F(Overflow, of_parameters_that_are_all_fixed) {
                            "hwang-wu.a9=-1e-7", "--set", "hwang-wu.a10=-7.1e-7"}));
 }
 
-// The paper's integration always takes one step per sample, so the result is kept, with a warning.
+// --method best searches again in finer steps if the steps matter; --method ga does not. Its result is kept, with a
+// warning.
 TEST_F(Overflow, is_warned_of_where_the_steps_are_given) {
   auto const o = isolaw(overflowing({"--method", "ga", "--population", "40", "--generations", "20"}));
   ASSERT_EQ(o.code, 0) << o;

@@ -129,7 +129,7 @@ TEST_F(Example, inspect_as_json_agrees_between_dialects) {
       EXPECT_EQ(cycle["number"], ++number);
       EXPECT_EQ(cycle["counts"], true);
       // The records have an amplitude of 208 mm with a tremor of 0.1 mm and noise of 0.02 mm. Stiffness and damping are
-      // those of the paper's devices.
+      // those of the devices of Cucuzza et al. 2025.
       EXPECT_NEAR(cycle["amplitude_mm"].get<double>(), 208.0, 0.3);
       EXPECT_GT(cycle["K_eff_kN_per_mm"].get<double>(), 0.5);
       EXPECT_LT(cycle["K_eff_kN_per_mm"].get<double>(), 0.8);

@@ -1,5 +1,5 @@
-// The list of laws in the program, and the seven laws of the paper with the parameters and units that docs/laws.md
-// states. Users' scripts may rely on them.
+// The list of laws in the program, and the seven laws of Cucuzza et al. 2025 with the parameters and units that
+// docs/laws.md states. Users' scripts may rely on them.
 #pragma once
 
 #include <array>

@@ -55,7 +55,7 @@ inline std::vector<std::string> query(std::filesystem::path const& file, std::st
   return rows;
 }
 
-// Every row of every table, sorted. No table has times, so two equal campaigns have equal rows.
+// Every row of every table, sorted. Nothing in the store depends on the clock, so two equal campaigns have equal rows.
 inline std::vector<std::string> all_rows(std::filesystem::path const& file) {
   std::vector<std::string> rows;
   for (auto const& table : query(file, "SELECT name FROM sqlite_master WHERE type = 'table'"))

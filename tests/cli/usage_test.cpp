@@ -286,12 +286,12 @@ TEST_F(Catalogue, lists_rule_sets_as_json_in_the_order_of_the_list) {
 }
 
 TEST_F(Catalogue, knows_the_published_boxes) {
-  // The search box of law 1 in Table 4 of the paper.
+  // The search box of law 1 in Table 4 of Cucuzza et al. 2025.
   auto const bilinear = Json::parse(isolaw({"laws", "bilinear", "--json"}).out)["parameters"];
   EXPECT_EQ(bilinear[0]["published"], Json({1.0, 1.9}));
   EXPECT_EQ(bilinear[1]["published"], Json({0.35, 0.95}));
   EXPECT_EQ(bilinear[2]["published"], Json({30.0, 80.0}));
-  // The paper does not calibrate vaiana's sigmoid, so its parameters are fixed at zero and have no published interval.
+  // That paper does not calibrate vaiana's sigmoid, so its parameters are fixed at zero and have no published interval.
   auto const vaiana = Json::parse(isolaw({"laws", "vaiana", "--json"}).out);
   for (auto const& parameter : vaiana["parameters"]) {
     bool const sigmoid = parameter["name"].get<std::string>().starts_with("gamma");

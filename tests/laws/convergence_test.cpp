@@ -136,7 +136,7 @@ TYPED_TEST(Convergence, TheSamplingOfALaboratoryIsEnough) {
   }
 }
 
-// The converged and the paper's integration share only parts of the right-hand side. The reference is the paper's
+// The integrations `converged` and `paper` share only parts of the right-hand side. The reference is `paper`,
 // Runge-Kutta with 200 steps per sample. Where the slope jumps (F2 = 0, small n), the reference itself errs by up to
 // 1e-4 of the peak force. The converged integration of abe, with one step per sample, errs by 4e-4 on this path, which
 // reverses at almost every sample.

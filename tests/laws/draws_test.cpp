@@ -73,7 +73,8 @@ Count draw(laws::LawEntry const& law, Box const& in, Integration integration) {
     if (!std::isfinite(objective) && objective != infinity) complain("neither a number nor +infinity");
     if (!finite && objective != infinity) complain("a force is not finite, and the objective does not say so");
     if (refused && objective != infinity) complain("an inadmissible candidate is not flagged");
-    // The paper's integration takes one explicit Runge-Kutta step per sample, which may overflow for any parameter set.
+    // The integration of Cucuzza et al. 2025 takes one explicit Runge-Kutta step per sample, which may overflow for any
+    // parameter set.
     if (integration == Integration::converged && !finite && !refused && !may_run_away(law, candidate, peak_mm))
       complain("a force is not finite for no known reason");
     if (::testing::Test::HasFailure()) break;

@@ -97,7 +97,7 @@ Motion some_motion() {
 }
 
 // An explicit Runge-Kutta step that is too long makes rounding errors grow with every step. One step per sample of
-// some_motion() is too long for bouc-wen, so tests of the paper's integration divide the steps by this factor.
+// some_motion() is too long for bouc-wen, so tests with Integration::paper divide the steps by this factor.
 constexpr int stable = 4;
 
 TYPED_TEST(Routes, ALaneIsAScalar) {

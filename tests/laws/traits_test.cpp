@@ -101,8 +101,8 @@ TEST(TraitsOfVaiana, MirroredWithItsBranchesExchanged) {
 }
 
 // A law without a differential equation gives the same force with both integrations and any refinement. A law with a
-// differential equation is integrated in steps, by the paper's Runge-Kutta or by its own method, so its force changes
-// with the refinement.
+// differential equation is integrated in steps, by the Runge-Kutta of Cucuzza et al. 2025 or by its own method, so its
+// force changes with the refinement.
 TYPED_TEST(Traits, IntegrationMattersToPathIntegratedLawsOnly) {
   auto const motion = slower_motion();
   auto const values = candidate<TypeParam>(1);

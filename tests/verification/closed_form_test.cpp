@@ -242,7 +242,8 @@ void elastic_parts_alone() {
       } else {
         values[index_of<Law>("K1")] = values[index_of<Law>("a")] = 0.0;
       }
-      // A sampling interval of 10 mm is long beside U0 = 4 mm, so the paper's Runge-Kutta steps are refined 20 times.
+      // A sampling interval of 10 mm is long beside U0 = 4 mm, so the Runge-Kutta steps of Integration::paper are
+      // refined 20 times.
       auto const force = forces<Law>(values, motion, integration == Integration::paper ? 20 : 1, integration);
       double peak = 0.0;
       for (std::size_t i = 0; i < motion.size(); ++i) {

@@ -102,7 +102,6 @@ TEST(PlaneLaws, circles_of_the_core) {
   for (auto const& e : {Expected{0.5, 0.863114152, 25.566417}, Expected{1.0, 0.958629357, 13.866317},
                         Expected{2.0, 0.989058189, 7.101778}}) {
     auto const got = circle<laws::plane::AbeY0>(abe(0.7, 0.25), e.radius);
-    // The law's own error is 1e-7 of the strength.
     EXPECT_NEAR(got.size, e.size, 2e-9) << e.radius;
     EXPECT_NEAR(got.lag, e.lag, 1e-6) << e.radius;
   }

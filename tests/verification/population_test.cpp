@@ -170,7 +170,7 @@ Matrix matrix(SquareMatrix const& rows) {
 struct Recovered {
   Vector true_mean, drawn_mean, mean;
   Matrix true_covariance, drawn_covariance;
-  // the population's; that of the estimates, S; the mean over the devices of that of the fit's errors, C
+  // S is the covariance of the estimates, C the mean covariance of the fits' errors, `covariance` the population's.
   Matrix covariance, S, C;
   Population population;
 };

@@ -66,8 +66,8 @@ TEST(TableA5, RobustnessIndices) {
   }
 }
 
-// Section 7 of the paper says "about 30 %" for law 2, and "about 22 %" at an objective of 9 % for law 3. We read
-// "about" as within half a percent.
+// Section 7 of Cucuzza et al. 2025 says "about 30 %" for law 2, and "about 22 %" at an objective of 9 % for law 3. We
+// read "about" as within half a percent.
 TEST(TableA5, AgreesWithThePapersText) {
   EXPECT_NEAR(*robustness(laws[1]).beta, 0.30, 0.005);
   EXPECT_NEAR(*robustness(laws[2]).beta, 0.22, 0.005);
