@@ -1,4 +1,5 @@
-// Tests checked against a rule set by inspect, calibrate and report: verdicts, exit codes, and what a store keeps.
+// inspect, calibrate and report check tests against a rule set. These tests compare the verdicts and exit codes, and
+// what the store keeps of the rules.
 #include <regex>
 
 #include "cli/loops.hpp"
@@ -25,7 +26,8 @@ class Acceptance : public InFreshDirectory {
   }
   Outcome inspect(Words const& more) { return isolaw(Words{"inspect", "lot"} + more); }
   Outcome calibrate(Words const& more) { return isolaw(Words{"calibrate", "lot", "--out", "O"} + search + more); }
-  // A contract's rule set: K_eff within 5 % of the design.
+  // A rule set as a contract may have it: K_eff within 5 % of the design value. An empty `verified_by` means that
+  // nobody verified the set.
   std::string contract(std::string const& verified_by = "the test") const {
     return fmt::format(
         "id = \"contract\"\ntitle = \"Contract 7\"\nedition = \"1\"\nsource = \"the contract\"\nverified_by = \"{}\"\n"
@@ -48,7 +50,7 @@ TEST_F(Acceptance, ntc_passes_what_is_within_its_limits) {
     auto const& device = found["devices"][static_cast<std::size_t>(d - 1)];
     auto const samples = record({.stiffness_kN_per_mm = 0.48 + 0.01 * d});
     auto const loop = loop_of(samples, 400, 600);
-    // K_e = F/d and xi_e = E/(2 pi F d) for each side of the third cycle.
+    // NTC computes stiffness and damping per side of the third cycle: K_e = F/d and xi_e = E/(2 pi F d).
     double const K = loop.F_plus / loop.d_plus;
     double const xi = 100.0 * loop.energy / (2.0 * std::numbers::pi * loop.F_minus * loop.d_minus);
     auto const& stiffness = device["assessments"][0];
@@ -64,7 +66,7 @@ TEST_F(Acceptance, ntc_passes_what_is_within_its_limits) {
     EXPECT_EQ(damping["clause"], "Table 11.9.IV, xi_e, supply");
   }
   auto const& lot = found["assessment"]["lot"];
-  EXPECT_EQ(lot["required"], 4);  // a fifth of 20
+  EXPECT_EQ(lot["required"], 4);  // a fifth of the lot of 20
   EXPECT_EQ(lot["sample"]["verdict"], "pass");
   EXPECT_EQ(lot["mean_analysis"]["permitted"], true);
   EXPECT_EQ(found["assessment"]["rule_set"]["id"], "ntc-2018");
@@ -74,18 +76,18 @@ TEST_F(Acceptance, a_verified_limit_that_is_not_kept_ends_with_1) {
   auto const o = inspect(Words{"--json"} + not_held);
   EXPECT_EQ(o.code, 1) << o;
   auto const found = Json::parse(o.out);
-  EXPECT_EQ(found["devices"][0]["assessments"][0]["verdict"], "fail");  // 0.69 is 31 % below
+  EXPECT_EQ(found["devices"][0]["assessments"][0]["verdict"], "fail");  // 0.69 is 31 % below the design value 1.0
   EXPECT_EQ(found["devices"][0]["assessments"][2]["verdict"], "pass");
   auto const text = inspect(not_held);
   EXPECT_EQ(text.code, 1);
-  EXPECT_EQ(count_of("  fail: K_eff -", text.out), 4u) << text;  // each line gives the deviation
+  EXPECT_EQ(count_of("  fail: K_eff -", text.out), 4u) << text;
 }
 
 TEST_F(Acceptance, a_sample_too_small_fails_and_is_shown_also_for_one_device) {
   auto const size = [](std::string const& n) {
     return Words{"--rules", "ntc-2018", "--design", "K_eff=0.7,damping=16.4,disp=100,frequency=0.5", "--lot-size", n};
   };
-  auto const o = inspect(size("21"));  // a fifth of 21 is more than four
+  auto const o = inspect(size("21"));  // a fifth of 21 is 4.2, and only 4 devices were tested
   EXPECT_EQ(o.code, 1) << o;
   EXPECT_TRUE(contains(o.out, "fail          sample size                4 devices, limit 5 or more of 21")) << o;
   auto const one = isolaw(Words{"inspect", "lot/D1.csv"} + size("20"));
@@ -101,7 +103,7 @@ TEST_F(Acceptance, without_design_values_or_lot_size_nothing_is_judged) {
 }
 
 TEST_F(Acceptance, other_conditions_than_the_sets_leave_it_open) {
-  // NTC requires tests at 0.5 Hz; this one runs at 0.25 Hz.
+  // NTC requires tests at 0.5 Hz. This record has 0.25 Hz.
   write("slow.csv", csv(record({.interval_s = 0.02})));
   auto const o = isolaw(Words{"inspect", "slow.csv", "--json", "--rules", "ntc-2018", "--design"} +
                         Words{"K_eff=1.0,damping=16.4,disp=100", "--lot-size", "1"});
@@ -136,8 +138,8 @@ TEST_F(Acceptance, calibrate_and_report_judge_alike) {
   EXPECT_EQ(read("P/summary.json"), read("O/summary.json"));
 }
 
-// A rule set that nobody verified gives no verdict in text, JSON, tables or on the page, even if design values are far
-// from the measured ones.
+// A rule set that nobody verified must not say pass or fail in text, JSON, tables or on the page. One of the two
+// designs is near the measured values, the other far from them.
 TEST_F(Acceptance, a_set_that_nobody_verified_never_says_pass_or_fail) {
   auto const no_verdict = [](std::string const& set, Json const& json) {
     auto const verdicts = verdicts_of(json);
@@ -171,7 +173,7 @@ TEST_F(Acceptance, a_set_that_nobody_verified_never_says_pass_or_fail) {
       EXPECT_TRUE(found["assessment"]["lot"]["mean_analysis"]["permitted"].is_null()) << set;
     }
   }
-  write("signed.toml", contract());  // a verified set gives verdicts, and the search finds them
+  write("signed.toml", contract());  // shows that the search for words finds them in the output of a verified set
   auto const verified = inspect({"--rules", "signed.toml", "--design", "K_eff=9"});
   EXPECT_EQ(verified.code, 1);
   EXPECT_TRUE(std::regex_search(verified.out, words)) << verified;
@@ -181,7 +183,7 @@ TEST_F(Acceptance, the_lot_file_holds_it_and_the_command_line_overrides_it) {
   write("lot/contract.toml", contract());
   write("lot/lot.toml", lot_text("[acceptance]\nrules = \"contract.toml\"\nlot-size = 12\ndesign = { K_eff = 0.7 }\n"));
   auto const o = isolaw({"inspect", "lot/lot.toml", "--json"});
-  EXPECT_EQ(o.code, 0) << o;  // 0.69 to 0.72
+  EXPECT_EQ(o.code, 0) << o;  // the devices have 0.69 to 0.72 kN/mm
   auto const found = Json::parse(o.out);
   EXPECT_EQ(found["assessment"]["rule_set"]["title"], "Contract 7");
   EXPECT_EQ(found["assessment"]["lot"]["size"], 12);
@@ -192,7 +194,7 @@ TEST_F(Acceptance, the_lot_file_holds_it_and_the_command_line_overrides_it) {
   auto const changed = Json::parse(other.out);
   EXPECT_EQ(changed["assessment"]["rule_set"]["id"], "contract");
   EXPECT_EQ(changed["assessment"]["lot"]["size"], 9);
-  EXPECT_EQ(changed["devices"][0]["assessments"][0]["verdict"], "fail");  // 8 % below
+  EXPECT_EQ(changed["devices"][0]["assessments"][0]["verdict"], "fail");  // 0.69 is 8 % below 0.75
   auto const set = isolaw({"inspect", "lot/lot.toml", "--json", "--rules", "ntc-2018"});
   EXPECT_EQ(Json::parse(set.out)["assessment"]["rule_set"]["id"], "ntc-2018");
 }
@@ -210,7 +212,7 @@ TEST_F(Acceptance, a_lot_file_names_no_rules_outside_its_folder) {
   fs::create_symlink("../contract.toml", path("lot/link.toml"));
   write("lot/lot.toml", lot_text("[acceptance]\nrules = \"link.toml\"\n"));
   expect_refused(isolaw({"inspect", "lot/lot.toml"}), {"'link.toml' leads outside"});
-  // A rule set named on the command line may lie in any folder.
+  // Unlike a lot file, the command line may name a rule set in any folder.
   write("lot/lot.toml", lot_text(""));
   EXPECT_EQ(isolaw({"inspect", "lot/lot.toml", "--rules", "contract.toml", "--design", "K_eff=0.7"}).code, 0);
 }
@@ -263,7 +265,7 @@ TEST_F(Stored, a_campaign_continues_under_other_rules_without_another_search) {
   EXPECT_EQ(meta("design"), "");
   EXPECT_EQ(cell(cells_of(read("O/tables/lot.csv")), 1, "lot size"), "30");
 
-  auto const none = calibrate({});  // the campaign loses its rules, and a message says so
+  auto const none = calibrate({});  // without --rules the campaign loses its rules
   expect_message(none, 0,
                  {"the tests are no longer checked against rule set en-15129; --rules en-15129 checks them again"});
   EXPECT_EQ(runs(), before);
@@ -284,10 +286,10 @@ TEST_F(Stored, a_report_by_other_rules_leaves_the_store_alone) {
   EXPECT_EQ(cell(cells_of(read("elsewhere/tables/tests.csv")), 1, "verdict"), "fail");
   EXPECT_EQ(isolaw({"check", "O"}).code, 0);
 
-  // This design value differs from the stored one; the rules and the lot size are still taken from the store.
+  // Only the design value is given. The report takes the rules and the lot size from the store.
   EXPECT_EQ(isolaw({"report", "O", "--design", "K_eff=1.0,disp=100"}).code, 1);
   EXPECT_EQ(cell(cells_of(read("O/tables/lot.csv")), 1, "lot size"), "20");
-  auto const check = isolaw({"check", "O"});  // reports in this folder state the rules they were made with
+  auto const check = isolaw({"check", "O"});  // check knows from the files in O that they were written with other rules
   EXPECT_EQ(check.code, 0) << check;
   EXPECT_TRUE(contains(check.out, "written with other rules, design values or lot size than the store holds"));
   EXPECT_EQ(isolaw({"report", "O"}).code, 0);
@@ -303,7 +305,7 @@ TEST_F(Stored, a_rule_file_is_kept_with_its_text) {
   fs::remove(path("contract.toml"));
   EXPECT_EQ(isolaw({"report", "O"}).code, 0);
   EXPECT_EQ(read("O/tables/tests.csv"), tests);
-  // A file of the same name with other limits is another rule set; the campaign continues with it.
+  // A file of the same name with other limits is another rule set. The campaign continues with the new limits.
   auto narrow = contract();
   narrow.replace(narrow.find("within_percent = 5"), 18, "within_percent = 1");
   write("contract.toml", narrow);

@@ -1,4 +1,4 @@
-// simulate, the exported C++ header and the exported table give the same forces, step by step along one path.
+// simulate, the exported C++ header and the exported table must give the same force at every step of one path.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -54,7 +54,7 @@ void expect_alike(std::vector<double> const& a, std::vector<double> const& b, do
 
 class Agreement : public InFreshDirectory {
  protected:
-  // Records of two devices with a rounded corner, 60 samples a cycle.
+  // Records one device, a bilinear loop with a rounded corner: one cycle at 60 mm and two at 100 mm, 60 samples each.
   void SetUp() override {
     InFreshDirectory::SetUp();
     std::string text = "time [s],disp [mm],force [kN]\n";
@@ -66,7 +66,7 @@ class Agreement : public InFreshDirectory {
       text += fmt::format("{:.4f},{:.5f},{:.5f}\n", i / 30.0, x, 0.4 * x + std::clamp(z, -20.0, 20.0));
     }
     write("a.csv", text);
-    // An irregular path from rest, with turns of every size. The tests contained no such path.
+    // An irregular motion from rest with turns of every size, unlike the test above.
     text = "time [s],disp [mm]\n";
     for (int i = 0; i <= 400; ++i) {
       double const t = 0.02 * i;
@@ -105,8 +105,8 @@ TEST_F(Agreement, simulate_header_and_table_of_every_law_agree_at_every_step) {
       return walk_of(output.out);
     };
     cases.push_back({law, walk_of(read(law + ".csv")), simulated("motion.csv")});
-    // Simulates along the table's own path. Laws that depend on velocity are left out, since simulate takes velocities
-    // from the slope of the path.
+    // Runs simulate along the path in the exported table. Laws that depend on velocity are left out, because simulate
+    // computes velocities from the path and the table has its own.
     if (entry.info.traits.rate_independent)
       expect_alike(simulated(law + ".csv").force_kN, cases.back().table.force_kN, 1e-8, "simulate against the table");
     std::string space = "isolaw_" + law + "_a";
@@ -144,7 +144,7 @@ int main(int, char** argv) {
       for (double f = 0.0; values >> f;) force.push_back(f);
       return force;
     };
-    // The table has ten digits of displacement and force.
+    // The table gives displacement and force with ten digits, which limits the agreement.
     expect_alike(header(c.simulated), c.simulated.force_kN, tolerance, "header against simulate");
     expect_alike(header(c.table), c.table.force_kN, 1e-7 + tolerance, "header against the table");
   }

@@ -1,4 +1,4 @@
-// Campaigns with analyses: what the user sees, finds in the files and can do next.
+// Campaigns with analyses: what the terminal and the files say, and what the user can do next.
 #include <sqlite3.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace isolaw::cli_test {
 namespace {
 
-// A bilinear device with a little third harmonic: blocks of three cycles at 50 and at 100 mm, 60 samples a cycle.
+// A bilinear loop with a little third harmonic: three cycles at 50 mm and three at 100 mm, 60 samples a cycle.
 std::string two_blocks(double stiffness) {
   std::string text = "time [s],disp [mm],force [kN]\n";
   double hysteretic = 0.0, before = 0.0;
@@ -56,8 +56,8 @@ TEST_F(Analysis, tells_what_tests_determine_and_what_an_engineer_meets) {
     EXPECT_EQ(law["success_share"], 1.0);
     EXPECT_EQ(law["success_reference"], "best of this campaign");
     EXPECT_GT(law["beta_converged"], 0.0);
-    // The devices differ by 5 %. A law predicted from the other devices fits a device worse than the device's own fit;
-    // one law fitted to all devices lies between.
+    // The devices differ by 5 %, so a law predicted from the other devices fits a device worse than that device's own
+    // law. One law for all devices lies between these two.
     EXPECT_GT(law["loo_objective"], law["objective_converged"]);
     EXPECT_GT(law["lot"]["mean_objective"], law["objective_converged"]);
     EXPECT_GE(law["loo_objective"], law["lot"]["mean_objective"]);
@@ -93,7 +93,6 @@ TEST_F(Analysis, number_of_threads_changes_nothing) {
   EXPECT_EQ(all_rows(path("O/campaign.sqlite")), all_rows(path("P/campaign.sqlite")));
 }
 
-// The campaign is stopped in the middle of the analyses.
 TEST_F(Analysis, interrupted_ones_continue_and_end_as_if_never_stopped) {
   auto const analyses = [&] { return stored_rows(path("O/campaign.sqlite"), "device_analysis"); };
   auto process = start(campaign("O", {"--jobs", "1"}));
@@ -159,11 +158,11 @@ TEST_F(Analysis, what_one_block_was_fitted_to_predicts_the_other) {
     EXPECT_EQ(blocks[0]["fitted"], true);
     EXPECT_EQ(blocks[1]["fitted"], false);
   }
-  // The device that made the record is elastic-plastic, so the law also holds at the other amplitude.
+  // The record comes from an elastic-plastic device, so the bilinear law also holds in the block that was not fitted.
   EXPECT_LT(summary["laws"][0]["predicted_objective"], 0.1);
   EXPECT_EQ(summary["laws"][0]["prediction_collapses"], false);
   EXPECT_TRUE(contains(read("O/tables/prediction.csv"), "bilinear,a,\"block 2, predicted\",the device itself,"));
-  // Every export gives its user this result too.
+  // Every export states how well the law predicted the block that was not fitted.
   for (auto const* target : {"opensees", "cpp", "opensees-cpp", "abaqus", "sheet", "csv"}) {
     auto const text = isolaw({"export", "O", "--law", "bilinear", "--device", "a", "--to", target}).out;
     for (auto const* part : {"block 1 of the tests alone", "Displacement fitted", "up to 50 mm", "Displacement tested",
@@ -174,7 +173,8 @@ TEST_F(Analysis, what_one_block_was_fitted_to_predicts_the_other) {
   EXPECT_EQ(form["fitted"]["part"], "block 1");
   EXPECT_EQ(form["fitted"]["disp_mm"], 50.0);
   EXPECT_EQ(form["tested"]["disp_mm"], 100.0);
-  // `fitted`: the samples that the law was fitted to; `tested`: all samples. simulate compares a motion with both.
+  // `fitted` describes the samples that the law was fitted to, `tested` all samples. simulate compares a motion with
+  // both.
   auto const speed = [](double amplitude_mm) { return amplitude_mm * std::numbers::pi; };
   EXPECT_NEAR(form["fitted"]["velocity_mm_s"].get<double>(), speed(50.0), 0.05 * speed(50.0));
   EXPECT_NEAR(form["tested"]["velocity_mm_s"].get<double>(), speed(100.0), 0.05 * speed(100.0));
@@ -194,7 +194,7 @@ TEST_F(Analysis, what_one_block_was_fitted_to_predicts_the_other) {
                  {"no block of the record is among them", "block 2: cycles 1 to 3"});
 }
 
-// hwang-wu fits the smaller block but fails beyond it. Exports refuse the law unless --anyway is given.
+// hwang-wu fits the block at 50 mm but fails at 100 mm. Exports refuse such a law unless the user adds --anyway.
 TEST_F(Analysis, a_law_that_cannot_predict_is_refused_unless_asked_for_anyway) {
   auto const o = isolaw({"calibrate", "a.csv", "--laws", "bilinear,hwang-wu", "--runs", "1", "--analysis", "none",
                          "--fit-blocks", "1", "--out", "O"});
@@ -219,7 +219,7 @@ TEST_F(Analysis, a_law_that_cannot_predict_is_refused_unless_asked_for_anyway) {
         << anyway.err;
     EXPECT_TRUE(contains(anyway.out, "its prediction is unusable: ")) << anyway.out;
   }
-  // The nearest material is also far off at the amplitude that was not fitted.
+  // OpenSees has no hwang-wu, so the export fits the nearest material, which is also far off at 100 mm.
   auto const script = isolaw(commands[0] + Words{"--anyway"});
   EXPECT_TRUE(contains(script.err, "taken because of --anyway, although uniaxialMaterial BoucWen"));
   EXPECT_TRUE(contains(script.err, ", the nearest there is, is far off: largest "));
@@ -230,7 +230,7 @@ TEST_F(Analysis, a_law_that_cannot_predict_is_refused_unless_asked_for_anyway) {
   EXPECT_TRUE(form["objection"].get<std::string>().starts_with("its prediction is unusable"));
 }
 
-// Exports state what the campaign lacks and what its search left doubtful.
+// Exports state what the campaign lacks and what is doubtful in the result; here K1 ends at a bound of its box.
 TEST_F(Analysis, exports_say_what_is_known_against_the_law) {
   auto const o = isolaw({"calibrate", "a.csv", "--laws", "bilinear", "--runs", "2", "--analysis", "full",
                          "--replicates", "0", "--set", "bilinear.K1=0.1:1", "--out", "O"});
@@ -246,7 +246,7 @@ TEST_F(Analysis, exports_say_what_is_known_against_the_law) {
   EXPECT_TRUE(contains(simulated.out, "# warning: Bilinear: K1 at its upper bound on a"));
 }
 
-// The genetic algorithm of the paper ends above the least objective. The analysis finds the least.
+// The genetic algorithm of Cucuzza et al. 2025 stops above the least objective. The analysis finds the least.
 TEST_F(Analysis, of_the_genetic_algorithm_compares_with_the_least_objective) {
   auto const o = isolaw(campaign("O", {"--method", "ga", "--population", "10", "--generations", "5"}));
   ASSERT_EQ(o.code, 0) << o;
@@ -267,7 +267,8 @@ TEST_F(Analysis, devices_are_drawn_from_the_lots_population) {
   EXPECT_EQ(count_of("\n", few.out), 6u);
   EXPECT_TRUE(many.out.starts_with(few.out)) << "a draw depends on its number alone";
   EXPECT_TRUE(contains(few.err, "5 devices of a population estimated from 3"));
-  // The devices differ by the same factor on both stiffnesses, so the drawn devices do too.
+  // In every device both stiffnesses have the same factor, so their ratio is the same in all devices. The drawn devices
+  // must keep this ratio.
   std::istringstream rows(many.out);
   std::string row;
   std::getline(rows, row);
@@ -286,8 +287,8 @@ TEST_F(Analysis, devices_are_drawn_from_the_lots_population) {
   expect_refused(isolaw({"sample", "O", "--law", "bilinear", "--count", "0"}), {"--count", "1 to 10000000"});
 }
 
-// With vaiana's beta1 at zero, beta2 has no effect and ends anywhere in its box. The population of a lot must not count
-// that as scatter.
+// If vaiana's beta1 is zero, beta2 has no effect and the search leaves it anywhere in its box. The population of a lot
+// must not count this as scatter between devices.
 TEST_F(Analysis, of_a_parameter_that_does_not_act_gives_it_no_scatter) {
   ASSERT_EQ(isolaw({"example", "ex"}).code, 0);
   auto const o = isolaw({"calibrate", "ex/lot.toml", "--laws", "vaiana", "--runs", "1", "--analysis", "full",
@@ -314,8 +315,8 @@ TEST_F(Analysis, of_a_parameter_that_does_not_act_gives_it_no_scatter) {
   EXPECT_GE(with_scatter, 4);
 }
 
-// The record was computed with a law, so the objectives are only rounding errors. Neither the check nor the prediction
-// may treat them as errors of the law.
+// The record of the fitted block was computed with the bilinear law itself, so its objective is only rounding. The
+// check and the grade of the prediction must not take a multiple of that rounding for an error of the law.
 TEST_F(Analysis, of_a_record_that_a_law_made_itself) {
   std::string text = "time [s],disp [mm],force [kN]\n";
   double hysteretic = 0.0, before = 0.0;
@@ -339,7 +340,7 @@ TEST_F(Analysis, of_a_record_that_a_law_made_itself) {
                  {"--replicates", "40 to 100000"});
 }
 
-// Laws are only compared if their fits cover the same devices.
+// A campaign that lacks analyses shows no front, because laws are compared only if all cover the same devices.
 TEST_F(Analysis, what_is_not_complete_gives_no_front) {
   ASSERT_EQ(isolaw(campaign("O")).code, 0);
   sqlite3* db = nullptr;

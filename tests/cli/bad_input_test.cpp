@@ -1,4 +1,4 @@
-// Each kind of bad input: the message says where, what was found, what is allowed and what to try.
+// For each kind of bad input the message must say where it is, what was found, what is allowed and what to try.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 #include "cli/store.hpp"
@@ -247,7 +247,7 @@ TEST_F(BadInput, units_that_make_no_isolator_are_warned_of) {
   EXPECT_TRUE(contains(inspected("time [s],displacement [m],force [MN]"), "no isolator goes that far"));
 }
 
-// --- refused properties, but a fit ---------------------------------------------------------------------------------
+// --- records whose cyclic properties are refused, but laws are fitted ---------------------------------------------
 
 TEST_F(BadInput, fewer_than_20_samples_per_cycle_refuses_the_cyclic_properties_only) {
   write("few.csv", csv(record({.samples = 46, .per_cycle = 15})));
@@ -291,7 +291,7 @@ TEST_F(BadInput, less_than_one_cycle_refuses_the_cyclic_properties_only) {
   EXPECT_TRUE(fit["energy_error_percent"].is_null());
 }
 
-// --- no time -------------------------------------------------------------------------------------------------------
+// --- records without time ----------------------------------------------------------------------------------------
 
 TEST_F(BadInput, without_time_the_two_rate_dependent_laws_are_refused_and_the_others_run) {
   write("notime.csv", csv_without_time());
@@ -336,9 +336,9 @@ TEST_F(BadInput, with_a_sampling_interval_all_laws_run_as_with_a_time_column) {
         << with_dt[l]["id"];
 }
 
-// --- numerics that do not succeed ----------------------------------------------------------------------------------
+// --- searches without a finite force -----------------------------------------------------------------------------
 
-// Candidates without a finite force are counted even if their run succeeds, and every output gives the number.
+// A run may succeed although some of its parameter sets gave no finite force. Every output states how many.
 TEST_F(BadInput, parameter_sets_without_a_finite_force_are_counted_and_said) {
   write("a.csv", csv(record()));
   auto const o = isolaw({"calibrate", "a.csv", "--laws", "bouc-wen", "--set", "bouc-wen.beta=-0.05:0.05", "--runs", "2",
@@ -356,7 +356,7 @@ TEST_F(BadInput, parameter_sets_without_a_finite_force_are_counted_and_said) {
 }
 
 TEST_F(BadInput, a_law_without_any_finite_force_is_a_failed_law_not_a_failed_campaign) {
-  // This exponential overflows.
+  // With these fixed parameters an exponential of vaiana overflows for every parameter set.
   write("a.csv", csv(record()));
   auto const o = isolaw({"calibrate", "a.csv", "--laws", "vaiana,bilinear", "--set", "vaiana.beta1+=1", "--set",
                          "vaiana.beta2+=1e9", "--runs", "2", "--population", "8", "--generations", "2", "--out", "O"});
@@ -381,7 +381,7 @@ TEST_F(BadInput, a_law_without_any_finite_force_is_a_failed_law_not_a_failed_cam
   EXPECT_EQ(isolaw({"report", "O"}).code, 1);
 }
 
-// --- a lot ---------------------------------------------------------------------------------------------------------
+// --- bad records in a lot ----------------------------------------------------------------------------------------
 
 TEST_F(BadInput, one_bad_device_of_three_does_not_stop_the_others_and_is_named_everywhere) {
   write("a.csv", csv(record()));

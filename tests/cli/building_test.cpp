@@ -1,4 +1,4 @@
-// `isolaw building` as a user meets it: template, example, a study with a campaign's laws, refusals.
+// `isolaw building` from the user's side: the template, the example, a study with the laws of a campaign, and refusals.
 #include <sys/file.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 class Building : public InFreshDirectory {
  protected:
-  // Two blocks of bilinear devices with a little third harmonic.
+  // Calibrates three bilinear devices with a little third harmonic, tested in blocks at 50 and 100 mm.
   void campaign() {
     double stiffness = 5.0;
     for (auto const* name : {"a.csv", "b.csv", "c.csv"}) {
@@ -73,11 +73,11 @@ TEST_F(Building, from_template_to_verdict) {
   EXPECT_EQ(output.out.find(json["verdict"].get<std::string>()), 0u);
   EXPECT_EQ(json["plan"]["bearings"].size(), 28u);
   EXPECT_EQ(json["laws"][0]["histories"].size(), 7u);
-  // Quantities that have bounds are compared with them. For each other quantity the output says why it has no bounds.
+  // Quantities that have bounds appear under `coverage`. For every other quantity `uncovered` says why it has no
+  // bounds.
   for (auto const& row : json["quantities"])
     EXPECT_NE(row["uncovered"].is_null(), !json["laws"][0]["coverage"]["of"].contains(row["key"])) << row;
   EXPECT_TRUE(json["laws"][0]["coverage"]["of"].contains("roof_acceleration_g"));
-  // Columns of the table are separated by blanks.
   for (std::size_t at = output.out.find("\nisolator_mm") + 1, rows = 0; rows < 13; ++rows) {
     auto const line = output.out.substr(at, output.out.find('\n', at) - at);
     std::istringstream cells(line);
@@ -89,7 +89,7 @@ TEST_F(Building, from_template_to_verdict) {
   for (auto const* file : {"tables/building.csv", "tables/coverage.csv", "tables/checks.csv", "tables/building.tex",
                            "figures/building_histograms.gp", "figures/building_variance.dat"})
     EXPECT_GT(read_file(directory() / "B" / file).size(), 100u) << file;
-  // The same command again computes nothing and prints the same.
+  // The same command again computes nothing and leaves the files as they are.
   auto const before = read_file(directory() / "B/building.json");
   EXPECT_EQ(isolaw(command + Words{"--jobs", "3"}).code, 0);
   EXPECT_EQ(isolaw(Words{"building", "case/building.toml", "--from", "lot", "--out", "F", "--figures", "none"}).code,
@@ -110,12 +110,12 @@ TEST_F(Building, from_template_to_verdict) {
   EXPECT_TRUE(contains(nominal.out, "bilinear,motion-7-x,completed,")) << nominal;
   EXPECT_TRUE(contains(read_file(directory() / "N/histories/bilinear-7.csv"), "acceleration_5_y [mm/s2]"));
   EXPECT_FALSE(std::filesystem::exists(directory() / "N/building.sqlite"));
-  // An input that is no building produces no output.
+  // The building file names a device that the campaign does not have, so no output may be written.
   write("case/none.toml", text + "\n[[bearing]]\nx_m = 0.0\ny_m = 0.0\nis = \"nobody\"\n");
   expect_refused(isolaw({"building", "case/none.toml", "--from", "lot", "--out", "Z", "--nominal"}),
                  {"no device 'nobody'"});
   EXPECT_FALSE(std::filesystem::exists(directory() / "Z"));
-  // Three places, for the three devices that were tested.
+  // --arrange places the tested devices, so the plan must have three places for the three devices.
   change("along = 7", "along = 3");
   change("across = 4", "across = 1");
   write("case/building.toml", text);
@@ -124,7 +124,7 @@ TEST_F(Building, from_template_to_verdict) {
   EXPECT_TRUE(contains(arranged.out, "eccentricity of stiffness"));
 }
 
-// A study computed in parts and merged equals, byte by byte, one computed on one machine.
+// A study computed in parts and then merged must equal, byte by byte, a study computed on one machine.
 class BuildingParts : public Building {
  protected:
   static constexpr int parts = 5;
@@ -174,10 +174,11 @@ TEST_F(BuildingParts, in_any_order_one_twice_and_one_continued_are_what_one_mach
   std::vector<int> sizes;
   for (int number = 1; number <= parts; ++number)
     sizes.push_back(stored_rows(path(fmt::format("P{}/building.sqlite", number)), "runs"));
-  // 84 analyses under each of seven motions, in blocks of 16.
+  // Each of seven motions needs 84 analyses. The parts share the analyses out in blocks of 16.
   EXPECT_EQ(sizes[0] + sizes[1] + sizes[2] + sizes[3] + sizes[4], 7 * 84);
   EXPECT_LE(std::ranges::max(sizes) - std::ranges::min(sizes), 16 + 16);
-  // A part that is stopped midway is continued by the same command, here with another number of threads.
+  // The test deletes rows, as if part 3 had been stopped. The same command computes them again, with another number of
+  // threads.
   auto const whole = read("P3/building.sqlite");
   change("P3/building.sqlite", "DELETE FROM runs WHERE place BETWEEN 3 AND 40");
   ASSERT_EQ(isolaw(part(3, {"--jobs", "2"})).code, 0);
@@ -276,7 +277,7 @@ TEST_F(BuildingParts, are_named_as_they_may_be_and_know_what_they_are) {
   close(directory);
 }
 
-// --fresh replaces a store only once everything that takes its place is checked and copied.
+// merge --fresh must replace the store in O only after it has checked and copied everything that takes its place.
 TEST_F(BuildingParts, that_start_over_replace_no_part_and_nothing_whole_by_less) {
   compute({1, 2, 3, 4, 5});
   ASSERT_EQ(isolaw({"merge", "O", "P1", "P2", "P3", "P4", "P5"}).code, 0);
@@ -293,12 +294,12 @@ TEST_F(BuildingParts, that_start_over_replace_no_part_and_nothing_whole_by_less)
   fs::copy(path("P2"), path("X"));
   change("X/building.sqlite", "UPDATE runs SET measured = zeroblob(length(measured))");
   refused({"merge", "O", "P1", "P2", "P3", "P4", "P5", "X"}, {"X/building.sqlite: run ", "--part K/N --fresh"});
-  // A complete study that was answered before gives the same answer again.
+  // The study is complete and answered, so merge without parts repeats the answer.
   auto const answered = isolaw({"merge", "O"});
   expect_message(answered, 0, {"0 runs copied", "were answered: O/building.html"});
   EXPECT_EQ(answered.out, json_text(json, "verdict") + "\n");
   EXPECT_TRUE(isolaw({"merge", "O", "--json"}).out == json + "\n");
-  // An invalid store, as a killed program may leave it, is replaced, and the former answers are removed with it.
+  // A killed program may leave an empty store. merge --fresh replaces it and removes the answers of the former study.
   write("O/building.sqlite", "");
   write("O/building.sqlite.part", "left");
   expect_refused(isolaw({"merge", "O", "P1"}), {"O/building.sqlite", "damaged", "--fresh"});
@@ -341,10 +342,10 @@ TEST_F(BuildingParts, of_a_script_end_as_one_machine_also_after_a_loss) {
     EXPECT_TRUE(contains(slurm.out, part));
 }
 
-// Doubts about a law from its calibration are repeated for the building that rests on it.
+// A building study repeats the warnings that the calibration gave about its law.
 TEST_F(Building, carries_the_doubts_of_the_calibration) {
   campaign();
-  // The box excludes the real elastic range: the search ends at a bound, and the output names it.
+  // The search box excludes the device's yield displacement, so the search ends at a bound and the output names it.
   ASSERT_EQ(isolaw({"calibrate", "a.csv", "b.csv", "c.csv", "--laws", "bilinear", "--analysis", "full", "--runs", "1",
                     "--replicates", "40", "--set", "bilinear.xy=14:30", "--figures", "none", "--out", "doubtful"})
                 .code,
@@ -367,8 +368,8 @@ TEST_F(Building, carries_the_doubts_of_the_calibration) {
   EXPECT_TRUE(contains(read_file(directory() / "B/building.html"), "xy at its lower bound"));
 }
 
-// Like calibrate, an interrupted study keeps what is finished, exits with 1, prints the command that continues, and
-// writes no results.
+// Ctrl-C stops a study as it stops a campaign: the store keeps what is finished, the exit code is 1, the message has
+// the command that continues, and there are no results.
 TEST_F(BuildingParts, that_are_interrupted_end_as_a_campaign_does) {
   set("draws = 40", "draws = 20000");
   auto const command = study("I", {"--figures", "none"});
@@ -383,8 +384,8 @@ TEST_F(BuildingParts, that_are_interrupted_end_as_a_campaign_does) {
   EXPECT_GT(stored_rows(path("I/building.sqlite"), "runs"), 0);
 }
 
-// A law without a two-dimensional form carries a building as springs around a circle. The springs have fitted
-// parameters if the campaign fitted springs. Otherwise they have the law's own parameters, and the output says so.
+// A law without a two-dimensional form becomes springs around a circle in a building. If the campaign fitted springs,
+// their parameters are used. Otherwise the springs take the parameters of the law, and the output says so.
 TEST_F(Building, takes_the_springs_that_the_campaign_fitted) {
   campaign();
   Words const fit{"calibrate",  "a.csv", "b.csv",  "c.csv", "--laws",       "bilinear,power-masing",
@@ -417,8 +418,8 @@ TEST_F(Building, takes_the_springs_that_the_campaign_fitted) {
   EXPECT_TRUE(contains(of_fitted["assumed"].dump(), "with parameters fitted as such"));
   EXPECT_NE(of_given["laws"][0]["quantities"]["isolator_mm"]["nominal"],
             of_fitted["laws"][0]["quantities"]["isolator_mm"]["nominal"]);
-  // The campaign fitted springs around a circle only for power-masing, since bilinear has a two-dimensional form. With
-  // the fitted parameters the springs fit no worse than with the law's own.
+  // bilinear has a two-dimensional form, so the campaign fitted springs only for power-masing. The fitted springs must
+  // fit no worse than springs with the law's own parameters.
   auto const summary = json("W/summary.json");
   EXPECT_EQ(summary["settings"]["bidirectional"], "springs");
   for (auto const& law : summary["laws"])
@@ -429,7 +430,7 @@ TEST_F(Building, takes_the_springs_that_the_campaign_fitted) {
     }
   EXPECT_TRUE(json("G/summary.json")["laws"][1]["devices"][0]["springs_objective"].is_null());
   EXPECT_EQ(isolaw({"check", "W"}).code, 0);
-  // simulate uses the fitted springs, for a device and for the lot.
+  // simulate also uses the fitted springs, for a device and for the lot.
   write("m.csv", "time [s],east [mm],north [mm]\n0,0,0\n0.5,20,5\n1,-20,10\n1.5,0,0\n");
   for (auto const* device : {"a", "lot"}) {
     Words const words{"simulate",      "power-masing", "--from",          "W",         "--device",
@@ -440,7 +441,8 @@ TEST_F(Building, takes_the_springs_that_the_campaign_fitted) {
     EXPECT_TRUE(contains(o.err, "as the campaign stored them")) << o;
     EXPECT_NE(o.out, isolaw(words + Words{"--springs", "given"}).out);
   }
-  // Springs requested later are fitted with the analyses. The store then equals one that had springs from the start.
+  // Campaign G has no springs yet. If they are asked for later, they are added with their analyses, and the store
+  // becomes equal to W, which had springs from the start.
   expect_message(isolaw(fit + Words{"G", "--bidirectional", "springs"}), 0, {"grows by laws fitted as springs"});
   EXPECT_TRUE(read_file(directory() / "G/campaign.sqlite") == read_file(directory() / "W/campaign.sqlite"));
 }

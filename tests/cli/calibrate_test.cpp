@@ -1,5 +1,5 @@
-// calibrate on the example lot: the files it writes, the schema of summary.json, and options that must not change the
-// numbers.
+// calibrate on the example lot: the files that it writes, the structure of summary.json, and options that must not
+// change any number.
 #include <cmath>
 #include <map>
 #include <set>
@@ -38,7 +38,8 @@ void expect_statistic(Json const& statistic) {
   EXPECT_GT(statistic["best"].get<double>(), 0.0);
 }
 
-// The command on the page repeats the campaign, including verdicts and bounds.
+// report.html shows the command of the campaign. Run again, this command must give the same results, verdicts and
+// bounds.
 TEST_F(Calibrate, the_command_of_the_page_makes_it_again) {
   for (auto const* name : {"device-01.csv", "device-02.csv"})
     fs::copy_file(path("ex") / name, path(name), fs::copy_options::overwrite_existing);
@@ -95,7 +96,7 @@ TEST_F(Calibrate, leaves_every_file_of_a_campaign) {
   for (auto const* key : {"isolaw", "command", "directory", "started", "total_seconds", "threads", "host"})
     EXPECT_TRUE(run.contains(key)) << key;
   EXPECT_TRUE(contains(run["command"].get<std::string>(), "calibrate ex/lot.toml --runs 2"));
-  // Without a terminal there is no progress line.
+  // A progress line would contain carriage returns. There is none, because standard error is no terminal.
   EXPECT_EQ(o.err.find('\r'), std::string::npos);
 }
 
@@ -121,7 +122,7 @@ TEST_F(Calibrate, ranks_every_law_on_the_terminal_best_first) {
   EXPECT_TRUE(contains(o.out, "lower is more accurate"));
 }
 
-// Exactly these keys, order and types: scripts break when a key disappears, and a new key must be intended.
+// Scripts depend on the keys of summary.json, on their order and their types. This test fails if any of them changes.
 TEST_F(Calibrate, summary_has_the_documented_schema) {
   ASSERT_EQ(calibrate("O").code, 0);
   auto const s = json("O/summary.json");
@@ -252,14 +253,14 @@ TEST_F(Calibrate, summary_records_the_settings_of_lot_file_and_command_line) {
   EXPECT_EQ(settings["runs"], 2);
   EXPECT_EQ(settings["population"], 20);
   EXPECT_EQ(settings["generations"], 5);
-  EXPECT_EQ(settings["box"], "published");  // from the lot file
-  EXPECT_EQ(settings["smooth"], 5);         // from the lot file
+  EXPECT_EQ(settings["box"], "published");  // the lot file sets it
+  EXPECT_EQ(settings["smooth"], 5);         // the lot file sets it
   EXPECT_EQ(settings["set"], Json::array({"bilinear.K2=0.4"}));
   EXPECT_EQ(settings["samples-per-cycle"], "all");
   EXPECT_EQ(settings["center"], true);
 }
 
-// summary.json contains no times; standard output appends the profile to it.
+// calibrate --json prints summary.json with the profile of run.json at its end. summary.json itself has no times.
 TEST_F(Calibrate, json_prints_summary_json_and_the_profile_of_run_json) {
   auto const o = calibrate("O", {"--json"});
   EXPECT_EQ(o.code, 0) << o;
@@ -283,7 +284,7 @@ TEST_F(Calibrate, the_profile_adds_up_to_the_total) {
       sum[key] += phase[key].get<double>();
   }
   EXPECT_EQ(phases, (Words{"read", "search", "determination", "intervals", "lot", "left_out", "report"}));
-  // Time for starting and ending threads belongs to no phase.
+  // Starting and ending threads takes time that belongs to no phase.
   double const wall = run["total_seconds"], cpu = run["cpu_seconds"];
   EXPECT_NEAR(sum["wall_seconds"], wall, 0.02 * wall + 2e-3);
   EXPECT_NEAR(sum["cpu_seconds"], cpu, 0.02 * cpu + 5e-3);
@@ -295,8 +296,8 @@ TEST_F(Calibrate, the_profile_adds_up_to_the_total) {
   EXPECT_EQ(run["profile"][1]["evaluations"], evaluations);
 }
 
-// calibrate and bench run the same blocks at the same cost. Other records, other candidates, other load of the machine
-// and blocks that are not full each change the cost by some factor.
+// calibrate and bench run the same code, so their times per evaluation and sample must agree. Other records and
+// parameter sets, other load of the machine and partly filled blocks each change them, hence the factor of 5.
 TEST_F(Calibrate, kernel_seconds_are_what_bench_measures_times_evaluations_times_samples) {
   Words const command{"calibrate",
                       "ex/lot.toml",
@@ -394,7 +395,7 @@ TEST_F(Calibrate, order_of_the_devices_changes_no_devices_result) {
     std::map<std::string, Json> fits;
     for (auto fit : law["devices"]) {
       for (auto& [name, parameter] : fit["parameters"].items())
-        parameter.erase("percent_of_lot");  // summed in another order
+        parameter.erase("percent_of_lot");  // its sum over the devices runs in another order and differs in rounding
       fits[fit["name"]] = fit;
     }
     return fits;
@@ -421,7 +422,7 @@ TEST_F(Calibrate, a_law_alone_gives_the_same_rows_as_among_all) {
   }
   EXPECT_EQ(json("one/summary.json")["laws"][0], [&] {
     auto law = json("all/summary.json")["laws"][0];
-    law["on_front"] = true;  // it is the only law, so no other is better
+    law["on_front"] = true;  // a law alone is on the front, because no other law is better
     return law;
   }());
 }
@@ -501,8 +502,8 @@ TEST_F(Calibrate, one_device_has_no_robustness_and_says_so) {
 }
 
 TEST_F(Calibrate, bilinear_device_is_identified_by_the_bilinear_law) {
-  // K2 0.5 kN/mm, Qd 20 kN, xy 10 mm: K1 = 0.5 + 20 / 10 = 2.5 kN/mm. The loop is bilinear except for the corner of the
-  // first branch.
+  // The record's device has K2 0.5 kN/mm, Qd 20 kN and xy 10 mm, so K1 = 0.5 + 20 / 10 = 2.5 kN/mm. The record is
+  // bilinear except for the corner of its first branch.
   write("one.csv", csv(record()));
   auto const o = isolaw({"calibrate", "one.csv", "--laws", "bilinear", "--runs", "2", "--population", "100",
                          "--generations", "50", "--out", "O"});

@@ -1,4 +1,4 @@
-// `isolaw check` detects a store that was changed after the program wrote it.
+// `isolaw check` finds changes that somebody made to a store after the program wrote it.
 #include <sys/stat.h>
 
 #include "cli/records.hpp"
@@ -139,7 +139,8 @@ TEST_F(CheckOfDefaultSearch, what_was_changed_is_found) {
   }
 }
 
-// check writes again what it read: rows that the reader ignores or misreads then show as a difference.
+// check writes the store that it has read once more and compares the two. Rows that no reader uses, or that are read
+// otherwise than meant, then show as a difference.
 TEST_F(Check, rows_that_belong_to_nothing) {
   auto const sound = read("O/campaign.sqlite");
   struct Addition {
@@ -168,7 +169,7 @@ TEST_F(Check, what_isolaw_does_not_make_is_refused) {
        {"CREATE TABLE extra (x)", "CREATE VIEW extra AS SELECT 1", "CREATE INDEX extra ON run (objective)",
         "CREATE TRIGGER extra AFTER INSERT ON run BEGIN DELETE FROM run_parameter; END"}) {
     write("O/campaign.sqlite", sound);
-    // The update gives the change counter something to count.
+    // The helper change() requires that rows change, and the statements above change none. This update does.
     change(std::string(sql) + "; UPDATE meta SET value = value WHERE key = 'title'");
     SCOPED_TRACE(sql);
     expect_damaged("it holds 'extra', which isolaw does not make");
@@ -183,7 +184,7 @@ TEST_F(Check, removed_runs_are_missing_and_the_reports_tell_of_them) {
   for (auto const* part : {"7 of 8 runs", "not complete: 1 runs are missing", "20 files beside it compared",
                            "fault: summary.json is not what the store gives", "fault: report.html is not"})
     EXPECT_TRUE(contains(o.out, part));
-  // report describes the incomplete store, and its output then agrees with the store.
+  // report writes outputs for the incomplete store. check then finds no difference.
   auto const report = isolaw({"report", "O"});
   EXPECT_EQ(report.code, 1) << report;
   EXPECT_TRUE(contains(report.out, "7 of 8 runs are done"));
@@ -223,7 +224,7 @@ TEST_F(Check, a_report_can_go_elsewhere_and_is_printed_where_it_cannot_be_writte
   }
 }
 
-// Opening a pipe would wait for ever.
+// The store or a file of its log is a named pipe. A program that opened it would wait for ever.
 TEST_F(Check, a_pipe_in_place_of_the_store_is_refused_at_once) {
   write("taken.csv", csv(record()));
   for (auto const* suffix : {"", "-wal", "-journal"}) {
@@ -282,17 +283,18 @@ TEST_F(Check, a_directory_without_a_campaign) {
   expect_refused(isolaw({"check", "nowhere"}), {"nowhere/campaign.sqlite", "no such file", "isolaw calibrate"});
 }
 
-// The force is finite with one step per sample but overflows with finer steps. The campaign must survive that.
+// On this record hwang-wu's force is finite with one step per sample but overflows with finer steps. The campaign must
+// record this and go on.
 class Overflow : public InFreshDirectory {
  protected:
-  // The default search for the parameters that are not fixed.
+  // The default search, with two parameters of hwang-wu fixed.
   Words campaign(Words const& more = {}) const {
     Words words{"calibrate", "a.csv", "--laws", "bilinear,hwang-wu", "--samples-per-cycle", "20", "--runs",
                 "1",         "--out", "O"};
     for (auto const* value : {"a6=-20000", "a7=4"}) words = words + Words{"--set", fmt::format("hwang-wu.{}", value)};
     return words + more;
   }
-  // These two values, with the other parameters free, overflow.
+  // With these two values fixed too, the force overflows whatever the other parameters are.
   Words overflowing(Words const& more = {}) const {
     return campaign(Words{"--set", "hwang-wu.a8=50", "--set", "hwang-wu.a10=-2.3928e-7"} + more);
   }
@@ -309,7 +311,7 @@ class Overflow : public InFreshDirectory {
     EXPECT_TRUE(contains(json("O/summary.json")["laws"].dump(), "these parameters give no finite force"));
     EXPECT_EQ(isolaw({"report", "O"}).code, 1);
     EXPECT_EQ(isolaw({"check", "O"}).code, 0);
-    EXPECT_EQ(isolaw(command).code, 1);  // continued: nothing is left to do
+    EXPECT_EQ(isolaw(command).code, 1);  // the same command again has nothing left to compute
   }
 };
 
@@ -323,7 +325,8 @@ TEST_F(Overflow, of_parameters_that_are_all_fixed) {
                            "hwang-wu.a9=-1e-7", "--set", "hwang-wu.a10=-7.1e-7"}));
 }
 
-// The paper's integration never refines its steps, one per sample: the result is kept, with a warning.
+// --method best searches again in finer steps if the steps matter; --method ga does not. Its result is kept, with a
+// warning.
 TEST_F(Overflow, is_warned_of_where_the_steps_are_given) {
   auto const o = isolaw(overflowing({"--method", "ga", "--population", "40", "--generations", "20"}));
   ASSERT_EQ(o.code, 0) << o;

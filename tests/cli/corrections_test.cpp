@@ -1,5 +1,5 @@
-// Corrections for what a rig does to the force. From a record with a known disturbance every command recovers the
-// properties without the disturbance, and says that it corrected the record.
+// Corrections for what a test rig does to the force. The records have a known disturbance. With the matching option
+// every command must give the properties of the undisturbed device and say that it corrected the record.
 #include "cli/loops.hpp"
 #include "cli/records.hpp"
 #include "cli/run.hpp"
@@ -11,12 +11,13 @@ namespace {
 constexpr double amplitude_mm = 100.0, frequency_Hz = 0.5, interval_s = 0.005, load_kN = 2000.0;
 constexpr double omega = 2.0 * std::numbers::pi * frequency_Hz;
 
-// The rig's disturbances of the force.
+// The rig may change the force: by a delay, by friction, by the inertia of a moving mass, and by a factor.
 struct Rig {
   double late_s = 0.0, friction_kN = 0.0, mass_kg = 0.0, factor = 1.0;
 };
 
-// A viscous device, F = 0.8 x + 0.02 v, with known force at any time: four and a half cycles, vertical load 2000 kN.
+// Four and a half cycles of a device with F = 0.8 x + 0.02 v under a vertical load of 2000 kN. The formula gives the
+// force at any time, so the delay is exact.
 std::string rig_record(Rig const& rig) {
   std::string text = "time [s],displacement [mm],force [kN],vertical load [kN]\n";
   for (int i = 0; i <= 1800; ++i) {
@@ -62,14 +63,14 @@ class Corrections : public InFreshDirectory {
     EXPECT_EQ(o.code, 0) << o;
     return Json::parse(o.out);
   }
-  // K_eff = 0.8 kN/mm and energy = pi c omega D^2, to within a fortieth of the least disturbance.
+  // Expects K_eff = 0.8 kN/mm and energy = pi c omega D^2, each within 0.1 %. The disturbances are 4 % and more.
   static void expect_device(Json const& device) {
     auto const& cycle = cycle_of(device, 1, 2);
     double const energy = std::numbers::pi * 0.02 * omega * amplitude_mm * amplitude_mm;
     EXPECT_NEAR(cycle["K_eff_kN_per_mm"].get<double>(), 0.8, 0.001);
     EXPECT_NEAR(cycle["energy_kN_mm"].get<double>(), energy, 0.001 * energy);
   }
-  // At least one of the two properties is off by 4 % or more.
+  // Expects K_eff or the energy to be off by 4 % or more.
   static void expect_disturbed(Json const& device) {
     auto const& cycle = cycle_of(device, 1, 2);
     double const energy = std::numbers::pi * 0.02 * omega * amplitude_mm * amplitude_mm;
@@ -149,7 +150,7 @@ TEST_F(Corrections, the_lot_file_has_the_same_keys_for_all_devices_and_for_one) 
     expect_disturbed(found["devices"][1]);
     EXPECT_TRUE(found["devices"][1]["corrections"].empty());
   }
-  // A device's own key overrides [read]; the command line overrides both.
+  // The value in [[device]] overrides the one in [read], and the command line overrides both.
   write("double.csv", rig_record({.factor = 2.0}));
   write("fourfold.csv", rig_record({.factor = 4.0}));
   write("lot.toml",
@@ -165,10 +166,11 @@ TEST_F(Corrections, the_lot_file_has_the_same_keys_for_all_devices_and_for_one) 
 TEST_F(Corrections, several_are_made_together) {
   write("rig.csv", rig_record({.late_s = 0.01, .mass_kg = 3000.0, .factor = 2.0}));
   auto const device =
-      // 3000 kg, doubled by the cell.
+      // The moving mass is 3000 kg. The force is recorded at twice its value, so the record has the inertia of 6000 kg.
       inspected({"rig.csv", "--skew-ms", "10", "--moving-mass", "6000", "--force-factor", "0.5"});
   EXPECT_EQ(device["corrections"].size(), 3u);
-  // The inertia force was not late, but the correction of the delay moves it by 10 ms too. K_eff must hardly change.
+  // The correction of the delay also moves the inertia force by 10 ms, although that force was not late. K_eff must
+  // hardly change.
   auto const& cycle = cycle_of(device, 1, 2);
   EXPECT_NEAR(cycle["K_eff_kN_per_mm"].get<double>(), 0.8, 0.002);
 }

@@ -1,4 +1,4 @@
-// `isolaw example`, and what `inspect` and `init` make of its ten dialects of delimited text.
+// `isolaw example` writes ten records in ten dialects of delimited text. inspect and init must understand them all.
 #include <array>
 #include <cmath>
 
@@ -65,10 +65,10 @@ TEST_F(Example, is_the_folder_that_the_repository_carries) {
     EXPECT_EQ(read_file(entry.path()), read_file(committed / entry.path().filename())) << entry.path().filename();
 }
 
-// The expected reading of a device's file: the columns (from 1) and units of its channels.
+// The expected reading of a record: the columns (the first is 1), the units, and the line of the first sample.
 struct Dialect {
-  char const* sentence;              // part of a sentence under "recognised"
-  std::array<char const*, 3> units;  // time, displacement, force
+  char const* sentence;              // from the lines under "recognised"
+  std::array<char const*, 3> units;  // of time, displacement and force
   int first_column = 1;
   int first_line = 2;
 };
@@ -128,7 +128,8 @@ TEST_F(Example, inspect_as_json_agrees_between_dialects) {
     for (auto const& cycle : found["blocks"][0]["cycles"]) {
       EXPECT_EQ(cycle["number"], ++number);
       EXPECT_EQ(cycle["counts"], true);
-      // +-208 mm with a tremor of 0.1 mm and noise of 0.02 mm; stiffness and damping as in the paper's lot.
+      // The records have an amplitude of 208 mm with a tremor of 0.1 mm and noise of 0.02 mm. Stiffness and damping are
+      // those of the devices of Cucuzza et al. 2025.
       EXPECT_NEAR(cycle["amplitude_mm"].get<double>(), 208.0, 0.3);
       EXPECT_GT(cycle["K_eff_kN_per_mm"].get<double>(), 0.5);
       EXPECT_LT(cycle["K_eff_kN_per_mm"].get<double>(), 0.8);
@@ -156,7 +157,7 @@ TEST_F(Example, init_writes_a_lot_file_that_calibrate_takes) {
   ASSERT_EQ(summary["devices"].size(), 10u);
   for (auto const& device : summary["devices"]) EXPECT_EQ(device["status"], "ok") << device;
 
-  // Records read through the lot file equal those named on the command line.
+  // The records named on the command line must give the same results as those read through the lot file.
   auto const direct =
       isolaw(Words{"calibrate"} + all_records() +
              Words{"--laws", "bilinear", "--runs", "1", "--population", "4", "--generations", "2", "--out", "P"});

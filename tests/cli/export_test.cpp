@@ -1,4 +1,4 @@
-// isolaw export: every law to every target, wrong requests, and that exports depend on the store alone.
+// isolaw export: every law to every target, refusals, and that an export needs nothing but the store.
 #include <fmt/format.h>
 
 #include <cctype>
@@ -12,7 +12,7 @@
 namespace isolaw::cli_test {
 namespace {
 
-// Three cycles at 100 mm, 60 samples a cycle, of a bilinear device with a rounded corner.
+// Three cycles at 100 mm, 60 samples a cycle, of a bilinear loop with a rounded corner.
 std::string loops(double stiffness) {
   std::string text = "time [s],disp [mm],force [kN]\n";
   double hysteretic = 0.0, before = 0.0;
@@ -27,7 +27,7 @@ std::string loops(double stiffness) {
   return text;
 }
 
-// The number after the last comma of each line.
+// The last column of a CSV table, without comment lines and the header.
 std::vector<double> last_column(std::string const& csv) {
   std::vector<double> values;
   std::istringstream lines(csv);
@@ -52,8 +52,8 @@ class Export : public InFreshDirectory {
   }
 };
 
-// The fidelity that the law's fitted values allow. Limit curves without ties form two sets, which no other program
-// supports.
+// How exactly other programs can have a law with these values. A law of limit curves whose parameters are not tied has
+// different curves for loading and unloading, which no other program supports, so it is re-fitted.
 std::string expected_fidelity(laws::LawEntry const& law, Json const& exported) {
   std::vector<double> values;
   for (auto const& parameter : exported["parameters"]) values.push_back(parameter["value"]);
@@ -63,7 +63,8 @@ std::string expected_fidelity(laws::LawEntry const& law, Json const& exported) {
   return std::holds_alternative<laws::BoucWenForm>(form) ? "exact as the step goes to zero" : "exact";
 }
 
-// Exports and simulate warn, in the file and on the terminal, that a law's devices failed the rules.
+// If devices do not pass their rule set, or were refused, exports and simulate warn of it on the terminal and in their
+// output.
 TEST_F(Export, and_simulate_say_that_the_rule_set_is_not_kept_and_who_was_refused) {
   write("c.csv", "time [s],disp [mm],force [kN]\n0,1,2\n1,1,2\n2,1,2\n");
   auto const calibration = isolaw(Words{"calibrate", "a.csv", "b.csv", "c.csv", "--laws", "bilinear", "--runs", "1",
@@ -109,7 +110,8 @@ TEST_F(Export, gives_every_law_to_every_target) {
       SCOPED_TRACE(law + " " + to);
       auto const o = exported(law, "a", to, Words{"--anyway"} + needed_by(target, path(".")));
       ASSERT_EQ(o.code, 0) << o;
-      // After one short search on a coarse record some parameters lie at bounds and some replacement forms are far off.
+      // The search was short, so parameters may lie at bounds and a replacement form may be far off. All messages must
+      // be warnings.
       std::istringstream said(o.err);
       for (std::string line; std::getline(said, line);) EXPECT_TRUE(line.starts_with("warning: ")) << line;
       EXPECT_TRUE(contains(o.out, law));
@@ -132,8 +134,8 @@ TEST_F(Export, gives_every_law_to_every_target) {
         EXPECT_TRUE(contains(o.out, "Fidelity: "));
       }
       if (to == "csv" && entry.info.traits.rate_independent) {
-        // Read back as a motion, the file must give the forces that it contains. Rate-dependent laws would also need
-        // its velocities.
+        // The table is read again as a motion, and simulate must give the forces in it. Rate-dependent laws are left
+        // out: they would need the table's velocities too.
         write("protocol.csv", exported(law, "a", to, {"--units", "kip-in"}).out);
         auto const again = isolaw({"simulate", law, "--from", "C", "--device", "a", "--motion", "protocol.csv",
                                    "--turning-points", "sampled"});
@@ -166,7 +168,7 @@ TEST_F(Export, reads_the_store_alone_and_writes_files) {
   EXPECT_EQ(read("b.tcl"), before.out);
 }
 
-// A record without time must not lead to any statement in seconds.
+// A record without time has samples but no seconds, so the export must name samples.
 TEST_F(Export, of_a_record_without_time_counts_samples) {
   std::string without;
   std::istringstream lines(loops(1.0));
@@ -188,7 +190,7 @@ TEST_F(Export, of_the_lot_needs_its_one_law) {
   ASSERT_EQ(o.code, 0) << o;
   auto const j = Json::parse(o.out);
   EXPECT_EQ(j["of_the_lot"], true);
-  // The lot's law lies between the laws of its devices, and the bounds lie on both sides of it.
+  // The two devices differ by 10 %. The law of the lot must lie between their laws, and its bounds on both sides of 1.
   auto const K2_of = [&](std::string const& device) {
     return Json::parse(exported("bilinear", device, "json").out)["parameters"][1]["value"].get<double>();
   };
@@ -199,7 +201,8 @@ TEST_F(Export, of_the_lot_needs_its_one_law) {
   EXPECT_GT(j["bounds"]["upper"]["force"], 1.0);
 }
 
-// Reads lambda of a property ("K_d") and source ("contract band") from the column `name` of tables/lambda.csv.
+// Reads the factor lambda of a property such as "K_d" and a source such as "contract band" from the column `name` of
+// tables/lambda.csv.
 double lambda_of(std::string const& table, std::string const& property, std::string const& source,
                  std::string const& name) {
   std::istringstream lines(table);
@@ -233,21 +236,22 @@ TEST_F(Export, takes_bounds_from_the_rule_set) {
   auto const table = read("C/tables/lambda.csv");
   for (auto const& [key, property] : {std::pair{"stiffness", "K_d"}, {"strength", "Q_d"}})
     for (auto const& [side, column] : {std::pair{"lower", "lambda min"}, {"upper", "lambda max"}}) {
-      // A bound is lambda times the mean of the lot. Two devices with the values v and 1.1 v have the mean 1.05 v, so
-      // their factors are lambda times 1.05 and lambda times 1.05 / 1.1.
+      // A bound is lambda times the mean of the lot. The devices have the values v and 1.1 v with the mean 1.05 v, so
+      // the factors on their own values are 1.05 lambda and 1.05 / 1.1 lambda.
       double const lambda = lambda_of(table, property, "contract band", column);
       EXPECT_NEAR(a[side][key].get<double>(), 1.05 * lambda, 0.002 * lambda) << property << " " << side;
       EXPECT_NEAR(b[side][key].get<double>(), 1.05 / 1.1 * lambda, 0.002 * lambda) << property << " " << side;
     }
-  // The factor on the force is a mean of the two parts' factors, weighted by their shares.
+  // The factor on the force is a weighted mean of the factors on stiffness and strength, so it lies between them.
   EXPECT_GE(a["upper"]["force"], std::min(a["upper"]["stiffness"], a["upper"]["strength"]));
   EXPECT_LE(a["upper"]["force"], std::max(a["upper"]["stiffness"], a["upper"]["strength"]));
-  // A rule set named in the export command does not change the store.
+  // --rules in the export command applies to this export only.
   EXPECT_TRUE(contains(of("a", {"--rules", "aashto"})["source"].get<std::string>(), "aashto"));
   EXPECT_EQ(of("a"), a);
 }
 
-// The export of a general vaiana says which ties would make it exact. This campaign sets these ties.
+// The export of a vaiana law with different branches lists ties between parameters that would make it exact. This
+// campaign has these ties.
 TEST_F(Export, of_vaiana_with_equal_branches_is_exact) {
   Words ties;
   for (std::string const name : {"Kb", "f0", "alpha", "beta1", "beta2"})
@@ -256,7 +260,7 @@ TEST_F(Export, of_vaiana_with_equal_branches_is_exact) {
   auto const hardening = Json::parse(exported("vaiana", "a", "json").out);
   EXPECT_EQ(hardening["fidelity"], "exact") << hardening["explanation"] << hardening["refused"];
   EXPECT_LT(hardening["forms"][0]["from_law"]["largest_percent_of_peak"], 1e-7);
-  // Hardening needs one Multiplier, softening two materials in Parallel.
+  // Hardening needs one Multiplier material in OpenSees, softening two materials in Parallel.
   double beta1 = 0.0;
   for (auto const& parameter : hardening["parameters"])
     if (parameter["name"] == "beta1+") beta1 = parameter["value"];
@@ -278,7 +282,7 @@ TEST_F(Export, says_what_there_is_when_asked_wrongly) {
 }
 
 TEST_F(Export, of_a_law_without_result_says_why) {
-  // A law that depends on velocity has no result for a record without time.
+  // jankowski depends on velocity, so it has no result for a record without time.
   auto text = loops(1.0);
   std::string without_time = "disp [mm],force [kN]\n";
   std::istringstream lines(text.substr(text.find('\n') + 1));
@@ -299,13 +303,13 @@ TEST_F(Export, of_devices_with_hostile_names_stays_a_comment) {
   ASSERT_EQ(calibration.code, 0) << calibration;
   for (auto const& target : programs::targets()) {
     std::string const to(target.name);
-    if (to == "json" || to == "sheet") continue;  // these formats have no comments
+    if (to == "json" || to == "sheet") continue;
     auto const o = exported("bilinear", "x\"\"\"; } {$a`b` [exec touch HACKED] \\", to, needed_by(target, path(".")));
     ASSERT_EQ(o.code, 0) << o;
     std::istringstream lines(o.out);
     bool const is_cpp = to == "cpp" || to == "opensees-cpp" || to == "abaqus";
     for (std::string line; std::getline(lines, line);) {
-      // C++ macros may continue on the next line, comments may not.
+      // No comment may end with a backslash, which would continue it on the next line. In C++ the lines of a macro may.
       if (!is_cpp || line.starts_with("//")) {
         EXPECT_FALSE(line.ends_with("\\")) << line;
       }
@@ -314,7 +318,7 @@ TEST_F(Export, of_devices_with_hostile_names_stays_a_comment) {
       EXPECT_EQ(line.find_first_of("[]{}$`\"\\"), std::string::npos) << line;
     }
   }
-  // JSON keeps the name unchanged.
+  // JSON quotes the name, so it may stay as it is.
   EXPECT_EQ(Json::parse(exported("bilinear", "x\"\"\"; } {$a`b` [exec touch HACKED] \\", "json").out)["device"],
             "x\"\"\"; } {$a`b` [exec touch HACKED] \\");
 }

@@ -1,5 +1,6 @@
-// After any failure to write files, the same command, given again, ends as if nothing had happened. ISOLAW_FAULTS=all
-// tries every kind of fault at every operation; ISOLAW_KILLS=n tries that many kills at random moments.
+// After any failure to write files, the same command given again must end as if nothing had happened. The environment
+// variable ISOLAW_FAULTS=all tries every kind of fault at every operation. ISOLAW_KILLS=n kills n times at random
+// moments.
 #include <cstdlib>
 #include <random>
 
@@ -22,7 +23,7 @@ class Fault : public InFreshDirectory {
     write("a.csv", csv(record()));
     write("b.csv", csv(record({.amplitude_mm = 90.0})));
   }
-  // One thread performs the same operations in the same order each time.
+  // Tests add --jobs 1 where they count operations, because one thread performs them in the same order each time.
   Words campaign(Words const& more = {}) const {
     return Words{"calibrate", "a.csv", "b.csv", "--laws", "bilinear", "--runs", "3", "--out", "O"} + more;
   }
@@ -44,7 +45,7 @@ class Fault : public InFreshDirectory {
     bool operator==(Results const&) const = default;
   };
   Results results() const { return {read("O/summary.json"), all_rows(path("O/campaign.sqlite"))}; }
-  // The same command without the fault finishes, with the results of an undisturbed campaign.
+  // Expects that the same command without a fault finishes and gives the results of an undisturbed campaign.
   void expect_mended(Words const& command, Results const& expected, std::string const& after) {
     auto const o = isolaw(command);
     ASSERT_EQ(o.code, 0) << after << '\n' << o;
@@ -55,7 +56,7 @@ class Fault : public InFreshDirectory {
           << name << " is left, " << after;
     }
   }
-  // Kills a campaign while runs are in its log and not yet in the store.
+  // Kills a campaign at a moment when SQLite's write-ahead log still has runs that are not in the store.
   bool killed_with_log() {
     for (long at = operations(campaign({"--jobs", "1"})) - 20; at > 0; at -= 5) {
       fs::remove_all(path("O"));
@@ -66,8 +67,9 @@ class Fault : public InFreshDirectory {
     }
     return false;
   }
-  // Starts over (--fresh) from the campaign in `former`, whose seed is 1, and kills it before operation `at`. Returns
-  // which store is left, after checking that it continues, or `nothing` if there are fewer operations.
+  // Restores the campaign in `former` (seed 1), starts it over with --fresh and seed 2, and kills it before operation
+  // `at`. Returns which of the two stores is left, after checking that it can be continued. Returns `nothing` if the
+  // program ended before that operation.
   enum class Left { former, replaced, nothing };
   Left left_of(std::string const& former, long at) {
     SCOPED_TRACE(fmt::format("killed before operation {}", at));
@@ -89,8 +91,8 @@ class Fault : public InFreshDirectory {
     EXPECT_EQ(check.code, 0) << check;
     return replaced ? Left::replaced : Left::former;
   }
-  // Kills the program at operations spread over the whole run, and at every operation around the exchange of the
-  // stores.
+  // Kills the program at every tenth operation of starting over, and at every operation near the one that replaces the
+  // former store by the new one.
   void expect_one_of_both(std::string const& former) {
     constexpr long stride = 10, around = 20;
     long at = 1;
@@ -101,7 +103,8 @@ class Fault : public InFreshDirectory {
     while (!HasFailure() && left_of(former, at) == Left::replaced) at += stride;
     EXPECT_EQ(left_of(former, at), Left::nothing);
   }
-  // Tries faults of one kind at operations spread over the campaign, and returns how many.
+  // Tries faults of one kind at operations spread over the campaign, or at all if ISOLAW_FAULTS is set. Returns how
+  // many it tried.
   int try_all(std::string const& mode, Words const& command) {
     long const count = operations(command);
     EXPECT_GT(count, 50) << "the library that makes faults does not see what the program writes";
@@ -117,7 +120,7 @@ class Fault : public InFreshDirectory {
       bool const killed = mode == "kill" || mode == "torn";
       if (killed) {
         EXPECT_EQ(o.code, 128 + SIGKILL) << after << '\n' << o;
-      } else if (o.code == 0) {  // the fault did no harm, so the results are complete
+      } else if (o.code == 0) {  // the fault did no harm, for example to a file that is not needed
         EXPECT_TRUE(results() == expected) << after;
       } else {
         EXPECT_EQ(o.code, 2) << after << '\n' << o;
@@ -147,7 +150,7 @@ TEST_F(Fault, a_kill_in_the_middle_of_a_write) {
   EXPECT_GE(try_all("torn", campaign({"--jobs", "1"})), 12);
 }
 
-// --fresh removes the former campaign only when the new store is complete.
+// --fresh must remove the former campaign only when the new store is complete.
 TEST_F(Fault, a_full_disk_does_not_cost_the_campaign_that_was_to_be_replaced) {
   ASSERT_EQ(isolaw(campaign()).code, 0);
   auto const before = all_rows(path("O/campaign.sqlite"));
@@ -156,15 +159,14 @@ TEST_F(Fault, a_full_disk_does_not_cost_the_campaign_that_was_to_be_replaced) {
   EXPECT_TRUE(all_rows(path("O/campaign.sqlite")) == before);
 }
 
-// A kill at any operation of starting over leaves the former store or the new one, never neither, and never reports of
-// the former one beside the new one.
+// Wherever starting over is killed, the former or the new store must be there, and the reports must belong to it.
 TEST_F(Fault, a_kill_while_starting_over_leaves_one_of_both) {
   ASSERT_EQ(isolaw(campaign()).code, 0);
   fs::copy(path("O"), path("former"), fs::copy_options::recursive);
   expect_one_of_both("former");
 }
 
-// The log of a killed store must not be applied to the store that replaces it, nor be left beside it.
+// SQLite's log of the former store must not be applied to the new store, nor be left beside it.
 TEST_F(Fault, starting_over_does_not_take_the_former_log_for_its_own) {
   ASSERT_TRUE(killed_with_log()) << "no kill left a log";
   fs::copy(path("O"), path("former"), fs::copy_options::recursive);
@@ -175,7 +177,8 @@ TEST_F(Fault, starting_over_does_not_take_the_former_log_for_its_own) {
   expect_one_of_both("former");
 }
 
-// A user without write permission: SQLite cannot create the files that it needs to read a log.
+// A user without write permission reads the store of a killed campaign. SQLite cannot create the files that it needs to
+// read the log, so the message must say what to do.
 TEST_F(Fault, a_killed_store_read_by_another_says_what_to_do) {
   ASSERT_TRUE(killed_with_log()) << "no kill left a log";
   fs::remove(path("O/campaign.sqlite-shm"));
@@ -193,7 +196,6 @@ TEST_F(Fault, the_message_says_what_is_kept_and_how_to_go_on) {
                   "continue with: ", "calibrate a.csv b.csv --laws bilinear", "database or disk is full"});
 }
 
-// The campaign is killed again and again at random moments, until it gets through.
 TEST_F(Fault, a_campaign_killed_again_and_again_ends_like_one_that_was_not) {
   Words const command{"calibrate", "a.csv", "b.csv", "--laws", "bilinear,hwang-wu", "--runs", "6",
                       "--jobs",    "2",     "--out", "O"};
@@ -202,7 +204,7 @@ TEST_F(Fault, a_campaign_killed_again_and_again_ends_like_one_that_was_not) {
   auto const whole_time = std::chrono::steady_clock::now() - begin;
   auto const expected = results();
   int const wanted = from_environment("ISOLAW_KILLS", 8);
-  std::mt19937 random(20230511);  // the moments vary with the machine's load anyway
+  std::mt19937 random(20230511);
   int kills = 0, campaigns = 0;
   while (kills < wanted && !HasFatalFailure()) {
     fs::remove_all(path("O"));
@@ -234,7 +236,7 @@ TEST_F(Fault, a_second_process_in_one_directory_is_refused) {
   EXPECT_EQ(first.wait().code, 1) << "the second process disturbed the first";
 }
 
-// report reads the store: on read-only media it still prints, and it never changes a byte of the store.
+// report and check must not change a byte of the store, and check must work where nothing can be written.
 TEST_F(Fault, reading_leaves_the_store_as_it_is) {
   ASSERT_EQ(isolaw(campaign()).code, 0);
   auto const bytes = read("O/campaign.sqlite");
@@ -244,7 +246,7 @@ TEST_F(Fault, reading_leaves_the_store_as_it_is) {
   EXPECT_TRUE(contains(o.out, "O/campaign.sqlite: sound"));
   EXPECT_EQ(isolaw(campaign()).code, 0);
   EXPECT_EQ(read("O/campaign.sqlite"), bytes);
-  // No file may be created beside the store either.
+  // "0" means that check tried no operation that changes files in O, not even beside the store.
   auto const readonly = with_fault("readonly", 1, {"check", "O"});
   EXPECT_EQ(readonly.code, 0) << readonly;
   EXPECT_EQ(read("count"), "0\n");

@@ -1,4 +1,4 @@
-// Small faults that a first-time user found: input that was accepted without a word, or quoted oddly.
+// Small faults that a first-time user found: isolaw accepted wrong input without a message, or quoted it oddly.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 
@@ -37,7 +37,7 @@ TEST_F(SmallThings, init_leaves_out_a_date_or_a_temperature_that_is_none_and_say
   EXPECT_TRUE(contains(text, "-100 to 200")) << text;
 }
 
-// Devices are named after files. isolaw reads what init writes, and explains which names cannot be written.
+// A device is named after its file. Blanks around the name are removed. A name that a lot file cannot hold is refused.
 TEST_F(SmallThings, init_writes_names_that_lot_files_allow) {
   for (auto const* file : {" lead.csv", "trail .csv"}) {
     write(file, csv(record()));
@@ -148,7 +148,7 @@ TEST_F(SmallThings, days_under_a_name_with_seconds_are_remarked) {
               Json::parse(isolaw({"inspect", "--json", "a.csv"}).out)["blocks"][0]["frequency_Hz"].get<double>(), 1e-3);
 }
 
-// For a force without stiffness, the denominator of damping is only rounding.
+// Damping divides by the stiffness. This force has practically none, so the quotient would be rounding error.
 TEST_F(SmallThings, damping_without_stiffness_is_not_defined) {
   write("v.csv", csv(record(), "Time [s],Displacement [mm],Force [kN]", [](std::size_t i, Sample const& s) {
           double const phase = std::asin(std::clamp(s.disp_mm / 100.0, -1.0, 1.0));

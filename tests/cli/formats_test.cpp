@@ -1,4 +1,4 @@
-// Workbooks, MATLAB files, JSON and files with several tests, from the command line to a lot file and back.
+// Reading workbooks, MATLAB files, JSON and files with several tests, directly and through lot files.
 #include <xlsxwriter.h>
 
 #include "cli/loops.hpp"
@@ -15,7 +15,7 @@ class Formats : public InFreshDirectory {
     InFreshDirectory::SetUp();
     write("several.csv", csv(record()) + csv(record({.amplitude_mm = 90.0})));
   }
-  // Two sheets with one test each, and one with remarks.
+  // A workbook with one test on each of two sheets and remarks on a third.
   void write_book(std::string const& name, std::vector<std::pair<char const*, char const*>> const& remarks = {}) {
     auto* book = workbook_new(path(name).c_str());
     auto* first = workbook_add_worksheet(book, "Remarks");
@@ -140,7 +140,7 @@ TEST_F(Formats, sheets_are_chosen_in_the_file_that_has_them) {
   auto const o = isolaw(Words{"inspect", "--json"} + columns + Words{"--sheet", "Test 90"});
   ASSERT_EQ(o.code, 0) << o;
   EXPECT_EQ(Json::parse(o.out)["samples"], 601);
-  // The lot file records the chosen sheet, and reading the lot file gives the same.
+  // init writes the chosen sheet to the lot file, which must give the same cycles.
   ASSERT_EQ(isolaw(Words{"init"} + columns + Words{"--sheet", "Test 90"}).code, 0);
   auto const again = isolaw({"inspect", "--json", "lot.toml"});
   ASSERT_EQ(again.code, 0) << again;
@@ -177,7 +177,7 @@ TEST_F(Formats, json_is_read) {
   EXPECT_TRUE(contains(o.out, "JSON: arrays that are columns")) << o;
 }
 
-// The lot file that init writes gives the same series as the files themselves, device by device.
+// calibrate with the lot file that init writes must give the same series and runs as with the directory itself.
 TEST_F(Formats, init_of_a_directory_calibrates_as_the_directory_does) {
   for (int d = 1; d <= 3; ++d) {
     auto const samples = record({.stiffness_kN_per_mm = 0.4 + 0.05 * d});
@@ -209,8 +209,8 @@ TEST_F(Formats, init_of_a_directory_calibrates_as_the_directory_does) {
   EXPECT_NEAR(cycle_of(second, 1, 3)["energy_kN_mm"].get<double>(), expected.energy, 1e-3 * expected.energy);
 }
 
-// The headers of these files name no channels. What the user stated for the first file is reused for a folder of
-// others.
+// The headers of these files name no channels, so the user states columns and units for the first file. init --like
+// applies the same statements to a folder of further files.
 TEST_F(Formats, init_like_reads_a_folder_as_another_lot_file_does) {
   auto const bare = [](double stiffness) {
     return csv(record({.stiffness_kN_per_mm = stiffness}), "A,B,C", [](std::size_t, Sample const& s) {

@@ -1,5 +1,5 @@
-// Devices, laws or runs are added to a finished campaign: only the new part is computed, and the result equals a
-// campaign that had them from the start.
+// A finished campaign may be extended by devices, laws or runs. Only the addition is computed, and the result must
+// equal a campaign that had everything from the start.
 #include <sqlite3.h>
 
 #include "cli/records.hpp"
@@ -63,8 +63,8 @@ TEST_F(Grow, by_laws_with_what_is_set_for_them) {
   expect_same("G", "W");
 }
 
-// Each run of the genetic algorithm ends at other values. Where a new run is the best, all results that depend on the
-// best run are computed again.
+// Runs of the genetic algorithm end at different values. Where an added run is the best of all, every result that
+// depends on the best run is computed again.
 TEST_F(Grow, by_runs_of_which_some_are_the_best) {
   lot("lot.toml", "abc");
   Words const genetic{"--method", "ga", "--population", "8", "--generations", "4"};
@@ -75,7 +75,7 @@ TEST_F(Grow, by_runs_of_which_some_are_the_best) {
   expect_same("G", "W");
 }
 
-// The test marks stored rows. The marks stay, which shows that the rows are not computed again.
+// The test writes impossible numbers into stored rows. Rows that still have them afterwards were not computed again.
 TEST_F(Grow, computes_nothing_twice) {
   lot("two.toml", "ab");
   lot("three.toml", "abc");
@@ -93,13 +93,13 @@ TEST_F(Grow, computes_nothing_twice) {
   };
   EXPECT_EQ(kept("device_analysis", "171717"), "2");
   EXPECT_EQ(kept("lot_analysis", "272727"), "1");
-  // A further device changes the lot, so the lot's analyses are new.
+  // A third device makes another lot, so the analysis of the lot must be computed again.
   ASSERT_EQ(isolaw(campaign("three.toml", "bilinear,vaiana", "2", "G")).code, 0);
   EXPECT_EQ(kept("device_analysis", "171717"), "2");
   EXPECT_EQ(kept("lot_analysis", "272727"), "0");
 }
 
-// A device that was refused has no results to lose.
+// Other records of a campaign must not change, but a device that was refused has no results yet and may.
 TEST_F(Grow, takes_a_device_that_was_refused_once_it_is_mended) {
   lot("lot.toml", "abc");
   auto const good = read("c.csv");

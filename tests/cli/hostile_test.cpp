@@ -1,4 +1,4 @@
-// Names and paths that break careless programs.
+// Names and paths that would break a careless program.
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -13,7 +13,6 @@ namespace {
 
 class Hostile : public InFreshDirectory {};
 
-// Line ends are allowed.
 void expect_no_control_characters(Outcome const& o) {
   for (auto const& text : {o.out, o.err}) {
     auto const found = std::ranges::find_if(
@@ -58,7 +57,8 @@ TEST_F(Hostile, title_and_device_name_that_close_tags_stay_text_in_the_page) {
   EXPECT_EQ(page.find("</script><script>alert"), std::string::npos);
   EXPECT_EQ(page.find("<!--<script>"), std::string::npos);
   EXPECT_TRUE(contains(page, "\\u003c/script>\\u003cscript>alert(1)"));
-  EXPECT_TRUE(contains(page.substr(0, 2000), "{{data}}"));  // kept as text, not filled in
+  // the page is a template with {{data}} in it; a title of that form must stay text
+  EXPECT_TRUE(contains(page.substr(0, 2000), "{{data}}"));
 }
 
 TEST_F(Hostile, refusal_quotes_the_files_text_escaped) {
@@ -149,7 +149,7 @@ TEST_F(Hostile, output_directories_are_made_as_deep_as_asked) {
   EXPECT_TRUE(exists("x/y z/O/report.html"));
 }
 
-// --- names --------------------------------------------------------------------------------------------------------
+// --- hostile names of devices and files ---------------------------------------------------------------------------
 
 TEST_F(Hostile, device_name_with_quotes_html_and_sql_is_kept_and_shown_as_text) {
   write("a.csv", csv(record()));
@@ -204,7 +204,7 @@ TEST_F(Hostile, init_of_a_name_no_lot_file_can_hold_is_refused) {
   EXPECT_FALSE(exists("lot.toml"));
 }
 
-// --- paths --------------------------------------------------------------------------------------------------------
+// --- paths outside the lot's folder -------------------------------------------------------------------------------
 
 TEST_F(Hostile, lot_file_cannot_read_outside_its_folder) {
   write("secret.csv", csv(record()));
@@ -251,7 +251,7 @@ TEST_F(Hostile, init_of_files_elsewhere_says_what_calibrate_will_need) {
   EXPECT_EQ(isolaw({"init", "data/a.csv"}).err, "");
 }
 
-// --- sizes and kinds ----------------------------------------------------------------------------------------------
+// --- huge files, special files and large counts -------------------------------------------------------------------
 
 TEST_F(Hostile, special_files_are_refused_at_once) {
   ASSERT_EQ(mkfifo(path("pipe.csv").c_str(), 0600), 0);
@@ -271,7 +271,7 @@ TEST_F(Hostile, special_files_are_refused_at_once) {
 TEST_F(Hostile, files_above_their_size_are_refused_before_they_are_read) {
   for (std::string const name : {"large.csv", "large.toml"}) {
     write(name, "x");
-    fs::resize_file(path(name), std::uintmax_t{1} << 40);  // a sparse file, which takes no space
+    fs::resize_file(path(name), std::uintmax_t{1} << 40);  // sparse, so it takes no space on the disk
   }
   expect_refused(isolaw({"inspect", "large.csv"}),
                  {"large.csv: is 1024.00 GiB large, above 1 GiB", "one test per file"});
@@ -325,7 +325,7 @@ TEST_F(Hostile, want_of_memory_is_said_plainly) {
   GTEST_SKIP() << "sanitizers take more address space than this";
 #endif
   write("long.csv", "x");
-  fs::resize_file(path("long.csv"), 1'000'000'000);  // a sparse file, which takes no space
+  fs::resize_file(path("long.csv"), 1'000'000'000);  // sparse, so it takes no space on the disk
   Process limited({"sh", "-c", "ulimit -v 500000; exec " ISOLAW_BINARY " inspect long.csv"}, directory(), path("out"),
                   path("err"));
   auto const o = limited.wait();

@@ -1,4 +1,5 @@
-// `isolaw inspect` of a lot: the numbers of every cycle, device and property against values from the samples.
+// `isolaw inspect` of a lot: every number of cycles, devices and properties is compared with a value that the test
+// computes from the samples.
 #include "cli/loops.hpp"
 #include "cli/records.hpp"
 #include "cli/run.hpp"
@@ -23,7 +24,6 @@ Moments moments_of(std::vector<double> const& values) {
 
 class Inspect : public InFreshDirectory {
  protected:
-  // Four devices that differ in stiffness and in strength.
   void SetUp() override {
     InFreshDirectory::SetUp();
     for (std::size_t d = 0; d < 4; ++d) {
@@ -31,7 +31,7 @@ class Inspect : public InFreshDirectory {
       write("lot/" + names_[d] + ".csv", csv(samples_[d]));
     }
   }
-  // The samples rounded to the digits of the file.
+  // Rounds the samples as the file does.
   static std::vector<Sample> rounded(std::vector<Sample> samples) {
     for (auto& s : samples) {
       s.disp_mm = std::round(1e5 * s.disp_mm) / 1e5;
@@ -119,7 +119,7 @@ TEST_F(Inspect, the_lot_is_described_by_its_third_cycles) {
               names_[static_cast<std::size_t>(std::ranges::min_element(values) - values.begin())]);
     near("fractile_5", expected.mean - 1.644854 * expected.sd);
     near("fractile_95", expected.mean + 1.644854 * expected.sd);
-    near("tolerance_k", 6.3411, 1e-5);  // exact factor for four values, 95 % with confidence 95 %
+    near("tolerance_k", 6.3411, 1e-5);  // exact factor for four values, a share of 95 % and a confidence of 95 %
     near("tolerance_lower", expected.mean - 6.3411 * expected.sd, 1e-4);
     EXPECT_EQ(quantity["outlier_note"], "too few devices to name outliers: 4, at least 5 needed");
     if (name == "K_eff") {
@@ -163,7 +163,7 @@ TEST_F(Inspect, out_holds_page_json_and_tables_of_the_same_numbers) {
   auto const found = Json::parse(o.out);
   expect_devices(found);
 
-  constexpr double six_digits = 5e-6;  // rounding of the tables
+  constexpr double six_digits = 5e-6;  // the tables have six digits
   auto const cycles = cells_of(read("O/tables/cycles.csv"));
   ASSERT_EQ(cycles.size(), 1u + 4 * 3);
   for (std::size_t row = 1; row < cycles.size(); ++row) {
@@ -191,7 +191,8 @@ TEST_F(Inspect, out_holds_page_json_and_tables_of_the_same_numbers) {
   EXPECT_NEAR(number(lot, 1, "std"), K.sd, six_digits);
   EXPECT_EQ(cell(lot, 1, "max device"), "D2");
   auto const lambda = cells_of(read("O/tables/lambda.csv"));
-  ASSERT_EQ(lambda.size(), 1u + 5 * 4);  // observed and three statistical rows of each property
+  // each of five properties has one row of observed and three rows of statistical factors
+  ASSERT_EQ(lambda.size(), 1u + 5 * 4);
   EXPECT_EQ(cell(lambda, 1, "source"), "observed");
   EXPECT_NEAR(number(lambda, 1, "lambda_spec min"), K.min / K.mean, six_digits);
   EXPECT_NEAR(number(lambda, 1, "lambda_spec max"), K.max / K.mean, six_digits);
@@ -251,7 +252,7 @@ TEST_F(Inspect, which_part_of_a_file_was_read_is_told) {
   expect_loop(cycle_of(sheet, 1, 3), loop(1, 3));
 }
 
-// An effect of the error budget, by name.
+// The entry of the error budget with this name.
 Json effect(Json const& device, std::string const& name) {
   for (auto const& one : device["effects"])
     if (one["effect"] == name) return one;
@@ -264,14 +265,14 @@ TEST_F(Inspect, the_effects_of_the_error_budget_are_numbers) {
   EXPECT_NEAR(effect(good, "samples per cycle")["value"].get<double>(), 200.0, 1e-6);
   EXPECT_EQ(effect(good, "samples per cycle")["limit"], 100);
   EXPECT_EQ(effect(good, "samples per cycle")["exceeds"], false);
-  // 1 - N/(2 pi) sin(2 pi/N) and 1 - cos(pi/N)
+  // With N samples per cycle the loss of energy is 1 - N/(2 pi) sin(2 pi/N) and that of the peak 1 - cos(pi/N).
   double const angle = 2.0 * std::numbers::pi / 200.0;
   EXPECT_NEAR(effect(good, "energy lost between samples")["value"].get<double>(),
               100.0 * (1.0 - std::sin(angle) / angle), 1e-6);
   EXPECT_NEAR(effect(good, "peak missed between samples")["value"].get<double>(), 100.0 * (1.0 - std::cos(angle / 2.0)),
               1e-6);
   EXPECT_TRUE(effect(good, "peak missed between samples")["limit"].is_null());
-  // m (2 pi f)^2 of a tonne at 0.5 Hz
+  // A moving mass m takes the stiffness m (2 pi f)^2; here it is a tonne at 0.5 Hz.
   auto const mass = effect(good, "stiffness taken by a tonne of moving mass");
   EXPECT_NEAR(mass["value"].get<double>(), 1e-3 * std::numbers::pi * std::numbers::pi, 1e-6);
   EXPECT_EQ(mass["unit"], "kN/mm");
@@ -294,7 +295,7 @@ TEST_F(Inspect, a_record_without_a_complete_cycle_says_so_once) {
   EXPECT_TRUE(contains(found["properties_refusal"].get<std::string>(), "less than one complete cycle"));
 }
 
-// The committed example lot: what inspect says of the lot agrees with what it says of each device.
+// For the committed example lot, the statistics of the lot must agree with the devices' own values.
 TEST_F(Inspect, the_example_lot) {
   fs::path const example = fs::path(ISOLAW_SOURCE_DIR) / "examples/published-lot";
   auto const found = inspected({example / "lot.toml"});
@@ -309,7 +310,7 @@ TEST_F(Inspect, the_example_lot) {
   EXPECT_EQ(stiffness["quantity"], "K_eff");
   EXPECT_NEAR(stiffness["mean"].get<double>(), expected.mean, 1e-7);
   EXPECT_NEAR(stiffness["sd"].get<double>(), expected.sd, 1e-7);
-  // The samples of the first device, read by this test: three cycles, cut where the displacement rises through zero.
+  // The test reads the first device's samples itself and computes the properties of the cycle that inspect reports.
   std::istringstream lines(read_file(example / "device-01.csv"));
   std::vector<Sample> samples;
   std::string line;

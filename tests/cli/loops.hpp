@@ -1,4 +1,4 @@
-// Expected results of a record, computed from its samples alone, and readers for the outputs to compare with.
+// The expected properties of a cycle, computed from the samples alone, and readers for isolaw's tables and JSON.
 #pragma once
 
 #include <algorithm>
@@ -19,8 +19,8 @@ struct Loop {
   double d_plus = 0.0, d_minus = 0.0, F_plus = 0.0, F_minus = 0.0, K_eff = 0.0, energy = 0.0, damping = 0.0;
 };
 
-// The cycle between the samples `first` and `last`, both included: K_eff peak to peak, energy by trapezoids, damping
-// E/(2 pi K_eff D^2).
+// Properties of the cycle from sample `first` to sample `last`, both included: K_eff from peak to peak, energy by
+// trapezoids, and damping E/(2 pi K_eff D^2).
 inline Loop loop_of(std::span<Sample const> samples, std::size_t first, std::size_t last) {
   auto const cycle = samples.subspan(first, last - first + 1);
   auto const [lowest, highest] = std::ranges::minmax(cycle, {}, &Sample::disp_mm);
@@ -52,7 +52,7 @@ inline void expect_loop(Json const& cycle, Loop const& loop, double share = 1e-6
   near("damping_percent", loop.damping);
 }
 
-// The counted cycle with this number.
+// The counted cycle with this number in this block of a device.
 inline Json const& cycle_of(Json const& device, int block, int number) {
   for (auto const& one : device["blocks"])
     for (auto const& cycle : one["cycles"])
@@ -60,7 +60,7 @@ inline Json const& cycle_of(Json const& device, int block, int number) {
   throw std::runtime_error(fmt::format("no cycle {} of block {} in {}", number, block, device.dump().substr(0, 1000)));
 }
 
-// A CSV table as rows of cells, the first row being the names. Quotes are removed.
+// Splits a CSV table into rows of cells, without quotes. The first row has the names of the columns.
 inline std::vector<Words> cells_of(std::string_view csv) {
   std::vector<Words> rows(1, Words(1));
   bool quoted = false;
@@ -81,7 +81,6 @@ inline std::vector<Words> cells_of(std::string_view csv) {
   return rows;
 }
 
-// The cell of a row in the column `name`.
 inline std::string cell(std::vector<Words> const& rows, std::size_t row, std::string_view name) {
   auto const found = std::ranges::find(rows.at(0), name);
   if (found == rows[0].end()) throw std::runtime_error("no column " + std::string(name));
@@ -91,7 +90,7 @@ inline double number(std::vector<Words> const& rows, std::size_t row, std::strin
   return std::stod(cell(rows, row, name));
 }
 
-// Collects every value of the key `verdict`, at any depth.
+// All values of the key `verdict`, at any depth.
 inline void collect_verdicts(Json const& json, std::vector<std::string>& found) {
   if (json.is_object())
     for (auto const& [key, value] : json.items())

@@ -1,4 +1,4 @@
-// lot.toml: what it may contain, and that every mistake is reported with its line.
+// The keys of lot.toml, and mistakes in it, each of which must be reported with its line.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 #include "cli/store.hpp"
@@ -18,11 +18,12 @@ class LotFile : public InFreshDirectory {
     write("lot.toml", lot);
     return isolaw(Words{"calibrate", "lot.toml", "--out", "O", "--fresh"} + more);
   }
-  // Runs a small search whatever the lot file says, so that a mistake that goes unnoticed costs little time.
+  // Limits the search by options, which override the lot file. A mistake that isolaw fails to notice then costs little
+  // time.
   Outcome run_limited(std::string const& lot) {
     return run(lot, {"--laws", "bilinear", "--runs", "1", "--population", "4", "--generations", "1"});
   }
-  // Puts the settings of a small search into the lot file itself.
+  // Limits the search by settings in the lot file itself.
   Outcome run_small(std::string const& rest) {
     return run("[calibrate]\nlaws = \"bilinear\"\nruns = 1\npopulation = 4\ngenerations = 1\n" + rest);
   }
@@ -84,7 +85,7 @@ TEST_F(LotFile, several_files_of_a_device_are_one_history) {
   auto const store = path("O/campaign.sqlite");
   EXPECT_EQ(query(store, "SELECT count FROM series WHERE kind = 'raw' AND channel = 'disp_mm'"), Words{"1202"});
   EXPECT_EQ(json("O/summary.json")["devices"][0]["file"], "a.csv, b.csv");
-  EXPECT_EQ(count_of("long,", read("O/tables/cycles.csv")), 6u);  // three cycles of each device
+  EXPECT_EQ(count_of("long,", read("O/tables/cycles.csv")), 6u);  // three cycles in each of the two files
   EXPECT_TRUE(
       contains(query(store, "SELECT recognised FROM device").at(0), "b.csv continues the history with 601 samples"));
 }
@@ -114,7 +115,8 @@ TEST_F(LotFile, reading_is_set_for_all_devices_and_for_one) {
   auto const properties = read("O/tables/cycles.csv");
   EXPECT_TRUE(contains(properties, "c,1,3,yes,,yes,,0.5,2,100,100,-100,70,-70,0.7,"));
   EXPECT_TRUE(
-      contains(properties, "d,1,3,yes,,yes,,0.5,2,100,100,-100,686.465,-686.465,6.86"));  // 0.7 tonf/mm = 6.865 kN/mm
+      // 70 tonf at 100 mm are 6.865 kN/mm
+      contains(properties, "d,1,3,yes,,yes,,0.5,2,100,100,-100,686.465,-686.465,6.86"));
 }
 
 TEST_F(LotFile, devices_are_named_after_their_files_when_they_have_no_name) {

@@ -1,4 +1,4 @@
-// The rules that tests are checked against: where they may come from, what is copied, what reports and `check` say.
+// The rule sets of a lot file: where they may lie, what init --like copies, and what reports and `check` say of them.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 
@@ -29,7 +29,8 @@ TEST_F(HeldTo, rules_of_a_lot_file_are_not_looked_for_where_the_program_runs) {
   write("m/lot.toml", lot("rules = \"../secret.toml\""));
   for (Words const& command : {Words{"inspect", "m/lot.toml"}, Words{"calibrate", "m/lot.toml"}})
     expect_refused(isolaw(command), {"m/lot.toml:2: rules: '../secret.toml' leads outside", "--allow-outside"});
-  write("m/lot.toml", lot("rules = \"secret.toml\""));  // lies in the current directory, not beside the lot file
+  // the file is in the directory where isolaw runs, not beside the lot file
+  write("m/lot.toml", lot("rules = \"secret.toml\""));
   expect_refused(isolaw({"inspect", "m/lot.toml"}),
                  {"m/lot.toml:2: rules: 'secret.toml' is neither a built-in rule set nor a file here"});
   write("m/lot.toml", lot("rules = \"../secret.toml\""));
@@ -83,7 +84,7 @@ TEST_F(HeldTo, a_report_with_other_rules_is_no_fault) {
   auto const other = isolaw({"check", "O"});
   EXPECT_EQ(other.code, 0) << other;
   EXPECT_TRUE(contains(other.out, "written with other rules, design values or lot size than the store holds"));
-  // Reports made with other rules are still compared.
+  // check also compares reports that were made with other rules than the store's.
   write("O/tables/tests.csv", read("O/tables/tests.csv") + "x");
   auto const edited = isolaw({"check", "O"});
   EXPECT_EQ(edited.code, 1) << edited;
@@ -144,12 +145,12 @@ TEST_F(HeldTo, too_small_a_sample_permits_no_analysis_with_mean_properties) {
     return Json::parse(isolaw({"inspect", "m", "--rules", "ntc-2018", "--lot-size", size, "--json"})
                            .out)["assessment"]["lot"]["mean_analysis"];
   };
-  EXPECT_TRUE(said("20")["permitted"].is_null());  // 3 devices, 4 required
+  EXPECT_TRUE(said("20")["permitted"].is_null());  // 3 devices are tested and 4 are required
   EXPECT_TRUE(contains(said("20")["sentence"].get<std::string>(), "cannot be said: 3 devices"));
   EXPECT_EQ(said("3")["permitted"], true);
 }
 
-// This bearing's strength rises from the first cycle to the second.
+// The strength of this measured bearing rises from the first cycle to the second, so cycle 2 has the largest value.
 TEST_F(HeldTo, bounds_enclose_the_measured_strength) {
   auto const file = data / "hdrb-gallardo-device/cyclic-24-49-98pct.csv";
   if (!fs::exists(file)) GTEST_SKIP() << "measured data are not here: " << file;
@@ -160,7 +161,7 @@ TEST_F(HeldTo, bounds_enclose_the_measured_strength) {
   auto const& cycles = found["devices"][0]["blocks"][2]["cycles"];
   for (auto const& factor : found["assessment"]["lot"]["factors"])
     if (factor["property"] == "Q_d" && factor["source"] == "observed") {
-      EXPECT_GT(factor["upper"].get<double>(), cycles[1]["Q_d_kN"].get<double>());  // the largest
+      EXPECT_GT(factor["upper"].get<double>(), cycles[1]["Q_d_kN"].get<double>());  // cycle 2, the largest
       EXPECT_LT(factor["lower"].get<double>(), cycles[2]["Q_d_kN"].get<double>());
     }
   auto const& test = found["assessment"]["lot"]["quantities"][3]["lambda_test"];

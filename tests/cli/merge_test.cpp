@@ -1,4 +1,4 @@
-// A campaign computed in parts and merged equals, byte by byte, a campaign computed on one machine. merge refuses
+// A campaign computed in parts and merged must equal, byte by byte, a campaign computed on one machine. merge refuses
 // anything that is not a part of the campaign.
 #include <sys/file.h>
 
@@ -11,7 +11,7 @@
 namespace isolaw::cli_test {
 namespace {
 
-// The files of a campaign's directory by name, without run.json, which records time and manner of the computation.
+// All files of a campaign's directory by name. run.json is left out, because it records when and how long it ran.
 std::map<std::string, std::string> results_in(fs::path const& directory) {
   std::map<std::string, std::string> found;
   for (auto const& entry : fs::recursive_directory_iterator(directory))
@@ -86,7 +86,7 @@ class Merge : public InFreshDirectory {
   }
   void expect_as_one_machine() {
     if (!exists("W")) {
-      ASSERT_EQ(isolaw(campaign("W", {"--jobs", "3"})).code, 1);  // a device was refused
+      ASSERT_EQ(isolaw(campaign("W", {"--jobs", "3"})).code, 1);  // the exit code is 1 because device c is refused
     }
     auto const one = results_in(path("W")), merged = results_in(path("O"));
     ASSERT_TRUE(one.contains("campaign.sqlite") && one.contains("summary.json") && one.contains("report.html"));
@@ -100,7 +100,7 @@ class Merge : public InFreshDirectory {
 };
 
 TEST_F(Merge, of_seven_parts_in_any_order_one_killed_one_twice_is_what_one_machine_computes) {
-  // The part is killed in the middle of its search, then continued by the same command. On a busy machine the search
+  // Part 4 is killed in the middle of its search and then continued by the same command. On a busy machine the search
   // may end before the kill; the test then tries again.
   for (int attempt = 1;; ++attempt) {
     auto killed = start(part(4, {"--jobs", "1"}));
@@ -120,7 +120,7 @@ TEST_F(Merge, of_seven_parts_in_any_order_one_killed_one_twice_is_what_one_machi
   ASSERT_EQ(isolaw(campaign("again", {"--part", "2/7", "--jobs", "2"})).code, 0);
   EXPECT_EQ(read("again/campaign.sqlite"), read("P2/campaign.sqlite"));
   auto const o = isolaw(merge({3, 7, 2, 1, 6, 4, 5}, {"again"}));
-  expect_message(o, 1, {"24 runs copied, ", " there already"});  // a device was refused
+  expect_message(o, 1, {"24 runs copied, ", " there already"});  // the exit code is 1 because device c is refused
   expect_as_one_machine();
   EXPECT_EQ(without_folder(o.out, "O"), without_folder(isolaw(campaign("W")).out, "W"));
 }
@@ -150,12 +150,12 @@ TEST_F(Merge, takes_what_others_have_examined_of_devices) {
   expect_message(examine("1/2"), 0, {"part 1 of 2 of the devices is analysed", "isolaw merge OUT PARTS..."});
   EXPECT_FALSE(exists("E1/summary.json"));
   ASSERT_EQ(examine("2/2").code, 0);
-  ASSERT_EQ(examine("2/2").code, 0);  // again: nothing is left to do
+  ASSERT_EQ(examine("2/2").code, 0);  // nothing is left to compute
   auto const examined = [&](char const* store) { return stored_rows(path(store), "device_analysis"); };
   EXPECT_EQ(examined("E1/campaign.sqlite") + examined("E2/campaign.sqlite"), 6);
   EXPECT_GE(std::min(examined("E1/campaign.sqlite"), examined("E2/campaign.sqlite")), 1);
   EXPECT_EQ(stored_rows(path("E1/campaign.sqlite"), "lot_analysis"), 0);
-  // Then the laws of the lot are fitted, in any number of shares.
+  // The laws of the lot are fitted in a second step, which may also be divided among several machines.
   auto const fit = [&](std::string const& share) {
     auto words = merge(all(), {"E1", "E2", "--part", share});
     words[1] = "L" + share.substr(0, 1);
@@ -189,7 +189,7 @@ TEST_F(Merge, names_what_is_missing_and_who_should_hold_it_and_goes_on_from_ther
                  {"P5/campaign.sqlite: not there", "runs copied to O/campaign.sqlite",
                   "not complete: ", "of part 5/7 (", "then repeat: isolaw merge O PARTS..."});
   EXPECT_FALSE(exists("O/summary.json"));
-  // The part has exactly its own runs.
+  // The message above lists the runs that are missing. They must be exactly the runs that part 5 computes.
   compute({5});
   Words expected;
   for (auto const& row : query(path("P5/campaign.sqlite"),
@@ -201,7 +201,7 @@ TEST_F(Merge, names_what_is_missing_and_who_should_hold_it_and_goes_on_from_ther
   std::string text = "part,device,law,run\n";
   for (auto const& line : expected) text += line + "\n";
   EXPECT_EQ(o.out, text);
-  // Only that part is added to what was merged before.
+  // merge adds part 5 to the parts that were merged before.
   expect_message(isolaw(merge({5})), 1, {"runs copied"});
   expect_as_one_machine();
 }
@@ -233,7 +233,8 @@ TEST_F(Merge, refuses_a_part_of_another_build_or_instruction_set_and_changes_not
                  {"I/campaign.sqlite: computed with instruction set abacus; the merge runs with ",
                   "one instruction set in all parts", "ISOLAW_SIMD=abacus isolaw merge", "--part 2/7 --fresh"});
   EXPECT_FALSE(exists("O/campaign.sqlite"));
-  // Parts must really be computed with this set, not merely claim it.
+  // The part above only claimed another instruction set. This part is really computed with another one, unless the two
+  // give the same bits.
   auto const scalar = campaign("S", {"--part", "2/7"});
   ASSERT_EQ(start(scalar, {"ISOLAW_SIMD=scalar"}).wait().code, 0);
   auto const o = start({"merge", "O", "P1", "S"}, {"ISOLAW_SIMD=scalar"}).wait();
@@ -267,10 +268,10 @@ TEST_F(Merge, refuses_parts_of_another_campaign_saying_what_differs) {
   expect_refused(isolaw({"merge", "O", "nowhere"}), {"nowhere/campaign.sqlite: no part is there"});
 }
 
-// --fresh replaces a store only once everything that takes its place is checked and copied.
+// merge --fresh must replace the store in O only after it has checked and copied everything that takes its place.
 TEST_F(Merge, that_starts_over_replaces_no_part_and_nothing_whole_by_less) {
   compute(all());
-  ASSERT_EQ(isolaw(merge(all())).code, 1);  // a device was refused
+  ASSERT_EQ(isolaw(merge(all())).code, 1);  // the exit code is 1 because device c is refused
   auto const whole = results_in(path("O")), part = results_in(path("P1"));
   ASSERT_TRUE(whole.contains("summary.json"));
   auto const refused = [&](Outcome const& o, Words const& said) {
@@ -288,7 +289,7 @@ TEST_F(Merge, that_starts_over_replaces_no_part_and_nothing_whole_by_less) {
   change(path("X/campaign.sqlite"), "UPDATE run SET evaluations = evaluations + 1");
   refused(isolaw(merge(all(), {"X", "--fresh"})), {"X/campaign.sqlite: run ", "is another one than"});
   EXPECT_EQ(isolaw({"merge", "P1"}).code, 2);
-  // An incomplete store, one of another campaign, or no store at all is replaced.
+  // merge --fresh may replace a complete store if all parts are given. It may always replace an empty or damaged store.
   expect_message(isolaw(merge(all(), {"--fresh"})), 1, {"24 runs copied to O/campaign.sqlite"});
   EXPECT_TRUE(results_in(path("O")) == whole);
   for (auto const size : {std::size_t{0}, std::size_t{5000}}) {
@@ -299,7 +300,7 @@ TEST_F(Merge, that_starts_over_replaces_no_part_and_nothing_whole_by_less) {
     expect_message(isolaw(merge(all(), {"--fresh"})), 1, {"24 runs copied"});
     EXPECT_TRUE(results_in(path("O")) == whole);
   }
-  // Files that a killed merge leaves.
+  // A merge that is killed leaves such files. The next merge removes them.
   for (auto const* name :
        {"campaign.sqlite.part", "campaign.sqlite.part-wal", "campaign.sqlite.part-shm", "campaign.sqlite.part.part",
         "campaign.sqlite.part.part-journal", "report.html.1999999999.part"})
@@ -359,11 +360,11 @@ TEST_F(Merge, is_refused_where_another_one_is_at_work) {
   compute({1});
   fs::create_directory(path("O"));
   int const held = ::open(path("O").c_str(), O_RDONLY | O_DIRECTORY);
-  ASSERT_EQ(flock(held, LOCK_EX | LOCK_NB), 0);  // as a merge locks it
+  ASSERT_EQ(flock(held, LOCK_EX | LOCK_NB), 0);  // a merge holds this lock while it works
   expect_refused(isolaw(merge({1})), {"O: another isolaw works in this directory"});
   EXPECT_FALSE(exists("O/campaign.sqlite"));
   close(held);
-  // A running merge holds that lock.
+  // Now a real merge runs and holds the lock.
   compute({2, 3, 4, 5, 6, 7});
   auto first = start(merge(all(), {"--jobs", "1"}));
   Outcome ended;
@@ -387,7 +388,7 @@ TEST_F(Merge, that_was_killed_is_done_again_by_the_same_command) {
     std::this_thread::sleep_for(1ms);
   process.send(SIGKILL);
   process.wait();
-  // All runs were copied before the kill, so the parts are no longer needed and may be removed.
+  // The kill came after all runs were copied, so the parts are no longer needed and may be removed.
   for (int const number : all()) fs::remove_all(path(dir(number)));
   expect_message(isolaw({"merge", "O", "--figures", "none"}), 1, {"0 runs copied"});
   expect_as_one_machine();
@@ -427,12 +428,12 @@ TEST_F(Merge, parts_are_named_as_they_may_be) {
   for (auto const* text : {"0/7", "8/7", "1", "/7", "1/", "a/b", "1/2/3", "-1/7", "1/1000001", ""})
     expect_refused(isolaw(campaign("X", {"--part", text})), {"--part", "K/N, part K of N"});
   EXPECT_FALSE(exists("X"));
-  // With more parts than runs the last parts have no runs, and succeed.
+  // If there are more parts than runs, the last parts have nothing to compute and succeed.
   expect_message(isolaw(campaign("X", {"--part", "100/100"})), 0, {"part 100 of 100: 0 runs"});
 }
 
-// A record prepared for a law is far larger than the record itself. Only the prepared records of runs in progress may
-// be in memory.
+// A record that is prepared for a law takes far more memory than the record itself. Only the records of runs in
+// progress may be prepared, so memory must not grow with the number of devices.
 TEST_F(Merge, of_a_part_holds_in_memory_what_is_at_work) {
   auto const peak_kB = [&](int devices) {
     auto const folder = fmt::format("lot of {}", devices);
@@ -446,10 +447,11 @@ TEST_F(Merge, of_a_part_holds_in_memory_what_is_at_work) {
   };
   auto const few = peak_kB(50), many = peak_kB(150);
   RecordProperty("kB_per_device", std::to_string((many - few) / 100));
-  EXPECT_LT(many - few, 100 * 150);  // one record prepared for a law: 70 kB
+  EXPECT_LT(many - few, 100 * 150);  // one prepared record takes 70 kB
 }
 
-// Scripts of `isolaw parts`, with names that the shell and make would split.
+// `isolaw parts` prints scripts. The names in these tests contain blanks, quotes and dollar signs, which the shell and
+// make must not interpret.
 class PartScripts : public Merge {
  protected:
   static Words in_parts(std::string const& to, std::string const& out) {
@@ -497,7 +499,7 @@ TEST_F(PartScripts, of_make_and_parallel_end_as_one_machine_also_after_a_loss) {
   }
 }
 
-// A part that exists is not computed again, but it is checked before it is used.
+// A script does not compute an existing part again, but it must refuse a part with other settings or records.
 TEST_F(PartScripts, merge_nothing_that_is_of_other_settings_or_records) {
   for (std::string const to : {"make", "parallel", "slurm"}) {
     if (to != "slurm" && !is_there(to)) {
@@ -510,7 +512,7 @@ TEST_F(PartScripts, merge_nothing_that_is_of_other_settings_or_records) {
       ASSERT_EQ(printed.code, 0) << printed;
       write(script, printed.out);
     };
-    // Runs the whole script, as make and parallel do, or part by part, as Slurm does.
+    // Runs the whole script. make and parallel do so by themselves; for Slurm the test runs each part as a job would.
     auto const everything = [&] {
       if (to == "make") return run({"make", "-f", script, "-k"});
       if (to == "parallel") return run({"sh", script}, {"ISOLAW_SCRATCH=" + path("disk").string()});
@@ -547,11 +549,11 @@ TEST_F(PartScripts, merge_nothing_that_is_of_other_settings_or_records) {
     write("b.csv", csv(record({.amplitude_mm = 91.0})));
     refused({"b: its file has changed"});
     write("b.csv", csv(record({.amplitude_mm = 90.0})));
-    // With the former settings the result is the same, and nothing was lost.
+    // With the original settings and records everything gives the same bytes again.
     everything();
     EXPECT_TRUE(read(to + ".parts/2/campaign.sqlite") == bytes) << to;
     EXPECT_TRUE(results_in(path(to)) == whole) << to;
-    // The store is cut off within a page or between pages. merge must not accept it because its name is right.
+    // The store of part 2 is cut off in its middle or near its end. merge must refuse it although its name is right.
     for (auto const size : {bytes.size() / 2, bytes.size() - 100}) {
       write(to + ".parts/2/campaign.sqlite", std::string_view(bytes).substr(0, size));
       refused({"damaged"});
@@ -560,7 +562,8 @@ TEST_F(PartScripts, merge_nothing_that_is_of_other_settings_or_records) {
       EXPECT_TRUE(read(to + ".parts/2/campaign.sqlite") == bytes) << to;
     }
     if (to == "make") continue;
-    // An empty store, as a full disk leaves it, or a damaged one on the node's own disk is replaced without asking.
+    // The script itself replaces an empty store, which a full disk may leave, and a damaged store on the node's own
+    // disk.
     write(to + ".parts/2/campaign.sqlite", "");
     everything();
     EXPECT_TRUE(read(to + ".parts/2/campaign.sqlite") == bytes) << to;
@@ -574,9 +577,9 @@ TEST_F(PartScripts, merge_nothing_that_is_of_other_settings_or_records) {
     auto const o = everything();
     EXPECT_TRUE(contains(o.err, "0 runs copied, 24 there already")) << o;
     EXPECT_TRUE(exists(to + ".parts/3/campaign.sqlite")) << o;
-    // Nothing stays on the node's disk.
+    // The script must leave no files on the node's disk.
     EXPECT_TRUE(!exists("disk") || fs::is_empty(path("disk"))) << to;
-    // The same directory is used with another number of parts.
+    // The existing directory holds part 1 of 5, so a script for 2 parts must refuse it.
     auto words = in_parts(to, to);
     words[2] = "2";
     write(script, isolaw(words).out);
@@ -605,7 +608,7 @@ TEST_F(PartScripts, are_refused_as_commands_are) {
   expect_refused(isolaw(none), {"count: 0", "1 to 100000 parts"});
   expect_message(isolaw(Words{"parts", "lot.toml", "50", "--to", "make"} + Words(none.begin() + 5, none.end())), 0,
                  {"24 runs for 50 parts: some parts will have none"});
-  // Options that would be ignored are refused.
+  // `parts` refuses options that would have no effect.
   expect_refused(isolaw(in_parts("make", "O") + Words{"--motion", "m.csv"}),
                  {"--motion: is given for a lot", "--campaign"});
   expect_refused(isolaw({"parts", "b.toml", "5", "--to", "make", "--campaign", "O", "--runs", "3", "--seed", "2"}),

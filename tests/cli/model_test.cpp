@@ -1,4 +1,4 @@
-// isolaw export of a whole building: the example lot's laws to both targets, run in OpenSees; and wrong requests.
+// isolaw export of a whole building: the laws of the example lot to both model targets, run in OpenSees; and refusals.
 #include "cli/models.hpp"
 #include "cli/records.hpp"
 #include "opensees.hpp"
@@ -97,7 +97,8 @@ TEST_F(ExportedModel, draws_are_repeatable_by_their_seed) {
   EXPECT_EQ(first, drawn({"--seed", "7"}));
   EXPECT_NE(first, drawn({"--seed", "8"}));
   EXPECT_TRUE(contains(first, "# Analyses: nominal, and 2 draws, seed 7, each isolator with a law of its own"));
-  // The exported devices are the ones that `sample` draws. Isolator 1 of draw 2 is the fifth of them.
+  // The model draws its devices as `sample` does. Each draw has four isolators, so isolator 1 of draw 2 is the fifth
+  // device.
   auto const sampled = isolaw({"sample", "C", "--law", "bouc-wen", "--count", "8", "--seed", "7"});
   ASSERT_EQ(sampled.code, 0) << sampled;
   EXPECT_TRUE(contains(first, "draw_2_4 {"));
@@ -109,8 +110,8 @@ TEST_F(ExportedModel, draws_are_repeatable_by_their_seed) {
   std::istringstream cells(row);
   for (std::string cell; std::getline(cells, cell, ',');) values.push_back(std::stod(cell));
   ASSERT_EQ(values.size(), 7u) << row;
-  // With alpha, Ke and A the initial stiffness is alpha Ke + (1 - alpha) Ke A. It is kInit, the bearing's first
-  // argument.
+  // The initial stiffness of bouc-wen is alpha Ke + (1 - alpha) Ke A. It is the first argument, kInit, of OpenSees'
+  // bearing element.
   double const initial = values[2] * (values[1] + (1.0 - values[1]) * values[3]);
   auto const at = first.find("draw_2_1 {");
   ASSERT_NE(at, std::string::npos);
@@ -151,7 +152,7 @@ TEST_F(ExportedModel, what_is_asked_for_wrongly_is_refused) {
   refused(Words{"--layout", "empty.csv"} + axial + motion, {"empty.csv: no bearings"});
   refused(Words{"--layout", "nowhere.csv"} + axial + motion, {"nowhere.csv"});
   refused(whole_ + Words{"--out", "layout.csv"}, {"layout.csv: is an input of this command and would be replaced"});
-  // A target refuses options that it has no use for.
+  // The target opensees writes a material, not a model, so it must refuse an option for models.
   auto const o = exported("bilinear", "opensees", {"--mass", "3t"});
   EXPECT_EQ(o.code, 2) << o;
   EXPECT_TRUE(contains(
@@ -182,7 +183,7 @@ TEST_F(ExportedModel, vertical_stiffness_comes_from_the_compression_tests) {
   EXPECT_TRUE(contains(said("a"), "# Vertical springs: 700 to 800 kN/mm, the layout;"));
 }
 
-// Names of isolators and files come from users and may contain anything.
+// Users may give isolators and files any name. In the exported scripts no part of a name may act as a command.
 TEST_F(ExportedModel, hostile_names_stay_names) {
   calibrate("bilinear");
   write("evil [exec touch HACKED].csv", "name,x [m],y [m]\n\"A\"\"; } [exec touch HACKED] $evil\",0,0\nB,6,0\n");

@@ -1,4 +1,5 @@
-// A store of an older schema (tests/stores/README.md) is refused by every command that takes one, and not changed.
+// A store with an older schema (tests/stores/README.md). Every command that takes a store must refuse it and leave it
+// unchanged.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 

@@ -1,4 +1,5 @@
-// Every script that `export` writes for the example lot and the measured bearing, run in OpenSees.
+// OpenSees runs every script that `export` writes for the example lot and for the measured bearing. Each script
+// compares OpenSees' forces with isolaw's and prints PASS.
 #include "opensees.hpp"
 #include "cli/run.hpp"
 
@@ -14,8 +15,8 @@ class InOpenSees : public InFreshDirectory {
 
   Outcome finished(Words const& command) { return Process(command, path("."), path("out"), path("err")).wait(); }
 
-  // Exports every law of the campaign in C for the device, in Tcl and Python. A refusal must give a reason; every other
-  // script must agree. Returns how many were run.
+  // Exports each law to Tcl and Python for this device, runs both scripts and expects PASS. Returns how many scripts
+  // ran.
   int check_all(std::string const& device, Words const& laws) {
     int run = 0;
     for (auto const& law : laws)
@@ -50,7 +51,8 @@ TEST_F(InOpenSees, exports_of_the_example_lot) {
   EXPECT_EQ(run, 10 * 7 * 2);
 }
 
-// xara has its own interpreter and parsers. It passes no arguments, so another script asks for the check.
+// xara is a build of OpenSees with its own Tcl interpreter. It passes no arguments to a script, so check.tcl calls the
+// self-check of the exported script.
 TEST_F(InOpenSees, tcl_scripts_in_an_interpreter_of_their_own) {
   if (!here_.has_xara()) GTEST_SKIP() << "xara is not there; " << here_.lacking();
   ASSERT_EQ(isolaw({"example", "lot"}).code, 0);
@@ -70,7 +72,8 @@ TEST_F(InOpenSees, tcl_scripts_in_an_interpreter_of_their_own) {
   }
 }
 
-// Also with one set of limit curves: for this bearing they soften, which takes two materials in parallel.
+// The second campaign ties the branches of vaiana, so that both have the same limit curves. For this bearing the curves
+// soften, and the export then needs two materials in parallel.
 TEST_F(InOpenSees, exports_of_the_measured_bearing) {
   auto const file = data / "hdrb-gallardo-device/cyclic-24-49-98pct.csv";
   if (!fs::exists(file)) GTEST_SKIP() << "measured data are not here: " << file;

@@ -1,5 +1,5 @@
-// Every writer of outputs on a campaign of all laws with the default search, also under sanitizers, which check even
-// values that no output shows.
+// Runs everything that writes output, on campaigns with all laws and the default search. The sanitized build also
+// checks values that are computed but not shown.
 #include <map>
 #include <sstream>
 
@@ -23,9 +23,9 @@ class Outputs : public InFreshDirectory {
           csv(record({.samples = 121, .per_cycle = 40, .stiffness_kN_per_mm = 0.53}), "displacement [mm],force [kN]",
               [](std::size_t, Sample const& s) { return fmt::format("{:.5f},{:.5f}", s.disp_mm, s.force_kN); }));
   }
-  // The command may succeed or refuse, but without any memory or arithmetic error.
+  // Expects that the command succeeds or refuses without a memory or arithmetic error.
   Outcome sound(Words const& words) {
-    auto const o = start(words).wait(900s);  // all laws, with sanitizers, on a busy machine
+    auto const o = start(words).wait(900s);  // all laws with sanitizers may take minutes
     EXPECT_LT(o.code, 3) << o;
     EXPECT_EQ(o.err.find("Sanitizer"), std::string::npos) << o;
     EXPECT_EQ(o.err.find("runtime error"), std::string::npos) << o;
@@ -70,7 +70,7 @@ TEST_F(Outputs, EveryWriterOnAllLawsWithDefaultOptions) {
   sound(Words{"inspect", "a.csv", "--json"} + tests);
 }
 
-// The example lot as written, with fewer devices; every search option has its default.
+// The first two devices of the example lot, with its settings and all other settings at their defaults.
 TEST_F(Outputs, EveryWriterOnTheExampleLot) {
   sound({"example", "lot"});
   auto lot = read("lot/lot.toml");
@@ -83,7 +83,8 @@ TEST_F(Outputs, EveryWriterOnTheExampleLot) {
   EXPECT_EQ(sound({"check", "O"}).code, 0);
 }
 
-// bouc-wen depends only on the product of Ke and A: its population has A = 1 and no statement on A.
+// In bouc-wen only the product of Ke and A matters. The population of the lot is therefore given for A = 1, and the
+// table states no scatter of A.
 TEST_F(Outputs, LotLawOfTheReducedFormLeavesTheRedundantParameterOut) {
   ASSERT_EQ(sound({"calibrate", "a.csv", "b.csv", "--laws", "bouc-wen", "--runs", "1", "--replicates", "0",
                    "--analysis", "full", "--out", "O"})

@@ -1,5 +1,5 @@
-// Parts of files, channels in two files, what headers say of a device, and files that are no records: on the command
-// line and in lot files.
+// Records that are part of a file or spread over two files, headers that describe the device, and files that are no
+// records. All are given on the command line and in lot files.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 
@@ -41,7 +41,8 @@ TEST_F(Parts, options_of_the_command_line_are_keys_of_the_lot_file) {
   EXPECT_TRUE(contains(said(lot), "(--footer skip)"));
 }
 
-// In the certificate, an option in brackets marks what the user stated. The program recognised the rest.
+// isolaw lists how it read a file. A line ends with an option in brackets if the user stated that detail, and without
+// one if the program recognised it.
 TEST_F(Parts, what_the_program_was_told_stands_with_its_option) {
   auto const told = [&](Words const& words) {
     Words found;
@@ -106,7 +107,7 @@ TEST_F(Parts, displacement_and_force_in_two_files_also_from_a_lot_file) {
   auto const lot = inspected({"recs/lot.toml"});
   EXPECT_EQ(lot["blocks"], both["blocks"]);
   EXPECT_TRUE(contains(said(lot), "force.csv is joined to disp.csv, row by row")) << "named as in the lot file";
-  // init writes the channel's file relative to the lot file.
+  // init must write the name of the force file relative to the lot file.
   auto const output =
       isolaw({"init", "recs/disp.csv", "--columns", "force=recs/force.csv:force", "--out", "recs/made.toml"});
   EXPECT_EQ(output.code, 0) << output;
@@ -124,7 +125,7 @@ TEST_F(Parts, a_lot_file_names_no_file_outside_for_a_channel_either) {
   EXPECT_EQ(isolaw({"inspect", "lot/lot.toml", "--allow-outside"}).code, 0);
 }
 
-// The file of a channel belongs to one lot, so --like does not copy its name to another lot.
+// A lot file may take the force from a second file. init --like does not copy the name of that file to another lot.
 TEST_F(Parts, like_another_lot_takes_no_file_of_it) {
   write("recs/disp.csv", channel(false));
   write("recs/force.csv", channel(true));
@@ -138,8 +139,8 @@ TEST_F(Parts, like_another_lot_takes_no_file_of_it) {
   EXPECT_EQ(inspected({"next/lot.toml"})["blocks"], inspected({"next/b.csv"})["blocks"]);
 }
 
-// init must not replace the file of a channel, and warns if the file lies outside the lot's folder. The content of the
-// file is part of the device's hash.
+// The force is in a second file. init must not replace that file and must warn if it lies outside the lot's folder. Its
+// content is part of the device's hash.
 TEST_F(Parts, the_file_of_a_channel_is_a_file_of_the_device) {
   write("recs/disp.csv", channel(false));
   write("force.csv", channel(true));
@@ -238,7 +239,7 @@ TEST_F(Parts, init_fills_the_keys_that_headers_say_and_writes_the_others_as_comm
   EXPECT_EQ(inspected({"lot.toml"})["devices"].size(), 5u);
 }
 
-// --- what a lot is called, and how it ends --------------------------------------------------------------------------
+// --- titles of lots, and exit codes -------------------------------------------------------------------------------
 
 TEST_F(Parts, several_files_are_called_by_their_folder_or_their_number) {
   for (auto const* name : {"lot-7/a.csv", "lot-7/b.csv", "other/c.csv"})
@@ -260,7 +261,7 @@ TEST_F(Parts, nothing_usable_is_an_error_of_several_files_too) {
   EXPECT_EQ(isolaw({"inspect", "a.csv", "c.csv"}).code, 1);
 }
 
-// A hundred samples a cycle count as a hundred, although the division gives 99.99.
+// A hundred samples a cycle must count as a hundred, although the measured period gives 99.99.
 TEST_F(Parts, a_hundred_samples_a_cycle_are_enough) {
   write("a.csv", csv(record({.samples = 301, .per_cycle = 100})));
   auto const o = isolaw({"inspect", "a.csv"});

@@ -1,4 +1,5 @@
-// Measured records, which lie beside the repository and are never copied into it. Without them the tests are skipped.
+// Tests with measured records. The records lie beside the repository and are never copied into it. Where they are
+// missing, the tests are skipped.
 #include <cmath>
 
 #include "cli/run.hpp"
@@ -46,14 +47,14 @@ TEST_F(Bearing, inspect_recognises_columns_units_and_cycles_and_says_that_time_i
   ASSERT_EQ(timed.code, 0) << timed;
   auto const found = Json::parse(timed.out);
   EXPECT_EQ(found["samples"], 19767);
-  // The sampling interval was deduced from the test's 0.5 Hz.
+  // The record states no time. Its sampling interval follows from the test's 0.5 Hz, so a cycle must take 2 s.
   EXPECT_NEAR(found["samples_per_cycle"].get<double>() * 0.00214823, 2.0, 0.01);
   ASSERT_EQ(found["blocks"].size(), 3u);
   for (auto const& block : found["blocks"]) EXPECT_EQ(block["cycles"].size(), 7u);
 }
 
-// The record is averaged over nine samples and thinned to every ninth, from the virgin start. The expected objectives
-// of the literature's laws and of power-masing come from other programs (docs/league.md has the rest).
+// The record is averaged over nine samples and reduced to every ninth. It starts with the first loading of the bearing.
+// Other programs gave the expected objectives; docs/league.md has more of them.
 TEST_F(Bearing, laws_reach_what_is_known_of_them) {
   if (!fs::exists(file)) GTEST_SKIP() << "measured data are not here: " << file;
   struct Known {
@@ -94,7 +95,7 @@ TEST_F(Bearing, without_a_sampling_interval_the_two_laws_that_need_velocity_are_
 class FrictionDamper : public RealInput {
  protected:
   fs::path const packed = data / "friction-damper-arts/ds2_0.5Hz_30lb_1in.json.xz";
-  // Converts rows [time s, displacement in, friction force kip, ...] to CSV.
+  // Converts the record's rows [time s, displacement in, friction force kip, ...] to CSV.
   void convert() {
     Process unpack({"xz", "--decompress", "--stdout", packed}, directory(), path("damper.json"), path("xz.err"));
     auto const unpacked = unpack.wait();
@@ -129,7 +130,7 @@ TEST_F(FrictionDamper, inspects_and_calibrates_after_a_plain_conversion) {
   for (auto const& cycle : block["cycles"])
     if (cycle["counts"]) {
       ++counted;
-      EXPECT_NEAR(cycle["amplitude_mm"].get<double>(), 25.4, 0.5);  // 1 in, after the ramp
+      EXPECT_NEAR(cycle["amplitude_mm"].get<double>(), 25.4, 0.5);  // the nominal amplitude, 1 in
     }
   EXPECT_EQ(counted, 3);
   auto const o = isolaw(Words{"calibrate", "damper.csv"} + reduced_into_O);
@@ -137,8 +138,8 @@ TEST_F(FrictionDamper, inspects_and_calibrates_after_a_plain_conversion) {
   expect_finite_objectives("damper", 2.0);
 }
 
-// Each record has seven cycles. The three at the nominal amplitude count; two at 1/4 and 3/4 of that amplitude come
-// before them and two after.
+// Each record has seven cycles, of which the three at the nominal amplitude count. Two smaller cycles, at 1/4 and 3/4
+// of the amplitude, come before these and two after.
 TEST_F(FrictionDamper, every_record_is_read_as_it_is_and_has_its_three_cycles) {
   if (!fs::exists(packed)) GTEST_SKIP() << "measured data are not here: " << packed;
   if (!have_xz()) GTEST_SKIP() << "xz is not installed";
@@ -166,7 +167,8 @@ TEST_F(FrictionDamper, every_record_is_read_as_it_is_and_has_its_three_cycles) {
     for (auto const& cycle : block["cycles"]) {
       if (cycle["counts"] == false) continue;
       ++counted;
-      // Extremes and energy of the rows between the cuts, which lie at most one sample from the rows' ends.
+      // Extremes and energy of the cycle from the rows themselves. isolaw cuts the cycle at most one sample from its
+      // first and last row.
       double largest = -1e9, least = 1e9, energy = 0.0;
       auto const first = static_cast<std::size_t>(std::lround(cycle["first"].get<double>()));
       auto const last = static_cast<std::size_t>(std::lround(cycle["last"].get<double>()));

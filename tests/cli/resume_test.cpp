@@ -1,4 +1,4 @@
-// A campaign that is stopped, killed, repeated or changed.
+// A campaign that is stopped or killed, given again, or given again with changes.
 #include <pty.h>
 
 #include "cli/records.hpp"
@@ -19,7 +19,7 @@ class Resume : public InFreshDirectory {
                  "40",        "--generations", "20",     "--analysis", "none",   "--out", out} +
            more;
   }
-  // Starts the campaign and sends the signal when some of its 40 runs are stored, but not all.
+  // Starts the campaign and sends the signal once at least 3 of its 40 runs are stored. Returns how it ended.
   Outcome stopped(Words const& words, std::string const& out, int signal, std::string const& law = "abe") {
     auto process = start(words);
     Outcome result;
@@ -55,7 +55,7 @@ TEST_F(Resume, interrupted_campaign_keeps_its_runs_continues_and_ends_as_if_neve
   EXPECT_EQ(without_folder(continued.out, "O"), without_folder(whole.out, "P"));
 }
 
-// The command that people type: the default search, followed by the analyses.
+// A user normally runs the default search followed by the analyses. Here it is killed and continued.
 TEST_F(Resume, of_the_default_search_and_its_analyses_ends_as_if_never_stopped) {
   auto const campaign = [](std::string const& out) {
     return Words{"calibrate",
@@ -95,7 +95,7 @@ TEST_F(Resume, polite_kill_stops_like_ctrl_c) {
   expect_message(o, 1, {"interrupted", "to continue: "});
 }
 
-// An ssh session ends: nobody reads the message, and the store is left as after Ctrl-C.
+// When an ssh session ends, nobody reads the message. The store must be left as after Ctrl-C.
 TEST_F(Resume, a_closed_terminal_stops_like_ctrl_c) {
   auto const o = stopped(campaign("O"), "O", SIGHUP);
   expect_message(o, 1, {"interrupted", "to continue: "});
@@ -109,7 +109,7 @@ TEST_F(Resume, a_closed_terminal_stops_like_ctrl_c) {
   EXPECT_FALSE(exists("P/campaign.sqlite-wal"));
 }
 
-// Under nohup the program must ignore that its terminal is closed.
+// nohup makes a program ignore that its terminal is closed. isolaw must respect this.
 TEST_F(Resume, a_closed_terminal_is_ignored_where_it_is_to_be) {
   Process process(Words{"sh", "-c", "trap '' HUP; exec \"$0\" \"$@\"", ISOLAW_BINARY} +
                       Words{"calibrate", "ex/lot.toml", "--laws", "abe", "--runs", "2", "--samples-per-cycle", "40",
@@ -121,7 +121,7 @@ TEST_F(Resume, a_closed_terminal_is_ignored_where_it_is_to_be) {
   EXPECT_EQ(process.wait().code, 0);
 }
 
-// If the system cannot start all threads, here for lack of memory, those that start do the work.
+// A limit on memory keeps the system from starting all 64 threads. The threads that start must do the work.
 TEST_F(Resume, threads_that_cannot_be_made_are_done_without) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "sanitizers need more memory than a limit leaves";
@@ -160,7 +160,7 @@ TEST_F(Resume, starting_over_leaves_no_results_of_the_former_campaign_beside_the
 }
 
 TEST_F(Resume, a_reader_of_the_store_does_not_cost_the_campaign_its_results) {
-  // docs/store.md recommends reading the store with plain SQL; a viewer then holds the file open.
+  // docs/store.md recommends SQL viewers. One reads the store, and keeps it open, while the campaign runs.
   auto process = start(campaign("O"));
   Outcome result;
   while (stored_runs(path("O/campaign.sqlite"), "abe") < 3 && !process.ended(result)) std::this_thread::sleep_for(5ms);
@@ -226,7 +226,8 @@ TEST_F(Changed, settings_are_refused_naming_each) {
   EXPECT_EQ(read("O/summary.json"), summary);
 }
 
-// The default search and the genetic algorithm have different settings.
+// The default search and the genetic algorithm have different settings, so the message must name the method and not
+// every setting.
 TEST_F(Changed, the_method_is_refused_by_its_name_in_both_directions) {
   Words const command{"calibrate", "a.csv", "--laws", "bilinear", "--runs", "2", "--out", "P"};
   Words const genetic{"--method", "ga", "--population", "4", "--generations", "2"};
@@ -284,7 +285,7 @@ TEST_F(Changed, devices_are_refused) {
 TEST_F(Changed, what_the_lot_file_says_of_a_device_is_not_silently_left_as_it_was) {
   write("lot.toml", lot("S2", "b.csv"));
   auto const o = run();
-  if (o.code == 2) return;  // a refusal is fine too
+  if (o.code == 2) return;  // refusing the change is correct too
   EXPECT_EQ(query(path("O/campaign.sqlite"), "SELECT serial FROM device WHERE name = 'a'"), Words{"S2"}) << o;
 }
 
@@ -294,7 +295,7 @@ TEST_F(Changed, a_refusal_is_not_silently_left_as_it_was) {
   expect_message(first, 1, {"b.csv: is empty"});
   write("b.csv", csv_with_line(101, "0.9900,nan,12.0"));
   auto const o = run();
-  if (o.code == 2) return;  // a refusal because of the change is fine too
+  if (o.code == 2) return;  // refusing the change is correct too
   EXPECT_TRUE(contains(json("O/summary.json")["devices"][1]["message"].get<std::string>(), "b.csv:101")) << o;
 }
 
@@ -316,7 +317,7 @@ TEST_F(Changed, an_unfinished_campaign_of_another_build_is_not_continued) {
   };
   change("UPDATE maker SET version = '0.0.9', build = '0123456789ab'");
   auto const finished = run();
-  EXPECT_EQ(finished.code, 0) << finished;  // nothing was left to compute
+  EXPECT_EQ(finished.code, 0) << finished;  // the other build computes nothing, because all runs are there
   EXPECT_EQ(json("O/summary.json")["isolaw"].dump(), R"([{"version":"0.0.9","build":"0123456789ab"}])");
   EXPECT_TRUE(contains(read("O/report.html"), "0.0.9, build 0123456789ab"));
   change("DELETE FROM run WHERE number = 1; DELETE FROM run_parameter WHERE number = 1");
@@ -326,7 +327,7 @@ TEST_F(Changed, an_unfinished_campaign_of_another_build_is_not_continued) {
                   "a campaign of isolaw 0.0.9, build 0123456789ab that is to be continued; this is " ISOLAW_VERSION,
                   "runs of one build", "isolaw --version", "--fresh"});
   EXPECT_EQ(all_rows(path("O/campaign.sqlite")), before);
-  EXPECT_EQ(isolaw({"report", "O"}).code, 1);  // runs are missing
+  EXPECT_EQ(isolaw({"report", "O"}).code, 1);  // the exit code is 1 because runs are missing
   EXPECT_EQ(run({"--fresh"}).code, 0);
 }
 
@@ -357,7 +358,7 @@ TEST_F(Changed, a_damaged_store_is_refused_without_a_crash) {
   expect_refused(isolaw({"report", "O"}), {"O/campaign.sqlite"});
 }
 
-// On a terminal one line shows share, rate, time left and the best objectives, and is erased at the end.
+// On a terminal one line shows the progress: share, runs, time left and the best objectives. It is erased at the end.
 TEST_F(Changed, progress_is_shown_on_a_terminal) {
   int terminal = -1, other = -1;
   char name[256] = {};

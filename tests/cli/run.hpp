@@ -1,4 +1,4 @@
-// Runs the real binary in a fresh directory and keeps its output. Every test of tests/cli goes through this.
+// Starts the isolaw program in a fresh directory and keeps its output. All tests of tests/cli use this file.
 #pragma once
 
 #include <fcntl.h>
@@ -32,7 +32,7 @@ using Json = nlohmann::ordered_json;
 using Words = std::vector<std::string>;
 using namespace std::chrono_literals;
 
-inline fs::path const data = ISOLAW_DATA_DIR;  // measured data; tests skip without them
+inline fs::path const data = ISOLAW_DATA_DIR;  // measured records; where they are missing, tests are skipped
 inline Words const smallest_search{"--laws", "bilinear", "--runs", "1", "--population", "4", "--generations", "1"};
 
 inline std::string read_file(fs::path const& path) {
@@ -51,10 +51,10 @@ inline void write_file(fs::path const& path, std::string_view bytes) {
 }
 
 struct Outcome {
-  int code = -1;  // exit code; 128 + signal when a signal ended it
+  int code = -1;  // exit code, or 128 + the number of the signal that ended the program
   bool timed_out = false;
   std::string out, err;
-  long peak_kB = 0;  // peak memory
+  long peak_kB = 0;
 };
 
 inline std::ostream& operator<<(std::ostream& stream, Outcome const& o) {
@@ -63,7 +63,7 @@ inline std::ostream& operator<<(std::ostream& stream, Outcome const& o) {
                 << "\nstdout: " << o.out.substr(0, shown) << "\nstderr: " << o.err.substr(0, shown);
 }
 
-// A started program, which is killed if its owner ends first.
+// A started program. The destructor kills it if it still runs.
 class Process {
  public:
   Process(Words const& command, fs::path const& directory, fs::path output, fs::path errors,
@@ -96,7 +96,7 @@ class Process {
 
   void send(int signal) const { kill(pid_, signal); }
 
-  // Returns true once it has ended, with the outcome in `result`.
+  // True once the program has ended; `result` then has its exit code and output.
   bool ended(Outcome& result) {
     int status = 0;
     rusage used{};
@@ -128,12 +128,13 @@ class Process {
   fs::path output_, errors_;
 };
 
-// Options to check against the Italian code with these design values.
+// Options that check the tests against the Italian code NTC with these design values.
 inline Words held_to(std::string const& design) {
   return {"--rules", "ntc-2018", "--design", design};
 }
 
-// Analyses and figures take far longer than the short searches of most tests, so they are off unless asked for.
+// Adds options that switch off analyses and figures, unless the command asks for them. They would take far longer than
+// the short searches of most tests.
 inline Words without_extras(Words words) {
   if (words.size() < 2 || (words.front() != "calibrate" && words.front() != "report")) return words;
   static Words const flags{"--fresh", "--json", "--center", "--allow-outside", "--flip-force"};
@@ -147,7 +148,7 @@ inline Words without_extras(Words words) {
   return words;
 }
 
-// A test in a directory of its own, where commands run and relative names refer to.
+// Gives each test a new directory. Commands run there, and relative file names refer to it.
 class InFreshDirectory : public testing::Test {
  protected:
   void SetUp() override {
@@ -168,7 +169,7 @@ class InFreshDirectory : public testing::Test {
   Json json(fs::path const& name) const { return Json::parse(read(name)); }
   bool exists(fs::path const& name) const { return fs::exists(path(name)); }
 
-  // Starts isolaw with `words`. The captured output lies beside the working directory, not in it.
+  // Starts isolaw with `words`. Its captured output goes to files outside the working directory.
   Process start(Words words, Words const& environment = {}) {
     words = without_extras(std::move(words));
     words.insert(words.begin(), ISOLAW_BINARY);
@@ -203,30 +204,31 @@ inline testing::AssertionResult contains(std::string_view text, std::string_view
   return testing::AssertionFailure() << "no '" << part << "' in:\n" << text.substr(0, 4000);
 }
 
-// The message contains all these parts, and comes from isolaw, not from a crash.
+// Expects this exit code and a message on standard error that contains all these parts and is no internal error.
 inline void expect_message(Outcome const& o, int code, std::vector<std::string> const& parts) {
   EXPECT_EQ(o.code, code) << o;
   for (auto const& part : parts) EXPECT_TRUE(contains(o.err, part)) << "exit code " << o.code;
   EXPECT_EQ(o.err.find("internal error"), std::string::npos) << o;
 }
 
-// Text of the terminal without the line breaks that fit it to its width.
+// Joins lines that the program wrapped to the width of the terminal.
 inline std::string unwrapped(std::string const& text) {
   return std::regex_replace(text, std::regex("\n +"), " ");
 }
 
-// Output of calibrate and report without the name of the folder that they wrote into.
+// Replaces the output folder in the text of calibrate or report, so that the texts of two folders can be compared.
 inline std::string without_folder(std::string const& text, std::string const& folder) {
   return std::regex_replace(text, std::regex("\\b" + folder + "(?=/report.html| --law)"), "FOLDER");
 }
 
-// Wrong usage: exit code 2, the message on stderr, nothing on stdout.
+// Expects a refusal: exit code 2, the message on standard error, nothing on standard output.
 inline void expect_refused(Outcome const& o, std::vector<std::string> const& parts) {
   expect_message(o, 2, parts);
   EXPECT_TRUE(o.out.empty()) << o;
 }
 
-// Wrong usage with --json: standard output holds the complaints as one object, which is returned.
+// Expects a refusal of a command with --json: standard output then has the complaints as one JSON object, which is
+// returned.
 inline Json expect_refused_as_object(Outcome const& o, std::vector<std::string> const& parts) {
   expect_message(o, 2, parts);
   auto const object = Json::parse(o.out, nullptr, false);

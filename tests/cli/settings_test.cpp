@@ -1,4 +1,4 @@
-// Options that affect the numbers: their effect, and the messages that refuse wrong values.
+// Options that affect the numbers: what each does, and how wrong values are refused.
 #include <cmath>
 #include <sstream>
 
@@ -16,7 +16,6 @@ class Settings : public InFreshDirectory {
     InFreshDirectory::SetUp();
     write("one.csv", csv(record()));
   }
-  // A small campaign on a small record; `more` may override all other options.
   Words command(Words const& more) const { return Words{"calibrate", "one.csv", "--out", "O", "--fresh"} + more; }
   Outcome run(Words const& more, std::string const& laws = "bilinear") {
     return isolaw(command(Words{"--laws", laws, "--runs", "2", "--population", "8", "--generations", "2"} + more));
@@ -77,7 +76,7 @@ TEST_F(Settings, all_parameters_fixed_evaluates_that_one_point) {
   auto const o = run({"--set", "bilinear.K1=2.5", "--set", "bilinear.K2=0.5", "--set", "bilinear.xy=10"});
   EXPECT_EQ(o.code, 0) << o;
   auto const law = json("O/summary.json")["laws"][0];
-  // The record's own parameters, except for the corner, which sampling at 200 points rounds.
+  // These are the parameters of the record's own device. The 200 samples a cycle miss its corners a little.
   EXPECT_LT(law["objective"]["best"].get<double>(), 0.02);
   EXPECT_EQ(law["objective"]["std"], 0.0);
   EXPECT_TRUE(contains(law["beta_note"].get<std::string>(), "no free parameter"));
@@ -86,8 +85,8 @@ TEST_F(Settings, all_parameters_fixed_evaluates_that_one_point) {
 }
 
 TEST_F(Settings, best_value_at_an_edge_of_its_box_is_reported) {
-  // The device has K2 = 0.5, so in this box the least value is best. 4000 points of one free parameter come within 0.1
-  // % of the edge.
+  // The device has K2 = 0.5, so the best value in the box from 3 to 4 is its lower end. Among 4000 random points some
+  // lie within 0.1 % of the end.
   auto const o = isolaw(command({"--laws", "bilinear", "--runs", "1", "--population", "4000", "--generations", "3",
                                  "--set", "bilinear.K1=4.5", "--set", "bilinear.xy=10", "--set", "bilinear.K2=3:4"}));
   EXPECT_EQ(o.code, 0) << o;
@@ -134,10 +133,10 @@ TEST_F(Settings, published_and_auto_boxes_differ_and_are_recorded) {
   EXPECT_EQ(parameter("K2")["lower"], 0.35);
   EXPECT_EQ(parameter("K2")["upper"], 0.95);
   EXPECT_EQ(json("O/summary.json")["settings"]["box"], "published");
-  ASSERT_EQ(run({}).code, 0);  // the default
+  ASSERT_EQ(run({}).code, 0);  // --box auto is the default
   EXPECT_EQ(json("O/summary.json")["settings"]["box"], "auto");
   EXPECT_NE(parameter("K2")["upper"], 0.95);
-  // The box made from the record contains the device's own values.
+  // The automatic box follows from the record and must contain the device's values.
   EXPECT_LT(parameter("K2")["lower"].get<double>(), 0.5);
   EXPECT_GT(parameter("K2")["upper"].get<double>(), 0.5);
   EXPECT_LT(parameter("K1")["lower"].get<double>(), 2.5);
@@ -147,7 +146,7 @@ TEST_F(Settings, published_and_auto_boxes_differ_and_are_recorded) {
 }
 
 TEST_F(Settings, auto_box_follows_a_device_of_another_size_and_unit) {
-  // Forces 1000 times and displacements 10 times as large, in other units: the same search in other numbers.
+  // The new header multiplies displacements by 10 and forces by 1000. The automatic box must change in proportion.
   write("big.csv", csv(record(), "time [s],displacement [cm],force [MN]"));
   ASSERT_EQ(run({}).code, 0);
   auto const small = parameter("K2");
@@ -172,7 +171,7 @@ TEST_F(Settings, paper_and_converged_integration_give_other_objectives) {
 }
 
 TEST_F(Settings, turning_points_between_the_samples_are_an_option_that_is_stored_and_reported) {
-  write("one.csv", csv(record({.per_cycle = 199})));  // peaks lie between samples
+  write("one.csv", csv(record({.per_cycle = 199})));  // 199 samples a cycle, so the peaks lie between samples
   ASSERT_EQ(run({"--turning-points", "interpolated"}, "bouc-wen").code, 0);
   auto const interpolated = json("O/summary.json");
   EXPECT_EQ(isolaw({"check", "O"}).code, 0);
@@ -237,7 +236,7 @@ TEST_F(Settings, cleaning_is_done_and_recorded) {
             (Words{"fit|301", "raw|2401"}));
 }
 
-// Three cycles of 100 mm and three of 60 mm.
+// Three cycles at 100 mm followed by three at 60 mm.
 std::vector<Sample> two_blocks() {
   auto samples = record();
   auto const block = record({.amplitude_mm = 60.0});
@@ -247,7 +246,8 @@ std::vector<Sample> two_blocks() {
   return samples;
 }
 
-// Every row of the table of settings at once, each with a value that is not its default.
+// Gives every setting a value that is not its default, once on the command line and once in a lot file. Both, and the
+// command that the page shows, must give the same campaign.
 TEST_F(Settings, every_setting_comes_by_command_line_and_lot_file_and_makes_the_campaign_again) {
   write("one.csv", csv(two_blocks()));
   Words words{"calibrate", "one.csv", "--out", "O"};

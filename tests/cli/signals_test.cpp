@@ -1,4 +1,5 @@
-// Impossible signals, through the program; tests/warts states what inspect says of each file.
+// Records with impossible signals, such as clipping, in inspect and calibrate. tests/warts has most of the files and
+// states what inspect must say of each.
 #include <filesystem>
 
 #include "cli/loops.hpp"
@@ -15,7 +16,7 @@ class Signals : public InFreshDirectory {
   }
 };
 
-// No other diagnosis and no advice on the rig may appear.
+// If a signal is impossible, inspect must give only this diagnosis, without other warnings and advice on the rig.
 TEST_F(Signals, a_fault_is_all_that_is_said) {
   int files = 0;
   for (auto const& wart : warts()) {
@@ -50,7 +51,7 @@ TEST_F(Signals, spikes_are_repaired_on_request_and_recorded) {
   auto const other = isolaw({"inspect", "true.csv", "--repair", "clipping"});
   EXPECT_EQ(other.code, 2);
   EXPECT_NE(other.err.find("--repair"), std::string::npos) << other;
-  // The lot file accepts the option too, and it repairs only spikes.
+  // A lot file may have the option too. It repairs spikes but not clipping.
   write("lot.toml", "[read]\nrepair = \"spikes\"\n[[device]]\nfile = \"force-spike.csv\"\n");
   EXPECT_EQ(isolaw({"inspect", "lot.toml"}).code, 0);
   EXPECT_EQ(isolaw({"inspect", take("disp-clipped-one-side"), "--repair", "spikes"}).code, 1);
@@ -78,7 +79,7 @@ TEST_F(Signals, warnings_of_several_devices_stand_on_the_terminal_grouped) {
   EXPECT_NE(o.out.find("true and again hold the same record"), std::string::npos) << o;
   auto const json = Json::parse(isolaw({"inspect", a, b, "again.csv", "--json"}).out);
   EXPECT_EQ(json["warnings"][0]["topic"], "copies");
-  // Both records have 50 samples in a cycle, which gives one warning with both names.
+  // Two records have only 50 samples a cycle. The warning must appear once and name both.
   auto const coarse = [&](std::string const& name, double factor) {
     std::string text = "time [s],disp [mm],force [kN]\n";
     for (int i = 0; i <= 150; ++i) {
@@ -94,12 +95,13 @@ TEST_F(Signals, warnings_of_several_devices_stand_on_the_terminal_grouped) {
   EXPECT_NE(two.out.find("c and d: 50.0 samples per cycle"), std::string::npos) << two;
 }
 
-// A force that wraps around at the end of its range reverses the stiffness: no device does that, and no law is fitted.
+// A sensor whose force wraps around at the end of its range reverses the stiffness of the loop. No device does this, so
+// no law is fitted.
 TEST_F(Signals, cycles_that_no_device_makes_refuse_it) {
   auto const wrapped = [](double range) {
     std::string text = "time [s],disp [mm],force [kN]\n";
     for (int i = 0; i <= 1000; ++i) {
-      // Seven cycles within the range, then three beyond it.
+      // Seven cycles stay within the range of 50 kN; the three later ones exceed it.
       double const phase = 2.0 * std::numbers::pi * i / 100.0, size = i <= 700 ? 0.7 : 1.0;
       double const force = size * (60.0 * std::sin(phase) + 20.0 * std::cos(phase));
       text += fmt::format("{:.3f},{:.4f},{:.4f}\n", 0.02 * i, size * 100.0 * std::sin(phase),
@@ -126,8 +128,8 @@ TEST_F(Signals, a_clipped_device_does_not_pass) {
   EXPECT_NE(line.find("displacement is clipped"), std::string::npos) << line;
 }
 
-// Bouc-Wen, dz/dx = (1 - z (0.5 + 0.5 sign)) / yield, with a strength that falls by 2 % a cycle: 25 cycles of a lead
-// core bearing that heats up.
+// A lead core bearing that heats up over 25 cycles: bouc-wen with n = 1 and yield displacement 4 mm, whose strength
+// falls by 2 % a cycle.
 TEST_F(Signals, no_law_follows_a_device_that_degrades) {
   auto const bearing = [](double kept) {
     std::string text = "time [s],disp [mm],force [kN]\n";

@@ -1,4 +1,5 @@
-// `isolaw simulate`: forces as in the report, parameters from every source, and refusals.
+// `isolaw simulate`: the forces equal those of the report, parameters may come from several sources, and wrong requests
+// are refused.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -42,7 +43,7 @@ Simulated parsed(std::string const& text) {
 
 class Simulate : public InFreshDirectory {
  protected:
-  // One device under a sine with enough samples, fitted by three laws; one needs velocities.
+  // Calibrates one device; hwang-wu is the law that needs velocities.
   void calibrated(std::string const& laws = "bilinear,bouc-wen,hwang-wu", Words const& more = {}) {
     write("d.csv", csv(record()));
     auto const o = isolaw(Words{"calibrate", "d.csv", "--laws", laws, "--runs", "1", "--out", "O"} + more);
@@ -88,7 +89,7 @@ TEST_F(Simulate, parameters_come_from_toml_json_tables_or_options_alike) {
   auto const written = isolaw(start + Words{"--parameters", "p.toml", "--out", "f.csv"});
   EXPECT_EQ(written.out, "");
   EXPECT_EQ(read("f.csv"), by_toml.out);
-  // The peak force of a bilinear law: K2 x + (K1 - K2) xy.
+  // The peak force of the bilinear law is K2 x + (K1 - K2) xy.
   auto const force = parsed(by_toml.out).columns.back();
   EXPECT_NEAR(std::ranges::max(force), 0.5 * 100.0 + 2.0 * 10.0, 1e-9);
 }
@@ -155,7 +156,7 @@ TEST_F(Simulate, says_where_the_history_goes_beyond_the_test) {
   EXPECT_TRUE(contains(o.err, "the history reaches 150 mm, the test 100 mm"));
 }
 
-// Warnings about the motion appear on the terminal and with the numbers.
+// Warnings about the motion must appear on the terminal and in the table of forces.
 TEST_F(Simulate, beyond_the_test_is_said_in_the_table) {
   calibrated("bilinear");
   write("m.csv", "time [s],displacement [mm]\n0,10\n1,150\n2,300\n3,0\n");
@@ -167,7 +168,7 @@ TEST_F(Simulate, beyond_the_test_is_said_in_the_table) {
   }
 }
 
-// A changed parameter makes another law: neither the fitted law's merits nor its warnings apply to it.
+// --set changes a parameter of the fitted law. What is known of the fitted law's prediction no longer applies.
 TEST_F(Simulate, a_changed_law_takes_no_word_of_the_fitted_one) {
   calibrated("bilinear");
   Words const words{"simulate", "bilinear", "--from", "O", "--device", "d", "--motion", "d.csv"};
@@ -220,7 +221,7 @@ TEST_F(Simulate, what_was_read_and_stores_are_not_replaced) {
   EXPECT_EQ(isolaw(words + Words{"f.csv"}).code, 0) << "one written before may be written again";
 }
 
-// The same rule in simulate, Python and exports: a device named "lot" takes precedence over the law of the lot.
+// simulate, Python and exports take the name "lot" for a device if there is one, and otherwise for the law of the lot.
 TEST_F(Simulate, a_device_called_lot_is_that_device) {
   write("r/lot.csv", csv(record()));
   write("r/b.csv", csv(record({.strength_kN = 24.0})));
@@ -240,7 +241,8 @@ TEST_F(Simulate, a_device_called_lot_is_that_device) {
   EXPECT_EQ(isolaw(words).out, without_comments(o.out));
 }
 
-// If a motion starts away from zero the law has no history before its first sample, unlike in an analysis program.
+// A motion that starts at 5 mm leaves open how the device came there. isolaw takes it as virgin at the first sample,
+// unlike analysis programs, and must warn.
 TEST_F(Simulate, a_motion_that_does_not_start_at_zero_is_warned_of) {
   Words const words{"simulate", "bilinear", "--set", "K1=2.5", "--set", "K2=0.5", "--set", "xy=2", "--motion", "m.csv"};
   write("m.csv", "displacement [mm],x\n5,0\n10,0\n0,0\n");
@@ -248,14 +250,15 @@ TEST_F(Simulate, a_motion_that_does_not_start_at_zero_is_warned_of) {
   ASSERT_EQ(off.code, 0) << off;
   EXPECT_TRUE(contains(off.err, "the motion starts at 5 mm: the device is taken as virgin there")) << off;
   EXPECT_TRUE(contains(off.err, "put a path from 0 in front")) << off;
-  EXPECT_EQ(parsed(off.out).columns.back().front(), 0.5 * 5.0);  // no hysteretic force yet, as the warning says
+  // the elastic force alone, as the device is taken as virgin
+  EXPECT_EQ(parsed(off.out).columns.back().front(), 0.5 * 5.0);
   write("m.csv", "displacement [mm],x\n0.000001,0\n10,0\n0,0\n");
   auto const at_zero = isolaw(words);
   ASSERT_EQ(at_zero.code, 0) << at_zero;
   EXPECT_FALSE(contains(at_zero.err, "virgin")) << at_zero;
 }
 
-// Each parameter is within its own limits, but together they describe no device.
+// Each value is within its own limits, but the combination describes no device.
 TEST_F(Simulate, parameters_that_together_are_no_device_are_refused) {
   write("d.csv", csv(record()));
   Words const bilinear{"simulate", "bilinear", "--motion", "d.csv", "--set", "xy=10", "--set", "K2=0.42"};
@@ -271,8 +274,8 @@ TEST_F(Simulate, parameters_that_together_are_no_device_are_refused) {
   expect_refused(isolaw(bouc_wen + Words{"--set", "A=-1"}), {"A = -1 leaves its physical limits; allowed: above 0"});
 }
 
-// simulate accepts what calibrate accepted. calibrate refuses a box that contains no possible device, and warns if the
-// best parameters of a search lie beyond a limit that crosses the box.
+// Whatever calibrate accepts, simulate must accept too. calibrate refuses a box without any possible device. If only a
+// part of the box is possible and the best values lie outside that part, both commands accept them, with a warning.
 TEST_F(Simulate, takes_every_campaign_that_calibrate_made) {
   write("d.csv", csv(record({.strength_kN = 0.5})));
   Words const start{"calibrate", "d.csv", "--laws", "bilinear", "--runs", "1", "--out", "O"};
@@ -291,7 +294,7 @@ TEST_F(Simulate, takes_every_campaign_that_calibrate_made) {
   expect_refused(isolaw(again + Words{"--set", "K1=0.1"}), {"K1 = 0.1, K2 = ", "allowed: K1 >= K2"});
 }
 
-// A record of accelerations cannot be used as displacements; the header's unit decides.
+// The unit in the header shows that the record has accelerations, which are no displacements of the device.
 TEST_F(Simulate, a_record_of_acceleration_is_refused_with_what_is_needed) {
   write(
       "g.txt",
@@ -306,7 +309,6 @@ TEST_F(Simulate, a_record_of_acceleration_is_refused_with_what_is_needed) {
 TEST_F(Simulate, measured_motions) {
   auto const orbit = data / "hdrb-gallardo-device/biaxial_input_Fig8b.txt";
   auto const ground = data / "ground-motions/peer/RSN763_LOMAP_GIL067.AT2";
-  // Measured data lie beside the checkout and are never part of it.
   if (!fs::exists(orbit) || !fs::exists(ground)) GTEST_SKIP() << "measured data are not here: " << data;
   Words const start{"simulate", "bilinear", "--set", "K1=2", "--set", "K2=1", "--set", "xy=9", "--motion"};
   auto const o = isolaw(start + Words{orbit, "--columns", "disp=1", "--units", "disp=mm"});
@@ -321,7 +323,7 @@ TEST_F(Simulate, measured_motions) {
   expect_refused(isolaw(start + Words{ground}), {"a record of acceleration", "UNITS OF G"});
 }
 
-// A motion with two displacements in one file.
+// A motion in two directions in one file. `angle` turns its path, `across` is the ratio of the two amplitudes.
 std::string orbit(double angle, double across = 0.6) {
   std::string text = "time [s],east [mm],north [mm]\n";
   for (int i = 0; i <= 300; ++i) {
@@ -358,7 +360,7 @@ TEST_F(Simulate, two_displacements_give_two_forces_that_turn_with_them) {
 TEST_F(Simulate, two_directions_along_one_are_the_law_coupled_exactly_and_springs_nearly) {
   write("m.csv", orbit(0.0, 0.0));
   auto const one = parsed(isolaw(bouc_wen + Words{"--motion", "m.csv", "--columns", "disp=east"}).out);
-  // A constant displacement would not be read as a motion. This displacement is tiny but not constant.
+  // A file with one constant displacement would not be read as a motion, so the second displacement is tiny instead.
   write("m.csv", orbit(0.0, 1e-6));
   auto const coupled = parsed(isolaw(bouc_wen + in_plane("coupled")).out);
   auto const o = isolaw(bouc_wen + in_plane("springs"));

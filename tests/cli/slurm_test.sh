@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Runs a campaign with the script of `isolaw parts --to slurm` on a real Slurm: the array is submitted, the node is lost
-# midway, Slurm queues its work again, and the merged campaign equals one machine's byte by byte. The merge also submits
-# a part again that is lost later, and refuses parts of other settings.
-# slurm_test.sh ISOLAW TOOLS; exit code 77: skipped, with the reason printed.
+# Runs a campaign on a real Slurm with the script of `isolaw parts --to slurm`. The test submits the array of jobs and
+# kills the node midway. Slurm must queue the lost work again, and the merged campaign must equal byte by byte one from
+# one machine. The merge must submit parts again that are deleted later, and must refuse parts with other settings.
+# Usage: slurm_test.sh ISOLAW TOOLS. Exit code 77 means skipped; the reason is printed.
 set -euo pipefail
 isolaw=$1 cluster=$2/slurm_here.sh
 if ! why=$("$cluster" possible); then
@@ -18,7 +18,7 @@ fail() {
   tail -n 20 slurm/slurmctld.log out*.parts/*.log "out 'put.parts"/*.log >&2 || true
   exit 1
 }
-# Repeats the command every half second until it succeeds.
+# Repeats a command every half second until it succeeds or the given seconds have passed.
 wait_for() {
   local seconds=$1 asked
   shift
@@ -49,7 +49,7 @@ wait_for 120 some_are_done_and_some_are_not
 before=$(find "$out.parts" -name campaign.sqlite | wc -l)
 [ "$before" -lt 8 ] || fail "nothing was left to lose"
 "$cluster" start-node "$work/slurm"
-# A job that is queued again may not start for two minutes; the test does not wait for that.
+# Slurm may wait two minutes before it starts a job that it queued again. The test makes it start at once.
 sooner() {
   local job
   for job in $(squeue -h -r -t pending -n isolaw -o %A); do
@@ -67,7 +67,8 @@ for file in campaign.sqlite summary.json report.html; do
   cmp "$out/$file" "one/$file" || fail "$file is not that of one machine"
 done
 
-# Parts lost later: the same command computes them. The merge itself submits what is missing.
+# Some parts are deleted. The script, run again, submits all parts; those that exist end at once. The merge job alone
+# submits only the part that is missing.
 rm -r "$out" "$out.parts/3" "$out.parts/7"
 again=$(sh "the script")
 case $again in *"parts 1-8: job "*) ;; *) fail "not every part: $again" ;; esac
@@ -79,7 +80,7 @@ wait_for 120 merged
 cmp "$out/campaign.sqlite" one/campaign.sqlite || fail "a merge did not submit what was missing"
 grep -q 'missing: parts 5, submitted again' "$out.parts/merge.log" || fail "more than what was missing"
 
-# With another seed, the parts that exist belong to another campaign, whatever their names.
+# A script with another seed finds parts of the campaign with seed 1 under the same names and must refuse them.
 "$isolaw" parts lot/lot.toml 8 --to slurm "${campaign[@]}" --seed 9 --out "$out" >"another script"
 sh "another script" >/dev/null
 wait_for 120 merged

@@ -1,4 +1,4 @@
-// Terminal output on verdicts, on design values and on inputs that are not what they seem.
+// The terminal's text on verdicts, on design values and on inputs that are not what they seem, such as copied records.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 
@@ -9,7 +9,7 @@ class Terminal : public InFreshDirectory {
  protected:
   void SetUp() override {
     InFreshDirectory::SetUp();
-    write("lot/D1.csv", csv(record()));  // K_eff 0.7 kN/mm
+    write("lot/D1.csv", csv(record()));  // K_eff is 0.7 kN/mm
     write("lot/D2.csv", csv(record({.stiffness_kN_per_mm = 0.7})));
   }
 };
@@ -56,7 +56,7 @@ TEST_F(Terminal, calibrate_and_report_end_with_the_verdict) {
   EXPECT_EQ(Json::parse(isolaw({"report", "O", "--json"}).out)["devices"].size(), 2u);
 }
 
-// If one requirement is not assessed, nothing passes as a whole.
+// A result with a requirement that is not assessed is INCOMPLETE, not a pass.
 TEST_F(Terminal, an_inspection_says_pass_fail_or_incomplete_first_everywhere) {
   write("mine.toml",
         "id = \"mine\"\ntitle = \"Contract\"\nedition = \"1\"\nsource = \"none\"\nverified_by = \"me\"\n"
@@ -90,7 +90,7 @@ TEST_F(Terminal, an_inspection_says_pass_fail_or_incomplete_first_everywhere) {
   EXPECT_TRUE(one.out.starts_with("INCOMPLETE: Contract: ")) << one;
 }
 
-// A copied record is not the test of a second device: neither its own row nor the sample passes because of it.
+// twin.csv is a copy of D1.csv, not the test of a third device. It must get no verdict and must not count as tested.
 TEST_F(Terminal, a_copy_of_a_record_has_no_verdict_of_its_own_and_is_no_further_device_tested) {
   fs::copy_file(path("lot/D1.csv"), path("lot/twin.csv"));
   auto const o =
@@ -98,7 +98,7 @@ TEST_F(Terminal, a_copy_of_a_record_has_no_verdict_of_its_own_and_is_no_further_
   EXPECT_EQ(o.code, 1) << o;
   EXPECT_TRUE(contains(o.out, "  not assessed: the same record as D1\n")) << o;
   EXPECT_TRUE(contains(o.out, "fail          sample size                2 devices, limit 3 or more of 3")) << o;
-  EXPECT_EQ(count_of("the same record", o.out), 2u) << o;  // in its row, and in the lot's warning
+  EXPECT_EQ(count_of("the same record", o.out), 2u) << o;  // in the line of the device, and in the warning on the lot
   auto const file = json("I/inspection.json"), page = page_data(read("I/inspection.html"));
   for (auto const* found : {&file, &page}) {
     auto const& devices = (*found)["devices"];
@@ -159,7 +159,7 @@ TEST_F(Terminal, a_lot_file_in_a_directory_of_records_is_named_not_used) {
   EXPECT_EQ(isolaw({"inspect", "lot/lot.toml"}).err, "");
 }
 
-// No cycle prints an impossible number or a number that is only rounding error.
+// The displacement of this record is never negative but for rounding. No cycle may print -0, tiny or endless numbers.
 TEST_F(Terminal, partial_and_one_sided_cycles_print_bounded_numbers) {
   auto samples = record({.samples = 701});
   for (auto& s : samples) s.disp_mm = 0.5 * (1e-13 - s.disp_mm + 100.0), s.force_kN = 0.5 * (-s.force_kN + 70.0);
@@ -175,12 +175,13 @@ TEST_F(Terminal, partial_and_one_sided_cycles_print_bounded_numbers) {
     digits = blocks[i] >= '0' && blocks[i] <= '9' ? digits + 1 : 0;
     ASSERT_LT(digits, 9u) << blocks;
   }
-  EXPECT_TRUE(contains(blocks, "         - ")) << blocks;  // K- is empty
+  EXPECT_TRUE(contains(blocks, "         - ")) << blocks;  // the cell of K- is empty
   for (auto const& cycle : Json::parse(isolaw({"inspect", "side.csv", "--json"}).out)["blocks"][0]["cycles"])
     EXPECT_TRUE(cycle["K_minus_kN_per_mm"].is_null()) << cycle;
 }
 
-// Limits begin with a word, so a spreadsheet reads them as text without a guard character.
+// A cell such as "+20 %" would be a formula in a spreadsheet and need an apostrophe in front. Limits therefore begin
+// with a word.
 TEST_F(Terminal, limits_of_the_tables_begin_with_a_word) {
   isolaw(Words{"inspect", "lot", "--out", "I"} + held_to("K_eff=0.7,damping=10,disp=100"));
   auto const table = read("I/tables/tests.csv");

@@ -1,4 +1,5 @@
-// Compression tests beside the shear tests: read, checked against rules, stored, reported.
+// A device may have a compression test beside its shear test. isolaw reads it, checks it against rules, stores and
+// reports it.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 #include "cli/store.hpp"
@@ -41,7 +42,8 @@ TEST_F(Vertical, is_read_and_stands_in_every_output) {
   EXPECT_EQ(found["sha256"].get<std::string>().size(), 64u);
   EXPECT_EQ(found["loading"], 3);
   EXPECT_EQ(found["loadings_kN_per_mm"].size(), 3u);
-  EXPECT_LT(found["loadings_kN_per_mm"][0].get<double>(), 1190.0);  // the device settles
+  // the first loading is softer, because the device settles
+  EXPECT_LT(found["loadings_kN_per_mm"][0].get<double>(), 1190.0);
   EXPECT_NEAR(found["low_kN"].get<double>(), 300.0, 1e-6);
   EXPECT_EQ(found["refusal"], "");
   EXPECT_TRUE(contains(read("O/tables/vertical.csv"), "D1,1200.")) << read("O/tables/vertical.csv");
@@ -78,7 +80,7 @@ TEST_F(Vertical, of_a_lot_is_given_in_the_lot_file) {
         "[[device]]\nname = \"c\"\nfile = \"D2.csv\"\n"
         "[device.vertical]\nfile = \"compression-preload.csv\"\nloads = \"400:1000\"\nunits = { load = \"kN\" }\n");
   auto const o = isolaw(Words{"inspect", "lot.toml", "--out", "O"} + held_to("K_v=1500"));
-  EXPECT_EQ(o.code, 0) << o;  // 1100 is 26.7 % below
+  EXPECT_EQ(o.code, 0) << o;  // 1100 is 26.7 % below 1500, within the permitted 30 %
   EXPECT_TRUE(contains(o.out, "  a       vertical stiffness K_v: 1100 kN/mm, as the laboratory states it")) << o;
   EXPECT_TRUE(contains(o.out, "  b       vertical stiffness K_v: 1200 kN/mm, dF_v/dd_v")) << o;
   EXPECT_TRUE(contains(o.out, "  c       vertical stiffness K_v: 1200 kN/mm, dF_v/dd_v, 3rd loading of 3, from 400 to"))
@@ -90,7 +92,7 @@ TEST_F(Vertical, of_a_lot_is_given_in_the_lot_file) {
 TEST_F(Vertical, that_gives_no_stiffness_is_said_and_the_device_stays) {
   auto const alone = isolaw({"inspect", "D1.csv", "--vertical", "D1=compression-preload.csv"});
   EXPECT_EQ(alone.code, 1) << alone;
-  EXPECT_TRUE(contains(alone.out, "K_eff")) << alone;  // from its shear record
+  EXPECT_TRUE(contains(alone.out, "K_eff")) << alone;  // the shear record still gives its properties
   EXPECT_TRUE(contains(alone.out, "no vertical stiffness K_v, see the warnings")) << alone;
   EXPECT_TRUE(contains(
       alone.out,
@@ -143,7 +145,7 @@ TEST_F(Vertical, of_a_campaign_is_stored_and_reported_and_may_come_later) {
   ASSERT_EQ(first.code, 0) << first;
   EXPECT_TRUE(contains(read("O/tables/tests.csv"), "no vertical test is given")) << read("O/tables/tests.csv");
   EXPECT_EQ(query(path("O/campaign.sqlite"), "SELECT vertical FROM device"), Words{""});
-  // No law depends on the vertical stiffness, so the runs are kept.
+  // The compression test is added later. No law depends on K_v, so the campaign keeps its runs.
   auto const later = isolaw(Words{"calibrate", "D1.csv", "--out", "O"} + quick + held_to("K_v=1500") + with);
   ASSERT_EQ(later.code, 0) << later;
   EXPECT_FALSE(contains(later.err, "another campaign")) << later;
@@ -196,7 +198,7 @@ TEST_F(Vertical, that_was_changed_in_the_store_is_found_by_check) {
   EXPECT_EQ(isolaw({"check", "O"}).code, 0);
   auto const store = path("O/campaign.sqlite");
   auto const kept = query(store, "SELECT hex(\"values\") FROM series WHERE channel = 'vertical_load_kN'").front();
-  // Changes one sample that K_v does not use, from 100 kN to 50, then all of them.
+  // First one sample of the load, which K_v does not depend on, is changed from 50 kN to 100 kN; then all samples are.
   execute(store, "UPDATE series SET \"values\" = x'" + std::string(12, '0') + "5940" + kept.substr(16) +
                      "' WHERE channel = 'vertical_load_kN'");
   auto const one = isolaw({"check", "O"});

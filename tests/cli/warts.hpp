@@ -1,4 +1,4 @@
-// The files of tests/warts with the expected outcome of each: the rows of warts.json.
+// The entries of tests/warts/warts.json: each names a file of that folder and what inspect must say of it.
 #pragma once
 
 #include "cli/run.hpp"

@@ -1,6 +1,6 @@
-// `isolaw inspect` of every file of tests/warts says what warts.json expects and docs/records.md lists. To add a wart,
-// add a file, a line in warts.json and the row that the last test prints. For a sound record, warts.json states the
-// stiffness and all warnings.
+// `isolaw inspect` must say of every file in tests/warts what warts.json expects and docs/records.md lists. To add a
+// wart, add a file, an entry in warts.json and the row of the table that the last test prints. For a sound record,
+// warts.json states the stiffness and all warnings.
 #include <cctype>
 #include <set>
 
@@ -13,7 +13,7 @@ Words options_of(Json const& wart) {
   return wart.value("options", Words{});
 }
 
-// The wart's file and the files that its options name.
+// The file of the entry and the files that its options name.
 std::set<std::string> files_of(Json const& wart) {
   std::set<std::string> files{wart["file"].get<std::string>()};
   for (auto const& word : options_of(wart))
@@ -37,8 +37,7 @@ class Warts : public InFreshDirectory, public ::testing::WithParamInterface<Json
       EXPECT_EQ(found["samples"], wart["samples"]);
     }
     if (wart.contains("K_v")) {
-      EXPECT_NEAR(found["vertical"]["K_v_kN_per_mm"].get<double>(), wart["K_v"].get<double>(),
-                  0.5);  // from 0.1 % of the load
+      EXPECT_NEAR(found["vertical"]["K_v_kN_per_mm"].get<double>(), wart["K_v"].get<double>(), 0.5);
     }
     if (!wart.contains("K_eff") && !wart.contains("frequency_Hz")) return;
     ASSERT_TRUE(found["reported"].is_object()) << found["warnings"].dump();
@@ -50,7 +49,8 @@ class Warts : public InFreshDirectory, public ::testing::WithParamInterface<Json
       }
       for (auto const& cycle : block["cycles"])
         if (wart.contains("K_eff") && cycle["number"] == found["reported"]["number"]) {
-          EXPECT_NEAR(number(cycle, "K_eff_kN_per_mm"), number(wart, "K_eff"), 1e-3);  // the files have three decimals
+          // displacement and force have only three decimals
+          EXPECT_NEAR(number(cycle, "K_eff_kN_per_mm"), number(wart, "K_eff"), 1e-3);
           return;
         }
     }
@@ -102,7 +102,7 @@ TEST_P(Warts, ComeOutAsTheTableSays) {
     for (auto const& line : vertical["recognised"]) said += line.get<std::string>() + "\n";
   }
   expect_says(said, wart);
-  if (wart["outcome"] == "warned") expect_says(o.out, wart);  // on the terminal too
+  if (wart["outcome"] == "warned") expect_says(o.out, wart);  // the terminal must show the warning too
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Warts, ::testing::ValuesIn(warts()), [](auto const& wart) {
@@ -127,7 +127,7 @@ TEST(WartTable, names_every_file_once_and_only_outcomes_there_are) {
     EXPECT_TRUE(named.contains(entry.path().filename())) << entry.path() << " stands in no row of warts.json";
 }
 
-// docs/records.md contains the table made from warts.json.
+// docs/records.md must contain the table that this test makes from warts.json.
 TEST(WartTable, stands_in_the_documentation) {
   std::string table = "| wart | file | options | outcome |\n|---|---|---|---|\n";
   for (auto const& wart : warts()) {

@@ -1,4 +1,5 @@
-// A law added by its file and its name in the list must work in every part of the program.
+// A law that a user adds by one header file and one entry in the list of laws must work in every part of the program:
+// these tests add trilinear.hpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -40,7 +41,7 @@ TEST(AnotherLaw, IsComputedInLanes) {
   }
 }
 
-// The trilinear law made the records of these two devices; the second device is a tenth stronger.
+// `simulate` computes the records of two devices with the trilinear law. The second device is 10 % stiffer.
 class AnotherLawInTheProgram : public cli_test::InFreshDirectory {
  protected:
   void SetUp() override {
@@ -92,8 +93,8 @@ TEST_F(AnotherLawInTheProgram, IsHeldToItsJointLimit) {
   EXPECT_NE(o.err.find("x1 = 50, x2 = 40; allowed: x1 <= x2"), std::string::npos) << o;
 }
 
-// For programs without a trilinear material the export takes the nearest law that they have. The C++ target works once
-// its header is written.
+// OpenSees, SAP2000 and other programs have no trilinear material, so `export` fits the nearest material that they
+// have. Targets in C++ are refused because nobody has written a C++ header of this law.
 TEST_F(AnotherLawInTheProgram, IsExported) {
   ASSERT_EQ(calibrated().code, 0);
   auto const to = [&](std::string_view target) {

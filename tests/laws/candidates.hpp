@@ -1,4 +1,4 @@
-// Parameter sets for the tests of the laws, and their plain evaluation: in double, through laws::run.
+// Parameter sets for the tests of the laws, and the forces that laws::run computes for them in double precision.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ inline std::string_view name_of(laws::Integration integration) {
   return integration == laws::Integration::paper ? "paper" : "converged";
 }
 
-// Converts a list of laws, such as AllLaws, to the list of types that googletest expects, and names the test instances.
+// Converts a std::tuple of laws, such as AllLaws, to the testing::Types that typed tests need.
 template <class Tuple>
 struct AsTypes;
 template <class... Law>
@@ -50,7 +50,7 @@ struct LawName {
   }
 };
 
-// Scales of a device of about the published size: 208 mm, 140 kN, 0.5 Hz.
+// The sizes of a device like those of Cucuzza et al. 2025: 208 mm, 140 kN, 0.5 Hz.
 template <class Law>
 laws::RecordScales published_device() {
   double const force = 1.0 / Law::info.force.in_record_units, length = 1.0 / Law::info.length.in_record_units;
@@ -62,8 +62,8 @@ laws::RecordScales published_device() {
           .work = 1e5 * force * length};
 }
 
-// The published search box. A parameter that has no published interval (vaiana's sigmoid) gets the interval for an
-// unknown device of the same size.
+// The search box of Table 4 in Cucuzza et al. 2025. A parameter without an interval in that table (vaiana's sigmoid)
+// gets the interval that the program chooses for an unknown device of the same size.
 template <class Law>
 std::array<laws::Interval, laws::parameter_count<Law>> box() {
   std::array<laws::Interval, laws::parameter_count<Law>> intervals{};
@@ -74,7 +74,7 @@ std::array<laws::Interval, laws::parameter_count<Law>> box() {
   return intervals;
 }
 
-// Candidate number `index` of a fixed sequence, uniform in the box.
+// Random parameter set number `index`, uniform in the published box. The same index always gives the same set.
 template <class Law>
 Values<Law> candidate(std::uint32_t index) {
   num::Draws draws(num::Stream(20250108), 0, index);
@@ -85,8 +85,9 @@ Values<Law> candidate(std::uint32_t index) {
   return values;
 }
 
-// Candidate number `index`, drawn from the box of an otherwise unknown device of the published size, uniform on the
-// scale that each parameter declares: linear or logarithmic. Parameters that are fixed by default stay fixed.
+// Random parameter set number `index` from the box that the program chooses for an unknown device of the published
+// size. Each parameter is uniform on the scale that it declares, linear or logarithmic. Parameters that are fixed by
+// default keep their fixed values.
 template <class Law>
 Values<Law> scaled_candidate(std::uint32_t index) {
   num::Draws draws(num::Stream(20250109), 0, index);
@@ -113,7 +114,7 @@ std::size_t index_of(std::string_view name) {
   return static_cast<std::size_t>(found - rows.begin());
 }
 
-// A parameter set, given by names. Parameters that are not named are 0.
+// A parameter set from pairs of name and value. Parameters that are not named are 0.
 template <class Law>
 Values<Law> named(std::initializer_list<std::pair<std::string_view, double>> parameters) {
   Values<Law> values{};
@@ -136,7 +137,7 @@ std::vector<double> forces(Values<Law> const& values, Motion const& motion, int 
   return forces<Law>(values, path_of<Law>(motion, refinement), integration);
 }
 
-// "K1 = 1.5, K2 = 0.4", in full precision, for failure messages.
+// The parameters as text for failure messages, such as "K1 = 1.5, K2 = 0.4", with all digits.
 template <class Law>
 std::string describe(Values<Law> const& values) {
   std::ostringstream text;

@@ -1,5 +1,5 @@
-// Halves the step, which shows the order of each integration, and measures how much error the sampling leaves in the
-// force.
+// Halving the step shows the order of convergence of each integration. Further tests measure how much error a record's
+// sampling interval leaves in the force.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,8 @@ namespace {
 
 using laws::Integration;
 
-// The largest error relative to the peak force. The reference is the path refined 128 times, with the same integration.
+// The largest error of the force, divided by the peak force. The reference takes 128 steps per sample with the same
+// integration.
 template <class Law>
 double error_at(Values<Law> const& values, Motion const& motion, int refinement, Integration integration) {
   auto const reference = forces<Law>(values, motion, 128, integration);
@@ -25,15 +26,15 @@ double error_at(Values<Law> const& values, Motion const& motion, int refinement,
          largest_magnitude(reference);
 }
 
-// log2 of the ratio of the errors when the refinement is doubled.
+// The observed order of convergence: log2 of the ratio of the errors with single and with doubled refinement.
 template <class Law>
 double order_at(Values<Law> const& values, Motion const& motion, int refinement, Integration integration) {
   return std::log2(error_at<Law>(values, motion, refinement, integration) /
                    error_at<Law>(values, motion, 2 * refinement, integration));
 }
 
-// One branch of z = 10 (1 - e^(-x/10)), which is smooth, so classical Runge-Kutta must show fourth order. The errors
-// stay above 1e-11 of the peak, far from rounding.
+// Along one loading branch the law is z = 10 (1 - e^(-x/10)), which is smooth, so classical Runge-Kutta must show
+// fourth order. All errors are above 1e-11 of the peak force, so rounding does not disturb the ratio.
 TEST(Order, PaperStepOfBoucWenIsFourth) {
   auto const values =
       named<laws::BoucWen>({{"alpha", 0.2}, {"Ke", 3.0}, {"A", 1.0}, {"beta", 0.06}, {"n", 1.0}, {"gamma", 0.04}});
@@ -42,7 +43,8 @@ TEST(Order, PaperStepOfBoucWenIsFourth) {
     EXPECT_NEAR(order_at<laws::BoucWen>(values, polyline(corners, 20), refinement, Integration::paper), 4.0, 0.2);
 }
 
-// With n = 1 and p = 2 abe is smooth along any branch on which neither x nor F2 changes its sign.
+// With these parameters (n = 1, p = 2) the law abe is smooth along any branch on which neither x nor the hysteretic
+// force F2 changes its sign.
 template <class Law>
 Values<Law> smooth_abe() {
   auto values = named<Law>({{"K1", 6.0},
@@ -75,9 +77,10 @@ TEST(Order, PaperStepOfAbeIsFourth) {
     EXPECT_NEAR(order_at<laws::Abe>(values, polyline(corners, 40), refinement, Integration::paper), 4.0, 0.3);
 }
 
-// The law's file declares that the correction for the changing yield force makes abe's step fourth order where
-// everything is smooth. Here this is so from 45 to 95 mm, inside the earlier peak of 100 mm. Two thousand steps lead to
-// 45 mm, where F2 has already passed zero (25 mm of travel since the reversal; Ut = 24 mm). The last force is compared.
+// abe.hpp states that the step is of fourth order wherever the law is smooth, because it corrects for the change of the
+// yield force within a step. The law is smooth from 45 to 95 mm: the device has been at 100 mm before, so the peak does
+// not grow, and F2 has passed zero before 45 mm (25 mm of travel since the reversal; Ut = 24 mm). The path to 45 mm
+// always has the same fine steps; only the steps from 45 to 95 mm are halved, and the force at 95 mm is compared.
 TEST(Order, ConvergedStepOfAbeIsFourth) {
   auto const last_force = [](int steps) {
     auto motion = polyline(std::vector{0.0, 100.0, 20.0, 45.0}, 2000);
@@ -88,7 +91,7 @@ TEST(Order, ConvergedStepOfAbeIsFourth) {
     return forces<laws::Abe>(smooth_abe<laws::Abe>(), motion).back();
   };
   double const reference = last_force(512);
-  // Longer steps would be cut into pieces; shorter ones fall below the error of the tabulated flow.
+  // With fewer steps abe would divide each into pieces. With more steps the error of the tabulated flow dominates.
   for (int const steps : {16, 17, 18}) {
     double const order =
         std::log2(std::abs(last_force(steps) - reference) / std::abs(last_force(2 * steps) - reference));
@@ -96,11 +99,11 @@ TEST(Order, ConvergedStepOfAbeIsFourth) {
   }
 }
 
-// The law is smooth in displacement, and the velocity varies linearly along the path. 100 samples a cycle are enough
-// for the exponentials of the work to show their order.
+// The law is smooth in displacement, and the velocity varies linearly along the path. With 100 samples a cycle the
+// steps are short enough for the terms exp(a9 W) and exp(a10 W), W the work, to converge with their order.
 TEST(Order, HwangWuIsFourth) {
   auto values = published_means<laws::HwangWu>(3);
-  values[index_of<laws::HwangWu>("a9")] = -5e-6;  // N cm; times the work of the record it is of order one
+  values[index_of<laws::HwangWu>("a9")] = -5e-6;  // in 1/(N cm); the exponent a9 W reaches order one
   values[index_of<laws::HwangWu>("a10")] = -1e-5;
   auto const motion = sine(208.0, 0.5, 2, 100);
   for (int const refinement : {1, 2, 4})
@@ -121,7 +124,8 @@ TYPED_TEST(Convergence, RefiningThePathHardlyChangesTheForce) {
     }
 }
 
-// At a laboratory's sampling rate the published devices have far smaller errors than the corners of the box.
+// At 200 samples a cycle, as in a laboratory, sampling costs the published devices far less force error than it costs
+// parameter sets at the ends of the search box.
 TYPED_TEST(Convergence, TheSamplingOfALaboratoryIsEnough) {
   for (std::size_t number = 0; number < table_a5::devices; ++number) {
     auto const values = device<TypeParam>(number);
@@ -132,9 +136,10 @@ TYPED_TEST(Convergence, TheSamplingOfALaboratoryIsEnough) {
   }
 }
 
-// The two integrations share only parts of the right-hand side. The reference is Runge-Kutta with 200 steps per sample.
-// Where the slope jumps (F2 = 0, small n), the error of the reference itself is of first order in the step, up to 1e-4
-// of the peak. With one step per sample abe errs by 4e-4 on this path, which reverses at almost every sample.
+// The integrations `converged` and `paper` share only parts of the right-hand side. The reference is `paper`,
+// Runge-Kutta with 200 steps per sample. Where the slope jumps (F2 = 0, small n), the reference itself errs by up to
+// 1e-4 of the peak force. The converged integration of abe, with one step per sample, errs by 4e-4 on this path, which
+// reverses at almost every sample.
 TYPED_TEST(Convergence, FineRungeKuttaAgreesWithTheConvergedIntegration) {
   for (std::size_t number = 0; number < table_a5::devices; ++number) {
     auto const values = device<TypeParam>(number);

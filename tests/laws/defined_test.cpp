@@ -1,4 +1,5 @@
-// Where a formula of the paper is 0/0, infinite or undefined, the law still gives a defined value.
+// Some formulas of Cucuzza et al. 2025 become 0/0, infinite or undefined for some parameters or motions. These tests
+// state which value the program gives.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +22,6 @@ template <class Law>
 class Defined : public ::testing::Test {};
 TYPED_TEST_SUITE(Defined, EveryLaw, LawName);
 
-// The force is finite anywhere in the published box, even at ten samples a cycle.
 TYPED_TEST(Defined, AFiniteForceEverywhereInTheBoxOnACoarseRecord) {
   for (std::uint32_t index = 0; index < 2000; ++index) {
     auto const values = candidate<TypeParam>(index);
@@ -30,7 +30,7 @@ TYPED_TEST(Defined, AFiniteForceEverywhereInTheBoxOnACoarseRecord) {
   }
 }
 
-// The force is also finite if every parameter is at its lower or upper bound, chosen at random.
+// Every parameter is at its lower or upper bound, which is chosen at random.
 TYPED_TEST(Defined, AFiniteForceInTheCornersOfTheBox) {
   auto const intervals = box<TypeParam>();
   for (std::uint32_t index = 0; index < 1000; ++index) {
@@ -42,8 +42,8 @@ TYPED_TEST(Defined, AFiniteForceInTheCornersOfTheBox) {
   }
 }
 
-// One step from end to end, over hundreds of yield displacements, gives the same force as a finely sampled path. The
-// next test covers the laws that depend on more than the path (jankowski, hwang-wu).
+// A single step from one end of the motion to the other, hundreds of yield displacements long, gives the same force as
+// a thousand steps. Laws that depend on velocity are left out, because refining the path also changes the velocity.
 TYPED_TEST(Defined, StepsFarLargerThanTheYieldDisplacement) {
   if constexpr (TypeParam::info.traits.rate_independent) {
     auto const motion = polyline(std::vector{0.0, 200.0, -200.0, 200.0, 20.0, -150.0}, 1);
@@ -78,7 +78,7 @@ TYPED_TEST(DefinedByThePaper, TheVirginStateIsTheFirstSampleWhereverItIs) {
   for (auto const integration : both_integrations)
     for (std::uint32_t index = 0; index < 20; ++index)
       for (double const x_mm : {-120.0, -0.3, 0.0, 7.0, 180.0}) {
-        // At this low velocity the cosh of the formula above does not overflow.
+        // At this low velocity cosh in virgin_force() does not overflow.
         double const v_mm_s = 20.0;
         auto const values = candidate<TypeParam>(index);
         auto const force = forces<TypeParam>(values, Motion{{x_mm, x_mm + 1.0}, {v_mm_s, v_mm_s}}, 1, integration);
@@ -87,7 +87,8 @@ TYPED_TEST(DefinedByThePaper, TheVirginStateIsTheFirstSampleWhereverItIs) {
       }
 }
 
-// At rest C v = 0, even where C is infinite. The smallest velocity gives the whole damping force.
+// The damping coefficient C is infinite at v = 0 if a11 = 0. At rest the damping force is nevertheless 0, and at the
+// smallest velocity it has its full value.
 TEST(DefinedJankowski, NoMotionAndNoSaturationVelocity) {
   using laws::Jankowski;
   auto const values = named<Jankowski>({{"a1", 3e5},
@@ -122,7 +123,7 @@ TEST(DefinedHwangWu, NoMotionAndNoSaturationVelocity) {
                                       {"a8", 0.0},
                                       {"a9", -1e-6},
                                       {"a10", -1e-5}});
-  Motion const motion{{100.0, 100.0, 100.0}, {0.0, 1e-9, -1e-9}};  // 10 cm
+  Motion const motion{{100.0, 100.0, 100.0}, {0.0, 1e-9, -1e-9}};
   auto const force = forces<HwangWu>(values, motion);
   double const stiffness = 5e3 - 2.0 * 100.0 + 5e-3 * 1e4 + 60.0, damping = 2.0 * (2e4 + 4.0 * 100.0);
   EXPECT_NEAR(force[0], stiffness * 10.0, 1e-12 * stiffness * 10.0);
@@ -130,7 +131,7 @@ TEST(DefinedHwangWu, NoMotionAndNoSaturationVelocity) {
   EXPECT_NEAR(force[2], stiffness * 10.0 - damping, 1e-9 * damping);
 }
 
-// 1 / cosh is 0 where cosh overflows, and 1 at v = 0 for any rate.
+// The factor 1 / cosh(a5 v) is 0 where cosh overflows, and 1 at v = 0 for any a5.
 TEST(DefinedJankowski, CoshBeyondTheLargestDouble) {
   using laws::Jankowski;
   for (double const rate : {1e4, 1e10, 1e300}) {
@@ -155,7 +156,8 @@ TEST(DefinedHwangWu, CoshBeyondTheLargestDouble) {
   EXPECT_DOUBLE_EQ(force[1], 55.0);
 }
 
-// With alpha = 0 a branch never approaches its limit curve. Both slopes are equal, so no hysteresis is left.
+// With alpha = 0 a branch keeps its distance from its limit curve for ever. The loading and unloading branches are then
+// straight lines, and each branch starts at the force where the last one ended.
 TEST(DefinedVaiana, ABranchThatNeverApproachesItsLimitCurve) {
   using laws::Vaiana;
   auto const values =
@@ -166,14 +168,16 @@ TEST(DefinedVaiana, ABranchThatNeverApproachesItsLimitCurve) {
   EXPECT_NEAR(force[30], 4e4 - 4.5e4 + 4e5 * 0.07, 1e-7);
 }
 
-// The general branch equations hold from any reversal point. With a large virgin offset the loading branch starts above
-// the upper limit curve. Eqs. (11)-(12) would take the logarithm of a negative number for such a point.
+// A loading branch may start above the upper limit curve, here because the record starts at -200 mm with zero force.
+// Eqs. (11)-(12) would take the logarithm of a negative number for such a point. The branch equations that isolaw uses
+// hold from any point.
 TEST(DefinedVaiana, AReversalPointOutsideTheLimitCurves) {
   using laws::Vaiana;
   double const Kb = 4e5, f0 = 4e4, alpha = 30.0;
   auto const values =
       named<Vaiana>({{"Kb+", Kb}, {"Kb-", Kb}, {"f0+", f0}, {"f0-", f0}, {"alpha+", alpha}, {"alpha-", alpha}});
-  // At x = -0.2 m the virgin force is 0, above cu(-0.2) = -40 kN, so the branch falls towards the limit curve.
+  // At x = -0.2 m the force of a device that has never moved is 0 kN. This is above the upper limit curve, cu(-0.2) =
+  // -40 kN, so the force falls towards the curve.
   auto const force = forces<Vaiana>(values, polyline(std::vector{-200.0, 0.0}, 50));
   for (std::size_t i = 0; i <= 50; ++i) {
     double const x = -0.2 + 0.004 * static_cast<double>(i), upper = Kb * x + f0;
@@ -181,7 +185,8 @@ TEST(DefinedVaiana, AReversalPointOutsideTheLimitCurves) {
   }
 }
 
-// With alpha = 0, exp(-Umax / alpha) is 0 once there is a peak, and the softening stiffness falls to K1 beta.
+// With alpha = 0, exp(-Umax / alpha) becomes 0 as soon as the device has moved, and the elastic stiffness falls to K1
+// beta.
 TEST(DefinedAbe, SofteningOverNoDisplacement) {
   using laws::AbeY0;
   auto const values = named<AbeY0>({{"K1", 8.0},
@@ -198,8 +203,8 @@ TEST(DefinedAbe, SofteningOverNoDisplacement) {
     EXPECT_NEAR(force[static_cast<std::size_t>(sample)], expected, 1e-8) << sample;
 }
 
-// With beta + gamma <= 0 z has no bound; with beta < 0 it runs away on unloading from saturation instead of returning.
-// Both must give non-finite forces, not plausible ones.
+// With beta + gamma <= 0 the hysteretic variable z grows without bound. With beta < 0 it grows without bound on
+// unloading from saturation. For both cases the forces must not be finite, so that no user takes them for real ones.
 TEST(DefinedBoucWen, ParametersWithoutABoundedForceAreNotFinite) {
   using laws::BoucWen;
   auto const motion = sine(200.0, 0.5, 2, 40);

@@ -1,6 +1,6 @@
-// Draws candidates at random from the whole box of every law. Every force is finite, unless the candidate is known to
-// have no finite force and its objective says so. ISOLAW_DRAWS sets the number of candidates per law and box; the
-// counts are printed.
+// Draws parameter sets at random from the whole box of every law. Each force must be finite. Exceptions are sets that
+// are known to have no finite force, and for those the objective must be infinite. The environment variable
+// ISOLAW_DRAWS sets the number of sets per law and box. The test prints how many had no finite force.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -30,9 +30,9 @@ struct Box {
   std::vector<fit::Override> overrides = {};
 };
 
-// The published box, and automatic boxes for devices from a small specimen to a large bearing, with twenty samples a
-// cycle, the fewest that a record may have. The last box contains bouc-wen's inadmissible candidates, which the other
-// boxes exclude.
+// The published search box, and the boxes that the program chooses for devices from a small specimen to a large
+// bearing. The records have twenty samples a cycle, the fewest that the program accepts. For bouc-wen a last box allows
+// negative beta and gamma, for which the law has no bounded force.
 std::vector<Box> boxes_of(std::string const& law) {
   using fit::BoxKind;
   auto const published = record_of(sine(208.0, 0.5, 3, 20), 0.1, 0.67, 45.0);
@@ -73,7 +73,8 @@ Count draw(laws::LawEntry const& law, Box const& in, Integration integration) {
     if (!std::isfinite(objective) && objective != infinity) complain("neither a number nor +infinity");
     if (!finite && objective != infinity) complain("a force is not finite, and the objective does not say so");
     if (refused && objective != infinity) complain("an inadmissible candidate is not flagged");
-    // In the paper's integration, one explicit Runge-Kutta step per sample may overflow for any candidate.
+    // The integration of Cucuzza et al. 2025 takes one explicit Runge-Kutta step per sample, which may overflow for any
+    // parameter set.
     if (integration == Integration::converged && !finite && !refused && !may_run_away(law, candidate, peak_mm))
       complain("a force is not finite for no known reason");
     if (::testing::Test::HasFailure()) break;
@@ -95,7 +96,8 @@ TEST_P(Draws, GiveAForceOrAreFlagged) {
                  integration == Integration::paper ? "paper" : "converged", count.drawn, count.inadmissible,
                  count.not_finite, time_s);
       std::fflush(stdout);
-      // A corner of hwang-wu's automatic box holds run-away candidates: 0.4 to 0.8 % were seen.
+      // In a corner of hwang-wu's automatic box the force grows without bound. 0.4 to 0.8 % of the drawn sets lay in
+      // that corner.
       if (integration == Integration::converged) {
         EXPECT_LE(count.not_finite - count.inadmissible, 0.03 * count.drawn) << box.name;
       }

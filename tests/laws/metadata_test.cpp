@@ -1,8 +1,9 @@
-// The laws' descriptions of their parameters are complete and consistent, and the published box equals Table 4. Every
-// law must have a source that names its equation ("Eq"), a formula that contains every parameter as a word, and boxes
-// in the units of their parameters. Other tests of this folder require: a force of 0 if all parameters are 0 (or the
-// law's name in needs_parameters of single_laws.hpp); no finite force from NaN or overflow (mind the order of arguments
-// of min and max); and the same bits if the motion is mirrored, cut or driven at another rate, as the traits declare.
+// Each law describes its parameters; these descriptions must be complete and consistent, and the published boxes must
+// equal Table 4 of Cucuzza et al. 2025. Every law must have a source that names its equation ("Eq"), a formula that
+// contains every parameter as a word, and boxes in the units of its parameters. Other tests of this folder require: a
+// force of 0 if all parameters are 0, unless needs_parameters() in single_laws.hpp lists the law; no finite force from
+// NaN or overflow (mind the order of arguments of min and max); and equal bits if the motion is mirrored, cut or driven
+// at another rate, if the law's traits declare it.
 
 #include <gtest/gtest.h>
 
@@ -55,7 +56,7 @@ TYPED_TEST(Metadata, TheLawSaysWhatItIs) {
   EXPECT_EQ(TypeParam::info.length.dimension, Dimension::length);
 }
 
-// Whoever changes a law's facts on purpose must repeat the change in paper_facts.
+// paper_facts repeats the facts that the laws declare. Whoever changes a fact on purpose must change it there too.
 TYPED_TEST(OfThePaperOnly, UnitsParametersAndTraitsAreThoseOfTheSpecification) {
   auto const& facts = paper_facts.at(TypeParam::info.id);
   EXPECT_EQ(std::string(TypeParam::info.force.symbol) + ' ' + std::string(TypeParam::info.length.symbol), facts.units);
@@ -68,7 +69,8 @@ TYPED_TEST(OfThePaperOnly, UnitsParametersAndTraitsAreThoseOfTheSpecification) {
   EXPECT_EQ(TypeParam::info.traits.path_integrated, facts.traits.path_integrated);
 }
 
-// If a joint limit named a parameter that the law does not have, no box would ever be checked for it.
+// A joint limit is a condition on several parameters of a law. If it named a parameter that the law does not have, the
+// program would never check it.
 TYPED_TEST(Metadata, JointLimitsNameTheirParametersAndHoldForDevices) {
   auto const& law = laws::find_law(TypeParam::info.id);
   for (auto const& limit : law.joint_limits) EXPECT_FALSE(limit.parameters.empty()) << limit.statement;
@@ -103,7 +105,7 @@ TYPED_TEST(Metadata, TheFormulaHasEveryParameter) {
     EXPECT_TRUE(names(TypeParam::info.formula, row.info.name)) << row.info.name << " in\n" << TypeParam::info.formula;
 }
 
-// unpack() puts value i into the member of row i, and never two values into one member.
+// unpack() must copy value i to the member of Params that row i describes, so no two rows may describe one member.
 TYPED_TEST(Metadata, EveryRowIsAMemberOfItsOwn) {
   Values<TypeParam> values{};
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = 1.0 + static_cast<double>(i);
@@ -118,7 +120,8 @@ TYPED_TEST(Metadata, RowsAreTheSameForEveryScalar) {
   for (std::size_t i = 0; i < others.size(); ++i) EXPECT_EQ(others[i].info.name, this->rows[i].info.name);
 }
 
-// Table 4, in its order and units. Two of its bounds are illegible; docs/source.md supplies them.
+// The published box must equal Table 4, with the same order and units. Two bounds are illegible in our copy of the
+// paper. docs/source.md says how their values were found.
 TYPED_TEST(OfThePaperOnly, PublishedBoxIsTable4) {
   std::map<std::string, double> const lost{{"bouc-wen alpha", 0.3}, {"hwang-wu a1", 6e3}};
   auto const& table = published<TypeParam>().parameters;
@@ -144,7 +147,7 @@ TYPED_TEST(OfThePaperOnly, PublishedBoxIsTable4) {
   EXPECT_EQ(next, table.size());
 }
 
-// The names that Tables 4 and A.5 use where they differ from the law's own names.
+// `paper_name` holds the name in Tables 4 and A.5 if it differs from the law's own name for the parameter.
 TYPED_TEST(Metadata, PaperNamesAreThoseThatDiffer) {
   std::map<std::string, std::string> const printed{
       {"bilinear xy", "F_y"}, {"vaiana f0+", "F_0+"}, {"vaiana f0-", "F_0-"}, {"abe Uh", "X_h"},    {"abe U0", "X_0"},
@@ -180,7 +183,8 @@ TYPED_TEST(Metadata, DefaultsArePhysical) {
     }
 }
 
-// The devices range from a shaking-table model to a bridge bearing.
+// Three devices, from a model for a shaking table to a bearing of a bridge. Their automatic intervals must be ordered,
+// physical, and positive where the search is logarithmic.
 TYPED_TEST(Metadata, ScaledIntervalsAreOrderedPhysicalAndSearchable) {
   std::array const devices{
       published_device<TypeParam>(),
@@ -199,10 +203,10 @@ TYPED_TEST(Metadata, ScaledIntervalsAreOrderedPhysicalAndSearchable) {
     }
 }
 
-// If lengths are ten times as long and forces a hundred times as large, every interval scales with its parameter's
-// unit, so a law fitted to the larger device has the smaller one's parameters in other units. The powers of force,
-// length and time are read from the printed unit. bouc-wen's beta and gamma are exempt: their unit depends on n. A size
-// that is defined at a fixed displacement scales with a further power of the length.
+// If lengths become ten times and forces a hundred times as large, the automatic interval of each parameter must grow
+// by the factor that the parameter's unit implies. The test reads the powers of force, length and time from the printed
+// unit. It skips bouc-wen's beta and gamma, because their unit depends on the parameter n. at_reference() gives the
+// additional power of length for values that a law defines at a fixed displacement.
 TYPED_TEST(Metadata, ScaledIntervalsHaveTheUnitOfTheirParameter) {
   constexpr double force = 100.0, length = 10.0, time = 4.0;
   auto const small = published_device<TypeParam>();

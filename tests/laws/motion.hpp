@@ -1,4 +1,4 @@
-// Displacement histories for the tests of the laws, in mm and mm/s, and the path that a law makes of them.
+// Displacement histories for the tests of the laws, in mm and mm/s, and their conversion to a law's Path.
 #pragma once
 
 #include <algorithm>
@@ -33,8 +33,8 @@ inline Motion sine(double amplitude_mm, double frequency_Hz, int cycles, int sam
   return motion;
 }
 
-// Straight lines at constant speed through the given displacements, each in `steps` equal steps. The first sample is
-// the first displacement. The velocity at a sample is the velocity on the line that ends there.
+// Moves at constant speed from each given displacement to the next, each time in `steps` equal steps. The first sample
+// is the first displacement. At a corner the velocity is that of the line that ends there.
 inline Motion polyline(std::span<double const> corners_mm, int steps, double speed_mm_s = 100.0) {
   Motion motion;
   motion.disp_mm.push_back(corners_mm[0]);
@@ -49,7 +49,7 @@ inline Motion polyline(std::span<double const> corners_mm, int steps, double spe
   return motion;
 }
 
-// The displacements of a polyline as above, for laws that do not depend on velocity.
+// The displacements of polyline(), for laws that do not depend on velocity.
 inline std::vector<double> through(std::span<double const> corners, int steps) {
   return polyline(corners, steps).disp_mm;
 }
@@ -57,16 +57,16 @@ inline std::vector<double> through(std::initializer_list<double> corners, int st
   return through(std::span(corners.begin(), corners.size()), steps);
 }
 
-// A path with inner loops for which the forces of several laws are known.
+// A path with small loops inside larger ones. Several tests know the forces of a law along it from other programs.
 inline std::vector<double> const corners{0, 20, 50, 10, -40, -60, 30, 20, 45, 80};
 
 inline double sign(double x) {
   return x < 0.0 ? -1.0 : x > 0.0 ? 1.0 : 0.0;
 }
 
-// Cycles of growing, then shrinking amplitude with noise: they reverse at almost every sample around the peaks, have
-// small loops inside large ones, and reach new peaks throughout the first half. 50 samples a second; velocity by
-// differences.
+// Cycles of growing, then shrinking amplitude with noise. The noise reverses the motion at almost every sample near the
+// peaks and so makes small loops inside large ones. New peaks occur throughout the first half. The sampling rate is 50
+// Hz, and the velocity is the difference quotient of the displacements.
 inline Motion irregular(std::uint64_t seed, double amplitude_mm, int cycles, int samples_per_cycle,
                         double noise_share = 0.02) {
   num::Draws draws(num::Stream(seed), 0, 0);
@@ -92,7 +92,7 @@ inline Motion scaled(Motion motion, double disp_factor, double velocity_factor) 
   return motion;
 }
 
-// The path in the law's units.
+// Converts a motion from mm to the law's unit of length and makes the law's Path of it.
 template <class Law>
 laws::Path path_of(Motion const& motion, int refinement = 1) {
   auto const x = scaled(motion, 1.0 / Law::info.length.in_record_units, 1.0 / Law::info.length.in_record_units);
@@ -105,7 +105,7 @@ inline double largest_magnitude(std::span<double const> values) {
   return largest;
 }
 
-// Largest |a - b|; not finite if any difference is not finite.
+// Largest |a - b|, or NaN or infinity if any difference is not finite.
 inline double largest_difference(std::span<double const> a, std::span<double const> b) {
   double largest = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) {

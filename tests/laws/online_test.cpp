@@ -1,4 +1,5 @@
-// Laws in online form give the same forces as in batch form; their tangents and copies of their state are right.
+// A law in online form computes one step at a time, as in an analysis program. It must give the forces of the batch
+// form, and trial steps must not change its state.
 #include "isolaw/laws/online.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +19,6 @@ struct Motion {
   std::vector<double> x, v;
 };
 
-// A motion in the law's units, with cycles of several sizes.
 Motion motion_of(laws::LawEntry const& law) {
   Motion motion;
   double const size = 100.0 / law.info.length.in_record_units;
@@ -81,7 +81,7 @@ TEST_P(EveryLaw, gives_the_force_of_the_law) {
     for (double const f : expected) peak = std::max(peak, std::abs(f));
     laws::Online online(law.info.id, parameters);
     for (std::size_t i = 0; i < motion.x.size(); ++i) {
-      // Neither a discarded trial nor a trial of a copy has an effect.
+      // A trial step that nobody commits must not change the state, and steps of a copy must not change the original.
       online.trial(-2.0 * motion.x[i], motion.v[i]);
       laws::Online copy = online;
       copy.trial(3.0 * motion.x[i], 0.0);

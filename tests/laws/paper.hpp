@@ -1,5 +1,5 @@
-// Facts that exist only for the laws of the paper: its tables, and the statements of docs/source.md. Tests of PaperLaws
-// do not run for the other laws.
+// The tables of Cucuzza et al. 2025, and what docs/source.md states about the laws of that paper. Tests that use the
+// list PaperLaws run only for these laws.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ template <class Law, class... Listed>
 inline constexpr bool of_the_paper<Law, std::tuple<Listed...>> = (std::is_same_v<Law, Listed> || ...);
 
 struct PaperFacts {
-  std::string_view units;  // in Table 4
+  std::string_view units;  // force and length unit in Table 4
   std::size_t parameters, free_by_default;
   laws::Traits traits;
 };
@@ -44,15 +44,15 @@ inline std::map<std::string_view, PaperFacts> const paper_facts{
     {"abe-y0", {"kN mm", 12, 12, {.rate_independent = true, .odd = true, .path_integrated = true}}},
     {"hwang-wu", {"N cm", 10, 10, {.odd = true, .path_integrated = true}}}};
 
-// The rows of Table A.5 for a law; abe and abe-y0 share one.
+// The rows of Table A.5 for a law. The laws abe and abe-y0 have the same rows.
 template <class Law>
 table_a5::Law const& published() {
   std::string_view const id = Law::info.id == std::string_view("abe") ? "abe-y0" : Law::info.id;
   return *std::ranges::find_if(table_a5::laws, [&](auto const& law) { return law.id == id; });
 }
 
-// The published means of a device (0 .. 9). Parameters that the table lacks are zero (vaiana's sigmoid). Columns of the
-// table for which the law has no parameter are skipped (abe-y0 has no p).
+// The means that Table A.5 gives for a device (0 to 9). vaiana's sigmoid is not in the table, so its parameters are
+// zero. abe-y0 has no parameter p, so the column p is skipped for it.
 template <class Law>
 Values<Law> published_means(std::size_t device) {
   Values<Law> values{};
@@ -62,7 +62,8 @@ Values<Law> published_means(std::size_t device) {
   return values;
 }
 
-// One of ten devices (0 .. 9): for a law of the paper the published device, for other laws a candidate from the box.
+// The parameters of device 0 to 9: the means of Table A.5 for a law of the paper, a random set of the box for any other
+// law.
 template <class Law>
 Values<Law> device(std::size_t number) {
   if constexpr (of_the_paper<Law>)
@@ -71,8 +72,8 @@ Values<Law> device(std::size_t number) {
     return candidate<Law>(static_cast<std::uint32_t>(number));
 }
 
-// The force at the first sample, from the formulas without history: z = 0, F2 = 0, W = 0, and a branch that starts at
-// zero force. x is in the law's unit of length.
+// The force at the first sample, before any motion: the hysteretic variables z, F2 and the work W are 0, and vaiana's
+// branch starts at zero force. x and v are in the law's unit of length.
 template <class Law>
 double virgin_force(Values<Law> const& values, double x, double v) {
   std::string_view const id = Law::info.id;

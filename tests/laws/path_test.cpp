@@ -1,4 +1,4 @@
-// Tests the path that make_path() makes of a record.
+// Tests of make_path(), which turns a record's displacements into the steps that laws follow.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,8 +30,8 @@ TEST(Path, FirstStepStandsStillAtTheFirstSample) {
   EXPECT_EQ(first.peak1, 3.0);
 }
 
-// The first motion counts as a reversal. During a hold the direction is kept, so a motion that goes on after the hold
-// is no reversal.
+// The first motion counts as a reversal. During a hold the direction stays, so motion that continues after the hold in
+// the same direction is no reversal.
 TEST(Path, DirectionsAndReversals) {
   std::vector<double> const x{1.0, 1.0, 2.0, 2.0, 3.0, 2.5, 2.5, 2.0, 4.0};
   std::vector<double> const direction{0, 0, 1, 1, 1, -1, -1, -1, 1};
@@ -51,7 +51,8 @@ TEST(Path, ThePeakIsTheLargestMagnitudeSoFar) {
   for (std::size_t i = 0; i < x.size(); ++i) EXPECT_EQ(path.steps[i].peak1, peak[i]) << i;
 }
 
-// Every refinement connects the samples by straight lines, in displacement and in velocity.
+// Refinement divides each sampling interval into equal steps. Displacement and velocity vary linearly between the
+// samples.
 TEST(Path, RefinementGoesThroughTheSamples) {
   auto const motion = irregular(1, 100.0, 2, 25);
   for (int const refinement : {1, 2, 3, 7}) {
@@ -85,8 +86,8 @@ TEST(Path, RefinementGoesThroughTheSamples) {
   }
 }
 
-// The path is x = 4 - (t - 1.3)^2 at uneven times. Its vertex is found exactly, has no velocity, and is not marked as a
-// sample.
+// make_path_with_turning_points() fits a parabola around a turn and adds its vertex to the path. For samples of x = 4 -
+// (t - 1.3)^2 at uneven times the vertex must be exact, have no velocity, and not be marked as a sample.
 TEST(Path, ATurningPointIsTheVertexOfTheParabola) {
   std::vector<double> const t{0.0, 0.5, 1.0, 1.8, 2.5};
   std::vector<double> x, v;
@@ -97,7 +98,7 @@ TEST(Path, ATurningPointIsTheVertexOfTheParabola) {
   auto const path = laws::make_path_with_turning_points(x, v, t);
   ASSERT_EQ(path.samples(), 5u);
   ASSERT_EQ(path.steps.size(), 6u);
-  auto const& turn = path.steps[3];  // follows the largest sample, at t = 1
+  auto const& turn = path.steps[3];  // the step after the sample of largest x, at t = 1
   EXPECT_NEAR(turn.x1, 4.0, 1e-15);
   EXPECT_EQ(turn.v1, 0.0);
   EXPECT_FALSE(turn.sample);
@@ -110,7 +111,8 @@ TEST(Path, ATurningPointIsTheVertexOfTheParabola) {
   }
 }
 
-// At 20 samples a cycle the samples miss up to 1.2 % of the peak; the vertices miss less than a fiftieth of that.
+// At 20 samples a cycle the largest sample may be 1.2 % below the peak of the sine. The added turning points must be
+// within a fiftieth of that.
 TEST(Path, TurningPointsOfASineAreItsPeaks) {
   std::vector<double> t, x, v;
   for (int i = 0; i < 100; ++i) {
@@ -129,7 +131,7 @@ TEST(Path, TurningPointsOfASineAreItsPeaks) {
   EXPECT_EQ(turns, 10);
 }
 
-// No point is added to plateaus, to monotone records, or to turns exactly at a sample.
+// A plateau, a record that never turns, and a turn exactly at a sample get no additional point.
 TEST(Path, NoTurningPointWhereThereIsNone) {
   std::vector<double> const t{0.0, 1.0, 2.0, 3.0, 4.0};
   for (auto const& x : {std::vector{0.0, 1.0, 2.0, 3.0, 4.0}, std::vector{0.0, 1.0, 1.0, 1.0, 0.0},

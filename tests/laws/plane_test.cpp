@@ -1,5 +1,6 @@
-// Laws of the plane: they agree with the one-directional law on a line and follow rotated motions; their tangents are
-// slopes; each lane equals the scalar law.
+// Tests of the laws for motion in two horizontal directions. On a straight line each must equal its one-directional
+// law. A rotated motion must give the rotated forces. Tangents must equal difference quotients, and each SIMD lane must
+// equal the scalar law.
 #include "isolaw/laws/plane.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +19,7 @@ namespace {
 using laws::plane::Vector;
 using Walk = std::vector<Vector<double>>;
 
-// A random motion in fractions of `size` that starts at the origin, turns often and comes back.
+// A random polygon through points within +-`size`, divided into short steps. It starts at the origin.
 Walk wander(double size, unsigned seed, std::size_t count = 400) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -148,7 +149,7 @@ TYPED_TEST(PlaneLaw, turns_with_the_motion) {
   }
 }
 
-// Tangents equal central differences of the computed steps, except at kinks.
+// Tangents must equal central differences of the computed steps. Steps near a kink of the law are left out.
 TYPED_TEST(PlaneLaw, tangents_are_slopes) {
   for (auto const& p : Case<TypeParam>::parameters) {
     auto const walk = wander(Case<TypeParam>::size, 5);
@@ -182,7 +183,7 @@ TYPED_TEST(PlaneLaw, tangents_are_slopes) {
   }
 }
 
-// Lanes that each have their own parameters and motion give the same as the scalar law.
+// Each SIMD lane has its own parameters and motion and must give the force of the scalar law.
 TYPED_TEST(PlaneLaw, lanes_are_scalars) {
   constexpr std::size_t lanes = 8;
   using T = num::Batch<lanes>;
@@ -222,7 +223,8 @@ TYPED_TEST(PlaneLaw, lanes_are_scalars) {
   }
 }
 
-// A lane gives the same bits whatever the other lanes hold; a NaN stays in its lane.
+// Lane 0 must give the same bits whether the other lanes hold its own copy or other parameters and motions. A NaN in
+// lane 5 must stay in lane 5.
 TYPED_TEST(PlaneLaw, lanes_do_not_know_one_another) {
   constexpr std::size_t lanes = 8;
   using T = num::Batch<lanes>;
@@ -263,8 +265,8 @@ TYPED_TEST(PlaneLaw, lanes_do_not_know_one_another) {
   EXPECT_EQ(run(true), run(false));
 }
 
-// Without motion the force stays the same. A step of a thousand yield lengths comes to an end and leaves a saturated
-// force.
+// Without motion the force stays the same and the tangent is positive. A single step of a hundred thousand times the
+// usual size gives a finite force.
 TYPED_TEST(PlaneLaw, at_rest_and_far_away) {
   auto const& p = Case<TypeParam>::parameters[0];
   auto state = TypeParam::template start<double>(p);

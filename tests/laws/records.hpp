@@ -1,4 +1,3 @@
-// Records made from the motions of motion.hpp, for tests that need an objective or a search box.
 #pragma once
 
 #include <algorithm>
@@ -17,13 +16,14 @@
 
 namespace isolaw::law_tests {
 
-// The number of candidates that a test draws: ISOLAW_DRAWS, or the test's small default.
+// The number of parameter sets that a test draws: the environment variable ISOLAW_DRAWS, or else `by_default`.
 inline std::uint32_t draws(std::uint32_t by_default) {
   char const* const text = std::getenv("ISOLAW_DRAWS");
   return text == nullptr ? by_default : static_cast<std::uint32_t>(std::strtoul(text, nullptr, 10));
 }
 
-// A record whose force is an ellipse about a straight line.
+// A record whose loop is an ellipse: a linear spring and a viscous damper, which has the force `strength_kN` at the
+// largest velocity.
 inline data::FitRecord record_of(Motion const& motion, double interval_s, double stiffness_kN_mm, double strength_kN) {
   data::FitRecord record;
   double const fastest = largest_magnitude(motion.velocity_mm_s);
@@ -37,7 +37,7 @@ inline data::FitRecord record_of(Motion const& motion, double interval_s, double
   return record;
 }
 
-// Candidate number `index` of a fixed sequence, uniform in the unit box of the free parameters.
+// Random parameter set number `index`, uniform in the free parameters' intervals on their own scales.
 inline std::vector<double> candidate_in(fit::SearchBox const& box, std::uint32_t index) {
   num::Draws draws(num::Stream(20250110), 0, index);
   std::vector<double> point(box.free_count()), values(box.parameters.size());
@@ -46,7 +46,7 @@ inline std::vector<double> candidate_in(fit::SearchBox const& box, std::uint32_t
   return values;
 }
 
-// A law's force on a motion, in the law's unit.
+// The force that a law gives for a motion in mm and mm/s, in the law's unit of force.
 inline std::vector<double> forces(laws::LawEntry const& law, std::span<double const> parameters, Motion const& motion,
                                   laws::Integration integration, int refinement = 1) {
   double const unit = 1.0 / law.info.length.in_record_units;
@@ -63,7 +63,6 @@ inline std::string describe(laws::LawEntry const& law, std::span<double const> v
   return text;
 }
 
-// The laws by name, for parameterised tests.
 inline std::vector<std::string> law_ids() {
   std::vector<std::string> ids;
   for (auto const& law : laws::catalogue()) ids.emplace_back(law.info.id);

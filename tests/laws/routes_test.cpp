@@ -1,6 +1,7 @@
-// All ways to evaluate a law give the same force. A double, the value of a dual number and the catalogue agree bit by
-// bit; a lane of a batch agrees within rounding. The derivative must belong to the value. Batches in this file use the
-// compiler's baseline instructions; tests/unit/fit_kernels_test.cpp covers every instruction set.
+// A law can be evaluated as a double, as the value of a dual number, through the catalogue, or in a lane of a SIMD
+// batch. The first three must agree bit by bit, a lane within rounding, and the derivative of the dual number must be
+// that of the force. Batches in this file use the compiler's baseline instructions; tests/unit/fit_kernels_test.cpp
+// covers every instruction set.
 #include "isolaw/num/batch.hpp"
 #include "isolaw/num/dual.hpp"
 
@@ -27,11 +28,12 @@ namespace {
 using laws::Integration;
 using laws::parameter_count;
 
-// Two vectors wide, so that neighbouring lanes lie both within one vector and across two.
+// The batch is two SIMD registers wide, so some neighbouring lanes share a register and others do not.
 constexpr std::size_t width = 2 * num::vector_lanes;
 using Lanes = num::Batch<width>;
-// As a share of the peak force. Batches have their own exp, exp2 and log2, which differ from the library's by one or
-// two units in the last place, and compute a power as one operation. The largest difference seen is 5e-14 (vaiana).
+// Permitted difference between a lane and the scalar, as a share of the peak force. Batches have their own exp, exp2
+// and log2, which differ from those of the C library by one or two units in the last place, and compute a power as one
+// operation. The largest difference seen is 5e-14 (vaiana).
 constexpr double lane_tolerance = 1e-11;
 
 template <class Law>
@@ -48,7 +50,7 @@ Group<Law> group_from(std::uint32_t first) {
   return group;
 }
 
-// The forces of each lane if all candidates are evaluated in one batch.
+// Evaluates all parameter sets in one batch and returns the forces of each lane.
 template <class Law>
 std::array<std::vector<double>, width> batch_forces(Group<Law> const& group, laws::Path const& path,
                                                     Integration integration) {
@@ -67,7 +69,7 @@ std::array<std::vector<double>, width> batch_forces(Group<Law> const& group, law
   return out;
 }
 
-// True if the bits are the same. Any NaN equals any other, as its sign and payload mean nothing.
+// True if the bits are the same. All NaN count as equal, because their signs and payloads mean nothing.
 ::testing::AssertionResult same(std::vector<double> const& a, std::vector<double> const& b) {
   if (a.size() != b.size()) return ::testing::AssertionFailure() << a.size() << " samples against " << b.size();
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -76,8 +78,8 @@ std::array<std::vector<double>, width> batch_forces(Group<Law> const& group, law
   return ::testing::AssertionSuccess();
 }
 
-// True if the lane is not finite wherever the scalar is not, and is elsewhere within lane_tolerance of the peak force
-// so far.
+// A sample agrees if lane and scalar are both not finite, or if they differ by at most lane_tolerance times the peak
+// force so far.
 ::testing::AssertionResult agrees(std::vector<double> const& lane, std::vector<double> const& scalar) {
   double peak = 0.0;
   for (std::size_t i = 0; i < scalar.size(); ++i) {
@@ -94,8 +96,8 @@ Motion some_motion() {
   return irregular(7, 150.0, 4, 40);
 }
 
-// If a Runge-Kutta step is too long to be stable, rounding errors grow with every step. bouc-wen's steps between the
-// samples of some_motion are too long, so with the paper's integration the steps are shortened by this factor.
+// An explicit Runge-Kutta step that is too long makes rounding errors grow with every step. One step per sample of
+// some_motion() is too long for bouc-wen, so tests with Integration::paper divide the steps by this factor.
 constexpr int stable = 4;
 
 TYPED_TEST(Routes, ALaneIsAScalar) {
@@ -113,7 +115,6 @@ TYPED_TEST(Routes, ALaneIsAScalar) {
     }
 }
 
-// A candidate's force is the same to the last bit, whatever the lanes before and after it hold.
 TYPED_TEST(Routes, ALaneDoesNotNoticeItsNeighbours) {
   auto const path = path_of<TypeParam>(some_motion());
   for (auto const integration : both_integrations) {
@@ -154,7 +155,7 @@ TYPED_TEST(Routes, ANaNStaysInItsLane) {
   }
 }
 
-// A NaN parameter must not disappear in a comparison and leave a plausible force.
+// A NaN parameter must not be lost in a comparison and leave a plausible force.
 TYPED_TEST(Routes, ANaNParameterShowsInTheForce) {
   auto const path = path_of<TypeParam>(some_motion());
   for (auto const integration : both_integrations)
@@ -174,7 +175,8 @@ Values<Law> overflowing() {
   return values;
 }
 
-// With fine sampling one Runge-Kutta step per sample is stable in the neighbouring lanes.
+// The motion is finely sampled, so that one Runge-Kutta step per sample is stable for the ordinary parameter sets in
+// the other lanes.
 TYPED_TEST(Routes, AnOverflowStaysInItsLane) {
   auto const path = path_of<TypeParam>(irregular(7, 150.0, 2, 1000, 0.0));
   for (auto const integration : both_integrations) {
@@ -211,7 +213,7 @@ TYPED_TEST(Routes, TheCatalogueIsAScalar) {
   for (std::size_t i = 0; i < entry.parameters.size(); ++i) EXPECT_EQ(entry.index_of(entry.parameters[i].name), i);
 }
 
-// Dual numbers with all parameters as independent variables.
+// The forces as dual numbers, which carry the derivatives by all parameters.
 template <class Law>
 std::vector<num::Dual<parameter_count<Law>>> dual_forces(Values<Law> const& values, laws::Path const& path,
                                                          Integration integration) {
@@ -224,7 +226,7 @@ std::vector<num::Dual<parameter_count<Law>>> dual_forces(Values<Law> const& valu
   return out;
 }
 
-// The value of a dual number comes from the same operations as a double, in the same order.
+// A dual number computes its value by the same operations as a double, in the same order, so the bits must be equal.
 TYPED_TEST(Routes, TheValueOfADerivativeNumberIsAScalar) {
   auto const path = path_of<TypeParam>(some_motion());
   for (auto const integration : both_integrations)
@@ -238,10 +240,10 @@ TYPED_TEST(Routes, TheValueOfADerivativeNumberIsAScalar) {
 }
 
 // Central differences with h = 1e-6 of the box err by 1e-12 (truncation) plus a few roundings of the force over h. The
-// tolerance is 1e-5 of the parameter's largest derivative plus a hundred roundings over h. A difference across a kink
-// (yielding of bilinear, z = 0 for small exponents) is wrong although the derivative is right, and a differential law
-// carries the error on to later samples. Such a difference changes with h and is left out; only few differences may be
-// left out.
+// tolerance is 1e-5 of the parameter's largest derivative plus a hundred roundings over h. At a kink of the law
+// (yielding of bilinear, z = 0 for small exponents) the difference quotient is wrong although the derivative is right,
+// and a differential law carries this error on to later samples. A difference quotient that changes with h shows such a
+// kink, and the test leaves it out. At most 2 % may be left out.
 TYPED_TEST(Routes, TheDerivativeIsTheCentralDifference) {
   constexpr double relative = 1e-5, largest_share_left_out = 0.02;
   auto const path = path_of<TypeParam>(irregular(11, 150.0, 3, 120, 0.01));

@@ -1,4 +1,5 @@
-// Tests the traits that a law declares, and the mechanics that every hysteretic law must obey.
+// A law's traits declare whether it depends on velocity, is odd, or is integrated along the path. These tests check the
+// declarations, and the mechanics that every hysteretic law must obey.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -24,8 +25,8 @@ Motion slower_motion() {
   return irregular(3, 150.0, 4, 60);
 }
 
-// The same displacements are driven at a higher speed. A rate-independent law gives the same bits; a rate-dependent law
-// gives, for most candidates, a visibly different force (by 1 % of the peak).
+// The velocities are multiplied by a factor; the displacements stay. A rate-independent law must give the same bits. A
+// rate-dependent law must change its force by more than 1 % of the peak for at least half of the parameter sets.
 TYPED_TEST(Traits, RateIndependence) {
   auto const motion = slower_motion();
   constexpr std::uint32_t candidates = 10;
@@ -48,7 +49,6 @@ TYPED_TEST(Traits, RateIndependence) {
     }
 }
 
-// A rate-independent law needs no velocity; a rate-dependent law gives different forces without it.
 TYPED_TEST(Traits, ARecordWithoutTimeServesARateIndependentLaw) {
   auto const motion = scaled(slower_motion(), 1.0 / TypeParam::info.length.in_record_units, 1.0);
   auto const values = candidate<TypeParam>(0);
@@ -57,7 +57,8 @@ TYPED_TEST(Traits, ARecordWithoutTimeServesARateIndependentLaw) {
   EXPECT_EQ(without == with, TypeParam::info.traits.rate_independent);
 }
 
-// Every operation commutes with the sign, so the mirrored force is exact. A law that is not odd differs visibly.
+// An odd law must give exactly the opposite force for the mirrored motion, because every operation commutes with the
+// sign. A law that is not odd must differ visibly.
 TYPED_TEST(Traits, OddSymmetry) {
   auto const motion = slower_motion(), mirrored = scaled(motion, -1.0, -1.0);
   for (auto const integration : both_integrations)
@@ -76,9 +77,8 @@ TYPED_TEST(Traits, OddSymmetry) {
     }
 }
 
-// Vaiana's law is odd when loading and unloading exchange roles: mirroring the history then changes the sign of the
-// force. In Eqs. (8)-(9), f_e(-x; beta1, beta2, gamma1, gamma2, gamma3) = -f_e(x; -beta1, -beta2, gamma1, gamma2,
-// -gamma3).
+// Vaiana's law is odd if the parameters of loading and unloading are exchanged at the same time. In Eqs. (8)-(9),
+// f_e(-x; beta1, beta2, gamma1, gamma2, gamma3) = -f_e(x; -beta1, -beta2, gamma1, gamma2, -gamma3).
 TEST(TraitsOfVaiana, MirroredWithItsBranchesExchanged) {
   using laws::Vaiana;
   auto const motion = slower_motion(), mirrored = scaled(motion, -1.0, -1.0);
@@ -95,14 +95,14 @@ TEST(TraitsOfVaiana, MirroredWithItsBranchesExchanged) {
     auto const force = forces<Vaiana>(values, motion);
     auto opposite = forces<Vaiana>(exchanged, mirrored);
     for (double& f : opposite) f = -f;
-    // The mirrored sigmoid follows from an identity of the exponential, so it is not equal bit by bit.
+    // The sigmoid is odd by an identity of the exponential, which does not hold bit by bit.
     EXPECT_LT(largest_difference(opposite, force), 1e-12 * largest_magnitude(force)) << describe<Vaiana>(values);
   }
 }
 
-// A law without a differential equation gives the same force with both integrations and any refinement. The force of a
-// law with a differential equation changes with the refinement: it takes the paper's Runge-Kutta steps or, if the paper
-// has none for it, its own.
+// A law without a differential equation gives the same force with both integrations and any refinement. A law with a
+// differential equation is integrated in steps, by the Runge-Kutta of Cucuzza et al. 2025 or by its own method, so its
+// force changes with the refinement.
 TYPED_TEST(Traits, IntegrationMattersToPathIntegratedLawsOnly) {
   auto const motion = slower_motion();
   auto const values = candidate<TypeParam>(1);
@@ -117,8 +117,9 @@ TYPED_TEST(Traits, IntegrationMattersToPathIntegratedLawsOnly) {
     EXPECT_LT(largest_difference(finer, converged), rounding);
 }
 
-// The third cycle of a closed loop never returns energy, for every device and both signs of the motion. At the
-// amplitude of the tests it dissipates energy. (At 20 mm bilinear is elastic and dissipates nothing but rounding.)
+// The third cycle must dissipate energy at 208 mm, the amplitude of the published tests, for every device and for a
+// motion that starts to either side. At 20 mm it must not return energy: bilinear is elastic there and its energy is
+// only rounding.
 TYPED_TEST(Traits, AClosedLoopDissipates) {
   constexpr int samples_per_cycle = 400;
   for (double const amplitude_mm : {20.0, 208.0})
@@ -142,7 +143,8 @@ TYPED_TEST(Traits, RestAtTheOriginIsForceFree) {
         EXPECT_EQ(force, 0.0);
 }
 
-// At rest at any displacement, before any motion or after it, the force stays constant: no law depends on time itself.
+// While the device rests the force stays constant, at any displacement and before or after a motion, because no law
+// depends on time itself.
 TYPED_TEST(Traits, RestElsewhereKeepsTheForce) {
   for (auto const integration : both_integrations)
     for (std::uint32_t index = 0; index < 10; ++index) {
@@ -163,7 +165,7 @@ TYPED_TEST(Traits, RestElsewhereKeepsTheForce) {
     }
 }
 
-// A hold in the middle of a motion has no effect afterwards.
+// Five repeated samples in the middle of a motion must not change any later force.
 TYPED_TEST(Traits, AHoldLeavesNoTrace) {
   auto const motion = slower_motion();
   for (auto const integration : both_integrations)

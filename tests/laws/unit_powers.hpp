@@ -1,5 +1,4 @@
-// The powers of force, length and time in a parameter's unit, which say how the parameter scales with the size of a
-// device.
+// Powers of force, length and time in a parameter's unit. They tell how the parameter grows with the size of a device.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +16,7 @@ struct Powers {
   double force = 0.0, length = 0.0, time = 0.0;
 };
 
-// The powers of a printed unit such as "kN s/mm" or "1/(N cm)"; n in "1/mm^n" counts as 1.
+// The powers in a printed unit such as "kN s/mm" or "1/(N cm)". The exponent n in "1/mm^n" counts as 1.
 inline std::optional<Powers> powers_of(std::string_view unit) {
   std::map<std::string_view, double Powers::*> const known{{"N", &Powers::force},   {"kN", &Powers::force},
                                                            {"mm", &Powers::length}, {"cm", &Powers::length},
@@ -41,8 +40,9 @@ inline std::optional<Powers> powers_of(std::string_view unit) {
   return powers;
 }
 
-// A size that is defined at a fixed displacement scales with an additional power of length, which this function
-// measures.
+// The automatic interval of a parameter is a multiple of a size of the device, which a function such as
+// laws::force_at_reference computes. If that size is taken at a fixed displacement, it grows by an additional power of
+// length. This function returns that power, and 0 for all other sizes.
 inline double at_reference(double (*size)(laws::RecordScales const&)) {
   std::map<double (*)(laws::RecordScales const&), double> const known{{laws::force_at_reference, -0.4},
                                                                       {laws::coefficient_at_reference<1>, -1.0},

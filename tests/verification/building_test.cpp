@@ -1,6 +1,6 @@
-// An isolated building is compared with closed forms and printed examples: frequencies, free vibration on a bilinear
-// bearing, Chopra's examples of Newmark's method, a rigid mass on a bilinear bearing under El Centro, and the torsion
-// that comes from the scatter of the bearings.
+// The analysis of an isolated building is compared with closed forms and printed examples: frequencies, free vibration
+// on a bilinear bearing, Chopra's examples of Newmark's method, a rigid mass on a bilinear bearing under El Centro, the
+// torsion that comes from the scatter of the bearings, and Bouc-Wen bearings by an independent integrator.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -30,15 +30,17 @@ namespace {
 
 using std::numbers::pi;
 
-// Masses are in Mg. base_period_s is the period of the whole moving as a rigid body, floor_period_s the period of the
-// structure on a rigid base, and periods_s are the two expected periods.
+// `share` is the mass of the structure over the whole mass. base_period_s is the period of the whole mass, taken as
+// rigid, on its bearings; floor_period_s is the period of the structure on a rigid base; periods_s are the two expected
+// periods.
 struct TwoMasses {
   double share, base_period_s, floor_period_s;
   std::array<double, 2> periods_s;
 };
 
 TEST(Building, frequencies_of_two_masses) {
-  // (1-g) w^4 - (ws^2 + wb^2) w^2 + wb^2 ws^2 = 0
+  // The expected frequencies w solve (1-g) w^4 - (ws^2 + wb^2) w^2 + wb^2 ws^2 = 0, where g is the share and wb and ws
+  // belong to the base and floor periods.
   for (auto const& [share, Tb, Ts, periods] :
        {TwoMasses{5.0 / 6.0, 2.5, 0.3, {2.51499071, 0.12174447}}, TwoMasses{0.8, 2.0, 0.5, {2.04997762, 0.21815536}}}) {
     double const mass = 600.0;
@@ -65,8 +67,8 @@ TEST(Building, frequencies_of_an_eccentric_deck) {
        {Case{0.1, 1.2, {0.9891102469, 1.2089916954}}, Case{0.2, 1.0, {0.8944271910, 1.0954451150}},
         Case{0.05, 1.4, {0.9987005855, 1.4009272431}}}) {
     Structure const deck({.base = {.mass_Mg = mass, .gyration_mm = r}, .floors = {}});
-    // The stiffness along x acts off the centre of mass in y. `ratio` is the frequency of rotation over the frequency
-    // along x, both taken about the centre of mass.
+    // The stiffness along x acts at the distance e r from the centre of mass. `ratio` is the frequency of rotation over
+    // the frequency along x, both about the centre of mass and without coupling.
     Matrix3 bearings = Vector3(k, 100.0 * k, k * r * r * ratio * ratio).asDiagonal();
     bearings(0, 2) = bearings(2, 0) = -k * e * r;
     auto const frequencies = deck.frequencies_on(bearings);
@@ -76,7 +78,7 @@ TEST(Building, frequencies_of_an_eccentric_deck) {
   }
 }
 
-// A spring and a dashpot along x, in parallel with a law's bearing.
+// A spring and a dashpot of equal values along x and y, in parallel with a law's bearing.
 class Dashpot final : public Bearing {
  public:
   Dashpot(double stiffness, double damping, std::unique_ptr<Bearing> parallel)
@@ -119,10 +121,10 @@ TEST(Building, chopra_average_acceleration) {
     bearings.push_back(std::make_unique<Dashpot>(k, c, nullptr));
     auto const run = integrate(model, bearings, motion, options);
     constexpr std::array u{.0437, .2326, .6121, 1.0825, 1.4309, 1.4231, .9622, .1908, -.6044, -1.1442};
-    // The fourth velocity follows from the printed displacements; some copies of the table have 4.4260 instead.
+    // Calculated from the printed displacements, the fourth velocity is 4.6833; some copies of the table have 4.4260.
     constexpr std::array v{.8733, 2.9057, 4.6833, 4.7260, 2.2421, -2.3996, -6.8192, -8.6092, -7.2932, -3.5026};
     for (std::size_t i = 0; i < u.size(); ++i) {
-      // Chopra rounds to four decimals at every step.
+      // Chopra's own steps are rounded to four decimals, and these errors add up.
       EXPECT_NEAR(run.history.base[i + 1][0], u[i], 2e-4) << i;
       EXPECT_NEAR(run.history.velocity[i + 1][0], v[i], 1e-3) << i;
     }
@@ -142,7 +144,8 @@ struct Released {
   double half_cycle_s = 0.0, elastic_s = 0.0, speed_mm_s = 0.0;
 };
 
-// A turning point lies on the cubic through the displacements and velocities at both ends of a step.
+// Releases a mass from rest at 150 mm. A turning point is found between two steps, where the velocity, taken as linear,
+// passes zero.
 Released release(double step_s) {
   std::vector<double> const law{6.0, 0.9, 30.0 / 5.1};
   Bearings bearings;
@@ -153,7 +156,7 @@ Released release(double step_s) {
                              {.longest_step_s = step_s, .histories = true, .pulled_to = {150.0, 0.0}});
   Released released;
   auto const& h = run.history;
-  // Moving back by twice the yield displacement makes the bearing slide.
+  // On the way back the bearing yields after a travel of twice its yield displacement.
   double const slides = 150.0 - 2.0 * 30.0 / 5.1;
   for (std::size_t i = 1; i < h.time_s.size(); ++i) {
     double const x0 = h.base[i - 1][0], x1 = h.base[i][0], v0 = h.velocity[i - 1][0], v1 = h.velocity[i][0];
@@ -179,7 +182,7 @@ TEST(Building, free_vibration_on_a_bilinear_bearing) {
   EXPECT_NEAR(released.elastic_s, 0.124144550, 1e-7);
   EXPECT_NEAR(released.speed_mm_s, -174.696969, 2e-4);
   EXPECT_NEAR(released.half_cycle_s, 1.002422303, 2e-7);
-  // The error falls as the square of the step, even when the law has a corner inside a step.
+  // The error falls with the square of the step although the law's corner lies inside a step.
   auto const error = [&](double step_s) { return std::abs(release(step_s).turns_mm[0] - turns[0]); };
   double const coarse = error(8e-3), fine = error(1e-3);
   EXPECT_GT(std::log2(coarse / fine) / 3.0, 1.7);
@@ -206,7 +209,8 @@ TEST(Building, rigid_mass_on_el_centro) {
     auto const run = integrate(rigid_mass(mass / Mg_in_mass), bearings, motion,
                                {.longest_step_s = 1.25e-4, .rest_s = 20.0, .histories = true});
     ASSERT_EQ(run.outcome, Outcome::completed) << run.why;
-    // Each tolerance is the integrator's own error at this step plus the rounding of the digits in the sources.
+    // Each tolerance is the integrator's own error at this step plus the rounding of the expected value's printed
+    // digits.
     EXPECT_NEAR(run.of(Measure::isolator), peak, 1e-4);
     EXPECT_NEAR(run.of(Measure::shear) / weight, force, 1.5e-6);
     EXPECT_NEAR(run.history.base.back()[0], end, 3e-4);
@@ -215,8 +219,8 @@ TEST(Building, rigid_mass_on_el_centro) {
 }
 
 // Every bearing has its own random stiffness (coefficient of variation 7 %), and the load acts along x through the
-// centre. The expected values come from 200,000 draws of another program. This test makes as many draws and must agree
-// within the sampling error.
+// centre. Another program gave the expected values from 200,000 draws; this test makes as many draws of its own. The
+// tolerances allow for the sampling error.
 TEST(Building, torsion_of_scattered_bearings) {
   struct Grid {
     std::size_t along, across;
@@ -270,7 +274,7 @@ TEST(Building, torsion_of_scattered_bearings) {
   }
 }
 
-// An independent model: Park, Wen and Ang's differential form with whole matrices, solved by Boost.odeint.
+// An independent model: the differential form of Park, Wen and Ang with whole matrices, solved by Boost.odeint.
 //     dz/dt = A v - z |z|^(n-2) (z.v) (beta sgn(z.v) + gamma)
 struct BoucWenValues {
   double alpha, Ke, A, beta, n, gamma;
@@ -278,8 +282,8 @@ struct BoucWenValues {
 };
 
 struct Independent {
-  std::vector<std::array<double, 3>> base;  // at every sample of the motion
-  double peak_mm = 0.0;                     // largest displacement of any bearing at a sample
+  std::vector<std::array<double, 3>> base;  // displacements and rotation at every sample of the motion
+  double peak_mm = 0.0;                     // largest displacement of any bearing at any sample
 };
 
 Independent by_odeint(Frame const& frame, double damping, Plan const& plan, std::vector<BoucWenValues> const& laws,
@@ -370,7 +374,8 @@ void compare(Frame const& frame, double damping, Plan const& plan, std::vector<B
   EXPECT_NEAR(lanes[static_cast<std::size_t>(Measure::isolator)], truth.peak_mm, 1e-3 * truth.peak_mm);
 }
 
-// A device that carries `mass_Mg`: period 2.5 s after yielding, strength 6 % of the weight, yields at about 15 mm.
+// A bearing that carries `mass_Mg`, with a period of 2.5 s after yielding, a strength of 6 % of the weight and a yield
+// displacement of about 15 mm.
 BoucWenValues bouc_wen_for(double mass_Mg, double n) {
   double const mass = mass_Mg * Mg_in_mass, after = mass * 6.3165, strength = 0.06 * mass * 9806.65,
                Ke = after + strength / 15.0;
@@ -385,11 +390,12 @@ TEST(Building, bouc_wen_as_a_differential_equation) {
     SyntheticMotion wanted{
         .step_s = 0.01, .duration_s = 15.0, .peak_g = 0.25 + 0.05 * i, .ground_period_s = 0.4 + 0.15 * i};
     double const n = i % 2 == 0 ? 2.0 : 1.2;
-    // Along x on a rigid mass.
+    // A rigid mass on one bearing moves along x only.
     wanted.two_components = false;
     Frame const rigid{.base = {.mass_Mg = 1600.0, .gyration_mm = 7000.0}, .floors = {}};
     compare(rigid, 0.0, {.bearings = {{0.0, 0.0}}}, {bouc_wen_for(1600.0, n)}, synthetic_motion(11, i, wanted));
-    // In plan below two floors, with eccentricities and unequal bearings.
+    // Two floors on four unequal bearings move in both directions and rotate, because the centres of mass are
+    // eccentric.
     wanted.two_components = true;
     Diaphragm const slab{.mass_Mg = 500.0, .gyration_mm = 6000.0};
     Frame frame{.base = {.mass_Mg = 600.0, .gyration_mm = 6000.0},

@@ -1,5 +1,5 @@
 // The laws are compared with closed forms: loops that can be integrated by hand, differential laws at exponents for
-// which the equation has a solution, algebraic laws at arguments where cosh and the square root are rational.
+// which the equation has a solution, and algebraic laws at arguments where cosh and the square root are rational.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ using laws::Jankowski;
 using laws::MenegottoPinto;
 using laws::Vaiana;
 
-// The energy of the last of three triangular cycles between +D and -D, in the law's units.
+// The work from sample `first` to the end, by the trapezoidal rule and in the law's units.
 double loop_energy(std::vector<double> const& force, std::vector<double> const& x, std::size_t first) {
   double energy = 0.0;
   for (std::size_t i = first; i + 1 < x.size(); ++i) energy += 0.5 * (force[i] + force[i + 1]) * (x[i + 1] - x[i]);
@@ -36,8 +36,8 @@ Motion three_triangles(double amplitude_mm, int steps) {
   return polyline(std::vector{0.0, D, -D, D, -D, D}, steps);
 }
 
-// K_eff = K2 + Qd / D and energy 4 Qd (D - xy). The path has its corners on samples, so the trapezoidal rule errs only
-// around the two yield points, by at most (K1 - K2) h^2 / 4 each.
+// The closed forms are K_eff = K2 + Qd / D and energy 4 Qd (D - xy). The path has samples at its corners, so the
+// trapezoidal rule errs only around the two yield points, by at most (K1 - K2) h^2 / 4 each.
 TEST(ClosedForm, BilinearLoop) {
   double const K1 = 1.65, K2 = 0.43, xy = 40.6, D = 208.0, Qd = (K1 - K2) * xy;
   constexpr int steps = 5000;
@@ -48,10 +48,10 @@ TEST(ClosedForm, BilinearLoop) {
   EXPECT_NEAR(loop_energy(force, motion.disp_mm, 3 * steps), 4.0 * Qd * (D - xy), 2.0 * (K1 - K2) * h * h / 4.0);
 }
 
-// The virgin, unloading and reloading branches of Eq. (1) with kinematic hardening, at points on both sides of each
+// Forces of Eq. (1) with kinematic hardening on the first loading, on unloading and on reloading, on both sides of each
 // yield point.
 TEST(ClosedForm, BilinearBranches) {
-  auto const values = named<Bilinear>({{"K1", 2.0}, {"K2", 0.5}, {"xy", 10.0}});  // Qd = 15
+  auto const values = named<Bilinear>({{"K1", 2.0}, {"K2", 0.5}, {"xy", 10.0}});  // so the strength (K1 - K2) xy is 15
   Motion motion;
   motion.disp_mm = {0.0, 8.0, 10.0, 30.0, 20.0, 10.0, 0.0, -30.0, -15.0, -10.0, 0.0};
   motion.velocity_mm_s.assign(motion.disp_mm.size(), 0.0);
@@ -60,8 +60,8 @@ TEST(ClosedForm, BilinearBranches) {
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(force[i], expected[i], 1e-12) << motion.disp_mm[i];
 }
 
-// The steel model of the 1983 report. Other programs gave the expected values, to the printed digits, from each
-// branch's (x0, F0).
+// The steel model of the 1983 report on Menegotto and Pinto's law. Other programs computed the expected values from the
+// start point (x0, F0) of each branch.
 TEST(ClosedForm, MenegottoPintoBranches) {
   auto const values =
       named<MenegottoPinto>({{"E", 1.0}, {"Fy", 1.0}, {"b", 0.1}, {"R0", 20.0}, {"cR1", 0.925}, {"cR2", 0.15}});
@@ -76,8 +76,8 @@ TEST(ClosedForm, MenegottoPintoBranches) {
 
 // Without the exponential and sigmoid terms and with equal branches, K_eff = kb + f0 tanh(alpha D) / D, and the energy
 // is 4 f0 [D - tanh(alpha D) / alpha]. With kb 0.6 kN/mm, f0 25 kN, alpha 0.08 / mm and D 150 mm they are 0.766667
-// kN/mm and 13750.00 kN mm, each to half a printed digit. The first loop is still open by 2 f0 exp(-2 alpha D) = 2e-9
-// kN. The trapezoidal rule errs by 2 f0 alpha h^2 / 6 = 1e-3 kN mm in all.
+// kN/mm and 13750.00 kN mm, rounded to the last printed digit. The first loop does not close by 2 f0 exp(-2 alpha D) =
+// 2e-9 kN. The trapezoidal rule errs by 2 f0 alpha h^2 / 6 = 1e-3 kN mm in all.
 TEST(ClosedForm, VaianaLoop) {
   double const kb = 0.6, f0 = 25.0, alpha = 0.08, D = 150.0;
   constexpr int steps = 8000;
@@ -100,9 +100,9 @@ TEST(ClosedForm, VaianaLoop) {
   EXPECT_NEAR(energy, 13750.00, 0.005);
 }
 
-// The limit curves of Eqs. (6)-(9) with all sixteen parameters. The points lie so far along a branch that the
-// exponential has vanished (alpha times the travel is 40: 4e-18). The expected values were written out by hand from the
-// equations.
+// The limit curves of Eqs. (6)-(9) with all sixteen parameters. The points lie so far along a branch that the distance
+// to the limit curve has decayed to exp(-40) = 4e-18 (40 is alpha times the travel). The expected values were written
+// out by hand from the equations.
 TEST(ClosedForm, VaianaLimitCurves) {
   double const ln2 = std::numbers::ln2;
   auto const values = named<Vaiana>({{"Kb+", 4e5},
@@ -128,7 +128,7 @@ TEST(ClosedForm, VaianaLimitCurves) {
   EXPECT_NEAR(force[200], -70.0 * 15.0 + 4.0 * 700.0 / 5.0 - 2.0 * 700.0 + 3e5 * -0.2 - 3e4, 1e-8);
 }
 
-// Bouc-Wen with n = 1 while x moves one way. With y = s z, s the direction of motion, and the travel t = |x - x0|:
+// Bouc-Wen with n = 1 while x moves one way. The direction of motion is s, the travel t = |x - x0|, and y = s z obeys
 //     y' = A + c y  for y < 0, c = gamma - beta;     y' = A - b y  for y >= 0, b = beta + gamma.
 // Both equations are linear and have exponential solutions; y passes zero at most once, upwards.
 double bouc_wen_n1(double y, double travel, double A, double beta, double gamma) {
@@ -146,7 +146,7 @@ struct Shape {
   double A, beta, gamma;
 };
 
-// The tabulated flow promises an error below 1e-5 of saturation for any n (flow_test.cpp).
+// saturating_flow.hpp, which bouc-wen uses, states an error below 1e-5 of saturation for any n.
 TEST(ClosedForm, BoucWenWithExponentOne) {
   constexpr double alpha = 0.15, Ke = 3.0;
   for (auto const& [A, beta, gamma] :
@@ -169,10 +169,10 @@ TEST(ClosedForm, BoucWenWithExponentOne) {
   }
 }
 
-// With gamma far above beta, unloading from saturation starts at the slope A (1 + kappa), where kappa = (beta - gamma)
-// / (beta + gamma) is near -1, so z leaves saturation slowly. The box of an unknown device allows gamma = 1200 beta.
-// The closed form multiplies an error made at the start by 1 / (1 + kappa), so the tolerance is multiplied by the same
-// factor.
+// With gamma far above beta, unloading from saturation starts at the small slope A (1 + kappa), where kappa = (beta -
+// gamma) / (beta + gamma) is near -1. z therefore leaves saturation slowly, and an error made at the start is
+// multiplied by up to 1 / (1 + kappa). The tolerance contains this factor. The box of an unknown device allows gamma =
+// 1200 beta.
 TEST(ClosedForm, BoucWenThatHardlyUnloads) {
   for (double const ratio : {5.0, 20.0, 200.0, 1000.0}) {
     double const beta = 0.1 / (1.0 + ratio), gamma = ratio * beta, z_max = 10.0, one_plus_kappa = 2.0 * beta / 0.1;
@@ -190,9 +190,9 @@ TEST(ClosedForm, BoucWenThatHardlyUnloads) {
   }
 }
 
-// A is redundant. The force stays the same if z becomes c z, A becomes c A, beta and gamma are multiplied by c^(1-n),
-// and the stiffnesses keep alpha Ke and (1 - alpha) Ke z. Only rounding differs, which a travel of a hundred samples
-// multiplies.
+// The parameter A is redundant: z may become c z and A c A if beta and gamma are multiplied by c^(1-n) and the
+// stiffnesses keep alpha Ke and (1 - alpha) Ke z. The forces then differ only by rounding, which grows over the hundred
+// samples of the path.
 TEST(ClosedForm, BoucWenRescaled) {
   constexpr double alpha = 0.2, Ke = 3.0, A = 1.2, beta = 0.05, gamma = 0.03, n = 1.2;
   auto const motion = irregular(4, 200.0, 4, 80);
@@ -211,7 +211,8 @@ TEST(ClosedForm, BoucWenRescaled) {
   }
 }
 
-// With a yield force of 1e-12 kN only F1 and F3 are left, which are algebraic in x and the peak.
+// With a yield force of 1e-12 kN the hysteretic force F2 vanishes. F1 and F3 remain, which depend only on x and on the
+// largest displacement so far.
 template <class Law>
 Values<Law> without_hysteresis(double Y0) {
   auto values = named<Law>({{"K1", 8.0},
@@ -241,7 +242,8 @@ void elastic_parts_alone() {
       } else {
         values[index_of<Law>("K1")] = values[index_of<Law>("a")] = 0.0;
       }
-      // Runge-Kutta steps are refined 20 times: 10 mm per sample is long beside U0 = 4 mm.
+      // A sampling interval of 10 mm is long beside U0 = 4 mm, so the Runge-Kutta steps of Integration::paper are
+      // refined 20 times.
       auto const force = forces<Law>(values, motion, integration == Integration::paper ? 20 : 1, integration);
       double peak = 0.0;
       for (std::size_t i = 0; i < motion.size(); ++i) {
@@ -260,9 +262,9 @@ TEST(ClosedForm, AbeY0ElasticPartsAlone) {
   elastic_parts_alone<AbeY0>();
 }
 
-// A long one-way motion saturates F2 at +-Y0. In abe-y0 it always does; in abe it does if Uh is so large that the yield
-// force does not grow ((400 / 1e12)^1.7 is negligible). 1 - u falls by the factor exp(-n) per Ut = 4 mm, so n = 0.3 and
-// 400 mm leave e^-30.
+// A long motion in one direction saturates F2 at +-Y0. In abe the yield force grows with x unless Uh is very large;
+// with Uh = 1e12 the growth (400 / 1e12)^1.7 is negligible. 1 - u falls by the factor exp(-n) per Ut = 4 mm, which
+// leaves e^-30 after 400 mm with n = 0.3.
 template <class Law>
 void saturates() {
   auto values = without_hysteresis<Law>(45.0);
@@ -280,9 +282,9 @@ TEST(ClosedForm, AbeY0Saturated) {
   saturates<AbeY0>();
 }
 
-// With n = 1 and a constant yield displacement (Us huge) u is Bouc-Wen's exponential with A = beta = 1 / U0, gamma = 0.
-// If the yield displacement grows, the virgin branch has dt = dx / [U0 (1 + x / Us)], so u = 1 - (1 + x / Us)^(-Us /
-// U0). The tolerance is the error that the tabulated flow may have.
+// With n = 1 and a constant yield displacement (Us huge), u = F2 / Y0 follows Bouc-Wen's exponential with A = beta = 1
+// / U0 and gamma = 0. If the yield displacement grows, the first loading has dt = dx / [U0 (1 + x / Us)], so u = 1 - (1
+// + x / Us)^(-Us / U0). The tolerance is the error that saturating_flow.hpp allows.
 TEST(ClosedForm, AbeY0WithExponentOne) {
   auto values = named<AbeY0>({{"alpha", 1.0}, {"n", 1.0}, {"Y0", 45.0}, {"Uh", 80.0}, {"U0", 5.0}, {"Us", 1e9}});
   auto const motion = polyline(std::vector{0.0, 12.0, 3.0, 9.0, -30.0, -28.0, 60.0}, 9);
@@ -314,7 +316,7 @@ TEST(ClosedForm, JankowskiByHand) {
                                         {"a9", 40.0},
                                         {"a10", 600.0},
                                         {"a11", 0.3}});
-  // Displacement 100 mm, -100 mm or 0; velocity 400 mm/s, 0 or -400 mm/s.
+  // The three samples: x = 100 mm, v = 400 mm/s; x = -100 mm, v = 0; x = 0, v = -400 mm/s.
   auto const force =
       forces<Jankowski>(values, Motion{{100.0, 100.0, 100.0, -100.0, 0.0}, {400.0, 0.0, -400.0, 400.0, -400.0}});
   // x2 = 0.01, x4 = 1e-4: constant part 100 + 10 + 1 = 111. Moving: 500 * 16/25 = 320 and 2000 * 4/5 * 4/5 = 1280.
@@ -343,7 +345,7 @@ TEST(ClosedForm, HwangWuWithoutWork) {
 }
 
 // With a4 and a9 alone, F = a4 x exp(a9 W) at v = 0, so exp(-a9 W) W' = a4 x and W = -ln(1 - a9 a4 (x^2 - x0^2) / 2) /
-// a9. Runge-Kutta with 200 steps over a9 W of order one errs by less than 1e-9.
+// a9. Runge-Kutta with 200 steps errs by less than 1e-9 while a9 W stays of order one.
 TEST(ClosedForm, HwangWuDegradesWithTheWholeWork) {
   double const a4 = 50.0, a9 = -1e-4;
   auto const values = named<HwangWu>({{"a4", a4}, {"a8", 1.0}, {"a9", a9}});

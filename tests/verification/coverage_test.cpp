@@ -1,7 +1,7 @@
-// Coverage of the 95 % intervals. Records with known noise are made a hundred times over. The test counts the share of
-// intervals that hold the true parameter, over all parameters that, as the program says, the record determines. The
-// share must lie between 90 and 99 %. With fewer than a hundred records these bounds are wider by one standard error
-// for that many independent answers.
+// Coverage of the 95 % confidence intervals. A law makes a record, and noise is added to it a hundred times over. The
+// test counts how many intervals hold the true value, for all parameters that the program calls determined. The share
+// must lie between 90 and 99 %. With fewer than a hundred records these bounds are wider by one standard error of the
+// share.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,8 @@ constexpr int usual_records = 100;
 
 struct CoverageCase {
   std::string law;
-  std::vector<std::string> set = {};  // fixed so that the record determines at least one parameter
+  // parameters fixed or limited so that the record determines at least one of the others
+  std::vector<std::string> set = {};
   twins::Noise noise = {};
   int records = usual_records;
   int replicates = 0;
@@ -40,7 +41,7 @@ std::vector<fit::Override> overrides_of(CoverageCase const& c) {
   return overrides;
 }
 
-// Counts the intervals of all determined parameters in all records, and those that hold the true value.
+// Number of intervals of determined parameters in all records, and how many of them hold the true value.
 struct Count {
   int intervals = 0, linear = 0, bootstrap = 0;
   double share(int holding) const { return holding / static_cast<double>(intervals); }
@@ -101,8 +102,8 @@ TEST_P(Coverage, OfIntervals) {
 
 constexpr twins::Noise correlated{.correlation = 0.8};
 
-// The intervals of vaiana's exponents are narrowed to values at which the hardening shows. abe's parameters of the
-// elastic part and of the decay are fixed, because three cycles with this noise do not determine all of them.
+// vaiana's exponents are limited to values at which its hardening shows. abe's parameters of the elastic part and of
+// the decay are fixed, because three cycles with this noise do not determine all of them.
 std::vector<CoverageCase> linearised() {
   std::vector<std::string> const abe{"alpha=20", "beta=0.5", "a=0", "b=1", "Uh=300", "K2=0.4", "r=0.5"};
   std::map<std::string_view, std::vector<std::string>> narrowed{

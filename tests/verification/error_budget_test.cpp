@@ -1,6 +1,6 @@
-// The formulas of the error budget are compared with loops whose properties are known exactly: the effects of sampling,
-// skew, friction and mass on an ellipse, a bilinear and an exponential loop (Vaiana's without hardening) of 208 mm at
-// 0.5 Hz.
+// The formulas of the error budget are compared with loops whose properties are known exactly. The loops are an
+// ellipse, a bilinear loop and an exponential one (Vaiana's without hardening), of 208 mm at 0.5 Hz. The effects are
+// those of sampling, skew, friction and moving mass.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,11 +21,11 @@ constexpr double f = 0.5;    // Hz
 // The force of a steady loop as a function of the phase of x = D sin(phase).
 using Loop = std::function<double(double)>;
 
-Loop ellipse(double K, double damping) {  // F = K (x + tan(phi) D cos), damping = tan(phi) / 2
+Loop ellipse(double K, double damping) {  // F = K (x + tan(phi) D cos(phase)), damping = tan(phi) / 2
   return [=](double phase) { return K * D * (std::sin(phase) + 2.0 * damping * std::cos(phase)); };
 }
 
-// The travel since the last reversal, and the direction of the branch: +1 rising.
+// The travel since the last reversal, and the direction of motion: +1 if the displacement rises, -1 if it falls.
 struct Branch {
   double sign, travelled;
 };
@@ -50,8 +50,8 @@ Loop exponential() {
   };
 }
 
-// Four cycles with `samples` samples each. The first sample is number `start` of the sine; the force is delayed by
-// `late_s`.
+// Four cycles with `samples` samples each, as a laboratory would measure them. `start` moves all samples along the sine
+// by that many sampling intervals; the force channel is late by `late_s`.
 Cycle measured(Loop const& loop, int samples, double late_s = 0.0, double start = 0.0) {
   std::vector<double> time, disp, force;
   for (int i = 0; i <= 4 * samples + 1; ++i) {
@@ -60,8 +60,8 @@ Cycle measured(Loop const& loop, int samples, double late_s = 0.0, double start 
     disp.push_back(D * std::sin(phase));
     force.push_back(loop(phase - 2.0 * pi * f * late_s));
   }
-  // The properties are also wanted where the program reports no cycle: a delayed force may return more energy than a
-  // slim loop dissipates.
+  // The program reports no cycle that returns energy. The test wants the properties of such a cycle too, because a
+  // force channel that is late can make a slim loop return energy.
   return *cyclic_properties(CycleView{disp, force, time, {}}).find(1, 3);
 }
 
@@ -82,10 +82,9 @@ TEST_P(Sampling, MissesThePeakBetweenSamples) {
   EXPECT_NEAR(100.0 * (1.0 - cycle.amplitude_mm / D), peak_loss_percent(N), 1e-9);
 }
 
-// A bilinear loop has corners between samples, which cost about as much energy as the curvature of an ellipse does. The
-// exponential loop bends within two lengths 1 / alpha = 12.5 mm after a reversal, where samples are dense. For both
-// loops the error is less than twice the ellipse's. Only the bilinear corner at 20 samples needs a tolerance of its
-// own.
+// A bilinear loop has corners between samples, and the energy that they cost is about the energy that the curvature of
+// an ellipse costs. The exponential loop bends within two lengths 1 / alpha = 12.5 mm after a reversal, where samples
+// are dense. Both lose less than twice the ellipse's share.
 TEST_P(Sampling, OfABilinearLoop) {
   int const N = GetParam();
   auto const cycle = measured(bilinear(), N);
@@ -105,11 +104,11 @@ TEST_P(Sampling, OfAnExponentialLoop) {
 INSTANTIATE_TEST_SUITE_P(PerCycle, Sampling, ::testing::Values(20, 48, 100, 200));
 
 // --- skew of 10 ms at 0.5 Hz, epsilon = 2 pi f dt = 0.0314 rad ------------------------------------------------------
-// If the force is early by epsilon, the energy grows by pi D a1 sin(epsilon), where a1 is the part of the force's first
-// harmonic that is in phase with x. Damping therefore grows by (a1 / (K D)) epsilon / 2, which is 1.571 points times a1
-// / (K D), with K the effective stiffness. At the peak the force has already fallen, with the unloading stiffness K_u,
-// over D epsilon^2 / 2. K becomes smaller and damping larger by the share (epsilon^2 / 2) (K_u / K - 1), which includes
-// the cosine that the energy loses.
+// If the force is early by epsilon, the energy grows by pi D a1 sin(epsilon), where a1 is the part of the force's
+// first harmonic that is in phase with x. Damping therefore grows by (a1 / (K D)) epsilon / 2, which is 1.571
+// percentage points times a1 / (K D), with K the effective stiffness. At the displacement peak the force has already
+// fallen, with the unloading stiffness K_u, over D epsilon^2 / 2. K becomes smaller and damping larger by the share
+// (epsilon^2 / 2) (K_u / K - 1). This share already contains the factor cos(epsilon) on the energy.
 
 constexpr double skew_s = 0.010;
 
@@ -122,7 +121,8 @@ TEST(Skew, InTheLimitOfLowDampingIsPiFDt) {
   EXPECT_NEAR(measured(ellipse(0.6, 0.005), 4000, skew_s).damping_percent - 0.5, -1.5708, 0.002);
 }
 
-// Damping is tan(phi) / 2 and phi moves by epsilon: (1 + 4 xi^2) epsilon / 2 to first order. The formula omits 4 xi^2.
+// Damping is tan(phi) / 2, and the skew moves phi by epsilon. Damping grows by (1 + 4 xi^2) epsilon / 2 to first order;
+// the formula of the error budget omits 4 xi^2.
 TEST(Skew, OfAnEllipse) {
   for (double const damping : {0.15, 0.165, 0.18}) {
     double const phi = std::atan(2.0 * damping);
@@ -134,17 +134,17 @@ TEST(Skew, OfAnEllipse) {
   }
 }
 
-// The growth of the damping `xi` in percentage points, from the in-phase amplitude and the unloading stiffness as
-// above.
+// The growth of the damping `xi` in percentage points, from the in-phase amplitude a1 and the unloading stiffness K_u.
 double predicted(double in_phase_kN, double K, double xi, double K_unloading) {
   double const epsilon = 2.0 * pi * f * skew_s;
   double const first_order = in_phase_kN / (K * D) * epsilon / 2.0;
   return 100.0 * ((xi + first_order) * (1.0 + epsilon * epsilon / 2.0 * (K_unloading / K - 1.0)) - xi);
 }
 
-// The elastoplastic part of height Qd turns after cos(beta) = 1 - 2 Dy / D. Its first harmonic in phase is (Qd / Dy) (D
-// / pi) (beta - sin(2 beta) / 2) = 0.366 Qd (Caughey 1960). With Qd / (K D) = 0.224, a1 / (K D) = 1 - 0.224 (1 - 0.366)
-// = 0.858, which gives 1.348 points. K_u = K2 + Qd / Dy = 3.5 kN/mm adds 0.031.
+// The elastoplastic part of height Qd yields at the phase beta after a reversal, cos(beta) = 1 - 2 Dy / D. Its first
+// harmonic in phase is (Qd / Dy) (D / pi) (beta - sin(2 beta) / 2) = 0.366 Qd (Caughey 1960). With Qd / (K D) = 0.224,
+// a1 / (K D) = 1 - 0.224 (1 - 0.366) = 0.858, which gives 1.348 percentage points. K_u = K2 + Qd / Dy = 3.5 kN/mm adds
+// 0.031.
 TEST(Skew, OfABilinearLoop) {
   double const K = K2 + Qd / D;
   double const beta = std::acos(1.0 - 2.0 * Dy / D);
@@ -158,7 +158,7 @@ TEST(Skew, OfABilinearLoop) {
 
 // The exponential part falls from its peak as f0 (1 + tanh(alpha D)) exp(-alpha D (1 - cos)). Its first harmonic in
 // phase is 2 f0 (1 + tanh(alpha D)) exp(-alpha D) I1(alpha D) = 0.382 f0. With f0 / (K D) = 0.252, a1 / (K D) = 0.844,
-// which gives 1.326 points. K_u = kb + alpha f0 (1 + tanh(alpha D)) = 6.1 kN/mm adds 0.06.
+// which gives 1.326 percentage points. K_u = kb + alpha f0 (1 + tanh(alpha D)) = 6.1 kN/mm adds 0.06.
 TEST(Skew, OfAnExponentialLoop) {
   double const a = alpha * D;
   double const K = kb + f0 * std::tanh(a) / D;
@@ -187,11 +187,13 @@ TEST(Offset, OfEitherChannelLeavesPeakToPeakStiffnessAndEnergy) {
     EXPECT_NEAR(moved.K_eff_kN_per_mm, plain.K_eff_kN_per_mm, 1e-12);
     EXPECT_NEAR(moved.energy_kN_mm, plain.energy_kN_mm, 1e-9 * plain.energy_kN_mm);
     EXPECT_NEAR(moved.damping_percent, plain.damping_percent, 1e-9);
-    EXPECT_GT(std::abs(moved.K_plus_kN_per_mm - plain.K_plus_kN_per_mm), 0.05);  // the stiffness of one side changes
+    // an offset changes the stiffness of one side
+    EXPECT_GT(std::abs(moved.K_plus_kN_per_mm - plain.K_plus_kN_per_mm), 0.05);
   }
 }
 
-// A friction F_f along the motion adds 4 F_f D to the energy. At the peak the velocity is zero, and so is the friction.
+// A friction force F_f against the motion adds 4 F_f D to the energy. At the peaks the velocity is zero, so friction
+// does not change K_eff.
 TEST(Friction, AddsTwoFOverPiKD) {
   double const friction = 15.0;
   auto const plain = measured(exponential(), 2000);
@@ -204,7 +206,7 @@ TEST(Friction, AddsTwoFOverPiKD) {
   EXPECT_NEAR(rubbed.energy_kN_mm - plain.energy_kN_mm, 4.0 * friction * D, 1e-3 * 4.0 * friction * D);
   EXPECT_NEAR(rubbed.damping_percent - plain.damping_percent,
               friction_damping_points(friction, plain.K_eff_kN_per_mm, D), 0.01);
-  EXPECT_NEAR(friction_damping_points(15.0, 1.0, 150.0), 6.4, 0.05);  // the worked example: K D = 150 kN
+  EXPECT_NEAR(friction_damping_points(15.0, 1.0, 150.0), 6.4, 0.05);  // worked example with K D = 150 kN
 }
 
 TEST(MovingMass, TakesMOmegaSquared) {
@@ -215,16 +217,16 @@ TEST(MovingMass, TakesMOmegaSquared) {
       },
       400);
   EXPECT_NEAR(plain.K_eff_kN_per_mm - loaded.K_eff_kN_per_mm, mass_stiffness_kN_per_mm(5000.0, f), 1e-12);
-  EXPECT_NEAR(mass_stiffness_kN_per_mm(5000.0, f), 0.049, 0.001);  // the worked example
+  EXPECT_NEAR(mass_stiffness_kN_per_mm(5000.0, f), 0.049, 0.001);  // worked example
 }
 
 TEST(MovingAverage, TakesWhatTheSincSays) {
-  // 11 points at 100 Hz: sinc(f w) with w = 0.11 s.
+  // The mean of 11 points at 100 Hz, a window w = 0.11 s long, multiplies a sine by sinc(f w).
   auto const sinc = [](double x) { return std::sin(pi * x) / (pi * x); };
   EXPECT_NEAR(average_loss_percent(11, 200.0), 100.0 * (1.0 - sinc(0.5 * 0.11)), 0.01);
   EXPECT_NEAR(average_loss_percent(11, 200.0 / 3.0), 100.0 * (1.0 - sinc(1.5 * 0.11)), 0.05);
   EXPECT_NEAR(average_loss_percent(1, 200.0), 0.0, 1e-12);
-  double sum = 0.0;  // sum of the 11 samples about the peak of a sine
+  double sum = 0.0;  // the sum over 11 samples around the peak of a sine with 200 samples a cycle
   for (int i = -5; i <= 5; ++i) sum += std::cos(2.0 * pi * i / 200.0);
   EXPECT_NEAR(average_loss_percent(11, 200.0), 100.0 * (1.0 - sum / 11.0), 1e-9);
 }

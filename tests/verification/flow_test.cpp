@@ -1,5 +1,7 @@
-// The flow of the differential laws is compared with quadrature. The travel from u0 to u1 is the integral of du /
-// rate(u), which Gauss-Kronrod and tanh-sinh give to twelve digits and more. After that travel the flow must be at u1.
+// Between reversals the hysteretic force of a differential law follows du/dt = rate(u), with u the force over its
+// saturation value and t the travel; the solution is called its flow. The travel from u0 to u1 is the integral of du /
+// rate(u), which quadrature (Gauss-Kronrod and tanh-sinh) gives to twelve digits and more. After that travel the flow
+// must be at u1.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,27 +39,28 @@ constexpr double exponents[] = {0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1.0,
 // box of an unknown device.
 constexpr double kappas[] = {-0.99, -0.9, -0.75, -0.5, 0.0, 1.0, 3.0};
 
-// Only abe uses the flow beyond saturation: kappa = 1, and n is at most 1 in any box.
+// Beyond saturation, |u| > 1, only abe uses the flow. It has kappa = 1, and n is at most 1 in any box.
 constexpr double abe_exponents[] = {0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1.0};
 constexpr double abe_kappa = 1.0;
 
-// The errors that saturating_flow.hpp promises; above |u| = 3 only the table applies.
+// The errors that saturating_flow.hpp states. Beyond |u| = 3 it uses a table with its own error.
 constexpr double claimed_error = 1e-7, claimed_error_of_table = 1e-5;
 double claimed(double n, double kappa) {
   if (n <= 2.0 && kappa <= 1.0) return claimed_error * std::max(1.0, 0.5 / (1.0 + kappa));
   return kappa > 1.0 && n > 1.5 ? 2e-5 : 5e-7 * std::max(1.0, 0.5 / (1.0 + kappa));
 }
 
-// Travel on the unloading piece from u0 < u1 <= 0. The integrand is bounded, but |u|^n has a singular derivative at 0,
-// where tanh-sinh concentrates its points.
+// Travel while unloading from u0 to u1, u0 < u1 <= 0. The integrand is bounded, but |u|^n has a singular derivative at
+// 0; tanh-sinh quadrature concentrates its points there.
 double travel_below_zero(double n, double kappa, double u0, double u1) {
   if (u0 == u1) return 0.0;
   boost::math::quadrature::tanh_sinh<double> rule;
   return rule.integrate([&](double w) { return 1.0 / (1.0 + kappa * std::pow(w, n)); }, -u1, -u0, 1e-13);
 }
 
-// Travel on the rising piece from 0 <= u0 < u1 < 1. Up to 0.5 the integral is in u, since u^n may be singular at 0.
-// Beyond 0.5 it is in s = -ln(1 - u), in which the integrand is smooth up to saturation.
+// Travel while loading from u0 to u1, 0 <= u0 < u1 < 1. Up to 0.5 the integral is in u, by a rule that tolerates the
+// singular derivative of u^n at 0. Beyond 0.5 it is in s = -ln(1 - u), in which the integrand is smooth up to
+// saturation.
 double travel_below_one(double n, double u0, double u1) {
   constexpr double half = 0.5;
   double travel = 0.0;
@@ -74,7 +77,7 @@ double travel_below_one(double n, double u0, double u1) {
   return travel;
 }
 
-// Travel on the falling piece from u0 > u1 > 1, in s = ln(u - 1).
+// Travel from u0 down to u1, u0 > u1 > 1, with s = ln(u - 1) as the variable of integration.
 double travel_above_one(double n, double u0, double u1) {
   return boost::math::quadrature::gauss_kronrod<double, 61>::integrate(
       [&](double s) { return std::exp(s) / std::expm1(n * std::log1p(std::exp(s))); }, std::log(u1 - 1.0),
@@ -89,7 +92,7 @@ double travel(double n, double kappa, double u0, double u1) {
   return sum;
 }
 
-// For n = 1 and n = 2 the travels are elementary functions, which check the quadrature itself.
+// For n = 1, n = 2 and some other values the travel is an elementary function, which checks the quadrature.
 TEST(Quadrature, KnownTravels) {
   EXPECT_NEAR(travel(1.0, 1.0, -0.8, 0.6), std::log(1.8) - std::log(0.4), 1e-12);
   EXPECT_NEAR(travel(2.0, 1.0, -0.8, 0.6), std::atan(0.8) + std::atanh(0.6), 1e-12);
@@ -98,7 +101,7 @@ TEST(Quadrature, KnownTravels) {
   EXPECT_NEAR(travel(0.5, 0.0, 0.0, 0.81), -2.0 * (0.9 + std::log(0.1)), 1e-12);
 }
 
-// Starting values of u; each is paired with every later one.
+// Values of u. The test follows the flow from each of them to every later one.
 std::vector<double> const rising_places{-1.0, -0.9, -0.5, -0.1, -0.01, -1e-4, -1e-6, 0.0,   1e-7,   1e-5,
                                         1e-3, 0.02, 0.1,  0.3,  0.6,   0.85,  0.97,  0.999, 0.99999};
 
@@ -106,7 +109,7 @@ template <class Flow>
 double largest_rising_error(double n, double kappa, std::vector<double> const& places) {
   Flow flow(n, kappa);
   double worst = 0.0;
-  std::vector<double> leg;  // travel from each place to the next
+  std::vector<double> leg;  // travel from each value to the next
   for (std::size_t i = 0; i + 1 < places.size(); ++i) leg.push_back(travel(n, kappa, places[i], places[i + 1]));
   for (std::size_t i = 0; i < places.size(); ++i) {
     double t = 0.0;
@@ -119,7 +122,7 @@ double largest_rising_error(double n, double kappa, std::vector<double> const& p
   return worst;
 }
 
-// Near kappa = -1 the curve leaves u = -1 at a rate of only 1 + kappa. Until the rate is 1, the equation itself
+// If kappa is near -1, the flow leaves u = -1 at the small rate 1 + kappa. Until the rate has grown to 1 the equation
 // multiplies an error made at the start by 1 / (1 + kappa).
 TEST(SaturatingFlow, FollowsTheEquationFromBelowSaturation) {
   for (double const kappa : kappas) {
@@ -133,7 +136,7 @@ TEST(SaturatingFlow, FollowsTheEquationFromBelowSaturation) {
   }
 }
 
-// abe also starts below -1. Errors of such starts are measured relative to the rate at the start, 1 + |u|^n.
+// abe may start below u = -1, where the table applies. The tolerance is relative to the rate at the start, 1 + |u|^n.
 TEST(SaturatingFlow, FollowsTheEquationFromFarBelowToo) {
   auto places = rising_places;
   places.insert(places.begin(), {-50.0, -20.0, -7.0, -2.0});
@@ -144,7 +147,7 @@ TEST(SaturatingFlow, FollowsTheEquationFromFarBelowToo) {
   }
 }
 
-// u falls from above saturation towards saturation; errors are relative to u.
+// If the yield force of abe has shrunk, u is above 1 and falls towards 1. The tolerance is relative to u.
 TEST(SaturatingFlow, FallsToSaturationFromAbove) {
   std::vector<double> const places{50.0, 30.0, 12.0, 5.0, 2.5, 1.6, 1.2, 1.05, 1.01, 1.0001};
   for (double const n : abe_exponents) {
@@ -158,8 +161,8 @@ TEST(SaturatingFlow, FallsToSaturationFromAbove) {
   }
 }
 
-// Every reversal converts u to travel and back. A conversion is two Newton steps from a good guess. Ten thousand
-// reversals must not change u by more than a hundredth of the flow's permitted error.
+// At every reversal the law converts u to travel and back, by two Newton steps from a good guess. Ten thousand
+// conversions must not change u by more than 1e-7.
 template <class Flow>
 double largest_drift(double n, double kappa, std::vector<double> const& places) {
   Flow flow(n, kappa);
@@ -189,8 +192,8 @@ TEST(SaturatingFlow, RoundTripsDoNotDriftBeyondSaturation) {
         << "n " << n;
 }
 
-// u is monotone in the travel, never passes saturation, and is within 1e-7 of it in the end. From u = -1 the curve
-// reaches zero within a travel of 1 / (1 + kappa); then 1 - u falls like exp(-n t). The allowances are for rounding.
+// u must grow with the travel, never pass 1, and end within 2e-7 of 1. Starting at u = -1 it reaches zero within a
+// travel of 1 / (1 + kappa); then 1 - u falls like exp(-n t). Differences of 1e-12 are rounding.
 TEST(SaturatingFlow, RisesMonotonicallyToSaturation) {
   for (double const n : exponents)
     for (double const kappa : kappas) {
@@ -224,13 +227,13 @@ TEST(SaturatingFlow, FallsMonotonicallyToSaturation) {
       }
       EXPECT_NEAR(before, 1.0, 2e-7) << "n " << n << ", from " << u;
     }
-    // A start below saturation stays below it for any travel.
+    // From a start below saturation no travel leads above saturation.
     for (double const u : {-30.0, -1.0, 0.0, 0.9999999, 1.0})
       for (double const t : {0.0, 1.0, 1e3, 1e9}) EXPECT_LE(flow.advance(u, t).u, 1.0) << "n " << n << ", from " << u;
   }
 }
 
-// advance() reports the rates of the equation; errors are relative to the larger of the rate and the mean rate, 1.
+// advance() also returns the rates at both ends of the travel. They must be those of the equation.
 TEST(SaturatingFlow, RatesAreThoseOfTheEquation) {
   auto const rate = [](double n, double u) { return u < 0.0 ? 1.0 + std::pow(-u, n) : 1.0 - std::pow(u, n); };
   for (double const n : abe_exponents) {
@@ -238,8 +241,8 @@ TEST(SaturatingFlow, RatesAreThoseOfTheEquation) {
     for (double const u : {-20.0, -1.0, -0.3, -0.01, 0.01, 0.2, 0.8, 0.999, 1.2, 5.0, 40.0})
       for (double const t : {0.0, 0.02, 0.3, 2.0}) {
         auto const moved = flow.advance(u, t);
-        // The derivative of the table's polynomial is less exact than its value: 1e-3 of a rate that lies between 0 and
-        // 2 (or 1 + 40^n).
+        // Where the flow comes from the table, its rate is less exact than its value. The error may be 1e-3 of 1 +
+        // |u|^n, the largest rate at this |u|.
         double const scale = 1e-3 * (1.0 + std::pow(std::abs(u), n));
         EXPECT_NEAR(moved.rate0, rate(n, u), scale) << "n " << n << ", from " << u;
         if (std::abs(moved.u) > 1e-5) {
@@ -249,8 +252,8 @@ TEST(SaturatingFlow, RatesAreThoseOfTheEquation) {
   }
 }
 
-// For n <= 0 or kappa <= -1, z grows without bound on unloading instead of returning. The class promises values that
-// are not finite for such parameters.
+// For n <= 0 or kappa <= -1, z would grow without bound on unloading. The flow must then give values that are not
+// finite.
 TEST(SaturatingFlow, PromisesNothingFiniteOutsideItsDomain) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (auto const& [n, kappa] :

@@ -1,5 +1,5 @@
-// ozdemir and bwbn are compared with closed forms of the flow, with the sources' equations, which this file integrates
-// in many steps, and with values of another implementation.
+// ozdemir and bwbn are compared with closed forms, with the equations of their sources, which this file integrates in
+// many steps, and with values of another implementation.
 #include "isolaw/num/error_function.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,8 @@ namespace {
 using laws::Bwbn;
 using laws::Ozdemir;
 
-// y at every corner of the path x, by `steps` classical Runge-Kutta steps per leg. slope(x, y, direction) = dy/dx.
+// Integrates dy/dx = slope(x, y, direction) along the path through the given corners, by `steps` classical Runge-Kutta
+// steps from corner to corner, and returns y at each corner.
 template <std::size_t N, class Slope>
 std::vector<std::array<double, N>> integrated(std::vector<double> const& corner, int steps, Slope const& slope) {
   using Y = std::array<double, N>;
@@ -48,8 +49,8 @@ double energy(std::vector<double> const& x, std::vector<double> const& force, st
   return sum;
 }
 
-// Comparison with the C library in every binade, for both signs, at the seam of the two rational functions and at the
-// end of the range.
+// num::erf is compared with the C library's at dense points of both signs, where one rational function takes over from
+// the other, and where the result reaches 1.
 TEST(ErrorFunction, IsThatOfTheLibrary) {
   for (double u = 1e-300; u < 1e3; u *= 1.0007) {
     EXPECT_NEAR(num::erf(u), std::erf(u), 4e-16 * std::min(1.0, 2.0 * u)) << u;
@@ -60,8 +61,8 @@ TEST(ErrorFunction, IsThatOfTheLibrary) {
   EXPECT_TRUE(std::isnan(num::erf(std::nan(""))));
 }
 
-// For n = 1, z approaches saturation as exp(-K |dx| / Y), whatever its sign. For n = 2 it is a tanh and, on unloading,
-// a tan. The flow's table errs by 1e-9 for these n, and by 1e-5 at worst for other n.
+// For n = 1, z approaches saturation as exp(-K |dx| / Y), for either sign of z. For n = 2, z follows a tanh on loading
+// and a tan on unloading. saturating_flow.hpp errs by 1e-9 for these n, and by 1e-5 at worst for other n.
 TEST(Ozdemir, ClosedForms) {
   double const K = 3.0, Y = 40.0, alpha = 0.2;
   double z1 = 0.0, z2 = 0.0;
@@ -80,7 +81,7 @@ TEST(Ozdemir, ClosedForms) {
   }
 }
 
-// The equation as the source writes it: F' = Ks (x' - |x'| |s/Ys|^n sgn(s)), s = F - Ks alpha (x - F/Ks).
+// The source writes the equation with a backstress: F' = Ks (x' - |x'| |s/Ys|^n sgn(s)), s = F - Ks alpha (x - F/Ks).
 TEST(Ozdemir, IsTheSourceWithItsBackstress) {
   double const Ks = 3.6, Ys = 30.0, alpha = 0.25;
   for (double const n : {1.0, 1.7, 3.0}) {
@@ -90,7 +91,7 @@ TEST(Ozdemir, IsTheSourceWithItsBackstress) {
     });
     double const K = Ks / (1.0 + alpha), Y = Ys * std::pow(1.0 + alpha, -1.0 - 1.0 / n);
     auto const found = forces<Ozdemir>({K, Y, n, alpha, 0, 0, 0}, laws::make_path(corners, {}));
-    // The table errs by 9e-8 for these parameters; the 20,000 Runge-Kutta steps err far less.
+    // The law's curve between reversals errs by 9e-8 for these parameters, and the 20,000 Runge-Kutta steps far less.
     for (std::size_t i = 0; i < corners.size(); ++i) EXPECT_NEAR(found[i], oracle[i][0], 1e-6 * Ys) << n << ", " << i;
   }
 }
@@ -108,7 +109,7 @@ TEST(Ozdemir, TheTermOfAlloysIsElastic) {
   }
 }
 
-// Exports write ozdemir as bouc-wen; the parameters that they state give the same forces.
+// For other programs, export writes an ozdemir law as a bouc-wen law. Its parameters must give the same forces.
 TEST(Ozdemir, IsBoucWen) {
   auto const x = through(corners, 7);
   auto const path = laws::make_path(x, {});
@@ -116,8 +117,8 @@ TEST(Ozdemir, IsBoucWen) {
     auto const values = scaled_candidate<Ozdemir>(i);
     auto const form = std::get<laws::BoucWenForm>(Ozdemir::canonical(laws::unpack<Ozdemir, double>(values)));
     auto const force = forces<Ozdemir>(values, path);
-    // Equal but for rounding. The bound leaves room because bouc-wen takes z_max as a root of 1/beta, with beta = (1 /
-    // z_max)^n: that multiplies beta's rounding by 1/n, ten for n = 0.1.
+    // The forces differ by rounding only. bouc-wen takes z_max as a root of 1/beta, with beta = (1 / z_max)^n, which
+    // multiplies the rounding of beta by 1/n, that is by ten for n = 0.1.
     EXPECT_LT(largest_difference(forces<laws::BoucWen>({form.alpha, form.Ke, 1.0, form.beta, form.n, form.gamma}, path),
                                  force),
               1e-11 * largest_magnitude(force));
@@ -136,8 +137,8 @@ TEST(Ozdemir, StepsAdd) {
   }
 }
 
-// As the step is halved the change of the force tends to 0. `bound` is the largest change that the law's slopes allow
-// over a step of a given length.
+// The force must be continuous: as the last step is halved, the change of the force over it tends to 0. `bound` gives
+// the largest change that the law's slopes allow over a step of a given length.
 template <class Law, class Bound>
 void expect_continuous(Values<Law> const& values, Bound const& bound) {
   std::vector<std::vector<double>> const histories{
@@ -148,37 +149,37 @@ void expect_continuous(Values<Law> const& values, Bound const& bound) {
         auto x = history;
         x.push_back(x.back() + side * d);
         auto const force = forces<Law>(values, laws::make_path(x, {}));
-        // On both sides of a reversal the table gives the same force within a share of 1e-11.
+        // At a reversal the law converts z to travel and back, which changes the force by a share of up to 1e-11.
         EXPECT_LE(std::abs(force.back() - force[force.size() - 2]), bound(d) + 1e-9) << d << " from " << history.back();
       }
 }
 
 TEST(Ozdemir, IsContinuous) {
   double const K = 3.0, alpha = 0.2;
-  // The slope of an error function is at most its rate times 2 / sqrt(pi).
+  // The slope of erf(b x) is at most b times 2 / sqrt(pi).
   for (double const n : {0.2, 1.0, 2.5})
     expect_continuous<Ozdemir>({K, 40.0, n, alpha, 25.0, 0.5, 0.03}, [&](double d) {
       return (2.0 * K + alpha * K * (1.0 + 25.0 * (2.0 * 0.03 + 0.01))) * d;
     });
 }
 
-// From dx = dz / K + |dx| |z/Y|^n sgn(z), the work is the energy stored in z, z^2 / 2K, plus the loss |z| |z/Y|^n |dx|.
-// A device that starts at rest loses energy in the first and in the second cycle, anywhere in the box, at 2, 50 and 208
-// mm.
+// By the equation dx = dz / K + |dx| |z/Y|^n sgn(z), the work is the energy stored in z, z^2 / 2K, plus the loss |z|
+// |z/Y|^n |dx|, which is never negative. From rest at x = 0, the first and the second cycle of 2, 50 and 208 mm must
+// lose energy anywhere in the box.
 TEST(Ozdemir, CyclesDissipate) {
   for (double const amplitude : {2.0, 50.0, 208.0})
     for (std::uint32_t i = 0; i < 200; ++i) {
       auto const x = through({0.0, amplitude, 0.0, -amplitude, 0.0, amplitude, 0.0, -amplitude, 0.0}, 100);
       auto const candidate = scaled_candidate<Ozdemir>(i);
       auto const force = forces<Ozdemir>(candidate, laws::make_path(x, {}));
-      // An almost elastic cycle loses less than the flow's error.
+      // A cycle that is almost elastic loses less than the numerical error of the law.
       double const error = 3e-7 * candidate[index_of<Ozdemir>("Y")] * amplitude;
       EXPECT_GT(energy(x, force, 0), -error) << amplitude << " mm, " << i;
       EXPECT_GT(energy(x, force, 400), -error) << amplitude << " mm, " << i;
     }
 }
 
-// Parameters and values of another implementation that takes many small steps.
+// Parameters for which another implementation, with many small steps, gave the values that the next test expects.
 Values<Bwbn> const joint{0.03, 24.877, 1.0, 0.5, 0.1, 1.0, 0.4, 0.9, 1.0, 0.2, 0.001, 0.05, 0.0, 0.0};
 
 TEST(Bwbn, Values) {
@@ -194,15 +195,15 @@ TEST(Bwbn, Values) {
     double const force = Bwbn::step<double>(params, state, fine_path.steps[i]);
     if (i == 0 || i % steps != 0) continue;
     std::size_t const corner = i / steps - 1;
-    // The tolerances are a little more than half a unit of the last digit that the source prints. It prints some values
-    // of e with only five digits.
+    // The tolerances are a little more than half a unit of the last digit that the source prints. Some values of e have
+    // only five decimals.
     EXPECT_NEAR(force, F[corner], 8e-8);
     EXPECT_NEAR(state.z, z[corner], 8e-8);
     EXPECT_NEAR(state.e, e[corner], corner == 0 ? 8e-8 : 6e-6);
   }
 }
 
-// The law is compared with its equations, with degradation, which this test integrates in z itself.
+// The law, with degradation and pinching, is compared with its equations. This test integrates them by Runge-Kutta.
 TEST(Bwbn, IsItsEquations) {
   Values<Bwbn> const bearing{0.15, 3.0, 1.0, 0.06, 0.02, 1.3, 0.25, 0.5, 2e-4, 3.0, 1e-4, 0.3, 2e-5, 1e-5};
   for (double const A : {1.0, 1.4}) {
@@ -229,7 +230,7 @@ TEST(Bwbn, IsItsEquations) {
   }
 }
 
-// Without pinching and degradation bwbn equals bouc-wen, and A is redundant in the same manner.
+// Without pinching and degradation bwbn must equal bouc-wen with the parameters that canonical() returns.
 TEST(Bwbn, IsBoucWenWithoutPinching) {
   auto const path = laws::make_path(through(corners, 7), {});
   for (std::uint32_t i = 0; i < 50; ++i) {
@@ -260,8 +261,8 @@ TEST(Bwbn, AIsRedundant) {
   }
 }
 
-// Unloading is nowhere flatter than loading at the same z, even with pinching (q >= 0). So e never falls below 0, and
-// cycles from rest to rest lose energy anywhere in the box.
+// At the same z unloading is nowhere flatter than loading, even with pinching (q >= 0). The dissipated energy e
+// therefore never falls below 0, and cycles that start and end at x = 0 lose energy anywhere in the box.
 TEST(Bwbn, CyclesDissipate) {
   for (double const amplitude : {2.0, 50.0, 208.0})
     for (std::uint32_t i = 0; i < 200; ++i) {
@@ -275,7 +276,7 @@ TEST(Bwbn, CyclesDissipate) {
 TEST(Bwbn, IsContinuous) {
   Values<Bwbn> const bearing{0.15, 3.0, 1.0, 0.06, 0.02, 0.6, 0.25, 0.5, 2e-4, 3.0, 1e-4, 0.3, 2e-5, 1e-5};
   double const zu = std::pow(0.08, -1.0 / 0.6);
-  // Unloading is steepest at saturation, where its slope is 1 + |z|^n (beta - gamma).
+  // The law is steepest on unloading from saturation, where dz/dx = 1 + |z|^n (beta - gamma).
   expect_continuous<Bwbn>(bearing, [&](double d) { return 3.0 * (1.0 + 0.04 * std::pow(zu, 0.6)) * d; });
 }
 

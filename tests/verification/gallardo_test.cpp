@@ -1,6 +1,5 @@
-// gallardo is compared with the published algorithm, which is written here from its equations and run in many small
-// steps, and with closed forms where they exist. Its forces also have properties that its definition implies for any
-// path.
+// gallardo is compared with closed forms and with the published algorithm, which this file writes from its equations
+// and runs in many small steps. Further tests check properties that its definition implies for any path.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,9 +20,9 @@ namespace {
 
 using laws::Gallardo;
 
-// The published algorithm, one step at a time, with g = x/100 mm. The elastic part uses the states of the side on which
-// a step ends, for the whole step. z follows the implicit midpoint rule, solved by iteration. phi and the count of
-// turns change one step later.
+// The published algorithm, one step at a time, with g = x/100 mm. The elastic part uses, for the whole step, the states
+// of the side on which the step ends. z follows the implicit midpoint rule, solved by iteration. phi and the position
+// of the last turn change one step late.
 class Stepwise {
  public:
   explicit Stepwise(Values<Gallardo> const& values) : p_(laws::unpack<Gallardo, double>(values)) {}
@@ -77,7 +76,7 @@ class Stepwise {
   double g_ = 0.0, dg_ = 0.0, z_ = 0.0, phi_ = 0.0, uip_ = 0.0;
 };
 
-// The forces at the corners, by the law.
+// The forces at the corners of the path, as isolaw computes them.
 std::vector<double> exact(Values<Gallardo> const& values, std::vector<double> const& corners, int steps = 1) {
   auto const all = forces<Gallardo>(values, laws::make_path(through(corners, steps), {}));
   std::vector<double> at_corners;
@@ -95,7 +94,7 @@ std::vector<double> stepwise(Values<Gallardo> const& values, std::vector<double>
   return at_corners;
 }
 
-// Converts parameters for strains over a height of 156 mm to strains over 100 mm.
+// Converts parameters for strains over a height of `height_mm` to isolaw's, for strains over 100 mm.
 Values<Gallardo> of_height(Values<Gallardo> values, double height_mm) {
   double const ratio = height_mm / 100.0;
   auto const value = [&](std::string_view name) -> double& { return values[index_of<Gallardo>(name)]; };
@@ -133,7 +132,8 @@ Values<Gallardo> with(Values<Gallardo> values, std::initializer_list<std::pair<s
   return values;
 }
 
-// The expected values come from the published algorithm with 1,000 to 50,000 steps a leg and are each good to .002.
+// The expected values come from the published algorithm with 1,000 to 50,000 steps from corner to corner. Each is good
+// to 0.002.
 TEST(Gallardo, PublishedAlgorithm) {
   std::vector<double> const corners{0, 78, -78, 78, -156, 156, 0};
   std::array<double, 6> const known{19.128, -20.033, 16.395, -30.740, 30.877, -4.894};
@@ -144,8 +144,8 @@ TEST(Gallardo, PublishedAlgorithm) {
   }
 }
 
-// The error of the published algorithm, compared with the law, is proportional to its step. The path turns before and
-// after z has passed 0, on both sides, inside the peaks and beyond them.
+// The forces of the published algorithm must tend to those of isolaw as its steps become shorter. The path turns before
+// and after z has passed 0, on both sides, inside the peaks and beyond them.
 TEST(Gallardo, StepsConvergeToIt) {
   std::vector<double> const corners{0,    78,  60,  77.5, 77, 90,  -20, -19.7, -60, 10,   9.8, 40,  -110, -100,
                                     -101, -95, 0.1, 3,    -4, 130, 128, 131,   60,  64.5, -70, 140, -40,  0};
@@ -159,15 +159,15 @@ TEST(Gallardo, StepsConvergeToIt) {
     for (std::size_t k = 0; k < errors.size(); ++k)
       errors[k] = largest_difference(stepwise(values, corners, std::array{200, 2000, 20000}[k]), limit) / peak;
     EXPECT_LT(errors[0], 3e-3) << describe<Gallardo>(values);
-    // The error falls in proportion to the step, down to the errors of the flow's table and of phi, which changes one
-    // step later.
+    // The error falls in proportion to the step, down to 1e-6. That is the error of isolaw's curve between reversals
+    // and of phi, which the algorithm changes one step late.
     EXPECT_LT(errors[1], 0.15 * errors[0] + 1e-6) << describe<Gallardo>(values);
     EXPECT_LT(errors[2], 0.15 * errors[1] + 1e-6) << describe<Gallardo>(values);
   }
 }
 
-// For n = 1 the curves are exponentials. Under loading z tends to 1/(1 - 2 phi). If the motion opposes z, z goes to 0
-// as (1 + k z0) exp(-k t), k = 2 B - 1.
+// For n = 1 all curves are exponentials. On loading z tends to 1/(1 - 2 phi). On unloading z goes to 0 as (1 + k z0)
+// exp(-k t), k = 2 B - 1.
 TEST(Gallardo, ClosedForm) {
   double const uy = 4.0, phimax = 0.2, pphi = 0.05;
   for (double const B : {0.75, 1.0}) {
@@ -198,7 +198,7 @@ TEST(Gallardo, ClosedForm) {
       }
       double const strength = 1.0 / (1.0 - 2.0 * phi);
       if (left > 0.0) z = direction * (strength - (strength - std::abs(z)) * std::exp(-left / strength));
-      // The flow's table errs by at most 1e-5 of the strongest branch.
+      // isolaw's curve between reversals errs by at most 1e-5 of the largest strength.
       EXPECT_NEAR(found[i], z, 2e-5) << B << ", corner " << i;
     }
   }
@@ -214,7 +214,7 @@ TEST(Gallardo, StepsAdd) {
   }
 }
 
-// A first sample away from 0 counts as a motion from 0.
+// If the first sample is not at 0, the law takes the device to have moved there from 0.
 TEST(Gallardo, FirstSample) {
   for (double const first : {60.0, -60.0}) {
     auto const from_there = exact(published, {first, 20, -80, 90}),
@@ -223,9 +223,10 @@ TEST(Gallardo, FirstSample) {
   }
 }
 
-// The law measures the distance of turns on both sides from uy, and is odd in everything else. Without hardening it is
-// odd to the last bit. With hardening, mirrored turns are up to two yield displacements nearer or farther, so phi
-// differs by at most 2 pphi phimax, and the strength by its slope, the derivative of (1 - 2 phi)^(-1/n), times that.
+// The law measures the distance of a turning point on either side from +uy; in everything else it is odd. Without
+// hardening (phimax = 0) it must be odd to the last bit. With hardening, mirrored turns are up to two yield
+// displacements nearer or farther. phi then differs by at most 2 pphi phimax, and the strength by this times the
+// derivative of (1 - 2 phi)^(-1/n).
 TEST(Gallardo, MirroredMotion) {
   for (std::uint32_t i = 0; i < 50; ++i) {
     auto values = scaled_candidate<Gallardo>(i);
@@ -244,8 +245,8 @@ TEST(Gallardo, MirroredMotion) {
   }
 }
 
-// As the step is halved the change of the force tends to 0. Where the path leaves 0 for the first time it falls as
-// C^pm.
+// The force must be continuous: as the last step is halved, the change of the force over it tends to 0. On the first
+// unloading, where the travel C on the way back starts at 0, the change falls as C^pm.
 TEST(Gallardo, Continuous) {
   std::vector<std::vector<double>> const histories{
       {0}, {0, 50}, {0, 50, 10}, {0, 50, -50, 0}, {0, 50, -30, 50}, {0, 20, 5, 20}, {0, 50, 40, 45}};
@@ -256,15 +257,15 @@ TEST(Gallardo, Continuous) {
         auto x = history;
         x.push_back(x.back() + direction * d);
         auto const force = exact(published, x);
-        // The bound adds up the slope of z, at most 2 fy/uy, 20 kN times fm C^pm, and the change of G.
+        // The bound adds the largest slope of z, 2 fy/uy, the change of 20 kN times fm C^pm, and the change of G.
         double const bound = 4.0 * d + 20.0 * 0.12 * std::pow(d / 100.0, pm);
         EXPECT_LE(std::abs(force.back() - force[force.size() - 2]), bound) << d << " from " << history.back();
       }
 }
 
-// A cycle from rest to rest takes energy anywhere in the box. For a2 = 0 this can be shown: G and C never shrink, so at
-// any x the elastic force is smaller on the return than on the first passage, and z returns less energy than it took.
-// The test finds it for every a2 of the box too.
+// A cycle that starts and ends at x = 0 takes energy anywhere in the box. For a2 = 0 this can be shown: G and C never
+// shrink, so at any x the elastic force is smaller on the return than on the way out, and z returns less energy than it
+// took. The test finds the same for every a2 of the box.
 TEST(Gallardo, CyclesDissipate) {
   for (double const amplitude : {1.0, 2.0, 50.0, 208.0})
     for (std::uint32_t i = 0; i < 300; ++i)

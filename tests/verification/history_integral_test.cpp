@@ -1,5 +1,5 @@
-// history-integral is compared with the closed form of its terms: along a straight path of length L, q = d + (q0 - d)
-// exp(-L/D).
+// history-integral is compared with the closed form of its terms. Along a straight path of length L a term changes from
+// q0 to q = d + (q0 - d) exp(-L/D), with d the direction.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -14,15 +14,15 @@ namespace {
 
 using laws::HistoryIntegral;
 
-// Terms (S, D) = (.1, .2) and (.05, .8) and an elastic stiffness of .4, in a dimensionless displacement that is 1 at
-// 100 mm.
+// Two terms, (S, D) = (.1, .2) and (.05, .8), and an elastic stiffness of .4. The displacement is dimensionless and 1
+// at 100 mm.
 Values<HistoryIntegral> two_terms(double g) {
   return named<HistoryIntegral>({{"K", 0.4}, {"g", g}, {"S", 0.15}, {"D", 80.0}, {"s", 2.0 / 3.0}, {"u", 0.25}});
 }
 
-// The first force belongs to a published path in two directions, whose first leg is straight. The others come from a
-// script that writes the terms down leg by leg. All are printed to 1e-9. A step that is cut into a thousand pieces must
-// give the same force.
+// The first force belongs to a published path in two directions, whose first leg is straight. A script that evaluates
+// the terms from corner to corner gave the others. All are printed to 1e-9. A step that is cut into a thousand pieces
+// must give the same force.
 TEST(HistoryIntegral, TwoTerms) {
   struct Case {
     double g;
@@ -38,7 +38,8 @@ TEST(HistoryIntegral, TwoTerms) {
     }
 }
 
-// In a stationary cycle of amplitude A a term has q = tanh(A/D) at the peak and dissipates 4 S (A - D tanh(A/D)).
+// In a stationary cycle of amplitude A, a term (S, D) has q = tanh(A/D) at the peak and dissipates 4 S (A - D
+// tanh(A/D)).
 TEST(HistoryIntegral, StationaryCycle) {
   constexpr int steps = 20000;
   auto const x = through({0, 100, -100, 100, -100, 100, -100, 100, -100, 100, -100, 100}, steps);
@@ -46,13 +47,14 @@ TEST(HistoryIntegral, StationaryCycle) {
   double energy = 0.0;
   for (std::size_t i = 9 * steps; i + 1 < x.size(); ++i) energy += 0.5 * (force[i] + force[i + 1]) * (x[i + 1] - x[i]);
   auto const of_term = [](double S, double D) { return 4.0 * S * (100.0 - D * std::tanh(100.0 / D)); };
-  // The tolerance covers what is left of the start after nine half cycles, and the error of the trapezoidal rule with
-  // 20,000 steps per leg.
+  // The tolerance covers the rest of the start-up, which has decayed over nine half cycles, and the error of the
+  // trapezoidal rule with 20,000 steps per leg.
   EXPECT_NEAR(energy, of_term(0.1, 20.0) + of_term(0.05, 80.0), 1e-5);
   EXPECT_NEAR(force.back(), 0.4 + 0.1 * std::tanh(5.0) + 0.05 * std::tanh(1.25), 1e-7);
 }
 
-// As the step is halved the change of the force tends to 0. Where the peak grows from 0 it falls as d^g.
+// The force must be continuous: as the last step is halved, the change of the force over it tends to 0. On the first
+// motion away from 0 the change falls as d^g, d the length of the step.
 TEST(HistoryIntegral, IsContinuous) {
   std::vector<std::vector<double>> const histories{{0}, {0, 50}, {0, 50, 10}, {0, 50, -50, 0}, {0, 50, -30, 50}};
   for (auto const& history : histories)
@@ -66,8 +68,8 @@ TEST(HistoryIntegral, IsContinuous) {
       }
 }
 
-// A cycle from rest to rest dissipates anywhere in the box: unloading follows a softer secant than loading did, and a
-// memory never returns more energy than it took.
+// A cycle that starts and ends at x = 0 dissipates anywhere in the box: the elastic force unloads along a softer secant
+// than it loaded, and the terms never return more energy than they took.
 TEST(HistoryIntegral, CyclesDissipate) {
   for (double const amplitude : {2.0, 50.0, 208.0, 1000.0})
     for (std::uint32_t i = 0; i < 200; ++i) {
@@ -81,7 +83,7 @@ TEST(HistoryIntegral, CyclesDissipate) {
     }
 }
 
-// With one memory and no softening the law equals vaiana with straight limit curves (in N and m).
+// With one term and no softening the law equals vaiana with straight limit curves. vaiana's parameters are in N and m.
 TEST(HistoryIntegral, OneMemoryIsVaiana) {
   auto const here = named<HistoryIntegral>({{"K", 40.0}, {"g", 1.0}, {"S", 30.0}, {"D", 25.0}, {"s", 0.0}, {"u", 0.1}});
   auto const there =

@@ -1,5 +1,5 @@
-// Tests the program's verdict on which parameters a record determines, in cases whose answer is known: a redundant
-// parameter, one without effect, one whose true value lies outside the box, and a record that determines everything.
+// The program decides which parameters a record determines. The right answer is known in four cases: a redundant
+// parameter, a parameter without effect, a true value outside the box, and a record that determines everything.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -74,7 +74,8 @@ TEST(Identifiability, ARecordOfABilinearDeviceDeterminesAll) {
   }
 }
 
-// The unit of z is arbitrary. Another unit rescales A, alpha and Ke, and unless n = 1 also beta and gamma.
+// The unit of bouc-wen's z is arbitrary. A change of the unit rescales A, alpha and Ke, and unless n = 1 also beta and
+// gamma, while the force stays the same.
 TEST(Identifiability, AOfBoucWenIsRedundant) {
   for (bool const n_is_one : {false, true}) {
     auto const set = n_is_one ? std::vector<std::string>{"bouc-wen.n=1"} : std::vector<std::string>{};
@@ -100,8 +101,9 @@ TEST(Identifiability, WithAFixedBoucWenIsDetermined) {
   }
 }
 
-// The stiffness that a4 and a5 describe acts only at rest. Here a5 is at least 4000 s/m and the device moves faster
-// than 4 mm/s at every sample, so a5 |v| is above 16 and the stiffness vanishes.
+// The stiffness that a4 and a5 describe acts only near rest. In this test a5 is at least 4000 s/m and the device moves
+// faster than 4 mm/s at every sample, so a5 |v| is above 16 and the stiffness vanishes: neither a4 nor a5 has an
+// effect.
 TEST(Identifiability, WhatDoesNotActIsSaidOnceAndLeavesTheOthersAlone) {
   auto const motion = twins::growing_cycles(3, 98);
   ASSERT_GT(std::abs(*std::ranges::min_element(motion.vel_mm_s, {}, [](double v) { return std::abs(v); })), 4.0);
@@ -116,7 +118,7 @@ TEST(Identifiability, WhatDoesNotActIsSaidOnceAndLeavesTheOthersAlone) {
     EXPECT_EQ(verdict_of(found, twin, active), Verdict::determined) << active;
 }
 
-// The device is at rest for one sample at each reversal, so a4 acts; a5 still does not.
+// With 100 samples a cycle one sample at each reversal has no velocity, so a4 has an effect; a5 has none.
 TEST(Identifiability, AParameterThatActsIsNotNamedWithOneThatDoesNot) {
   auto const twin = twins::twin_in_box("jankowski", twins::growing_cycles(3, 100), overrides({"jankowski.a5=4e3:1e4"}));
   auto const found = judged(twin);
@@ -138,14 +140,15 @@ TEST(Identifiability, ATruthOutsideTheBoxEndsAtItsBound) {
   EXPECT_DOUBLE_EQ(found.optimum[twin.law->index_of("K2")], K2.lower);
   EXPECT_EQ(verdict_of(found, twin, "K1"), Verdict::determined);
   EXPECT_EQ(verdict_of(found, twin, "xy"), Verdict::determined);
-  EXPECT_EQ(found.singular_values.size(), 2u);  // the parameter at its bound has none
+  EXPECT_EQ(found.singular_values.size(), 2u);  // only K1 and xy have singular values, because K2 is at its bound
   auto const& p = found.parameters[1];
   EXPECT_TRUE(p.open_below);
   EXPECT_FALSE(p.open_above);
   EXPECT_GE(p.lower, K2.lower);
 }
 
-// The root mean square of the change of the force over time, divided by the standard deviation of the force.
+// The root mean square over time of the difference of two forces, divided by the standard deviation of the measured
+// force.
 double force_change(fit::LawOnRecord const& model, std::vector<double> const& from, std::vector<double> const& to) {
   std::vector<double> residuals(2 * model.samples());
   model.residuals(
@@ -157,9 +160,9 @@ double force_change(fit::LawOnRecord const& model, std::vector<double> const& fr
   return std::sqrt(sum);
 }
 
-// If parameters of either sign change by the percentages of the sentence, the force changes by little more than the
-// sentence says. The parameters that the sentence leaves out change the force by at most a tenth of the change that the
-// first parameter causes alone.
+// A sentence on a trade-off names parameters and by how many percent they may change together with little effect on the
+// force. If they change so, the force must change by little more than the sentence says, even if some are negative.
+// Small parameters that the sentence leaves out may add a tenth of the change that the first parameter causes alone.
 TEST(Identifiability, ATradeOffHoldsForParametersOfEitherSign) {
   struct Case {
     std::string law;

@@ -1,10 +1,10 @@
-// Tests how exactly the laws are integrated. On each record of the example lot and on the measured bearing's third
-// stage, the objective at random parameter sets of the box, and at the best set found, may differ by at most 1e-4 from
-// the objective with 20 times finer steps. `paper` must be one classical Runge-Kutta step per sample: it is compared
-// with such steps that this file computes from the printed equations. No expected value is our own past output.
+// Tests how exactly the laws are integrated. The records are those of the example lot and the third stage of the test
+// of a measured bearing. The objective may differ by at most 1e-4 from the objective with 20 times finer steps, at
+// random parameter sets of the box and at the best set found. The `paper` integration must be one classical Runge-Kutta
+// step per sample, which this file computes from the printed equations. No expected value is our own past output.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>  // mkdtemp
+#include <stdlib.h>  // for mkdtemp
 
 #include <algorithm>
 #include <cmath>
@@ -25,15 +25,15 @@
 namespace isolaw::fit {
 namespace {
 
-constexpr double tolerance = 1e-4;  // on the objective; the laws' best objectives differ by 1e-3 and more
+constexpr double tolerance = 1e-4;  // on the objective, whose best values differ by 1e-3 and more from law to law
 constexpr int finer = 20;
 constexpr int random_sets = 100;
-constexpr double rare =
-    0.05;  // permitted share of sets whose objective is not finite, among random sets with a bounded force
+constexpr double rare = 0.05;  // permitted share of infinite objectives among random sets with a bounded force
 
 using Values = std::vector<double>;
 
-// Eq. (27) once more, written without the library: forces in kN, trapezoidal rule, population form of the deviation.
+// The objective of Eq. (27), written without the library: forces in kN, trapezoidal rule, standard deviation with
+// divisor n.
 double objective(data::FitRecord const& record, Values const& computed) {
   auto const& measured = record.force_kN;
   double mean = 0.0, square = 0.0, integral = 0.0;
@@ -50,7 +50,7 @@ Values divided(Values values, double unit) {
   return values;
 }
 
-// A law's force [kN] on a record whose path is refined by a factor.
+// A law's force in kN on a record's path that is refined by a factor.
 class Refined {
  public:
   Refined(laws::LawEntry const& law, data::FitRecord const& record, int refinement)
@@ -72,19 +72,20 @@ class Refined {
 };
 
 struct Shift {
-  double random = 0.0, best = 0.0;           // largest over the records
-  double best_objective = 0.0;               // on the record where `best` was found
-  int sets = 0, not_finite = 0, beyond = 0;  // number of random sets; those beyond the tolerance
-  std::string worst;                         // the random set with the largest shift
+  double random = 0.0, best = 0.0;  // largest shift at random sets and at the best sets
+  double best_objective = 0.0;      // on the record with the largest shift at the best set
+  // numbers of random sets: all, without finite objective, with a shift above the tolerance
+  int sets = 0, not_finite = 0, beyond = 0;
+  std::string worst;  // the random set with the largest shift
 };
 
-// With beta + gamma <= 0, z of Eq. (14) grows without end.
+// For beta + gamma <= 0 the hysteretic variable z of Eq. (14) grows without end.
 bool without_bounded_force(laws::LawEntry const& law, Values const& p) {
   return law.info.id == "bouc-wen" && p[law.index_of("beta")] + p[law.index_of("gamma")] <= 0.0;
 }
 
-// Adds the shifts of one law on one record to `found`. The record's dead band is switched off, as it does not depend on
-// steps.
+// Adds to `found` how far the objective of one law on one record shifts with finer steps. The dead band of the record
+// is switched off because it acts on the samples, whatever the steps.
 void measure(laws::LawEntry const& law, data::FitRecord record, BoxKind kind, std::uint64_t stream_number,
              Shift& found) {
   record.dead_band_mm = 0.0;
@@ -131,7 +132,7 @@ void report(char const* records, laws::LawEntry const& law, Shift const& shift) 
   fmt::print("{}, {}: largest shift {:.1e} at {} random sets ({} more not finite), {:.1e} at the best found\n", records,
              law.info.id, shift.random, shift.sets - shift.not_finite, shift.not_finite, shift.best);
   std::fflush(stdout);
-  // bwbn slips within less than a step where psi and lambda are small: one set in a thousand shifts by 1.6e-4.
+  // With small psi and lambda bwbn slips within less than a step. One of a thousand sets shifts by 1.6e-4.
   EXPECT_LE(shift.random, law.info.id == "bwbn" ? 3e-4 : tolerance)
       << law.info.id << ": " << shift.beyond << " of " << shift.sets << " sets beyond; " << shift.worst;
   EXPECT_LE(shift.not_finite, rare * shift.sets) << law.info.id;
@@ -205,7 +206,8 @@ TEST(ConvergedIntegration, HoldsOnTheMeasuredThirdStage) {
 
 // Classical Runge-Kutta steps ------------------------------------------------------------------------------------
 
-// Three growing cycles that start away from zero, 50 samples per cycle. Time is uneven, which must not matter.
+// Three growing cycles that do not start at zero, with 50 samples per cycle. The time steps are uneven, which must not
+// matter.
 data::FitRecord swept() {
   data::FitRecord record;
   for (int i = 0; i <= 150; ++i) {
@@ -230,7 +232,7 @@ double sign(double x) {
   return x > 0 ? 1.0 : x < 0 ? -1.0 : 0.0;
 }
 
-// Eqs. (13)-(14), z' = A x' - beta |x'| z |z|^(n-1) - gamma x' |z|^n, x' constant between samples.
+// Eqs. (13)-(14) by hand: z' = A x' - beta |x'| z |z|^(n-1) - gamma x' |z|^n, with x' constant between samples.
 Values bouc_wen_by_hand(data::FitRecord const& record, double alpha, double Ke, double A, double beta, double n,
                         double gamma) {
   Values force;
@@ -252,7 +254,7 @@ struct AbeParameters {
   double K1, alpha, beta, a, b, n, Y0, Uh, U0, Us, K2, r;
 };
 
-// Eqs. (15)-(21) with Yt = Y0 (growth = false) or Yt = Y0 (1 + |x/Uh|^p).
+// Eqs. (15)-(21) by hand, with the yield force Yt = Y0, or Yt = Y0 (1 + |x/Uh|^p) if `growth` is true.
 Values abe_by_hand(data::FitRecord const& record, AbeParameters const& p, bool growth = false, double exponent = 0.0) {
   Values force;
   double F2 = 0.0, peak = std::abs(record.disp_mm[0]);
@@ -311,8 +313,8 @@ TEST(PaperIntegration, OfAbeIsOneClassicalStepPerSample) {
   }
 }
 
-// The converged integration must agree with many small steps of the printed equations, and not only with its own small
-// steps.
+// The converged integration is compared with many small steps of the printed equations. Halving its own steps would not
+// show an error in the equations.
 TEST(ConvergedIntegration, IsTheLimitOfManyClassicalSteps) {
   auto const record = swept();
   constexpr int parts = 2000;
@@ -349,8 +351,8 @@ TEST(ConvergedIntegration, IsTheLimitOfManyClassicalSteps) {
                thinned(abe_by_hand(fine, p, true, 1.7)));
 }
 
-// By Eq. (18) F2 never exceeds the largest yield force so far, Y0 (1 + |D/Uh|^p), whatever the step. In this test that
-// is 400 kN, and the steps are up to 38 yield displacements long, as they are at 100 samples per cycle for a device
+// By Eq. (18) the hysteretic force F2 never exceeds the largest yield force so far, Y0 (1 + |D/Uh|^p), whatever the
+// step; here this is 400 kN. The steps are up to 38 yield displacements long, as at 100 samples per cycle for a device
 // with a small yield displacement.
 TEST(ConvergedIntegration, OfAbeStaysBelowTheYieldForceForSmallYieldDisplacements) {
   data::FitRecord record;
@@ -361,7 +363,8 @@ TEST(ConvergedIntegration, OfAbeStaysBelowTheYieldForceForSmallYieldDisplacement
   auto const& law = laws::find_law("abe");
   for (double const U0 : {5.0, 1.0, 0.5, 0.25, 0.1})
     for (double const n : {0.05, 0.3, 0.6, 0.85, 1.0}) {
-      Values const parameters{0.0, 1.0, 0.0, 0.0, 1.0, n, 100.0, 50.0, 1.0, U0, 300.0, 0.0, 1.0};  // F2 alone
+      // all other forces are zero, so the force is F2
+      Values const parameters{0.0, 1.0, 0.0, 0.0, 1.0, n, 100.0, 50.0, 1.0, U0, 300.0, 0.0, 1.0};
       auto const force = Refined(law, record, 1).force_kN(parameters),
                  fine = Refined(law, record, finer).force_kN(parameters);
       double largest = 0.0, difference = 0.0;
@@ -398,8 +401,8 @@ TEST(IntegrationShift, IsTheDifferenceFromAPathOfFinerSteps) {
   }
 }
 
-// docs/source.md, "Integration", says that with n = 0.3 one step per sample at 100 samples per cycle moves the
-// objective by 0.007. Only the order of magnitude is tested: `paper` must show a shift large enough for a warning.
+// docs/source.md, "Integration", says that with n = 0.3 one step per sample at 100 samples per cycle changes the
+// objective by 0.007. The test requires this order of magnitude, which is large enough for a warning.
 TEST(IntegrationShift, OfThePaperIsLargeWhereTheSpecificationSaysSo) {
   data::FitRecord record;
   for (int i = 0; i <= 300; ++i) {
@@ -408,7 +411,8 @@ TEST(IntegrationShift, OfThePaperIsLargeWhereTheSpecificationSaysSo) {
     record.vel_mm_s.push_back(208.0 * std::numbers::pi * std::cos(std::numbers::pi * 0.02 * i));
   }
   auto const& law = laws::find_law("abe-y0");
-  Values const device_4{7.14, 2.95, 0.03, 0.71, 7.29, 0.3, 49.5, 114.7, 2.8, 41.75, 0.22, 0.12};  // means of Table A.5
+  // means of device 4 in Table A.5
+  Values const device_4{7.14, 2.95, 0.03, 0.71, 7.29, 0.3, 49.5, 114.7, 2.8, 41.75, 0.22, 0.12};
   record.force_kN = Refined(law, record, 400).force_kN(device_4);
   double const paper = LawOnRecord(law, record, laws::Integration::paper).integration_shift(device_4);
   EXPECT_GT(paper, 1e-3);

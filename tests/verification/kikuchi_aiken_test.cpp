@@ -1,5 +1,5 @@
-// The loops of kikuchi-aiken are compared with the published functions of a compound, and its own functions with an
-// independent script. Its forces also have properties that its definition implies for any path.
+// kikuchi-aiken is compared with the published functions of a rubber compound and with independent scripts. Further
+// tests check properties that its definition implies for any path.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -17,7 +17,7 @@ using laws::KikuchiAiken;
 using AtPeak = laws::kikuchi_aiken::AtPeak<double>;
 using CompoundLoops = laws::kikuchi_aiken::Loops<double>;
 
-// The parameters of compound X0.6 at its standard pressure, with stress in MPa over strain.
+// The published functions of rubber compound X0.6 at its standard pressure, with stress in MPa over strain.
 AtPeak compound(double g) {
   double const G =
       g < 1.15 ? 0.68358 * std::pow(g, -0.39964) : 1.10103 - 0.61946 * g + 0.22047 * g * g - 0.022191 * g * g * g;
@@ -47,13 +47,14 @@ double work_along(std::vector<double> const& x, std::vector<double> const& force
   return sum;
 }
 
-// Uses the published functions. Another implementation gave the expected values to six digits: the peak, the zero
-// crossing of unloading, the energy of a cycle, which is 2 pi h G A^2, and the solution of the equation for a.
+// The published functions give the peak, the zero crossing of unloading, the energy of a cycle, 2 pi h G A^2, and the
+// solution of the equation for a. Another implementation computed the expected values to six digits.
 TEST(KikuchiAiken, Compound) {
   struct Case {
     double A, peak, zero, energy, a, b, energy_tolerance;
   };
-  // At strain 2 the published b neglects exp(-2c), but isolaw's force meets the peak, which changes the energy by 5e-5.
+  // The published formula for b neglects exp(-2c), which matters at strain 2. isolaw's branch ends exactly at the peak
+  // instead, which changes the energy by 5e-5.
   for (auto const& k : {Case{0.5, 0.450882, -0.184539, 0.317729, 7.116283, 0.0, 1e-6},
                         Case{1.0, 0.683580, -0.256665, 0.903336, 8.294444, 0.0, 1e-6},
                         Case{2.0, 1.132924, -0.347124, 2.597845, 10.19171, 2.448609, 1.5e-4}}) {
@@ -78,19 +79,19 @@ TEST(KikuchiAiken, InnerBranchesOfTheCompound) {
   }
 }
 
-// Inner branches with the overshoot term of b, which acts after a turn on the other side but not after two turns on one
-// side.
+// Inner branches with the overshoot term of b. The term acts if the last two turns were on opposite sides, not if they
+// were on the same side.
 TEST(KikuchiAiken, InnerBranchesWithOvershoot) {
   std::array const stress{1.132924000, -1.132924000, 0.683569418, -0.474645786,
                           0.575618041, -0.284326719, 0.683569418, 1.132924000};
   auto const found = of_compound({0, 2, -2, 1, -0.4, 0.7, 0.2, 1, 2});
-  // The turn at -0.4 follows a turn at 1, the turn at 0.2 follows one at 0.7. An independent script gave the values to
-  // 1e-9.
+  // The turn at -0.4 follows a turn at 1, so the term acts; the turn at 0.2 follows one at 0.7, so it does not. An
+  // independent script gave the values to 1e-9.
   for (std::size_t i = 0; i < stress.size(); ++i) EXPECT_NEAR(found.stress[i + 1], stress[i], 6e-10) << i;
 }
 
-// The expected values come from a script that finds a by bisection and has its own stack. The second case overshoots
-// and hardens.
+// The expected values come from a script with its own code: it finds a by bisection and keeps its own stack of turns.
+// The second set of parameters overshoots and hardens.
 TEST(KikuchiAiken, ItsOwnFunctions) {
   struct Case {
     Values<KikuchiAiken> values;
@@ -108,8 +109,8 @@ TEST(KikuchiAiken, ItsOwnFunctions) {
     }
 }
 
-// The second branch of the secant stiffness. Above xn the peak force is (1 + s1 (m - xn)) times the peak force of the
-// first branch, and a closed loop dissipates the share h of the resulting energy.
+// The secant stiffness grows above the displacement xn. There the peak force is (1 + s1 (m - xn)) times the value
+// without growth, and a closed loop has the damping h for that force.
 TEST(KikuchiAiken, SecondBranchOfTheStiffness) {
   Values<KikuchiAiken> const stiffening{60, 0.4, 0.22, -2e-4, 0.42, -4e-4, 0.0, 30, 0.004, 10.19171, 5};
   constexpr int steps = 4000;
@@ -127,10 +128,11 @@ TEST(KikuchiAiken, SecondBranchOfTheStiffness) {
 
 Values<KikuchiAiken> const rubber{60, 0.4, 0.22, -2e-4, 0.42, -4e-4, 0.02, 30, 0, 10.19171, 5};
 Values<KikuchiAiken> const overshooting{60, 0.4, 0.22, 0, 0.38, -1e-3, 0.02, 30, 0, 10.19171, 5};
-// In this set a is 1.36, and the published branch would miss the peak by 13 % of the hysteretic force.
+// With these values the exponent a is 1.36, so small that the published branch would miss the peak by 13 % of the
+// hysteretic force.
 Values<KikuchiAiken> const far_off{60, 0.4, 0.1, 0, 0.5, 0, 0, 30, 0, 10.19171, 5};
 
-// A closed loop of unloading and reloading leaves no trace in later forces, except for rounding in sums of branches.
+// A small loop of unloading and reloading that closes must not change later forces, except by rounding.
 TEST(KikuchiAiken, LoopsClose) {
   for (auto const& values : {rubber, overshooting, far_off}) {
     auto const plain = forces<KikuchiAiken>(values, laws::make_path(std::vector<double>{0, 50, -60, 40, 80}, {}));
@@ -146,8 +148,8 @@ TEST(KikuchiAiken, LoopsClose) {
   }
 }
 
-// As the step is halved the change of the force tends to 0. From rest it falls as d^(1-p), elsewhere as d, even if a
-// step ends on a peak or a turning point or goes past it.
+// The force must be continuous: as the last step d is halved, the change of the force over it tends to 0. From rest it
+// falls as d^(1-p), elsewhere as d. This includes steps that end on a peak or a turning point or go past it.
 TEST(KikuchiAiken, IsContinuous) {
   std::vector<std::vector<double>> const histories{{0},
                                                    {0, 50},
@@ -165,8 +167,8 @@ TEST(KikuchiAiken, IsContinuous) {
         for (double d = 1.0; d > 1e-12; d *= 0.5) {
           auto on = history, onto = history;
           on.push_back(on.back() + sign * d);
-          // The path approaches its last point from the side of the point before, and the step before ends just short
-          // of it.
+          // In the second path the last point is approached from the side of the point before, by a last step of length
+          // d.
           double const from = onto.size() < 2 ? 0.0 : onto[onto.size() - 2] < onto.back() ? -1.0 : 1.0;
           if (from != 0.0) onto.insert(onto.end() - 1, onto.back() + from * std::min(d, 0.5));
           double const bound = 60.0 * std::pow(d / 100.0, 0.6) + 25.0 * d + 1e-12;
@@ -178,7 +180,7 @@ TEST(KikuchiAiken, IsContinuous) {
         }
 }
 
-// A closed loop between the peaks dissipates 2 pi h Fm m. If b is not needed, only a share of exp(-2a) is missing.
+// A closed loop between the peaks must dissipate 2 pi h Fm m. If b is not needed, only a share of exp(-2a) is missing.
 TEST(KikuchiAiken, DampingIsThatOfTheLoop) {
   constexpr int steps = 4000;
   for (double const A : {20.0, 100.0, 200.0}) {
@@ -190,9 +192,9 @@ TEST(KikuchiAiken, DampingIsThatOfTheLoop) {
   }
 }
 
-// In the box and at twice its size, both the cycle from rest to rest and the next one dissipate. At five times its size
-// h may have fallen to 0, and then only the next cycle must dissipate: only the terms that close the branches lose
-// energy, and on the way to a peak whose force grows faster than the peak less energy goes in than comes back.
+// Up to twice the amplitude of 208 mm for which the box is made, the first cycle, from x = 0, and the second dissipate.
+// At 1040 mm h may be 0, and then only the second cycle must dissipate, through the terms that close the branches. On
+// the first loading the force grows faster than the displacement, so less energy goes in than comes back.
 TEST(KikuchiAiken, CyclesDissipate) {
   for (double const amplitude : {2.0, 50.0, 208.0, 416.0, 1040.0})
     for (std::uint32_t i = 0; i < 500; ++i) {
@@ -206,7 +208,7 @@ TEST(KikuchiAiken, CyclesDissipate) {
     }
 }
 
-// Every closed inner loop dissipates, wherever it starts.
+// Every closed loop inside the largest one dissipates, wherever it starts.
 TEST(KikuchiAiken, InnerLoopsDissipate) {
   for (double const length : {1.0, 20.0, 100.0, 300.0})
     for (double const at : {-150.0, -20.0, 100.0, 200.0})

@@ -1,9 +1,9 @@
 // The differential laws are compared with an adaptive integration of their equations that is written from docs/laws.md
-// and shares no code with the laws. It is Boost.odeint's Dormand-Prince 5(4), in displacement along the piecewise
-// linear path, restarted at every sample and wherever the right-hand side has a corner in x (x = 0, a new peak). The
-// step control handles the remaining corner, F2 = 0 or z = 0 with n < 1. The slope is bounded at that corner and never
-// 0, so a step across the corner errs by at most the jump of the slope times the length of the step, and the control
-// shortens the step until this is below the tolerance.
+// and shares no code with the laws: Boost.odeint's Dormand-Prince 5(4), in displacement along the piecewise linear
+// path. It restarts at every sample and wherever the right-hand side has a corner in x (x = 0, a new peak). A corner
+// that depends on the solution (F2 = 0, or z = 0 with n < 1) is left to the step control. The slope is bounded there
+// and never 0, so the error of a step across it is at most the jump of the slope times the step's length, and the
+// control shortens the step until this is below the tolerance.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,8 @@ namespace {
 
 constexpr double tolerance = 1e-11;
 
-// y after a travel `length` from the given y, with dy/ds = slope(s, y). `scale` is the size of y, for the tolerance.
+// Integrates dy/ds = slope(s, y) over the travel `length` from the given y. `scale` is the size of y; the tolerance is
+// relative to it.
 template <class Slope>
 double integrate(Slope const& slope, double y, double length, double scale) {
   using State = std::array<double, 1>;
@@ -38,7 +39,7 @@ double integrate(Slope const& slope, double y, double length, double scale) {
   return state[0] * scale;
 }
 
-// The oracles return the force at every sample; x and v are in the units of the law.
+// The following functions integrate one law each and return the force at every sample, with x and v in the law's units.
 using Oracle = std::vector<double>;
 
 Oracle bouc_wen(Values<laws::BoucWen> const& values, std::vector<double> const& x, std::vector<double> const&) {
@@ -48,7 +49,7 @@ Oracle bouc_wen(Values<laws::BoucWen> const& values, std::vector<double> const& 
   Oracle force;
   for (std::size_t i = 0; i < x.size(); ++i) {
     double const dx = i == 0 ? 0.0 : x[i] - x[i - 1], direction = dx < 0.0 ? -1.0 : 1.0;
-    // z' = A x' - beta |x'| z |z|^(n-1) - gamma x' |z|^n
+    // The equation is z' = A x' - beta |x'| z |z|^(n-1) - gamma x' |z|^n, with the travel as the variable.
     auto const slope = [&, A = A, beta = beta, n = n, gamma = gamma](double, double now) {
       double const power = std::pow(std::abs(now), n), sign = now < 0.0 ? -1.0 : 1.0;
       return A * direction - beta * sign * power - gamma * direction * power;
@@ -61,7 +62,7 @@ Oracle bouc_wen(Values<laws::BoucWen> const& values, std::vector<double> const& 
 
 struct AbeParameters {
   double K1, alpha, beta, a, b, n, Y0, Uh, p, U0, Us, K2, r;
-  bool grows;  // Yt = Y0 (1 + |x / Uh|^p), or Y0
+  bool grows;  // the yield force is Yt = Y0 (1 + |x / Uh|^p) if true, Y0 if false
 };
 
 Oracle abe_form(AbeParameters const& q, std::vector<double> const& x) {
@@ -70,7 +71,7 @@ Oracle abe_form(AbeParameters const& q, std::vector<double> const& x) {
   for (std::size_t i = 0; i < x.size(); ++i) {
     double const dx = i == 0 ? 0.0 : x[i] - x[i - 1], direction = dx < 0.0 ? -1.0 : 1.0,
                  start = i == 0 ? x[0] : x[i - 1];
-    // Corners within the step: x = 0, and where |x| reaches its former peak.
+    // The right-hand side has corners where x = 0 and where |x| reaches its former peak; the integration stops there.
     std::vector<double> stops{0.0, std::abs(dx)};
     for (double const corner : {0.0, peak, -peak}) {
       double const s = (corner - start) * direction;
@@ -105,7 +106,7 @@ Oracle abe_y0(Values<laws::AbeY0> const& v, std::vector<double> const& x, std::v
   return abe_form({v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], 1.0, v[8], v[9], v[10], v[11], false}, x);
 }
 
-// Displacement and velocity are linear between the samples.
+// hwang-wu with displacement and velocity linear between the samples.
 Oracle hwang_wu(Values<laws::HwangWu> const& values, std::vector<double> const& x, std::vector<double> const& v) {
   auto const [a1, a2, a3, a4, a5, a6, a7, a8, a9, a10] = values;
   auto const force_at = [&, a1 = a1, a2 = a2, a3 = a3, a4 = a4, a5 = a5, a6 = a6, a7 = a7, a8 = a8, a9 = a9, a10 = a10](
@@ -122,20 +123,20 @@ Oracle hwang_wu(Values<laws::HwangWu> const& values, std::vector<double> const& 
     auto const slope = [&](double s, double now) {
       return direction * force_at(x[i - 1] + direction * s, v[i - 1] + (v[i] - v[i - 1]) * s / length, now);
     };
-    W = integrate(slope, W, length, 1e5);  // N cm; a10 W of 1e-5 * 1e5 is of order one
+    W = integrate(slope, W, length, 1e5);  // the scale of the work in N cm; with a10 of 1e-5, a10 W is of order one
     force.push_back(force_at(x[i], v[i], W));
   }
   return force;
 }
 
 // Paths of 60 to 100 samples a cycle: two sines, one path with small loops around the peaks, and one that reverses at
-// every other sample. The last two paths differ from candidate to candidate.
+// every other sample. The random paths have the number `index`.
 std::vector<Motion> motions(std::uint32_t index, double roughness) {
   return {sine(208.0, 0.5, 2, 100), sine(60.0, 0.5, 2, 60), irregular(index, 200.0, 3, 100, 0.005),
           irregular(1000 + index, 150.0, 2, 100, roughness)};
 }
 
-// Errors divided by the peak force, for each of the `count` candidates and each motion, in ascending order.
+// The largest error on each motion for each of `count` parameter sets, divided by the peak force, in ascending order.
 template <class Law, class Reference, class Source>
 std::vector<double> errors(std::uint32_t count, Reference const& oracle, Source const& source,
                            double roughness = 0.03) {
@@ -160,17 +161,18 @@ double median(std::vector<double> const& ascending) {
   return ascending[ascending.size() / 2];
 }
 
-// With n = 1 every branch is an exponential; the oracle must reproduce it far more closely than the tolerances below.
+// With n = 1 every branch is an exponential. This function's own error must be far below the tolerances of the tests of
+// the laws.
 TEST(OdeOracle, ReproducesAnExponential) {
   Values<laws::BoucWen> const values{0.0, 1.0, 1.0, 0.06, 1.0, 0.04};
   auto const force = bouc_wen(values, {0.0, 5.0, 30.0, 29.0}, {});
   EXPECT_NEAR(force[1], 10.0 * -std::expm1(-0.5), 1e-9);
   EXPECT_NEAR(force[2], 10.0 * -std::expm1(-3.0), 1e-9);
-  double const z = 10.0 * -std::expm1(-3.0);  // unloading: dz/dt = -(1 + 0.02 z) in the travel t
+  double const z = 10.0 * -std::expm1(-3.0);  // on unloading dz/dt = -(1 + 0.02 z) in the travel t
   EXPECT_NEAR(force[3], (z + 50.0) * std::exp(-0.02) - 50.0, 1e-9);
 }
 
-// The tabulated flow promises 1e-5 (saturating_flow.hpp); 4e-6 was seen.
+// saturating_flow.hpp states 1e-5 of saturation; the largest error seen is 4e-6.
 TEST(OdeOracle, BoucWen) {
   EXPECT_LT(errors<laws::BoucWen>(40, bouc_wen, candidate<laws::BoucWen>).back(), 1e-5);
 }
@@ -190,7 +192,7 @@ TEST(OdeOracle, AbeY0) {
   EXPECT_LT(errors<laws::AbeY0>(40, abe_y0, candidate<laws::AbeY0>).back(), 1e-5);
 }
 
-// abe holds the yield force constant over a step, with a correction. The largest errors come from the first sample
+// abe keeps the yield force constant over a step and corrects for it. The largest errors come from the first sample
 // (with p near 0 the yield force jumps at x = 0) and from steps across F2 = 0 on the rough path. Most errors are far
 // smaller.
 TEST(OdeOracle, Abe) {
@@ -199,17 +201,17 @@ TEST(OdeOracle, Abe) {
   EXPECT_LT(all.back(), 5e-4);
 }
 
-// One Runge-Kutta step per sample errs by 4e-6 for ordinary devices. If a10 F dx exceeds one, at the start of a
-// strongly damped candidate, exp(a10 W) vanishes within a step or two. The path is smoother than the other laws' paths.
-// On a path as rough as those, some velocities would oppose the motion, so damping would feed energy in and
-// exponentials would grow beyond any tolerance.
+// hwang-wu takes one Runge-Kutta step per sample. With strong damping a10 F dx may exceed one at the start, and exp(a10
+// W) then vanishes within a step or two, which gives the largest errors. The path is smoother than for the other laws:
+// on a rougher one some velocities would oppose the motion, damping would feed energy in, and exponentials would grow
+// beyond any tolerance.
 TEST(OdeOracle, HwangWu) {
   auto const all = errors<laws::HwangWu>(40, hwang_wu, candidate<laws::HwangWu>, 0.005);
   EXPECT_LT(median(all), 2e-5);
   EXPECT_LT(all.back(), 5e-3);
 }
 
-// The law's file promises 4e-6 of the peak force for the published devices at a laboratory's sampling rate.
+// docs/source.md states that one step per sample errs by 4e-6 of the peak force for the published devices.
 TEST(OdeOracle, HwangWuForThePublishedDevices) {
   for (std::size_t device = 0; device < table_a5::devices; ++device) {
     auto const values = published_means<laws::HwangWu>(device);
@@ -220,7 +222,7 @@ TEST(OdeOracle, HwangWuForThePublishedDevices) {
   }
 }
 
-// Skips candidates without a bounded force, which have beta + gamma <= 0.
+// Random parameter set number `index`, or the next one with a bounded force (beta + gamma > 0).
 Values<laws::BoucWen> bounded_bouc_wen(std::uint32_t index) {
   for (std::uint32_t next = index;; next += 100) {
     auto const values = scaled_candidate<laws::BoucWen>(next);
@@ -229,9 +231,9 @@ Values<laws::BoucWen> bounded_bouc_wen(std::uint32_t index) {
   }
 }
 
-// The parameter sets that an optimiser meets in the box of a device's own size. bouc-wen has exponents from 0.5 to 2
-// and any ratio of beta to gamma; abe has yield displacements down to a thousandth of the largest displacement. A
-// search would exploit wrong forces of such sets.
+// Parameter sets from the box for a device of this size, as a search meets them. bouc-wen has exponents from 0.5 to 2
+// and any ratio of beta to gamma. abe has yield displacements down to a thousandth of the largest displacement. If the
+// force of such sets were wrong, a search would exploit it.
 TEST(OdeOracleInTheScaledBox, BoucWen) {
   EXPECT_LT(errors<laws::BoucWen>(100, bouc_wen, bounded_bouc_wen).back(), 1e-4);
 }
@@ -244,9 +246,9 @@ TEST(OdeOracleInTheScaledBox, Abe) {
   EXPECT_LT(all.back(), 0.01);
 }
 
-// With tiny yield displacements F2 is saturated at Yt(x) = 40 (1 + (x/100)^2), except within a millimetre after each
-// reversal, whatever the step. In the steady state F2 lags behind Yt by about Ut Yt' / n, which is 0.8 kN in this test.
-// F2 never exceeds the largest Yt, 200 kN (plus 0.1 % for the integration).
+// With a tiny yield displacement F2 is saturated at Yt(x) = 40 (1 + (x/100)^2), except within a millimetre after each
+// reversal, however long the steps are. In the steady state F2 lags behind Yt by about Ut Yt' / n, which is 0.8 kN
+// here. F2 never exceeds the largest Yt, 200 kN (plus 0.1 % for the integration).
 TEST(OdeOracle, AbeSaturatesAtItsYieldForceInLargeSteps) {
   auto const values = named<laws::Abe>(
       {{"alpha", 1.0}, {"n", 0.6}, {"Y0", 40.0}, {"Uh", 100.0}, {"p", 2.0}, {"U0", 0.5}, {"Us", 200.0}, {"r", 0.1}});

@@ -1,5 +1,5 @@
-// Laws of the plane against closed forms and an independent solver of differential equations. The numbers for circles,
-// paths and events were computed from the formulas by an independent script.
+// The laws for motion in two horizontal directions are compared with closed forms and with an independent solver of
+// their differential equations. An independent script computed the expected numbers from the formulas.
 #include "isolaw/laws/plane.hpp"
 
 #include <gtest/gtest.h>
@@ -24,11 +24,11 @@ using P = typename Law::template Params<double>;
 template <class Law>
 using S = typename Law::template State<double>;
 
-// Parameters that make the force equal to z: alpha = 0, unit stiffness and A.
+// Bouc-Wen parameters with alpha = 0, Ke = 1 and A = 1, so that the force is z.
 laws::BoucWen::Params<double> bouc_wen(double n, double beta, double gamma) {
   return {.alpha = 0.0, .Ke = 1.0, .A = 1.0, .beta = beta, .n = n, .gamma = gamma};
 }
-// The hysteretic part alone, with unit strength and the yield length U.
+// Abe parameters for the hysteretic force alone, with strength 1 and yield length U.
 laws::AbeY0::Params<double> abe(double n, double U) {
   laws::AbeY0::Params<double> p{};
   p.n = n;
@@ -62,8 +62,8 @@ TEST(PlaneLaws, a_straight_step_of_bouc_wen_switches_where_the_component_along_i
   EXPECT_NEAR(at_zero.y, 0.440567110531, 1e-12);
 }
 
-// The last turn around a polygon with `corners` corners: the size and the lag of the force at the last corner, and the
-// work of the turn.
+// The last of several turns around a polygon with `corners` corners: the size of the force at the last corner, its
+// angle behind the direction of motion, and the work of the turn.
 struct Turn {
   double size, lag, work;
 };
@@ -81,11 +81,12 @@ Turn turn(P<Law> const& p, double radius, int corners, int turns = 4) {
     from = to;
   }
   last_turn.size = std::hypot(force.x, force.y);
-  last_turn.lag = std::atan2(-force.x, force.y);  // behind the direction of motion, which is y at the last corner
+  last_turn.lag = std::atan2(-force.x, force.y);  // at the last corner the motion is along y
   last_turn.lag = std::abs(last_turn.lag) * 180.0 / pi;
   return last_turn;
 }
-// A polygon errs by the square of the angle of one side, so two polygons are extrapolated to the circle.
+// The values for a polygon differ from those for a circle by the square of the side's angle. Two polygons, one with
+// twice as many corners, therefore give the values for the circle by extrapolation.
 template <class Law>
 Turn circle(P<Law> const& p, double radius, int corners = 4000) {
   auto const once = turn<Law>(p, radius, corners), twice = turn<Law>(p, radius, 2 * corners);
@@ -93,7 +94,7 @@ Turn circle(P<Law> const& p, double radius, int corners = 4000) {
   return {limit(once.size, twice.size), limit(once.lag, twice.lag), limit(once.work, twice.work)};
 }
 
-// On a circle, q^m = cos(lag) and sin(lag) = U q / R.
+// On a circle of radius R the size q and the lag of the hysteretic force obey q^n = cos(lag) and sin(lag) = U q / R.
 TEST(PlaneLaws, circles_of_the_core) {
   struct Expected {
     double radius, size, lag;
@@ -101,7 +102,6 @@ TEST(PlaneLaws, circles_of_the_core) {
   for (auto const& e : {Expected{0.5, 0.863114152, 25.566417}, Expected{1.0, 0.958629357, 13.866317},
                         Expected{2.0, 0.989058189, 7.101778}}) {
     auto const got = circle<laws::plane::AbeY0>(abe(0.7, 0.25), e.radius);
-    // The method itself errs by 1e-7 of the strength.
     EXPECT_NEAR(got.size, e.size, 2e-9) << e.radius;
     EXPECT_NEAR(got.lag, e.lag, 1e-6) << e.radius;
   }
@@ -114,7 +114,7 @@ TEST(PlaneLaws, circles_of_the_core) {
   EXPECT_NEAR(got.work, 5.913586171, 1e-8);
 }
 
-// K1 6, K2 0.9 kN/mm, Qd 30 kN.
+// The parameters are K1 6 kN/mm, K2 0.9 kN/mm and Qd 30 kN.
 TEST(PlaneLaws, a_circle_of_plasticity) {
   laws::Bilinear::Params<double> const p{6.0, 0.9, 30.0 / 5.1};
   EXPECT_NEAR(circle<laws::plane::Bilinear>(p, 150.0).work, 28252.6, 0.06);
@@ -140,7 +140,7 @@ TEST(PlaneLaws, a_path_of_two_memories) {
   }
 }
 
-// z after a straight path, with slope(z, direction).
+// Integrates dz/ds = slope(z, n) along a straight path of the given length in the direction n.
 template <class Slope>
 Vector<double> integrated(Vector<double> const& z, Vector<double> const& n, double length, Slope const& slope) {
   using State = std::array<double, 2>;
@@ -156,8 +156,8 @@ Vector<double> integrated(Vector<double> const& z, Vector<double> const& n, doub
   return {at[0], at[1]};
 }
 
-// z after a straight path. The integration stops where z.n passes 0: the slope may have a corner at that point, which
-// the step control does not notice.
+// As integrated(), but the integration stops where the component of z along n passes 0. The slope may have a corner
+// there, which the step control would not notice.
 template <class Slope>
 Vector<double> integrated_to_the_corner(Vector<double> z, Vector<double> const& n, double length, Slope const& slope) {
   double done = 0.0;
@@ -175,7 +175,8 @@ Vector<double> integrated_to_the_corner(Vector<double> z, Vector<double> const& 
   return integrated(z, n, length - done, slope);
 }
 
-// Straight steps of all lengths, compared with the differential form. Each step starts from the law's own state.
+// Random straight steps, short and long, are compared with the differential equation. Each comparison starts at the
+// state to which the law has come. Returns the largest difference.
 template <class Law, class Slope>
 double worst_over_a_walk(P<Law> const& p, Vector<double> S<Law>::*q, Slope const& slope) {
   std::mt19937_64 random(3);
@@ -208,7 +209,8 @@ TEST(PlaneLaws, bouc_wen_of_any_sharpness_follows_its_differential_form) {
     }
 }
 
-// The law written in components is not isotropic; docs/bidirectional.md quotes these numbers.
+// Bouc-Wen with the absolute value of each component, as some programs have it, is not isotropic: its forces change if
+// motion and axes are turned. docs/bidirectional.md quotes these numbers.
 TEST(PlaneLaws, the_form_in_components_turns_with_the_axes) {
   constexpr int samples = 10000;
   auto const force = [&](double angle, double beta, bool in_components) {

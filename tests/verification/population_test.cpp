@@ -1,6 +1,6 @@
 // Population recovery: 50 synthetic devices of a law are drawn from a known population at five levels of variability,
-// tested (one record each, with noise) and fitted one by one. The fits must give the population back within sampling
-// error.
+// tested (one record each, with noise) and fitted one by one. The population estimated from the fits must equal the
+// known one within the sampling error.
 //
 // The devices are drawn here with a Cholesky factor, not by the library's sampler. Tolerances are 3.5 standard errors,
 // from the normal theory of sample covariances (Anderson 2003, An Introduction to Multivariate Statistical Analysis,
@@ -35,9 +35,10 @@ using Values = std::vector<double>;
 constexpr std::size_t devices = 50;
 constexpr double freedom = devices - 1.0;
 constexpr double standard_errors = 3.5;
-constexpr double correlation = 0.6;  // between the first two free parameters; the others are independent
+// between the logarithms of the first two free parameters; the others are independent
+constexpr double correlation = 0.6;
 
-// Medians of the free parameters; all others are zero.
+// A law and the medians of its free parameters. Its other parameters are fixed at zero.
 struct Lot {
   std::string law;
   std::vector<std::string> names;
@@ -49,7 +50,7 @@ std::vector<Lot> const lots{
     {"jankowski", {"a1", "a9", "a2", "a11"}, {6e5, 3e4, 8e6, 0.08}},  // N/m, N, N/m^3, m/s
 };
 
-// Three amplitudes with two cycles each at 0.5 Hz; the force is filled in by the law.
+// Two cycles at each of three amplitudes, at 0.5 Hz. test() replaces the force.
 data::FitRecord motion() {
   data::FitRecord record;
   constexpr double omega = std::numbers::pi;
@@ -63,8 +64,8 @@ data::FitRecord motion() {
   return record;
 }
 
-// A law whose free parameters are on logarithmic scales. The scales reach from a quarter of the medians to four times
-// the medians, so that the box limits no draw.
+// Tests and fits devices of a law. Its free parameters are searched on logarithmic scales, from a quarter of their
+// medians to four times their medians, so that the box limits no draw.
 class Laboratory {
  public:
   explicit Laboratory(Lot const& lot) : lot_(lot), law_(laws::find_law(lot.law)), record_(motion()) {
@@ -80,7 +81,7 @@ class Laboratory {
     }
   }
 
-  // `noise` is the standard deviation of the noise as a share of the force's standard deviation.
+  // Makes a device's record. `noise` is the standard deviation of the noise over the standard deviation of the force.
   data::FitRecord test(Values const& device, double noise, num::Draws& draws) const {
     auto record = record_;
     record.force_kN = fit::LawOnRecord(law_, record_, laws::Integration::converged).force_kN(all(device));
@@ -93,7 +94,7 @@ class Laboratory {
     fit::LawOnRecord const model(law_, record, laws::Integration::converged);
     Values start;
     for (auto const& parameter : box_.parameters)
-      if (parameter.free) start.push_back(0.5);  // the medians
+      if (parameter.free) start.push_back(0.5);  // start at the medians
     auto const found = opt::descend(fit::IdentificationProblem(model, box_), start, 1.0);
     Values values(box_.parameters.size());
     box_.expand(found.best, values);
@@ -109,8 +110,9 @@ class Laboratory {
     return values;
   }
 
-  // Asymptotic covariance of least absolute deviations with weights w (Koenker and Bassett 1978, for independent errors
-  // of one density f): H^-1 V H^-1, H = 2 f(0) sum w J J^T, V = sum w^2 J J^T, J the derivatives of a residual.
+  // Asymptotic covariance of a fit by least absolute deviations with weights w (Koenker and Bassett 1978, for
+  // independent errors of one density f): H^-1 V H^-1, H = 2 f(0) sum w J J^T, V = sum w^2 J J^T, J the derivatives of
+  // a residual.
   SquareMatrix covariance(fit::LawOnRecord const& model, Values const& best) const {
     constexpr double step = 1e-5;
     std::vector<Values> candidates{all(best)};
@@ -139,7 +141,8 @@ class Laboratory {
     return rows;
   }
 
-  // A normal kernel of the width that suits a normal density (Silverman 1986, Eq. 3.28).
+  // The density of the residuals at zero, by a normal kernel with the width for a normal density (Silverman 1986, Eq.
+  // 3.28).
   static double density_at_zero(Vector const& residuals) {
     auto const count = static_cast<double>(residuals.size());
     double const width = 1.06 * std::sqrt(residuals.squaredNorm() / count) * std::pow(count, -0.2);
@@ -151,7 +154,7 @@ class Laboratory {
   laws::LawEntry const& law_;
   data::FitRecord record_;
   fit::SearchBox box_;
-  std::vector<std::size_t> place_;  // position of each free parameter among the law's
+  std::vector<std::size_t> place_;  // index of each free parameter among the law's parameters
 };
 
 Matrix matrix(SquareMatrix const& rows) {
@@ -162,12 +165,13 @@ Matrix matrix(SquareMatrix const& rows) {
   return square;
 }
 
-// The moments of the parameters' logarithms: of the population (true), of the devices that were drawn, and as recovered
-// from the tests.
+// Mean and covariance of the parameters' logarithms: of the population (true), of the 50 devices that were drawn, and
+// as estimated from the tests.
 struct Recovered {
   Vector true_mean, drawn_mean, mean;
-  Matrix true_covariance, drawn_covariance;  // of the population; of the devices drawn
-  Matrix covariance, S, C;                   // recovered; of the estimates; mean covariance of their errors
+  Matrix true_covariance, drawn_covariance;
+  // S is the covariance of the estimates, C the mean covariance of the fits' errors, `covariance` the population's.
+  Matrix covariance, S, C;
   Population population;
 };
 
@@ -213,7 +217,7 @@ void expect_within(Matrix const& found, Matrix const& expected, Matrix const& va
           << what << ' ' << i << ' ' << j;
 }
 
-// Variances of cov(x, x), and of cov(x, y) + cov(y, x) for independent x and y with covariances A and B.
+// Variances of the entries of cov(x, x), and of cov(x, y) + cov(y, x) for independent x and y with covariances A and B.
 Matrix variance_of_covariance(Matrix const& A) {
   return (A.diagonal() * A.diagonal().transpose() + A.cwiseAbs2()) / freedom;
 }
@@ -224,7 +228,7 @@ Matrix variance_of_cross_terms(Matrix const& A, Matrix const& B) {
 
 class PopulationRecovery : public testing::TestWithParam<std::size_t> {};
 
-// The errors of the fits are 0.1 to 0.8 % and thus small beside the scatter of the devices.
+// The errors of the fits are 0.1 to 0.8 %, small beside the scatter between devices.
 TEST_P(PopulationRecovery, GivesMeanAndCovarianceBack) {
   auto const& lot = lots[GetParam()];
   for (double const level : {0.025, 0.05, 0.10, 0.15}) {
@@ -234,15 +238,15 @@ TEST_P(PopulationRecovery, GivesMeanAndCovarianceBack) {
     EXPECT_EQ(found.population.directions, lot.names.size());
     EXPECT_TRUE(found.population.undetermined.empty());
 
-    // Compared with the population, the estimates differ by the sampling of the devices and by the errors of the fits.
+    // The estimates differ from the population because only 50 devices were drawn and because each fit has an error.
     Matrix const T = found.true_covariance + found.C;
     expect_within(found.mean, found.true_mean, T.diagonal() / devices, "mean");
     expect_within(found.covariance, found.true_covariance, variance_of_covariance(T), "covariance");
-    // The correlation is far from 0 and is compared after Fisher's transform.
+    // The correlation is far from 0, so its error is skewed. After Fisher's transform it is nearly normal.
     EXPECT_NEAR(std::atanh(found.population.correlation[0][1]), std::atanh(correlation),
                 standard_errors / std::sqrt(freedom - 2.0));
 
-    // Compared with the devices drawn, the estimates differ by the errors of the fits alone.
+    // The estimates differ from the devices that were drawn only by the errors of the fits.
     expect_within(found.mean, found.drawn_mean, found.C.diagonal() / devices, "mean of the devices");
     expect_within(found.covariance, found.drawn_covariance,
                   variance_of_cross_terms(found.drawn_covariance, found.C) + variance_of_covariance(found.C),
@@ -250,11 +254,11 @@ TEST_P(PopulationRecovery, GivesMeanAndCovarianceBack) {
   }
 }
 
-// If all devices are equal, their estimates differ only by the errors of the fits. m trace(C^-1 S) is then chi-squared
+// If all devices are equal, their estimates differ only by the errors of the fits, and m trace(C^-1 S) is chi-squared
 // with n m degrees of freedom. C itself is about 0.10 too large: the kernel estimates the density of the residuals at
-// zero, f(0), too low by half the square of its relative width, and C goes with 1/f(0)^2. The largest eigenvalue of
+// zero, f(0), too low by half the square of its relative width, and C varies as 1/f(0)^2. The largest eigenvalue of
 // C^-1 S exceeds (1 + root(n / m) + t / root(m))^2 with probability exp(-t^2 / 2) at most (Davidson and Szarek 2001,
-// Theorem II.13). The program takes whatever exceeds 1 for scatter between devices.
+// Theorem II.13). The program takes the part of an eigenvalue above 1 for scatter between devices.
 TEST_P(PopulationRecovery, OfEqualDevicesFindsNoMoreThanTheErrorsOfTheFits) {
   auto const& lot = lots[GetParam()];
   auto const found = recover(lot, 0.0, 0.01);
@@ -264,14 +268,15 @@ TEST_P(PopulationRecovery, OfEqualDevicesFindsNoMoreThanTheErrorsOfTheFits) {
   double const largest = std::pow(1.0 + std::sqrt(n / freedom) + standard_errors / std::sqrt(freedom), 2);
   for (Index i = 0; i < found.C.rows(); ++i) {
     EXPECT_LE(found.covariance(i, i), (largest - 1.0) * found.C(i, i));
-    EXPECT_LT(std::sqrt(found.covariance(i, i)), 0.01);  // far below the least level of variability
+    // far below the smallest variability that the other tests use, 0.025
+    EXPECT_LT(std::sqrt(found.covariance(i, i)), 0.01);
   }
   EXPECT_LT(found.population.directions, lot.names.size());
   expect_within(found.mean, found.true_mean, found.C.diagonal() / devices, "mean");
 }
 
-// With ten times the noise the errors of the fits are at least as large as the scatter of the devices. The estimates
-// then scatter by the sum of both.
+// With ten times the noise the errors of the fits are as large as the scatter between devices or larger. The covariance
+// of the estimates is then the sum of the population's and of the errors'.
 TEST_P(PopulationRecovery, AccountsForErrorsAsLargeAsTheScatter) {
   auto const& lot = lots[GetParam()];
   auto const found = recover(lot, 0.025, 0.10);

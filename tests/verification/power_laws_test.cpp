@@ -1,5 +1,5 @@
-// power-masing and power-scragging are compared with two other implementations, along a path with inner loops. Their
-// forces also have the properties that their definitions imply for any path.
+// The laws of the power-masing family and ramberg-osgood are compared with other implementations or closed forms along
+// a path with inner loops. Further tests check properties that their definitions imply for any path.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,14 +17,15 @@ namespace {
 using laws::PowerMasing;
 using laws::PowerScragging;
 
-constexpr std::array<std::size_t, 5> asked{2, 4, 5, 8, 9};  // corners where the force is known
+// corners of the path at which the expected forces are given
+constexpr std::array<std::size_t, 5> asked{2, 4, 5, 8, 9};
 
 template <class Law>
 void expect_at_corners(Values<Law> const& values, std::array<double, 5> const& expected) {
   for (int const steps : {1, 7, 1000}) {
     auto const force = forces<Law>(values, laws::make_path(through(corners, steps), {}));
     for (std::size_t i = 0; i < asked.size(); ++i)
-      // Expected values are printed to 1e-6. A step cut in a thousand is the same step.
+      // The expected values have six decimals. Cutting a step into a thousand must not change the force.
       EXPECT_NEAR(force[asked[i] * static_cast<std::size_t>(steps)], expected[i], 6e-7) << steps << " steps a leg";
   }
 }
@@ -42,7 +43,7 @@ TEST(PowerLaws, Scragging) {
                                     {133.626557, -121.483364, -147.377735, 106.630371, 170.597619});
 }
 
-// The expected forces come from two independent implementations, in C++ and Python, and cover every corner.
+// Two independent implementations, in C++ and Python, gave the expected forces at every corner.
 TEST(PowerLaws, Worn) {
   Values<laws::PowerMasingWorn> const values{96, 0.37, 49, 14, 51, 0.15, 1.9, 0.033};
   std::vector<double> const expected{0,           90.743914, 141.827865, -21.715459, -121.017257,
@@ -54,7 +55,8 @@ TEST(PowerLaws, Worn) {
   }
 }
 
-// Without its dashpot, or without wear and kept force, each variant gives the bits of power-masing.
+// Without its dashpot, power-masing-viscous equals power-masing bit by bit. So does power-masing-worn without wear and
+// without the force that it keeps.
 TEST(PowerLaws, VariantsAreTheLawWithoutTheirTerms) {
   auto const motion = polyline(corners, 9);
   auto const path = laws::make_path(motion.disp_mm, motion.velocity_mm_s);
@@ -67,8 +69,8 @@ TEST(PowerLaws, VariantsAreTheLawWithoutTheirTerms) {
     EXPECT_NEAR(damped[i] - force[i], 0.05 * motion.velocity_mm_s[i], 1e-12);
 }
 
-// At integer exponents the branches have a closed form: f (1 + f^4) = x/xy. The energy of a cycle is 4 a xy Fy f^(r+1)
-// (r-1)/(r+1).
+// For integer exponents a branch has a closed form: with x1 = x/xy and f = F/Fy the first loading is f (1 + f^4) = x1.
+// The energy of a cycle is 4 a xy Fy f^(r+1) (r-1)/(r+1).
 TEST(PowerLaws, RambergOsgood) {
   double const K = 2.0, Fy = 30.0, xy = Fy / K;
   Values<laws::RambergOsgood> const values{K, Fy, 1.0, 5.0, 0.0};
@@ -85,24 +87,25 @@ TEST(PowerLaws, RambergOsgood) {
     EXPECT_NEAR(found[2 * steps] / Fy, at_zero, 1e-12);
     double energy = 0.0;
     for (std::size_t i = steps; i + 1 < x.size(); ++i) energy += 0.5 * (found[i] + found[i + 1]) * (x[i + 1] - x[i]);
-    // The trapezoidal rule takes steps of a twenty-thousandth of the amplitude.
+    // The tolerance covers the trapezoidal rule, whose steps are a twenty-thousandth of the amplitude.
     EXPECT_NEAR(energy, 4.0 * xy * Fy * std::pow(force, 6.0) * 4.0 / 6.0, 1e-7 * D * Fy);
   }
 }
 
-// At h = 1 the length of the memory is a logarithm; the powers at smaller and larger h tend to it.
+// At h = 1 the formula for the length of the memory is a logarithm; elsewhere it is a power. The power must tend to the
+// logarithm.
 TEST(PowerLaws, ScraggingIsContinuousInItsExponent) {
   auto const path = laws::make_path(through(corners, 3), {});
   auto const at = [&](double h) { return forces<PowerScragging>({50, 0.36, 80, 10, 60, 35, h, 0.25, 0.05}, path); };
   auto const middle = at(1.0);
   for (double const d : {1e-12, 1e-6, 1e-4, 2e-3, 1e-2})
     for (double const h : {1.0 - d, 1.0 + d})
-      // At this point the force changes by 17 kN per unit of h.
+      // Near h = 1 the force changes by up to 17 kN per unit of h.
       EXPECT_LT(largest_difference(at(h), middle), 20.0 * d + 1e-11) << h;
 }
 
-// A closed loop of unloading and reloading leaves no trace in the hysteretic force. Without scragging and hardening the
-// later forces are the same, except for rounding in the sums of branches.
+// A small loop of unloading and reloading that closes must not change the hysteretic force. Without scragging and
+// hardening it changes no later force, except by rounding.
 TEST(PowerLaws, MasingLoopsClose) {
   Values<PowerMasing> const values{80, 0.36, 45, 0, 0, 0.25};
   auto const plain = forces<PowerMasing>(values, laws::make_path(std::vector<double>{0, 50, -60, 40, 80}, {}));
@@ -114,22 +117,22 @@ TEST(PowerLaws, MasingLoopsClose) {
   EXPECT_NEAR(looped[15], plain[4], 1e-12);
 }
 
-// Every loop of a decaying sine stays open, so the law must remember every turning point, however many there are.
+// No loop of a decaying sine closes, so the law must remember all 3287 turning points.
 TEST(PowerLaws, MemoryIsAsDeepAsThePath) {
   constexpr int turns = 3287;
   std::vector<double> x{0.0};
   for (int i = 0; i < turns; ++i) x.push_back((i % 2 == 0 ? 100.0 : -100.0) * std::pow(0.999, i));
   auto path = laws::make_path(x, {});
   EXPECT_EQ(path.deepest, static_cast<std::size_t>(turns - 1));
-  // On the way back through all of them, every branch closes at the force where it began.
+  // A last step goes back past all turning points. Every branch closes at the force where it began.
   auto const inwards = forces<PowerMasing>({80, 0.36, 45, 0, 0, 0.25}, path);
   x.push_back(-100.0);
   auto const outwards = forces<PowerMasing>({80, 0.36, 45, 0, 0, 0.25}, laws::make_path(x, {}));
   EXPECT_NEAR(outwards.back(), -inwards[1], 1e-9);
 }
 
-// As the step is halved the change of the force tends to 0. Where a branch begins, and on a virgin side, it falls as
-// d^g.
+// The force must be continuous: as the last step d is halved, the change of the force over it tends to 0. Where a
+// branch begins, and on a side where the device has not been, it falls as d^g.
 TEST(PowerLaws, MasingIsContinuous) {
   Values<PowerMasing> const values{80, 0.36, 45, 10, 60, 0.25};
   std::vector<std::vector<double>> const histories{
@@ -140,36 +143,35 @@ TEST(PowerLaws, MasingIsContinuous) {
         auto x = history;
         x.push_back(x.back() + sign * d);
         auto const force = forces<PowerMasing>(values, laws::make_path(x, {}));
-        // The bound adds up sk'(0) of the branch, the elastic force of a virgin side, and the change of C and H along
-        // d.
+        // The bound adds the change of the branch just after its start, the elastic force on a side where the device
+        // has not been, and 1.5 kN/mm for the terms with C and H.
         double const bound = 2.0 * 80.0 * std::pow(d / 100.0, 0.36) + 45.0 * std::pow(d / 100.0, 0.36) + 1.5 * d;
         EXPECT_LE(std::abs(force.back() - force[force.size() - 2]), bound) << d << " from " << history.back();
       }
 }
 
-Values<PowerMasing> const bearing{87.1, 0.370, 46.4, 9.8, 65.5, 0.27};  // the measured bearing
+Values<PowerMasing> const bearing{87.1, 0.370, 46.4, 9.8, 65.5, 0.27};  // fitted to a measured bearing
 
-// At five times the tests' largest amplitude, 151.2 mm, the first loading reaches 1,333 kN. The hardening, which grows
-// with the square of the displacement, makes up 560 kN of them.
+// The first loading of the bearing to five times its tests' largest amplitude, 151.2 mm, needs 1,333 kN. The hardening
+// term, which grows with the square of the displacement, contributes 560 kN.
 TEST(PowerLaws, HardeningGovernsFarBeyondTheTests) {
   auto const path = laws::make_path(through({0.0, 5.0 * 151.2}, 100), {});
   auto without = bearing;
   without[3] = 0.0;
   double const force = forces<PowerMasing>(bearing, path).back();
-  EXPECT_NEAR(force, 1333.0, 3.0);  // the parameters are printed to two or three digits
+  EXPECT_NEAR(force, 1333.0, 3.0);  // the parameters have only two or three digits
   EXPECT_NEAR(force - forces<PowerMasing>(without, path).back(), 560.0, 0.5);
 }
 
-// Adds white noise with a normal distribution.
 std::vector<double> with_noise(std::vector<double> x, double deviation) {
   num::Draws draws(num::Stream(7), 0, 0);
   for (double& value : x) value += deviation * draws.normal();
   return x;
 }
 
-// A dead band of three standard deviations changes the force on a noise-free path only a little. For noise of 0.1 % of
-// the amplitude the mean change over the samples may be 0.5 % of the peak force; it is 0.31 % in this test. It is
-// largest after reversals, where branches are steepest.
+// The noise is 0.1 % of the amplitude. A dead band of three of its standard deviations changes the force little. The
+// mean change may be 0.5 % of the peak force; the largest seen is 0.31 %. It is largest after reversals, where branches
+// are steepest.
 TEST(PowerLaws, DeadBandKeepsThePath) {
   std::vector<double> x;
   for (double const amplitude : {38.0, 76.0, 152.0})
@@ -185,8 +187,8 @@ TEST(PowerLaws, DeadBandKeepsThePath) {
   EXPECT_EQ(laws::followed(x, 0.0), x);
 }
 
-// A device rests for ten thousand samples while its record trembles by 0.01 mm. The law takes the tremor for travel and
-// loses 9 % of the force; with the dead band it loses less than 1 %.
+// A device rests for ten thousand samples while noise of 0.01 mm makes its record tremble. Without a dead band the law
+// takes the tremor for travel and loses 9 % of the force; with a dead band it loses less than 1 %.
 TEST(PowerLaws, TremorIsNoTravel) {
   auto x = through({0.0, 50.0}, 100);
   x.resize(x.size() + 10000, 50.0);
@@ -198,8 +200,8 @@ TEST(PowerLaws, TremorIsNoTravel) {
   EXPECT_GT(behind.back(), 0.99 * behind[100]);
 }
 
-// A cycle from rest to rest dissipates anywhere in the box. A cycle from peak to peak need not dissipate: the device
-// stores energy while it moves up, with a stiffness that later travel removes, and returns it when it moves back.
+// A cycle that starts and ends at x = 0 dissipates anywhere in the box. A cycle from peak to peak need not: the device
+// may take energy with a low stiffness and return energy that it stored earlier with a higher one.
 TEST(PowerLaws, CyclesDissipate) {
   for (double const amplitude : {2.0, 50.0, 208.0})
     for (std::uint32_t i = 0; i < 200; ++i) {

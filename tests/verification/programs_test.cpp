@@ -1,4 +1,5 @@
-// isolaw's replays of other programs' materials, compared with closed forms and values of independent implementations.
+// isolaw computes again what other programs' materials do with an exported law. These replays are compared with closed
+// forms and with values of independent implementations.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,7 +27,7 @@ double energy(std::vector<double> const& x, std::vector<double> const& f, std::s
   return sum;
 }
 
-// K_eff = K2 + Qd / D, EDC = 4 Qd (D - Dy).
+// The closed forms are K_eff = K2 + Qd / D and energy 4 Qd (D - Dy).
 TEST(Replay, bilinear_materials_have_the_closed_form) {
   double const K1 = 6.0, K2 = 0.9, Qd = 30.0, D = 150.0, b = K2 / K1;
   auto const x = line(0, D, 1) + line(D, -D, 1) + line(-D, D, 1000);
@@ -42,7 +43,7 @@ TEST(Replay, bilinear_materials_have_the_closed_form) {
   }
 }
 
-// The expected values come from another implementation. The force at 1 can be checked by hand: 0.1 + 0.9 / 2^(1/20).
+// Another implementation gave the expected values. The first one can be checked by hand: 0.1 + 0.9 / 2^(1/20).
 TEST(Replay, steel02_has_the_branches_of_menegotto_and_pinto) {
   Command const command{"Steel02", {1.0, 1.0, 0.1, 20.0, 0.925, 0.15}};
   auto const f = replay({&command, 1}, std::vector<double>{1, 5, -5, 5, 2, 5, 6});
@@ -51,8 +52,8 @@ TEST(Replay, steel02_has_the_branches_of_menegotto_and_pinto) {
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(f[i], expected[i], 5.1e-10) << i;
 }
 
-// Without hardening K_eff = kb + f0 tanh(alpha D) / D and EDC = 4 f0 (D - tanh(alpha D) / alpha). With kb 0.6, f0 25,
-// alpha 0.08 and D 150 they are 0.766667 kN/mm and 13750.00 kN mm.
+// Without hardening K_eff = kb + f0 tanh(alpha D) / D, and the energy is 4 f0 (D - tanh(alpha D) / alpha). With kb 0.6,
+// f0 25, alpha 0.08 and D 150 they are 0.766667 kN/mm and 13750.00 kN mm.
 TEST(Replay, asymmetric_material_without_hardening_has_the_closed_form) {
   double const kb = 0.6, f0 = 25.0, alpha = 0.08, D = 150.0;
   Command const command{"HystereticAsym", {kb + 2.0 * alpha * f0, kb, f0, 0, 0, 0}};
@@ -62,8 +63,8 @@ TEST(Replay, asymmetric_material_without_hardening_has_the_closed_form) {
   EXPECT_NEAR(energy(x, f, 1999), 13750.0, 0.05);
 }
 
-// The example of the documentation, ka 5, kb 0.5, f0 0.45, along 0, 1, -1, 1. The expected values come from an
-// independent port. The energy belongs to the loop -1, 1, -1.
+// The example in the material's documentation: ka 5, kb 0.5, f0 0.45, along 0, 1, -1, 1. An independent port of the
+// material gave the expected forces, and the energy of the loop from -1 to 1 and back.
 TEST(Replay, asymmetric_material_gives_the_documented_sets) {
   struct Set {
     double b1, b2, gamma, at_1, at_0, at_minus_1, again, energy;
@@ -86,8 +87,8 @@ TEST(Replay, asymmetric_material_gives_the_documented_sets) {
   }
 }
 
-// Wen's material with n = 1 and gamma = 0 has dz/dx = A - beta |z| sgn(dx z). To first order in the
-// step its branches equal the branches of the asymmetric material without hardening.
+// With n = 1 and gamma = 0 Wen's material obeys dz/dx = A - beta |z| sgn(dx z). The branches are those of the
+// asymmetric material without hardening, but the material errs by the first power of the step.
 TEST(Replay, bouc_wen_of_exponent_one_is_the_asymmetric_material_as_the_step_goes_to_zero) {
   double const kb = 0.6, f0 = 25.0, alpha = 0.08, D = 150.0, Ke = kb + alpha * f0;
   Command const algebraic{"HystereticAsym", {kb + 2.0 * alpha * f0, kb, f0, 0, 0, 0}};
@@ -106,13 +107,13 @@ TEST(Replay, bouc_wen_of_exponent_one_is_the_asymmetric_material_as_the_step_goe
   EXPECT_LT(before, 0.3);
 }
 
-// On a very long branch the distance to the limit curve is lost to rounding; the force is NaN from there on.
+// On a very long branch rounding loses the distance to the limit curve, and from there on the force is NaN.
 TEST(Replay, asymmetric_material_turns_into_no_number_on_a_long_travel) {
   Command const command{"HystereticAsym", {4.6, 0.6, 25.0, 0, 0, 0}};
   double const alpha = 0.08;
   auto const x = line(0, 60.0 / alpha, 1000) + line(60.0 / alpha, 0, 10);
   auto const f = replay({&command, 1}, x);
-  EXPECT_TRUE(std::isfinite(f[500]));  // 30 / alpha
+  EXPECT_TRUE(std::isfinite(f[500]));  // at a travel of 30 / alpha
   EXPECT_TRUE(std::isnan(f[999]));
   EXPECT_TRUE(std::isnan(f.back()));
 }

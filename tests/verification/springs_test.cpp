@@ -1,5 +1,6 @@
-// Springs around the circle. Stiffness, strength and energy of bilinear springs are compared with values that an
-// independent script computed from the formulas. Further tests turn the springs and compare tangents.
+// For motion in two directions a law without a two-dimensional form becomes a set of one-directional springs around a
+// circle. Stiffness, strength and energy of bilinear springs are compared with values that an independent script
+// computed from the formulas. Further tests turn the springs and compare tangents with difference quotients.
 #include "isolaw/laws/springs.hpp"
 
 #include <gtest/gtest.h>
@@ -17,12 +18,12 @@ using laws::Springs;
 using laws::plane::Vector;
 constexpr double pi = std::numbers::pi;
 
-// K1 6, K2 0.9 kN/mm, Qd 30 kN, as the law's parameters.
+// The law's parameters for K1 6 kN/mm, K2 0.9 kN/mm (or the given one) and Qd 30 kN.
 laws::Online bilinear(double K2 = 0.9) {
   return {"bilinear", std::vector{6.0, K2, 30.0 / (6.0 - K2)}};
 }
 
-// The force after every point of the path, and the work along the last `round` pieces.
+// The force at every point of the path, and the work over the last `round` steps.
 struct Walked {
   std::vector<Vector<double>> forces;
   double work = 0.0;
@@ -79,8 +80,8 @@ TEST(Springs, energies_of_bilinear_ones) {
     EXPECT_NEAR(work(e.springs, circles), e.energy, 0.3) << e.springs;
 }
 
-// Sixteen springs yield one after another, so the loop loses part of its knee, and work with it, at small amplitudes.
-// docs/bidirectional.md quotes these numbers.
+// The sixteen springs yield one after another, which rounds the knee of the loop. At small amplitudes the loop
+// therefore dissipates less than the law. docs/bidirectional.md quotes these numbers.
 TEST(Springs, lose_work_at_small_amplitudes) {
   constexpr int steps = 2000;
   auto const change_percent = [&](double size) {
@@ -115,7 +116,8 @@ TEST(Springs, turn_by_their_own_angle_exactly_and_by_any_within_a_spring) {
     std::vector<Vector<double>> other;
     for (auto const& at : path) other.push_back(turned(at, 1.0));
     auto const got = walked(Springs(bilinear()), other);
-    // If the path turns by a fraction of the springs' spacing, one spring more or less yields.
+    // If the path is turned by a fraction of the angle between springs, at most one spring more or less has yielded. If
+    // it is turned by whole angles, the forces are exactly the turned ones.
     bool const exact = share == std::floor(share);
     double worst = 0.0;
     for (std::size_t i = 0; i < path.size(); ++i) {
@@ -131,8 +133,8 @@ TEST(Springs, turn_by_their_own_angle_exactly_and_by_any_within_a_spring) {
 
 TEST(Springs, tangents_and_damping_are_slopes) {
   bool damped = false;
-  // The second law's slope is unbounded towards a side that was never visited, so only the effect of its dashpot is
-  // compared.
+  // power-masing-viscous has an unbounded slope towards a side where it has not been, so only the tangent of its
+  // dashpot is compared.
   struct Subject {
     laws::Online law;
     bool has_slopes;

@@ -1,6 +1,6 @@
-// The post-processing is compared with the printed Table A.5 of Cucuzza et al. 2025 (docs/source.md, "The statistics"):
-// mean objective, robustness index and front of the six laws. A separate script computed the expected numbers from the
-// printed table. They test the arithmetic, not the identification.
+// The statistics over devices are compared with the printed Table A.5 of Cucuzza et al. 2025 (docs/source.md, "The
+// statistics"): mean objective, robustness index beta and front of the six laws. A separate script computed the
+// expected numbers from the printed table. They test the arithmetic, not the identification.
 #include "isolaw/study/table_a5.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ double mean_objective(Law const& law) {
   return num::moments(law.objective_mean).mean;
 }
 
-// beta over the law's printed parameters. The parameter named `leave_out` does not count.
+// The robustness index beta over the law's printed parameters, without the parameter named `leave_out`.
 lot::Robustness robustness(Law const& law, std::string_view leave_out = {}) {
   std::vector<std::string> names;
   std::vector<std::vector<double>> means;
@@ -37,7 +37,7 @@ lot::Robustness robustness(Law const& law, std::string_view leave_out = {}) {
   return lot::robustness_index(names, means);
 }
 
-// Checks the transcription: Table 4 and Table A.5 were typed in independently.
+// Table 4 and Table A.5 were typed in independently, so a typing error would put a mean outside its box.
 TEST(TableA5, EveryMeanLiesInItsSearchBox) {
   ASSERT_EQ(laws.size(), 6u);
   for (auto const& law : laws)
@@ -66,15 +66,16 @@ TEST(TableA5, RobustnessIndices) {
   }
 }
 
-// Section 7 of the paper says about 30 % for law 2, and about 22 % at an objective of 9 % for law 3. We read "about" as
-// within half a percent.
+// Section 7 of Cucuzza et al. 2025 says "about 30 %" for law 2, and "about 22 %" at an objective of 9 % for law 3. We
+// read "about" as within half a percent.
 TEST(TableA5, AgreesWithThePapersText) {
   EXPECT_NEAR(*robustness(laws[1]).beta, 0.30, 0.005);
   EXPECT_NEAR(*robustness(laws[2]).beta, 0.22, 0.005);
   EXPECT_NEAR(mean_objective(laws[2]), 0.09, 0.005);
 }
 
-// Law 5's p is printed and counts, although the printed loops agree best with a law without p (docs/source.md).
+// Table A.5 prints 13 parameters of law 5, with p, and the index counts them all. The printed loops agree better with a
+// law without p (docs/source.md).
 TEST(TableA5, TheIndexOfLaw5CountsAllThirteenPrintedParameters) {
   ASSERT_EQ(laws[4].parameters.size(), 13u);
   EXPECT_NEAR(*robustness(laws[4], "p").beta, 0.2760, half_of_fourth_digit);

@@ -1,6 +1,6 @@
-// Twin experiments: a law makes a record from parameters somewhere in its automatic box and is fitted to it. From any
-// start the search must reproduce the record to the last digits. Parameters that the program calls determined must
-// equal the true ones; the others may have any values that give the same forces.
+// Twin experiments: a law makes a record from random parameters of its automatic box and is fitted to that record. From
+// any start the search must reproduce the record to the last digits. Parameters that the program calls determined must
+// equal the true ones. The others may differ if the forces are the same.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,8 @@ TEST_P(Twin, IsFoundAgain) {
   IdentificationProblem const problem(model, twin.box);
   num::Stream const stream(stable_hash(GetParam()));
   std::vector<std::vector<double>> found;
-  std::uint64_t const runs = twin.box.free_count() > 10 ? 1 : 3;  // one search of abe takes a minute
+  // one search of abe, which has most free parameters, takes a minute
+  std::uint64_t const runs = twin.box.free_count() > 10 ? 1 : 3;
   for (std::uint64_t run = 1; run <= runs; ++run) {
     auto const best = opt::minimise_multistart(problem, stream.split(run));
     EXPECT_LT(best.best_value, 1e-9) << "run " << run;
@@ -58,8 +59,8 @@ TEST_P(Twin, IsFoundAgain) {
       elsewhere.insert(parameter.name);
     }
   }
-  // A parameter may differ from its true value if the law itself calls it redundant. So may the factors of abe-y0's
-  // hardening force K2 |x|^r / Uh^r, of which only the product is known.
+  // A parameter may differ from its true value only if the law itself calls it redundant. Exceptions are K2 and Uh of
+  // abe-y0: of its hardening force K2 |x|^r x / Uh^r only the factor K2 / Uh^r is known.
   std::string const law = GetParam();
   EXPECT_GE(determined, law == "bouc-wen" || law == "abe" ? 1u : 3u);
   std::set<std::string_view> redundant{twin.law->redundant_with.begin(), twin.law->redundant_with.end()};

@@ -110,7 +110,8 @@ def workbook(name, head, time):
     }
     with zipfile.ZipFile(os.path.join(here, name), 'w', zipfile.ZIP_DEFLATED) as archive:
         for entry, content in parts.items():
-            info = zipfile.ZipInfo(entry, (2024, 1, 1, 0, 0, 0))  # the same bytes every time
+            # a fixed date, so that the file has the same bytes every time
+            info = zipfile.ZipInfo(entry, (2024, 1, 1, 0, 0, 0))
             info.compress_type = zipfile.ZIP_DEFLATED
             archive.writestr(info, content)
 
@@ -183,9 +184,9 @@ def text_files():
     write('empty.csv', b'')
 
 
-# Writes load and displacement of a compression test. The load rises `loadings` times from `least` to `largest` kN along
-# d(P) and falls with some hysteresis. In the first loading a settlement grows with the load up to `settles` mm; in the
-# later ones it is complete from the start.
+# Writes load and displacement of a compression test. The load rises `loadings` times from `least` to `largest` kN,
+# along the curve `disp_of`, and falls again with some hysteresis. In the first loading the device settles: a settlement
+# grows with the load up to `settles` mm, and stays in the later loadings.
 def compression(name, head, disp_of, loadings=3, least=50.0, largest=1000.0, load_sign=1.0, settles=0.02, unloads=True, end=math.inf):
     lines = [head]
     for number in range(loadings):
@@ -200,7 +201,7 @@ def compression(name, head, disp_of, loadings=3, least=50.0, largest=1000.0, loa
 def compression_tests():
     english = 'Vertical displacement [mm];Vertical load [kN]'
     compression('compression.csv', english, lambda p: 0.3 + p / 1200.0)
-    # A law that stiffens, d ~ P^0.8: from 300 to 1000 kN the displacement grows by 700/1200 mm.
+    # A curve that stiffens, d ~ P^0.8. From 300 to 1000 kN the displacement grows by 700/1200 mm, so K_v is 1200 kN/mm.
     scale = 700.0 / 1200.0 / (1000.0 ** 0.8 - 300.0 ** 0.8)
     compression('compression-ramp.csv', 'Displacement [mm];Load [kN]', lambda p: scale * p ** 0.8, loadings=1, least=0.0, settles=0.0, unloads=False)
     compression('compression-negative.csv', 'Weg vertikal [mm];Vertikalkraft [kN]', lambda p: 0.3 + p / 1200.0, load_sign=-1.0)
@@ -212,8 +213,7 @@ def machine(name, head, row, encoding='utf-8', end='\r\n'):
     table(name, head, row, encoding=encoding, end=end)
 
 
-# Writes files as testing machines and measuring amplifiers write them, with the device and the times of the other
-# files.
+# Writes the test in the file formats of testing machines and measuring amplifiers.
 def machines():
     tabs = lambda t, x, f: f'{t:.4f}\t{x:.4f}\t{f:.4f}'
     machine('mts-793.dat', 'MTS793|MPT|ENU|1|2|.|/|:|1|0|0|A\r\n\r\nData Acquisition\t\tTime:\t6.02\tSec\t5/2/2024 10:00:06 AM\r\n'
@@ -234,7 +234,8 @@ def machines():
             'Channels\t2\t\t\r\nSamples\t301\t301\t\r\nDate\t2024/05/02\t2024/05/02\t\r\nTime\t10:00:00.25\t10:00:00.25\t\r\n'
             'Y_Unit_Label\tmm\tkN\t\r\nX_Dimension\tTime\tTime\t\r\nX0\t0.0E+0\t0.0E+0\t\r\nDelta_X\t0.020000\t0.020000\t\r\n***End_of_Header***\t\t\t\r\n'
             'X_Value\tDisplacement\tForce\tComment', tabs)
-    # A file without a time column: if all channels have the same interval, the header states it.
+    # These files have no time column. The header states the sampling interval of each channel, which serves as time if
+    # all channels have the same.
     head = ('LabVIEW Measurement\t\r\nSeparator\tTab\r\nDecimal_Separator\t.\r\nX_Columns\tNo\r\n***End_of_Header***\t\r\n\t\r\n'
             'Channels\t2\t\t\r\nSamples\t301\t301\t\r\nY_Unit_Label\tmm\tkN\t\r\nX_Dimension\tTime\tTime\t\r\nX0\t0.0E+0\t0.0E+0\t\r\n'
             'Delta_X\t{}\t0.020000\t\r\n***End_of_Header***\t\t\t\r\nX_Value\tDisplacement\tForce\tComment')
@@ -245,7 +246,7 @@ def machines():
     write('machine.id_comp', b'TDAT' + bytes(24))
 
 
-# Writes JSON whose times are strings.
+# Writes JSON files whose times are texts such as "2024-05-02T10:00:00.250".
 def json_stamps():
     def arrays(name, times):
         write(name, json.dumps({'time': times, 'disp_mm': [round(x, 3) for _, x, _ in device], 'force_kN': [round(f, 3) for _, _, f in device]}).encode())

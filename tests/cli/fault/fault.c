@@ -1,12 +1,13 @@
-// Loaded before the C library (LD_PRELOAD): counts operations that change files below a directory and makes them fail.
+// A library that LD_PRELOAD places before the C library. It counts the operations that change files below a directory
+// and makes them fail.
 //
-//   ISOLAW_FAULT_DIR   the directory; everything elsewhere is left alone
+//   ISOLAW_FAULT_DIR   the directory; operations elsewhere are neither counted nor changed
 //   ISOLAW_FAULT_MODE  count  nothing goes wrong
 //                      once   operation number ISOLAW_FAULT_AT fails with an input/output error, all others succeed
 //                      full   from that operation on there is no space left
 //                      readonly  from that operation on the file system can only be read
 //                      kill   the process is killed before that operation
-//                      torn   the same, but half of what it was to write is written
+//                      torn   the process is killed when half of that write is done
 //   ISOLAW_FAULT_COUNT a file that receives the number of operations at the end of the process
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -56,7 +57,7 @@ static int watched_file(int file) {
 
 enum what { succeed, fail, tear };
 
-// Counts one operation, and sets errno if this one is to fail.
+// Counts an operation, and sets errno if the operation is to fail. `can_tear` is 1 for writes, which may be torn.
 static enum what next_operation(int can_tear) {
   long const number = ++operations, at = atol(setting("ISOLAW_FAULT_AT"));
   const char* mode = setting("ISOLAW_FAULT_MODE");
@@ -80,7 +81,7 @@ __attribute__((destructor)) static void report_count(void) {
   fclose(file);
 }
 
-// On a full disk files can still be removed or truncated.
+// For operations that also work on a full disk, such as removing or truncating a file.
 static int frees_space_fails(void) {
   return next_operation(0) == fail && errno != ENOSPC;
 }
@@ -143,7 +144,7 @@ static int opening_fails(const char* path, int flags) {
   int const changes = (flags & O_ACCMODE) != O_RDONLY || (flags & (O_CREAT | O_TRUNC)) != 0;
   if (!changes || !watched_path(path)) return 0;
   int const makes = (flags & O_CREAT) != 0 && access(path, F_OK) != 0;
-  // On a full disk existing files can still be opened.
+  // On a full disk a new file cannot be created, but an existing one can be opened.
   return makes ? next_operation(0) == fail : frees_space_fails();
 }
 static int mode_of(int flags, va_list arguments) { return (flags & O_CREAT) ? va_arg(arguments, int) : 0; }
