@@ -1,5 +1,5 @@
-// Channels and units from the names that laboratories write and from the user's options. What cannot be known is asked
-// for, not guessed.
+// Channels and units, recognised in the names that laboratories write or given by options. If a channel or unit cannot
+// be known, isolaw asks for it and does not guess.
 #include "data_fixture.hpp"
 #include "isolaw/data/column_names.hpp"
 #include "isolaw/data/columns.hpp"
@@ -32,7 +32,7 @@ TEST(ColumnNames, AreTakenApart) {
 }
 
 struct NamedCase {
-  std::string header;  // four columns: time, displacement, force, load
+  std::string header;  // with columns for time, displacement, force and vertical load
 };
 
 class Languages : public Files, public ::testing::WithParamInterface<NamedCase> {};
@@ -94,9 +94,10 @@ constexpr std::string_view three_forces =
 TEST_F(ColumnsTest, ByNumberAndByName) {
   EXPECT_EQ(read(three_forces, with("force=3")).force_kN, (std::vector<double>{2, 3, 1}));
   EXPECT_EQ(read(three_forces, with("force=Force 1 [kN]")).force_kN, (std::vector<double>{2, 3, 1}));
-  EXPECT_EQ(read(three_forces, with("force=FORCE 1")).force_kN, (std::vector<double>{2, 3, 1}));  // without its unit
+  // The name without its unit.
+  EXPECT_EQ(read(three_forces, with("force=FORCE 1")).force_kN, (std::vector<double>{2, 3, 1}));
   EXPECT_EQ(read(three_forces, with("force=Force 2 [N]")).force_kN, (std::vector<double>{0.003, 0.004, 0.002}));
-  // the exact name comes before the one without unit
+  // A column with exactly this name comes before one whose name equals it without the unit.
   EXPECT_EQ(read(three_forces, with("force=force 2", "force=kN")).force_kN, (std::vector<double>{4, 5, 6}));
 }
 
@@ -198,8 +199,8 @@ TEST_F(ColumnsTest, NameThatIsNotUnique) {
       "FILE:1: 2 columns are named 'Force'; allowed: a unique column; try: --columns force=2 or --columns force=3");
 }
 
-// A channel named after the machine's axis is used only if the file says which machine wrote it and no other channel
-// could be meant.
+// A channel named after an axis of the machine is used only if the file says which machine wrote it and no other
+// channel could be meant.
 TEST_F(ColumnsTest, OfAMachineMayBeNamedAfterItsAxis) {
   std::string const mts = "MTS793|MPT|ENU|1|2|.|/|:|1|0|0|A\n\n";
   std::string const rows = "\n0\t1\t2\t5\n1\t2\t3\t6\n2\t3\t1\t7\n";
