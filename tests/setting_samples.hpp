@@ -1,4 +1,4 @@
-// Values for tests that iterate over the table of settings: a new setting is tested by its row.
+// Sample values for tests that run for each row of the table of settings. A new row is tested without further code.
 #pragma once
 
 #include <fstream>

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Code that is compiled for one instruction set must run only on processors that have the set; other processors would
-# stop.
+# Code that is compiled for an instruction set must run only on processors that have this set. Other processors would
+# stop with an illegal instruction.
 #
 #   instructions.sh symbols NM SET=OBJECT... -- OBJECT...   checks that every symbol that SET=OBJECT offers to the
 #                                                           linker has the set in its name, and that no other object

@@ -36,7 +36,7 @@ constexpr double absurd = 1e6;  // objectives above this are not compared: the f
 constexpr std::array boxes{fit::BoxKind::published, fit::BoxKind::scaled};
 constexpr std::array integrations{laws::Integration::converged, laws::Integration::paper};
 
-// A file of doubles in a fixed order, so that both builds see the same bits.
+// Stores doubles in a file in a fixed order, so that both builds compute with the same bits.
 class File {
  public:
   File(char const* path, bool writing) : writing_(writing), file_(std::fopen(path, writing ? "wb" : "rb")) {

@@ -104,8 +104,8 @@ inline void analyse(LawResult& law) {
   law.population = population(law);
 }
 
-// Every law but the second is on the front of converged results. Only the first law is on the front of errors on devices
-// that were left out of the fit. The prediction of the second law is unusable.
+// Every law but the second is on the front of converged results. Only the first law is on the front of errors on
+// devices that were left out of the fit. The prediction of the second law is unusable.
 inline Summary analysed(Summary summary) {
   for (std::size_t j = 0; j < summary.laws.size(); ++j) {
     auto& law = summary.laws[j];

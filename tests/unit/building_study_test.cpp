@@ -1,4 +1,4 @@
-// The building file, the draws, the runs, and the answers made from them.
+// A study of a building: the file that describes it, the draws of its bearings, the runs, and the answers made from them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -195,8 +195,8 @@ TEST(BuildingStudy, under_motions_along_x_a_law_is_itself) {
     ASSERT_LT(std::abs(run.history.base[i][1]), 1e-6);
   }
   EXPECT_GT(run.of(Measure::isolator), 10.0);
-  // `online` starts at zero displacement and the bearing's law just after the bearing has left its rest, so their forces
-  // differ slightly.
+  // `online` starts at zero displacement and the bearing's law just after the bearing has left its rest, so their
+  // forces differ slightly.
   EXPECT_LT(off, 1e-3 * most);
   auto const csv = history_csv(run, study.file.motions[0]);
   EXPECT_EQ(
@@ -506,7 +506,8 @@ TEST_F(BuildingRuns, of_springs_are_told_one_by_one_and_can_be_interrupted) {
   EXPECT_EQ(form(answers.laws[0]), "springs");
 }
 
-// Reference values of the Clopper-Pearson interval: form from Brown, Cai and DasGupta 2001, digits from R's binom.test.
+// Reference values of the Clopper-Pearson interval. The formula is from Brown, Cai and DasGupta 2001 and the digits are
+// from R's binom.test.
 TEST(BuildingAnswers, binomial_interval) {
   auto const interval = binomial_interval(95, 100);
   EXPECT_NEAR(interval[0], 0.8871651, 1e-6);

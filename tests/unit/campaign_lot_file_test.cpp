@@ -162,7 +162,7 @@ TEST_F(LotFileTest, ThinningIsANumberOrAll) {
             parse_laws("abe,vaiana"));
 }
 
-// Mistakes -----------------------------------------------------------------------------------------------------
+// --- mistakes in a lot file ---
 
 TEST_F(LotFileTest, SyntaxErrorsHaveTheirLine) {
   expect_parts(complaints("title = \"lot\"\n[[device]]\nname = A\n"), {"lot.toml:3", "TOML"});
@@ -249,7 +249,7 @@ TEST_F(LotFileTest, DevicesThatAreNoneHaveTheirLine) {
   expect_parts(complaints("[[device]]\nfiles = []\n"), {"lot.toml:1", "without a file"});
 }
 
-// Files of others -----------------------------------------------------------------------------------------------
+// --- lot files that may do harm ---
 
 TEST_F(LotFileTest, FilesOutsideTheFolderHaveTheirLine) {
   std::string const rest = "files in the folder of the lot file or below it";
@@ -414,7 +414,7 @@ TEST_F(LotFileTest, EveryProblemIsSaidAtOnce) {
   EXPECT_EQ(std::ranges::count(said, '\n'), 5) << said;
 }
 
-// Writing ------------------------------------------------------------------------------------------------------
+// --- lot files that isolaw writes ---
 
 void expect_same(DeviceInput const& a, DeviceInput const& b) {
   EXPECT_EQ(a.name, b.name);

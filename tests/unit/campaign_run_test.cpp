@@ -80,7 +80,7 @@ bool sorted(std::vector<Run> const& runs) {
   return std::ranges::is_sorted(runs, {}, [](Run const& r) { return std::tie(r.device, r.law, r.number); });
 }
 
-// Preparing ----------------------------------------------------------------------------------------------------
+// --- preparing a campaign ---
 
 TEST_F(CampaignTest, PrepareMakesASearchForEveryDeviceAndLaw) {
   auto const contents = prepare(lot());
@@ -194,7 +194,7 @@ TEST_F(CampaignTest, SeveralFilesOfADeviceAreOneHistory) {
   }
 }
 
-// Running ------------------------------------------------------------------------------------------------------
+// --- running a campaign ---
 
 // With the method `best`, threads and interruptions must not change any run, and all runs of a search must end within
 // 0.1 % of its least objective.
@@ -351,7 +351,7 @@ TEST_F(CampaignTest, ProgressCountsEveryRunAndKnowsTheBest) {
   EXPECT_EQ(last.best, best);
 }
 
-// Interrupting -------------------------------------------------------------------------------------------------
+// --- interrupting a campaign ---
 
 TEST_F(CampaignTest, InterruptedAfterAnyRunAndResumedIsAsIfNeverInterrupted) {
   auto const expected = done(lot(), 1, "whole.sqlite");
@@ -418,7 +418,7 @@ TEST_F(CampaignTest, ACompleteCampaignRunsNothingAgain) {
   expect_same(Store::read(file()), expected);
 }
 
-// Finer steps ----------------------------------------------------------------------------------------------------
+// --- integration in finer steps ---
 
 // With a dozen samples per cycle, one step of hwang-wu is far too long in a corner of the box. A search that does not
 // refine its steps ends there at an objective that only the step error makes so low.
@@ -457,7 +457,7 @@ TEST_F(CampaignTest, AnOptimumThatLivesFromTheStepIsFittedAgainInFinerOnes) {
   for (auto const& r : done(coarse, 1, "paper.sqlite").runs) EXPECT_EQ(r.refinement, 1) << r.law;
 }
 
-// Nothing to search, nothing to find ---------------------------------------------------------------------------
+// --- searches without free parameters or without a finite force ---
 
 TEST_F(CampaignTest, AllParametersFixedIsEvaluatedAsTheyAre) {
   auto fixed = lot("bilinear,abe-y0");

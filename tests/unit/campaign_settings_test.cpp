@@ -72,7 +72,7 @@ bool holds(std::string const& text, std::string const& part) {
   return text.find(part) != std::string::npos;
 }
 
-// --- every setting -------------------------------------------------------------------------------------------
+// --- tests of each row of the table of settings ---
 
 TEST(EverySetting, HasADefaultThatItMayHaveAndHelpWhereItIsAnOption) {
   for (auto const& setting : setting_table()) {

@@ -16,7 +16,7 @@ namespace {
 using std::numbers::pi;
 using Values = std::vector<double>;
 
-// --- moving average -------------------------------------------------------------------------------------------------
+// --- moving average ---
 
 TEST(MovingAverage, ShrinksAtTheEnds) {
   EXPECT_EQ(moving_average({1, 2, 6, 4, 10}, 3), (Values{1, 3, 4, 20.0 / 3.0, 10}));
@@ -53,7 +53,7 @@ TEST(MovingAverage, IsAsExactAsADirectSumFarAlongARecord) {
   }
 }
 
-// --- velocity -------------------------------------------------------------------------------------------------------
+// --- velocity ---
 
 TEST(CentralDifference, IsExactForQuadraticsOnUnevenTime) {
   Values const time{0.0, 0.1, 0.25, 0.3, 0.7, 0.75, 1.5};

@@ -10,7 +10,7 @@ namespace {
 
 using ColumnsTest = Files;
 
-// --- names ----------------------------------------------------------------------------------------------------------
+// --- names of columns ---
 
 TEST(ColumnNames, AreTakenApart) {
   auto const parts = [](std::string_view text) {
@@ -86,7 +86,7 @@ TEST_F(ColumnsTest, ACounterIsNoTime) {
   }
 }
 
-// --- the user's word ------------------------------------------------------------------------------------------------
+// --- columns and units given by options ---
 
 constexpr std::string_view three_forces =
     "Time [s];Disp [mm];Force 1 [kN];Force 2 [N];force 2\n0;1;2;3;4\n1;2;3;4;5\n2;3;1;2;6\n";
@@ -126,7 +126,7 @@ TEST_F(ColumnsTest, UnitsOfEveryKind) {
   EXPECT_DOUBLE_EQ(record.force_kN[1], 13.3446648457815);
 }
 
-// --- refused, with the option to type -------------------------------------------------------------------------------
+// --- refusals, whose message names the option to type ---
 
 TEST_F(ColumnsTest, SeveralForcesAreAskedFor) {
   EXPECT_EQ(
@@ -222,7 +222,7 @@ TEST_F(ColumnsTest, TwoVerticalLoadsAreAWarning) {
   EXPECT_TRUE(says(record.warnings, "none is read; choose one with --columns load=3 or --columns load=4"));
 }
 
-// --- options --------------------------------------------------------------------------------------------------------
+// --- options that are wrong themselves ---
 
 TEST(ColumnOptions, AreParsed) {
   EXPECT_EQ(parse_columns("time=1, disp=Displacement [mm],FORCE=3"),

@@ -493,7 +493,7 @@ TEST_P(Draw, ThePhysicsSurviveRescalingShiftResamplingAndReversal) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Draw, ::testing::Range(1u, 61u));
 
-// --- garbage -----------------------------------------------------------------------------------------------------
+// --- meaningless displacements ---
 
 TEST(Segment, GarbageOfAnyShapeIsCutWithinTheRecord) {
   std::mt19937_64 generator(5);

@@ -213,7 +213,7 @@ TEST_F(Parts, DigitsAreGroupedAsTheUserSays) {
   EXPECT_EQ(read_with("1;1,234\n2;2,345\n3;3,456\n", ','), (std::vector{1.234, 2.345, 3.456}));
 }
 
-// --- two files ------------------------------------------------------------------------------------------------------
+// --- the channels in two files ---
 
 class TwoFiles : public Files {
  protected:

@@ -8,7 +8,7 @@ namespace {
 using Read = Files;
 using Values = std::vector<double>;
 
-// --- every dialect gives the same record ----------------------------------------------------------------------------
+// --- every dialect gives the same record ---
 
 struct Style {
   std::string delimiter;
@@ -202,7 +202,7 @@ TEST_F(Read, ByteOrderMarkIsNoPartOfTheFirstName) {
   EXPECT_EQ(record.layout.columns.at(Channel::disp), "Disp [mm]");
 }
 
-// --- time and record ------------------------------------------------------------------------------------------------
+// --- the time channel and the contents of a record ---
 
 TEST_F(Read, WithoutTimeSaysWhatIsMissing) {
   auto const record = read("Disp [mm];Force [kN]\n1;2\n2;3\n3;1\n");
@@ -258,7 +258,7 @@ TEST_F(Read, LayoutReadsTheFileTheSameWay) {
   EXPECT_EQ(again.load_kN, record.load_kN);
 }
 
-// --- warnings -------------------------------------------------------------------------------------------------------
+// --- warnings about a record ---
 
 TEST_F(Read, NoWarningsForACleanRecord) {
   auto const record = read("Time [s];Disp [mm];Force [kN]\n" + rows({}, ";"));

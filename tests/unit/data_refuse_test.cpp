@@ -18,7 +18,7 @@ std::string thrown_for(std::filesystem::path const& file) {
   return refusal_of([&] { read_record(file); });
 }
 
-// --- not text -------------------------------------------------------------------------------------------------------
+// --- files that are not text ---
 
 TEST_F(Refuse, WhatIsNoFile) {
   EXPECT_EQ(thrown_for("nowhere/D07.csv"),
@@ -102,7 +102,7 @@ TEST_F(Refuse, FewerThanThreeSamples) {
   EXPECT_EQ(refusal(header_row + "0;1;2\n1;2;3\n"), "FILE: 2 samples; allowed: 3 or more");
 }
 
-// --- commas ---------------------------------------------------------------------------------------------------------
+// --- commas and thousands ---
 
 TEST_F(Refuse, DecimalCommasBetweenCommas) {
   EXPECT_EQ(
@@ -147,7 +147,7 @@ TEST_F(Refuse, NumbersBelowTimeAreNoDaysOfASpreadsheet) {
   }
 }
 
-// --- rows -----------------------------------------------------------------------------------------------------------
+// --- errors in rows ---
 
 TEST_F(Refuse, CellsThatAreNoNumbersAllAtOnce) {
   EXPECT_EQ(
@@ -199,7 +199,7 @@ TEST_F(Refuse, ProblemsOfColumnsAndRowsTogether) {
       "FILE:3: 'x' in column 2 'Disp' is not a number; allowed: a number with a decimal point; try: export the record again");
 }
 
-// --- values ---------------------------------------------------------------------------------------------------------
+// --- impossible values of a channel ---
 
 TEST_F(Refuse, TimeThatDoesNotIncrease) {
   EXPECT_EQ(
@@ -273,7 +273,7 @@ TEST_F(Refuse, LegitimateValuesAreNoOverloads) {
   EXPECT_EQ(refusal(held), "");
 }
 
-// --- physics --------------------------------------------------------------------------------------------------------
+// --- loops that no device can have ---
 
 std::string const positive =
     "; allowed: a device that dissipates energy and resists displacement: both positive; try: ";

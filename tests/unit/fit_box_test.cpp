@@ -123,7 +123,7 @@ TEST(AtBound, AFixedParameterIsNowhere) {
   EXPECT_EQ(at_bound(p, 1.0), AtBound::no);
 }
 
-// --set --------------------------------------------------------------------------------------------------------
+// --- the option --set ---
 
 TEST(ParseOverride, EveryForm) {
   auto const fixed = parse_override("bilinear.K1=1.5");
@@ -236,7 +236,7 @@ TEST(LimitsText, SaysBothEnds) {
   EXPECT_EQ(limits_text({2.0, infinite}, "mm"), "2 mm or more");
 }
 
-// Limits on several parameters together ------------------------------------------------------------------------
+// --- limits on several parameters together ---
 
 std::string joint_refusal(std::string_view law, std::vector<char const*> const& texts,
                           std::optional<laws::RecordScales> const& record = {}) {
@@ -298,7 +298,7 @@ TEST(ParseOverride, RefusesATieToItselfToAnotherUnitAndToWhatTheLawHasNot) {
   expect_parts("vaiana.Kb-=K1", {"'K1'", "parameter of the law"});
 }
 
-// Boxes --------------------------------------------------------------------------------------------------------
+// --- boxes of the laws ---
 
 struct Published {
   std::string parameter;
@@ -596,7 +596,7 @@ TEST(Box, ATieOutlivesLogarithmicScales) {
   EXPECT_EQ(values[law.index_of("f0-")], values[law.index_of("f0+")]);
 }
 
-// Scales -------------------------------------------------------------------------------------------------------
+// --- scales of a record ---
 
 // Three cycles of ±100 mm of a bilinear device from rest: K1 = 2.5 and K2 = 0.5 kN/mm, xy = 20 mm. Then Qd = (K1 - K2)
 // xy = 40 kN, the peak force is K2 100 + Qd = 90 kN and the effective stiffness is 0.9 kN/mm.

@@ -143,7 +143,7 @@ double longest_step(std::span<double const> x) {
   return longest;
 }
 
-// Equal to the last bit.
+// Whether all values are equal to the last bit.
 ::testing::AssertionResult same(std::span<double const> a, std::span<double const> b) {
   if (a.size() != b.size()) return ::testing::AssertionFailure() << a.size() << " values against " << b.size();
   for (std::size_t i = 0; i < a.size(); ++i)
