@@ -55,7 +55,7 @@ std::map<std::string, double> expected() {
   std::map<std::string, double> values;
   std::ifstream file(ISOLAW_EXPECTED);
   std::string line;
-  std::getline(file, line);  // the header
+  std::getline(file, line);  // skips the header line
   while (std::getline(file, line)) {
     auto const comma = line.rfind(',');
     values[line.substr(0, comma)] = std::strtod(line.c_str() + comma + 1, nullptr);

@@ -58,11 +58,12 @@ class File {
 };
 
 struct Difference {
-  double objective = 0.0;  // relative
-  double force = 0.0;      // as a share of the peak force
+  double objective = 0.0;  // largest relative difference of the objective
+  double force = 0.0;      // largest difference of the force, as a share of the peak force
   int compared = 0, flagged = 0;
   int flagged_once = 0;  // candidates without a finite objective in only one of the two builds
-  double lanes = 0.0;    // between this build's batches and its evaluation one by one, relative
+  // Largest relative difference between evaluating candidates in batches and one by one, both in this build.
+  double lanes = 0.0;
 
   void add(double here, double there, Values const& force_here, Values const& force_there) {
     ++compared;

@@ -193,7 +193,7 @@ TEST(BestKnown, IsLoweredAndNeverRaised) {
   auto elsewhere = entry("b", 0.9);
   elsewhere.record = "another record";
   EXPECT_EQ(lower(entries, elsewhere), Change::added);
-  // Another box, so another problem, under the same name.
+  // With another box, a search of the same name is another problem.
   EXPECT_EQ(lower(entries, entry("c", 0.6)), Change::redefined);
   ASSERT_EQ(entries.size(), 2U);
   EXPECT_EQ(entries[0].key, entry("c").key);

@@ -1,4 +1,4 @@
-// A study of a building: the file that describes it, the draws of its bearings, the runs, and the answers made from them.
+// A study of a building: the file that describes it, the draws of its bearings, the runs, and the answers.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <stdlib.h>  // mkdtemp
+#include <stdlib.h>  // declares mkdtemp
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +49,7 @@ class Folder : public ::testing::Test {
     text << std::ifstream(file, std::ios::binary).rdbuf();
     return text.str();
   }
-  std::vector<std::string> names() const {  // of everything in the folder
+  std::vector<std::string> names() const {  // the names of all entries of the folder
     std::vector<std::string> found;
     for (auto const& entry : std::filesystem::directory_iterator(folder))
       found.push_back(entry.path().filename().string());

@@ -80,7 +80,7 @@ TEST_F(MergeTest, TheDealIsTheSameOnEveryMachine) {
   std::vector<int> dealt;
   for (std::size_t s = 0; s < contents.searches.size(); ++s)
     for (int number = 1; number <= 3; ++number) dealt.push_back(deal.part_of(s, number));
-  // In turn: device a with bilinear, a with abe, b with bilinear, b with abe.
+  // Parts of the three runs of each search: device a with bilinear, a with abe, b with bilinear, b with abe.
   EXPECT_EQ(dealt, (std::vector{3, 4, 1, 1, 2, 3, 2, 3, 4, 4, 1, 2}));
 }
 
@@ -126,7 +126,8 @@ std::uint64_t counted_by_system(std::string const& file, std::string const& key)
 }
 
 TEST_F(MergeTest, OfAThousandPartsIsLinearInRowsAndFlatInMemory) {
-  constexpr int most = 1000, each = 5;  // number of parts; runs of each search in a part
+  // The number of parts, and the number of runs of each search that a part computes.
+  constexpr int most = 1000, each = 5;
   struct Cost {
     std::uint64_t bytes = 0;
     std::int64_t sqlite_bytes = 0, process_kB = 0;

@@ -247,7 +247,7 @@ TEST_F(CampaignTest, EveryRunIsThereOnceAndIsWhatItSays) {
     EXPECT_EQ(r.evaluations, 50);
     EXPECT_EQ(r.outcome, Outcome::all_generations);
     ASSERT_EQ(r.history.size(), 5u);
-    EXPECT_TRUE(std::ranges::is_sorted(r.history, std::greater{}));  // never rises
+    EXPECT_TRUE(std::ranges::is_sorted(r.history, std::greater{}));
     // The history is computed by vectorised code and the final objective by scalar code, so the last digits differ.
     EXPECT_NEAR(r.history.back(), r.objective, fit::block_tolerance * r.objective);
     for (std::size_t i = 0; i < r.parameters.size(); ++i) {
@@ -261,7 +261,7 @@ TEST_F(CampaignTest, EveryRunIsThereOnceAndIsWhatItSays) {
     }
     objectives.insert(r.objective);
   }
-  EXPECT_EQ(objectives.size(), expected);  // every run has another objective
+  EXPECT_EQ(objectives.size(), expected);  // no two runs give the same objective
 }
 
 TEST_F(CampaignTest, ThreadsChangeNothing) {
@@ -281,7 +281,7 @@ TEST_F(CampaignTest, OrderOfDevicesChangesNothing) {
 
 TEST_F(CampaignTest, OtherLawsDevicesAndRunsChangeNothing) {
   auto const expected = by_name(done(lot()));
-  auto fewer = lot("jankowski,bilinear");  // fewer laws, in another order
+  auto fewer = lot("jankowski,bilinear");  // fewer laws than above and in another order
   fewer.devices.erase(fewer.devices.begin());
   fewer.settings.runs = 2;
   auto const found = by_name(done(fewer, 1, "fewer.sqlite"));

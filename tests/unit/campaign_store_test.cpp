@@ -261,7 +261,7 @@ TEST_F(StoreTest, KilledAfterAnyRunKeepsTheRunsBefore) {
     store.add(runs()[i]);
     std::filesystem::remove_all(killed);
     std::filesystem::create_directory(killed);
-    for (auto const* suffix : {"", "-wal"}) {  // not "-shm": SQLite makes this index again
+    for (auto const* suffix : {"", "-wal"}) {  // SQLite makes the index file "-shm" again, so it is not copied
       auto const from = file().string() + suffix;
       if (std::filesystem::exists(from)) std::filesystem::copy(from, killed / fmt::format("campaign.sqlite{}", suffix));
     }
@@ -309,7 +309,7 @@ TEST_F(StoreTest, ARunAddedTwiceIsRefusedWholly) {
   auto changed = runs()[0];
   changed.parameters.back() = 99.0;
   EXPECT_THROW(store.add(changed), Error);
-  store.add(runs()[1]);  // further runs can still be added
+  store.add(runs()[1]);  // the store still accepts runs
   auto expected = runs();
   expected.resize(2);
   expect_same(Store::read(file()).runs, expected);
@@ -348,7 +348,7 @@ TEST_F(StoreTest, ACampaignThatAReaderWouldRefuseIsNotWritten) {
     auto contents = full();
     spoil(contents);
     EXPECT_THROW(Store::create(file(), contents), std::logic_error);
-    EXPECT_EQ(Store::read(file()).runs.size(), runs().size());  // the store that was there before
+    EXPECT_EQ(Store::read(file()).runs.size(), runs().size());  // the earlier store was not replaced
   };
   refused([](auto& c) { c.devices[0].raw.time_s.pop_back(); });
   refused([](auto& c) { c.devices[0].record.scored[0] = 0.5; });

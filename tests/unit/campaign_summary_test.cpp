@@ -141,7 +141,7 @@ TEST(Summary, StatisticsOverRuns) {
   EXPECT_EQ(fits[0].failed_runs, 0);
   ASSERT_EQ(fits[0].histories.size(), 3u);
   EXPECT_EQ(fits[0].histories[1], (std::vector{1.0, 0.1}));
-  EXPECT_EQ(*fits[0].integration_shift, 2e-6);  // of the second run, which has the least objective
+  EXPECT_EQ(*fits[0].integration_shift, 2e-6);  // from the run with the least objective, the second
 }
 
 TEST(Summary, StatisticsOverTheLot) {
@@ -177,7 +177,8 @@ TEST(Summary, AtBoundIsThatOfTheBestRun) {
   summary = build_summary(contents);
   EXPECT_EQ(summary.laws[0].devices[0].parameters[0].at_bound, fit::AtBound::no);
   EXPECT_EQ(summary.laws[0].devices[0].parameters[1].at_bound, fit::AtBound::upper);
-  contents.searches[0].box.parameters[1].upper = 2.0;  // the box of device A alone
+  // Only the box of device A is changed, so K2 of device A is no longer at a bound.
+  contents.searches[0].box.parameters[1].upper = 2.0;
   EXPECT_EQ(build_summary(contents).laws[0].devices[0].parameters[1].at_bound, fit::AtBound::no);
   // A run that is not the best reaches the bound, which does not count.
   contents.runs[0].parameters = {1.0, 0.35, 10.0};
@@ -343,7 +344,7 @@ TEST(Summary, TheFrontIsThatOfSmallBetaAndSmallObjective) {
   EXPECT_EQ(summary.laws[0].id, "vaiana");  // in the order of the settings
   EXPECT_NEAR(*summary.laws[0].beta, 0.4, 1e-12);
   EXPECT_TRUE(summary.laws[0].on_front);
-  EXPECT_FALSE(summary.laws[1].on_front);  // bouc-wen
+  EXPECT_FALSE(summary.laws[1].on_front);  // bouc-wen, which jankowski dominates
   EXPECT_TRUE(summary.laws[2].on_front);
   EXPECT_TRUE(summary.laws[3].on_front);
 }
@@ -374,7 +375,8 @@ TEST(Summary, WarnsOfWhatTheMovingAverageTakes) {
     return all;
   };
   EXPECT_EQ(warnings(1).find("moving average"), std::string::npos);
-  EXPECT_EQ(warnings(3).find("moving average"), std::string::npos);  // 0.033 %, too little for a warning
+  // The average lowers the peak by 0.033 %, too little for a warning.
+  EXPECT_EQ(warnings(3).find("moving average"), std::string::npos);
   for (auto const* part : {"moving average over 31 samples, of 200 in a cycle, removes 3.9 %",
                            "This affects only the laws", "properties are computed from raw values"})
     EXPECT_NE(warnings(31).find(part), std::string::npos) << warnings(31);

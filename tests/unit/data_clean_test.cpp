@@ -49,7 +49,8 @@ TEST(MovingAverage, IsAsExactAsADirectSumFarAlongARecord) {
   for (std::size_t i = 199000; i < 199990; ++i) {
     double sum = 0.0;
     for (std::size_t k = i - 5; k <= i + 5; ++k) sum += values[k] - 1e6;
-    EXPECT_NEAR(averages[i] - 1e6, sum / 11.0, 5e-10);  // near 1e6 the spacing of doubles is 1.2e-10
+    // The tolerance is a few times the spacing of doubles near 1e6, 1.2e-10.
+    EXPECT_NEAR(averages[i] - 1e6, sum / 11.0, 5e-10);
   }
 }
 
@@ -175,11 +176,12 @@ TEST(Clean, CentresOnTheReportedCycleOnlyWhenAsked) {
   auto raw = sine(100);
   for (double& x : raw.disp_mm) x += 4.0;
   for (double& F : raw.force_kN) F -= 6.0;
-  raw.force_kN[20] = 500.0;  // in cycle 1; the reported cycle is cycle 3
+  raw.force_kN[20] = 500.0;  // a spike in cycle 1, which must not matter: the reported cycle is cycle 3
   EXPECT_EQ(clean(raw, {}).disp_mm, raw.disp_mm);
   auto const record = clean(raw, {.center = true});
   EXPECT_NEAR(record.disp_mm[0], 0.0, 1e-9);
-  EXPECT_NEAR(record.force_kN[250], raw.force_kN[250] + 6.0, 0.1);  // the peak force lies between two samples
+  // The tolerance allows for a peak between two samples.
+  EXPECT_NEAR(record.force_kN[250], raw.force_kN[250] + 6.0, 0.1);
   EXPECT_TRUE(text_of(record.cleaning.front()).starts_with("centred: 4 mm subtracted from displacement and -6"));
   EXPECT_TRUE(text_of(record.cleaning.front()).ends_with("(max + min) / 2 over cycle 3 of block 1"))
       << text_of(record.cleaning.front());

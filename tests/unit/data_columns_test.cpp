@@ -32,7 +32,7 @@ TEST(ColumnNames, AreTakenApart) {
 }
 
 struct NamedCase {
-  std::string header;  // with columns for time, displacement, force and vertical load
+  std::string header;  // names the columns of time, displacement, force and vertical load
 };
 
 class Languages : public Files, public ::testing::WithParamInterface<NamedCase> {};

@@ -71,7 +71,7 @@ TEST(Segment, HoldsAndSlowStartsAreNoChangeOfFrequency) {
   auto const at_peak = Motion().sine(100.0, 0.5, 2.25).hold(100.0, 5.0).end(100.0);
   EXPECT_EQ(counted_per_block(at_peak.cut()), Counts{2});
   Motion slow;
-  slow.ramp(0.0, 100.0, 6.0);  // a slow start; the cycles begin at the peak
+  slow.ramp(0.0, 100.0, 6.0);  // a slow start; the fast cycles begin at the peak
   for (int i = 0; i <= 750; ++i) slow.add(100.0 * std::cos(pi * 0.01 * i));
   auto const cut = slow.cut();
   EXPECT_EQ(counted_per_block(cut), Counts{3});
@@ -103,7 +103,7 @@ TEST(Segment, NoiseAndTremorCutNothing) {
 }
 
 TEST(Segment, AStumbleOnTheWayIsNoReversal) {
-  Motion motion;  // backlash: about zero the motion falls back by 4 mm before it goes on
+  Motion motion;  // with backlash: about zero the motion falls back by 4 mm before it goes on
   motion.ramp(0, 100, 0.5);
   for (int cycle = 0; cycle < 4; ++cycle) {
     motion.ramp(100, -2, 0.5).ramp(-2, 2, 0.1).ramp(2, -100, 0.5);
@@ -227,7 +227,7 @@ TEST(Segment, ASmallLastingChangeOfFrequencyIsABlock) {
 
 TEST(Segment, RestsAndHoldsAreNoPartOfPeriods) {
   Motion whole = Motion().sine(150.0, 0.5, 4);
-  auto const held = [&](std::size_t at) {  // with a hold of 3 s within the second cycle
+  auto const held = [&](std::size_t at) {  // puts a hold of 3 s into the second cycle
     Motion motion;
     for (std::size_t i = 0; i < at; ++i) motion.add(whole.disp_mm[i]);
     motion.hold(whole.disp_mm[at], 3.0);
@@ -468,7 +468,7 @@ TEST_P(Draw, ThePhysicsSurviveRescalingShiftResamplingAndReversal) {
   EXPECT_NEAR(other.d_plus_mm, -cycle.d_minus_mm, 1e-9);
   EXPECT_NEAR(other.K_plus_kN_per_mm, cycle.K_minus_kN_per_mm, 1e-9);
 
-  auto scaled = motion;  // in cm, tonf and ms, and an hour later
+  auto scaled = motion;  // the same record in cm, tonf and ms, and recorded an hour later
   for (double& x : scaled.disp_mm) x *= 0.1;
   for (double& F : scaled.force_kN) F /= 9.80665;
   for (double& t : scaled.time_s) t = 1000.0 * t + 3.6e6;
@@ -478,7 +478,7 @@ TEST_P(Draw, ThePhysicsSurviveRescalingShiftResamplingAndReversal) {
   EXPECT_NEAR(in_cm.damping_percent, cycle.damping_percent, 1e-9);
   EXPECT_NEAR(in_cm.v_max_mm_s.value(), cycle.v_max_mm_s.value() * 1e-4, 1e-9);
 
-  Motion half;  // every second sample
+  Motion half;
   for (std::size_t i = 0; i < motion.disp_mm.size(); i += 2) {
     half.time_s.push_back(motion.time_s[i]);
     half.disp_mm.push_back(motion.disp_mm[i]);

@@ -63,7 +63,7 @@ TEST(Measured, FullScaleBearingIsRecognisedAndCutIntoItsCycles) {
     EXPECT_EQ(cycle.block, static_cast<int>(i / 7) + 1);
     EXPECT_EQ(cycle.number, static_cast<int>(i % 7) + 1);
     SCOPED_TRACE(fmt::format("cycle {}", i + 1));
-    EXPECT_NEAR(cycle.first, row.start, 0.051);  // the row has one decimal
+    EXPECT_NEAR(cycle.first, row.start, 0.051);  // the reference values are rounded to one decimal
     EXPECT_NEAR(cycle.last, row.end, 0.051);
     EXPECT_NEAR(cycle.amplitude_mm, row.amplitude_mm, 0.003 * row.amplitude_mm);
     EXPECT_NEAR(cycle.K_eff_kN_per_mm, row.K_eff_kN_per_mm, 0.003 * row.K_eff_kN_per_mm);
@@ -255,7 +255,7 @@ TEST_F(FrictionDamper, InInchesAndKips) {
   EXPECT_DOUBLE_EQ(record.disp_mm[0], -0.00011792778968811035 * 25.4);
   EXPECT_DOUBLE_EQ(record.force_kN[0], -0.04164576064795256 * 4.4482216152605);
   auto const properties = cyclic_properties(record);
-  ASSERT_EQ(properties.complete().size(), 7u);  // cycles of 1 inch at 1 Hz, with 1024 samples per second
+  ASSERT_EQ(properties.complete().size(), 7u);  // the test has 7 cycles of 1 inch at 1 Hz, with 1024 samples per second
   ASSERT_EQ(properties.counted().size(), 3u);   // the first two and the last two cycles are ramps
   ASSERT_EQ(properties.blocks.size(), 1u);
   EXPECT_NEAR(*properties.blocks[0].frequency_Hz, 1.0, 0.01);

@@ -242,7 +242,7 @@ TEST_F(TwoFiles, OfAsManyRowsAreJoinedRowByRow) {
       EXPECT_NEAR(record.force_kN[static_cast<std::size_t>(i)], loop.force(i), 1e-6);
     EXPECT_TRUE(says(record.recognised,
                      timed ? "row by row, at the same times (--columns force=" : "row by row (--columns force="));
-    EXPECT_TRUE(says(record.recognised, sha256(channel(false))));  // the hash of each raw file
+    EXPECT_TRUE(says(record.recognised, sha256(channel(false))));  // the record states the hash of each file
     EXPECT_TRUE(says(record.recognised, sha256(channel(true, 0.0, 0, 1, timed))));
   }
   try {
@@ -259,7 +259,7 @@ TEST_F(TwoFiles, OfOtherTimesAreJoinedByTime) {
   EXPECT_DOUBLE_EQ(record.time_s.front(), 1.0);
   for (std::size_t i = 0; i < record.size(); ++i)
     EXPECT_NEAR(record.force_kN[i], loop.force(static_cast<int>(i) + 100),
-                0.0385);  // a straight line over 0.02 s misses a sine of 78 kN by w^2 dt^2 / 8
+                0.0385);  // linear interpolation over 0.02 s misses a sine of 78 kN by w^2 dt^2 / 8
   EXPECT_TRUE(says(record.recognised, "501 of 601 samples lie in the time of both"));
   EXPECT_TRUE(says(record.warnings, "only 501 of 601 samples are used"));
 }

@@ -89,7 +89,7 @@ TEST(Cycles, CutBetweenSamplesAreInterpolated) {
   EXPECT_NEAR(nth(properties, 0).first, 0.5, 1e-12);
   EXPECT_NEAR(nth(properties, 0).last, 10.5, 1e-12);
   EXPECT_NEAR(nth(properties, 1).last, 20.5, 1e-12);
-  EXPECT_NEAR(nth(properties, 0).energy_kN_mm, 0.0, 1e-12);  // an elastic spring
+  EXPECT_NEAR(nth(properties, 0).energy_kN_mm, 0.0, 1e-12);  // the spring is elastic
   EXPECT_NEAR(nth(properties, 0).K_eff_kN_per_mm, 3.0, 1e-12);
 }
 
@@ -337,7 +337,7 @@ TEST(Properties, StabilityComparesWithTheThirdCycle) {
     cycle.K_eff_kN_per_mm = 2.0 * K;
     block.cycles.push_back(cycle);
   }
-  block.cycles.emplace_back().not_counted = "partial";  // a partial cycle, which must not be used
+  block.cycles.emplace_back().not_counted = "partial";  // a partial cycle after the eleven others, which must not count
   auto const found = stability(block, &Cycle::K_eff_kN_per_mm);
   EXPECT_EQ(found.cycles, 11);
   ASSERT_EQ(found.ratio_to_third.size(), 11u);
@@ -345,7 +345,7 @@ TEST(Properties, StabilityComparesWithTheThirdCycle) {
   EXPECT_NEAR(found.first_to_third.value(), 1.5, 1e-12);
   EXPECT_NEAR(found.first_to_mean_1_3.value(), 1.5 / 1.2, 1e-12);
   EXPECT_NEAR(found.last_to_mean_1_3.value(), 0.5 / 1.2, 1e-12);
-  EXPECT_NEAR(found.min_2_10.value(), 0.8, 1e-12);  // the eleventh cycle does not count
+  EXPECT_NEAR(found.min_2_10.value(), 0.8, 1e-12);  // cycle 11 is outside cycles 2 to 10
   EXPECT_NEAR(found.max_2_10.value(), 1.1, 1e-12);
   EXPECT_NEAR(found.max_1_10.value(), 1.5, 1e-12);
   EXPECT_NEAR(found.least_to_largest_2_10.value(), 0.8 / 1.1, 1e-12);

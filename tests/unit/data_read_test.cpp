@@ -69,11 +69,13 @@ INSTANTIATE_TEST_SUITE_P(
                       Trap{"1.5 2.0\n2.5 4.5\n-3.25 1.0\n", read_disp, read_force},
                       Trap{"\"1,5\",\"2,0\"\n\"2,5\",\"4,5\"\n\"-3,25\",\"1,0\"\n", read_disp, read_force},
                       Trap{"\"1,5\";\"2,0\"\n\"2,5\";\"4,5\"\n\"-3,25\";\"1,0\"\n", read_disp, read_force},
-                      Trap{"1,5;2\n2,5;4,5\n-3,25;1\n", read_disp, read_force},  // whole numbers among decimals
+                      // Whole numbers occur among the decimals.
+                      Trap{"1,5;2\n2,5;4,5\n-3,25;1\n", read_disp, read_force},
                       // A delimiter at the end of each row.
                       Trap{"1.5;2;\n2.5;4.5;\n-3.25;1;\n", read_disp, read_force},
                       Trap{"+1.5,2\r\n+25e-1,4.5\r\n-3.25,1E0\r\n", read_disp, read_force},
-                      Trap{"1.234;5\n5.678;6\n9.123;4\n", {1.234, 5.678, 9.123}, {5, 6, 4}},  // decimals, not thousands
+                      // The points are decimal signs and do not group thousands.
+                      Trap{"1.234;5\n5.678;6\n9.123;4\n", {1.234, 5.678, 9.123}, {5, 6, 4}},
                       Trap{"1,234;5\n5,678;6\n9,123;4\n", {1.234, 5.678, 9.123}, {5, 6, 4}}));
 
 TEST_F(Read, AnEmptyColumnBetweenTabsIsAColumn) {

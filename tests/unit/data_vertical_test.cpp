@@ -21,7 +21,7 @@ struct Press {
   double hysteresis_mm = 0.0;  // additional displacement while unloading
   // Displacement by which the device has settled before this loading.
   std::function<double(int)> settled = [](int) { return 0.0; };
-  int samples = 200;  // in a loading and its unloading
+  int samples = 200;  // number of samples of a loading and its unloading together
 };
 
 VerticalTest test_of(Press const& press) {

@@ -179,7 +179,7 @@ TEST_F(Workbook, FaultsAreAtTheirSheetAndRow) {
   auto const rest = "; allowed: a number; try: --rows 1:3, the rows before it";
   EXPECT_EQ(at_row_5(text_cell("1,5")),
             std::string("FILE:Test:5: '1,5' in column A 'Disp [mm]' is text, not a number") + rest);
-  EXPECT_EQ(at_row_5(text_cell("1,234.5")),  // --thousands is an option for text files
+  EXPECT_EQ(at_row_5(text_cell("1,234.5")),  // the option --thousands applies to text files only
             std::string("FILE:Test:5: '1,234.5' in column A 'Disp [mm]' is text, not a number") + rest);
   EXPECT_EQ(at_row_5(cell("#DIV/0!", " t=\"e\"")),
             std::string("FILE:Test:5: 'error #DIV/0!' in column A 'Disp [mm]' is text, not a number") + rest);
@@ -223,7 +223,7 @@ TEST_F(Workbook, DateCellsAreSecondsFromTheFirst) {
   auto const head = text_cell("Disp [mm]") + text_cell("Force [kN]");
   std::string stamps = row(text_cell("Time") + head), parts = row(text_cell("Date") + text_cell("Clock") + head);
   for (int i = 0; i < 4; ++i) {
-    double const seconds = 86398.5 + i;  // across midnight
+    double const seconds = 86398.5 + i;  // the time of day passes midnight
     auto const values = cell(std::to_string(i)) + cell(std::to_string(i % 2));
     stamps += row(cell(fmt::format("{:.12f}", 45414.0 + seconds / 86400.0), " s=\"1\"") + values);
     parts += row(cell(std::to_string(45414 + (seconds >= 86400.0 ? 1 : 0)), " s=\"2\"") +

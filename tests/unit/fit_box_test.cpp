@@ -102,7 +102,7 @@ TEST(AtBound, IsAThousandthOfTheWidthOnTheSearchScale) {
   EXPECT_EQ(at_bound(linear, 29.9801), AtBound::upper);
   EXPECT_EQ(at_bound(linear, 30.0), AtBound::upper);
 
-  double const width = std::log(1e4);  // the box from 1e-3 to 10, on the logarithmic scale
+  double const width = std::log(1e4);  // the width of the box from 1e-3 to 10 on the logarithmic scale
   auto const logarithmic = parameter(1e-3, 10.0, laws::Scale::logarithmic);
   EXPECT_EQ(at_bound(logarithmic, 1e-3 * std::exp(0.99e-3 * width)), AtBound::lower);
   EXPECT_EQ(at_bound(logarithmic, 1e-3 * std::exp(1.01e-3 * width)), AtBound::no);

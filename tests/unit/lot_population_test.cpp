@@ -196,7 +196,7 @@ TEST(Population, InOtherUnitsIsTheSame) {
   auto const a = estimate_population(two, with(values, error)), b = estimate_population(two, changed);
   EXPECT_EQ(a.directions, b.directions);
   EXPECT_NEAR(b.medians[0], a.medians[0] * u0, 1e-9 * u0);
-  EXPECT_NEAR(b.std[0], a.std[0], 1e-9);  // the logarithms scatter equally in all units
+  EXPECT_NEAR(b.std[0], a.std[0], 1e-9);  // a change of units shifts logarithms and does not change their scatter
   EXPECT_NEAR(b.std[1], a.std[1] * u1, 1e-9 * u1);
   EXPECT_NEAR(b.relative_std[1], a.relative_std[1], 1e-9);
   expect_near(b.correlation, a.correlation, 1e-9);
@@ -223,7 +223,7 @@ TEST(Population, OfEqualDevicesHasNoVariance) {
   auto const found = estimate_population(two, with({{1.1, 0.3}, {1.1, 0.3}, {1.1, 0.3}}));
   expect_near(found.covariance, {{0, 0}, {0, 0}}, 0.0);
   EXPECT_EQ(found.directions, 0u);
-  EXPECT_TRUE(found.undetermined.empty());  // constants, with neither scatter nor error
+  EXPECT_TRUE(found.undetermined.empty());  // parameters with neither scatter nor error are constants, not undetermined
   EXPECT_NEAR(sample(found, 1, num::Stream(1)).values[0][1], 0.3, 1e-15);
 }
 
@@ -254,7 +254,8 @@ TEST(Population, RefusesWhatIsNoEstimateAllAtOnce) {
   EXPECT_EQ(complaints(with({{1, 2}}, {{1, 0}})), 1u);
   EXPECT_EQ(complaints(with({{1, 2}}, {{1, 0, 0}, {0, 1, 0}})), 1u);
   EXPECT_EQ(complaints(with({{1, 2}}, {{1, nan}, {0, -1}})), 2u);
-  EXPECT_EQ(complaints(with({{1e-160, 2}, {1, 2}}, {{1, 0}, {0, 1}})), 1u);  // the square of 1e160 is not finite
+  // Relative errors overflow: the square of 1e160 is not finite.
+  EXPECT_EQ(complaints(with({{1e-160, 2}, {1, 2}}, {{1, 0}, {0, 1}})), 1u);
 }
 
 Population correlated() {

@@ -113,7 +113,7 @@ struct Checked {
     double largest = 0.0;
     for (std::size_t i = 0; i < x.size(); ++i) {
       auto const error = static_cast<double>(std::abs(static_cast<long double>(y[i]) - truth[i]) / ulp_of(truth[i]));
-      if (!(error <= largest)) largest = error;  // true for NaN too
+      if (!(error <= largest)) largest = error;  // the comparison is written so that NaN becomes the largest error
     }
     return largest;
   }
@@ -131,7 +131,7 @@ double largest_relative(std::vector<double> const& arguments, F f, Exact exact) 
   for (double const x : arguments) {
     long double const truth = exact(static_cast<long double>(x));
     auto const error = static_cast<double>(std::abs((static_cast<long double>(f(x)) - truth) / truth));
-    if (!(error <= largest)) largest = error;  // true for NaN too
+    if (!(error <= largest)) largest = error;  // the comparison is written so that NaN becomes the largest error
   }
   return largest;
 }

@@ -73,7 +73,7 @@ TEST(ModelNumbers, follow_the_units_of_the_file) {
   auto const first = model_numbers(subject, realisation, unit_systems[0]);
   auto const N_m = model_numbers(subject, realisation, unit_systems[1]);
   EXPECT_NEAR(first.mass, 4.0 * carried_kN / 9806.65, 1e-12);
-  EXPECT_NEAR(N_m.mass, 1e6 * first.mass, 1e-6);                  // kN s2/mm to kg
+  EXPECT_NEAR(N_m.mass, 1e6 * first.mass, 1e-6);                  // the factor from kN s2/mm to kg
   EXPECT_NEAR(N_m.inertia, first.inertia, 1e-9 * first.inertia);  // kN mm is the same unit as N m
   EXPECT_NEAR(N_m.inertia, N_m.mass * 2.1 * 2.1, 1e-6);
   EXPECT_NEAR(N_m.bearings[3].x, 6.0, 1e-12);

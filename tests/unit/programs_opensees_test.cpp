@@ -11,7 +11,8 @@ namespace {
 struct Exported {
   std::string name, law;
   std::vector<double> parameters;
-  double acceleration_mm_s2 = 450.0;  // of the ground; the mass then moves about as far as in the tests
+  // Peak acceleration of the ground, which moves the mass about as far as the tests did.
+  double acceleration_mm_s2 = 450.0;
 };
 std::vector<Exported> const exported{{"corner", "bilinear", bilinear_parameters, 900.0},
                                      {"branches", "menegotto-pinto", menegotto_pinto_parameters, 300.0},

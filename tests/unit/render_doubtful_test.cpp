@@ -84,7 +84,7 @@ TEST(Doubtful, CopiesOfARecordAreNamed) {
   EXPECT_EQ(copies->devices, (std::vector<std::string>{"A", "B"}));
   EXPECT_EQ(wording::sentence(*copies),
             "A and B hold the same record, which counts 2 times in every mean and spread over the devices.");
-  // The warnings of each device contain the finding about copies as well.
+  // The warnings of a device are its own findings and the finding that A and B are copies.
   summary.devices[1].raw.warnings.push_back(stated("a column is constant"));
   auto const of_devices = device_warnings(summary);
   ASSERT_EQ(of_devices.size(), 2u);

@@ -183,7 +183,7 @@ TEST(Figures, FrontHoldsEveryLawAndTheFrontInOrder) {
   }
   Row front;
   for (auto const& row : data[1]) front.push_back(row[0]);
-  EXPECT_EQ(front, (Row{"bilinear", "vaiana", "abe", "jankowski"}));  // by rising beta
+  EXPECT_EQ(front, (Row{"bilinear", "vaiana", "abe", "jankowski"}));  // the laws on the front, by rising beta
   Row published, its_front;
   for (auto const& row : data[2]) {
     published.push_back(row[0]);
@@ -526,7 +526,8 @@ TEST_F(Drawn, AScriptByHandGivesTheFigureAgain) {
   fs::remove(figure("objective.pdf"));
   EXPECT_EQ(run_gnuplot({"objective.gp"}, dir_ / "figures", std::chrono::seconds(60)).reason, "");
   EXPECT_EQ(without_spaces(text_of_svg(content(figure("objective.svg")))),
-            before);  // text is compared, as the bytes also depend on earlier drawings
+            // The text is compared, as the bytes also depend on earlier drawings.
+            before);
   EXPECT_TRUE(content(figure("objective.pdf")).starts_with("%PDF"));
 }
 
@@ -570,7 +571,7 @@ TEST_F(Drawn, NoDrawingOutlivesItsData) {
   auto const outcome = write_figures(summary, FigureChoice::lot, dir_);
   EXPECT_FALSE(fs::exists(figure("front.svg")));
   EXPECT_FALSE(fs::exists(figure("front.pdf")));
-  EXPECT_TRUE(fs::exists(figure("properties.svg")));  // its data did not change
+  EXPECT_TRUE(fs::exists(figure("properties.svg")));  // the data of this drawing did not change, so the drawing stays
   EXPECT_EQ(outcome.drawn, 1u);
 }
 

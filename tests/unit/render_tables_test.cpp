@@ -58,7 +58,7 @@ TEST(CsvCell, FormulasAreDisarmedAndNumbersAreNot) {
   EXPECT_EQ(csv_cell("-1.5e3"), "-1.5e3");
   EXPECT_EQ(csv_cell("+2"), "+2");
   EXPECT_EQ(csv_cell("D 1"), "D 1");
-  EXPECT_EQ(csv_cell("-"), "-");  // the unit of a number without dimension
+  EXPECT_EQ(csv_cell("-"), "-");  // the cell is the unit of a dimensionless number, so it stays as it is
 }
 
 TEST(CsvCell, QuotesWhatNeedsThem) {
@@ -156,7 +156,7 @@ TEST(Tables, PropertiesWithARefusedDevice) {
   EXPECT_EQ(rows[3][column("cycle")], "3");
   EXPECT_EQ(rows[3][column("counts")], "yes");
   EXPECT_EQ(rows[3][column("reported")], "yes");
-  EXPECT_EQ(rows[3][column("strain [%]")], "100");  // 208 mm on 208 mm of rubber
+  EXPECT_EQ(rows[3][column("strain [%]")], "100");  // the amplitude of 208 mm equals the rubber thickness
   EXPECT_EQ(rows[3][column("G [MPa]")], "");        // the rubber area is not given
   EXPECT_EQ(rows[10][0], fixture::nasty_name);
   EXPECT_EQ(rows[10][2], "");

@@ -181,7 +181,7 @@ TEST(Verdicts, NeedPositiveNumbers) {
   auto tested = block();
   tested.cycles[2].K_eff_kN_per_mm = std::nan("");
   EXPECT_EQ(find(assess(rules_of(within_20), tested, design()), "K_eff").verdict, Verdict::not_assessed);
-  tested.cycles[2].F_minus_kN = 5;  // The force at -100 mm is positive, so F/d is negative.
+  tested.cycles[2].F_minus_kN = 5;  // the force at -100 mm is positive, so F/d is negative
   auto const line = find(assess(find_rule_set("ntc-2018"), tested, design()), "K_eff, negative side");
   EXPECT_EQ(line.verdict, Verdict::not_assessed);
   expect_parts(line.reason, {"F-/d-, cycle 3 is -0.05"});

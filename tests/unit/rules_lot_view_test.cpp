@@ -88,7 +88,7 @@ TEST(LotView, DescribesTheSpread) {
 
 TEST(LotView, TakesTheMeanOfBothSides) {
   auto devices = lot_of({1.0, 1.0});
-  devices[0].block.cycles[2].F_plus_kN = 130;  // The sides have 1.3 and 1.2 kN/mm, whose mean is 1.25.
+  devices[0].block.cycles[2].F_plus_kN = 130;  // the sides have 1.3 and 1.2 kN/mm, whose mean is 1.25
   auto const lot = lot_view(find_rule_set("ntc-2018"), devices, {}, 2);
   EXPECT_NEAR(*of(lot, Quantity::K_eff).max, 1.25, 1e-12);
   EXPECT_EQ(of(lot, Quantity::K_eff).max_device, "D1");
@@ -243,7 +243,7 @@ TEST(Outliers, AreNotNamedAmongNearlyIdenticalDevices) {
   std::vector<std::string> const names{"A", "B", "C", "D", "E"};
   auto const count = [&](std::vector<double> const& values) { return find_outliers("K", "", names, values).size(); };
   EXPECT_EQ(count({1, 1, 1, 1, 1}), 0u);
-  EXPECT_EQ(count({1, 1, 1, 1, 1.0174}), 0u);  // 3.5 x 0.5 % = 1.75 %
+  EXPECT_EQ(count({1, 1, 1, 1, 1.0174}), 0u);  // 1.74 % is below the threshold, 3.5 x 0.5 % = 1.75 %
   EXPECT_EQ(count({1, 1, 1, 1, 1.0176}), 1u);
   EXPECT_EQ(count({1, 1, 1, 1, 0.9}), 1u);
   EXPECT_EQ(count({0, 0, 0, 0, 0}), 0u);
@@ -264,7 +264,7 @@ TEST(TestFactors, EncloseEveryCountedCycle) {
   auto const lot = lot_view({}, std::vector<DeviceValues>{{"A", tested}, {"B", block(1.0, 7)}}, {});
   auto const& view = of(lot, Quantity::Q_d);
   EXPECT_EQ(view.test_max_device, "A");
-  EXPECT_GT(bound(view, "observed").upper, 57.98);  // Q_d of the reported cycle, the third
+  EXPECT_GT(bound(view, "observed").upper, 57.98);  // the reported cycle, the third, has 57.98 kN
   EXPECT_FALSE(test_factors(Quantity::Q_d, [&] {
     tested.cycles[4].Q_d_kN = 0.0;
     return tested;
@@ -341,7 +341,7 @@ TEST(Spread, ThePredictionOfTheSystemHolds95PercentOfLots) {
     double const mean = tested_sum / 6, s = std::sqrt((squares - 6 * mean * mean) / 5);
     held += std::abs(sum / 28 - mean) <= mean * prediction_half_width_percent(100 * s / mean, 28, 6) / 100;
   }
-  EXPECT_NEAR(held / static_cast<double>(lots), 0.95, 0.005);  // three standard errors
+  EXPECT_NEAR(held / static_cast<double>(lots), 0.95, 0.005);  // the tolerance is three standard errors
 }
 
 TEST(Bounds, AreLabelledBySource) {

@@ -31,7 +31,7 @@ TEST(Prediction, IsGradedByTheMeanOnThePredictedBlocks) {
 
 TEST(Prediction, CollapsesWhereABlockIsLostOrFarBeyondTheFit) {
   using enum PredictionGrade;
-  EXPECT_EQ(graded(0.02, 0.08, 1.01), unusable);  // on one block worse than a constant force
+  EXPECT_EQ(graded(0.02, 0.08, 1.01), unusable);  // on one block the prediction is worse than a constant force
   EXPECT_EQ(graded(0.02, 0.20, 0.25), fair);      // ten times the error of the fit is still allowed
   EXPECT_EQ(graded(0.019, 0.20, 0.25), unusable);
   // This error is many times that of the fit, but too small to be called poor.

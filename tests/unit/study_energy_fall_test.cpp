@@ -51,10 +51,12 @@ TEST(EnergyFall, IsThatFromTheThirdCycleToTheLast) {
 TEST(EnergyFall, IsNoneWhereADeviceKeepsItsEnergyOrLosesItAtOnce) {
   auto const none = [](data::FitRecord const& record) { return !fall_of(record, record.force_kN); };
   EXPECT_TRUE(none(ellipses(25, [](int) { return 1.0; })));
-  EXPECT_TRUE(none(ellipses(25, [](int k) { return k < 2 ? 1.4 : 1.0; })));         // scragging in the first two cycles
-  EXPECT_TRUE(none(ellipses(25, [](int k) { return 1.0 + 0.5 * std::exp(-k); })));  // scragging that fades
-  EXPECT_TRUE(none(ellipses(25, [](int k) { return k < 24 ? 1.0 : 0.8; })));        // only the last cycle differs
-  EXPECT_TRUE(none(ellipses(5, worn)));                                             // too few cycles
+  // Energy falls after the first two cycles only (scragging).
+  EXPECT_TRUE(none(ellipses(25, [](int k) { return k < 2 ? 1.4 : 1.0; })));
+  // Energy falls in the first cycles only (scragging).
+  EXPECT_TRUE(none(ellipses(25, [](int k) { return 1.0 + 0.5 * std::exp(-k); })));
+  EXPECT_TRUE(none(ellipses(25, [](int k) { return k < 24 ? 1.0 : 0.8; })));  // only the last cycle differs
+  EXPECT_TRUE(none(ellipses(5, worn)));                                       // the record has too few cycles
 }
 
 }  // namespace

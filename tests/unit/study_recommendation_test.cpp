@@ -104,7 +104,7 @@ TEST(Recommendation, OfLawsWithinTheScatterOfTheDevicesIsATie) {
                                    {"b", {0.045, 0.035, 0.043}, {0.055, 0.045, 0.054}, {}, 4}});
   auto const recommendation = of(summary, Purpose::untested_device);
   EXPECT_EQ(recommendation.sure, Sure::tie) << recommendation.why;
-  EXPECT_EQ(law_of(summary, recommendation), "b");  // it has fewer parameters
+  EXPECT_EQ(law_of(summary, recommendation), "b");  // law b has fewer parameters
   EXPECT_EQ(recommendation.ties, std::vector<std::size_t>{0});
   EXPECT_TRUE(contains(recommendation.why, "a differs from it by less than the scatter over the devices"))
       << recommendation.why;

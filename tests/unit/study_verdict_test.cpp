@@ -247,7 +247,7 @@ TEST(OverallVerdict, OfACopyTheFirstDeviceFails) {
   auto& copy = summary.devices[1].acceptance;
   copy.copy_of = "D01";
   rules::withhold_verdicts(copy.assessments, copy.copy_of);
-  EXPECT_EQ(copy.assessments[1].verdict, Verdict::pass);  // the copy has a compression test of its own
+  EXPECT_EQ(copy.assessments[1].verdict, Verdict::pass);  // device D02 has a compression test of its own
   EXPECT_EQ(overall_verdict(summary).failing.size(), 1u);
   EXPECT_EQ(text_of(verdict_against(summary, "D02")), "D01 fails NTC 2018: K_eff +23.0 %");
 }
