@@ -100,7 +100,7 @@ inline bool same(double a, double b) {
   return a == b || (std::isnan(a) && std::isnan(b));
 }
 
-// Exactly equal; NaN counts as equal to NaN.
+// Expects exactly equal values; NaN counts as equal to NaN.
 inline void expect_same(std::vector<double> const& a, std::vector<double> const& b, std::string const& what) {
   ASSERT_EQ(a.size(), b.size()) << what;
   for (std::size_t i = 0; i < a.size(); ++i)

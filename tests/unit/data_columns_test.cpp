@@ -94,7 +94,7 @@ constexpr std::string_view three_forces =
 TEST_F(ColumnsTest, ByNumberAndByName) {
   EXPECT_EQ(read(three_forces, with("force=3")).force_kN, (std::vector<double>{2, 3, 1}));
   EXPECT_EQ(read(three_forces, with("force=Force 1 [kN]")).force_kN, (std::vector<double>{2, 3, 1}));
-  // The name without its unit.
+  // A column may be given without its unit and with other capitals.
   EXPECT_EQ(read(three_forces, with("force=FORCE 1")).force_kN, (std::vector<double>{2, 3, 1}));
   EXPECT_EQ(read(three_forces, with("force=Force 2 [N]")).force_kN, (std::vector<double>{0.003, 0.004, 0.002}));
   // A column with exactly this name comes before one whose name equals it without the unit.

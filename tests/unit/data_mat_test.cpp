@@ -133,7 +133,7 @@ TEST_P(Matlab, ColumnsOfAMatrixAndLongRows) {
   auto options = units;
   options.columns = parse_columns("time=m:1,disp=m:2,force=m:3");
   expect_values(read(mat_of([](MatWriter& w) { w.array("m", matrix(), 3); }), options));
-  // A matrix of 3 rows and 4 columns.
+  // The 12 values form a matrix of 3 rows and 4 columns.
   expect_values(read(mat_of([&](MatWriter& w) { w.array("m", wide, 4); }), options));
 }
 

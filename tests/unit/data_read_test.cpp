@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Trap{"\"1,5\";\"2,0\"\n\"2,5\";\"4,5\"\n\"-3,25\";\"1,0\"\n", read_disp, read_force},
                       // Whole numbers occur among the decimals.
                       Trap{"1,5;2\n2,5;4,5\n-3,25;1\n", read_disp, read_force},
-                      // A delimiter at the end of each row.
+                      // Each row ends with a delimiter.
                       Trap{"1.5;2;\n2.5;4.5;\n-3.25;1;\n", read_disp, read_force},
                       Trap{"+1.5,2\r\n+25e-1,4.5\r\n-3.25,1E0\r\n", read_disp, read_force},
                       // The points are decimal signs and do not group thousands.

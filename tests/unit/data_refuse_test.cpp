@@ -38,7 +38,7 @@ TEST_F(Refuse, WhatIsNotText) {
          "save it as .xlsx without a password, or the sheet as CSV");
   expect("%PDF-1.7\n1;2\n", "is a PDF document", "export the channels as CSV");
   expect("\x89HDF\r\n\x1A\n", "is an HDF5 file", "export the channels as CSV");
-  // UTF-16 without a byte order mark.
+  // This text is UTF-16 without a byte order mark.
   expect("1\0;\0"s, "is a binary file (byte 2 is 0)", "export the channels as CSV");
   expect("1;2\n3;\0\n"s, "is a binary file (byte 7 is 0)", "export the channels as CSV");
 }

@@ -228,7 +228,7 @@ TEST(VerticalSignals, OneThatCannotBeTrueGivesNoStiffness) {
     };
     expect("is disturbed by spikes at sample 431", "load", [](auto& t) { t.load_kN[430] += 2000.0; });
     expect("is disturbed by spikes at sample 451", "displacement", [](auto& t) { t.disp_mm[450] -= 0.3; });
-    // Clipped by the converter, so the plateau has no noise.
+    // The converter clips the load after the noise is added, so the plateau has no noise.
     expect("is clipped at 800 kN, from sample", "load", [](auto& t) {
       for (double& load : t.load_kN) load = std::min(load, 800.0);
     });

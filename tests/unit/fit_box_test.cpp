@@ -631,7 +631,7 @@ TEST(Scales, OfABilinearLoopInTheUnitsOfEveryLaw) {
     EXPECT_NEAR(s.velocity * L, 100.0 * std::numbers::pi, 1e-9) << law.info.id;
     EXPECT_NEAR(s.work * F * L, work_kN_mm, 2e-4 * work_kN_mm) << law.info.id;
   }
-  // The same scales as plain numbers, in the units of two laws.
+  // In the units of a law the scales must have these values: N and m for Jankowski, N and cm for Hwang-Wu.
   auto const newton_metre = scales_of(record, laws::find_law("jankowski").info);
   EXPECT_NEAR(newton_metre.stiffness, 0.9e6, 1.0);
   EXPECT_NEAR(newton_metre.strength, 40e3, 1.0);

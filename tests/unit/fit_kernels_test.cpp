@@ -278,7 +278,7 @@ INSTANTIATE_TEST_SUITE_P(
     EveryLaw, Kernels,
     ::testing::ValuesIn(cases({InstructionSet::portable, InstructionSet::avx2, InstructionSet::avx512})), ByCase());
 
-// Both instruction sets use fused multiply-add for the same products and sums.
+// Both instruction sets use fused multiply-add for the same products and sums, so their results must be equal.
 class WideKernels : public Kernels {};
 TEST_P(WideKernels, GiveTheSameBitsOnAvx2AndAvx512) {
   ASSERT_TRUE(runs_here(InstructionSet::avx2));

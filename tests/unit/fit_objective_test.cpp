@@ -97,7 +97,7 @@ TEST(Objective, OfThePartThatIsScoredWorkedOutByHand) {
   record.force_kN.insert(record.force_kN.end(), {2.0, 0.0});
   record.scored.insert(record.scored.end(), {1.0, 1.0});
   LawOnRecord const two(laws::find_law("bilinear"), record, laws::Integration::converged);
-  // The forces 0, 2, 2, 0 have the standard deviation 1.
+  // The scored forces 0, 2, 2, 0 have the standard deviation 1.
   EXPECT_NEAR(objective_of(two, {1.0, 1.0, 5.0}), 0.75 / 1.5, 1e-15);
 }
 
@@ -157,7 +157,7 @@ TEST(Objective, BlocksOfCandidatesScoreTheSamePart) {
 TEST(Objective, APartThatSaysNothingIsRefused) {
   auto record = sine();
   record.scored.assign(record.size(), 0.0);
-  // Every second sample, so no interval is scored at both ends.
+  // Every second sample is scored, so no interval is scored at both ends.
   for (std::size_t i = 0; i < record.size(); i += 2) record.scored[i] = 1.0;
   EXPECT_THROW(LawOnRecord(laws::find_law("bilinear"), record, laws::Integration::converged), Error);
 }
@@ -209,7 +209,7 @@ TEST(Objective, IsInfiniteWhereAForceIsNotFinite) {
   using enum laws::Integration;
   EXPECT_EQ(objective("vaiana", {4e5, 4e5, 4e4, 4e4, 45, 48, 0.4, -0.5, 1e5, -40.0, 0, 0, 0, 0, 0, 0}, converged),
             infinity);
-  // The force does not saturate.
+  // With these parameters the hysteretic force does not saturate.
   EXPECT_EQ(objective("bouc-wen", {0.15, 3.0, 1.2, -0.05, 1.1, -0.04}, converged), infinity);
   EXPECT_EQ(objective("bouc-wen", {0.15, 3.0, 1.2, 500.0, 1.9, 500.0}, paper), infinity);  // Runge-Kutta is unstable
   EXPECT_EQ(objective("bilinear", {1.5, infinity, 30.0}, converged), infinity);

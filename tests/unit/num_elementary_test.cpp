@@ -85,7 +85,7 @@ std::vector<double> uniform(double lower, double upper, std::uint64_t seed = 1, 
   for (double& v : values) v = distribution(engine);
   return values;
 }
-// Values evenly spread on a logarithmic scale.
+// Values that are evenly spread on a logarithmic scale.
 std::vector<double> binades(double lower, double upper) {
   auto values = uniform(std::log2(lower), std::log2(upper));
   for (double& v : values) v = std::exp2(v);

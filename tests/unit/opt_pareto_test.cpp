@@ -45,7 +45,7 @@ TEST(NonDominated, AgreesWithASweepOnRandomPoints) {
   for (int repetition = 0; repetition < 50; ++repetition) {
     Values a(40), b(40);
     for (auto* values : {&a, &b})
-      // Few different values, so there are many ties.
+      // Only 12 different values occur, so there are many ties.
       for (double& value : *values) value = static_cast<double>(draws.below(12));
     std::vector<std::size_t> order(a.size());
     std::iota(order.begin(), order.end(), std::size_t{0});

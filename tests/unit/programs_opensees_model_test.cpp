@@ -292,13 +292,13 @@ TEST_F(ModelInOpenSees, what_fails_ends_with_another_exit_code) {
   write("model.py", openseespy_model(subject, realisation, unit_systems[0]));
   EXPECT_EQ(run_python("model.py run out nonsense"), 1) << read("printed");
   EXPECT_TRUE(contains(read("printed"), "no case nonsense")) << read("printed");
-  // OpenSees does not know this type of bearing.
+  // Replace the bearing by a type that OpenSees does not know.
   auto broken = script;
   constexpr std::string_view name = "element elastomericBearingPlasticity $tag";
   broken.replace(broken.find(name), name.size(), "element elastomericBearingNone $tag");
   write("model.tcl", broken);
   EXPECT_EQ(run_tcl("model.tcl run out nominal"), 1) << read("printed");
-  // With a negative tolerance the analysis cannot converge.
+  // Make the tolerance negative, so that the analysis cannot converge.
   broken = script;
   constexpr std::string_view tolerance = "variable tolerance ";
   broken.insert(broken.find(tolerance) + tolerance.size(), "-");

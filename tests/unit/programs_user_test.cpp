@@ -234,7 +234,7 @@ TEST_F(AbaqusElement, is_every_law_through_iterations_and_cutbacks) {
   std::istringstream printed(read("printed"));
   for (auto const& of : all) {
     SCOPED_TRACE(of.subject.law->info.id);
-    // The element starts with zero velocity, so the reference does too.
+    // The element starts with zero velocity, so the law's force is computed with zero velocity at the start too.
     auto path = of.path;
     path.vel_mm_s[0] = 0.0;
     auto const expected = law_force(*of.subject.law, of.subject.parameters, path);
