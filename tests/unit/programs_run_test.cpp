@@ -15,7 +15,7 @@ constexpr double shares[] = {0.1, 0.35, 0.6};
 // For every law, the header's forces must equal the library's, and its tangents the differences of its own forces.
 TEST_F(Folder, headers_are_the_laws) {
   UnitSystem const& units = unit_systems[1];
-  // At exactly 0, some laws choose the branch by the direction from which the motion comes.
+  // Set samples near zero to exactly zero. Laws assign zero to the side from which the motion comes.
   auto history = cycles({40.0, 150.0, 90.0}, 120);
   for (double& x : history.disp_mm) x = std::abs(x) < 1e-9 ? 0.0 : x;
   std::string includes = "#include <cstdio>\n#include <initializer_list>\n", body;
