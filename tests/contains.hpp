@@ -1,4 +1,4 @@
-// For assertions on texts.
+// Searches a text for a part, for assertions.
 #pragma once
 
 #include <string>

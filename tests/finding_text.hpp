@@ -1,4 +1,4 @@
-// Findings as the sentences that tests compare.
+// Turns findings into their sentences, so that tests can compare the words.
 #pragma once
 
 #include <optional>
@@ -24,11 +24,11 @@ inline std::string text_of(std::optional<Finding> const& finding) {
 inline std::string text_of(std::vector<Finding> const& findings) {
   return wording::reasons(findings);
 }
-// One that says no more than this text.
+// A finding whose whole sentence is `text`.
 inline Finding stated(std::string text) {
   return {.kind = FindingKind::file_format, .words = {{"text", std::move(text)}}};
 }
-// A part of the sentence, of one of the findings, or of the finding that may be there.
+// Whether `part` occurs in the sentence of the finding, or in that of one of several findings.
 inline bool contains(Finding const& finding, std::string_view part) {
   return wording::sentence(finding).find(part) != std::string::npos;
 }

@@ -1,6 +1,6 @@
-// The OpenSees in which exported scripts are tried: the module for Python that tools/opensees.sh installs from PyPI, in
-// the build folder or where the environment variable ISOLAW_OPENSEES says. It also runs Tcl scripts here
-// (opensees/tcl_script.py). `xara` is a fork with an interpreter of Tcl of its own.
+// Where the tests find OpenSees to run exported scripts: the Python module that tools/opensees.sh installs from PyPI,
+// in the build folder or in the folder that the environment variable ISOLAW_OPENSEES names. The module also runs Tcl
+// scripts, through opensees/tcl_script.py. `xara` is a fork of OpenSees with its own Tcl interpreter.
 #pragma once
 
 #include <cstdlib>

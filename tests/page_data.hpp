@@ -1,4 +1,4 @@
-// The data in a page that a report writes.
+// Reads the data block of the HTML page that a report writes.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// For assertions on the messages about wrong input.
+// For assertions on error messages about wrong input.
 #pragma once
 
 #include <string>

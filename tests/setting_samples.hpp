@@ -1,4 +1,4 @@
-// Values for tests that iterate over the table of settings: a new setting is tested by its row.
+// Sample values for tests that run for each row of the table of settings. A new row is tested without further code.
 #pragma once
 
 #include <fstream>
@@ -10,7 +10,8 @@
 
 namespace isolaw::testing {
 
-// A value that the setting may have and that is not its default. Those of free text stand in setting_samples.json.
+// A valid value of the setting other than its default. The samples for settings that hold free text are in
+// setting_samples.json.
 inline Json another(campaign::Setting const& setting) {
   auto const usual = setting.get({});
   for (auto const word : setting.words)
@@ -26,7 +27,7 @@ inline Json another(campaign::Setting const& setting) {
   return static_cast<int>(setting.limits->least) + setting.limits->step;
 }
 
-// Values that the setting must refuse.
+// Values that are not valid for the setting.
 inline std::vector<Json> not_allowed(campaign::Setting const& setting) {
   std::vector<Json> values{"?"};
   if (!setting.limits) return values;
@@ -43,7 +44,7 @@ inline std::vector<Json> not_allowed(campaign::Setting const& setting) {
   return values;
 }
 
-// Settings that hold this value, and everything else that must be set for it to be accepted.
+// Settings in which one setting has this value, together with the settings that it requires, such as its search method.
 inline campaign::Settings with(campaign::Setting const& setting, Json const& value) {
   campaign::Settings settings;
   settings.laws = campaign::parse_laws("all");

@@ -14,7 +14,7 @@
 
 namespace isolaw::twins {
 
-// `cycles` cycles at 0.5 Hz whose amplitude grows by equal steps up to 150 mm. A law replaces the force later.
+// `cycles` cycles at 0.5 Hz whose amplitude grows in equal steps to 150 mm. twin_of() fills in the force.
 inline data::FitRecord growing_cycles(int cycles, int samples_per_cycle) {
   data::FitRecord record;
   constexpr double omega = std::numbers::pi;
@@ -33,7 +33,7 @@ struct Twin {
   laws::LawEntry const* law = nullptr;
   fit::SearchBox box;
   std::vector<double> truth;
-  data::FitRecord record;  // noise-free
+  data::FitRecord record;  // without noise
 };
 
 inline std::vector<double> force_of(laws::LawEntry const& law, data::FitRecord const& motion,
@@ -46,7 +46,8 @@ inline Twin twin_of(laws::LawEntry const& law, data::FitRecord motion, fit::Sear
   return {.law = &law, .box = std::move(box), .truth = std::move(truth), .record = std::move(motion)};
 }
 
-// Narrower boxes where the usual one holds both signs: the truth then has the sign and size that devices have.
+// Restricts parameters whose box spans both signs to the sign and size that they have for real devices. The true
+// parameters are drawn from these narrower boxes.
 inline std::vector<fit::Override> usual(std::string_view id) {
   std::vector<fit::Override> overrides;
   if (id == "bouc-wen") overrides.push_back(fit::parse_override("bouc-wen.gamma=0.0003:0.4"));
@@ -56,14 +57,16 @@ inline std::vector<fit::Override> usual(std::string_view id) {
   return overrides;
 }
 
-// Parameters held fixed: cycles of a bearing do not determine them, and searching them would take minutes.
+// Values at which a test may fix parameters that cycles of a bearing do not determine. Searching these parameters would
+// take minutes.
 inline std::vector<std::string> held(std::string_view id) {
   if (id == "bwbn")
     return {"n=1", "gamma=0.01", "zs=0.3", "p=0.001", "psi=10", "dpsi=0", "dnu=0.000001", "deta=0.000001"};
   return {};
 }
 
-// A twin from the middle of the automatic box, at a point where the law gives a finite force.
+// A twin whose true parameters lie in the middle of the box scaled from the record. Candidates are drawn until one has
+// a finite objective.
 inline Twin twin_in_box(std::string_view id, data::FitRecord motion, std::vector<fit::Override> const& overrides = {}) {
   auto const& law = laws::find_law(id);
   auto box = fit::make_box(law, fit::BoxKind::scaled, fit::scales_of(motion, law.info), overrides);
@@ -84,7 +87,8 @@ inline Twin twin_in_box(std::string_view id, data::FitRecord motion, std::vector
   return twin_of(law, std::move(motion), std::move(box), truth);
 }
 
-// Normal noise: its standard deviation as a share of that of the force, and the correlation of neighbours.
+// Normally distributed noise. `share` is its standard deviation over that of the force; `correlation` is between
+// neighbouring samples.
 struct Noise {
   double share = 0.01;
   double correlation = 0.0;
@@ -101,7 +105,7 @@ inline data::FitRecord with_noise(data::FitRecord record, Noise const& noise, nu
   return record;
 }
 
-// The error as a share of the true value, or of the width of the box where the true value is zero.
+// The error divided by the true value, or by the width of the box if the true value is zero.
 inline double relative_error(fit::SearchParameter const& parameter, double value, double truth) {
   double const size = truth != 0.0 ? std::abs(truth) : parameter.upper - parameter.lower;
   return std::abs(value - truth) / size;

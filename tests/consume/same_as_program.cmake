@@ -15,7 +15,7 @@ foreach(i 0 1)
   string(JSON law GET "${summary}" laws ${i} id)
   string(JSON objective GET "${summary}" laws ${i} objective best)
   string(REGEX MATCH "${law} +objective ([0-9.]+)" line "${printed}")
-  # The example prints six decimals; cut both numbers to five.
+  # The example prints its objective to six decimals. Cut both objectives to five, so that rounding does not matter.
   string(SUBSTRING "${CMAKE_MATCH_1}" 0 7 shown)
   string(SUBSTRING "${objective}" 0 7 expected)
   if(NOT shown STREQUAL expected)

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Code that is compiled for one instruction set must run only on processors that have the set; other processors would
-# stop.
+# Code that is compiled for an instruction set must run only on processors that have this set. Other processors would
+# stop with an illegal instruction.
 #
 #   instructions.sh symbols NM SET=OBJECT... -- OBJECT...   checks that every symbol that SET=OBJECT offers to the
 #                                                           linker has the set in its name, and that no other object
@@ -23,7 +23,7 @@ symbols() {
         --) set_name=-; continue ;;
         *=*) set_name=${argument%%=*} ;;
       esac
-      # Prints "SET name", or "- name" for the objects after --.
+      # Prints one line "SET name" per symbol; SET is "-" for the objects after "--".
       "$tool" --defined-only --extern-only -P "${argument#*=}" | awk -v s="$set_name" 'NF >= 2 { print s, $1 }'
     done | awk '
       { seen[$2] = seen[$2] " " $1; if ($1 != "-") kernel[$2] = 1; total[$1]++ }
@@ -47,7 +47,8 @@ binary() {
     $1 !~ /^[0-9a-f]+:$/ { next }
     {
       zmm = /%zmm/; ymm = /%ymm/; mnemonic = $2
-      # AVX encodings on short registers and BMI count too, as code that leaked from a kernel need not be wide.
+      # Code that leaks out of a kernel need not use wide registers. AVX encodings on 128-bit registers and BMI
+      # instructions therefore count as beyond the baseline too.
       beyond = zmm || ymm || (mnemonic ~ /^v/ && /%xmm/) || /%k[0-7]/ ||
                mnemonic ~ /^(andn|bextr|bls[ir]|blsmsk|bzhi|mulx|pdep|pext|rorx|sarx|shlx|shrx)[lq]?$/
       if (zmm) wide512++

@@ -1,5 +1,5 @@
 // The objective of every law at three points of the published box, with both integrations, on the first record of the
-// example lot. A change that moves any of them must be intended.
+// example lot. A change of the code may alter these objectives only on purpose.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,7 +30,7 @@ data::FitRecord example_record() {
   return record;
 }
 
-// law,integration,share of the box -> objective
+// The objectives by the key "law,integration,share", where each parameter lies at that share of its box.
 std::map<std::string, double> objectives() {
   auto const record = example_record();
   std::map<std::string, double> values;
@@ -55,7 +55,7 @@ std::map<std::string, double> expected() {
   std::map<std::string, double> values;
   std::ifstream file(ISOLAW_EXPECTED);
   std::string line;
-  std::getline(file, line);  // header
+  std::getline(file, line);  // skips the header line
   while (std::getline(file, line)) {
     auto const comma = line.rfind(',');
     values[line.substr(0, comma)] = std::strtod(line.c_str() + comma + 1, nullptr);
@@ -72,7 +72,8 @@ TEST(Regression, Objectives) {
   }
   auto const before = expected();
   ASSERT_EQ(before.size(), now.size());
-  // Other compilers and mathematical libraries change the last digits; a change of the model changes the first ones.
+  // Another compiler or mathematical library changes only the last digits, within the tolerance. A changed model
+  // changes the first digits.
   for (auto const& [key, value] : now)
     EXPECT_NEAR(value, before.at(key), fit::evaluation_tolerance * before.at(key)) << key;
 }

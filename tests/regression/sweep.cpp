@@ -31,19 +31,18 @@ namespace {
 using namespace isolaw;
 using Values = std::vector<double>;
 
-constexpr double absurd =
-    1e6;  // larger objectives are not compared, as the force of such a candidate multiplies rounding
+constexpr double absurd = 1e6;  // objectives above this are not compared: the force then multiplies rounding errors
 
 constexpr std::array boxes{fit::BoxKind::published, fit::BoxKind::scaled};
 constexpr std::array integrations{laws::Integration::converged, laws::Integration::paper};
 
-// A file of doubles in a fixed order, so that both builds see the same bits.
+// Stores doubles in a file in a fixed order, so that both builds compute with the same bits.
 class File {
  public:
   File(char const* path, bool writing) : writing_(writing), file_(std::fopen(path, writing ? "wb" : "rb")) {
     if (!file_) throw std::runtime_error(fmt::format("cannot open {}", path));
   }
-  // When writing, stores the values; when comparing, replaces them by the stored ones.
+  // Stores `values` when writing. When comparing, replaces them by the stored ones.
   void pass(Values& values) {
     auto const done = writing_ ? std::fwrite(values.data(), sizeof(double), values.size(), file_.get())
                                : std::fread(values.data(), sizeof(double), values.size(), file_.get());
@@ -59,11 +58,12 @@ class File {
 };
 
 struct Difference {
-  double objective = 0.0;  // relative difference
-  double force = 0.0;      // share of the peak force
+  double objective = 0.0;  // largest relative difference of the objective
+  double force = 0.0;      // largest difference of the force, as a share of the peak force
   int compared = 0, flagged = 0;
-  int flagged_once = 0;  // flagged by only one of the two builds
-  double lanes = 0.0;    // relative difference between this build's batches and its scalar law
+  int flagged_once = 0;  // candidates without a finite objective in only one of the two builds
+  // Largest relative difference between evaluating candidates in batches and one by one, both in this build.
+  double lanes = 0.0;
 
   void add(double here, double there, Values const& force_here, Values const& force_there) {
     ++compared;
@@ -81,7 +81,7 @@ struct Difference {
   }
 };
 
-// Cycles with reversals at many samples, small loops in large ones and uneven peaks; 100 samples a cycle.
+// Cycles with reversals at many samples, small loops within large ones and uneven peaks, at 100 samples a cycle.
 data::FitRecord record(File& file) {
   auto cycles = law_tests::record_of(law_tests::irregular(1, 208.0, 3, 100), 0.02, 0.67, 45.0);
   for (auto* channel : {&cycles.time_s, &cycles.disp_mm, &cycles.vel_mm_s, &cycles.force_kN}) file.pass(*channel);
@@ -109,8 +109,8 @@ Difference sweep(laws::LawEntry const& law, laws::Integration integration, data:
       objectives.push_back(here[0]);
     }
   }
-  // With the paper's integration a step may multiply rounding errors. unit_fit tests batches for the candidates whose
-  // steps do not.
+  // With the paper's integration, one step may amplify rounding errors, so this program does not compare batches with
+  // the evaluation one by one. unit_fit compares them for candidates whose steps do not amplify errors.
   if (integration == laws::Integration::paper) return difference;
   for (auto const set : num::available_instruction_sets()) {
     Values lanes(candidates.size());

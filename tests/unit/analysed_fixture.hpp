@@ -1,5 +1,5 @@
-// The made-up lot of study_fixture.hpp as if it had been analysed. It has every verdict, a law whose prediction
-// collapses, a population that lacks a correlation, and an outlying device.
+// Adds made-up results of the analyses to the made-up lot of study_fixture.hpp. The lot then has every kind of verdict,
+// a law whose prediction is unusable, a population without one correlation, and an outlying device.
 #pragma once
 
 #include <array>
@@ -104,8 +104,8 @@ inline void analyse(LawResult& law) {
   law.population = population(law);
 }
 
-// The first law is on the front of every view. The second, if there is one, is on no front of the views without noise,
-// and its prediction collapses.
+// Every law but the second is on the front of converged results. Only the first law is on the front of errors on
+// devices that were left out of the fit. The prediction of the second law is unusable.
 inline Summary analysed(Summary summary) {
   for (std::size_t j = 0; j < summary.laws.size(); ++j) {
     auto& law = summary.laws[j];

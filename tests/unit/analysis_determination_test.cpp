@@ -1,5 +1,5 @@
-// Sentences about trade-offs, and verdicts in limiting cases: no free parameter, one free parameter, ties, a start that
-// is no optimum.
+// Sentences about parameters that can replace one another, and verdicts in limiting cases: no free parameter, one free
+// parameter, ties, a start that is no optimum.
 #include "isolaw/analysis/determination.hpp"
 
 #include <gtest/gtest.h>
@@ -71,7 +71,7 @@ TEST_F(Determine, OneIsFree) {
   EXPECT_TRUE(found->trade_offs.empty());
 }
 
-// With one free parameter nothing else can adjust, so its profile is the objective itself.
+// With one free parameter no other parameter can adjust, so the profile of this parameter is the objective itself.
 TEST_F(Determine, AnOpenRangeEndsWhereTheObjectiveHasRisen) {
   auto const given = twin({"bilinear.K1=4", "bilinear.K2=0.6"});
   auto const on_record = model(given);
@@ -98,7 +98,8 @@ TEST_F(Determine, ATiedParameterGoesWithTheOther) {
   EXPECT_LT(found->objective, 1e-9);
 }
 
-// When a profile finds a lower objective, the whole examination starts anew from the point found.
+// If a profile reaches a lower objective than the start has, the examination begins again from the point of that lower
+// objective.
 TEST_F(Determine, AStartBesideTheOptimumEndsAtIt) {
   auto const given = twin();
   auto start = given.truth;
@@ -122,7 +123,7 @@ TEST_F(Determine, AnOptimumOutsideTheBoxIsTakenIntoIt) {
   EXPECT_TRUE(std::isfinite(found->objective));
 }
 
-// Without a finite force there is no verdict: the whole box stays open.
+// Without a finite force no parameter is determined: each may lie anywhere in its box.
 TEST_F(Determine, WithoutAForceNothingIsDetermined) {
   auto const given = twin();
   auto start = given.truth;

@@ -1,5 +1,5 @@
-// Block lengths of known series, and intervals in limiting cases: no errors, no free parameter, a parameter at a bound,
-// ties.
+// Block lengths of the bootstrap for series of known correlation, and intervals in limiting cases: no errors, no free
+// parameter, a parameter at a bound, ties.
 #include "isolaw/analysis/intervals.hpp"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ TEST(BlockLength, OfIndependentValuesIsShort) {
   EXPECT_LT(mean_block_length(3000, 0.0), 3.0);
 }
 
-// Theory: (3/2 (2 rho / (1 - rho^2))^2 n)^(1/3), which is Eq. (14) of Politis and White 2004 with the autocovariances
+// The length must be (3/2 (2 rho / (1 - rho^2))^2 n)^(1/3): Eq. (14) of Politis and White 2004 with the autocovariances
 // of a first-order autoregressive series.
 TEST(BlockLength, OfCorrelatedValuesIsThatOfTheirTheory) {
   for (double const rho : {0.5, 0.9}) {
@@ -115,7 +115,7 @@ TEST_F(IntervalsOf, HoldTheOptimumAndAreInOrder) {
     EXPECT_LT(*p.bootstrap_lower, *p.bootstrap_upper);
     for (std::size_t j = 0; j < 3; ++j)
       EXPECT_NEAR(estimate.covariance[3 * i + j], estimate.covariance[3 * j + i], 1e-15);
-    // On linear scales the interval is 1.96 standard deviations on either side.
+    // The parameters have linear scales, so their intervals extend 1.96 standard deviations to either side.
     double const deviation = std::sqrt(estimate.covariance[4 * i]);
     EXPECT_NEAR(p.linear_upper - optimum_[i], 1.959964 * deviation, 1e-5 * deviation);
   }
@@ -148,7 +148,7 @@ TEST_F(IntervalsOf, NoBootstrapWhereNoneIsAsked) {
   for (auto const& p : estimate.parameters) EXPECT_FALSE(p.bootstrap_lower || p.bootstrap_upper);
 }
 
-// The record has no errors at all, or only rounding errors.
+// If the record has no errors, or only rounding errors, the intervals shrink to the true values.
 TEST_F(IntervalsOf, WithoutErrorsCollapse) {
   for (double const rounding : {0.0, 1e-13}) {
     for (std::size_t i = 0; i < twin_.record.force_kN.size(); ++i)
@@ -202,7 +202,8 @@ TEST_F(IntervalsOf, EveryParameterAtItsBound) {
   EXPECT_EQ(estimate.replicates, 0);
 }
 
-// A parameter without effect on the force may lie anywhere in its box, and must not disturb the others.
+// A parameter without effect on the force may lie anywhere in its box. It must not disturb the intervals of the other
+// parameters.
 TEST_F(IntervalsOf, OfWhatDoesNotActSpanTheBox) {
   take({"jankowski.a5=4e3:1e4"}, "jankowski");
   disturb();
@@ -228,7 +229,7 @@ TEST_F(IntervalsOf, ATiedParameterHasNoneOfItsOwn) {
   for (auto const& p : estimate.parameters) EXPECT_NE(p.parameter, twin_.law->index_of("Kb-"));
 }
 
-// Without a finite force nothing is known, so the intervals are the whole box.
+// Without a finite force nothing is known about the parameters, so their intervals are the whole box.
 TEST_F(IntervalsOf, WithoutAForceAreTheBox) {
   optimum_[1] = std::nan("");
   auto const estimate = found(3);

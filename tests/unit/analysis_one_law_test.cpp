@@ -1,4 +1,5 @@
-// One parameter vector for several devices: the least mean, the least worst, each device left out, the common box.
+// Fits one parameter vector to several devices: with the least mean objective, with the least worst objective, with
+// each device left out in turn, and in a box that all devices share.
 #include "isolaw/analysis/one_law.hpp"
 
 #include <gtest/gtest.h>
@@ -88,13 +89,16 @@ TEST_F(Lot, TheLeastWorstLiesBetweenItsBoundAndTheWorstOfTheLeastMean) {
   auto const mean = *least_mean(pointers_, box_, optima_);
   auto const found = least_worst(pointers_, box_, mean);
   ASSERT_TRUE(found);
-  EXPECT_LT(found->law.worst, 0.95 * mean.worst);  // three of five are alike and decide the mean, not the worst
+  // Three of the five devices are equal, so they decide the least mean. The least worst objective depends on the
+  // extreme devices.
+  EXPECT_LT(found->law.worst, 0.95 * mean.worst);
   EXPECT_GE(found->law.worst, found->bound);
   EXPECT_GE(found->bound, mean.mean);
   EXPECT_GT(found->bound, 0.9 * found->law.worst);
   EXPECT_GE(found->law.mean, mean.mean * (1.0 - 1e-9));
   EXPECT_EQ(found->law.worst, std::ranges::max(found->law.objectives));
-  // No parameters stay below the bound on all devices, nor does the optimum of any one device.
+  // No parameter vector keeps the objective of every device below the bound. The optimum of a single device does not
+  // either.
   for (auto parameters : optima_) {
     double worst = 0.0;
     for (std::size_t d = 0; d < models_.size(); ++d) worst = std::max(worst, objective(d, parameters));

@@ -1,4 +1,5 @@
-// Problems built from other problems: with other weights, with one coordinate held, over several records at once.
+// Search problems made from other search problems: with other weights, with one coordinate fixed, and over several
+// records at once.
 #include "isolaw/analysis/problems.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,8 @@
 namespace isolaw::analysis {
 namespace {
 
-// residual j = x_j - j / 10 for j < dimension; the last residual is the sum of these. Not finite where x_0 > 0.9.
+// Residual j is x_j - j / 10 for j < dimension; the last residual is the sum of the others. No residual is finite where
+// x_0 > 0.9.
 class Plain final : public opt::DeviationProblem {
  public:
   explicit Plain(std::size_t dimension) : dimension_(dimension) {
@@ -98,7 +100,7 @@ TEST(Held, TheCoordinateStaysWhereverItStands) {
   }
 }
 
-// `residual_rows` must give side by side what `residuals` gives one after another.
+// `residual_rows` must return the same residuals as `residuals`, but with the points side by side in each row.
 void expect_the_same_side_by_side(opt::DeviationProblem const& problem, opt::Points const& at) {
   std::size_t const samples = problem.weights().size(), stride = num::padded(at.size());
   auto const expected = residuals_of(problem, at);
@@ -114,7 +116,7 @@ TEST(Held, ResidualsSideBySide) {
   expect_the_same_side_by_side(Held(base, 1, 0.25), points(2, {0.1, 0.2, 0.6, 0.7}));
 }
 
-// The outline of a composed problem must be a coarser form of the same problem.
+// The outline, a coarser problem for the first steps of a search, must have nearly the objective of the problem itself.
 void expect_an_outline_of_it(opt::DeviationProblem const& problem, opt::Points const& at) {
   auto const* outline = problem.outline();
   ASSERT_NE(outline, nullptr);
@@ -133,7 +135,7 @@ TEST(Outline, OfWhatIsMadeOfOthers) {
   fit::IdentificationProblem const problem(model, twin.box);
   auto const at = points(3, {0.3, 0.4, 0.6});
   expect_an_outline_of_it(problem, at);
-  // Half of the record counts twice.
+  // The first half of the record counts twice and the second half does not count.
   std::vector<double> weights(problem.weights().begin(), problem.weights().end());
   double sum = 0.0;
   for (std::size_t j = 0; j < weights.size(); ++j) sum += weights[j] *= j < weights.size() / 2 ? 2.0 : 0.0;

@@ -1,4 +1,5 @@
-// Work done ahead: any thread does an item, once and in time; a failure reaches the thread that needs the item.
+// Threads that work ahead on items of a task: each item is done once and before it is needed, and a failure reaches the
+// thread that needs the item.
 #include "isolaw/base/ahead.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +35,7 @@ TEST(WorkAhead, WhatFailedIsToldToWhoNeedsIt) {
   EXPECT_THROW(work.need(1), std::runtime_error);
 }
 
-// There is one task for four threads, so the other three can only help with the items that it offers.
+// Four threads have one task to share, so three of them can only help with items of this task.
 TEST(WorkAhead, ThreadsWithoutATaskHelp) {
   std::atomic<int> at_once = 0, most = 0;
   std::vector<std::atomic<int>> done(64);

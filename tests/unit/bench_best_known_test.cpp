@@ -1,4 +1,5 @@
-// The best objectives known: what makes two problems different, the file, and that a stored objective never rises.
+// The file of the best objectives known: what makes two problems different, how the file is read and written, and that
+// a stored objective never rises.
 #include "bench/best_known.hpp"
 
 #include <fmt/format.h>
@@ -111,7 +112,8 @@ TEST(ProblemKey, IsTheSameOnEveryScaleAndDespiteRounding) {
   Problem linear;
   for (auto& p : linear.box.parameters) p.scale = laws::Scale::linear;
   EXPECT_EQ(plain.key(), linear.key());
-  // Change the last digits of every number, up and down, also where the number is rounding alone (the sine of pi).
+  // Change the last digits of every number, up and down. Also change numbers that are nothing but rounding errors, such
+  // as the sine of pi.
   Problem rounded;
   for (std::size_t i = 0; i < rounded.record.size(); ++i) {
     double const factor = i % 2 == 0 ? 1.0 - 2e-15 : 1.0 + 2e-15;
@@ -191,13 +193,14 @@ TEST(BestKnown, IsLoweredAndNeverRaised) {
   auto elsewhere = entry("b", 0.9);
   elsewhere.record = "another record";
   EXPECT_EQ(lower(entries, elsewhere), Change::added);
-  EXPECT_EQ(lower(entries, entry("c", 0.6)), Change::redefined);  // another box under the same name
+  // With another box, a search of the same name is another problem.
+  EXPECT_EQ(lower(entries, entry("c", 0.6)), Change::redefined);
   ASSERT_EQ(entries.size(), 2U);
   EXPECT_EQ(entries[0].key, entry("c").key);
   EXPECT_EQ(entries[0].objective, 0.6);
 }
 
-// This build must compute the same keys as the file holds, and the file's parameters must give its objectives.
+// This build must compute the keys that the file holds, and the parameters in the file must give its objectives.
 TEST(BestKnown, HoldsEverySearchOfTheExampleLot) {
   auto const lot = campaign::read_lot_file(ISOLAW_SOURCE_DIR "/examples/published-lot/lot.toml");
   auto const contents = campaign::prepare(lot);

@@ -1,4 +1,5 @@
-// The implicit path: its results do not depend on how a building is described; energy, convergence, failures.
+// Implicit integration of a building. Its results must not depend on how the building is described; the tests also
+// check the balance of energy, convergence and failures.
 #include "isolaw/building/integrate.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +34,7 @@ TEST(BuildingIntegrate, many_bearings_are_one_of_their_sum) {
   }
 }
 
-// Turn the whole building: its plan, its stiffness and the motion.
+// If plan, stiffness and ground motion are turned together, the response turns with them.
 TEST(BuildingIntegrate, rotation_in_plan) {
   double const angle = 0.6, c = std::cos(angle), s = std::sin(angle);
   auto const turned = [&](Point p) { return Point{c * p.x_mm - s * p.y_mm, s * p.x_mm + c * p.y_mm}; };
@@ -95,8 +96,8 @@ TEST(BuildingIntegrate, bearings_at_one_place_may_be_exchanged) {
     EXPECT_NEAR(a.measured[i], b.measured[i], 1e-9 * std::abs(a.measured[i])) << i;
 }
 
-// With forces and masses ten times as large the building moves the same. With yield displacement and acceleration ten
-// times as large it moves ten times as far.
+// With forces and masses ten times as large, the building moves the same. With yield displacement and acceleration ten
+// times as large, it moves ten times as far.
 TEST(BuildingIntegrate, scales) {
   auto frame = three_floors();
   auto const plan = grid(2, 2, 8000.0);
@@ -136,7 +137,7 @@ TEST(BuildingIntegrate, energy_and_order) {
   }
 }
 
-// Newmark's method on the whole matrices, before they are split into modes, must give the same motion.
+// The program splits the equations into modes. Newmark's method on the whole matrices must give the same motion.
 TEST(BuildingIntegrate, modes_are_the_whole_equations) {
   auto frame = three_floors();
   frame.floors[0].below.centre = {900.0, -400.0};
@@ -144,7 +145,7 @@ TEST(BuildingIntegrate, modes_are_the_whole_equations) {
   Structure const structure(frame);
   auto const motion = shaking();
   double const k = 1.6 * std::pow(2.0 * std::numbers::pi / 2.0, 2);
-  // A yield displacement of 1e9 mm: the bearing never yields.
+  // With a yield displacement of 1e9 mm the bearing stays elastic.
   auto const response =
       integrate(Model(structure, {.bearings = {{0.0, 0.0}}}), equal_bearings(1, "bilinear", {k, 0.0, 1e9}), motion,
                 {.longest_step_s = 0.01, .histories = true});

@@ -1,4 +1,5 @@
-// Many draws at once: the explicit path is compared with the implicit one, and its lanes with its scalar form.
+// Explicit integration of many draws at once: compared with the implicit integration, and its vectorised form with its
+// scalar form.
 #include "isolaw/building/lanes.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +26,7 @@ Values scattered(std::string_view law, Values const& nominal, double scatter) {
     for (std::size_t j = 0; j < bearings; ++j) {
       num::Draws numbers(num::Stream(3), static_cast<std::uint32_t>(draw), static_cast<std::uint32_t>(j));
       double const factor = std::exp(scatter * numbers.normal());
-      // Scale the force alone: whatever the law's form, this gives a device of the same shape.
+      // Scale only the parameters that are proportional to the force, so the device keeps the shape of its loop.
       for (std::size_t i = 0; i < nominal.size(); ++i)
         values.push_back(nominal[i] * (law == "bilinear" ? (i < 2 ? factor : 1.0) : (i == 1 ? factor : 1.0)));
     }
@@ -61,7 +62,7 @@ TEST(BuildingLanes, no_draw_notices_another) {
   auto const together = respond(model, "bilinear", values, motion, {});
   for (std::size_t const draw : {std::size_t{0}, lane_width + 2, draws - 1})
     EXPECT_EQ(respond(model, "bilinear", row(values, draw, each), motion, {}), row(together, draw, count)) << draw;
-  // A draw whose parameters are not finite must not disturb its neighbours either.
+  // A draw whose parameters are not finite must not change the results of the other draws.
   values[each] = std::nan("");
   auto const with_nan = respond(model, "bilinear", values, motion, {});
   EXPECT_EQ(row(with_nan, 0, count), row(together, 0, count));
@@ -83,7 +84,8 @@ TEST(BuildingLanes, held_to_the_implicit_path) {
     auto const implicit = integrate(model, drawn_bearings, motion);
     for (std::size_t i = 0; i < count; ++i) {
       if (i == static_cast<std::size_t>(Measure::balance)) continue;
-      // Compare the displacement left at the end with the largest one, since it is small itself.
+      // Compare the error of the residual displacement with the largest displacement, since the residual displacement
+      // is small itself.
       double const size =
           i == static_cast<std::size_t>(Measure::end) ? implicit.of(Measure::isolator) : implicit.measured[i];
       EXPECT_NEAR(lanes[draw * count + i], implicit.measured[i], 3e-3 * std::abs(size)) << i;
@@ -92,7 +94,7 @@ TEST(BuildingLanes, held_to_the_implicit_path) {
   }
 }
 
-// Most of the mass sits high up, on floors too stiff for the explicit steps to follow.
+// Most of the mass lies on floors whose periods are too short for the explicit steps to follow.
 TEST(BuildingLanes, stable_below_stiff_floors) {
   for (double const period_s : {0.012, 0.02, 0.03}) {
     Diaphragm const light{.mass_Mg = 80.0, .gyration_mm = 7000.0}, heavy{.mass_Mg = 1520.0, .gyration_mm = 7000.0};
@@ -111,8 +113,9 @@ TEST(BuildingLanes, stable_below_stiff_floors) {
   }
 }
 
-// Take every law of the catalogue, rate-dependent ones too, from the middle of its boxes for such a device. It is
-// coupled where it can be, else a set of springs. Both paths must agree and keep the balance of energy.
+// Every law of the catalogue, with parameters near the middle of a box scaled to one device. The bearing uses the law's
+// two-dimensional form, or a set of springs if the law has none. Explicit and implicit integration must agree and keep
+// the balance of energy.
 TEST(BuildingLanes, every_law_carries_a_building) {
   Model const model(Structure(three_floors()), {.bearings = {{-3000.0, 0.0}, {3000.0, 0.0}}});
   auto const motion = shaking(0.01, 6.0, 0.12);
@@ -127,7 +130,7 @@ TEST(BuildingLanes, every_law_carries_a_building) {
       bool const logarithmic = p.scaled_search == laws::Scale::logarithmic && box.lower * box.upper > 0.0;
       double const middle =
           logarithmic ? std::copysign(std::sqrt(box.lower * box.upper), box.lower) : 0.7 * box.lower + 0.3 * box.upper;
-      // No bearing has the exponential terms that the middle of these boxes would give.
+      // The middle of the box would give exponential terms that no bearing has.
       bool const exponential = law.info.id == "vaiana" && (p.name.starts_with("beta") || p.name.starts_with("gamma"));
       values.push_back(exponential ? 0.0 : p.fixed_by_default.value_or(middle));
     }

@@ -1,4 +1,4 @@
-// A study of a building that tests of its answers and of their renderers share.
+// A study of a building that the tests of its answers and of their output share.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@
 
 namespace isolaw::building {
 
-// A population over two parameters of bilinear, K1 and K2.
+// A bilinear law whose parameters K1 and K2 scatter in the population.
 inline LawSource bilinear_source(double scatter, std::size_t count) {
   auto const nominal = usual_bilinear(count);
   LawSource source{.law = "bilinear",

@@ -1,4 +1,4 @@
-// The building file, the draws, the runs, and the answers made from them.
+// A study of a building: the file that describes it, the draws of its bearings, the runs, and the answers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -41,7 +41,7 @@ class BuildingFileTest : public testing::Test {
     for (int i = 0; i < samples; ++i) out << 0.01 * i << ',' << (i + 1 < samples ? "0.5" : last) << '\n';
   }
   BuildingFile read(std::string const& text) const { return read_building_text(text, "b.toml", folder_); }
-  // The message when one line of the template is replaced by another.
+  // The error message about the template after one of its lines has been replaced.
   std::string refused(std::string const& line, std::string const& instead) const {
     auto text = building_template();
     auto const at = text.find(line);
@@ -89,7 +89,8 @@ TEST_F(BuildingFileTest, what_is_wrong_is_said_once_with_its_line) {
   EXPECT_TRUE(contains(nan, "motion-1-y.csv:21") && contains(nan, "no number")) << nan;
 }
 
-// A value given in place of a key is checked like one in the file; a mapping is read like a file without lines.
+// Values passed by the caller replace keys of the file and are checked like them. A mapping is read like a file, but
+// its messages name no lines.
 TEST_F(BuildingFileTest, what_is_given_is_laid_over_and_a_mapping_is_a_file) {
   Motion const motion{.name = "m", .step_s = 0.01, .x_mm_s2 = {0.0, 1.0}, .y_mm_s2 = {}};
   auto const read_with = [&](isolaw::Values settings, Motion const& shaken) {
@@ -161,11 +162,12 @@ TEST(BuildingStudy, a_draw_depends_on_its_number_alone) {
   EXPECT_EQ(a.of(second), b.of(second));
   EXPECT_NE(a.of(second), a.of({.kind = CaseKind::draw, .draw = 2}));
   auto const values = a.of(second);
-  EXPECT_NE(values[0], values[3]);  // every bearing has its own draw
-  EXPECT_EQ(values[2], values[5]);  // the population does not contain this parameter
+  EXPECT_NE(values[0], values[3]);  // each bearing has parameters of its own
+  EXPECT_EQ(values[2], values[5]);  // xy does not scatter in this population, so all bearings share its value
 }
 
 // power-masing has no two-dimensional form, and its tangent is undefined at zero along a direction without motion.
+// Under motion along x alone, the bearing must follow the one-dimensional law.
 TEST(BuildingStudy, under_motions_along_x_a_law_is_itself) {
   auto study = usual_study(0.0, 3);
   Values const law{60.0, 0.6, 10.0, 0.0, 20.0, 0.05};
@@ -193,7 +195,8 @@ TEST(BuildingStudy, under_motions_along_x_a_law_is_itself) {
     ASSERT_LT(std::abs(run.history.base[i][1]), 1e-6);
   }
   EXPECT_GT(run.of(Measure::isolator), 10.0);
-  // `online` starts at zero; the law of the bearing starts where the bearing has just left its rest.
+  // `online` starts at zero displacement and the bearing's law just after the bearing has left its rest, so their
+  // forces differ slightly.
   EXPECT_LT(off, 1e-3 * most);
   auto const csv = history_csv(run, study.file.motions[0]);
   EXPECT_EQ(
@@ -262,12 +265,12 @@ TEST_F(BuildingRuns, answers) {
   auto const& isolator = law.distributions[0];
   EXPECT_LT(isolator.fractiles[0], isolator.fractiles[1]);
   EXPECT_NEAR(isolator.fractiles[1] / isolator.nominal, 1.0, 0.1);
-  // The sum of six draws scatters by 7 % / sqrt(6), and torsion adds to it.
+  // The sum of six drawn forces scatters by 7 % / sqrt(6). Torsion adds to this scatter.
   EXPECT_GT(isolator.lot_std_ln, 0.001);
   EXPECT_LT(isolator.lot_std_ln, 0.07);
   EXPECT_GT(isolator.motion_std_ln, 0.0);
   EXPECT_TRUE(isolator.uncertain_std_ln.has_value());
-  // Weaker bearings pass on less shear.
+  // The lower bound has weaker bearings, which transmit less base shear.
   EXPECT_LT(law.distributions[6].lower, law.distributions[6].upper);
   for (auto const& coverage : law.coverage) {
     EXPECT_NEAR(coverage.inside + coverage.below + coverage.above, 1.0, 1e-12);
@@ -294,7 +297,7 @@ TEST_F(BuildingRuns, answers) {
   std::uint64_t drawn = 0;
   for (auto const count : isolator.histogram.counts) drawn += count;
   EXPECT_EQ(drawn, 120u);
-  // The stored history reaches the measured maximum, except for peaks between its points.
+  // The stored history contains the measured maximum, unless a peak lies between its points.
   ASSERT_EQ(law.histories.size(), 2u);
   for (std::size_t m = 0; m < 2; ++m) {
     auto const& history = law.histories[m];
@@ -305,7 +308,7 @@ TEST_F(BuildingRuns, answers) {
       most = std::max(most, std::hypot(history.x_mm[i], history.y_mm[i]));
     EXPECT_NEAR(most, law.distributions[1].nominal_by_motion[m], 0.02 * most);
   }
-  // The stored loops are from the first draw under the stronger motion; every bearing has its own force.
+  // The stored loops are those of the first draw under the stronger motion. Each bearing has its own force.
   auto const& loops = law.loops;
   EXPECT_TRUE(loops.drawn);
   auto const strongest = static_cast<std::size_t>(law.checked[1].isolator_mm > law.checked[0].isolator_mm);
@@ -316,12 +319,14 @@ TEST_F(BuildingRuns, answers) {
   EXPECT_NE(loops.force_x_kN[0], loops.force_x_kN[1]);
   for (auto const* forces : {&loops.force_x_kN, &loops.force_y_kN})
     for (auto const& force : *forces) EXPECT_EQ(force.size(), loops.x_mm.size());
-  // The spectrum at the shortest period is close to the floor's peak acceleration; the roof amplifies more.
+  // The floor spectrum at the shortest period is close to the floor's peak acceleration. At other periods the roof's
+  // spectrum is higher.
   ASSERT_EQ(law.floor_spectra_g.size(), 4u);
   EXPECT_EQ(law.floor_spectra_g[0].size(), spectrum_periods_s().size());
   EXPECT_NEAR(law.floor_spectra_g[0].front() / law.distributions[7].nominal, 1.0, 0.25);
   EXPECT_GT(std::ranges::max(law.floor_spectra_g[3]), law.floor_spectra_g[3].front());
-  // On average no bearing moves more than the one that moves most, and the bearings do all the work.
+  // The mean displacement of a bearing is at most that of the bearing that moves most. The bearings' shares of the
+  // energy add up to 1.
   double share = 0.0;
   for (std::size_t b = 0; b < 6; ++b) {
     EXPECT_GT(law.bearing_mm[b], 0.0);
@@ -341,7 +346,7 @@ TEST_F(BuildingRuns, without_draws_bounds_have_nothing_to_cover) {
   EXPECT_FALSE(answers.bounds_are_enough.has_value());
 }
 
-// Three buildings within the bounds prove nothing about a share of 95 %.
+// All three buildings lie within the bounds, but three draws cannot show that 95 % of all buildings do.
 TEST_F(BuildingRuns, a_few_draws_do_not_show_that_bounds_are_enough) {
   auto study = usual_study(0.001, 3);
   RunStore store(file_, properties_of(study), false);
@@ -356,7 +361,7 @@ TEST_F(BuildingRuns, a_few_draws_do_not_show_that_bounds_are_enough) {
       << answers.warnings;
 }
 
-// The second law lies far from the first, so the bounds of the first do not cover it.
+// The second law is twice as stiff, so the bounds computed with the first law do not cover its draws.
 TEST_F(BuildingRuns, bounds_of_one_law_are_held_to_the_others) {
   auto study = usual_study(0.001, 80);
   auto other = study.laws.front();
@@ -375,13 +380,14 @@ TEST_F(BuildingRuns, bounds_of_one_law_are_held_to_the_others) {
       << answers.verdict;
   EXPECT_EQ(wording::sentence(answers.verdict[1]), "With Bilinear the same bounds cover 0 %.");
   EXPECT_EQ(wording::sentence(answers.verdict[2]), "The choice of the law matters more than the scatter of the lot.");
-  // If draws hardly scatter, the factors they need lie within the accuracy of the grid and are no basis for design.
+  // The draws hardly scatter, so the factors that would cover them lie within one step of the search around 1. Such
+  // factors are no basis for design.
   EXPECT_EQ(answers.verdict[0].word("factors"), "near");
   EXPECT_TRUE(contains(answers.verdict[0], "; factors within 2 % of 1, the step of the search, would cover 95 %."))
       << answers.verdict;
 }
 
-// The same law listed twice: the bounds of the first must cover as many draws of the second.
+// The same law is listed twice. The bounds of the first must cover as many draws of the second.
 TEST_F(BuildingRuns, bounds_of_one_law_cover_as_much_of_the_same_law) {
   auto study = usual_study(0.07, 40);
   study.file.settings.lower = 0.98;
@@ -405,12 +411,12 @@ TEST(BuildingAnswers, factors_are_said_where_they_mean_something) {
   EXPECT_EQ(text_of(covering_factors(c)), "no factors up to 0.60 and 1.40 would cover 95 %");
 }
 
-// If both bound analyses move less than the nominal building, no factors can help, and the answer says so.
+// Both bound analyses give less displacement than the nominal building, so no factors can help, and the answer says so.
 TEST_F(BuildingRuns, bounds_on_one_side_of_the_nominal_building_are_told) {
   auto const study = usual_study(0.001, 40);
   RunStore store(file_, properties_of(study), false);
   run_all(study, store, 1);
-  // Write the two bound analyses again with a tenth of their results.
+  // Replace the results of the two bound analyses by a tenth of them.
   auto const other = file_.string() + "-2";
   RunStore changed(other, properties_of(study), true);
   for (std::size_t motion = 0; motion < 2; ++motion) {
@@ -436,8 +442,8 @@ TEST_F(BuildingRuns, bounds_on_one_side_of_the_nominal_building_are_told) {
       << answers.warnings;
 }
 
-// Doubts about the calibration come from the campaign. A doubt that both laws have is printed once. A doubt about a
-// tested device names the device once, although its finding carries the device as well.
+// The campaign contributes findings that cast doubt on the calibration. A finding that applies to two laws is printed
+// once. A finding about a tested device names the device once.
 TEST_F(BuildingRuns, says_what_is_known_against_a_law) {
   auto study = usual_study(0.07, 4);
   Finding const open{.kind = FindingKind::not_determined,
@@ -476,7 +482,7 @@ TEST_F(BuildingRuns, says_what_is_known_against_a_law) {
   EXPECT_EQ(properties_of(other), properties_of(study));
 }
 
-// Runs with springs report their progress one by one, and an interrupted study keeps the runs that are finished.
+// A study with springs reports progress after each run. If it is interrupted, the finished runs are kept.
 TEST_F(BuildingRuns, of_springs_are_told_one_by_one_and_can_be_interrupted) {
   auto study = usual_study(0.07, 2);
   study.laws[0].as_springs = true;
@@ -500,7 +506,8 @@ TEST_F(BuildingRuns, of_springs_are_told_one_by_one_and_can_be_interrupted) {
   EXPECT_EQ(form(answers.laws[0]), "springs");
 }
 
-// Reference values of the Clopper-Pearson interval: form from Brown, Cai and DasGupta 2001, digits from R's binom.test.
+// Reference values of the Clopper-Pearson interval. The formula is from Brown, Cai and DasGupta 2001 and the digits are
+// from R's binom.test.
 TEST(BuildingAnswers, binomial_interval) {
   auto const interval = binomial_interval(95, 100);
   EXPECT_NEAR(interval[0], 0.8871651, 1e-6);

@@ -33,7 +33,7 @@ inline Whole whole_equations(Frame const& frame, double ratio) {
     equations.stiffness += B.transpose() * floor(i).below.stiffness * B;
   }
   if (n == 0) return equations;
-  // C = 2 zeta M sqrt(M^-1 K), for the motion relative to the base.
+  // Damping matrix C = 2 zeta M sqrt(M^-1 K), for the motion relative to the base.
   num::Vector const root = equations.mass.tail(n).cwiseSqrt(), inverse = root.cwiseInverse();
   auto const eigen =
       num::symmetric_eigen(inverse.asDiagonal() * equations.stiffness.bottomRightCorner(n, n) * inverse.asDiagonal());

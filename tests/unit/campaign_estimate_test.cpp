@@ -32,7 +32,8 @@ TEST_F(ShareOfCampaign, IsOfRunsAndAnalysesTogether) {
   std::vector<Progress> told;
   EXPECT_TRUE(
       run(contents, file(), {.jobs = 1, .progress = [&](Progress const& p) { told.push_back(p); }, .interrupted = {}}));
-  ASSERT_EQ(told.size(), 11u);  // six runs, two devices, one law for the lot, and two with a device left out
+  // Six runs, analyses of two devices, one law fitted to the lot, and two fits with one device left out.
+  ASSERT_EQ(told.size(), 11u);
   EXPECT_EQ(told[5].done, told[5].total);
   EXPECT_LT(told[5].share, 1.0);
   EXPECT_GT(told[5].left_s, 0.0);
@@ -54,7 +55,7 @@ TEST_F(ShareOfCampaign, CountsWhatAnInterruptedCampaignHad) {
   EXPECT_TRUE(run(contents, file(),
                   {.jobs = 1, .progress = [&](Progress const& p) { shares.push_back(p.share); }, .interrupted = {}}));
   ASSERT_EQ(shares.size(), 2u);
-  EXPECT_NEAR(shares[0], 5.0 / 6.0, 1e-9);  // all runs are of one law, so each counts the same
+  EXPECT_NEAR(shares[0], 5.0 / 6.0, 1e-9);  // five of six equal runs are done
   EXPECT_EQ(shares[1], 1.0);
 }
 
@@ -69,7 +70,8 @@ TEST_F(ShareOfCampaign, WeighsATaskByItsLawAndItsKind) {
   double const abe_to_all = static_cast<double>(relative_cost(contents, contents.searches[1])) / all_runs;
   double const before_s = estimate.work_left_s(TaskKind::run);
   estimate.done(TaskKind::run, "abe");
-  EXPECT_NEAR(1.0 - estimate.work_left_s(TaskKind::run) / before_s, abe_to_all / 3.0, 1e-9);  // one of three runs each
+  // One of the three runs of this law has ended.
+  EXPECT_NEAR(1.0 - estimate.work_left_s(TaskKind::run) / before_s, abe_to_all / 3.0, 1e-9);
   double const after_abe = estimate.share();
   estimate.done(TaskKind::run, "bilinear");
   EXPECT_GT(after_abe, 0.0);

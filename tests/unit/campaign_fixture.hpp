@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <stdlib.h>  // mkdtemp
+#include <stdlib.h>  // declares mkdtemp
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +49,7 @@ class Folder : public ::testing::Test {
     text << std::ifstream(file, std::ios::binary).rdbuf();
     return text.str();
   }
-  std::vector<std::string> names() const {  // every entry of the folder
+  std::vector<std::string> names() const {  // the names of all entries of the folder
     std::vector<std::string> found;
     for (auto const& entry : std::filesystem::directory_iterator(folder))
       found.push_back(entry.path().filename().string());
@@ -60,7 +60,7 @@ class Folder : public ::testing::Test {
   std::filesystem::path folder;
 };
 
-// Three cycles of a wide loop at 0.5 Hz; devices differ in `stiffness`.
+// Three cycles of a wide loop at 0.5 Hz. The devices of a campaign differ in `stiffness`.
 inline std::string record_text(double stiffness, bool with_time = true, int samples_per_cycle = 40) {
   std::string text = with_time ? "time [s],disp [mm],force [kN]\n" : "disp [mm],force [kN]\n";
   for (int i = 0; i <= 3 * samples_per_cycle; ++i) {
@@ -100,7 +100,7 @@ inline bool same(double a, double b) {
   return a == b || (std::isnan(a) && std::isnan(b));
 }
 
-// Exactly equal; NaN counts as equal to NaN.
+// Expects exactly equal values; NaN counts as equal to NaN.
 inline void expect_same(std::vector<double> const& a, std::vector<double> const& b, std::string const& what) {
   ASSERT_EQ(a.size(), b.size()) << what;
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -142,7 +142,7 @@ inline void expect_same(fit::SearchBox const& a, fit::SearchBox const& b, std::s
   }
 }
 
-// Compares everything but the layout of the raw record, which only `isolaw init` writes and no report needs.
+// Compares everything but the layout of the raw record. `isolaw init` alone writes the layout, and no report needs it.
 inline void expect_same(Device const& a, Device const& b) {
   EXPECT_EQ(a.name, b.name);
   EXPECT_EQ(a.file, b.file);

@@ -1,4 +1,4 @@
-// The lot file: every key it may hold, the complaint about every mistake with its line, and writing one.
+// Lot files: every key, the message about every mistake with its line, and how isolaw writes such a file.
 #include "isolaw/campaign/lot_file.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ class LotFileTest : public testing::Folder {
     return read_lot_file(write("lot.toml", text), options);
   }
 
-  // The complaints, one per line, without the folder's name; "" if the file could be read.
+  // The messages about a wrong file, one per line, without the folder's name; "" if the file could be read.
   std::string complaints(std::string_view text) const {
     try {
       read(text);
@@ -36,7 +36,7 @@ class LotFileTest : public testing::Folder {
     }
     return "";
   }
-  // A file with these lines after [calibrate], so that the first of them is line 3, and with one device.
+  // A lot file with these lines after [calibrate] and one device. The first of the lines is line 3.
   std::string calibrate(std::string_view lines) const {
     return complaints(
         fmt::format("title = \"lot\"\n[calibrate]\n{}\n[[device]]\nname = \"A\"\nfile = \"a.csv\"\n", lines));
@@ -127,7 +127,8 @@ columns = "disp=2,force=3"
   using enum data::Channel;
   EXPECT_EQ(a.read.columns,
             (std::map<data::Channel, std::string>{{time, "1"}, {disp, "Weg, horizontal"}, {force, "Kraft"}}));
-  EXPECT_EQ(a.read.units, (std::map<data::Channel, std::string>{{disp, "cm"}, {force, "tonf"}}));  // cm from [read]
+  // Device A has no unit of displacement of its own, so the unit in [read] applies.
+  EXPECT_EQ(a.read.units, (std::map<data::Channel, std::string>{{disp, "cm"}, {force, "tonf"}}));
   EXPECT_EQ(a.read.dt_s, 0.01);
   EXPECT_TRUE(a.read.flip_force);
   EXPECT_EQ(a.read.sheet, "Prüfung 2");
@@ -161,7 +162,7 @@ TEST_F(LotFileTest, ThinningIsANumberOrAll) {
             parse_laws("abe,vaiana"));
 }
 
-// Mistakes -----------------------------------------------------------------------------------------------------
+// --- mistakes in a lot file ---
 
 TEST_F(LotFileTest, SyntaxErrorsHaveTheirLine) {
   expect_parts(complaints("title = \"lot\"\n[[device]]\nname = A\n"), {"lot.toml:3", "TOML"});
@@ -228,7 +229,7 @@ TEST_F(LotFileTest, OptionsOfTheGeneticAlgorithmChooseIt) {
                {"lot.toml:4: generations: belongs to method ga, but the method is best"});
 }
 
-// "Throws one Error that holds every problem of the file with its line: ..., values that are not allowed".
+// The error message must name every value that is not allowed, with its line.
 TEST_F(LotFileTest, NumbersThatAreNotAllowedHaveTheirLine) {
   expect_parts(calibrate("runs = 0"), {"lot.toml:3", "runs", "0"});
   expect_parts(calibrate("seed = 1\npopulation = 7"), {"lot.toml:4", "population", "7"});
@@ -248,7 +249,7 @@ TEST_F(LotFileTest, DevicesThatAreNoneHaveTheirLine) {
   expect_parts(complaints("[[device]]\nfiles = []\n"), {"lot.toml:1", "without a file"});
 }
 
-// Files of others -----------------------------------------------------------------------------------------------
+// --- lot files that may do harm ---
 
 TEST_F(LotFileTest, FilesOutsideTheFolderHaveTheirLine) {
   std::string const rest = "files in the folder of the lot file or below it";
@@ -265,7 +266,7 @@ TEST_F(LotFileTest, FilesOutsideTheFolderHaveTheirLine) {
   EXPECT_EQ(read("[[device]]\nfile = \"../b.csv\"\n", {.allow_outside = true}).devices.size(), 1u);
 }
 
-// A rule file outside the folder is refused whether it exists or not, and whatever the current directory holds.
+// Names of rule files outside the folder must give the same message whether such a file exists or not.
 TEST_F(LotFileTest, RulesOutsideTheFolderHaveTheirLine) {
   auto const built_in = [](std::string_view name) { return name == "known"; };
   auto const lot = [](std::string const& name) {
@@ -413,7 +414,7 @@ TEST_F(LotFileTest, EveryProblemIsSaidAtOnce) {
   EXPECT_EQ(std::ranges::count(said, '\n'), 5) << said;
 }
 
-// Writing ------------------------------------------------------------------------------------------------------
+// --- lot files that isolaw writes ---
 
 void expect_same(DeviceInput const& a, DeviceInput const& b) {
   EXPECT_EQ(a.name, b.name);
@@ -525,7 +526,7 @@ TEST_F(LotFileTest, WrittenAcceptanceReadsBack) {
   EXPECT_EQ(read(lot_file_text(lot, folder), {.is_built_in_rules = known}).acceptance, lot.acceptance);
 }
 
-// "The text of a lot file that reads back as `lot`".
+// A lot file that isolaw writes must give the same lot when read.
 TEST_F(LotFileTest, WrittenSettingsReadBack) {
   Lot lot;
   lot.title = "lot";
@@ -581,7 +582,7 @@ TEST(LotOfFiles, NamesDevicesAfterTheirFiles) {
   EXPECT_EQ(lot.devices[1].shown_file, "b.csv");
 }
 
-// A comma before three digits may group thousands, so 1,200 mm is not read as a number at all.
+// A comma before three digits may group thousands, so 1,200 mm is ambiguous and isolaw leaves the value to the user.
 TEST_F(LotFileTest, NumbersOfAFileThatMayBeGroupedAreLeftToAPerson) {
   DeviceInfo info;
   auto left = take_particulars({{"rubber-area-mm2", "282,743 mm2"}, {"rubber-thickness-mm", "1,200 mm"}}, info);

@@ -1,4 +1,5 @@
-// Parts: how runs are assigned; merging a thousand parts takes time linear in rows, and constant memory.
+// Campaigns computed in parts: how runs are assigned to the parts. Merging a thousand parts must take time in
+// proportion to the rows, and constant memory.
 #include "isolaw/campaign/merge.hpp"
 
 #include <gtest/gtest.h>
@@ -72,14 +73,15 @@ TEST_F(MergeTest, DevicesAreDealtByWhatExaminingThemCosts) {
   }
 }
 
-// The assignment must agree between machines that never communicate.
+// Machines compute parts without communicating, so every machine must assign the runs in the same way.
 TEST_F(MergeTest, TheDealIsTheSameOnEveryMachine) {
   auto const contents = prepared({"bilinear", "abe"}, 3);
   RunAssignment const deal(contents, 4);
   std::vector<int> dealt;
   for (std::size_t s = 0; s < contents.searches.size(); ++s)
     for (int number = 1; number <= 3; ++number) dealt.push_back(deal.part_of(s, number));
-  EXPECT_EQ(dealt, (std::vector{3, 4, 1, 1, 2, 3, 2, 3, 4, 4, 1, 2}));  // a bilinear, a abe, b bilinear, b abe
+  // Parts of the three runs of each search: device a with bilinear, a with abe, b with bilinear, b with abe.
+  EXPECT_EQ(dealt, (std::vector{3, 4, 1, 1, 2, 3, 2, 3, 4, 4, 1, 2}));
 }
 
 TEST_F(MergeTest, AStoreInOrderIsTheSameFileHoweverItCameAbout) {
@@ -91,7 +93,7 @@ TEST_F(MergeTest, AStoreInOrderIsTheSameFileHoweverItCameAbout) {
   auto in_order = runs;
   std::ranges::sort(in_order, {}, [](auto const& run) { return std::tie(run.device, run.law, run.number); });
   std::string first;
-  for (int const stride : {1, 7, 159}) {  // every stride shares no factor with 160, so all runs are visited
+  for (int const stride : {1, 7, 159}) {  // 160 runs: a stride without a factor in common with 160 reaches every run
     auto const file = folder / "campaign.sqlite";
     auto store = Store::create(file, contents);
     for (std::size_t i = 0; i < runs.size(); ++i) store.add(runs[i * static_cast<std::size_t>(stride) % runs.size()]);
@@ -104,14 +106,14 @@ TEST_F(MergeTest, AStoreInOrderIsTheSameFileHoweverItCameAbout) {
     EXPECT_FALSE(after == before);
     testing::expect_same(Store::read(file).runs, in_order);
     EXPECT_EQ(Store::integrity(file), std::vector<std::string>{});
-    Store::put_in_order(file);  // a second time there is nothing to do
+    Store::put_in_order(file);  // the store is in order already, so nothing may change
     EXPECT_TRUE(bytes_of(file) == first);
   }
 }
 
 #ifdef __linux__
 
-// Counters that the system keeps for the process: "rchar" and "wchar" in io, "VmHWM" in status.
+// Counters of /proc/self for this process: "rchar" and "wchar" in io, "VmHWM" in status.
 std::uint64_t counted_by_system(std::string const& file, std::string const& key) {
   std::ifstream in("/proc/self/" + file);
   for (std::string word; in >> word;)
@@ -124,14 +126,15 @@ std::uint64_t counted_by_system(std::string const& file, std::string const& key)
 }
 
 TEST_F(MergeTest, OfAThousandPartsIsLinearInRowsAndFlatInMemory) {
-  constexpr int most = 1000, each = 5;  // number of parts; runs of each search that a part has
+  // The number of parts, and the number of runs of each search that a part computes.
+  constexpr int most = 1000, each = 5;
   struct Cost {
     std::uint64_t bytes = 0;
     std::int64_t sqlite_bytes = 0, process_kB = 0;
   };
   std::map<int, Cost> costs;
   for (int const parts : {100, most}) {
-    // Part k has runs k, k + parts, ... of every search, so runs are shared out evenly.
+    // Part k has runs k, k + parts, ... of every search.
     auto contents = prepared({"bilinear", "vaiana"}, each * parts);
     contents.part = {1, parts};
     contents.makers = {this_maker()};
@@ -162,11 +165,11 @@ TEST_F(MergeTest, OfAThousandPartsIsLinearInRowsAndFlatInMemory) {
       ASSERT_EQ(sqlite3_exec(db, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sqlite3_errmsg(db);
       sqlite3_close(db);
     }
-    // Shuffle the files.
+    // Merge the files in an arbitrary order.
     for (std::size_t i = 0; i < files.size(); ++i) std::swap(files[i], files[i * 7919 % files.size()]);
     auto const out = folder / "campaign.sqlite";
     std::filesystem::remove(out);
-    std::ofstream("/proc/self/clear_refs") << 5;  // starts the peak of memory anew
+    std::ofstream("/proc/self/clear_refs") << 5;  // resets the peak memory of the process
     auto const memory_before = counted_by_system("status", "VmRSS");
     sqlite3_memory_highwater(1);
     auto const bytes_before = counted_by_system("io", "rchar") + counted_by_system("io", "wchar");
@@ -179,12 +182,13 @@ TEST_F(MergeTest, OfAThousandPartsIsLinearInRowsAndFlatInMemory) {
     EXPECT_EQ(merged.added, contents.expected_runs());
     EXPECT_EQ(merged.parts, parts);
   }
-  // The rows of a part lie all over the tree. Once the tree outgrows the page cache, every part moves its own pages,
-  // but no more than that. A merge that read everything again for every part would move ten times as much.
+  // The rows of a part are spread over the whole tree of the database. Once this tree is larger than the page cache,
+  // merging a part reads and writes the pages of that part, which is linear in the rows. If every part read the whole
+  // tree, ten times as many bytes would be moved.
   auto const& few = costs.at(100);
   auto const& many = costs.at(most);
   EXPECT_LT(static_cast<double>(many.bytes), 2.5 * most / 100 * static_cast<double>(few.bytes));
-  // Memory must not grow with ten times the rows: with few parts the page cache was full already.
+  // With few parts the page cache is full already, so ten times the rows must not need more memory.
   EXPECT_LT(many.sqlite_bytes, few.sqlite_bytes + (4 << 20));
   EXPECT_LT(many.process_kB, few.process_kB + (8 << 10));
 }

@@ -1,5 +1,5 @@
-// Preparing and running a campaign: what is refused, and that the result of a run depends on (seed, device, law,
-// number) alone, not on threads, order, other runs or interruptions.
+// Prepares and runs campaigns: which input is refused, and that the result of a run depends on seed, device, law and
+// run number alone, not on threads, order, other runs or interruptions.
 #include "isolaw/campaign/campaign.hpp"
 
 #include <gtest/gtest.h>
@@ -33,10 +33,10 @@ using testing::record_text;
 
 class CampaignTest : public testing::Folder {
  protected:
-  // Two devices of different stiffness; the records have time.
+  // Two devices of different stiffness whose records have time.
   Lot lot(std::string_view laws = "bilinear,bouc-wen,jankowski") const {
     Lot lot_of_two;
-    lot_of_two.settings.analysis = false;  // analyses have tests of their own
+    lot_of_two.settings.analysis = false;  // other tests cover the analyses
     lot_of_two.title = "test lot";
     lot_of_two.settings.laws = parse_laws(laws);
     lot_of_two.settings.method = Method::genetic;
@@ -50,7 +50,7 @@ class CampaignTest : public testing::Folder {
   }
   std::filesystem::path file(std::string_view name = "campaign.sqlite") const { return folder / name; }
 
-  // Runs a whole campaign in a store of its own, and checks that memory and store agree.
+  // Runs a whole campaign into a store of its own. The results in memory and in the store must be equal.
   Contents done(Lot const& of, int jobs = 1, std::string_view store = "campaign.sqlite") const {
     auto contents = prepare(of);
     Store::create(file(store), contents);
@@ -64,7 +64,7 @@ class CampaignTest : public testing::Folder {
   }
 };
 
-using Key = std::tuple<std::string, std::string, int>;  // device's name, law, number
+using Key = std::tuple<std::string, std::string, int>;  // name of the device, law, number of the run
 
 std::map<Key, Run> by_name(Contents const& contents) {
   std::map<Key, Run> found;
@@ -80,7 +80,7 @@ bool sorted(std::vector<Run> const& runs) {
   return std::ranges::is_sorted(runs, {}, [](Run const& r) { return std::tie(r.device, r.law, r.number); });
 }
 
-// Preparing ----------------------------------------------------------------------------------------------------
+// --- preparing a campaign ---
 
 TEST_F(CampaignTest, PrepareMakesASearchForEveryDeviceAndLaw) {
   auto const contents = prepare(lot());
@@ -125,7 +125,7 @@ TEST_F(CampaignTest, PrepareKeepsRefusedDevicesWithTheirReason) {
   EXPECT_TRUE(contents.devices[2].usable());
   EXPECT_NE(contents.devices[3].refusal.find("absent.csv"), std::string::npos) << contents.devices[3].refusal;
   ASSERT_EQ(contents.searches.size(), 6u);
-  EXPECT_EQ(contents.searches.back().device, 2u);  // the index counts refused devices too
+  EXPECT_EQ(contents.searches.back().device, 2u);  // a device has an index even if it was refused
 }
 
 TEST_F(CampaignTest, PrepareThrowsEveryReasonWhenNoDeviceIsUsable) {
@@ -181,7 +181,7 @@ TEST_F(CampaignTest, SeveralFilesOfADeviceAreOneHistory) {
   ASSERT_EQ(raw.size(), 242u);
   ASSERT_EQ(raw.time_s.size(), 242u);
   EXPECT_TRUE(std::ranges::is_sorted(raw.time_s, std::less_equal{}));
-  EXPECT_NEAR(raw.time_s[121], raw.time_s[120] + 0.05, 1e-9);  // the second file follows after one sampling interval
+  EXPECT_NEAR(raw.time_s[121], raw.time_s[120] + 0.05, 1e-9);  // the second file continues after one sampling interval
   EXPECT_NEAR(raw.time_s.back() - raw.time_s[121], 6.0, 1e-9);
   EXPECT_NE(raw.sha256, prepare(lot()).devices[0].raw.sha256);
 
@@ -194,9 +194,10 @@ TEST_F(CampaignTest, SeveralFilesOfADeviceAreOneHistory) {
   }
 }
 
-// Running ------------------------------------------------------------------------------------------------------
+// --- running a campaign ---
 
-// With `best`, any number of threads and any interruption give the same runs, each within 0.1 % of the others.
+// With the method `best`, threads and interruptions must not change any run, and all runs of a search must end within
+// 0.1 % of its least objective.
 TEST_F(CampaignTest, DescentsEndAtOneObjective) {
   auto best = lot("bilinear,bouc-wen");
   best.settings.method = Method::best;
@@ -208,7 +209,7 @@ TEST_F(CampaignTest, DescentsEndAtOneObjective) {
     auto const [entry, is_new] = least.try_emplace(std::pair(r.device, r.law), r.objective);
     entry->second = std::min(entry->second, r.objective);
     EXPECT_EQ(r.outcome, Outcome::confirmed);
-    EXPECT_GE(r.history.size(), 17u);  // 16 starts, and the refinement at the end
+    EXPECT_GE(r.history.size(), 17u);  // one entry for each of the 16 starts and at least one for the refinement
     EXPECT_NEAR(r.history.back(), r.objective, fit::block_tolerance * std::max(r.objective, 1e-3));
     EXPECT_GT(r.evaluations, 500);
   }
@@ -246,8 +247,8 @@ TEST_F(CampaignTest, EveryRunIsThereOnceAndIsWhatItSays) {
     EXPECT_EQ(r.evaluations, 50);
     EXPECT_EQ(r.outcome, Outcome::all_generations);
     ASSERT_EQ(r.history.size(), 5u);
-    EXPECT_TRUE(std::ranges::is_sorted(r.history, std::greater{}));  // never rises
-    // History values come from blocks of candidates, the final objective from the scalar path.
+    EXPECT_TRUE(std::ranges::is_sorted(r.history, std::greater{}));
+    // The history is computed by vectorised code and the final objective by scalar code, so the last digits differ.
     EXPECT_NEAR(r.history.back(), r.objective, fit::block_tolerance * r.objective);
     for (std::size_t i = 0; i < r.parameters.size(); ++i) {
       auto const& p = search.box.parameters[i];
@@ -260,7 +261,7 @@ TEST_F(CampaignTest, EveryRunIsThereOnceAndIsWhatItSays) {
     }
     objectives.insert(r.objective);
   }
-  EXPECT_EQ(objectives.size(), expected);  // no two runs of a device and law are alike
+  EXPECT_EQ(objectives.size(), expected);  // no two runs give the same objective
 }
 
 TEST_F(CampaignTest, ThreadsChangeNothing) {
@@ -280,7 +281,7 @@ TEST_F(CampaignTest, OrderOfDevicesChangesNothing) {
 
 TEST_F(CampaignTest, OtherLawsDevicesAndRunsChangeNothing) {
   auto const expected = by_name(done(lot()));
-  auto fewer = lot("jankowski,bilinear");  // in another order too
+  auto fewer = lot("jankowski,bilinear");  // fewer laws than above and in another order
   fewer.devices.erase(fewer.devices.begin());
   fewer.settings.runs = 2;
   auto const found = by_name(done(fewer, 1, "fewer.sqlite"));
@@ -311,8 +312,8 @@ TEST_F(CampaignTest, SeedAndNameOfTheDeviceDecide) {
   }
 }
 
-// Both laws are reduced to one spring, so they are the same function of the same unit interval. If they shared random
-// numbers, their objectives would be equal.
+// Both laws reduce to one elastic spring here, so their objectives are the same function. Equal objectives would show
+// that the laws share random numbers.
 TEST_F(CampaignTest, LawsHaveRandomNumbersOfTheirOwn) {
   auto springs = lot("bilinear,jankowski");
   for (auto const* text : {"bilinear.K1=2", "bilinear.xy=0", "bilinear.K2=0.4:1.2", "jankowski.a1=4e5:12e5",
@@ -350,13 +351,13 @@ TEST_F(CampaignTest, ProgressCountsEveryRunAndKnowsTheBest) {
   EXPECT_EQ(last.best, best);
 }
 
-// Interrupting -------------------------------------------------------------------------------------------------
+// --- interrupting a campaign ---
 
 TEST_F(CampaignTest, InterruptedAfterAnyRunAndResumedIsAsIfNeverInterrupted) {
   auto const expected = done(lot(), 1, "whole.sqlite");
   for (int const jobs : {1, 2})
     for (std::size_t const stop_after : {0u, 1u, 7u, 17u}) {
-      if (jobs == 2 && stop_after == 17) continue;  // the last run may finish before its thread asks whether to stop
+      if (jobs == 2 && stop_after == 17) continue;  // the last run may end before its thread asks whether to stop
       auto const store = file(fmt::format("stopped-{}-{}.sqlite", jobs, stop_after));
       auto contents = prepare(lot());
       Store::create(store, contents);
@@ -371,7 +372,7 @@ TEST_F(CampaignTest, InterruptedAfterAnyRunAndResumedIsAsIfNeverInterrupted) {
       EXPECT_GE(contents.runs.size(), stop_after);
       EXPECT_LT(contents.runs.size(), 18u);
       EXPECT_TRUE(sorted(contents.runs));
-      expect_same(Store::read(store), contents);  // what was finished is kept
+      expect_same(Store::read(store), contents);  // the finished runs are kept
 
       auto resumed = Store::read(store);
       std::size_t first_done = 0;
@@ -383,7 +384,7 @@ TEST_F(CampaignTest, InterruptedAfterAnyRunAndResumedIsAsIfNeverInterrupted) {
                              EXPECT_EQ(p.total, 18u);
                            },
                        .interrupted = {}}));
-      EXPECT_EQ(first_done, contents.runs.size() + 1);  // no run is computed twice
+      EXPECT_EQ(first_done, contents.runs.size() + 1);  // no finished run is computed again
       expect_same(resumed, expected);
       expect_same(Store::read(store), expected);
     }
@@ -391,7 +392,8 @@ TEST_F(CampaignTest, InterruptedAfterAnyRunAndResumedIsAsIfNeverInterrupted) {
 
 TEST_F(CampaignTest, InterruptedWithinARunKeepsNoPartOfIt) {
   auto const expected = done(lot("bilinear"), 1, "whole.sqlite");
-  for (int const asked : {2, 4, 9}) {  // the answer becomes yes at this question; a run asks about six times
+  // The campaign is stopped at this question; each run asks about six times whether to stop.
+  for (int const asked : {2, 4, 9}) {
     auto const store = file(fmt::format("stopped-{}.sqlite", asked));
     auto contents = prepare(lot("bilinear"));
     Store::create(store, contents);
@@ -416,10 +418,10 @@ TEST_F(CampaignTest, ACompleteCampaignRunsNothingAgain) {
   expect_same(Store::read(file()), expected);
 }
 
-// Finer steps ----------------------------------------------------------------------------------------------------
+// --- integration in finer steps ---
 
-// With a dozen samples per cycle one step of hwang-wu is far too long in a corner of the box. A search without finer
-// steps finds an objective there that is an artefact of the step.
+// With a dozen samples per cycle, one step of hwang-wu is far too long in a corner of the box. A search that does not
+// refine its steps ends there at an objective that only the step error makes so low.
 TEST_F(CampaignTest, AnOptimumThatLivesFromTheStepIsFittedAgainInFinerOnes) {
   Lot coarse;
   coarse.settings.laws = {"hwang-wu", "bilinear"};
@@ -448,14 +450,14 @@ TEST_F(CampaignTest, AnOptimumThatLivesFromTheStepIsFittedAgainInFinerOnes) {
   for (int const finer : {2, 4})
     EXPECT_NEAR(objective(finer * refined.refinement, refined.parameters), refined.objective, 1e-3 * refined.objective);
   EXPECT_LT(refined.integration_shift, 1e-3 * refined.objective);
-  // The coarse search ended with a lower objective than accurate integration gives.
+  // The search in coarse steps ended at an objective below that of accurate integration.
   EXPECT_LT(refined.history.back(), refined.objective);
 
   coarse.settings.integration = laws::Integration::paper;
   for (auto const& r : done(coarse, 1, "paper.sqlite").runs) EXPECT_EQ(r.refinement, 1) << r.law;
 }
 
-// Nothing to search, nothing to find ---------------------------------------------------------------------------
+// --- searches without free parameters or without a finite force ---
 
 TEST_F(CampaignTest, AllParametersFixedIsEvaluatedAsTheyAre) {
   auto fixed = lot("bilinear,abe-y0");
@@ -478,7 +480,8 @@ TEST_F(CampaignTest, AllParametersFixedIsEvaluatedAsTheyAre) {
   }
 }
 
-// An exponential overflows: that run fails, and the others do not change.
+// The box of one law makes an exponential overflow. Runs of this law must fail and the runs of the others must not
+// change.
 TEST_F(CampaignTest, ARunWithoutAnyFiniteForceIsRecordedAsSuch) {
   auto const expected = by_name(done(lot("bilinear"), 1, "plain.sqlite"));
   std::vector<fit::Override> searched{fit::parse_override("vaiana.beta1+=1:2"),
@@ -510,7 +513,7 @@ TEST_F(CampaignTest, AStoreThatIsNotThereIsRefused) {
   EXPECT_THROW(run(contents, folder / "absent.sqlite", {.jobs = 1, .progress = {}, .interrupted = {}}), Error);
 }
 
-// A program that calls `calibrate` gets the same notes on what is continued as the terminal prints.
+// `calibrate` returns what the terminal prints about a campaign that it continues.
 TEST_F(CampaignTest, OfADirectoryIsSaidWhatItContinues) {
   auto const record = [&](std::string name, double stiffness) {
     auto const file = write(name + ".csv", record_text(stiffness));
@@ -528,7 +531,7 @@ TEST_F(CampaignTest, OfADirectoryIsSaidWhatItContinues) {
   EXPECT_EQ(grown.devices.size(), 2u);
 }
 
-// A program computes the parts itself, one call for each.
+// `calibrate` is called once per part. The parts together must give the results of a campaign on one machine.
 TEST_F(CampaignTest, InPartsEndsAsOneMachine) {
   auto const record = [&](std::string name, double stiffness) {
     auto const file = write(name + ".csv", record_text(stiffness));

@@ -1,4 +1,5 @@
-// Settings that decide a campaign's numbers: written as pairs, read back, and as words of the command line.
+// Settings that decide a campaign's numbers: written as pairs of key and value, read from pairs, and given on the
+// command line.
 #include "isolaw/campaign/settings.hpp"
 
 #include <fmt/format.h>
@@ -71,7 +72,7 @@ bool holds(std::string const& text, std::string const& part) {
   return text.find(part) != std::string::npos;
 }
 
-// --- every setting -------------------------------------------------------------------------------------------
+// --- tests of each row of the table of settings ---
 
 TEST(EverySetting, HasADefaultThatItMayHaveAndHelpWhereItIsAnOption) {
   for (auto const& setting : setting_table()) {
@@ -85,7 +86,8 @@ TEST(EverySetting, HasADefaultThatItMayHaveAndHelpWhereItIsAnOption) {
   }
 }
 
-// A campaign is resumed only if its pairs are equal, so every setting that can change a number must be among them.
+// isolaw resumes a campaign only if its stored pairs equal those of the new settings, so the pairs must contain every
+// setting that can change a number.
 TEST(EverySetting, IsStoredReadBackAndComparedByItsKey) {
   for (auto const& setting : setting_table()) {
     SCOPED_TRACE(setting.key);
@@ -185,11 +187,11 @@ TEST(Settings, RunsAreThoseTheMethodNeeds) {
   given.runs = 7;
   for (auto* s : {&best, &genetic, &given}) s->complete();
   EXPECT_EQ(best.runs, 3);
-  EXPECT_EQ(genetic.runs, 20);  // the paper's number
+  EXPECT_EQ(genetic.runs, 20);  // as in the paper
   EXPECT_EQ(given.runs, 7);
 }
 
-TEST(Settings, Defaults) {  // the defaults of the genetic algorithm are the paper's
+TEST(Settings, Defaults) {  // the genetic algorithm has the paper's settings
   Settings const s;
   EXPECT_EQ(s.method, Method::best);
   EXPECT_EQ(s.integration, laws::Integration::converged);

@@ -1,4 +1,5 @@
-// The store: everything written can be read back, a run is stored wholly or not at all, foreign files are refused.
+// The campaign's store: everything written can be read, a run is stored whole or not at all, and files that are not
+// stores are refused.
 #include "isolaw/campaign/store.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +28,7 @@ using testing::expect_same;
 std::string const attack = "O'Brien\"; DROP TABLE run; -- <script>alert('1')</script>\nsecond line\t\\ `x` %s {}";
 std::string const unicode = "Prüfling № 試験 🙂 e\u0301";
 
-// Executes plain SQL, as any other program would.
+// Executes SQL as another program would, without the code of the store.
 std::vector<std::vector<std::string>> sql(std::filesystem::path const& file, std::string const& text) {
   sqlite3* db = nullptr;
   EXPECT_EQ(sqlite3_open(file.c_str(), &db), SQLITE_OK);
@@ -95,8 +96,8 @@ Contents full() {
   refused.file = refused.raw.file = "b.csv";
   refused.refusal = "b.csv:7: found 'x'; allowed: a number\nb.csv: and another line";
 
-  Device no_time;            // neither load, time nor warnings; the other texts are empty
-  no_time.name = "D\xb0 3";  // bytes of cp1252, which a file's name may hold
+  Device no_time;            // a device without vertical load, time and warnings, and with empty texts
+  no_time.name = "D\xb0 3";  // bytes of code page 1252, which a file's name may contain
   no_time.vertical.stated_kN_per_mm = 1.0 / 3.0;
   no_time.raw.disp_mm = {1.0};
   no_time.raw.force_kN = {2.0};
@@ -105,7 +106,7 @@ Contents full() {
   no_time.record.force_kN = {2.0};
   c.devices = {first, refused, no_time};
 
-  // The boxes hold each law's own parameters; the first three have bounds that are hard to store exactly.
+  // The box of each law has the law's own parameters. The first three get bounds that are hard to store exactly.
   auto const box_of = [](std::string const& law) {
     fit::SearchBox box;
     for (auto const& info : laws::find_law(law).parameters)
@@ -167,7 +168,7 @@ std::vector<Run> runs() {
 class StoreTest : public testing::Folder {
  protected:
   std::filesystem::path file() const { return folder / "campaign.sqlite"; }
-  // A finished store of `full` and `runs`; returns its contents.
+  // Writes a finished store of `full` and `runs` and returns its contents.
   Contents make() const {
     auto contents = full();
     auto store = Store::create(file(), contents);
@@ -176,7 +177,7 @@ class StoreTest : public testing::Folder {
     contents.runs = runs();
     return contents;
   }
-  // The message of opening and of reading the file; both must refuse it.
+  // The messages of opening and of reading the file. Both calls must refuse it.
   std::string refusal(std::filesystem::path const& path) const {
     std::string said;
     auto const attempt = [&](std::function<void()> const& action, char const* what) {
@@ -207,7 +208,7 @@ TEST_F(StoreTest, RunsComeBackInOrderHoweverTheyWereAdded) {
   auto mixed = runs();
   std::ranges::reverse(mixed);
   for (auto const& run : mixed) store.add(run);
-  expect_same(Store::read(file()).runs, runs());  // read while the store is open for writing
+  expect_same(Store::read(file()).runs, runs());  // another reader may read while the store is open for writing
 }
 
 TEST_F(StoreTest, ARunWithoutHistoryComesBack) {
@@ -251,7 +252,8 @@ TEST_F(StoreTest, ClosedWithoutFinishingIsReadableAndCanBeContinued) {
   expect_same(Store::read(file()), expected);
 }
 
-// A killed program leaves the files as they are while the store is open.
+// A killed program leaves the files as they are while the store is open, so a copy of them shows what can be read
+// later.
 TEST_F(StoreTest, KilledAfterAnyRunKeepsTheRunsBefore) {
   auto store = Store::create(file(), full());
   auto const killed = folder / "killed";
@@ -259,7 +261,7 @@ TEST_F(StoreTest, KilledAfterAnyRunKeepsTheRunsBefore) {
     store.add(runs()[i]);
     std::filesystem::remove_all(killed);
     std::filesystem::create_directory(killed);
-    for (auto const* suffix : {"", "-wal"}) {  // SQLite makes the index file -shm again
+    for (auto const* suffix : {"", "-wal"}) {  // SQLite makes the index file "-shm" again, so it is not copied
       auto const from = file().string() + suffix;
       if (std::filesystem::exists(from)) std::filesystem::copy(from, killed / fmt::format("campaign.sqlite{}", suffix));
     }
@@ -273,7 +275,7 @@ TEST_F(StoreTest, KilledAfterAnyRunKeepsTheRunsBefore) {
   }
 }
 
-// A log cut off anywhere, as by a power failure, loses whole runs and never a part of one.
+// A power failure may cut off the log anywhere. The store may then lose whole runs, but never a part of a run.
 TEST_F(StoreTest, ATornLogLosesWholeRunsOnly) {
   auto store = Store::create(file(), full());
   for (auto const& run : runs()) store.add(run);
@@ -287,7 +289,7 @@ TEST_F(StoreTest, ATornLogLosesWholeRunsOnly) {
     try {
       read = Store::read(copy);
     } catch (Error const&) {
-      continue;  // cut before the store itself had been written
+      continue;  // the cut lies before the end of the empty store
     }
     ASSERT_LE(read.runs.size(), runs().size());
     for (auto const& run : read.runs) {
@@ -307,13 +309,14 @@ TEST_F(StoreTest, ARunAddedTwiceIsRefusedWholly) {
   auto changed = runs()[0];
   changed.parameters.back() = 99.0;
   EXPECT_THROW(store.add(changed), Error);
-  store.add(runs()[1]);  // the store is still usable
+  store.add(runs()[1]);  // the store still accepts runs
   auto expected = runs();
   expected.resize(2);
   expect_same(Store::read(file()).runs, expected);
 }
 
-// If the program itself is wrong, the new result is lost, but nothing stored before.
+// A run that breaks the rules of the store is an error of the program. The store rejects this run and keeps all earlier
+// ones.
 TEST_F(StoreTest, WhatAReaderWouldRefuseIsNotWritten) {
   auto store = Store::create(file(), full());
   store.add(runs()[0]);
@@ -345,7 +348,7 @@ TEST_F(StoreTest, ACampaignThatAReaderWouldRefuseIsNotWritten) {
     auto contents = full();
     spoil(contents);
     EXPECT_THROW(Store::create(file(), contents), std::logic_error);
-    EXPECT_EQ(Store::read(file()).runs.size(), runs().size());  // the former store is still there
+    EXPECT_EQ(Store::read(file()).runs.size(), runs().size());  // the earlier store was not replaced
   };
   refused([](auto& c) { c.devices[0].raw.time_s.pop_back(); });
   refused([](auto& c) { c.devices[0].record.scored[0] = 0.5; });
@@ -359,7 +362,8 @@ TEST_F(StoreTest, FinishingLeavesOnePlainFile) {
   EXPECT_EQ(names(), std::vector<std::string>{"campaign.sqlite"});
   auto const bytes = bytes_of(file());
   ASSERT_GT(bytes.size(), 100u);
-  EXPECT_EQ(bytes[18], 1);  // format version in the header: 1 is the rollback journal, 2 the write-ahead log
+  // Byte 18 is the format version in the header: 1 for a rollback journal, 2 for a write-ahead log.
+  EXPECT_EQ(bytes[18], 1);
   EXPECT_EQ(bytes[19], 1);
 }
 
@@ -378,7 +382,8 @@ TEST_F(StoreTest, ReadingAnUnfinishedStoreChangesNothing) {
   }
   auto const before = bytes_of(file());
   EXPECT_EQ(Store::read(file()).runs.size(), runs().size());
-  EXPECT_EQ(bytes_of(file()), before);  // SQLite may leave the index of its log in the folder
+  // Only the store itself is compared: SQLite may leave the index of its log in the folder.
+  EXPECT_EQ(bytes_of(file()), before);
 }
 
 TEST_F(StoreTest, PlainSqlReadsIt) {
@@ -396,10 +401,10 @@ TEST_F(StoreTest, PlainSqlReadsIt) {
 TEST_F(StoreTest, RefusesWhatIsNotThere) {
   auto const said = refusal(folder / "nothing.sqlite");
   EXPECT_NE(said.find("nothing.sqlite"), std::string::npos) << said;
-  EXPECT_TRUE(names().empty());  // reading does not create the file
+  EXPECT_TRUE(names().empty());  // reading must not create the file
 }
 
-// Every foreign file is refused by name and called not a store.
+// The message about a file that is not a store must say so and name the file.
 TEST_F(StoreTest, RefusesWhatIsNotAStore) {
   auto const text = write("text.sqlite", std::string(5000, 'x') + "\nnot a database\n");
   auto const empty = write("empty.sqlite", "");
@@ -433,7 +438,7 @@ TEST_F(StoreTest, RefusesAnotherSchemaAndChangesNothing) {
   }
 }
 
-// A store that lacks a new setting cannot be read: raise schema_version when this list changes.
+// A store that lacks a setting cannot be read. Raise schema_version whenever this list changes.
 TEST(Schema, OfTheseSettingsIsTen) {
   std::set<std::string> keys;
   for (auto const method : {Method::best, Method::genetic}) {

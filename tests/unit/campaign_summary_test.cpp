@@ -1,4 +1,4 @@
-// From a campaign's contents to the numbers of the report, checked on made-up runs with statistics worked out by hand.
+// From the runs of a campaign to the numbers of the report, on made-up runs whose statistics are worked out by hand.
 #include "finding_text.hpp"
 #include "isolaw/study/build_summary.hpp"
 
@@ -19,14 +19,14 @@ using campaign::Contents;
 using campaign::Outcome;
 using campaign::Run;
 
-// Three cycles of ±100 mm with the force of a bilinear device with K1 = 1.5, K2 = 0.6, xy = 20.
+// Three cycles of ±100 mm with the force of a bilinear device: K1 = 1.5 and K2 = 0.6 kN/mm, xy = 20 mm.
 data::FitRecord record() {
   data::FitRecord r;
   for (int i = 0; i <= 600; ++i) {
     r.time_s.push_back(0.01 * i);
     r.disp_mm.push_back(100.0 * std::sin(std::numbers::pi * 0.01 * i));
     r.vel_mm_s.push_back(100.0 * std::numbers::pi * std::cos(std::numbers::pi * 0.01 * i));
-    r.force_kN.push_back(static_cast<double>(i));  // any values: `evaluate` replaces them below
+    r.force_kN.push_back(static_cast<double>(i));  // a placeholder that `evaluate` replaces below
   }
   fit::LawOnRecord const model(laws::find_law("bilinear"), r, laws::Integration::converged);
   r.force_kN = model.force_kN(std::vector{1.5, 0.6, 20.0});
@@ -75,8 +75,9 @@ Run failed(std::size_t device, std::string law, int number) {
                                        "none of the first 100 parameter sets gave a finite force");
 }
 
-// Objectives: device A has 0.1, 0.2, 0.3; device B 0.3, 0.5, 0.7. Means over the runs: K1 is 1.2 and 1.8, so -20 % and
-// +20 % of their mean 1.5; K2 is 0.5 and 0.6, so -1/11 and +1/11 of their mean 0.55; xy is 40 and 40.
+// The objectives are 0.1, 0.2, 0.3 for device A and 0.3, 0.5, 0.7 for device B. The mean K1 over the runs is 1.2 for A
+// and 1.8 for B, which is -20 % and +20 % of their mean 1.5. The mean K2 is 0.5 and 0.6, which is -1/11 and +1/11 of
+// 0.55. The mean xy is 40 for both.
 Contents two_devices() {
   Contents c;
   c.title = "by hand";
@@ -103,7 +104,8 @@ TEST(Summary, HoldsWhatTheCampaignIs) {
   EXPECT_EQ(summary.title, "by hand");
   EXPECT_EQ(summary.seed, 5u);
   EXPECT_FALSE(summary.version.empty());
-  EXPECT_EQ(summary.settings.size() + 1, to_pairs(contents.settings).size());  // the seed is listed separately
+  // A summary lists the seed apart from the other settings.
+  EXPECT_EQ(summary.settings.size() + 1, to_pairs(contents.settings).size());
   ASSERT_EQ(summary.devices.size(), 2u);
   EXPECT_EQ(summary.devices[1].name, "B");
   EXPECT_EQ(summary.devices[1].file, "B.csv");
@@ -123,7 +125,7 @@ TEST(Summary, StatisticsOverRuns) {
   ASSERT_EQ(fits.size(), 2u);
   EXPECT_EQ(fits[0].device, "A");
   EXPECT_NEAR(*fits[0].objective.mean, 0.2, 1e-15);
-  EXPECT_NEAR(*fits[0].objective.std, 0.1, 1e-15);  // sample standard deviation: sqrt((0.01 + 0 + 0.01) / 2)
+  EXPECT_NEAR(*fits[0].objective.std, 0.1, 1e-15);  // sample standard deviation sqrt((0.01 + 0 + 0.01) / 2)
   EXPECT_EQ(*fits[0].objective.best, 0.1);
   EXPECT_NEAR(*fits[1].objective.mean, 0.5, 1e-15);
   EXPECT_NEAR(*fits[1].objective.std, 0.2, 1e-15);
@@ -132,14 +134,14 @@ TEST(Summary, StatisticsOverRuns) {
   EXPECT_EQ(K1.name, "K1");
   EXPECT_NEAR(*K1.value.mean, 1.2, 1e-15);
   EXPECT_NEAR(*K1.value.std, std::sqrt(2 * 0.1995 * 0.1995 / 2), 1e-15);
-  EXPECT_EQ(*K1.value.best, 1.0005);  // the value of the run with the best objective
+  EXPECT_EQ(*K1.value.best, 1.0005);  // K1 in the run with the least objective
   EXPECT_EQ(*fits[1].parameters[2].value.best, 20.0);
   EXPECT_NEAR(*fits[1].parameters[2].value.std, 20.0, 1e-13);
   EXPECT_EQ(fits[0].runs, 3);
   EXPECT_EQ(fits[0].failed_runs, 0);
   ASSERT_EQ(fits[0].histories.size(), 3u);
   EXPECT_EQ(fits[0].histories[1], (std::vector{1.0, 0.1}));
-  EXPECT_EQ(*fits[0].integration_shift, 2e-6);  // the shift of the best run, the second
+  EXPECT_EQ(*fits[0].integration_shift, 2e-6);  // from the run with the least objective, the second
 }
 
 TEST(Summary, StatisticsOverTheLot) {
@@ -154,35 +156,38 @@ TEST(Summary, StatisticsOverTheLot) {
   EXPECT_NEAR(*law.devices[1].parameters[0].percent_of_lot, 20.0, 1e-12);
   EXPECT_NEAR(*law.devices[0].parameters[1].percent_of_lot, -100.0 / 11.0, 1e-12);
   EXPECT_NEAR(*law.devices[1].parameters[2].percent_of_lot, 0.0, 1e-12);
-  EXPECT_TRUE(law.on_front);  // the only law there is
+  EXPECT_TRUE(law.on_front);  // there is no other law
 }
 
 TEST(Summary, TheMeanOfALawIsTheMeanOfItsDevicesMeans) {
   auto contents = two_devices();
-  contents.runs.erase(contents.runs.begin() + 5);  // B keeps 0.3 and 0.5, whose mean is 0.4
+  contents.runs.erase(contents.runs.begin() + 5);  // B keeps the objectives 0.3 and 0.5, whose mean is 0.4
   auto const summary = build_summary(contents);
-  EXPECT_NEAR(*summary.laws[0].objective.mean, 0.3, 1e-15);  // over devices; over runs it is 1.4 / 5 = 0.28
+  // The mean of the devices' means; the mean of all runs is 1.4 / 5 = 0.28.
+  EXPECT_NEAR(*summary.laws[0].objective.mean, 0.3, 1e-15);
   EXPECT_EQ(summary.laws[0].devices[1].runs, 2);
 }
 
 TEST(Summary, AtBoundIsThatOfTheBestRun) {
   auto contents = two_devices();
   auto summary = build_summary(contents);
-  EXPECT_EQ(summary.laws[0].devices[0].parameters[0].at_bound, fit::AtBound::lower);  // 1.0005 in [1, 2]
+  EXPECT_EQ(summary.laws[0].devices[0].parameters[0].at_bound, fit::AtBound::lower);  // 1.0005 in the box [1, 2]
   EXPECT_EQ(summary.laws[0].devices[0].parameters[1].at_bound, fit::AtBound::no);
   contents.runs[1].parameters = {1.002, 0.9498, 41.0};
   summary = build_summary(contents);
   EXPECT_EQ(summary.laws[0].devices[0].parameters[0].at_bound, fit::AtBound::no);
   EXPECT_EQ(summary.laws[0].devices[0].parameters[1].at_bound, fit::AtBound::upper);
-  contents.searches[0].box.parameters[1].upper = 2.0;  // every device has its own box
+  // Only the box of device A is changed, so K2 of device A is no longer at a bound.
+  contents.searches[0].box.parameters[1].upper = 2.0;
   EXPECT_EQ(build_summary(contents).laws[0].devices[0].parameters[1].at_bound, fit::AtBound::no);
-  contents.runs[0].parameters = {1.0, 0.35, 10.0};  // bounds reached by runs other than the best do not count
+  // A run that is not the best reaches the bound, which does not count.
+  contents.runs[0].parameters = {1.0, 0.35, 10.0};
   EXPECT_EQ(build_summary(contents).laws[0].devices[0].parameters[0].at_bound, fit::AtBound::no);
 }
 
 TEST(Summary, ErrorsOfTheBestFitAgainstTheRecord) {
   auto contents = two_devices();
-  // The best run of B has 1.1 times the stiffness of the record at the same yield displacement, so 1.1 times its force.
+  // The best run of B has 1.1 times the record's K1 and K2 and the same yield displacement, so 1.1 times its force.
   auto summary = build_summary(contents);
   auto const& fit = summary.laws[0].devices[1];
   EXPECT_NEAR(*fit.K_eff_error_percent, 10.0, 1e-9);
@@ -191,13 +196,15 @@ TEST(Summary, ErrorsOfTheBestFitAgainstTheRecord) {
   ASSERT_EQ(fit.force_kN.size(), 601u);
   for (std::size_t i = 0; i < 601; i += 50)
     EXPECT_NEAR(fit.force_kN[i], 1.1 * contents.devices[1].record.force_kN[i], 1e-12);
-  // Double the characteristic strength at equal stiffnesses: Qd = 0.9 * 40 = 36 kN instead of 18.
+  // The best run has twice the characteristic strength of the record, (1.5 - 0.6) 40 = 36 kN instead of 18 kN, and the
+  // same stiffnesses.
   contents.runs[3].parameters = {1.5, 0.6, 40.0};
   summary = build_summary(contents);
   double const K_eff = 100.0 * ((0.6 + 0.36) / (0.6 + 0.18) - 1.0),
                energy = 100.0 * (36.0 * 60.0 / (18.0 * 80.0) - 1.0);
   EXPECT_NEAR(*summary.laws[0].devices[1].K_eff_error_percent, K_eff, 1e-6);
-  EXPECT_NEAR(*summary.laws[0].devices[1].energy_error_percent, energy, 0.1);  // samples miss the yield points slightly
+  // The samples slightly miss the yield points.
+  EXPECT_NEAR(*summary.laws[0].devices[1].energy_error_percent, energy, 0.1);
   EXPECT_NEAR(*summary.laws[0].devices[1].damping_error_percent, 100.0 * ((1 + energy / 100) / (1 + K_eff / 100) - 1),
               0.1);
 }
@@ -306,8 +313,8 @@ TEST(Summary, RefusedDevicesAndLawsAreThereWithTheirReason) {
   EXPECT_TRUE(summary.laws[0].on_front);
 }
 
-// Four laws with known (beta, mean objective): bilinear (0.1, 0.30), jankowski (0.2, 0.20), bouc-wen (0.3, 0.25), which
-// jankowski dominates, and vaiana (0.4, 0.10).
+// Four laws with known beta and mean objective: bilinear (0.1, 0.30), jankowski (0.2, 0.20), bouc-wen (0.3, 0.25) and
+// vaiana (0.4, 0.10). Jankowski dominates bouc-wen.
 TEST(Summary, TheFrontIsThatOfSmallBetaAndSmallObjective) {
   Contents c;
   c.settings.laws = {"vaiana", "bouc-wen", "bilinear", "jankowski"};
@@ -334,10 +341,10 @@ TEST(Summary, TheFrontIsThatOfSmallBetaAndSmallObjective) {
   std::ranges::sort(c.runs, {}, [](campaign::Run const& r) { return std::tie(r.device, r.law, r.number); });
   auto const summary = build_summary(c);
   ASSERT_EQ(summary.laws.size(), 4u);
-  EXPECT_EQ(summary.laws[0].id, "vaiana");  // in the order asked for
+  EXPECT_EQ(summary.laws[0].id, "vaiana");  // in the order of the settings
   EXPECT_NEAR(*summary.laws[0].beta, 0.4, 1e-12);
   EXPECT_TRUE(summary.laws[0].on_front);
-  EXPECT_FALSE(summary.laws[1].on_front);  // bouc-wen
+  EXPECT_FALSE(summary.laws[1].on_front);  // bouc-wen, which jankowski dominates
   EXPECT_TRUE(summary.laws[2].on_front);
   EXPECT_TRUE(summary.laws[3].on_front);
 }
@@ -355,7 +362,8 @@ TEST(Summary, ACampaignWithoutRunsHasNoNumbers) {
   EXPECT_EQ(summary.laws[0].devices[0].runs, 0);
 }
 
-// Averaging 31 of 200 samples lowers a sine by 1 - sin(31 pi/200)/(31 sin(pi/200)) = 3.9 %; `raw` is not averaged.
+// A moving average of 31 samples, at 200 samples per cycle, lowers a sine by 1 - sin(31 pi/200)/(31 sin(pi/200)) = 3.9
+// %.
 TEST(Summary, WarnsOfWhatTheMovingAverageTakes) {
   auto const warnings = [](int smooth) {
     Contents contents;
@@ -367,7 +375,8 @@ TEST(Summary, WarnsOfWhatTheMovingAverageTakes) {
     return all;
   };
   EXPECT_EQ(warnings(1).find("moving average"), std::string::npos);
-  EXPECT_EQ(warnings(3).find("moving average"), std::string::npos);  // 0.033 % is too little for a warning
+  // The average lowers the peak by 0.033 %, too little for a warning.
+  EXPECT_EQ(warnings(3).find("moving average"), std::string::npos);
   for (auto const* part : {"moving average over 31 samples, of 200 in a cycle, removes 3.9 %",
                            "This affects only the laws", "properties are computed from raw values"})
     EXPECT_NE(warnings(31).find(part), std::string::npos) << warnings(31);

@@ -1,4 +1,4 @@
-// Averages, velocity, thinning, centring.
+// Cleaning of records: moving average, velocity, thinning, centring.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 using std::numbers::pi;
 using Values = std::vector<double>;
 
-// --- moving average -------------------------------------------------------------------------------------------------
+// --- moving average ---
 
 TEST(MovingAverage, ShrinksAtTheEnds) {
   EXPECT_EQ(moving_average({1, 2, 6, 4, 10}, 3), (Values{1, 3, 4, 20.0 / 3.0, 10}));
@@ -38,7 +38,7 @@ TEST(MovingAverage, KeepsALineAndShiftsAParabolaByItsCurvature) {
   for (std::size_t i = 0; i < line.size(); ++i) {
     EXPECT_NEAR(straight[i], line[i], 1e-12);
     double const h = std::min({3.0, static_cast<double>(i), 100.0 - static_cast<double>(i)});
-    EXPECT_NEAR(curved[i], parabola[i] + h * (h + 1.0) / 3.0, 1e-9);  // mean of k^2 over -h..h
+    EXPECT_NEAR(curved[i], parabola[i] + h * (h + 1.0) / 3.0, 1e-9);  // h (h + 1) / 3 is the mean of k^2 over k = -h..h
   }
 }
 
@@ -49,11 +49,12 @@ TEST(MovingAverage, IsAsExactAsADirectSumFarAlongARecord) {
   for (std::size_t i = 199000; i < 199990; ++i) {
     double sum = 0.0;
     for (std::size_t k = i - 5; k <= i + 5; ++k) sum += values[k] - 1e6;
-    EXPECT_NEAR(averages[i] - 1e6, sum / 11.0, 5e-10);  // the spacing of doubles near 1e6 is 1.2e-10
+    // The tolerance is a few times the spacing of doubles near 1e6, 1.2e-10.
+    EXPECT_NEAR(averages[i] - 1e6, sum / 11.0, 5e-10);
   }
 }
 
-// --- velocity -------------------------------------------------------------------------------------------------------
+// --- velocity ---
 
 TEST(CentralDifference, IsExactForQuadraticsOnUnevenTime) {
   Values const time{0.0, 0.1, 0.25, 0.3, 0.7, 0.75, 1.5};
@@ -69,8 +70,6 @@ TEST(CentralDifference, OfShortRecords) {
   EXPECT_EQ(central_difference({1.0}, {2.0}), Values{0.0});
   EXPECT_EQ(central_difference({1.0, 3.0}, {2.0, 6.0}), (Values{2.0, 2.0}));
 }
-
-// --- the whole ------------------------------------------------------------------------------------------------------
 
 // Three cycles of 100 mm at 0.5 Hz.
 TestRecord sine(int samples_per_cycle, bool with_time = true) {
@@ -109,11 +108,11 @@ TEST(Clean, AveragesDisplacementAndForceAlike) {
 
 TEST(Clean, ThinsAfterAveragingOverWhatIsDropped) {
   auto const raw = sine(1000);
-  auto const record = clean(raw, {});  // k = 5
+  auto const record = clean(raw, {});  // every fifth sample is kept
   ASSERT_EQ(record.size(), 601u);
   auto const averaged = moving_average(raw.disp_mm, 5);
   auto const force = moving_average(raw.force_kN, 5);
-  auto const velocity = central_difference(raw.time_s, averaged);  // before samples are dropped
+  auto const velocity = central_difference(raw.time_s, averaged);  // computed before samples are dropped
   for (std::size_t i = 0; i < record.size(); ++i) {
     EXPECT_EQ(record.time_s[i], raw.time_s[5 * i]);
     EXPECT_EQ(record.disp_mm[i], averaged[5 * i]);
@@ -127,7 +126,7 @@ TEST(Clean, ThinsAfterAveragingOverWhatIsDropped) {
 
 TEST(Clean, AnEvenStepAveragesOverTheNextOddWindow) {
   auto const raw = sine(850);
-  auto const record = clean(raw, {});  // k = 4, window 5
+  auto const record = clean(raw, {});  // every fourth sample is kept, each the average of five
   ASSERT_EQ(record.size(), 638u);
   auto const averaged = moving_average(raw.disp_mm, 5);
   EXPECT_EQ(record.disp_mm[100], averaged[400]);
@@ -150,7 +149,7 @@ TEST(Clean, KeepsEverythingWhenAskedOrWhenThereAreNoCycles) {
 TEST(Clean, KeepsEverySampleOfARecordThatIsNotCyclic) {
   TestRecord quake;
   double x = 0.0, v = 0.0;
-  for (int i = 0; i < 8000; ++i) {  // an oscillator under a motion of three frequencies that fades
+  for (int i = 0; i < 8000; ++i) {  // an oscillator under a ground motion of three frequencies that fades
     double const t = 0.005 * i;
     double const ground = std::exp(-t / 6.0) * (std::sin(9.1 * t) + 1.3 * std::sin(3.7 * t + 1.0) + std::sin(1.3 * t));
     v += 0.005 * (3000.0 * ground - 0.6 * v - 16.0 * x);
@@ -177,17 +176,19 @@ TEST(Clean, CentresOnTheReportedCycleOnlyWhenAsked) {
   auto raw = sine(100);
   for (double& x : raw.disp_mm) x += 4.0;
   for (double& F : raw.force_kN) F -= 6.0;
-  raw.force_kN[20] = 500.0;  // in the first cycle; the third is reported
+  raw.force_kN[20] = 500.0;  // a spike in cycle 1, which must not matter: the reported cycle is cycle 3
   EXPECT_EQ(clean(raw, {}).disp_mm, raw.disp_mm);
   auto const record = clean(raw, {.center = true});
   EXPECT_NEAR(record.disp_mm[0], 0.0, 1e-9);
-  EXPECT_NEAR(record.force_kN[250], raw.force_kN[250] + 6.0, 0.1);  // the peak of the force falls between samples
+  // The tolerance allows for a peak between two samples.
+  EXPECT_NEAR(record.force_kN[250], raw.force_kN[250] + 6.0, 0.1);
   EXPECT_TRUE(text_of(record.cleaning.front()).starts_with("centred: 4 mm subtracted from displacement and -6"));
   EXPECT_TRUE(text_of(record.cleaning.front()).ends_with("(max + min) / 2 over cycle 3 of block 1"))
       << text_of(record.cleaning.front());
 }
 
-// Two blocks of two cycles, 1000 samples each: 50 mm, then 100 mm.
+// Blocks of two cycles at 50 mm and two at 100 mm, with 1000 samples a cycle. Only the second cycle at 100 mm is
+// scored.
 TEST(Clean, KeepsTheChosenPartThroughSmoothingAndThinning) {
   TestRecord raw;
   for (int i = 0; i <= 4000; ++i) {
@@ -207,7 +208,7 @@ TEST(Clean, KeepsTheChosenPartThroughSmoothingAndThinning) {
     ASSERT_EQ(record.size(), 4000 / step + 1);
     ASSERT_EQ(record.scored.size(), record.size()) << "smooth " << options.smooth << ", step " << step;
     for (std::size_t i = 0; i < record.size(); ++i) {
-      if (i * step == 3000) continue;  // the cut itself lies at the sample, to rounding
+      if (i * step == 3000) continue;  // the boundary of the scored part lies at this sample, to rounding
       EXPECT_EQ(record.is_scored(i), i * step > 3000) << "smooth " << options.smooth << ", sample " << i * step;
     }
   }

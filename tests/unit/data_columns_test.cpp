@@ -1,5 +1,5 @@
-// Channels and units from the names that laboratories write and from the user's options. What cannot be known is asked
-// for, not guessed.
+// Channels and units, recognised in the names that laboratories write or given by options. If a channel or unit cannot
+// be known, isolaw asks for it and does not guess.
 #include "data_fixture.hpp"
 #include "isolaw/data/column_names.hpp"
 #include "isolaw/data/columns.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 using ColumnsTest = Files;
 
-// --- names ----------------------------------------------------------------------------------------------------------
+// --- names of columns ---
 
 TEST(ColumnNames, AreTakenApart) {
   auto const parts = [](std::string_view text) {
@@ -32,7 +32,7 @@ TEST(ColumnNames, AreTakenApart) {
 }
 
 struct NamedCase {
-  std::string header;  // four columns: time, displacement, force, load
+  std::string header;  // names the columns of time, displacement, force and vertical load
 };
 
 class Languages : public Files, public ::testing::WithParamInterface<NamedCase> {};
@@ -86,7 +86,7 @@ TEST_F(ColumnsTest, ACounterIsNoTime) {
   }
 }
 
-// --- the user's word ------------------------------------------------------------------------------------------------
+// --- columns and units given by options ---
 
 constexpr std::string_view three_forces =
     "Time [s];Disp [mm];Force 1 [kN];Force 2 [N];force 2\n0;1;2;3;4\n1;2;3;4;5\n2;3;1;2;6\n";
@@ -94,9 +94,10 @@ constexpr std::string_view three_forces =
 TEST_F(ColumnsTest, ByNumberAndByName) {
   EXPECT_EQ(read(three_forces, with("force=3")).force_kN, (std::vector<double>{2, 3, 1}));
   EXPECT_EQ(read(three_forces, with("force=Force 1 [kN]")).force_kN, (std::vector<double>{2, 3, 1}));
-  EXPECT_EQ(read(three_forces, with("force=FORCE 1")).force_kN, (std::vector<double>{2, 3, 1}));  // without its unit
+  // A column may be given without its unit and with other capitals.
+  EXPECT_EQ(read(three_forces, with("force=FORCE 1")).force_kN, (std::vector<double>{2, 3, 1}));
   EXPECT_EQ(read(three_forces, with("force=Force 2 [N]")).force_kN, (std::vector<double>{0.003, 0.004, 0.002}));
-  // the exact name comes before the one without unit
+  // A column with exactly this name comes before one whose name equals it without the unit.
   EXPECT_EQ(read(three_forces, with("force=force 2", "force=kN")).force_kN, (std::vector<double>{4, 5, 6}));
 }
 
@@ -125,7 +126,7 @@ TEST_F(ColumnsTest, UnitsOfEveryKind) {
   EXPECT_DOUBLE_EQ(record.force_kN[1], 13.3446648457815);
 }
 
-// --- refused, with the option to type -------------------------------------------------------------------------------
+// --- refusals, whose message names the option to type ---
 
 TEST_F(ColumnsTest, SeveralForcesAreAskedFor) {
   EXPECT_EQ(
@@ -198,8 +199,8 @@ TEST_F(ColumnsTest, NameThatIsNotUnique) {
       "FILE:1: 2 columns are named 'Force'; allowed: a unique column; try: --columns force=2 or --columns force=3");
 }
 
-// A channel named after the machine's axis is used only if the file says which machine wrote it and no other channel
-// could be meant.
+// A channel named after an axis of the machine is used only if the file says which machine wrote it and no other
+// channel could be meant.
 TEST_F(ColumnsTest, OfAMachineMayBeNamedAfterItsAxis) {
   std::string const mts = "MTS793|MPT|ENU|1|2|.|/|:|1|0|0|A\n\n";
   std::string const rows = "\n0\t1\t2\t5\n1\t2\t3\t6\n2\t3\t1\t7\n";
@@ -221,7 +222,7 @@ TEST_F(ColumnsTest, TwoVerticalLoadsAreAWarning) {
   EXPECT_TRUE(says(record.warnings, "none is read; choose one with --columns load=3 or --columns load=4"));
 }
 
-// --- options --------------------------------------------------------------------------------------------------------
+// --- options that are wrong themselves ---
 
 TEST(ColumnOptions, AreParsed) {
   EXPECT_EQ(parse_columns("time=1, disp=Displacement [mm],FORCE=3"),

@@ -1,4 +1,5 @@
-// Work in a process of its own: its results come back, and every kind of end is an outcome.
+// Runs a function in a process of its own. Its results come back, and every way in which the process can end gives an
+// outcome.
 #include "isolaw/data/confined.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Corrections undo what a rig did, leave their finding, and refuse what makes no sense.
+// Corrections remove effects of the rig from a record, describe what they did, and refuse impossible values.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,8 @@
 namespace isolaw::data::testing {
 namespace {
 
-// Five cycles of 208 mm at 0.5 Hz of a bearing that softens exponentially. The force is late by `late_s`.
+// Five cycles of 208 mm at 0.5 Hz of a bearing whose stiffness falls exponentially after each reversal. The force is
+// late by `late_s`.
 TestRecord bearing(double late_s = 0.0) {
   Motion fine;
   fine.dt_s = 0.0005;
@@ -59,7 +60,7 @@ TEST(Corrections, NoneLeaveTheRecordAlone) {
 
 TEST(Corrections, ASkewedForceIsMovedBack) {
   auto const truth = reported(bearing());
-  for (double const late : {0.0200, 0.0125, -0.0100}) {  // 0.0125 s is no multiple of the interval of 0.005 s
+  for (double const late : {0.0200, 0.0125, -0.0100}) {  // 0.0125 s is no multiple of the sampling interval of 0.005 s
     auto record = bearing(late);
     EXPECT_GT(std::abs(reported(record).damping_percent - truth.damping_percent), 1.0);
     auto const size = record.size();
@@ -92,8 +93,8 @@ TEST(Corrections, FrictionOfTheRigIsTakenOff) {
   EXPECT_EQ(by_load.force_kN, record.force_kN);
 }
 
-// At a peak, noise alone decides in which direction a sample moves. Subtracting the rig's friction must not depend on
-// it, whether the rig has friction or not.
+// At a peak of displacement, noise alone decides in which direction a sample seems to move. The correction for the
+// rig's friction must not shift the force with this direction, whether the rig has friction or not.
 TEST(Corrections, FrictionTakenOffLeavesThePeaksToTheForce) {
   auto const truth = bearing();
   std::mt19937_64 random(3);
@@ -125,7 +126,7 @@ TEST(Corrections, InertiaOfAMovingMassIsTakenOff) {
   for (std::size_t i = 0; i < record.size(); ++i) record.force_kN[i] -= mass * omega * omega * record.disp_mm[i] * 1e-6;
   EXPECT_NEAR(truth.K_eff_kN_per_mm - reported(record).K_eff_kN_per_mm, 0.049, 0.001);
   correct(record, {.moving_mass_kg = mass});
-  // The tolerance is 1 % of the correction of 0.049 kN/mm.
+  // The correction is 0.049 kN/mm; an error of 1 % of it is allowed.
   EXPECT_NEAR(reported(record).K_eff_kN_per_mm, truth.K_eff_kN_per_mm, 0.0005);
   EXPECT_NE(text_of(record.corrections).find("moving mass of 5000 kg"), std::string::npos);
 }
@@ -137,13 +138,15 @@ TEST(Corrections, TheInertiaOfANoisyMotionIsNoNoise) {
   for (double& x : record.disp_mm) x += noise(generator);
   auto const before = record.force_kN;
   correct(record, {.moving_mass_kg = 5000.0});
-  // Only while the device moves, since the jerks at the start and the end have larger true inertia forces.
+  // Take the largest correction while the device moves steadily. The jerks at the start and the end of the motion have
+  // larger inertia forces.
   double largest = 0.0;
   for (std::size_t i = 0; i < record.size(); ++i)
     if (record.time_s[i] > 1.0 && record.time_s[i] < 10.0)
       largest = std::max(largest, std::abs(record.force_kN[i] - before[i]));
   EXPECT_GT(largest, 0.99 * 0.0493 * 208.0);
-  EXPECT_LT(largest, 1.02 * 0.0493 * 208.0);  // differences of neighbours would add 0.02 mm sqrt(6) / dt^2: 10 kN
+  // Acceleration from second differences would add noise of 0.02 mm sqrt(6) / dt^2, which is 10 kN.
+  EXPECT_LT(largest, 1.02 * 0.0493 * 208.0);
 }
 
 TEST(Corrections, DoubleShearHalvesTheForceLastOfAll) {
@@ -154,7 +157,7 @@ TEST(Corrections, DoubleShearHalvesTheForceLastOfAll) {
     double const motion = record.disp_mm[i + 1] - record.disp_mm[i - 1];
     record.force_kN[i] += motion > 0.0 ? 15.0 : motion < 0.0 ? -15.0 : 0.0;
   }
-  correct(record, {.friction_kN = 15.0, .force_factor = 0.5});  // 15 kN as the load cell feels them
+  correct(record, {.friction_kN = 15.0, .force_factor = 0.5});  // the load cell feels 15 kN of friction
   expect_same(reported(record), truth, 1e-3);
   EXPECT_EQ(record.corrections.size(), 2u);
 }
@@ -176,7 +179,7 @@ TEST(Corrections, AreValidated) {
 
 TEST(Corrections, CountTheSamplesLostToASkew) {
   auto const said = [](double skew_s) {
-    auto record = bearing();  // 0.005 s apart
+    auto record = bearing();  // sampled every 0.005 s
     auto const before = record.size();
     correct(record, {.skew_s = skew_s});
     return std::pair(before - record.size(), text_of(record.corrections));

@@ -1,4 +1,5 @@
-// Segmentation: what is cut, numbered, grouped, and what is not cyclic.
+// Segmentation of records into cycles and blocks: where cycles are cut, how they are numbered and grouped, and which
+// records are not cyclic.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -54,7 +55,7 @@ TEST(Segment, OneCycleIsCyclic) {
 TEST(Segment, AChangeOfFrequencyAtOneAmplitudeIsABlock) {
   auto const cut = Motion().sine(100.0, 0.1, 3).sine(100.0, 0.5, 5).end().cut();
   EXPECT_EQ(counted_per_block(cut), (Counts{3, 5}));
-  // Without time the numbers of samples per cycle show the change.
+  // Without time, a change in the number of samples per cycle must start a new block.
   Motion const motion = Motion().sine(100.0, 0.1, 3).sine(100.0, 0.5, 5).end();
   EXPECT_EQ(counted_per_block(segment(motion.disp_mm)), (Counts{3, 5}));
 }
@@ -70,7 +71,7 @@ TEST(Segment, HoldsAndSlowStartsAreNoChangeOfFrequency) {
   auto const at_peak = Motion().sine(100.0, 0.5, 2.25).hold(100.0, 5.0).end(100.0);
   EXPECT_EQ(counted_per_block(at_peak.cut()), Counts{2});
   Motion slow;
-  slow.ramp(0.0, 100.0, 6.0);  // then on from the peak
+  slow.ramp(0.0, 100.0, 6.0);  // a slow start; the fast cycles begin at the peak
   for (int i = 0; i <= 750; ++i) slow.add(100.0 * std::cos(pi * 0.01 * i));
   auto const cut = slow.cut();
   EXPECT_EQ(counted_per_block(cut), Counts{3});
@@ -83,7 +84,7 @@ TEST(Segment, HoldsBetweenBlocksOfDifferentAmplitude) {
 }
 
 TEST(Segment, PlateausAtThePeaksCutNothing) {
-  Motion motion;  // trapezoids with tremor on the plateaus
+  Motion motion;  // trapezoids with noise on their plateaus
   for (int cycle = 0; cycle < 4; ++cycle)
     motion.ramp(0, 80, 1.0).hold(80, 2.0).ramp(80, -80, 2.0).hold(-80, 2.0).ramp(-80, 0, 1.0);
   EXPECT_EQ(counted_per_block(motion.end().noise(0.5).cut()), Counts{4});
@@ -102,7 +103,7 @@ TEST(Segment, NoiseAndTremorCutNothing) {
 }
 
 TEST(Segment, AStumbleOnTheWayIsNoReversal) {
-  Motion motion;  // backlash: about zero the motion falls back by 4 mm before it goes on
+  Motion motion;  // with backlash: about zero the motion falls back by 4 mm before it goes on
   motion.ramp(0, 100, 0.5);
   for (int cycle = 0; cycle < 4; ++cycle) {
     motion.ramp(100, -2, 0.5).ramp(-2, 2, 0.1).ramp(2, -100, 0.5);
@@ -119,7 +120,7 @@ TEST(Segment, APreLoadRampIsNoFirstMotion) {
   motion.ramp(0.0, 4.0, 3.0).ramp(4.0, 0.0, 3.0).sine(-100.0, 0.5, 3).end();
   auto const cut = motion.cut();
   EXPECT_EQ(counted_per_block(cut), Counts{3});
-  // Cycles are cut where the displacement falls, so it is positive in the second half of a cycle.
+  // A cycle of this test starts where the displacement falls through zero, so its second half is positive.
   auto const& last = cut.cycles.back();
   EXPECT_EQ(last.number, 3);
   EXPECT_GT(value_at(motion.disp_mm, last.first + 0.75 * (last.last - last.first)), 50.0);
@@ -151,7 +152,7 @@ TEST(Segment, APreLoadEitherWayCostsNoCycle) {
         EXPECT_TRUE(cut.cycles[0].partial);
         EXPECT_TRUE(cut.cycles[0].not_counted.starts_with("pre-load: to ")) << cut.cycles[0].not_counted;
         EXPECT_NEAR(cut.cycles[1].first, 200.0 * seconds, 2.0);
-        // Cycles start in the direction of the test.
+        // Cycles start in the direction in which the test starts.
         EXPECT_GT(sign * value_at(motion.disp_mm, cut.cycles[1].first + 50.0), 140.0);
         EXPECT_EQ(properties.reported->number, std::min(3, cycles));
         if (noise > 0.0) continue;
@@ -160,7 +161,7 @@ TEST(Segment, APreLoadEitherWayCostsNoCycle) {
           EXPECT_NEAR(cycle->amplitude_mm, 150.0, 0.1);
         }
         if (cycles >= 2) {
-          // 4 f0 (D - tanh(a D) / a)
+          // The energy of an exponential loop is 4 f0 (D - tanh(a D) / a).
           EXPECT_NEAR(properties.find(1, 2)->energy_kN_mm, 13750.0, 10.0);
         }
       }
@@ -174,7 +175,8 @@ TEST(Segment, ABlockMayStartTheOtherWay) {
       EXPECT_EQ(counted_per_block(cut), (Counts{3, 3})) << pause << " s, noise " << noise;
       EXPECT_EQ(cut.cycles.size(), 6u);
     }
-  // A block of two and a half cycles lists its half cycle, which does not count.
+  // After two and a half cycles the test starts anew in the other direction. The half cycle is listed with its block
+  // but does not count.
   auto const cut = Motion().sine(100.0, 0.5, 2.5).sine(-150.0, 0.5, 3).end().cut();
   EXPECT_EQ(counted_per_block(cut), (Counts{2, 3}));
   ASSERT_EQ(cut.cycles.size(), 6u);
@@ -183,8 +185,8 @@ TEST(Segment, ABlockMayStartTheOtherWay) {
 }
 
 TEST(Segment, TheStrengthOfABlockThatStartsTheOtherWay) {
-  // The force before the first cycle of the second block belongs to the first block. Half of the loop's height there is
-  // not the strength of the second.
+  // The force just before the first cycle of the second block still belongs to the first block. Half of the loop's
+  // height at that crossing is not the strength in the second block.
   auto const properties = Motion().sine(100.0, 0.5, 3).sine(-150.0, 0.5, 3).end().loop(0.6, 25.0).properties();
   for (int const number : {1, 2, 3}) EXPECT_NEAR(properties.find(2, number)->Q_d_kN, 25.0, 0.1) << number;
 }
@@ -197,7 +199,7 @@ TEST(Segment, ASlowStartDoesNotCount) {
   EXPECT_EQ(counted_per_block(cut), Counts{3});
   EXPECT_EQ(cut.cycles[0].not_counted, "its period of 3.5 s is 1.75 times as long as the block's 2 s, more than 1.4");
   EXPECT_TRUE(cut.cycles.back().partial);
-  // A first cycle that is only somewhat slower counts, since rigs start gently.
+  // A first cycle that is only a little slower than the others counts, since rigs start gently.
   Motion gentle;
   gentle.ramp(0.0, 150.0, 0.9);
   for (int i = 0; i <= 750; ++i) gentle.add(150.0 * std::cos(pi * 0.01 * i));
@@ -213,7 +215,7 @@ TEST(Segment, ASmallLastingChangeOfFrequencyIsABlock) {
       EXPECT_NEAR(*properties.blocks[0].frequency_Hz, 0.5, 0.005);
       EXPECT_NEAR(*properties.blocks[1].frequency_Hz, frequency, 0.005);
     }
-  // One odd cycle does not start a block, nor do periods that scatter by as much.
+  // Neither one cycle of another frequency nor periods that scatter by about 10 % start a new block.
   auto const odd = Motion().sine(150.0, 0.5, 3).sine(150.0, 0.45, 1).sine(150.0, 0.5, 3).end();
   EXPECT_EQ(counted_per_block(odd.cut()), Counts{7});
   Motion uneven;
@@ -225,7 +227,7 @@ TEST(Segment, ASmallLastingChangeOfFrequencyIsABlock) {
 
 TEST(Segment, RestsAndHoldsAreNoPartOfPeriods) {
   Motion whole = Motion().sine(150.0, 0.5, 4);
-  auto const held = [&](std::size_t at) {  // for 3 s, within the second cycle
+  auto const held = [&](std::size_t at) {  // puts a hold of 3 s into the second cycle
     Motion motion;
     for (std::size_t i = 0; i < at; ++i) motion.add(whole.disp_mm[i]);
     motion.hold(whole.disp_mm[at], 3.0);
@@ -240,7 +242,8 @@ TEST(Segment, RestsAndHoldsAreNoPartOfPeriods) {
       auto const properties = noisy.noise(noise).loop().properties();
       ASSERT_EQ(properties.blocks.size(), 1u);
       EXPECT_EQ(properties.counted().size(), properties.complete().size());
-      // Noise at rest crosses the centre a few samples after the motion has come to it.
+      // At rest, noise crosses the centre a few samples after the motion has ended, so the cut and the frequency are
+      // less exact.
       EXPECT_NEAR(*properties.blocks[0].frequency_Hz, 0.5, 0.0125) << noise;
       EXPECT_NEAR(*properties.samples_per_cycle, 200.0, 5.0) << noise;
       EXPECT_EQ(properties.blocks[0].waveform, "sine");
@@ -272,7 +275,7 @@ TEST(Segment, ABuildUpCycleDoesNotCount) {
   }
   EXPECT_EQ(Motion().sine(138.0, 0.5, 1).sine(150.0, 0.5, 4).end().cut().cycles[0].not_counted,
             "build-up: its amplitude of 138 mm is 8.0 % below the block's 150 mm, more than 5 %");
-  // A stage of one cycle before one of three.
+  // Cycles of 100 mm and 150 mm differ too much to be one block, even if there is only one cycle of 100 mm.
   EXPECT_EQ(counted_per_block(Motion().sine(100.0, 0.5, 1).sine(150.0, 0.5, 3).end().cut()), (Counts{1, 3}));
 }
 
@@ -292,7 +295,7 @@ TEST(Segment, PartialEndsAreShownWithTheirReason) {
 
 TEST(Segment, ARecordThatStartsAndEndsAnywhereInItsCyclesIsCyclic) {
   Motion whole;
-  whole.sine(100.0, 0.5, 12.0);  // 200 samples per cycle
+  whole.sine(100.0, 0.5, 12.0);  // at 200 samples per cycle
   for (int const start : {0, 1, 3, 10, 40, 49, 51, 90, 100, 110, 149, 150, 151, 190, 199})
     for (int const samples : {450, 520, 600, 650, 700, 730, 799, 801, 900, 1101}) {
       auto const from = whole.disp_mm.begin() + start;
@@ -313,7 +316,7 @@ TEST(Segment, AnOddCycleWithinABlockDoesNotCount) {
 }
 
 TEST(Segment, RampedEndsBelongToTheirBlock) {
-  Motion motion;  // amplitude grows over two cycles and fades over two
+  Motion motion;  // the amplitude grows over two cycles and fades over two
   for (int i = 0; i <= 1400; ++i) {
     double const t = 0.01 * i;
     motion.add(25.0 * std::min({1.0, t / 4.0, (14.0 - t) / 4.0}) * std::sin(pi * t));
@@ -330,8 +333,8 @@ TEST(Segment, AnOffsetIsCutAtTheCentre) {
     EXPECT_EQ(counted_per_block(cut), (Counts{4, 3})) << by;
     EXPECT_NEAR(cut.centre_mm, std::abs(by) <= 5.0 ? 0.0 : by, 0.6) << by;
   }
-  // An offset of 3 % of the largest stage moves every cycle of the smallest stage off zero, so cycles are cut at the
-  // centre in this case too.
+  // The offset of 3 mm is larger than the second amplitude of 2.5 mm, so these cycles never cross zero. They are cut at
+  // the centre of the record instead.
   auto const cut = Motion().sine(100.0, 0.5, 4).sine(2.5, 0.5, 3).end().offset(3.0).cut();
   EXPECT_EQ(counted_per_block(cut), (Counts{4, 3}));
 }
@@ -344,7 +347,8 @@ TEST(Segment, ADriftingMiddleStaysCyclic) {
   EXPECT_GE(counted_per_block(cut).at(0), 8);
 }
 
-// Oscillators of 0.5 to 3 s under noise that swells and fades: no earthquake, but as irregular.
+// Responses of oscillators with periods of 0.5 to 3 s to noise that swells and fades. They are as irregular as
+// responses to earthquakes.
 TEST(Segment, ResponsesToIrregularMotionAreNotCyclic) {
   int cyclic = 0;
   for (unsigned seed = 1; seed <= 60; ++seed) {
@@ -387,11 +391,11 @@ TEST(Segment, HistoriesThatDoNotMoveAreRefused) {
       text_of(monotone.refusal).starts_with("less than one complete cycle: displacement goes from 0 to 99.9 mm"));
 }
 
-// --- what leaves the cut as it is --------------------------------------------------------------------------------
+// --- changes of a record that must not change its cycles ---
 
 class Draw : public ::testing::TestWithParam<unsigned> {
  protected:
-  // A test of random stages, holds, noise and offset.
+  // A cyclic test with random stages, holds, noise and offset.
   Motion random() {
     std::mt19937 generator(GetParam());
     auto const uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(generator); };
@@ -448,7 +452,8 @@ TEST_P(Draw, UnitsSignAndTimeOriginDoNotMatter) {
 
 TEST_P(Draw, ThePhysicsSurviveRescalingShiftResamplingAndReversal) {
   auto motion = random();
-  if (motion.disp_mm.size() % 2 == 0) motion.end();  // the last sample stays when every second is left out
+  // An odd number of samples, so that the last one stays when every second one is dropped.
+  if (motion.disp_mm.size() % 2 == 0) motion.end();
   motion.loop();
   auto const reference = motion.properties();
   ASSERT_TRUE(reference.reported) << text_of(reference.refusal);
@@ -463,7 +468,7 @@ TEST_P(Draw, ThePhysicsSurviveRescalingShiftResamplingAndReversal) {
   EXPECT_NEAR(other.d_plus_mm, -cycle.d_minus_mm, 1e-9);
   EXPECT_NEAR(other.K_plus_kN_per_mm, cycle.K_minus_kN_per_mm, 1e-9);
 
-  auto scaled = motion;  // cm, tonf, ms, and an hour later
+  auto scaled = motion;  // the same record in cm, tonf and ms, and recorded an hour later
   for (double& x : scaled.disp_mm) x *= 0.1;
   for (double& F : scaled.force_kN) F /= 9.80665;
   for (double& t : scaled.time_s) t = 1000.0 * t + 3.6e6;
@@ -473,7 +478,7 @@ TEST_P(Draw, ThePhysicsSurviveRescalingShiftResamplingAndReversal) {
   EXPECT_NEAR(in_cm.damping_percent, cycle.damping_percent, 1e-9);
   EXPECT_NEAR(in_cm.v_max_mm_s.value(), cycle.v_max_mm_s.value() * 1e-4, 1e-9);
 
-  Motion half;  // every second sample
+  Motion half;
   for (std::size_t i = 0; i < motion.disp_mm.size(); i += 2) {
     half.time_s.push_back(motion.time_s[i]);
     half.disp_mm.push_back(motion.disp_mm[i]);
@@ -488,7 +493,7 @@ TEST_P(Draw, ThePhysicsSurviveRescalingShiftResamplingAndReversal) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Draw, ::testing::Range(1u, 61u));
 
-// --- garbage -----------------------------------------------------------------------------------------------------
+// --- meaningless displacements ---
 
 TEST(Segment, GarbageOfAnyShapeIsCutWithinTheRecord) {
   std::mt19937_64 generator(5);

@@ -1,4 +1,5 @@
-// Each warning and note of the error budget comes with its numbers when it should, and only then.
+// The error budget of a record. Each warning and note must appear, with its numbers, if the record has the error, and
+// must not appear otherwise.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,7 +32,7 @@ Motion plain() {
   return Motion().sine(208.0, 0.5, 5).end().loop();
 }
 
-// The force of the same loop `late_s` later, from a motion that is sampled finely.
+// Cycles of 208 mm whose force is late by `late_s`, computed at fine steps and then sampled every 0.01 s.
 Motion skewed(double late_s, double K = 0.5, double Q = 30.0, double alpha = 0.08, double friction_kN = 0.0) {
   Motion fine;
   fine.dt_s = 0.0005;
@@ -57,11 +58,11 @@ TEST(ErrorBudget, ACleanRecordHasNotesAndNoWarnings) {
   for (auto const& effect : budget.effects) EXPECT_FALSE(effect.exceeds) << effect.effect;
 }
 
-// Two samples without force at a peak halve the stiffness of the cycle.
+// The force of two samples at a peak is lost, which halves the stiffness of that cycle.
 TEST(ErrorBudget, ACycleUnlikeItsNeighboursIsNamed) {
   auto motion = Motion().sine(100.0, 0.5, 5).end().loop();
   EXPECT_FALSE(says(budget_of(motion).warnings, "beside it"));
-  motion.force_kN[450] = motion.force_kN[451] = 0.0;  // at the peak of the third cycle, of 200 samples
+  motion.force_kN[450] = motion.force_kN[451] = 0.0;  // at the peak of the third cycle, at 200 samples a cycle
   auto const budget = budget_of(motion);
   EXPECT_TRUE(says(budget.warnings, "the force at a peak is in cycle 3 of block 1 "));
 }
@@ -80,7 +81,7 @@ TEST(ErrorBudget, ALateForceIsWarnedOfInMilliseconds) {
     auto const budget = budget_of(skewed(late));
     auto const* effect = find(budget, "skew");
     ASSERT_NE(effect, nullptr);
-    EXPECT_NEAR(effect->value, 1000.0 * late, 2.0);  // 0.2 of a sampling interval
+    EXPECT_NEAR(effect->value, 1000.0 * late, 2.0);  // within 0.2 of a sampling interval
     EXPECT_TRUE(effect->exceeds);
     EXPECT_NEAR(find(budget, "damping by skew")->value, -100.0 * pi * 0.5 * late, 0.35);
     EXPECT_TRUE(says(budget.warnings, "--skew-ms")) << late;
@@ -122,7 +123,7 @@ TEST(ErrorBudget, FrictionOfTheRig) {
   double const points = friction_damping_points(15.0, properties.reported->K_eff_kN_per_mm, 208.0);
   EXPECT_NEAR(find(quiet, "damping by rig friction of 0.5 % of the vertical load")->value, points, 1e-9);
   EXPECT_EQ(find(quiet, "damping by the jump"), nullptr);
-  // Now the force contains 8 kN of friction.
+  // Add 8 kN of the rig's friction to the force.
   for (std::size_t i = 1; i + 1 < motion.disp_mm.size(); ++i)
     motion.force_kN[i] += std::copysign(8.0, motion.disp_mm[i + 1] - motion.disp_mm[i - 1]);
   auto const budget = budget_of(motion);
@@ -146,12 +147,12 @@ TEST(ErrorBudget, FrictionIsNotNamedAgainAsSkew) {
 TEST(ErrorBudget, ASkewBesideFrictionIsWhatIsLeftOfIt) {
   auto const budget = budget_of(skewed(-0.015, 0.5, 30.0, 0.08, 4.0));
   ASSERT_NE(find(budget, "damping by the jump"), nullptr);
-  EXPECT_NEAR(find(budget, "skew")->value, -15.0, 5.0);  // half a sampling interval
+  EXPECT_NEAR(find(budget, "skew")->value, -15.0, 5.0);  // within half a sampling interval
   EXPECT_TRUE(says(budget.notes, "before displacement, after its jump is subtracted: viscosity"));
 }
 
 TEST(ErrorBudget, NoiseIsNoSkew) {
-  // Noise of displacement, on the steep branch after a reversal, looks like an early force.
+  // On the steep branch after a reversal, noise of displacement looks like a force that is early.
   for (double const noise : {0.5, 0.75, 1.5})
     for (unsigned seed = 1; seed <= 40; ++seed) {
       auto motion = Motion().sine(150.0, 0.5, 5).end().loop(0.6, 25.0).noise(noise, seed);
@@ -193,14 +194,15 @@ TEST(ErrorBudget, NoiseMovesTheExtremes) {
     EXPECT_NEAR(find(budget, "extremes moved by noise")->value, 2.82, 0.4);
     EXPECT_TRUE(find(budget, "extremes moved by noise")->exceeds);
   }
-  // The extremes scatter by 0.6 of the noise, so the mean over 200 cycles of two extremes each scatters by 0.09 mm.
+  // Each extreme scatters by 0.6 of the noise, so the mean amplitude of 200 cycles, with two extremes each, scatters by
+  // 0.09 mm. The tolerance is about three times this.
   EXPECT_NEAR(beyond, peak_gain_mm(3.0, 150.0, 200.0), 0.3);
-  // At a noisy extreme of displacement the force is not at its own peak, so the stiffness loses more than the amplitude
-  // gains.
+  // Noise moves the extreme of displacement away from the peak of the force. The stiffness therefore falls by more than
+  // the amplitude rises.
   EXPECT_GT(softer, peak_gain_mm(3.0, 150.0, 200.0) / 150.0);
   EXPECT_LT(softer, 2.0 * peak_gain_mm(3.0, 150.0, 200.0) / 150.0);
   EXPECT_DOUBLE_EQ(peak_gain_mm(0.0, 150.0, 200.0), 0.0);
-  // With so few samples only one lies near the peak, and its mean error is the mean of the noise, zero.
+  // With 20 samples a cycle only one sample lies near the peak. Its mean error is the mean of the noise, which is zero.
   EXPECT_NEAR(peak_gain_mm(0.01, 150.0, 20.0), 0.0, 1e-5);
 }
 
@@ -229,7 +231,7 @@ TEST(ErrorBudget, OffsetsDriftAndClosure) {
   EXPECT_TRUE(says(budget_of(drifting).warnings, "force drifts"));
   EXPECT_FALSE(says(budget_of(plain()).warnings, "drifts"));
 
-  auto open = Motion().sine(100.0, 0.5, 0.99);  // comes to rest at -6.3 mm, not far enough to be partial
+  auto open = Motion().sine(100.0, 0.5, 0.99);  // comes to rest at -6.3 mm; farther out the cycle would be partial
   open.end(-4.0).loop();
   EXPECT_TRUE(says(budget_of(open).warnings, "ends -4 mm from where it starts, 2 % of the whole travel"));
 }
@@ -245,7 +247,7 @@ TEST(ErrorBudget, VelocityTellsAWrongClock) {
   auto motion = plain();
   auto const honest = budget_of(motion);
   EXPECT_LT(std::abs(find(honest, "v_max beside its closed form")->value), 0.5);
-  // A rig that rushes through the middle: neither a sine nor a triangle.
+  // A motion that is faster in the middle than a sine or a triangle.
   for (double& x : motion.disp_mm) x = 208.0 * std::tanh(3.0 * x / 208.0) / std::tanh(3.0);
   auto const rushed = budget_of(motion);
   EXPECT_GT(find(rushed, "v_max beside its closed form")->value, 50.0);
@@ -267,17 +269,17 @@ TEST(ErrorBudget, ARecordWithoutCyclesHasItsTimeAssessedOnly) {
   EXPECT_EQ(budget.effects[0].effect, "uneven time");
 }
 
-// --- how often a channel is called late -----------------------------------------------------------------------------
+// --- how often the force is called late ---
 
-// Counts over noisy records of 2 to 20 cycles, of devices that do not depend on rate. `late_rad` is the delay of the
-// force as a phase.
+// Of the noisy records of 2 to 20 cycles, how many have an estimate of the delay, and how many of these are called
+// late. The devices do not depend on rate. `late_rad` is the true delay of the force as a phase.
 struct SkewCount {
   int estimated = 0, late = 0;
 };
 void rubber_or_lead(Plan& plan, Drawn& random) {
   plan.device = random.chance(0.5) ? Device::rubber : Device::lead;
 }
-// Smooth loops that turn sharply. After a reversal their force is no polynomial of the displacement.
+// Smooth loops that turn sharply. After a reversal, their force is no polynomial of the displacement.
 void sharp(Plan& plan, Drawn& random) {
   plan.device = Device::bouc_wen;
   plan.exponent = random.whole(1, 2);
@@ -340,7 +342,7 @@ TEST(ErrorBudget, HoldsAreNoLateChannel) {
   EXPECT_LE(500 * found.late, found.estimated);
 }
 
-// A device that creeps while it is held loses force. This must not count as friction of the rig.
+// A device that creeps during a hold loses force. This loss must not count as friction of the rig.
 TEST(ErrorBudget, CreepInHoldsIsNoFriction) {
   int assessed = 0;
   for (auto const waveform : {Waveform::trapezoid, Waveform::dwell})
@@ -363,7 +365,7 @@ TEST(ErrorBudget, NoHoldAtTheExtremesIsALateChannel) {
   for (double hold = 0.02; hold < 0.45; hold += 0.02) {
     Motion motion;
     motion.dt_s = 0.02;
-    double const slope = 1.0 / (1.0 - 2.0 * hold);  // of the triangle that the holds cut off
+    double const slope = 1.0 / (1.0 - 2.0 * hold);  // slope of the triangle before the holds cut it off
     for (int i = 0; i <= 300; ++i) {
       double const part = std::fmod(i / 100.0, 1.0);
       double const triangle = part < 0.25 ? 4.0 * part : part < 0.75 ? 2.0 - 4.0 * part : 4.0 * part - 4.0;
@@ -371,7 +373,7 @@ TEST(ErrorBudget, NoHoldAtTheExtremesIsALateChannel) {
     }
     auto const budget = budget_of(motion.loop());
     EXPECT_FALSE(says(budget.warnings, "a channel is late")) << hold;
-    bool const clearly = hold > 0.1;  // less is nearly a triangle
+    bool const clearly = hold > 0.1;  // shorter holds leave nearly a triangle
     EXPECT_FALSE(clearly && says(budget.warnings, "the largest speed")) << hold;
   }
 }
@@ -382,10 +384,11 @@ TEST(ErrorBudget, ALateChannelIsFoundInNineRecordsOfTen) {
   EXPECT_GE(10 * found.late, 9 * found.estimated) << found.late << " of " << found.estimated;
 }
 
-// Few reversals may agree by chance. With four of them, four standard errors are not enough.
+// A delay estimated from few reversals may be chance. With four reversals, an estimate of six standard errors is not
+// significant.
 TEST(ErrorBudget, FewReversalsMustAgreeBetter) {
   Skew skew{.force_late = 0.01, .uncertainty = 2.0 * 0.01 / 6.0, .phase = 0.05, .agreement = 1.0, .reversals = 4};
-  EXPECT_FALSE(skew.significant());  // six standard errors; Student's t of 3 asks for 10.2
+  EXPECT_FALSE(skew.significant());  // for 3 degrees of freedom, Student's t asks for 10.2 standard errors
   skew.uncertainty = 2.0 * 0.01 / 11.0;
   EXPECT_TRUE(skew.significant());
   skew.reversals = 24;

@@ -1,4 +1,4 @@
-// Files a laboratory could have written, made for one test and removed after it.
+// Files as a laboratory could have written them. Each is made for one test and removed after it.
 #pragma once
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ inline std::string const header_row = "Time [s];Disp [mm];Force [kN]\n";
 
 class Files : public ::testing::Test {
  protected:
-  // The file named `name` with these bytes, in a folder of this test's own.
+  // Writes a file with these bytes to the test's own folder.
   std::filesystem::path write(std::string_view bytes, std::string_view file_name = "test.csv") {
     auto const* info = ::testing::UnitTest::GetInstance()->current_test_info();
     std::string folder = fmt::format("isolaw-{}-{}", info->test_suite_name(), info->name());
@@ -47,7 +47,7 @@ class Files : public ::testing::Test {
     return read_record(write(bytes), options);
   }
 
-  // The complaints, one a line, with FILE in place of the file's path; empty if the file was read.
+  // The messages about a refused file, one a line, with FILE in place of its path; empty if the file was read.
   std::string refusal(std::string_view bytes, ReadOptions const& options = {},
                       std::string_view file_name = "test.csv") {
     auto const file = write(bytes, file_name);
@@ -69,7 +69,7 @@ inline ReadOptions with(std::string_view columns, std::string_view units = {}) {
   return options;
 }
 
-// An elliptic loop F = K x + C v/omega, which dissipates energy and has positive stiffness.
+// An elliptic loop F = K x + C v/omega of positive stiffness, which dissipates energy.
 struct Ellipse {
   double amplitude_mm = 100.0;
   double K = 0.75;
@@ -83,7 +83,7 @@ struct Ellipse {
   double force(int i) const { return amplitude_mm * (K * std::sin(phase(i)) + C * std::cos(phase(i))); }
 };
 
-// Rows "time disp force" of a loop with four decimals, in a dialect.
+// Rows "time disp force" of a loop, to four decimals, with this delimiter, decimal sign and line end.
 inline std::string rows(Ellipse const& loop, std::string_view delimiter, char decimal = '.',
                         std::string_view end = "\n") {
   std::string text;

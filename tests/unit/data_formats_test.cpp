@@ -1,4 +1,4 @@
-// The same test gives the same record in every format. Measured files of each format are read too.
+// The same test must give the same record from every format. Measured files of each format are read as well.
 #include <algorithm>
 #include <cstdlib>
 
@@ -53,7 +53,7 @@ TEST_F(Formats, EqualDataGiveEqualRecords) {
     EXPECT_EQ(record.layout.units, text.layout.units);
     EXPECT_NE(record.sha256, text.sha256);
   }
-  // libxlsxwriter keeps 16 digits.
+  // libxlsxwriter writes 16 digits, so values may differ in the last one.
   auto const record = read(workbook_of(write("", "made.xlsx"), {{"Test", columns}}));
   ASSERT_EQ(record.size(), text.size());
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -91,7 +91,7 @@ TEST(MeasuredFormats, FilesOfADamperFromMatlab) {
     auto const record = read_record(file, with("time=Tout,disp=dist,force=forc", "time=s,disp=mm,force=N"));
     EXPECT_EQ(record.size(), 1501u);
     EXPECT_NEAR(record.time_s.back(), 15.0, 1e-9);
-    // x_F holds displacement, velocity and force again.
+    // The matrix x_F repeats displacement, velocity and force.
     auto const matrix = read_record(file, with("time=Tout,disp=x_F:1,force=x_F:3", "time=s,disp=mm,force=N"));
     EXPECT_EQ(matrix.disp_mm, record.disp_mm);
     EXPECT_EQ(matrix.force_kN, record.force_kN);

@@ -1,4 +1,5 @@
-// Accelerations of the ground as databases and programs write them, and what is refused instead of guessed.
+// Ground accelerations as databases and programs write them, and files that isolaw refuses because it would have to
+// guess.
 #include "isolaw/data/ground_motion.hpp"
 
 #include <fmt/format.h>
@@ -54,7 +55,7 @@ TEST(GroundMotion, of_the_measured_databases) {
   EXPECT_EQ(motion.step_s, 0.01);
   double peak = 0.0;
   for (double const a : motion.acceleration_mm_s2) peak = std::max(peak, std::abs(a) / gravity_mm_s2);
-  EXPECT_NEAR(peak, 0.3129, 1e-4);  // as the database states it
+  EXPECT_NEAR(peak, 0.3129, 1e-4);  // the peak that the database states
 }
 
 TEST(GroundMotion, columns_are_read_by_the_units_of_their_header) {

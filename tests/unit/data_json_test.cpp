@@ -1,4 +1,4 @@
-// JSON: the shapes of a table, names and units, what is refused.
+// Records as JSON: the shapes of a table, names and units, and what is refused.
 #include <fmt/ranges.h>
 
 #include "data_writers.hpp"
@@ -121,7 +121,7 @@ TEST_F(Json, AListOfTestsHoldsAsManyTests) {
   ASSERT_EQ(listed.size(), 2u);
   EXPECT_EQ(listed[1].test, "2");
   EXPECT_EQ(listed[1].sheet, std::nullopt);
-  expect_three_rows(read("[" + one("A", "-2") + "]", told));  // the only test need not be chosen
+  expect_three_rows(read("[" + one("A", "-2") + "]", told));  // with one test in the list, none needs to be chosen
 }
 
 TEST_F(Json, TestsOfAListSpeakForThemselvesAlone) {
@@ -145,7 +145,7 @@ TEST_F(Json, TestsOfAListSpeakForThemselvesAlone) {
       "FILE: a list of rows of numbers and of tests; allowed: elements of one kind; try: a list of the tests alone");
 }
 
-// A row that holds arrays does not count as a test.
+// A row may hold short arrays. A list of 2000 such rows is one table, not 2000 tests.
 TEST_F(Json, RowsMayHoldShortArrays) {
   std::string rows = "[";
   for (int i = 0; i < 2000; ++i)
@@ -167,7 +167,7 @@ TEST_F(Json, TimeStampsAreReadAsInText) {
   auto const rows = R"([{"when": "31.05.2024 23:59:59.9", "disp_mm": 0, "force_kN": 1},
     {"when": "01.06.2024 00:00:00.0", "disp_mm": 1, "force_kN": 2}, {"when": "01.06.2024 00:00:00.1", "disp_mm": 2, "force_kN": 3}])";
   EXPECT_NEAR(read(rows).time_s[2], 0.2, 1e-6);
-  // The time of day is read beside a column of dates, here for a part of the rows.
+  // Dates and times of day stand in two columns. isolaw joins them, here for a part of the rows.
   auto options = with("time=clock");
   options.rows = RowRange{.first = 2, .last = 4};
   auto const joined = read(
@@ -190,7 +190,7 @@ TEST_F(Json, TimeStampsAreReadAsInText) {
       std::string::npos);
 }
 
-// An option that would do nothing here is refused; otherwise the user would believe that it was applied.
+// An option for text files has no effect on JSON. It is refused, so that no user believes that it was applied.
 TEST_F(Json, OptionsOfTextAreRefused) {
   auto const text = R"({"disp_mm": [0, 1, 2, 1], "force_kN": [1, 2, 3, 2]})";
   ReadOptions options;
@@ -246,7 +246,7 @@ TEST_F(Json, HostileTexts) {
   std::string keys;
   for (int i = 0; i < 1'000'000; ++i) keys += "{\"a\":";
   says_of(keys, "nested more than 64 deep");
-  std::string sparse = "[";  // a table of 900 columns and a million rows, from one key in each
+  std::string sparse = "[";  // a million rows with one key each, which would make a table of 900 columns
   for (int i = 0; i < 1'000'000; ++i) sparse += fmt::format("{}{{\"{}\":1}}", i == 0 ? "" : ",", i % 900);
   says_of(sparse + "]", "far larger than the file");
   std::string wide = "[[1";
@@ -257,7 +257,7 @@ TEST_F(Json, HostileTexts) {
   says_of(arrays + "\"x\":[1]}", "more than 1000 arrays");
 }
 
-// A line of text in brackets is not the start of a JSON file.
+// A line of text in brackets is not JSON.
 TEST_F(Json, IsToldFromText) {
   std::string const data = "Time [s];Disp [mm];Force [kN]\n0;0;1\n1;1;2\n2;2;1\n";
   for (auto const* line : {"[Header]\n", "[ test D07 ]\n", "{D07}\n", "[]\n"})

@@ -1,4 +1,4 @@
-// MATLAB files of versions 5, 7 and 7.3: arrays, structs, choice of variables, what is refused.
+// Records in MATLAB files of versions 5, 7 and 7.3: arrays, structs, how a variable is chosen, and what is refused.
 #include <hdf5.h>
 #include <zlib.h>
 
@@ -55,7 +55,7 @@ TEST_P(Matlab, VectorsByTheirNames) {
   EXPECT_TRUE(says(record.recognised, "4 samples, elements 1 to 4"));
 }
 
-// 2024-05-02 09:00:00 and steps of half a second. datenum is a spreadsheet's day number plus 693960.
+// The times are 2024-05-02 09:00:00 and steps of half a second. A datenum is a spreadsheet's day number plus 693960.
 TEST_P(Matlab, DatenumIsReadAsSeconds) {
   double const start = 45414.0 + 693960.0 + 9.0 / 24.0;
   auto const record = read(mat_of([&](MatWriter& w) {
@@ -133,7 +133,8 @@ TEST_P(Matlab, ColumnsOfAMatrixAndLongRows) {
   auto options = units;
   options.columns = parse_columns("time=m:1,disp=m:2,force=m:3");
   expect_values(read(mat_of([](MatWriter& w) { w.array("m", matrix(), 3); }), options));
-  expect_values(read(mat_of([&](MatWriter& w) { w.array("m", wide, 4); }), options));  // 3 rows, 4 columns
+  // The 12 values form a matrix of 3 rows and 4 columns.
+  expect_values(read(mat_of([&](MatWriter& w) { w.array("m", wide, 4); }), options));
 }
 
 TEST_P(Matlab, StructsOneLevelDeep) {
@@ -211,7 +212,7 @@ TEST_P(Matlab, NoArrays) {
       "FILE: no arrays of numbers; variables Kx (1 x 1 double, no channel), note (1 x 10 char); allowed: real vectors or matrices of 3 rows or more, at the top or in structs one level deep; try: save time, displacement and force as vectors, or export them as CSV");
 }
 
-// A file cut off anywhere is read as far as it goes or refused. A wrong byte anywhere must not end the program.
+// Of a file that is cut off, isolaw reads the complete part or refuses the file. A wrong byte must not end the program.
 TEST_P(Matlab, DamagedFilesEndInAMessage) {
   auto const sound = mat_of([](MatWriter& w) { w.all(named).structure("test", {named}); });
   auto const step =
@@ -234,8 +235,7 @@ std::string form_name(::testing::TestParamInfo<Form> const& tested) {
 INSTANTIATE_TEST_SUITE_P(Versions, Matlab, ::testing::Values(Form::v5, Form::v7, Form::v73, Form::v73_packed),
                          form_name);
 
-// --- version 5, byte by byte
-// ------------------------------------------------------------------------------------------
+// --- version 5, byte by byte ---
 
 std::string word(std::uint32_t value) {
   std::string bytes(4, '\0');
@@ -270,7 +270,7 @@ std::string packed(std::string const& data) {
 
 class Mat5 : public Files {
  protected:
-  // The refusal of a file that holds these elements beside a sound force.
+  // The message about a file that holds these elements beside a sound force.
   std::string found(std::string const& elements) {
     auto const text = refusal(file_of(elements + array("force_kN", four_force, 4, 1)));
     std::string const start = "FILE: the .mat file cannot be read: ";
@@ -294,14 +294,14 @@ TEST_F(Mat5, SizesThatLie) {
   beyond.replace(4, 4, word(0xFFFFFFF0));
   EXPECT_EQ(found(beyond), "a variable beyond the end of the file");
   auto inner = array("disp_mm", four_disp, 4, 1);
-  inner.replace(8 + 16 + 16 + 4, 4, word(100000));  // the name's length
+  inner.replace(8 + 16 + 16 + 4, 4, word(100000));  // the length of the name
   EXPECT_EQ(found(inner), "a name of 100000 bytes");
   EXPECT_EQ(found(element(14, element(6, word(6) + word(0)) + element(5, std::string(400, '\1')))),
             "a list of sizes of 400 bytes");
 }
 
 TEST_F(Mat5, WhatIsPackedIsBounded) {
-  // Files of a few kB that hold values by the million.
+  // Compressed files of a few kB that hold millions of zeros.
   auto const zeros = [](char const* name, std::uint32_t count, std::uint32_t type, std::size_t size) {
     return packed(element(14, element(6, word(6) + word(0)) + element(5, word(count) + word(1)) + element(1, name) +
                                   element(type, std::string(count * size, '\0'))));
@@ -312,7 +312,8 @@ TEST_F(Mat5, WhatIsPackedIsBounded) {
   };
   EXPECT_EQ(bomb(9'000'000, 2, 1), "FILE:disp_mm: 9000000 values, far more than a file of this size can hold");
   EXPECT_EQ(bomb(10'000'001, 2, 1), "FILE: 10000001 values");
-  EXPECT_EQ(bomb(2'000'000, 9, 8).substr(0, 30), "FILE:disp_mm: disp is constant");  // within what any file may come to
+  // Two million values are allowed in a file of any size.
+  EXPECT_EQ(bomb(2'000'000, 9, 8).substr(0, 30), "FILE:disp_mm: disp is constant");
   auto cut = packed(array("disp_mm", four_disp, 4, 1));
   cut.replace(4, 4, word(20));
   cut.resize(28);
@@ -352,12 +353,11 @@ TEST_F(Mat5, BigEndian) {
   EXPECT_EQ(read(text).disp_mm, four_disp);
 }
 
-// --- version 7.3
-// ------------------------------------------------------------------------------------------------------
+// --- version 7.3 ---
 
 class Mat73 : public Files {
  protected:
-  // A file of the HDF5 library with MATLAB's block before it.
+  // A file written by the HDF5 library, with space for MATLAB's text block at its start.
   template <class Fill>
   std::string mat_of(Fill&& fill) {
     auto const file = write("", "made.h5");
@@ -410,7 +410,7 @@ TEST_F(Mat73, LinksAndDataElsewhereLeadNowhere) {
       << refusal(kept_elsewhere);
 }
 
-// A set of a thousand million values that were never written takes no space in the file.
+// HDF5 stores no values of a data set of a thousand million values that were never written.
 TEST_F(Mat73, ValuesThatAreNotThere) {
   auto const text = mat_of([&](hid_t file) {
     add(file, "force_kN", four_force);
@@ -423,7 +423,8 @@ TEST_F(Mat73, ValuesThatAreNotThere) {
   EXPECT_NE(refusal(text, with("disp=disp_mm,force=disp_mm")).find("1000000000"), std::string::npos);
 }
 
-// A datetime is stored as six numbers that only say where in the file its value is kept.
+// A datetime is stored as six numbers that only say where in the file its value is. isolaw cannot read it and asks for
+// another time.
 TEST_F(Mat73, ADatetimeIsAskedFor) {
   auto const text = mat_of([&](hid_t file) {
     add(file, "disp_mm", four_disp);

@@ -1,4 +1,4 @@
-// Measured records, which are not part of the project: the workshop's copies, skipped where they are absent.
+// Measured records, which are not part of the project. Tests are skipped where the files are absent.
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -23,8 +23,8 @@ struct Row {
   double start, end, amplitude_mm, K_eff_kN_per_mm, energy_kN_mm, damping_percent;
 };
 
-// Computed by an independent program from the same file, with cuts at interpolated crossings after the displacement has
-// exceeded 5 mm.
+// Values of each cycle from an independent program, which cuts the same file at interpolated zero crossings once the
+// displacement has exceeded 5 mm.
 constexpr Row gallardo[] = {
     {0.0, 1180.8, 38.14, 2.8448, 6161, 23.7},         {1180.8, 2111.5, 38.03, 2.7546, 4896, 19.56},
     {2111.5, 3042.5, 38.07, 2.7574, 4590, 18.28},     {3042.5, 3973.4, 38.06, 2.7259, 4439, 17.89},
@@ -55,14 +55,15 @@ TEST(Measured, FullScaleBearingIsRecognisedAndCutIntoItsCycles) {
   auto const properties = cyclic_properties(record);
   ASSERT_EQ(properties.blocks.size(), 3u);
   ASSERT_EQ(properties.counted().size(), std::size(gallardo));
-  // All rows agree, the first too, because the reference also includes the forced sample (0, 0) and the slow start.
+  // Even the first cycle agrees, because the independent program also includes the slow start and a first sample that
+  // is set to (0, 0).
   for (std::size_t i = 0; i < std::size(gallardo); ++i) {
     auto const& cycle = *properties.counted()[i];
     auto const& row = gallardo[i];
     EXPECT_EQ(cycle.block, static_cast<int>(i / 7) + 1);
     EXPECT_EQ(cycle.number, static_cast<int>(i % 7) + 1);
     SCOPED_TRACE(fmt::format("cycle {}", i + 1));
-    EXPECT_NEAR(cycle.first, row.start, 0.051);  // printed with one decimal
+    EXPECT_NEAR(cycle.first, row.start, 0.051);  // the reference values are rounded to one decimal
     EXPECT_NEAR(cycle.last, row.end, 0.051);
     EXPECT_NEAR(cycle.amplitude_mm, row.amplitude_mm, 0.003 * row.amplitude_mm);
     EXPECT_NEAR(cycle.K_eff_kN_per_mm, row.K_eff_kN_per_mm, 0.003 * row.K_eff_kN_per_mm);
@@ -71,12 +72,12 @@ TEST(Measured, FullScaleBearingIsRecognisedAndCutIntoItsCycles) {
   }
   EXPECT_EQ(properties.reported->number, 3);
   EXPECT_EQ(properties.reported->block, 3);
-  for (auto const& block : properties.blocks) EXPECT_EQ(block.cycles.size(), 7u);  // no partial ends
+  for (auto const& block : properties.blocks) EXPECT_EQ(block.cycles.size(), 7u);  // no block ends with a partial cycle
   EXPECT_NEAR(*properties.samples_per_cycle, 930.9, 0.1);
-  EXPECT_EQ(clean(record, {}).size(), 4942u);  // every 4th
+  EXPECT_EQ(clean(record, {}).size(), 4942u);  // every fourth sample
 }
 
-// How often displacement rises by more than 3 mm, from turning point to turning point.
+// Counts rises of the displacement by more than 3 mm between turning points.
 int rises(std::vector<double> const& disp_mm) {
   int count = 0, direction = 0;
   double low = disp_mm.front(), high = disp_mm.front();
@@ -95,7 +96,7 @@ int rises(std::vector<double> const& disp_mm) {
   return count;
 }
 
-// The force is clipped as by a saturated amplifier before the converter, and noise is added afterwards.
+// The force is clipped as by a saturated amplifier and then noise is added, as by a converter behind it.
 TEST(Measured, FullScaleBearingWhoseForceIsClippedIsNamed) {
   auto const file = folder / "hdrb-gallardo-device/cyclic-24-49-98pct.csv";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not here";
@@ -113,14 +114,15 @@ TEST(Measured, FullScaleBearingWhoseForceIsClippedIsNamed) {
   }
 }
 
-// Sines of 0.84 to 0.97 Hz for 15 s whose middle drifts by up to half the amplitude.
+// Sines of 0.84 to 0.97 Hz for 15 s. Their centre drifts by up to half the amplitude.
 TEST(Measured, MrDampersAreReadAndCutIntoTheirCycles) {
   struct Damper {
     int number;
-    double frequency_Hz, amplitude_mm;  // of the spectrum's peak; half of the third rise, or fall
-    std::size_t complete, counted;  // of the first test one cycle is 5.1 % above the others; the third starts falling
+    // From the peak of the spectrum; half of the third rise, or in test 3 of the third fall.
+    double frequency_Hz, amplitude_mm;
+    std::size_t complete, counted;  // in test 1, one cycle does not count as it is 5.1 % larger than the others
   };
-  // Counted on the turning points of the files as Octave reads them.
+  // Counted on the turning points in the files, which were read with Octave.
   constexpr Damper tests[] = {{1, 0.84, 8.65, 10, 9},
                               {2, 0.87, 8.14, 12, 12},
                               {3, 0.90, 7.15, 12, 12},
@@ -144,7 +146,8 @@ TEST(Measured, MrDampersAreReadAndCutIntoTheirCycles) {
     auto turned = record.disp_mm;
     for (double& x : turned) x = -x;
     bool const falls_first = test.number == 3;
-    // A cycle lasts from the middle of one rise to the middle of the next (of falls in test 3).
+    // A cycle lasts from the middle of a rise to the middle of the next rise, or of falls in test 3, which starts
+    // downwards.
     EXPECT_EQ(complete, rises(falls_first ? turned : record.disp_mm) - 1);
     auto const properties = cyclic_properties(record);
     ASSERT_EQ(properties.blocks.size(), 1u);
@@ -152,7 +155,7 @@ TEST(Measured, MrDampersAreReadAndCutIntoTheirCycles) {
     EXPECT_EQ(block.counted().size(), test.counted);
     EXPECT_NEAR(*block.frequency_Hz, test.frequency_Hz, 0.015);
     EXPECT_NEAR(block.amplitude_mm, test.amplitude_mm, 0.1);
-    // The force of the third column of x_F is the same.
+    // The matrix x_F repeats the force in its third column.
     options.columns[Channel::force] = "x_F:3";
     EXPECT_EQ(read_record(file, options).force_kN, record.force_kN);
   }
@@ -166,7 +169,7 @@ TEST(Measured, BiaxialOrbitsWithoutNamesAreNotGuessed) {
 
 class Quakes : public Files {
  protected:
-  // The numbers of a text that `command` writes, blank separated; empty when it does not work.
+  // The numbers, separated by blanks, that `command` prints; empty if the command fails.
   std::vector<double> numbers(std::string const& command) {
     auto const file = write("");
     if (std::system(fmt::format("{} > '{}' 2>/dev/null", command, file.string()).c_str()) != 0) return {};
@@ -215,7 +218,7 @@ TEST_F(Quakes, ElCentroThroughAnyIsolationIsNotCyclic) {
 
 class FrictionDamper : public Files {};
 
-// The rows of the JSON file, "[[1, 2], [3, 4]]", as comma separated text.
+// The rows of a JSON file, "[[1, 2], [3, 4]]", as text separated by commas.
 std::string rows_of(std::string_view json) {
   auto const begin = json.find("[[") + 2;
   auto const end = json.find("]]", begin);
@@ -252,8 +255,8 @@ TEST_F(FrictionDamper, InInchesAndKips) {
   EXPECT_DOUBLE_EQ(record.disp_mm[0], -0.00011792778968811035 * 25.4);
   EXPECT_DOUBLE_EQ(record.force_kN[0], -0.04164576064795256 * 4.4482216152605);
   auto const properties = cyclic_properties(record);
-  ASSERT_EQ(properties.complete().size(), 7u);  // 7 cycles of 1 in at 1 Hz, 1024 samples per second
-  ASSERT_EQ(properties.counted().size(), 3u);   // two at each end are ramped
+  ASSERT_EQ(properties.complete().size(), 7u);  // the test has 7 cycles of 1 inch at 1 Hz, with 1024 samples per second
+  ASSERT_EQ(properties.counted().size(), 3u);   // the first two and the last two cycles are ramps
   ASSERT_EQ(properties.blocks.size(), 1u);
   EXPECT_NEAR(*properties.blocks[0].frequency_Hz, 1.0, 0.01);
   EXPECT_EQ(properties.blocks[0].waveform, "sine");
@@ -261,10 +264,10 @@ TEST_F(FrictionDamper, InInchesAndKips) {
   EXPECT_NEAR(*properties.samples_per_cycle, 1024.0, 1.5);
   for (auto const* cycle : properties.counted()) {
     EXPECT_NEAR(cycle->amplitude_mm, 25.4, 0.3);
-    EXPECT_GT(cycle->damping_percent, 50.0);  // friction; a rectangle has 64 %
+    EXPECT_GT(cycle->damping_percent, 50.0);  // nearly a friction loop; a rectangle has 64 %
     EXPECT_LT(cycle->damping_percent, 64.0);
   }
-  EXPECT_TRUE(says(record.warnings, "force is off centre"));  // -5.1 / +3.8 kip
+  EXPECT_TRUE(says(record.warnings, "force is off centre"));  // the force extends from -5.1 to +3.8 kip
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Time stamps as time, and parts of a file: rows, spans of time, text below the rows, channels in two files.
+// Time stamps, and records that use only part of a file or two files: rows, spans of time, text below the rows,
+// channels in two files.
 #include "data_fixture.hpp"
 #include "isolaw/base/hash.hpp"
 #include "isolaw/data/time_stamp.hpp"
@@ -6,7 +7,7 @@
 namespace isolaw::data::testing {
 namespace {
 
-// --- stamps ---------------------------------------------------------------------------------------------------------
+// --- time stamps ---
 
 double seconds(std::string_view text) {
   auto const stamp = parse_stamp(text);
@@ -20,7 +21,7 @@ TEST(Stamp, TimesOfDay) {
   EXPECT_NEAR(seconds("1:02:03 PM"), 46923.0, 1e-9);
   EXPECT_NEAR(seconds("12:00:01 AM"), 1.0, 1e-9);
   EXPECT_NEAR(seconds("24:00:00"), 86400.0, 1e-9);
-  EXPECT_NEAR(seconds("59:58.5"), 3598.5, 1e-9);  // minutes and seconds
+  EXPECT_NEAR(seconds("59:58.5"), 3598.5, 1e-9);  // 59 minutes and 58.5 seconds
   for (auto const* none :
        {"10:30", "25:00:00", "24:59:00", "10:61:00", "10:00:0x", "1.5", "100000", "abcde", "10:00:00 XM"})
     EXPECT_FALSE(parse_stamp(none)) << none;
@@ -62,9 +63,9 @@ TEST_F(Stamps, AreSecondsFromTheFirst) {
   expect_times({"2024-03-31T01:59:59+01:00", "2024-03-31T03:00:00+02:00", "2024-03-31T03:00:01+02:00"}, {0, 1, 2});
   expect_times({"31/12/2023 23:59:59", "01/01/2024 00:00:00", "01/01/2024 00:00:01"}, {0, 1, 2});
   expect_times({"12/31/2023 23:59:59", "01/01/2024 00:00:00", "01/01/2024 00:00:01"}, {0, 1, 2});
-  // The sequence shows that days come first.
+  // The second stamp follows the first by a second only if the day comes first.
   expect_times({"03/04/2024 23:59:59", "04/04/2024 00:00:00", "04/04/2024 00:00:01"}, {0, 1, 2});
-  // The same whether days or months come first.
+  // These times are the same whether the day or the month comes first.
   expect_times({"03/04/2024 10:00:00", "03/04/2024 10:00:01", "03/04/2024 10:00:02"}, {0, 1, 2});
 }
 
@@ -97,7 +98,7 @@ TEST_F(Stamps, ADateAndATimeOfDayAreJoinedAndWhatIsNotUsedIsSaid) {
   EXPECT_TRUE(says(record.recognised, "not used: column 5 'Raumtemp'"));
 }
 
-// --- parts ----------------------------------------------------------------------------------------------------------
+// --- a part of a file ---
 
 class Parts : public Files {
  protected:
@@ -155,7 +156,7 @@ TEST_F(Parts, TimeIsThatOfTheFile) {
       "FILE: --from 1 --to 4 is given, but no time is read; allowed: a time column, or --dt SECONDS; try: --rows A:B");
   options.dt_s = 0.01;
   EXPECT_EQ(read(text_, options).disp_mm, part.disp_mm);
-  options.rows = parse_rows("51:");  // the time of a row is the same, whatever part is read
+  options.rows = parse_rows("51:");  // a row has the same time, whichever rows are read
   EXPECT_EQ(read(text_, options).disp_mm, part.disp_mm);
   options.from_s = 7.0;
   options.to_s.reset();
@@ -174,7 +175,7 @@ TEST_F(Parts, TextBelowTheRowsIsLeftOutOnRequest) {
   EXPECT_EQ(record.sha256, sha256(text_ + footer));
   EXPECT_TRUE(says(record.recognised,
                    "below the rows, lines 604 to 608 are text, 'Max;100;95' and so on, and left out (--footer skip)"));
-  // An incomplete row does not count as text.
+  // An incomplete row of numbers is an error, not text below the rows.
   EXPECT_EQ(
       refusal(text_ + "6.01;3.1\n", options),
       "FILE:603: 2 columns: '6.01;3.1'; allowed: 3 columns, as in most rows; try: --rows 1:601, the rows before it");
@@ -202,22 +203,22 @@ TEST_F(Parts, DigitsAreGroupedAsTheUserSays) {
       "234\xE2\x80\xAF"
       "567,5\n",
       ' ');
-  // A motion in a single column.
+  // Thousands may be grouped in a ground motion of one column too.
   ReadOptions one;
   one.dt_s = 0.1;
   one.thousands = ',';
   EXPECT_EQ(read_motion(write("Displacement [mm]\n1,000.5\n2,000.25\n-1,500\n"), one).disp_mm,
             (std::vector{1000.5, 2000.25, -1500.0}));
-  // Whole thousands, which would be read as decimals without the option.
+  // Here every number has three digits after the comma. Without the option the comma would be a decimal sign.
   EXPECT_EQ(read_with("1;1,234\n2;2,345\n3;3,456\n", ','), (std::vector{1.234, 2.345, 3.456}));
 }
 
-// --- two files ------------------------------------------------------------------------------------------------------
+// --- the channels in two files ---
 
 class TwoFiles : public Files {
  protected:
   static inline Ellipse const loop{};
-  // Samples from `first` on, every `step`-th, their times shifted.
+  // One channel as a file: every `step`-th sample from `first` on, with the times shifted.
   static std::string channel(bool of_force, double shift_s = 0.0, int first = 0, int step = 1, bool timed = true) {
     std::string text = fmt::format("{}{}\n", timed ? "Time [s];" : "", of_force ? "Force [kN]" : "Disp [mm]");
     for (int i = first; i < loop.size(); i += step)
@@ -241,7 +242,7 @@ TEST_F(TwoFiles, OfAsManyRowsAreJoinedRowByRow) {
       EXPECT_NEAR(record.force_kN[static_cast<std::size_t>(i)], loop.force(i), 1e-6);
     EXPECT_TRUE(says(record.recognised,
                      timed ? "row by row, at the same times (--columns force=" : "row by row (--columns force="));
-    EXPECT_TRUE(says(record.recognised, sha256(channel(false))));  // hashes of both raw files
+    EXPECT_TRUE(says(record.recognised, sha256(channel(false))));  // the record states the hash of each file
     EXPECT_TRUE(says(record.recognised, sha256(channel(true, 0.0, 0, 1, timed))));
   }
   try {
@@ -258,7 +259,7 @@ TEST_F(TwoFiles, OfOtherTimesAreJoinedByTime) {
   EXPECT_DOUBLE_EQ(record.time_s.front(), 1.0);
   for (std::size_t i = 0; i < record.size(); ++i)
     EXPECT_NEAR(record.force_kN[i], loop.force(static_cast<int>(i) + 100),
-                0.0385);  // w^2 dt^2 / 8 of 78 kN, by a straight line over 0.02 s
+                0.0385);  // linear interpolation over 0.02 s misses a sine of 78 kN by w^2 dt^2 / 8
   EXPECT_TRUE(says(record.recognised, "501 of 601 samples lie in the time of both"));
   EXPECT_TRUE(says(record.warnings, "only 501 of 601 samples are used"));
 }
@@ -275,7 +276,7 @@ TEST_F(TwoFiles, TakeTheSameRowsOrTimes) {
   EXPECT_EQ(joined(channel(false), channel(true), span).size(), 401u);
 }
 
-// The first line of the refusal, without the folder.
+// The first line of an error message, without the folder.
 std::string first_line(Error const& error) {
   std::string text = error.what();
   text.resize(std::min(text.find('\n'), text.size()));
@@ -355,7 +356,7 @@ TEST_F(TwoFiles, UnitsOfTimeAreGivenToBoth) {
   auto own = channel(false);
   own.replace(0, own.find(';'), "Time");
   EXPECT_EQ(joined(own, bare, options).size(), 601u);
-  // A unit that the other file states is kept.
+  // The file of the force states ms as its unit of time, which counts before the unit that is given for the other file.
   std::string milliseconds = "Time [ms];Force [kN]\n";
   for (int i = 0; i < loop.size(); ++i) milliseconds += fmt::format("{};{:.6f}\n", 10 * i, loop.force(i));
   EXPECT_EQ(joined(own, milliseconds, options).size(), 601u);

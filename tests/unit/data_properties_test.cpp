@@ -1,4 +1,4 @@
-// Cycles and their properties against closed forms.
+// Cycles and their properties, compared with closed forms.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ Cycle const& nth(Properties const& properties, std::size_t index) {
   return *properties.counted().at(index);
 }
 
-// x = Xa sin, F = Fa sin(. + phi); `sign` is the direction of the first motion.
+// Xa sin(a) as displacement and Fa sin(a + phi) as force; `sign` is the direction of the first motion.
 History ellipse(int samples_per_cycle, int cycles, double Xa, double Fa, double phi, double sign = 1.0) {
   History history;
   for (int i = 0; i <= samples_per_cycle * cycles; ++i) {
@@ -40,7 +40,8 @@ History ellipse(int samples_per_cycle, int cycles, double Xa, double Fa, double 
   return history;
 }
 
-// The area of the polygon inscribed in an ellipse, which is what the trapezoid gives.
+// Area of the polygon inscribed in an ellipse over that of the ellipse. The trapezoidal rule gives the area of the
+// polygon.
 double trapezoid_factor(double samples) {
   return samples / (2.0 * pi) * std::sin(2.0 * pi / samples);
 }
@@ -74,7 +75,8 @@ TEST_P(Ellipses, HaveTheirClosedForm) {
 INSTANTIATE_TEST_SUITE_P(Samples, Ellipses, ::testing::Values(20, 100, 200, 1000));
 
 TEST(Cycles, CutBetweenSamplesAreInterpolated) {
-  // A triangle of +-2.5 with a period of 10 samples, half a sample late: crossings at 0.5, 10.5, 20.5, where F = -1.
+  // A triangular motion of ±2.5 mm with a period of 10 samples, shifted by half a sample. It crosses zero at samples
+  // 0.5, 10.5 and 20.5, where the force is -1 kN.
   History history;
   for (int i = 0; i <= 21; ++i) {
     double const t = i - 0.5;
@@ -83,24 +85,24 @@ TEST(Cycles, CutBetweenSamplesAreInterpolated) {
     history.add(x, 3.0 * x - 1.0);
   }
   auto const properties = history.properties();
-  ASSERT_EQ(properties.counted().size(), 2u);  // the record starts beyond the band, at -0.5, and rises
+  ASSERT_EQ(properties.counted().size(), 2u);  // the record starts at -0.5 mm, outside the band of zero, and rises
   EXPECT_NEAR(nth(properties, 0).first, 0.5, 1e-12);
   EXPECT_NEAR(nth(properties, 0).last, 10.5, 1e-12);
   EXPECT_NEAR(nth(properties, 1).last, 20.5, 1e-12);
-  EXPECT_NEAR(nth(properties, 0).energy_kN_mm, 0.0, 1e-12);  // elastic
+  EXPECT_NEAR(nth(properties, 0).energy_kN_mm, 0.0, 1e-12);  // the spring is elastic
   EXPECT_NEAR(nth(properties, 0).K_eff_kN_per_mm, 3.0, 1e-12);
 }
 
-// Exact bilinear loop: K1, K2, Qd; yield displacement D_y = Qd / (K1 - K2).
+// A bilinear loop of K1, K2 and Qd has the yield displacement D_y = Qd / (K1 - K2).
 TEST(Cycles, BilinearLoopHasTheArea4QdDMinusDy) {
   double const K1 = 10.0, K2 = 1.0, Qd = 45.0, D = 100.0;
   double const Dy = Qd / (K1 - K2);
   History history;
-  double elastic = 0.0;  // force of the elastoplastic part, limited to +-Qd
+  double elastic = 0.0;  // force of the part that is elastic and perfectly plastic, limited to ±Qd
   double x = 0.0;
   history.add(0.0, 0.0);
   auto const go = [&](double to) {
-    double const step = to > x ? 0.5 : -0.5;  // corners fall on samples: Dy = 5
+    double const step = to > x ? 0.5 : -0.5;  // Dy = 5, so corners fall on samples
     while (x != to) {
       x += step;
       elastic = std::clamp(elastic + (K1 - K2) * step, -Qd, Qd);
@@ -131,7 +133,8 @@ TEST(Cycles, ConstantOffsetsChangeNeitherStiffnessNorEnergy) {
 }
 
 TEST(Cycles, TheLoopIsClosedByAStraightLine) {
-  // Starts at (1, 2) inside the band, ends at the crossing (0, 0): the closing line adds 1, the mean force times 1 mm.
+  // The record starts at (1, 2), within the band of zero, and ends at (0, 0). The closing line adds its mean force of 1
+  // kN times 1 mm.
   History history;
   history.add(1.0, 2.0);
   for (int i = 1; i <= 100; ++i) history.add(100.0 * std::sin(2.0 * pi * i / 100), 0.0);
@@ -153,14 +156,15 @@ TEST(Cycles, NoiseAndHoldsAboutZeroCutNothing) {
     for (int i = 0; i < 200; ++i)
       history.add(-100.0 * std::sin(2.0 * pi * i / 200) + tremor(generator),
                   -90.0 * std::sin(2.0 * pi * i / 200 + 0.3));
-    if (cycle < 2) hold(50);  // a plateau between cycles
+    if (cycle < 2) hold(50);  // a hold between cycles
   }
   hold(100);
   auto const properties = history.properties();
   ASSERT_EQ(properties.counted().size(), 3u);
   EXPECT_EQ(nth(properties, 0).first, 0.0);
   EXPECT_NEAR(nth(properties, 0).last, 500.0, 50.0);
-  EXPECT_NEAR(*properties.samples_per_cycle, 250.0, 60.0);  // the median: the hold of 300 counts little
+  // The median hardly changes with the one cycle of 300 samples.
+  EXPECT_NEAR(*properties.samples_per_cycle, 250.0, 60.0);
 }
 
 TEST(Cycles, StagesFromFiveToTwoHundredPercentAreAllFound) {
@@ -218,7 +222,7 @@ TEST(Cycles, HistoriesThatAreNoTestsDoNotCrash) {
   for (auto const* cycle : properties.complete()) EXPECT_LT(cycle->first, cycle->last);
 }
 
-// A cycle that gives energy back is reported even if the record also has too few samples.
+// A record that gives energy back and has few samples must be reported as giving energy back.
 TEST(Properties, EnergyGivenBackIsSaidBeforeFewSamples) {
   auto const properties = ellipse(12, 3, 100.0, 70.0, -0.3).properties();
   EXPECT_TRUE(properties.is_false);
@@ -228,7 +232,7 @@ TEST(Properties, EnergyGivenBackIsSaidBeforeFewSamples) {
   EXPECT_NE(text_of(few.refusal).find("samples per cycle"), std::string::npos) << text_of(few.refusal);
 }
 
-// An elastic spring dissipates nothing. The small energy that noise makes must not count as energy given back.
+// An elastic spring dissipates nothing. The small energy that noise produces must not be reported as energy given back.
 TEST(Properties, NoiseOfAnElasticSpringGivesNothingBack) {
   for (unsigned seed = 1; seed <= 200; ++seed) {
     std::mt19937 generator(seed);
@@ -242,7 +246,7 @@ TEST(Properties, NoiseOfAnElasticSpringGivesNothingBack) {
   EXPECT_TRUE(ellipse(100, 3, 100.0, 70.0, -0.02).properties().is_false) << "more than noise";
 }
 
-// The exact bilinear loop of K2 = 1, Qd = 45, D_y = 5. The idealisation must return these values.
+// A bilinear loop of K2 = 1, Qd = 45 and D_y = 5. The equivalent bilinear loop must return these values.
 TEST(Properties, TheIdealisationOfABilinearLoopIsTheLoop) {
   double const K1 = 10.0, K2 = 1.0, Qd = 45.0, D = 100.0;
   History history;
@@ -268,7 +272,7 @@ TEST(Properties, TheIdealisationOfABilinearLoopIsTheLoop) {
     EXPECT_NEAR(cycle.K_minus_kN_per_mm, K2 + Qd / D, 1e-12);
     EXPECT_NEAR(cycle.closure_mm, 0.0, 1e-9);
   }
-  // The record starts at rest, so only the end of the first cycle lies on the loop.
+  // The first cycle starts from rest, so only the crossing at its end lies on the loop.
   EXPECT_NEAR(nth(properties, 0).Q_d_kN, Qd, 1e-9);
 }
 
@@ -279,7 +283,7 @@ TEST(Properties, AnElasticSpringHasNoIdealisation) {
   EXPECT_FALSE(cycle.period_s || cycle.v_max_mm_s || cycle.N_mean_kN);
 }
 
-// Time and vertical load: 0.5 Hz, 1000 kN that swings by 30 kN twice a cycle.
+// A record with time at 0.5 Hz and with a vertical load of 1000 kN that swings by 30 kN twice a cycle.
 TestRecord timed(double (*wave)(double), int samples_per_cycle = 200, double frequency = 0.5) {
   TestRecord record;
   for (int i = 0; i <= 4 * samples_per_cycle; ++i) {
@@ -312,7 +316,7 @@ TEST(Properties, TimeGivesFrequencyVelocityAndWaveform) {
   EXPECT_EQ(other.blocks[0].waveform, "other");
   EXPECT_NEAR(of_sine.blocks[0].frequency_Hz.value(), 0.5, 1e-4);
   EXPECT_NEAR(of_triangle.blocks[0].frequency_Hz.value(), 0.5, 1e-4);
-  // The chord over a 25th of a cycle is 1 - sinc(pi / 25) = 0.3 % less steep than the sine.
+  // The velocity is a chord over a 25th of a cycle. For a sine it is 1 - sinc(pi / 25) = 0.3 % below the peak velocity.
   EXPECT_NEAR(of_sine.blocks[0].v_max_mm_s.value(), 2.0 * pi * 0.5 * 100.0, 0.004 * 314.0);
   EXPECT_NEAR(of_triangle.blocks[0].v_max_mm_s.value(), 4.0 * 0.5 * 100.0, 1e-6);
   EXPECT_NEAR(of_sine.reported->period_s.value(), 2.0, 1e-9);
@@ -333,7 +337,7 @@ TEST(Properties, StabilityComparesWithTheThirdCycle) {
     cycle.K_eff_kN_per_mm = 2.0 * K;
     block.cycles.push_back(cycle);
   }
-  block.cycles.emplace_back().not_counted = "partial";  // must not be used
+  block.cycles.emplace_back().not_counted = "partial";  // a partial cycle after the eleven others, which must not count
   auto const found = stability(block, &Cycle::K_eff_kN_per_mm);
   EXPECT_EQ(found.cycles, 11);
   ASSERT_EQ(found.ratio_to_third.size(), 11u);
@@ -341,7 +345,7 @@ TEST(Properties, StabilityComparesWithTheThirdCycle) {
   EXPECT_NEAR(found.first_to_third.value(), 1.5, 1e-12);
   EXPECT_NEAR(found.first_to_mean_1_3.value(), 1.5 / 1.2, 1e-12);
   EXPECT_NEAR(found.last_to_mean_1_3.value(), 0.5 / 1.2, 1e-12);
-  EXPECT_NEAR(found.min_2_10.value(), 0.8, 1e-12);  // the eleventh is outside
+  EXPECT_NEAR(found.min_2_10.value(), 0.8, 1e-12);  // cycle 11 is outside cycles 2 to 10
   EXPECT_NEAR(found.max_2_10.value(), 1.1, 1e-12);
   EXPECT_NEAR(found.max_1_10.value(), 1.5, 1e-12);
   EXPECT_NEAR(found.least_to_largest_2_10.value(), 0.8 / 1.1, 1e-12);

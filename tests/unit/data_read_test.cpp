@@ -1,4 +1,4 @@
-// Dialects: delimiter and decimal separator together, line ends, encodings, text above the data.
+// Text files in every dialect: delimiter and decimal sign, line ends, encodings, text above the data.
 #include "data_fixture.hpp"
 #include "isolaw/base/hash.hpp"
 
@@ -8,13 +8,13 @@ namespace {
 using Read = Files;
 using Values = std::vector<double>;
 
-// --- every dialect gives the same record ----------------------------------------------------------------------------
+// --- every dialect gives the same record ---
 
 struct Style {
   std::string delimiter;
   char decimal;
   std::string end = "\n";
-  std::string before = {};  // ahead of the header
+  std::string before = {};  // text before the header
 };
 
 class Dialects : public Files, public ::testing::WithParamInterface<Style> {};
@@ -41,7 +41,7 @@ INSTANTIATE_TEST_SUITE_P(All, Dialects,
                                            Style{";", ',', "\r"}, Style{"\t", ',', "\r\n", "Specimen\tD07\r\n\r\n"},
                                            Style{",", '.', "\n", "\xEF\xBB\xBF"}));
 
-// --- the comma, which says nothing alone ----------------------------------------------------------------------------
+// --- a comma is either a delimiter or a decimal sign ---
 
 struct Trap {
   std::string text;
@@ -69,10 +69,13 @@ INSTANTIATE_TEST_SUITE_P(
                       Trap{"1.5 2.0\n2.5 4.5\n-3.25 1.0\n", read_disp, read_force},
                       Trap{"\"1,5\",\"2,0\"\n\"2,5\",\"4,5\"\n\"-3,25\",\"1,0\"\n", read_disp, read_force},
                       Trap{"\"1,5\";\"2,0\"\n\"2,5\";\"4,5\"\n\"-3,25\";\"1,0\"\n", read_disp, read_force},
-                      Trap{"1,5;2\n2,5;4,5\n-3,25;1\n", read_disp, read_force},     // whole numbers among decimals
-                      Trap{"1.5;2;\n2.5;4.5;\n-3.25;1;\n", read_disp, read_force},  // trailing empty column
+                      // Whole numbers occur among the decimals.
+                      Trap{"1,5;2\n2,5;4,5\n-3,25;1\n", read_disp, read_force},
+                      // Each row ends with a delimiter.
+                      Trap{"1.5;2;\n2.5;4.5;\n-3.25;1;\n", read_disp, read_force},
                       Trap{"+1.5,2\r\n+25e-1,4.5\r\n-3.25,1E0\r\n", read_disp, read_force},
-                      Trap{"1.234;5\n5.678;6\n9.123;4\n", {1.234, 5.678, 9.123}, {5, 6, 4}},  // not thousands
+                      // The points are decimal signs and do not group thousands.
+                      Trap{"1.234;5\n5.678;6\n9.123;4\n", {1.234, 5.678, 9.123}, {5, 6, 4}},
                       Trap{"1,234;5\n5,678;6\n9,123;4\n", {1.234, 5.678, 9.123}, {5, 6, 4}}));
 
 TEST_F(Read, AnEmptyColumnBetweenTabsIsAColumn) {
@@ -80,12 +83,12 @@ TEST_F(Read, AnEmptyColumnBetweenTabsIsAColumn) {
   EXPECT_EQ(record.force_kN, (Values{7, 9, 8}));
 }
 
-// The encoding is recognised from the head of the file. The head is cut at a line end of any kind, since a cut
-// elsewhere could split a character of two bytes.
+// The encoding is recognised from the first bytes of the file. These end at a line end, since a cut elsewhere could
+// split a character of two bytes.
 TEST_F(Read, ShiftJisOfAnyLengthAndLineEnd) {
   for (std::string const end : {"\n", "\r\n", "\r"})
     for (std::size_t shift = 0; shift < 4; ++shift) {
-      // Time, displacement, horizontal load, remark
+      // The Japanese names mean time, displacement, horizontal load and remark.
       std::string text =
           std::string(shift, 'x') + end +
           "\x8E\x9E\x8A\xD4(s),\x95\xCF\x88\xCA(mm),\x90\x85\x95\xBD\x89\xD7\x8F\x64(kN),\x94\xF5\x8D\x6C" + end;
@@ -98,7 +101,8 @@ TEST_F(Read, ShiftJisOfAnyLengthAndLineEnd) {
     }
 }
 
-// A rest that the logger skipped is a part of the test's time. A jump of the clock amid motion gives a warning.
+// If the logger skips samples while the device rests, the gap is part of the test's time. If the clock jumps during
+// motion, isolaw warns.
 TEST_F(Read, ARestThatWasNotRecordedIsNoJumpOfTheClock) {
   for (bool const at_rest : {true, false}) {
     data::Values values;
@@ -125,7 +129,7 @@ TEST_F(Read, TextColumnsThatAreNotAskedForDoNotMatter) {
   EXPECT_EQ(record.force_kN, (Values{2, 3, 1}));
 }
 
-// --- above and between the rows -------------------------------------------------------------------------------------
+// --- text above and between the rows ---
 
 TEST_F(Read, MetadataNamesAndUnitsAboveTheData) {
   auto const record = read(
@@ -200,7 +204,7 @@ TEST_F(Read, ByteOrderMarkIsNoPartOfTheFirstName) {
   EXPECT_EQ(record.layout.columns.at(Channel::disp), "Disp [mm]");
 }
 
-// --- time and record ------------------------------------------------------------------------------------------------
+// --- the time channel and the contents of a record ---
 
 TEST_F(Read, WithoutTimeSaysWhatIsMissing) {
   auto const record = read("Disp [mm];Force [kN]\n1;2\n2;3\n3;1\n");
@@ -238,7 +242,9 @@ TEST_F(Read, LayoutReadsTheFileTheSameWay) {
   std::string const bytes = "t;Disp [mm];Disp [mm];Force [N];N [kN]\ns;;;;\n0;1;9;2;5\n1;2;9;3;5\n2;3;9;1;5\n";
   auto const record = read(bytes, with("disp=2"));
   EXPECT_EQ(record.layout.columns, (std::map<Channel, std::string>{{Channel::time, "t"},
-                                                                   {Channel::disp, "2"},  // its name is not unique
+                                                                   // Two columns have its name, so the layout holds the
+                                                                   // number.
+                                                                   {Channel::disp, "2"},
                                                                    {Channel::force, "Force [N]"},
                                                                    {Channel::load, "N [kN]"}}));
   EXPECT_EQ(record.layout.units,
@@ -254,7 +260,7 @@ TEST_F(Read, LayoutReadsTheFileTheSameWay) {
   EXPECT_EQ(again.load_kN, record.load_kN);
 }
 
-// --- warnings -------------------------------------------------------------------------------------------------------
+// --- warnings about a record ---
 
 TEST_F(Read, NoWarningsForACleanRecord) {
   auto const record = read("Time [s];Disp [mm];Force [kN]\n" + rows({}, ";"));

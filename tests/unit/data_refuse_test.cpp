@@ -1,4 +1,4 @@
-// Files that are refused, and the message each gives.
+// Files that isolaw refuses, and the message about each.
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ std::string thrown_for(std::filesystem::path const& file) {
   return refusal_of([&] { read_record(file); });
 }
 
-// --- not text -------------------------------------------------------------------------------------------------------
+// --- files that are not text ---
 
 TEST_F(Refuse, WhatIsNoFile) {
   EXPECT_EQ(thrown_for("nowhere/D07.csv"),
@@ -38,13 +38,14 @@ TEST_F(Refuse, WhatIsNotText) {
          "save it as .xlsx without a password, or the sheet as CSV");
   expect("%PDF-1.7\n1;2\n", "is a PDF document", "export the channels as CSV");
   expect("\x89HDF\r\n\x1A\n", "is an HDF5 file", "export the channels as CSV");
-  expect("1\0;\0"s, "is a binary file (byte 2 is 0)", "export the channels as CSV");  // UTF-16 without its mark
+  // This text is UTF-16 without a byte order mark.
+  expect("1\0;\0"s, "is a binary file (byte 2 is 0)", "export the channels as CSV");
   expect("1;2\n3;\0\n"s, "is a binary file (byte 7 is 0)", "export the channels as CSV");
 }
 
 TEST_F(Refuse, AFileAboveOneGiB) {
   auto const file = write("x");
-  std::filesystem::resize_file(file, (std::uintmax_t{3} << 29));  // a hole: takes no space
+  std::filesystem::resize_file(file, (std::uintmax_t{3} << 29));  // a sparse file, which takes no space on disk
   EXPECT_EQ(
       thrown_for(file),
       file.generic_string() +
@@ -101,7 +102,7 @@ TEST_F(Refuse, FewerThanThreeSamples) {
   EXPECT_EQ(refusal(header_row + "0;1;2\n1;2;3\n"), "FILE: 2 samples; allowed: 3 or more");
 }
 
-// --- commas ---------------------------------------------------------------------------------------------------------
+// --- commas and thousands ---
 
 TEST_F(Refuse, DecimalCommasBetweenCommas) {
   EXPECT_EQ(
@@ -127,13 +128,14 @@ TEST_F(Refuse, ThousandsSeparators) {
       "FILE:2: '1,234.56' in column 2 'Force [N]' has thousands separators; allowed: a number with a decimal point and no other separator; try: --thousands ,");
 }
 
-// Seconds since a logger was switched on may be as large as a spreadsheet's day numbers.
+// Seconds since a logger was switched on may be as large as the day numbers of a spreadsheet. They must not be read as
+// days.
 TEST_F(Refuse, NumbersBelowTimeAreNoDaysOfASpreadsheet) {
   for (std::string const name : {"Time", "Zeit", "Tempo", "Timestamp", "Uhrzeit"}) {
     std::string text = name + ";Disp [mm];Force [kN]\n";
     for (int i = 0; i < 20; ++i) text += fmt::format("{:.2f};{};{}\n", 40000.0 + 0.08 * i, i, i % 5);
     auto const said = refusal(text);
-    if (name == "Timestamp" || name == "Uhrzeit")  // such a column need not be the time
+    if (name == "Timestamp" || name == "Uhrzeit")  // a column of this name need not be the time of the test
       EXPECT_EQ(read(text).has_time(), false) << name;
     else
       EXPECT_EQ(said, fmt::format("FILE:1: column 1 '{}' (time) has no unit; allowed: {}; try: --units time=s", name,
@@ -145,7 +147,7 @@ TEST_F(Refuse, NumbersBelowTimeAreNoDaysOfASpreadsheet) {
   }
 }
 
-// --- rows -----------------------------------------------------------------------------------------------------------
+// --- errors in rows ---
 
 TEST_F(Refuse, CellsThatAreNoNumbersAllAtOnce) {
   EXPECT_EQ(
@@ -159,7 +161,7 @@ TEST_F(Refuse, CellsThatAreNoNumbersAllAtOnce) {
       "FILE: and 1 more cells that are no number");
 }
 
-// The advice names the longer part of the rows that were asked for, and keeps the ends that were asked for.
+// The message suggests rows to read instead: the longer part beside the error, within the rows that the user asked for.
 TEST_F(Refuse, TheAdviceLeavesEnoughRowsOfThoseAskedFor) {
   auto const text = header_row + "0;1;2\n1;3;3\n2;2;1\n3;1;2\n4;x;1\n5;2;3\n6;1;2\n7;0;1\n8;2;3\n9;3;1\n";
   auto const advice = [&](char const* rows) {
@@ -197,7 +199,7 @@ TEST_F(Refuse, ProblemsOfColumnsAndRowsTogether) {
       "FILE:3: 'x' in column 2 'Disp' is not a number; allowed: a number with a decimal point; try: export the record again");
 }
 
-// --- values ---------------------------------------------------------------------------------------------------------
+// --- impossible values of a channel ---
 
 TEST_F(Refuse, TimeThatDoesNotIncrease) {
   EXPECT_EQ(
@@ -226,7 +228,7 @@ TEST_F(Refuse, ChannelsThatDoNotMove) {
       "FILE: force is constant: column 3 'Force [kN]' holds 2 kN in all 3 samples; allowed: a channel that moves; try: --columns force=NUMBER with the column that was measured");
 }
 
-// The rows of a clean loop with some forces replaced.
+// The rows of a clean loop, some forces of which are replaced.
 std::string loop_with(std::vector<std::pair<int, std::string>> const& replaced, Ellipse const& loop = {}) {
   std::string text = header_row;
   for (int i = 0; i < loop.size(); ++i) {
@@ -247,7 +249,8 @@ TEST_F(Refuse, Overloads) {
           rest);
   EXPECT_NE(refusal(loop_with({{10, "-9999"}, {11, "-9999"}})).find("FILE:13: -9999 kN"), std::string::npos);
   EXPECT_NE(refusal(loop_with({{10, "999.9"}})).find("FILE:12: 999.9 kN"), std::string::npos);
-  EXPECT_NE(refusal(loop_with({{10, "4321"}})).find("FILE:12: 4321 kN"), std::string::npos);  // 56 times the others
+  // 56 times the largest of the other forces.
+  EXPECT_NE(refusal(loop_with({{10, "4321"}})).find("FILE:12: 4321 kN"), std::string::npos);
 }
 
 TEST_F(Refuse, ManyOverloadsAreCounted) {
@@ -259,17 +262,18 @@ TEST_F(Refuse, ManyOverloadsAreCounted) {
 }
 
 TEST_F(Refuse, LegitimateValuesAreNoOverloads) {
-  EXPECT_EQ(refusal(loop_with({{10, "999"}}, {.amplitude_mm = 1000.0})), "");  // among values up to 776
+  EXPECT_EQ(refusal(loop_with({{10, "999"}}, {.amplitude_mm = 1000.0})), "");  // the other forces reach 776 kN
   EXPECT_EQ(refusal(loop_with({{10, "9999"}}, {.amplitude_mm = 12000.0})), "");
-  EXPECT_EQ(refusal(loop_with({{10, "700"}})), "");  // 9 times: a spike, not an overload
-  std::string held = "Disp [mm];Force [kN]\n";       // a long hold, then the test
+  // Nine times the other forces, which is a spike and not an overload.
+  EXPECT_EQ(refusal(loop_with({{10, "700"}})), "");
+  std::string held = "Disp [mm];Force [kN]\n";  // a long hold before the test
   for (int i = 0; i < 20000; ++i) held += "0.001;0.01\n";
   Ellipse const loop;
   for (int i = 0; i < loop.size(); ++i) held += fmt::format("{:.4f};{:.4f}\n", loop.disp(i), loop.force(i));
   EXPECT_EQ(refusal(held), "");
 }
 
-// --- physics --------------------------------------------------------------------------------------------------------
+// --- loops that no device can have ---
 
 std::string const positive =
     "; allowed: a device that dissipates energy and resists displacement: both positive; try: ";

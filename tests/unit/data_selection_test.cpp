@@ -1,4 +1,4 @@
-// Which blocks and cycles laws are judged by.
+// The choice of blocks and cycles by which laws are scored.
 #include "isolaw/data/selection.hpp"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ TEST(ParseNumbers, Contains) {
   EXPECT_TRUE(Numbers{}.contains(123456));
 }
 
-// Two blocks of two cycles, the second followed by half a cycle, 10 samples each.
+// Two blocks of two cycles and half a cycle after the second block, at about 10 samples a cycle.
 Segmentation two_blocks() {
   Segmentation s;
   s.cyclic = true;
@@ -76,7 +76,7 @@ TEST(ScoredSamples, AreThoseOfTheChosenBlocksAndCycles) {
   EXPECT_EQ(scored("all", "2"), std::string(10, '.') + std::string(11, '#') + std::string(10, '.') +
                                     std::string(10, '#') + std::string(9, '.'));
   EXPECT_EQ(scored("2", "1"), std::string(21, '.') + std::string(10, '#') + std::string(19, '.'));
-  EXPECT_EQ(scored("all", "1-"), std::string(41, '#') + std::string(9, '.'));  // the half cycle does not count
+  EXPECT_EQ(scored("all", "1-"), std::string(41, '#') + std::string(9, '.'));  // the half cycle is not scored
 }
 
 TEST(ScoredSamples, NothingLeftSaysWhatThereIs) {
@@ -90,7 +90,7 @@ TEST(ScoredSamples, NothingLeftSaysWhatThereIs) {
   }
   Segmentation none;
   EXPECT_THROW(scored_samples({parse("1"), {}}, none, 50), Error);
-  // The pieces of a history without cycles cannot be chosen as blocks.
+  // A history without cycles has no blocks to choose from.
   auto not_cyclic = two_blocks();
   not_cyclic.cyclic = false;
   for (auto const& selection : {Selection{parse("1"), {}}, Selection{parse("2"), {}}, Selection{{}, parse("1")}}) {

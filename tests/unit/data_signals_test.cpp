@@ -1,5 +1,5 @@
-// Signals that cannot be true, on records drawn from fixed seeds: how often a fault is found, and how often one is
-// found where there is none. docs/properties.md describes the records and states the bounds that are checked here.
+// Faults of signals, counted on random records of fixed seeds: how often a fault is found, and how often one is
+// reported where there is none. docs/properties.md describes the records and states the bounds checked here.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ bool names(std::vector<SignalFault> const& faults, std::string_view channel, Fau
   return std::ranges::any_of(faults, [&](auto const& f) { return f.channel == channel && f.kind == kind; });
 }
 
-// A channel that is constant at its extreme may be reported as clipped or as stuck.
+// A channel that is constant at its extreme value may be reported as clipped or as stuck.
 bool stands(std::vector<SignalFault> const& faults, std::string_view channel) {
   return names(faults, channel, FaultKind::clipped) || names(faults, channel, FaultKind::stuck);
 }
@@ -39,7 +39,7 @@ std::string text_of(std::vector<SignalFault> const& faults) {
   return text;
 }
 
-// How many samples a cycle spends beyond the level.
+// The number of samples of a cycle that lie beyond the level at which the signal is clipped.
 double samples_beyond(Plan const& plan, double depth) {
   return plan.samples * (plan.waveform == Waveform::triangle ? depth / 2.0 : std::acos(1.0 - depth) / std::numbers::pi);
 }
@@ -59,8 +59,8 @@ bool near_a_turn(Plan const& plan, Recording const& record, std::size_t where, s
   return std::ranges::any_of(turns, [&](auto turn) { return std::max(turn, where) - std::min(turn, where) < reach; });
 }
 
-// Draws a record from each seed and calls of(plan, random), which returns whether the record counts and whether its
-// fault was found.
+// Counts how many faults are missed in one record per seed. `of` puts a fault into the record. It returns whether the
+// fault was found, or that the record does not count.
 enum class Found { left_out, no, yes };
 struct Rate {
   int drawn = 0, missed = 0;
@@ -113,7 +113,8 @@ TEST(Signals, clipped_displacement_is_found_from_one_percent_of_the_amplitude) {
       return found_at(depth, record, "displacement");
     });
     EXPECT_GT(rate.drawn, 200);
-    // If noise is added after the clipping, a clipped triangle may look like a trapezoid, so more faults may be missed.
+    // A clipped triangle with noise added afterwards may look like a trapezoid, so more faults may be missed than with
+    // noise before the clipping.
     EXPECT_LE((noise_first ? 200 : 40) * rate.missed, rate.drawn) << rate.missed << " of " << rate.drawn;
   }
 }
@@ -121,7 +122,7 @@ TEST(Signals, clipped_displacement_is_found_from_one_percent_of_the_amplitude) {
 TEST(Signals, trapezoids_with_short_holds_are_left_alone) {
   auto const rate = rate_of(130000, false, [](Plan& plan, Drawn& random) {
     plan.waveform = Waveform::trapezoid;
-    double const hold = random.between(0.02, 0.12);  // of a cycle, at each peak
+    double const hold = random.between(0.02, 0.12);  // at each peak, as a share of the cycle
     plan.overdriven = 1.0 / (1.0 - 2.0 * hold);
     auto const record = finish(random, plan, true_motion(plan));
     auto const faults = faults_of(record);
@@ -147,7 +148,7 @@ TEST(Signals, clipped_force_is_found_from_three_percent) {
   EXPECT_LE(200 * rate.missed, rate.drawn);
 }
 
-// A saturated amplifier ahead of the converter: the noise comes after the plateau.
+// A saturated amplifier clips the force before noise is added, so the plateau is noisy.
 TEST(Signals, force_clipped_before_its_noise_is_found) {
   struct Case {
     double least_noise, most_noise, least_depth, most_depth;
@@ -187,7 +188,8 @@ TEST(Signals, displacement_clipped_before_its_noise_is_found) {
   EXPECT_GE(100 * (rate.drawn - rate.missed), 95 * rate.drawn) << rate.missed << " of " << rate.drawn;
 }
 
-// Elastic and perfectly plastic devices, with little hardening or none, in any motion. Their force may stay constant.
+// Devices whose force hardly rises after yielding, in any motion. A constant force is then true and must not be
+// reported.
 TEST(Signals, a_device_that_yields_flat_is_left_alone) {
   auto const rate = rate_of(80000, true, [](Plan& plan, Drawn& random) {
     double const way = plan.amplitude_mm * random.on_logs(0.005, 0.5);
@@ -219,7 +221,7 @@ TEST(Signals, spikes_are_found_from_five_percent_of_the_peak) {
       double const size = random.on_logs(0.05, 2.0) * (random.chance(0.5) ? 1.0 : -1.0);
       auto const where = static_cast<std::size_t>(random.whole(3, static_cast<int>(x.size()) - 4));
       if (std::abs(size) < 20.0 * (of_force ? plan.force_noise : plan.disp_noise)) return Found::left_out;
-      // Leave out a spike beside a jump or a corner of the signal itself.
+      // A spike beside a jump or a corner of the signal itself does not count.
       if (near_a_turn(plan, record, where, of_force ? 8 : 4)) return Found::left_out;
       x[where] += size * (of_force ? record.force_kN : record.amplitude_mm);
       auto const faults = faults_of(record);
@@ -248,8 +250,8 @@ TEST(Signals, a_stuck_channel_is_found) {
       auto const to = from + static_cast<std::size_t>(length);
       double const level = x[from];
       double const amplitude = of_force ? record.force_kN : record.amplitude_mm;
-      // The channel must go on at another value, in the middle of a motion. A constant force without noise may also be
-      // a device that yields.
+      // The fault counts if the channel goes on at another value in the middle of a motion. A constant force without
+      // noise may also come from a device that yields.
       bool const jumps = std::abs(x[to] - level) > (of_force ? 0.3 : 0.15) * amplitude;
       bool const moves = std::abs(record.disp_mm[to] - record.disp_mm[from]) > 0.15 * record.amplitude_mm;
       if (!jumps || !moves || plan.device == Device::viscous || plan.device == Device::friction ||
@@ -293,7 +295,7 @@ TEST(Signals, a_channel_that_stuck_before_its_noise_is_found) {
   }
 }
 
-// Three to twenty samples are zero, or another value off the path, while the other channel goes on.
+// Between 3 and 20 samples of one channel are zero or another value off the path, while the other channel goes on.
 TEST(Signals, a_channel_that_drops_out_is_found) {
   for (bool const of_force : {true, false})
     for (bool const to_nought : {true, false}) {
@@ -307,7 +309,8 @@ TEST(Signals, a_channel_that_drops_out_is_found) {
             static_cast<std::size_t>(random.whole(rest + 5, rest + plan.samples * plan.cycles - length - 5));
         auto const to = from + static_cast<std::size_t>(length);
         double const level = to_nought ? 0.0 : amplitude * random.between(-1.5, 1.5);
-        // The samples must be clearly off the path on both sides, without a jump of the signal itself beside them.
+        // The fault counts if its samples lie clearly off the path on both sides and the signal itself has no jump
+        // beside them.
         double const off = std::min(std::abs(level - x[from - 1]), std::abs(level - x[to]));
         bool const one_way = (level - x[from - 1]) * (level - x[to]) > 0.0;
         if (!one_way || off < 0.3 * amplitude ||
@@ -374,7 +377,7 @@ TEST(Signals, a_channel_without_its_sign_is_found) {
   }
 }
 
-// --- by hand --------------------------------------------------------------------------------------------------------
+// --- records made by formulas ---
 
 TEST(Signals, sentences_name_the_word_the_sample_and_the_time) {
   auto motion = Motion().sine(100.0, 0.5, 3).end().loop();
@@ -395,7 +398,8 @@ TEST(Signals, sentences_name_the_word_the_sample_and_the_time) {
       << text_of(spike.front().finding);
 }
 
-// Elastic-plastic loops and springs with play, without noise or rounding, whose force may be a few samples late.
+// Loops of elastic-plastic devices and of springs with play, without noise or rounding. The force may be a few samples
+// late.
 TEST(Signals, loops_of_formulas_are_left_alone) {
   for (bool const triangle : {false, true})
     for (double const part : {0.05, 0.2, 0.5})
@@ -423,7 +427,7 @@ TEST(Signals, loops_of_formulas_are_left_alone) {
         }
 }
 
-// A device with play has exactly no force until the play is used up. Then the force jumps, also after a hold.
+// A device with play has exactly zero force until the play is used up. Then the force jumps, also after a hold.
 TEST(Signals, play_is_no_stuck_force) {
   for (bool const holds : {false, true}) {
     Motion motion;
@@ -457,7 +461,8 @@ TEST(Signals, a_time_gap_does_not_change_the_frequency) {
       }
 }
 
-// The slow part has as many samples a cycle as the fast one. Its long intervals are no gaps in time.
+// The slow block has as many samples a cycle as the fast block, at longer intervals. Its intervals must not count as
+// gaps in time.
 TEST(Signals, a_slow_part_with_as_many_samples_a_cycle_has_its_own_frequency) {
   auto motion = Motion().sine(50.0, 0.5, 8).sine(100.0, 0.5, 4).end().loop();
   std::size_t const slow = 8 * 200;
@@ -470,7 +475,7 @@ TEST(Signals, a_slow_part_with_as_many_samples_a_cycle_has_its_own_frequency) {
   EXPECT_TRUE(time_gaps(motion.disp_mm, motion.time_s).empty());
 }
 
-// The clock jumps over a peak. The rest of that cycle must not count as a pre-load or a build-up.
+// The clock jumps at a peak. The rest of that cycle must not count as a pre-load or a build-up.
 TEST(Signals, a_time_gap_over_a_peak_leaves_the_cycles_their_numbers) {
   for (std::size_t const first : {25u, 225u, 325u}) {
     auto motion = Motion().sine(100.0, 0.5, 5).end().loop();

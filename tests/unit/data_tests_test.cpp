@@ -1,4 +1,4 @@
-// Several tests in one file: separated by repeated headers, chosen, joined, listed.
+// Several tests in one file: how they are told apart by repeated headers, chosen, joined and listed.
 #include <algorithm>
 
 #include "data_writers.hpp"
@@ -46,10 +46,10 @@ TEST_F(SeveralTests, AllAreOneHistory) {
   ASSERT_EQ(record.size(), 302u);
   EXPECT_EQ(record.layout.test, "all");
   EXPECT_DOUBLE_EQ(record.time_s[200], 2.0);
-  EXPECT_NEAR(record.time_s[201], 2.01, 1e-12);  // one sampling interval later
+  EXPECT_NEAR(record.time_s[201], 2.01, 1e-12);  // the second test follows after one sampling interval
   EXPECT_NEAR(record.time_s[301], 3.01, 1e-12);
   EXPECT_DOUBLE_EQ(record.disp_mm[201 + 25], 50.0);
-  EXPECT_EQ(record.sha256, read(two_tests(), test("1")).sha256);  // the hash of the whole file
+  EXPECT_EQ(record.sha256, read(two_tests(), test("1")).sha256);  // both hashes are those of the whole file
   EXPECT_TRUE(says(record.recognised, "test 2 continues the history with 101 samples"));
 }
 
@@ -83,7 +83,7 @@ TEST_F(SeveralTests, UnitRowsAndCommentedNames) {
   EXPECT_TRUE(says(record.recognised, "line 204 is the header, line 205 gives the units"));
 }
 
-// Rows of text among the numbers that name no channels stay an error at their line.
+// Text between the rows starts another test only if it names channels. Other text is an error at its line.
 TEST_F(SeveralTests, AreNotMadeOfOtherText) {
   EXPECT_EQ(
       refusal(header_row + "0;1;2\n1;2;3\nstop;stop;stop\n2;3;1\n"),
@@ -118,7 +118,7 @@ TEST_F(SeveralTests, AreListed) {
   EXPECT_EQ(one.front().test, std::nullopt);
 }
 
-// LabVIEW's measurement files: two headers above the names, units in a row of their own, one name for a comment.
+// A file of LabVIEW has two headers above the names of channels, a row for the units and a column for comments.
 std::string lvm_head(std::string const& x_columns = "One") {
   return "LabVIEW Measurement\t\nWriter_Version\t2\nSeparator\tTab\nDecimal_Separator\t,\nMulti_Headings\tNo\n"
          "X_Columns\t" +

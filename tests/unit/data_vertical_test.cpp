@@ -1,4 +1,5 @@
-// The vertical stiffness of compression tests that follow from a formula, and what is refused instead of guessed.
+// Vertical stiffness of compression tests made by formulas, and tests that are refused because isolaw would have to
+// guess.
 #include "isolaw/data/vertical.hpp"
 
 #include <cmath>
@@ -17,9 +18,10 @@ struct Press {
   std::function<double(double)> disp_of = [](double load) { return load / 1200.0; };
   int loadings = 3;
   double least_kN = 0.0, largest_kN = 1000.0;
-  double hysteresis_mm = 0.0;                                    // while unloading
-  std::function<double(int)> settled = [](int) { return 0.0; };  // before the loading of that number
-  int samples = 200;                                             // of a loading and its unloading
+  double hysteresis_mm = 0.0;  // additional displacement while unloading
+  // Displacement by which the device has settled before this loading.
+  std::function<double(int)> settled = [](int) { return 0.0; };
+  int samples = 200;  // number of samples of a loading and its unloading together
 };
 
 VerticalTest test_of(Press const& press) {
@@ -44,7 +46,7 @@ TEST(Vertical, OfALinearDeviceIsItsStiffness) {
   EXPECT_NEAR(found.K_v_kN_per_mm, 1200.0, 1e-6);
   EXPECT_EQ(found.loading, 3);
   EXPECT_NEAR(found.loads->low_kN, 300.0, 1e-9);
-  EXPECT_NEAR(found.loads->high_kN, 1000.0, 2.0);  // where the load first comes within 0.2 %
+  EXPECT_NEAR(found.loads->high_kN, 1000.0, 2.0);  // the first sample within 0.2 % of the largest load
   EXPECT_EQ(found.loadings_kN_per_mm.size(), 3u);
   EXPECT_TRUE(found.turned.empty());
   EXPECT_TRUE(found.warnings.empty());
@@ -70,7 +72,7 @@ TEST(Vertical, LeavesOutWhatUnloadsAndWhatSettles) {
 }
 
 TEST(Vertical, TakesTheThirdLoadingOrTheLast) {
-  // The device stiffens from loading to loading.
+  // A device that stiffens from loading to loading.
   auto const of = [](int loadings) {
     VerticalTest all{.file = "v.csv", .sha256 = {}};
     for (int number = 1; number <= loadings; ++number) {
@@ -89,7 +91,7 @@ TEST(Vertical, TakesTheThirdLoadingOrTheLast) {
 }
 
 TEST(Vertical, ALoadingThatStaysFarBelowIsNone) {
-  auto test = test_of({.loadings = 1, .largest_kN = 400.0});  // a preload
+  auto test = test_of({.loadings = 1, .largest_kN = 400.0});  // a preload to 40 % of the largest load
   auto const rest = test_of({});
   test.load_kN.insert(test.load_kN.end(), rest.load_kN.begin(), rest.load_kN.end());
   test.disp_mm.insert(test.disp_mm.end(), rest.disp_mm.begin(), rest.disp_mm.end());
@@ -109,8 +111,8 @@ TEST(Vertical, SignsOfBothSignalsDoNotCount) {
 }
 
 TEST(Vertical, NeitherNoiseNorAHeldLoadMovesIt) {
-  // The load of 1000 kN is held for as long as it took to reach, while the rubber creeps by a tenth. The second test
-  // has noise of 0.1 % on both channels.
+  // The load stays at 1000 kN for as long as the loading took, while the rubber creeps by a tenth of its displacement.
+  // The second test adds noise of 0.1 % to both channels.
   VerticalTest test{.file = "v.csv", .sha256 = {}};
   for (int i = 0; i <= 1000; ++i) {
     test.load_kN.push_back(i);
@@ -130,7 +132,8 @@ TEST(Vertical, NeitherNoiseNorAHeldLoadMovesIt) {
   EXPECT_EQ(vertical_stiffness(noisy).loadings_kN_per_mm.size(), 3u);
 }
 
-// The largest of noisy loads lies above the true load, and so on. Without averages K_v would be 2 to 7 % too large.
+// The largest noisy load lies above the true largest load, and noise biases other extremes in the same way. Without
+// averaging, K_v would be 2 to 7 % too large.
 TEST(Vertical, NoiseMakesNoDeviceStiffer) {
   Drawn drawn(7);
   for (int const samples : {200, 1000, 6000})
@@ -147,7 +150,7 @@ TEST(Vertical, NoiseMakesNoDeviceStiffer) {
     }
 }
 
-// A drawn compression test: loadings of many shapes, held or not, on devices that stiffen, settle and creep.
+// A random compression test: loadings of many shapes, held or not, on a device that stiffens, settles and creeps.
 VerticalTest drawn_test(Drawn& drawn) {
   int const samples = static_cast<int>(drawn.on_logs(20.0, 2000.0)), loadings = drawn.whole(1, 5);
   bool const triangle = drawn.chance(0.5), lifts_off = drawn.chance(0.2), friction = drawn.chance(0.3);
@@ -225,7 +228,8 @@ TEST(VerticalSignals, OneThatCannotBeTrueGivesNoStiffness) {
     };
     expect("is disturbed by spikes at sample 431", "load", [](auto& t) { t.load_kN[430] += 2000.0; });
     expect("is disturbed by spikes at sample 451", "displacement", [](auto& t) { t.disp_mm[450] -= 0.3; });
-    expect("is clipped at 800 kN, from sample", "load", [](auto& t) {  // by the converter, after the noise
+    // The converter clips the load after the noise is added, so the plateau has no noise.
+    expect("is clipped at 800 kN, from sample", "load", [](auto& t) {
       for (double& load : t.load_kN) load = std::min(load, 800.0);
     });
     expect("is clipped at 0.6 mm, from sample", "displacement", [](auto& t) {
@@ -240,7 +244,7 @@ TEST(VerticalSignals, OneThatCannotBeTrueGivesNoStiffness) {
     expect("is interrupted at 0 kN, from sample 451", "load", [](auto& t) {
       for (std::size_t i = 450; i < 456; ++i) t.load_kN[i] = 0.0;
     });
-    // The sign of the channels does not matter.
+    // A clipped load must be found with reversed signs too.
     expect("is clipped at 800 kN, from sample", "load", [](auto& t) {
       for (double& load : t.load_kN) load = -std::min(load, 800.0);
       for (double& disp : t.disp_mm) disp = -disp;
@@ -317,7 +321,7 @@ TEST_F(VerticalFiles, AreReadByTheNamesOfEitherMachine) {
 TEST_F(VerticalFiles, OfARigThatShearsTooAreOfTheVerticalOnes) {
   auto const test = read_vertical(write("Time [s];Displacement [mm];Force [kN];Vertical displacement [mm];Vertical "
                                         "force [kN]\n0;5;1;0.0;10\n0;6;2;0.1;110\n0;7;3;0.2;210\n"),
-                                  {}, {});  // its time does not matter either
+                                  {}, {});  // no time is needed
   EXPECT_EQ(test.disp_mm, (std::vector{0.0, 0.1, 0.2}));
   EXPECT_EQ(test.load_kN, (std::vector{10.0, 110.0, 210.0}));
 }

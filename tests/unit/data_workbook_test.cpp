@@ -1,4 +1,4 @@
-// Excel workbooks: cells of every kind, sheets, gaps, dates, what is refused.
+// Records in Excel workbooks: every kind of cell, sheets, gaps, dates, and what is refused.
 #include "data_writers.hpp"
 
 namespace isolaw::data::testing {
@@ -32,7 +32,7 @@ TEST_F(Workbook, IsReadAsExcelWritesIt) {
   ASSERT_EQ(record.size(), static_cast<std::size_t>(loop.size()));
   EXPECT_NEAR(record.disp_mm[50], 100.0, 1e-12);
   EXPECT_EQ(record.layout.columns.at(Channel::disp), "Disp [mm]");
-  EXPECT_EQ(record.layout.sheet, std::nullopt);  // the only one
+  EXPECT_EQ(record.layout.sheet, std::nullopt);  // no sheet needs to be named in a workbook of one
   EXPECT_TRUE(says(record.recognised, "an Excel workbook, sheet 'Prüfung 1'"));
   EXPECT_TRUE(says(record.recognised, "row 1 is the header"));
   EXPECT_TRUE(says(record.recognised, "disp: column B 'Disp [mm]', by its name; unit mm from its name"));
@@ -128,14 +128,15 @@ TEST_F(Workbook, SheetsOfOtherNumbersArePassedOverBesideATest) {
   }
   auto const text = book({{"Test", columns_of(loop)}, {"Grafici", chart}});
   EXPECT_EQ(
-      refusal(text, with("disp=B,force=C")),  // with columns given by letters, a sheet without names may be the test
+      // The columns are given by letters, so a sheet without names of channels may also hold the test.
+      refusal(text, with("disp=B,force=C")),
       "FILE: tables 'Test', 'Grafici' may each be the test; allowed: one of them; try: --sheet Test, or isolaw init, which makes a device of each");
   EXPECT_EQ(
       refusal(book({{"One", chart}, {"Two", chart}})),
       "FILE: tables 'One', 'Two' may each be the test; allowed: one of them; try: --sheet One, or isolaw init, which makes a device of each");
 }
 
-// The letter F means column F, not column G with the name "F [kN]".
+// The letter F means column F, not column G, which is called "F [kN]".
 TEST_F(Workbook, ALetterIsTheColumnUnlessANameReadsJustSo) {
   Ellipse const loop, small{.amplitude_mm = 50.0};
   auto const named = [&](Ellipse const& of) { return columns_of(of, "t [s]", "d [mm]", "F [kN]"); };
@@ -178,7 +179,7 @@ TEST_F(Workbook, FaultsAreAtTheirSheetAndRow) {
   auto const rest = "; allowed: a number; try: --rows 1:3, the rows before it";
   EXPECT_EQ(at_row_5(text_cell("1,5")),
             std::string("FILE:Test:5: '1,5' in column A 'Disp [mm]' is text, not a number") + rest);
-  EXPECT_EQ(at_row_5(text_cell("1,234.5")),  // --thousands is an option for text files
+  EXPECT_EQ(at_row_5(text_cell("1,234.5")),  // the option --thousands applies to text files only
             std::string("FILE:Test:5: '1,234.5' in column A 'Disp [mm]' is text, not a number") + rest);
   EXPECT_EQ(at_row_5(cell("#DIV/0!", " t=\"e\"")),
             std::string("FILE:Test:5: 'error #DIV/0!' in column A 'Disp [mm]' is text, not a number") + rest);
@@ -207,7 +208,7 @@ TEST_F(Workbook, DatesAndTimesOfDayAreNoSeconds) {
     return book_with(rows, {{"xl/styles.xml", styles}});
   };
   for (int const number : {0, 2, 4}) EXPECT_EQ(read(styled(number)).size(), 3u) << number;
-  // A column of whole days cannot be the time of a test.
+  // A column of dates without times of day cannot be the time of a test.
   for (int const date : {1, 3})
     EXPECT_TRUE(
         refusal(styled(date))
@@ -222,7 +223,7 @@ TEST_F(Workbook, DateCellsAreSecondsFromTheFirst) {
   auto const head = text_cell("Disp [mm]") + text_cell("Force [kN]");
   std::string stamps = row(text_cell("Time") + head), parts = row(text_cell("Date") + text_cell("Clock") + head);
   for (int i = 0; i < 4; ++i) {
-    double const seconds = 86398.5 + i;  // past midnight
+    double const seconds = 86398.5 + i;  // the time of day passes midnight
     auto const values = cell(std::to_string(i)) + cell(std::to_string(i % 2));
     stamps += row(cell(fmt::format("{:.12f}", 45414.0 + seconds / 86400.0), " s=\"1\"") + values);
     parts += row(cell(std::to_string(45414 + (seconds >= 86400.0 ? 1 : 0)), " s=\"2\"") +
@@ -245,8 +246,7 @@ TEST_F(Workbook, AColumnThatIsNotThere) {
       "FILE:Test: no row names the 2 columns, so isolaw cannot know which is the displacement and which the force; allowed: columns A to B; try: --columns disp=1,force=2 --units disp=mm,force=kN, with your numbers and units");
 }
 
-// --- hostile
-// ----------------------------------------------------------------------------------------------------------
+// --- files that are meant to do harm ---
 
 TEST_F(Workbook, ABombIsRefused) {
   std::string const blanks(std::size_t{70} << 20, ' ');
@@ -279,7 +279,7 @@ TEST_F(Workbook, CellsThatSayTheyAreElsewhere) {
             std::string("FILE:Test: a cell in column ALM; allowed: 1000 columns, to ALL") + advice);
 }
 
-// A small file that repeats a text of 30 000 characters in every cell.
+// A small file in which every cell refers to one text of 30 000 characters.
 TEST_F(Workbook, OneTextSaidManyTimesIsCut) {
   std::string const shared = "<sst><si><t>" + std::string(30'000, 'x') + "</t></si></sst>";
   std::string rows = header_cells;

@@ -1,4 +1,4 @@
-// Files of every format, written by libraries that the project does not read them with.
+// Writes files of every format. The libraries that write them are not those with which isolaw reads them.
 #pragma once
 
 #include <matio.h>
@@ -17,7 +17,7 @@
 
 namespace isolaw::data::testing {
 
-// Columns by name.
+// Names of columns and their values.
 using Named = std::vector<std::pair<std::string, std::vector<double>>>;
 
 inline Named columns_of(Ellipse const& loop, std::string const& time = "Time [s]",
@@ -49,10 +49,9 @@ inline std::string csv_of(Named const& columns) {
   return text + '\n';
 }
 
-// --- workbooks
-// --------------------------------------------------------------------------------------------------------
+// --- workbooks ---
 
-// A sheet as libxlsxwriter writes it: names in row `first` (from 0), values below.
+// Adds a sheet by libxlsxwriter: names in row `first`, counted from 0, and the values below.
 inline void add_sheet(lxw_workbook* book, std::string const& name, Named const& columns, lxw_row_t first = 0) {
   auto* sheet = workbook_add_worksheet(book, name.c_str());
   for (std::size_t c = 0; c < columns.size(); ++c) {
@@ -71,7 +70,7 @@ inline std::string workbook_of(std::filesystem::path const& file,
   return bytes_of(file);
 }
 
-// An archive with these entries.
+// A zip archive with these entries.
 inline std::string zip_of(std::filesystem::path const& file,
                           std::vector<std::pair<std::string, std::string>> const& parts) {
   auto* archive = zipOpen64(file.c_str(), APPEND_STATUS_CREATE);
@@ -85,7 +84,7 @@ inline std::string zip_of(std::filesystem::path const& file,
   return bytes_of(file);
 }
 
-// The smallest workbook that holds a sheet of these rows, as XML.
+// The smallest workbook that has a sheet with these rows, given as XML.
 inline std::string workbook_with(std::filesystem::path const& file, std::string const& rows,
                                  std::vector<std::pair<std::string, std::string>> more = {}) {
   std::string const relations = "http://schemas.openxmlformats.org/officeDocument/2006/relationships";
@@ -101,10 +100,9 @@ inline std::string workbook_with(std::filesystem::path const& file, std::string 
   return zip_of(file, parts);
 }
 
-// --- MATLAB
-// -----------------------------------------------------------------------------------------------------------
+// --- MATLAB ---
 
-// A file of libmatio: version 5 or 7.3, plain or compressed.
+// Writes a MATLAB file by libmatio: version 5 or 7.3, plain or compressed.
 class MatWriter {
  public:
   MatWriter(std::filesystem::path file, mat_ft version, matio_compression compression = MAT_COMPRESSION_NONE)
@@ -116,7 +114,7 @@ class MatWriter {
   MatWriter& operator=(MatWriter const&) = delete;
   ~MatWriter() { Mat_Close(mat_); }
 
-  // `values` column by column.
+  // A matrix from its values, column by column.
   MatWriter& array(std::string const& name, std::vector<double> values, std::size_t columns = 1) {
     return add(variable(name.c_str(), values, columns));
   }
@@ -128,7 +126,7 @@ class MatWriter {
     std::size_t size[2] = {1, value.size()};
     return add(Mat_VarCreate(name.c_str(), MAT_C_CHAR, MAT_T_UINT8, 2, size, value.data(), 0));
   }
-  // A matrix of characters, a text of equal length in each row.
+  // A matrix of characters with one text per row; all texts are equally long.
   MatWriter& texts(std::string const& name, std::vector<std::string> const& rows) {
     std::string columns;
     for (std::size_t k = 0; k < rows.front().size(); ++k)

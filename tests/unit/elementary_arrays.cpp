@@ -1,5 +1,5 @@
-// One table of elementary_arrays.hpp; ISOLAW_ELEMENTARY_TABLE is its name. Everything is inlined here or private to
-// this file, so that the linker cannot take a function compiled for one instruction set in place of another's.
+// Compiled once per instruction set; each time, ISOLAW_ELEMENTARY_TABLE names the table of functions to define. All
+// functions are inlined or private to this file. Otherwise the linker could keep one copy for all instruction sets.
 #include "unit/elementary_arrays.hpp"
 
 #include "isolaw/num/elementary.hpp"

@@ -1,5 +1,5 @@
-// The functions of num/elementary.hpp over arrays, once per instruction set: elementary_arrays.cpp is compiled with the
-// options of each set and gives one table. The unit test and the benchmark use them.
+// The functions of num/elementary.hpp, applied to arrays. elementary_arrays.cpp is compiled with the options of each
+// instruction set and defines one table of these functions. The unit test and the benchmark use the tables.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,14 @@ namespace isolaw::num {
 struct ElementaryArrays {
   static constexpr std::size_t lanes = 32;  // elements per call
 
-  using Function = void (*)(double const* x, double const* p, double* y);  // p: exponents, for power alone
-  // First as loops over doubles, then on vectors of the instruction set's width.
+  using Function = void (*)(double const* x, double const* p, double* y);  // p: exponents, used by `power` only
+  // The first four are loops over doubles. The vector_ functions work on vectors of the instruction set's width.
   Function exp2, exp, log2, power, vector_exp2, vector_exp, vector_log2, vector_power;
 };
 
 extern ElementaryArrays const elementary_baseline, elementary_v3, elementary_v4;
 
-// Whether this machine can run the functions of v3 and v4.
+// Whether this processor can run the functions compiled for x86-64-v3.
 inline bool runs_v3() {
   __builtin_cpu_init();
   return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2");

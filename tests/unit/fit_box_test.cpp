@@ -1,4 +1,5 @@
-// Search boxes: scales, the bounds of Table 4, boxes scaled from the record, overrides, and when a value is at a bound.
+// Search boxes: scales, the bounds of the paper's Table 4, boxes scaled from a record, overrides, and when a value
+// counts as at a bound.
 #include "isolaw/fit/box.hpp"
 #include "isolaw/laws/scragging.hpp"
 
@@ -49,7 +50,8 @@ TEST(SearchParameter, LogarithmicScaleOfNegativeValues) {
   EXPECT_NEAR(p.coordinate(-1e-7), 0.75, 1e-14);
 }
 
-// The scale spans six decades on each side of zero, where equal steps of the coordinate are equal factors of the value.
+// The scale has six decades on each side of zero. In these, an equal step of the coordinate multiplies the value by an
+// equal factor.
 TEST(SearchParameter, LogarithmicScaleAcrossZero) {
   auto const p = parameter(-1.0, 1.0, laws::Scale::logarithmic);
   EXPECT_EQ(p.at(0.0), -1.0);
@@ -92,7 +94,7 @@ TEST(SearchParameter, ClampsWhatLiesOutside) {
 }
 
 TEST(AtBound, IsAThousandthOfTheWidthOnTheSearchScale) {
-  auto const linear = parameter(10.0, 30.0, laws::Scale::linear);  // a thousandth is 0.02
+  auto const linear = parameter(10.0, 30.0, laws::Scale::linear);  // a thousandth of the width is 0.02
   EXPECT_EQ(at_bound(linear, 10.0), AtBound::lower);
   EXPECT_EQ(at_bound(linear, 10.0199), AtBound::lower);
   EXPECT_EQ(at_bound(linear, 10.0201), AtBound::no);
@@ -100,14 +102,14 @@ TEST(AtBound, IsAThousandthOfTheWidthOnTheSearchScale) {
   EXPECT_EQ(at_bound(linear, 29.9801), AtBound::upper);
   EXPECT_EQ(at_bound(linear, 30.0), AtBound::upper);
 
-  double const width = std::log(1e4);  // from 1e-3 to 10
+  double const width = std::log(1e4);  // the width of the box from 1e-3 to 10 on the logarithmic scale
   auto const logarithmic = parameter(1e-3, 10.0, laws::Scale::logarithmic);
   EXPECT_EQ(at_bound(logarithmic, 1e-3 * std::exp(0.99e-3 * width)), AtBound::lower);
   EXPECT_EQ(at_bound(logarithmic, 1e-3 * std::exp(1.01e-3 * width)), AtBound::no);
   EXPECT_EQ(at_bound(logarithmic, 10.0 * std::exp(-1.01e-3 * width)), AtBound::no);
   EXPECT_EQ(at_bound(logarithmic, 10.0 * std::exp(-0.99e-3 * width)), AtBound::upper);
 
-  auto const negative = parameter(-10.0, -1e-3, laws::Scale::logarithmic);  // the lower bound is the larger magnitude
+  auto const negative = parameter(-10.0, -1e-3, laws::Scale::logarithmic);  // the lower bound has the larger magnitude
   EXPECT_EQ(at_bound(negative, -10.0 * std::exp(-0.99e-3 * width)), AtBound::lower);
   EXPECT_EQ(at_bound(negative, -10.0 * std::exp(-1.01e-3 * width)), AtBound::no);
   EXPECT_EQ(at_bound(negative, -1e-3 * std::exp(1.01e-3 * width)), AtBound::no);
@@ -121,7 +123,7 @@ TEST(AtBound, AFixedParameterIsNowhere) {
   EXPECT_EQ(at_bound(p, 1.0), AtBound::no);
 }
 
-// --set --------------------------------------------------------------------------------------------------------
+// --- the option --set ---
 
 TEST(ParseOverride, EveryForm) {
   auto const fixed = parse_override("bilinear.K1=1.5");
@@ -138,7 +140,7 @@ TEST(ParseOverride, EveryForm) {
   EXPECT_EQ(interval.interval->lower, -5e-6);
   EXPECT_EQ(interval.interval->upper, -1e-9);
 
-  auto const with_sign = parse_override("vaiana.Kb+=+1e5:2.5e5");  // the parameter's name ends in +
+  auto const with_sign = parse_override("vaiana.Kb+=+1e5:2.5e5");  // the name of this parameter ends in +
   EXPECT_EQ(with_sign.parameter, "Kb+");
   ASSERT_TRUE(with_sign.interval);
   EXPECT_EQ(with_sign.interval->lower, 1e5);
@@ -148,7 +150,7 @@ TEST(ParseOverride, EveryForm) {
   EXPECT_EQ(freed.parameter, "gamma1-");
   EXPECT_FALSE(freed.interval);
 
-  EXPECT_EQ(parse_override("bilinear.xy=0").interval->upper, 0.0);  // exactly at the physical limit
+  EXPECT_EQ(parse_override("bilinear.xy=0").interval->upper, 0.0);  // the physical limit itself is allowed
   EXPECT_EQ(parse_override("jankowski.a1=-3e5:0").interval->lower, -3e5);
 }
 
@@ -182,7 +184,7 @@ TEST(ParseOverride, ATieNamesTheOtherAndReadsBack) {
   EXPECT_TRUE(parse_override("vaiana.Kb-=free").tied_to.empty());
 }
 
-// The message about a wrong --set; "" if it was accepted.
+// The message about a wrong --set option; "" if the option was accepted.
 std::string refusal(std::string_view text) {
   return refusal_of([&] { parse_override(text); });
 }
@@ -234,7 +236,7 @@ TEST(LimitsText, SaysBothEnds) {
   EXPECT_EQ(limits_text({2.0, infinite}, "mm"), "2 mm or more");
 }
 
-// Limits on several parameters together ------------------------------------------------------------------------
+// --- limits on several parameters together ---
 
 std::string joint_refusal(std::string_view law, std::vector<char const*> const& texts,
                           std::optional<laws::RecordScales> const& record = {}) {
@@ -271,7 +273,7 @@ TEST(JointLimits, WhatCrossesThemIsLeft) {
     EXPECT_EQ(joint_refusal("bouc-wen", texts), "") << texts.front();
 }
 
-// A parameter that keeps its automatic box is checked too, with the box scaled from the record.
+// A parameter without an override has the box scaled from the record. The limits apply to this box too.
 TEST(JointLimits, HoldForTheBoxOfARecordToo) {
   laws::RecordScales const record{
       .disp = 100.0, .force = 70.0, .stiffness = 0.7, .strength = 20.0, .velocity = 300.0, .work = 1e4};
@@ -296,14 +298,14 @@ TEST(ParseOverride, RefusesATieToItselfToAnotherUnitAndToWhatTheLawHasNot) {
   expect_parts("vaiana.Kb-=K1", {"'K1'", "parameter of the law"});
 }
 
-// Boxes --------------------------------------------------------------------------------------------------------
+// --- boxes of the laws ---
 
 struct Published {
   std::string parameter;
   double lower, upper;
 };
 
-// Typed from Table 4 of the paper; the bounds that are missing there (alpha of bouc-wen, a1 of hwang-wu) are from
+// Typed from Table 4 of the paper. Table 4 lacks bounds for alpha of bouc-wen and a1 of hwang-wu; these are from
 // docs/source.md.
 std::map<std::string, std::vector<Published>> const table_4{
     {"bilinear", {{"K1", 1, 1.9}, {"K2", 0.35, 0.95}, {"xy", 30, 80}}},
@@ -372,8 +374,8 @@ std::map<std::string, std::vector<Published>> const table_4{
       {"a10", -2.925e-5, 0}}},
 };
 
-// A bearing of about the size of the paper's, in the law's units: ±200 mm, 130 kN, 0.65 kN/mm, Qd 40 kN, 650 mm/s, 80
-// kN m.
+// Scales of a bearing of about the size of the paper's, in the law's units: ±200 mm, 130 kN, 0.65 kN/mm, Qd 40 kN, 650
+// mm/s, 80 kN m.
 laws::RecordScales scales(laws::LawInfo const& law, double size = 1.0, double strength = 1.0, double speed = 1.0) {
   double const L = law.length.in_record_units, F = law.force.in_record_units;
   return {.disp = 200.0 * size / L,
@@ -432,8 +434,8 @@ TEST(Box, EveryIntervalCanBeSearched) {
         }
 }
 
-// A box that grows with the record must do so in the dimension of its parameter's unit. The unit 1/mm^n of bouc-wen is
-// taken at n = 1; the force at a fixed displacement follows a power of the size.
+// A scaled box must grow with the record as the unit of its parameter demands. The unit 1/mm^n of bouc-wen is taken at
+// n = 1. A force at a fixed displacement grows with a power of the size.
 TEST(Box, ScaledFollowsTheSizeOfTheRecordInTheUnitOfEachParameter) {
   double const size = 3.0, strength = 5.0, speed = 7.0;
   for (auto const& law : laws::catalogue()) {
@@ -460,7 +462,7 @@ TEST(Box, OverridesFixBoundAndFree) {
   for (auto const kind : {BoxKind::published, BoxKind::scaled}) {
     auto const box = make_box(law, kind, scales(law.info), overrides);
     auto const plain = make_box(law, kind, scales(law.info), {});
-    EXPECT_EQ(box.free_count(), 10u);  // ten free at first, one fixed, one freed
+    EXPECT_EQ(box.free_count(), 10u);  // of ten free parameters one was fixed, and one fixed parameter was freed
     auto const& fixed = box.parameters[law.index_of("Kb+")];
     EXPECT_FALSE(fixed.free);
     EXPECT_EQ(fixed.value, 3e5);
@@ -490,7 +492,7 @@ TEST(Box, AnIntervalAcrossZeroIsSearchedLinearly) {
   }
   std::vector const positive{parse_override("vaiana.beta1+=0.01:100")};
   auto const box = make_box(law, BoxKind::scaled, scales(law.info), positive);
-  EXPECT_NEAR(box.parameters[law.index_of("beta1+")].at(0.5), 1.0, 1e-12);  // the scale stays logarithmic
+  EXPECT_NEAR(box.parameters[law.index_of("beta1+")].at(0.5), 1.0, 1e-12);  // the search scale stays logarithmic
 }
 
 TEST(Box, TheLastOverrideOfAParameterCounts) {
@@ -505,7 +507,7 @@ TEST(Box, TheLastOverrideOfAParameterCounts) {
   EXPECT_TRUE(bounded.free);
   EXPECT_EQ(bounded.upper, 3.0);
   EXPECT_FALSE(of({"bilinear.K1=1:3", "bilinear.K1=1.5"}).free);
-  // A parameter freed again has the box of Table 4, not the single point where it was fixed.
+  // A parameter that is fixed and then freed has the box of Table 4 again.
   auto const freed = of({"bilinear.K1=1.5", "bilinear.K1=free"});
   EXPECT_TRUE(freed.free);
   EXPECT_EQ(freed.lower, 1.0);
@@ -535,7 +537,7 @@ SearchBox vaiana_box(std::vector<char const*> const& texts) {
 TEST(Box, ATiedParameterTakesTheValueOfTheOther) {
   auto const& law = laws::find_law("vaiana");
   auto const plus = law.index_of("Kb+"), minus = law.index_of("Kb-");
-  // Tie a parameter to one listed earlier, and to one listed later.
+  // The parameter may come after or before the one to which it is tied.
   for (auto const& [tied, other, text] : {std::tuple(minus, plus, "vaiana.Kb-=Kb+"), {plus, minus, "vaiana.Kb+=Kb-"}}) {
     auto const box = vaiana_box({text});
     EXPECT_EQ(box.free_count(), vaiana_box({}).free_count() - 1);
@@ -585,7 +587,7 @@ TEST(Box, RefusesAChainOfTies) {
     }
 }
 
-// Logarithmic search scales keep the tie.
+// A parameter stays tied to another when the search scales are made logarithmic.
 TEST(Box, ATieOutlivesLogarithmicScales) {
   auto const& law = laws::find_law("vaiana");
   auto const box = on_logarithmic_scales(vaiana_box({"vaiana.f0-=f0+"}), law);
@@ -594,10 +596,10 @@ TEST(Box, ATieOutlivesLogarithmicScales) {
   EXPECT_EQ(values[law.index_of("f0-")], values[law.index_of("f0+")]);
 }
 
-// Scales -------------------------------------------------------------------------------------------------------
+// --- scales of a record ---
 
-// Three cycles of ±100 mm of a bilinear device, K1 = 2.5, K2 = 0.5 kN/mm, xy = 20 mm, from the virgin state: Qd = (K1 -
-// K2) xy = 40 kN, peak force K2 100 + Qd = 90 kN, effective stiffness 0.9 kN/mm.
+// Three cycles of ±100 mm of a bilinear device from rest: K1 = 2.5 and K2 = 0.5 kN/mm, xy = 20 mm. Then Qd = (K1 - K2)
+// xy = 40 kN, the peak force is K2 100 + Qd = 90 kN and the effective stiffness is 0.9 kN/mm.
 data::FitRecord bilinear_loop() {
   data::FitRecord record;
   constexpr int samples_per_cycle = 4000;
@@ -616,7 +618,7 @@ data::FitRecord bilinear_loop() {
 
 TEST(Scales, OfABilinearLoopInTheUnitsOfEveryLaw) {
   auto const record = bilinear_loop();
-  // Work of the whole record: 80 + 5 * 160 + 60 mm of plastic travel at 40 kN dissipate energy, and 40^2 / (2 * 2) kN
+  // Work of the whole record. 40 kN times a plastic travel of 80 + 5 * 160 + 60 mm is dissipated, and 40^2 / (2 * 2) kN
   // mm are stored at the end.
   double const work_kN_mm = 40.0 * 940.0 + 400.0;
   for (auto const& law : laws::catalogue()) {
@@ -629,7 +631,8 @@ TEST(Scales, OfABilinearLoopInTheUnitsOfEveryLaw) {
     EXPECT_NEAR(s.velocity * L, 100.0 * std::numbers::pi, 1e-9) << law.info.id;
     EXPECT_NEAR(s.work * F * L, work_kN_mm, 2e-4 * work_kN_mm) << law.info.id;
   }
-  auto const newton_metre = scales_of(record, laws::find_law("jankowski").info);  // also as plain numbers
+  // In the units of a law the scales must have these values: N and m for Jankowski, N and cm for Hwang-Wu.
+  auto const newton_metre = scales_of(record, laws::find_law("jankowski").info);
   EXPECT_NEAR(newton_metre.stiffness, 0.9e6, 1.0);
   EXPECT_NEAR(newton_metre.strength, 40e3, 1.0);
   EXPECT_NEAR(newton_metre.disp, 0.1, 1e-9);
@@ -659,7 +662,7 @@ TEST(Scales, OfARecordWithoutTimeHaveNoVelocity) {
   EXPECT_NEAR(scales_of(record, laws::find_law("bilinear").info).strength, 40.0, 1e-6);
 }
 
-// Any record must give a box that can be searched.
+// Every record must give a box that can be searched.
 void expect_usable(data::FitRecord const& record, std::string const& what) {
   for (auto const& law : laws::catalogue()) {
     if (!law.info.traits.rate_independent) continue;  // these records have no time

@@ -1,5 +1,5 @@
-// The laws compiled for blocks of candidates, by law, integration and instruction set: they agree with the scalar path,
-// no candidate changes another's result, and avx2 and avx512 give the same bits.
+// The laws compiled to evaluate blocks of candidates, for each law, integration and instruction set. Results must agree
+// with the scalar code, no candidate may change the result of another, and avx2 and avx512 must give the same bits.
 #include "isolaw/fit/kernels.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,8 @@ using laws::Integration;
 using Values = std::vector<double>;
 
 constexpr std::array integrations{Integration::converged, Integration::paper};
-// Up to this number the last block is filled in every way: narrow blocks alone, one wide, several wide, both kinds.
+// With up to this number of candidates, blocks are filled in every way: narrow blocks alone, one wide block, two wide
+// blocks, and wide blocks with narrow ones after them.
 constexpr std::size_t most = 2 * wide_block + 9;
 
 struct Case {
@@ -86,11 +87,11 @@ class Kernels : public ::testing::TestWithParam<Case> {
   Integration how() const { return GetParam().integration; }
   InstructionSet set() const { return GetParam().set; }
 
-  // `paper` takes one Runge-Kutta step per sample: with fewer samples many candidates are unstable.
+  // The paper's integration takes one Runge-Kutta step per sample. With fewer samples many candidates would be
+  // unstable.
   int per_cycle() const { return how() == Integration::paper ? 400 : 100; }
 
-  // Cycles of the example lot's size; and uneven cycles, with reversals at many samples and small loops inside large
-  // ones.
+  // Cycles of the example lot's size. `irregular` has reversals at many samples and small loops within large ones.
   data::FitRecord regular() const {
     return law_tests::record_of(law_tests::sine(208.0, 0.5, 3, per_cycle()), 2.0 / per_cycle(), 0.67, 45.0);
   }
@@ -102,7 +103,7 @@ class Kernels : public ::testing::TestWithParam<Case> {
     return law_tests::record_of(law_tests::irregular(2, 208.0, 2, 60), 0.02, 0.67, 45.0);
   }
 
-  // Drawn uniformly from the published box and from the box scaled to a device of this size, in turn.
+  // Candidates drawn uniformly, in turn from the published box and from the box scaled to a device of this size.
   std::vector<Values> candidates(data::FitRecord const& record, std::size_t count) const {
     std::vector<Values> all;
     std::array const boxes{make_box(law(), BoxKind::published, scales_of(record, law().info), {}),
@@ -122,9 +123,9 @@ class Kernels : public ::testing::TestWithParam<Case> {
     return objectives(model, candidates, set());
   }
 
-  // Whether rounding may grow from step to step. The fourth-order Runge-Kutta rule is stable for a decay of less than
-  // 2.78 per step. The hysteretic force of bouc-wen approaches saturation at the rate n A / z_max, the force of the abe
-  // laws at n / U0 or slower.
+  // Whether rounding errors may grow from step to step. The fourth-order Runge-Kutta rule is stable if the force decays
+  // by less than 2.78 per step. The hysteretic force of bouc-wen approaches saturation at the rate n A / z_max; that of
+  // the abe laws at n / U0 or slower.
   bool may_be_unstable(Values const& p, double longest_step) const {
     if (how() != Integration::paper) return false;
     auto const value = [&](char const* name) { return p[law().index_of(name)]; };
@@ -142,7 +143,7 @@ double longest_step(std::span<double const> x) {
   return longest;
 }
 
-// Equal to the last bit.
+// Whether all values are equal to the last bit.
 ::testing::AssertionResult same(std::span<double const> a, std::span<double const> b) {
   if (a.size() != b.size()) return ::testing::AssertionFailure() << a.size() << " values against " << b.size();
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -151,13 +152,13 @@ double longest_step(std::span<double const> x) {
   return ::testing::AssertionSuccess();
 }
 
-// An objective above this means that the computed force grows without bound. Each step then multiplies the rounding, so
-// kernel and scalar code need not agree; both must only be large. hwang-wu grows so for parameters with which the
-// device gives out energy (W < 0): exp(a9 W) and exp(a10 W) then grow, since a9 and a10 are not positive.
+// If the objective is above this, the force grows without bound and each step multiplies rounding errors. Kernel and
+// scalar code then need not agree, but both objectives must be above it. This happens for hwang-wu if the device gives
+// energy out (W < 0): exp(a9 W) and exp(a10 W) then grow, since a9 and a10 are not positive.
 constexpr double absurd = 1e6;
 
-// Largest relative differences seen in 40000 candidates: bilinear 1e-15, jankowski 1e-15, vaiana 4e-15, bouc-wen 2e-14,
-// abe 2e-14, abe-y0 2e-15, hwang-wu 1e-12.
+// Largest relative differences in 40000 candidates: bilinear 1e-15, jankowski 1e-15, vaiana 4e-15, bouc-wen 2e-14, abe
+// 2e-14, abe-y0 2e-15, hwang-wu 1e-12.
 TEST_P(Kernels, AgreeWithTheScalarObjective) {
   std::size_t compared = 0, unstable = 0;
   for (auto const& record : {regular(), irregular()}) {
@@ -180,9 +181,9 @@ TEST_P(Kernels, AgreeWithTheScalarObjective) {
   EXPECT_LT(unstable, compared / 6);
 }
 
-// Differences are summed over all samples, so none can be off by more; in an objective one wrong sample would hardly
-// show. The measured force is the candidate's own on the scalar path, so the kernel returns the difference itself.
-// Largest seen, as a share of the peak force: 5e-13 (vaiana, 1200 samples).
+// The measured force is the candidate's own from the scalar code, so the kernel returns the sum of the differences over
+// all samples, and none can be larger than this sum. In an ordinary objective, one wrong sample would hardly show. The
+// largest sum seen is 5e-13 of the peak force (vaiana, 1200 samples).
 TEST_P(Kernels, GiveTheScalarForceAtEverySample) {
   auto const record = regular();
   LawOnRecord const model(law(), record, how());
@@ -209,7 +210,8 @@ TEST_P(Kernels, GiveTheScalarForceAtEverySample) {
       };
       EXPECT_LE(sum(scalar, Values(scalar.size(), 1.0)), block_tolerance * peak)
           << "lane " << lane << ", " << law_tests::describe(law(), all[lane]);
-      // Weigh one sample alone, against a measured force of zero: the kernel must use this sample's force and weight.
+      // Give one sample a weight and all others none, with a measured force of zero. The kernel must then return the
+      // force of this sample times its weight.
       Values const zeros(scalar.size(), 0.0);
       auto weight = zeros;
       std::size_t const sample = 37 * (lane + 1) % scalar.size();
@@ -220,7 +222,7 @@ TEST_P(Kernels, GiveTheScalarForceAtEverySample) {
   }
 }
 
-// A candidate has the same bits alone, among others, and at every place of a wide or a narrow block.
+// A candidate must have the same bits alone, among others, and at every place of a wide or a narrow block.
 TEST_P(Kernels, GiveACandidateTheSameBitsWhateverItsPlaceAndNeighbours) {
   auto const record = small();
   LawOnRecord const model(law(), record, how());
@@ -234,7 +236,8 @@ TEST_P(Kernels, GiveACandidateTheSameBitsWhateverItsPlaceAndNeighbours) {
   }
 }
 
-// Candidates without an objective: each parameter in turn NaN or infinite, an overflow, a force without bound.
+// Candidates without an objective: an overflow, each parameter in turn NaN or infinite, and for bouc-wen a force
+// without bound.
 std::vector<Values> sick_ones(laws::LawEntry const& law, Values const& sound) {
   std::vector<Values> sick{sound};
   for (auto const& [name, value] : law_tests::overflowing_values(law)) sick.front()[law.index_of(name)] = value;
@@ -257,7 +260,8 @@ TEST_P(Kernels, KeepWhatIsNotFiniteInItsLane) {
   LawOnRecord const model(law(), record, how());
   auto const sound = candidates(record, most);
   auto const expected = objectives(model, sound);
-  // The first and last places of narrow and wide blocks; the first of the last block also fills its empty lanes.
+  // The first and last places of narrow and wide blocks. The candidate at the first place of the last block also fills
+  // the empty lanes of that block.
   constexpr std::array<std::size_t, 9> places{0, 7, 8, 31, 32, 63, 64, 71, 72};
   for (std::size_t const place : places)
     for (auto const& sick : sick_ones(law(), sound[place])) {
@@ -274,7 +278,7 @@ INSTANTIATE_TEST_SUITE_P(
     EveryLaw, Kernels,
     ::testing::ValuesIn(cases({InstructionSet::portable, InstructionSet::avx2, InstructionSet::avx512})), ByCase());
 
-// Both instruction sets fuse the same products with the same sums.
+// Both instruction sets use fused multiply-add for the same products and sums, so their results must be equal.
 class WideKernels : public Kernels {};
 TEST_P(WideKernels, GiveTheSameBitsOnAvx2AndAvx512) {
   ASSERT_TRUE(runs_here(InstructionSet::avx2));

@@ -1,4 +1,4 @@
-// The objective of Eq. (27) against values worked out by hand, and what is refused when a law meets a record.
+// The objective of Eq. (27) against values worked out by hand, and combinations of law and record that are refused.
 #include "isolaw/fit/objective.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ double objective_of(LawOnRecord const& model, Values const& parameters) {
   return model.objective(parameters, work);
 }
 
-// Uneven time stamps and no noise.
+// A record with uneven intervals of time and without noise.
 data::FitRecord uneven() {
   return {.time_s = {0.0, 1.0, 3.0, 3.5},
           .disp_mm = {0.0, 1.0, -1.0, 2.0},
@@ -33,7 +33,7 @@ data::FitRecord uneven() {
           .cleaning = {}};
 }
 
-// Three cycles of ±100 mm at 0.5 Hz; the caller fills in the force.
+// Three cycles of ±100 mm at 0.5 Hz. The caller fills in the force.
 data::FitRecord sine(int samples_per_cycle = 60) {
   data::FitRecord record;
   for (int i = 0; i <= 3 * samples_per_cycle; ++i) {
@@ -46,8 +46,8 @@ data::FitRecord sine(int samples_per_cycle = 60) {
   return record;
 }
 
-// For the paper's laws, parameters that give a finite, hysteretic or elastic force of the size of `sine`; for the other
-// laws the middle of the box.
+// For the paper's laws, parameters that give a finite force of about the size of `sine`. For other laws, the middle of
+// the box.
 Values plausible(laws::LawEntry const& law) {
   if (law.info.id == "bilinear") return {1.5, 0.5, 30.0};
   if (law.info.id == "jankowski") return {3e5, 4e6, 5e6, 4e4, 5e3, 1.2e6, 4.0, 15.0, 5e4, 7e4, 0.4};
@@ -63,16 +63,16 @@ Values plausible(laws::LawEntry const& law) {
 }
 
 TEST(Objective, IsEquation27WorkedOutByHand) {
-  // K1 = K2 = 1 kN/mm makes F = x, so the differences are 0, 1, 0, 1 kN. The trapezoids add up to 0.5 * 1 s + 0.5 * 2 s
-  // + 0.5 * 0.5 s = 1.75 kN s, which over 3.5 s is 0.5 kN. The forces 0, 2, -1, 3 have the mean 1, squared deviations 1
-  // + 1 + 4 + 4 = 10, population variance 2.5.
+  // With K1 = K2 = 1 kN/mm the force is F = x, so the differences are 0, 1, 0, 1 kN. The trapezoids add up to 0.5 * 1 s
+  // + 0.5 * 2 s + 0.5 * 0.5 s = 1.75 kN s, which is 0.5 kN over 3.5 s. The measured forces 0, 2, -1, 3 kN have the mean
+  // 1, squared deviations 1 + 1 + 4 + 4 = 10 and the population variance 2.5.
   LawOnRecord const model(laws::find_law("bilinear"), uneven(), laws::Integration::converged);
   EXPECT_NEAR(objective_of(model, {1.0, 1.0, 5.0}), 0.5 / std::sqrt(2.5), 1e-15);
   EXPECT_NEAR(objective_of(model, {1.0, 1.0, 5.0}), 0.31622776601683794, 1e-15);
 }
 
 TEST(Objective, WeighsByTheTrueTimeStamps) {
-  // The same differences with the middle of the record stretched, so the trapezoids have other widths.
+  // The differences stay 0, 1, 0, 1 kN, but the middle interval is longer.
   auto record = uneven();
   record.time_s = {0.0, 0.1, 3.4, 3.5};
   LawOnRecord const model(laws::find_law("bilinear"), record, laws::Integration::converged);
@@ -80,16 +80,16 @@ TEST(Objective, WeighsByTheTrueTimeStamps) {
   EXPECT_NEAR(objective_of(model, {1.0, 1.0, 5.0}), integral / 3.5 / std::sqrt(2.5), 1e-15);
 }
 
-// --- a part of the record alone -------------------------------------------------------------------------------
+// --- a part of the record is scored ---
 
 TEST(Objective, OfThePartThatIsScoredWorkedOutByHand) {
-  // One interval of 2 s is scored, at whose ends F = x is off by 1 and 0 kN: 1 kN s over 2 s. The forces 2 and -1 have
-  // the standard deviation 1.5.
+  // One interval of 2 s is scored. F = x misses the forces at its ends by 1 and 0 kN, so the integral is 1 kN s. The
+  // measured forces 2 and -1 kN have the standard deviation 1.5.
   auto record = uneven();
   record.scored = {0.0, 1.0, 1.0, 0.0};
   LawOnRecord const model(laws::find_law("bilinear"), record, laws::Integration::converged);
   EXPECT_NEAR(objective_of(model, {1.0, 1.0, 5.0}), 0.5 / 1.5, 1e-15);
-  // Two parts are scored; the interval between them does not count. 0.5 kN s + 0.25 kN s over 1.5 s.
+  // Two intervals are scored and the time between them does not count: 0.5 kN s + 0.25 kN s over 1.5 s.
   record.scored = {1.0, 1.0, 0.0, 0.0};
   record.time_s.insert(record.time_s.end(), {4.0, 4.5});
   record.disp_mm.insert(record.disp_mm.end(), {1.0, 0.0});
@@ -97,7 +97,8 @@ TEST(Objective, OfThePartThatIsScoredWorkedOutByHand) {
   record.force_kN.insert(record.force_kN.end(), {2.0, 0.0});
   record.scored.insert(record.scored.end(), {1.0, 1.0});
   LawOnRecord const two(laws::find_law("bilinear"), record, laws::Integration::converged);
-  EXPECT_NEAR(objective_of(two, {1.0, 1.0, 5.0}), 0.75 / 1.5, 1e-15);  // forces 0, 2, 2, 0: standard deviation 1
+  // The scored forces 0, 2, 2, 0 have the standard deviation 1.
+  EXPECT_NEAR(objective_of(two, {1.0, 1.0, 5.0}), 0.75 / 1.5, 1e-15);
 }
 
 TEST(Objective, AllScoredIsAsGoodAsNoneSaid) {
@@ -111,8 +112,7 @@ TEST(Objective, AllScoredIsAsGoodAsNoneSaid) {
   }
 }
 
-// Only the last cycle is scored. Forces before it do not count, but displacements before it have shaped the law's
-// state.
+// Only the last cycle is scored. Earlier forces do not count, but earlier displacements change the state of the law.
 TEST(Objective, TheHistoryBeforeActsButIsNotScored) {
   for (auto const& law : laws::catalogue()) {
     auto record = sine();
@@ -127,7 +127,7 @@ TEST(Objective, TheHistoryBeforeActsButIsNotScored) {
     record.force_kN[150] += 10.0;
     EXPECT_NE(of(), before) << law.info.id;
   }
-  // abe remembers the largest displacement so far.
+  // The law abe remembers the largest displacement so far.
   auto record = sine();
   record.scored.assign(record.size(), 0.0);
   for (std::size_t i = 120; i < record.size(); ++i) record.scored[i] = 1.0;
@@ -157,7 +157,8 @@ TEST(Objective, BlocksOfCandidatesScoreTheSamePart) {
 TEST(Objective, APartThatSaysNothingIsRefused) {
   auto record = sine();
   record.scored.assign(record.size(), 0.0);
-  for (std::size_t i = 0; i < record.size(); i += 2) record.scored[i] = 1.0;  // no interval has both ends scored
+  // Every second sample is scored, so no interval is scored at both ends.
+  for (std::size_t i = 0; i < record.size(); i += 2) record.scored[i] = 1.0;
   EXPECT_THROW(LawOnRecord(laws::find_law("bilinear"), record, laws::Integration::converged), Error);
 }
 
@@ -173,7 +174,7 @@ TEST(Objective, AnOffsetOfTheForceIsSeenInTheDifferenceAndNotInTheSpread) {
   auto record = uneven();
   for (double& f : record.force_kN) f += 10.0;
   LawOnRecord const model(laws::find_law("bilinear"), record, laws::Integration::converged);
-  // The differences are 10, 11, 10, 11 kN; their mean over time is 10.5.
+  // The differences are 10, 11, 10, 11 kN. Their mean over time is 10.5 kN.
   EXPECT_NEAR(objective_of(model, {1.0, 1.0, 5.0}), 10.5 / std::sqrt(2.5), 1e-14);
 }
 
@@ -208,8 +209,9 @@ TEST(Objective, IsInfiniteWhereAForceIsNotFinite) {
   using enum laws::Integration;
   EXPECT_EQ(objective("vaiana", {4e5, 4e5, 4e4, 4e4, 45, 48, 0.4, -0.5, 1e5, -40.0, 0, 0, 0, 0, 0, 0}, converged),
             infinity);
-  EXPECT_EQ(objective("bouc-wen", {0.15, 3.0, 1.2, -0.05, 1.1, -0.04}, converged), infinity);  // no saturation
-  EXPECT_EQ(objective("bouc-wen", {0.15, 3.0, 1.2, 500.0, 1.9, 500.0}, paper), infinity);      // Runge-Kutta blows up
+  // With these parameters the hysteretic force does not saturate.
+  EXPECT_EQ(objective("bouc-wen", {0.15, 3.0, 1.2, -0.05, 1.1, -0.04}, converged), infinity);
+  EXPECT_EQ(objective("bouc-wen", {0.15, 3.0, 1.2, 500.0, 1.9, 500.0}, paper), infinity);  // Runge-Kutta is unstable
   EXPECT_EQ(objective("bilinear", {1.5, infinity, 30.0}, converged), infinity);
   EXPECT_EQ(objective("bilinear", {1.5, std::nan(""), 30.0}, converged), infinity);
 }
@@ -237,7 +239,7 @@ TEST(Objective, DoesNotDependOnTheScaleOfForceAndTime) {
 }
 
 TEST(Force, IsTheLawsFormulaInKilonewton) {
-  // Jankowski at 100 mm and 500 mm/s by hand: 0.1 m, 0.5 m/s.
+  // Jankowski's force at 0.1 m and 0.5 m/s, computed by hand.
   data::FitRecord record{
       .time_s = {0.0, 0.1}, .disp_mm = {0.0, 100.0}, .vel_mm_s = {0.0, 500.0}, .force_kN = {0.0, 1.0}, .cleaning = {}};
   LawOnRecord const model(laws::find_law("jankowski"), record, laws::Integration::converged);
@@ -250,8 +252,8 @@ TEST(Force, IsTheLawsFormulaInKilonewton) {
   EXPECT_NEAR(force[1], (K * x + C * v) / 1000.0, 1e-10);
   EXPECT_EQ(force[0], 0.0);
 
-  // Hwang-Wu without degradation at 10 cm and 50 cm/s: (a1 + a2 x^2 + a3 x^4 + a4 / cosh^2) x + 2 (a6 + a7 x^2) v /
-  // sqrt.
+  // Hwang-Wu's force without degradation at 10 cm and 50 cm/s: (a1 + a2 x^2 + a3 x^4 + a4 / cosh^2) x + 2 (a6 + a7 x^2)
+  // v / sqrt.
   LawOnRecord const other(laws::find_law("hwang-wu"), record, laws::Integration::converged);
   double const expected = (4000.0 - 1.0 * 100.0 + 0.01 * 1e4 + 60.0 / std::pow(std::cosh(0.02 * 50.0), 2)) * 10.0 +
                           2.0 * (5e4 + 6.0 * 100.0) * 50.0 / std::sqrt(60.0 * 60.0 + 2500.0);
@@ -293,7 +295,7 @@ TEST(Problem, EvaluatesTheExpandedPoints) {
   auto const box = make_box(law, BoxKind::scaled, scales_of(record, law.info), {});
   LawOnRecord const model(law, record, laws::Integration::converged);
   IdentificationProblem const problem(model, box);
-  ASSERT_EQ(problem.dimension(), 10u);  // six of the sixteen are fixed by default
+  ASSERT_EQ(problem.dimension(), 10u);  // six of the sixteen parameters are fixed by default
   opt::Points points(10, 3);
   for (std::size_t i = 0; i < points.values.size(); ++i)
     points.values[i] = std::fmod(0.37 + 0.618 * static_cast<double>(i), 1.0);
@@ -334,7 +336,7 @@ TEST(Outline, HasTheForcesOfTheWholeWhereTheRateDoesNotAct) {
     ASSERT_EQ(some.size(), samples.size());
     double const peak = std::ranges::max(whole, {}, [](double f) { return std::abs(f); });
     for (std::size_t k = 0; k < samples.size(); ++k)
-      // bwbn takes Runge-Kutta steps, longer where samples lie farther apart; the others are exact or nearly so.
+      // bwbn takes Runge-Kutta steps, which are longer with fewer samples. The other laws are exact or nearly so.
       EXPECT_NEAR(some[k], whole[samples[k]], (law.info.id == "bwbn" ? 1e-4 : 1e-5) * std::abs(peak))
           << law.info.id << ", sample " << samples[k];
   }

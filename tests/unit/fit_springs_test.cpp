@@ -1,5 +1,5 @@
-// A law fitted as springs: springs make the knee of the law rounder, and new parameters bring their loop back near the
-// record.
+// A law that acts as a set of springs around the circle. The springs round the knee of the loop, and parameters fitted
+// anew bring the loop back near the record.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -38,9 +38,10 @@ TEST(FitSprings, find_the_knee_that_they_lose) {
     auto const springs = fitted_as_springs(law, record, box, parameters);
     EXPECT_LT(springs.law, 1e-12) << id;
     EXPECT_GT(springs.given, 0.004) << id;
-    // None of the three parameters of bilinear can undo the rounding of the knee.
+    // The three parameters of bilinear cannot undo the rounding of the knee.
     EXPECT_LE(springs.fitted, (law.info.id == "bilinear" ? 1.0 : 0.6) * springs.given) << id;
-    // The stated objective must be the objective of the springs when they run online along the first spring.
+    // The objective stated for the springs must be the one that they give when evaluated step by step, in motion along
+    // the first spring.
     auto online = LawInPlane{&law, springs.parameters}.form(laws::Bidirectional::springs, {});
     PlaneMotion motion{.time_s = record.time_s, .disp_mm = {}, .vel_mm_s = {}};
     for (std::size_t i = 0; i < record.size(); ++i) {
@@ -59,7 +60,8 @@ TEST(FitSprings, find_the_knee_that_they_lose) {
   }
 }
 
-// A lot gets one set of parameters: a record given twice changes nothing, and two that differ give a compromise.
+// Springs for a lot get one set of parameters. If all records are equal this is the set of one record; if they differ
+// it is a compromise.
 TEST(FitSprings, of_a_lot_are_fitted_to_all_its_records) {
   auto const& law = laws::find_law("bouc-wen");
   std::vector<double> const parameters{0.15, 6.0, 1.0, 0.08, 1.2, 0.08}, stiffer{0.15, 6.6, 1.0, 0.08, 1.2, 0.08};

@@ -20,7 +20,7 @@ std::vector<Outlier> among(Values const& values) {
   return find_outliers(Names{"K_eff"}, std::vector<Values>{values});
 }
 
-// The median is 11 and the deviations are 2 1 0 1 9, so the median absolute deviation (MAD) is 1.
+// The median is 11 and the deviations are 2, 1, 0, 1 and 9, so the MAD is 1.
 TEST(Outliers, HaveTheModifiedScoreOfIglewiczAndHoaglin) {
   auto const found = among({9, 10, 11, 12, 20});
   ASSERT_EQ(found.size(), 1u);
@@ -33,7 +33,7 @@ TEST(Outliers, HaveTheModifiedScoreOfIglewiczAndHoaglin) {
 }
 
 TEST(Outliers, AreBeyondTheirThresholdOnEitherSide) {
-  double const beyond = 3.5 * 1.4826;  // times a MAD of 1
+  double const beyond = 3.5 * 1.4826;  // the threshold, for a MAD of 1
   EXPECT_TRUE(among({9, 9, 10, 11, 10 + 0.999 * beyond}).empty());
   ASSERT_EQ(among({9, 9, 10, 11, 10 + 1.001 * beyond}).size(), 1u);
   auto const below = among({10 - 1.001 * beyond, 9, 10, 11, 11});
@@ -49,12 +49,12 @@ TEST(Outliers, OfANegativeQuantityAreBelowItsMedianWhereLargerInMagnitude) {
   EXPECT_NEAR(found[0].percent, -100.0 * 9.0 / 11.0, 1e-12);
 }
 
-// Scatter counts as at least 0.5 % of the median, so the threshold is at least 3.5 times that, 1.75 %.
+// Scatter counts as at least 0.5 % of the median, so a device is an outlier only beyond 3.5 times this, 1.75 %.
 TEST(Outliers, AreNotNamedByRounding) {
   EXPECT_TRUE(among({2, 2, 2, 2, 2, 2, 2, 2, 2, 2 + 1e-15}).empty());
   EXPECT_TRUE(among({2, 2, 2, 2, 2, 2, 2, 2, 2, 2 * 1.0174}).empty());
   EXPECT_EQ(among({2, 2, 2, 2, 2, 2, 2, 2, 2, 2 * 1.0176}).size(), 1u);
-  EXPECT_TRUE(among({0, 0, 0, 0, 1e-9}).empty());  // a median of zero gives no scale
+  EXPECT_TRUE(among({0, 0, 0, 0, 1e-9}).empty());  // with a median of zero there is no least scatter
 }
 
 TEST(Outliers, NeedFourValues) {

@@ -1,4 +1,4 @@
-// The population of a lot on covariances that can be worked out by hand.
+// Estimates the population of a lot from covariances that can be worked out by hand.
 #include "isolaw/lot/population.hpp"
 
 #include <gtest/gtest.h>
@@ -39,8 +39,9 @@ std::vector<DeviceEstimate> with(std::vector<Values> const& values, SquareMatrix
   return devices;
 }
 
-// Ten devices around (0, 0), so that neither parameter is taken as a logarithm: four at (a, a) and its mirror image,
-// four at (b, -b), two in the middle. The variance of the estimates is 8 a^2 / 9 along (1, 1), 8 b^2 / 9 across.
+// Ten devices about (0, 0), so that no parameter has one sign in all devices and is taken as a logarithm. Two devices
+// each are at (a, a), -(a, a), (b, -b), -(b, -b) and (0, 0). The variance of the estimates is 8 a^2 / 9 along (1, 1)
+// and 8 b^2 / 9 along (1, -1).
 std::vector<Values> ellipse(double a, double b) {
   return {{a, a}, {-a, -a}, {a, a}, {-a, -a}, {b, -b}, {-b, b}, {b, -b}, {-b, b}, {0, 0}, {0, 0}};
 }
@@ -93,7 +94,8 @@ TEST(Population, WithoutErrorsHasTheCovarianceOfTheEstimates) {
   EXPECT_EQ(found.note, "");
 }
 
-// Along (1, 1) a variance of 8 less an error of 2 leaves 6; across it 2/9 less 1 leaves nothing.
+// Along (1, 1) the variance is 8 and the error 2, which leaves 6. Along (1, -1) the variance of 2/9 is less than the
+// error of 1 and nothing is left.
 TEST(Population, KeepsWhatExceedsTheErrorInEachDirection) {
   auto const found = estimate_population(two, with(ellipse(3, 0.5), about_the_diagonal(2.0, 1.0)));
   expect_near(found.covariance, about_the_diagonal(6.0, 0.0), 1e-12);
@@ -106,8 +108,8 @@ TEST(Population, KeepsWhatExceedsTheErrorInEachDirection) {
   EXPECT_EQ(found.note, "the devices differ by more than the uncertainty of their fits in 1 of 2 directions");
 }
 
-// C need not share its axes with S. For 2 x 2 matrices lambda solves the quadratic det(S - lambda C) = 0. One lambda
-// alone is above 1, and Sigma = (lambda - 1) p p^T with p = C x, x^T C x = 1.
+// The errors C and the scatter S have different axes here. For 2 x 2 matrices lambda solves the quadratic det(S -
+// lambda C) = 0. Only one lambda is above 1, and Sigma = (lambda - 1) p p^T with p = C x and x^T C x = 1.
 TEST(Population, SolvesTheGeneralisedProblem) {
   SquareMatrix const C{{1.0, 0.0}, {0.0, 4.0}};
   auto const found = estimate_population(two, with(ellipse(1.5, 0.75), C));
@@ -145,15 +147,15 @@ TEST(Population, OfDevicesThatDifferByLessThanTheirErrorHasNoVariance) {
   }
 }
 
-// The error along (1, 1) is unlimited, but the scatter across it is still known.
+// The error along (1, 1) is unlimited, but the scatter along (1, -1) is still known.
 TEST(Population, KeepsADirectionBesideOneThatIsNotDetermined) {
   auto const found = estimate_population(two, with(ellipse(3, 0.5), about_the_diagonal(1e9, 0.0)));
   expect_near(found.covariance, about_the_diagonal(0.0, 2.0 / 9.0), 1e-6);
   EXPECT_EQ(found.directions, 1u);
 }
 
-// The second estimate of ten devices is noise that happens to follow the first. As a parameter without effect it keeps
-// no scatter.
+// The second parameter has no effect on the force and its estimates are noise that follows the first parameter by
+// chance. Marked as without effect, it keeps no scatter.
 TEST(Population, HoldsWhatDoesNotActAtItsMedian) {
   SquareMatrix const error{{0.01, 0.0}, {0.0, 9.0}};
   auto const devices = with(ellipse(1.5, 0.75), error);
@@ -166,7 +168,7 @@ TEST(Population, HoldsWhatDoesNotActAtItsMedian) {
   EXPECT_EQ(held.directions, 1u);
 }
 
-// Neither parameter is determined alone, but their sum is, because both act.
+// Both parameters are marked as without effect alone. Their sum acts and is determined, so it keeps its scatter.
 TEST(Population, KeepsWhatTwoUndeterminedParametersShare) {
   std::vector<std::size_t> const both{0, 1};
   auto const found = estimate_population(two, with(ellipse(3, 0.5), about_the_diagonal(0.01, 1e9)), both);
@@ -174,7 +176,8 @@ TEST(Population, KeepsWhatTwoUndeterminedParametersShare) {
 }
 
 TEST(Population, TakesErrorsToLogarithms) {
-  SquareMatrix const error{{0.04, -0.06}, {-0.06, 0.36}};  // relative to (2, -6) this is 0.1 and 0.1, fully correlated
+  // Relative to (2, -6) the errors are 0.1 and 0.1, fully correlated.
+  SquareMatrix const error{{0.04, -0.06}, {-0.06, 0.36}};
   auto const found = estimate_population(two, with({{2, -6}, {2, -6}}, error));
   expect_near(found.uncertainty, {{0.01, 0.005}, {0.005, 0.01}}, 1e-15);
   expect_near(found.covariance, {{0, 0}, {0, 0}}, 0.0);
@@ -193,7 +196,7 @@ TEST(Population, InOtherUnitsIsTheSame) {
   auto const a = estimate_population(two, with(values, error)), b = estimate_population(two, changed);
   EXPECT_EQ(a.directions, b.directions);
   EXPECT_NEAR(b.medians[0], a.medians[0] * u0, 1e-9 * u0);
-  EXPECT_NEAR(b.std[0], a.std[0], 1e-9);  // a logarithm has no unit
+  EXPECT_NEAR(b.std[0], a.std[0], 1e-9);  // a change of units shifts logarithms and does not change their scatter
   EXPECT_NEAR(b.std[1], a.std[1] * u1, 1e-9 * u1);
   EXPECT_NEAR(b.relative_std[1], a.relative_std[1], 1e-9);
   expect_near(b.correlation, a.correlation, 1e-9);
@@ -220,7 +223,7 @@ TEST(Population, OfEqualDevicesHasNoVariance) {
   auto const found = estimate_population(two, with({{1.1, 0.3}, {1.1, 0.3}, {1.1, 0.3}}));
   expect_near(found.covariance, {{0, 0}, {0, 0}}, 0.0);
   EXPECT_EQ(found.directions, 0u);
-  EXPECT_TRUE(found.undetermined.empty());  // neither scatter nor error: constants
+  EXPECT_TRUE(found.undetermined.empty());  // parameters with neither scatter nor error are constants, not undetermined
   EXPECT_NEAR(sample(found, 1, num::Stream(1)).values[0][1], 0.3, 1e-15);
 }
 
@@ -251,7 +254,8 @@ TEST(Population, RefusesWhatIsNoEstimateAllAtOnce) {
   EXPECT_EQ(complaints(with({{1, 2}}, {{1, 0}})), 1u);
   EXPECT_EQ(complaints(with({{1, 2}}, {{1, 0, 0}, {0, 1, 0}})), 1u);
   EXPECT_EQ(complaints(with({{1, 2}}, {{1, nan}, {0, -1}})), 2u);
-  EXPECT_EQ(complaints(with({{1e-160, 2}, {1, 2}}, {{1, 0}, {0, 1}})), 1u);  // the square of 1e160 is no number
+  // Relative errors overflow: the square of 1e160 is not finite.
+  EXPECT_EQ(complaints(with({{1e-160, 2}, {1, 2}}, {{1, 0}, {0, 1}})), 1u);
 }
 
 Population correlated() {
@@ -293,8 +297,8 @@ TEST(PopulationSample, DoesNotDependOnTheCount) {
   EXPECT_NE(few.values, sample(population, 5, num::Stream(4), limits).values);
 }
 
-// Between two equal variances a tiny correlation turns the axes by 90 degrees, and its sign decides to which side. The
-// draws must not turn with the axes.
+// Two variances are equal. A tiny correlation turns the axes by 90 degrees to the one side or the other, depending on
+// its sign. The draws must not turn with the axes.
 TEST(PopulationSample, DoesNotJumpWhereVariancesCoincide) {
   auto population = estimate_population(two, with(ellipse(3, 3)));
   expect_near(population.covariance, about_the_diagonal(8.0, 8.0), 1e-12);
@@ -305,7 +309,8 @@ TEST(PopulationSample, DoesNotJumpWhereVariancesCoincide) {
   expect_near({drawn(1e-9)[0], drawn(1e-9)[1]}, {drawn(-1e-9)[0], drawn(-1e-9)[1]}, 1e-7);
 }
 
-// xy = 3 K1^2 in every device, and so in every draw; draws from independent marginals would leave that curve.
+// In all devices xy = 3 K1^2, so this must hold in all draws too. Draws from independent distributions of K1 and xy
+// would not keep it.
 TEST(PopulationSample, KeepsParametersThatDependOnOneAnotherOnTheirLine) {
   std::vector<Values> values;
   for (double const K1 : {1.0, 1.2, 0.9, 1.5, 1.1}) values.push_back({K1, 3.0 * K1 * K1, -2.0 / K1});
@@ -325,13 +330,13 @@ TEST(PopulationSample, StaysWithinLimitsAndSaysWhatItCost) {
   double const median = population.medians[0];
   auto const drawn = sample(population, 400, num::Stream(9), std::vector<Limits>{{.lower = median}, {}});
   for (auto const& v : drawn.values) EXPECT_GE(v[0], median);
-  // Half of the draws fit; a geometric law.
+  // Each draw is accepted with probability one half, so the rejected draws are a sum of geometric variates.
   EXPECT_NEAR(static_cast<double>(drawn.rejected), 400.0, 4.0 * std::sqrt(800.0));
   EXPECT_EQ(drawn.pulled_back, 0u);
 }
 
-// The limits are so narrow that no draw fits. A draw is then pulled back towards the medians, on a line that keeps the
-// dependence.
+// No draw fits within the narrow limits. A draw is then pulled back towards the medians on a line that keeps the
+// relation between the parameters.
 TEST(PopulationSample, IsPulledBackWhereNoDrawFits) {
   std::vector<Values> values;
   for (double const K1 : {1.0, 1.2, 0.9, 1.5, 1.1}) values.push_back({K1, 3.0 * K1 * K1});

@@ -1,4 +1,4 @@
-// The robustness index on numbers that can be worked out by hand. The published table is in tests/verification.
+// The robustness index beta on numbers worked out by hand. tests/verification compares it with the published table.
 #include "isolaw/lot/robustness.hpp"
 #include "not_finite.hpp"
 
@@ -41,7 +41,7 @@ TEST(LargestRelativeDifference, DoesNotDependOnTheUnit) {
 TEST(LargestRelativeDifference, IsUndefinedForOneDeviceAMeanNearZeroAndWhatIsNotFinite) {
   for (auto const& values : {Values{}, Values{3}, Values{-2, 2}, Values{0, 0, 0}, Values{1, nan}})
     EXPECT_FALSE(largest_relative_difference(values));
-  EXPECT_TRUE(largest_relative_difference(Values{-1, 1 + 1e-6}));  // small is not yet near zero
+  EXPECT_TRUE(largest_relative_difference(Values{-1, 1 + 1e-6}));  // this mean is small but not near zero
 }
 
 TEST(RobustnessIndex, IsTheMeanOverTheParameters) {

@@ -1,4 +1,4 @@
-// Displacement histories for tests, put together from pieces, and hysteresis loops along them.
+// Displacement histories for tests, composed of pieces, and hysteresis loops along them.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,8 @@ namespace isolaw::data::testing {
 
 inline constexpr double pi = std::numbers::pi;
 
-// Time, displacement and force at a fixed interval. A piece leaves out its last point: the next piece begins there.
+// Displacements and forces at fixed intervals of time. Each piece leaves out its last point, where the next piece
+// begins.
 struct Motion {
   double dt_s = 0.01;
   std::vector<double> time_s;
@@ -33,7 +34,7 @@ struct Motion {
     for (int i = 0; i < steps; ++i) add(from + (to - from) * i / static_cast<double>(steps));
     return *this;
   }
-  // With a negative amplitude the motion starts downwards.
+  // A negative amplitude starts downwards.
   Motion& sine(double amplitude, double frequency_Hz, double cycles, double centre = 0.0) {
     auto const steps = std::lround(cycles / frequency_Hz / dt_s);
     for (int i = 0; i < steps; ++i) add(centre + amplitude * std::sin(2.0 * pi * frequency_Hz * i * dt_s));
@@ -55,7 +56,7 @@ struct Motion {
     return *this;
   }
 
-  // Exponential loops after Vaiana: K x + Q z, z' = alpha (sign - z).
+  // Sets the force to an exponential loop after Vaiana: K x + Q z with z' = alpha (sign - z).
   Motion& loop(double K = 0.5, double Q = 30.0, double alpha = 0.08) {
     force_kN.clear();
     double z = 0.0, before = disp_mm.front();

@@ -1,4 +1,5 @@
-// num/elementary.hpp against long double: errors are within what the header states, on every instruction set here.
+// The functions of num/elementary.hpp against long double. Errors must be within what the header states, on every
+// instruction set of this processor.
 #include "isolaw/num/elementary.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +26,7 @@ using Arrays = ElementaryArrays;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t samples = 1 << 18, samples_of_bits = 1 << 20;
 
-// The functions called one by one, as other files of the project call them.
+// A function on arrays that calls the scalar function for each element, as other files of the project do.
 template <double (*function)(double, double)>
 void one_by_one(double const* x, double const* p, double* y) {
   for (std::size_t i = 0; i < Arrays::lanes; ++i) y[i] = function(x[i], p[i]);
@@ -45,7 +46,7 @@ double power_here(double x, double p) {
 
 struct Route {
   std::string name;
-  bool fused;  // multiply-add
+  bool fused;  // whether it uses fused multiply-add
   Arrays::Function exp2, exp, log2, power;
 };
 
@@ -84,7 +85,7 @@ std::vector<double> uniform(double lower, double upper, std::uint64_t seed = 1, 
   for (double& v : values) v = distribution(engine);
   return values;
 }
-// The values are spread evenly over the binades.
+// Values that are evenly spread on a logarithmic scale.
 std::vector<double> binades(double lower, double upper) {
   auto values = uniform(std::log2(lower), std::log2(upper));
   for (double& v : values) v = std::exp2(v);
@@ -98,7 +99,7 @@ long double ulp_of(long double exact) {
   return std::ldexp(1.0L, std::max(exponent, -1021) - 53);
 }
 
-// Arguments with their true values, which take most of the time to compute.
+// Arguments with their exact results. Computing these takes most of the time, so all functions share them.
 template <class Exact>
 struct Checked {
   std::vector<double> x;
@@ -112,7 +113,7 @@ struct Checked {
     double largest = 0.0;
     for (std::size_t i = 0; i < x.size(); ++i) {
       auto const error = static_cast<double>(std::abs(static_cast<long double>(y[i]) - truth[i]) / ulp_of(truth[i]));
-      if (!(error <= largest)) largest = error;  // true for NaN too
+      if (!(error <= largest)) largest = error;  // the comparison is written so that NaN becomes the largest error
     }
     return largest;
   }
@@ -122,14 +123,15 @@ constexpr auto exact_exp2 = [](long double x) { return std::exp2(x); };
 constexpr auto exact_exp = [](long double x) { return std::exp(x); };
 constexpr auto exact_log2 = [](long double x) { return std::log2(x); };
 
-// Largest relative error. The tests of the laws compare the lanes of a batch with these functions.
+// Largest relative error of a function that is called with one argument at a time. The tests of the laws compare
+// batches with these functions.
 template <class F, class Exact>
 double largest_relative(std::vector<double> const& arguments, F f, Exact exact) {
   double largest = 0.0;
   for (double const x : arguments) {
     long double const truth = exact(static_cast<long double>(x));
     auto const error = static_cast<double>(std::abs((static_cast<long double>(f(x)) - truth) / truth));
-    if (!(error <= largest)) largest = error;  // true for NaN too
+    if (!(error <= largest)) largest = error;  // the comparison is written so that NaN becomes the largest error
   }
   return largest;
 }
@@ -184,7 +186,7 @@ TEST(Elementary, ExponentialsBeyondTheirRange) {
         << route.name;
     EXPECT_EQ(apply(route.exp, {709.44, 710.0, 3000.0, 1e9, huge, infinity}), std::vector(6, infinity)) << route.name;
     EXPECT_EQ(apply(route.exp, {-708.75, -745.2, -3000.0, -1e9, -huge, -infinity}), std::vector(6, 0.0)) << route.name;
-    // Subnormal results have fewer bits, but those are right.
+    // Subnormal results have fewer bits, and these bits must be right.
     EXPECT_LE(Checked({-1022.4, -1022.2}, exact_exp2).largest_ulp(route.exp2), 1.2) << route.name;
     for (auto const f : {route.exp2, route.exp})
       for (double y : apply(f, {not_a_number, -not_a_number})) EXPECT_TRUE(std::isnan(y)) << route.name;
@@ -220,7 +222,7 @@ TEST(Elementary, Power) {
     }
     for (auto const& route : routes()) {
       auto const y = apply(route.power, x, p);
-      double largest = 0.0;  // largest error, in units of the stated one
+      double largest = 0.0;  // largest error as a share of the error that the header states
       for (std::size_t i = 0; i < x.size(); ++i) {
         if (std::abs(exponent[i]) > 1021.0L) continue;
         double const lost = route.fused ? 0.0 : static_cast<double>(std::abs(exponent[i]));

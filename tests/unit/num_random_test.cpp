@@ -1,5 +1,5 @@
-// The random numbers: the published vectors of the generator, then the promises on streams and draws. Statistical
-// bounds are wide (five standard deviations) and the keys are fixed, so a failure means that the numbers have changed.
+// Random numbers: the published test vectors of the generator, and the properties of streams and draws. Statistical
+// bounds are five standard deviations and the keys are fixed, so a failure means that the numbers have changed.
 #include "isolaw/num/random.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ using Words = std::array<std::uint32_t, 4>;
 
 static_assert(std::uniform_random_bit_generator<Draws>);
 
-// Chi-square of counts against equal expectations, in standard deviations above its mean.
+// Chi-square of counts that should be equal, in standard deviations above its mean.
 double excess_chi_square(std::span<int const> counts, double draws) {
   double const expected = draws / static_cast<double>(counts.size());
   double chi_square = 0.0;
@@ -28,7 +28,7 @@ double excess_chi_square(std::span<int const> counts, double draws) {
   return (chi_square - freedom) / std::sqrt(2.0 * freedom);
 }
 
-// From Random123 1.09, kat_vectors: philox4x32 10.
+// Known answers for philox4x32 with 10 rounds, from the file kat_vectors of Random123 1.09.
 TEST(Philox, KnownAnswers) {
   EXPECT_EQ(philox_4x32_10({0, 0, 0, 0}, 0), (Words{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}));
   EXPECT_EQ(philox_4x32_10({0xffffffff, 0xffffffff, 0xffffffff, 0xffffffff}, 0xffffffffffffffff),
@@ -37,7 +37,7 @@ TEST(Philox, KnownAnswers) {
             (Words{0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1}));
 }
 
-// The layout of the draws must not change, or stored campaigns could not be repeated.
+// Stored campaigns can be repeated only if the order in which draws take words from the generator never changes.
 TEST(Draws, TakeTheWordsOfSuccessiveBlocksOfTheirPlace) {
   Draws draws(Stream(0x0123456789abcdef), 7, 9);
   for (std::uint32_t block = 0; block < 3; ++block)
@@ -49,7 +49,7 @@ TEST(Draws, DependOnTheirPlaceAlone) {
   std::vector<double> forwards, backwards(20);
   for (std::uint32_t b = 0; b < 20; ++b) forwards.push_back(Draws(stream, 1, b).uniform());
   for (std::uint32_t b = 20; b-- > 0;) {
-    Draws other(stream, 2, b);  // draws in between change nothing
+    Draws other(stream, 2, b);  // draws from another place between these must not change them
     other.normal();
     backwards[b] = Draws(stream, 1, b).uniform();
   }
@@ -67,7 +67,8 @@ TEST(Stream, PlacesAndPartsOfANameGiveDifferentNumbers) {
   for (std::uint32_t i = 0; i < 30; ++i)
     for (std::uint32_t j = 0; j < 30; ++j) {
       EXPECT_TRUE(is_new(root, i, j));
-      EXPECT_TRUE(is_new(root.split(i).split(j), 0, 0)) << i << ' ' << j;  // (i, j) and (j, i) differ
+      // Splitting by (i, j) and by (j, i) gives different streams.
+      EXPECT_TRUE(is_new(root.split(i).split(j), 0, 0)) << i << ' ' << j;
     }
   EXPECT_NE(root.split(0).key(), root.key());
   EXPECT_EQ(root.split(5).key(), Stream(1).split(5).key());
@@ -86,7 +87,8 @@ TEST(Draws, UniformIsUniformAlone) {
   EXPECT_LT(excess_chi_square(counts, n), 5.0);
 }
 
-// Pairs of successive draws of one place, and of first draws of neighbouring places and of neighbouring streams.
+// Pairs of numbers must be independent: successive draws of one place, first draws of neighbouring places, and first
+// draws of neighbouring streams.
 TEST(Draws, UniformIsUniformInPairs) {
   constexpr std::uint32_t n = 100'000;
   std::array<int, 64> successive{}, places{}, streams{};
@@ -121,7 +123,7 @@ TEST(Draws, BelowIsInRangeAndUniform) {
   }
 }
 
-// A third of the numbers below 3 x 2^62 lie below 2^62; taking a remainder would make it a half.
+// A third of the numbers below 3 x 2^62 are below 2^62. Taking the remainder of a 64-bit number would make it a half.
 TEST(Draws, BelowIsUnbiasedForHugeRanges) {
   constexpr int tries = 20'000;
   constexpr std::size_t third = std::size_t{1} << 62;

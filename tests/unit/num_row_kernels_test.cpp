@@ -1,4 +1,4 @@
-// Sums over tables of residuals are compared with plain loops, for any number of columns.
+// Sums over tables of residuals, compared with plain loops for any number of columns.
 #include "isolaw/num/row_kernels.hpp"
 
 #include <gtest/gtest.h>
@@ -52,7 +52,7 @@ TEST(RowKernels, NormalSumsAreThoseOfALoop) {
   constexpr double delta = 0.4, cautious_share = 0.1, bold_share = 0.9;
   for (std::size_t const columns : numbers) {
     Table table(77, columns);
-    // A column that failed spoils its own sums only.
+    // A column that holds NaN must change no sums but its own.
     auto const failed = [](std::size_t c) { return c % 4 == 3; };
     for (std::size_t c = 3; c < columns; c += 4) table.values[5 * table.stride + c] = std::nan("");
     std::size_t const n = table.stride;

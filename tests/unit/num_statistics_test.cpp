@@ -1,4 +1,4 @@
-// Moments against numbers that can be worked out by hand.
+// Moments and scores on numbers worked out by hand.
 #include "isolaw/num/statistics.hpp"
 #include "not_finite.hpp"
 
@@ -12,7 +12,7 @@ namespace isolaw::num {
 namespace {
 
 TEST(Moments, SampleAndPopulationForm) {
-  std::vector<double> const values{2, 4, 4, 4, 5, 5, 7, 9};  // mean 5, squares of deviations sum to 32
+  std::vector<double> const values{2, 4, 4, 4, 5, 5, 7, 9};  // the mean is 5 and the squared deviations add up to 32
   auto const m = moments(values);
   EXPECT_EQ(m.count, 8u);
   EXPECT_DOUBLE_EQ(m.mean, 5.0);
@@ -20,7 +20,7 @@ TEST(Moments, SampleAndPopulationForm) {
   EXPECT_DOUBLE_EQ(population_std(values), 2.0);
 }
 
-// The sum of squares less the square of the sum would lose all of these digits: 1e18 against 30.
+// Subtracting the square of the sum from the sum of squares would lose all digits here: 1e18 against 30.
 TEST(Moments, SmallSpreadAboutALargeMean) {
   std::vector<double> const values{1e9 + 4, 1e9 + 7, 1e9 + 13, 1e9 + 16};
   EXPECT_DOUBLE_EQ(moments(values).mean, 1e9 + 10);
@@ -28,7 +28,8 @@ TEST(Moments, SmallSpreadAboutALargeMean) {
   EXPECT_DOUBLE_EQ(population_std(values), std::sqrt(22.5));
 }
 
-// Adding 0.1 a thousand times does not give 100, so a plain mean is wrong in its last digits; the corrected one is not.
+// Adding 0.1 a thousand times does not give 100, so a plain sum gives a wrong mean in the last digits. The corrected
+// sum does not.
 TEST(Moments, EqualValuesHaveNoSpread) {
   std::vector<double> const values(1000, 0.1);
   EXPECT_DOUBLE_EQ(moments(values).mean, 0.1);
@@ -66,13 +67,13 @@ TEST(Median, IsTheMiddle) {
   EXPECT_TRUE(std::isnan(median(std::vector<double>{1, nan, 2})));
 }
 
-// The median is 3 and the deviations are 2 1 0 1 7, so the median absolute deviation is 1.
+// The median is 3 and the deviations are 2, 1, 0, 1 and 7, so the MAD is 1.
 TEST(ModifiedScores, CountDeviationsFromTheMedian) {
   std::vector<double> const values{1, 2, 3, 4, 10};
   auto const found = modified_scores(values, 0.0);
   EXPECT_EQ(found.median, 3.0);
   for (std::size_t i = 0; i < values.size(); ++i) EXPECT_DOUBLE_EQ(found.scores[i], (values[i] - 3.0) / 1.4826);
-  EXPECT_NEAR(found.scores[4], 0.6745 * 7.0, 1e-3);  // with the constant as it is printed
+  EXPECT_NEAR(found.scores[4], 0.6745 * 7.0, 1e-3);  // with the constant as printed by Iglewicz and Hoaglin
   EXPECT_EQ(modified_scores(values, 10.0).scores[4], 7.0 / 30.0);
   EXPECT_EQ(modified_scores(std::vector<double>{0, 0, 0, 1}, 0.5).scores, std::vector<double>(4, 0.0));
   EXPECT_TRUE(modified_scores({}, 0.1).scores.empty());

@@ -1,5 +1,5 @@
-// Each operator of the genetic algorithm alone. Statistical bounds are wide (five standard deviations) and the keys
-// are fixed, so a failure is a change of behaviour, not of luck.
+// Each operator of the genetic algorithm alone. Statistical bounds are five standard deviations and the keys are fixed,
+// so a failure means changed behaviour and not bad luck.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ num::Draws some_draws(std::uint64_t key = 1) {
   return {num::Stream(key), 0, 0};
 }
 
-// Chi-square of counts against probabilities, in standard deviations above its mean.
+// Chi-square of counts against given probabilities, in standard deviations above its mean.
 double excess_chi_square(std::span<int const> counts, std::span<double const> probabilities) {
   double const total = std::accumulate(counts.begin(), counts.end(), 0.0);
   double chi_square = 0.0, freedom = -1.0;
@@ -116,7 +116,7 @@ TEST(Crossover, ExchangesOneRunOfGenesAndKeepsEachAtItsPosition) {
     }
     EXPECT_GE(exchanged, 1);
     EXPECT_LT(exchanged, static_cast<int>(n));
-    EXPECT_GE(changes, 1);  // a cut at an end of the point shows as one change, cuts inside as two
+    EXPECT_GE(changes, 1);  // a range of genes at an end of the point gives one change, a range inside gives two
     EXPECT_LE(changes, 2);
   }
 }

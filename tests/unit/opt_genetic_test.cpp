@@ -1,5 +1,5 @@
-// The genetic algorithm as a whole: what it promises about counts, repetition, failure and stopping, and how close it
-// comes to known optima.
+// The whole genetic algorithm: counts of evaluations, repetition, failure and stopping, and how close it comes to known
+// optima.
 #include "isolaw/opt/genetic.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ namespace {
 
 using Point = std::span<double const>;
 
-// A problem made from a function of one point; it keeps every batch that it had to evaluate.
+// A search problem made from a function of one point. It keeps all batches of points that were evaluated.
 class FunctionProblem : public Problem {
  public:
   FunctionProblem(std::size_t dimension, std::function<double(Point)> function)
@@ -49,13 +49,13 @@ double sphere(Point x) {
   return sum;
 }
 
-// [-2, 2] x [-1, 3], minimum 0 at (1, 1).
+// Rosenbrock's function on [-2, 2] x [-1, 3]; the minimum is 0 at (1, 1).
 double rosenbrock(Point x) {
   double const u = 4.0 * x[0] - 2.0, v = 4.0 * x[1] - 1.0;
   return 100.0 * (v - u * u) * (v - u * u) + (1.0 - u) * (1.0 - u);
 }
 
-// [-5.12, 5.12] per gene, shifted by 1; neighbouring local minima differ by about 1.
+// Rastrigin's function on [-5.12, 5.12] per gene, shifted by 1. Neighbouring local minima differ by about 1.
 double rastrigin(Point x) {
   double sum = 0.0;
   for (double const gene : x) {
@@ -65,7 +65,7 @@ double rastrigin(Point x) {
   return sum;
 }
 
-// A small form of the identification: the mean absolute deviation between two curves of one kind, a line plus a decay.
+// A small identification problem: the mean absolute deviation between two curves that are a line plus a decay.
 double curve_fit(Point x) {
   constexpr int samples = 100;
   double sum = 0.0;
@@ -81,7 +81,7 @@ FunctionProblem flat(double value, std::size_t dimension = 2) {
   return {dimension, [value](Point) { return value; }};
 }
 
-// --- options --------------------------------------------------------------------------------------------------------
+// --- options of the algorithm ---
 
 TEST(GeneticOptions, DefaultsAreThePapers) {
   GeneticOptions const options;
@@ -100,7 +100,7 @@ TEST(Genetic, RefusesAProblemWithoutParameters) {
             std::string::npos);
 }
 
-// --- what is evaluated ----------------------------------------------------------------------------------------------
+// --- which points are evaluated ---
 
 TEST(Genetic, EvaluatesOnePopulationPerGenerationInsideTheBox) {
   FunctionProblem const problem(4, sphere);
@@ -129,7 +129,7 @@ TEST(Genetic, ReportsTheBestPointEverEvaluatedAndTheBestOfEachGeneration) {
   EXPECT_EQ(rastrigin(result.best), best);
 }
 
-// Without mutation every gene must stem from the initial population, at its own position.
+// Without mutation, every gene of a child must occur in the initial population at the same position.
 TEST(Genetic, ChildrenAreMadeOfTheirParentsGenes) {
   FunctionProblem const problem(3, sphere);
   minimise_genetic(problem, num::Stream(3), {.population = 10, .generations = 8, .mutation_rate = 0.0});
@@ -145,10 +145,10 @@ TEST(Genetic, ChildrenAreMadeOfTheirParentsGenes) {
 
 TEST(Genetic, OneParameterIsSearchedByMutation) {
   auto const result = minimise_genetic(FunctionProblem(1, sphere), num::Stream(1), {.mutation_rate = 0.2});
-  EXPECT_LT(result.best_value, 1e-5);  // 5,000 evaluations at rate 0.2: about 1,000 uniform samples
+  EXPECT_LT(result.best_value, 1e-5);  // one gene in five mutates, so 5,000 evaluations are about 1,000 uniform samples
 }
 
-// --- repetition -----------------------------------------------------------------------------------------------------
+// --- repeated searches ---
 
 TEST(Genetic, TheSameStreamGivesTheSameResultAndAnotherAnother) {
   FunctionProblem const problem(4, curve_fit);
@@ -160,11 +160,11 @@ TEST(Genetic, TheSameStreamGivesTheSameResultAndAnotherAnother) {
   EXPECT_NE(first.history, other.history);
 }
 
-// --- failure --------------------------------------------------------------------------------------------------------
+// --- problems without a finite value ---
 
 TEST(Genetic, FailedRegionsAreAvoidedUpToTheirEdge) {
   for (double const failure : {nan, infinity, -infinity}) {
-    // The least value is where the failed region begins: x0 = 0.5.
+    // The least value is at x0 = 0.5, the edge of the region where the function fails.
     FunctionProblem const problem(2, [failure](Point x) { return x[0] < 0.5 ? failure : x[0] + sphere(x); });
     auto const result = minimise_genetic(problem, num::Stream(1), {.mutation_rate = 0.05});
     ASSERT_TRUE(result.usable());
@@ -188,12 +188,12 @@ TEST(Genetic, NothingFiniteIsAnOutcomeOfItsOwn) {
     auto const result = minimise_genetic(flat(failure), num::Stream(1));
     EXPECT_EQ(result.outcome, Outcome::no_finite_value);
     EXPECT_FALSE(result.usable());
-    EXPECT_EQ(result.best_value, infinity);  // never a number that looks like a perfect fit
+    EXPECT_EQ(result.best_value, infinity);  // a failed search must not return a number that looks like a perfect fit
     EXPECT_EQ(result.evaluations, 100);
   }
 }
 
-// --- stopping -------------------------------------------------------------------------------------------------------
+// --- when a search stops ---
 
 TEST(Genetic, AFlatProblemStopsAfterTheFirstGenerationAndTheStagnation) {
   for (double const value : {0.0, 1.0, -1.0}) {
@@ -209,7 +209,7 @@ TEST(Genetic, StagnationInTheLastGenerationIsNoEarlyStop) {
   EXPECT_EQ(minimise_genetic(flat(1.0), num::Stream(1), {.generations = 22}).outcome, Outcome::stagnated);
 }
 
-// A value that falls by 1 % of its start in every generation, whatever the points are.
+// A value that falls by 1 % of its start in each generation, wherever the points are.
 FunctionProblem steadily_falling(int& calls) {
   return {2, [&calls](Point) { return 1.0 - 0.01 * (calls++ / 10); }};
 }
@@ -222,8 +222,8 @@ TEST(Genetic, AnImprovementBelowTheToleranceIsNoneUntilItHasAddedUp) {
     return minimise_genetic(steadily_falling(calls), num::Stream(1), options).history.size();
   };
   EXPECT_EQ(generations(0.0), 40u);
-  EXPECT_EQ(generations(0.025), 40u);  // 1 % a generation adds up to 2.5 % within three generations
-  EXPECT_EQ(generations(0.035), 4u);   // but not to 3.5 %
+  EXPECT_EQ(generations(0.025), 40u);  // a fall of 1 % a generation exceeds 2.5 % within three generations
+  EXPECT_EQ(generations(0.035), 4u);   // three generations do not reach 3.5 %
 }
 
 TEST(Genetic, AnInterruptionKeepsWhatWasFound) {
@@ -246,17 +246,19 @@ TEST(Genetic, AnInterruptionBeforeTheFirstGenerationFindsNothing) {
   EXPECT_EQ(result.evaluations, 0);
 }
 
-// --- known optima ---------------------------------------------------------------------------------------------------
+// --- problems with known optima ---
 
-// Each tolerance is two to three times the error that nine of ten among 60 streams stay within. At the paper's mutation
+// Each tolerance is two to three times the error that nine of ten among 60 random streams keep. At the paper's mutation
 // rate a gene is hardly ever better than the nearest of the 100 initial ones, so a quadratic in six parameters ends
-// near 1e-3; curved valleys and fields of local minima need the wide search.
+// near 1e-3. Curved valleys and functions with many local minima need the wide search.
 struct KnownOptimum {
   char const* name;
   std::size_t dimension;
   double (*function)(Point);
-  bool wide;         // paper: at most 5,000 evaluations, mutation 1 %; wide: 20,000, mutation 10 %
-  double tolerance;  // above the minimum, which is 0
+  // The wide search mutates 10 % of the genes and evaluates at most 20,000 points; the paper's search mutates 1 % and
+  // evaluates at most 5,000.
+  bool wide;
+  double tolerance;  // allowed excess over the minimum, which is 0
 };
 
 void PrintTo(KnownOptimum const& problem, std::ostream* out) {
@@ -297,8 +299,8 @@ INSTANTIATE_TEST_SUITE_P(Genetic, KnownOptima,
                                          KnownOptimum{"rastrigin_4_wide", 4, rastrigin, true, 0.1}),
                          [](auto const& instance) { return std::string(instance.param.name); });
 
-// A search that selects and recombines must beat as many uniform samples of the box. (In two dimensions it need not:
-// 5,000 uniform samples of the Rosenbrock function end nearer than the paper's settings do.)
+// A search that selects and recombines must beat equally many uniform samples in six dimensions. In two dimensions,
+// 5,000 uniform samples of the Rosenbrock function end nearer than the paper's settings do.
 TEST(Genetic, BeatsUniformSamplingInSixDimensions) {
   constexpr std::size_t dimension = 6;
   for (auto const function : {sphere, rastrigin}) {
@@ -318,7 +320,7 @@ TEST(Genetic, BeatsUniformSamplingInSixDimensions) {
   }
 }
 
-// The history alone decides the outcome of a search, even if the search was cut short or ran on too long.
+// The outcome follows from the history alone, also if the history is cut short or continued.
 TEST(Outcome, FollowsFromTheHistory) {
   for (int const stagnation : {1, 3, 20}) {
     for (int const generations : {1, 4, 60}) {

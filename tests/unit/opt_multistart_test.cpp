@@ -1,5 +1,5 @@
-// Descents from many starts: known minima of sums of absolute residuals, also at the edges of the box and beyond
-// valleys that mislead, and the promises about counts, repetition, failure and interruption.
+// Descents from many starts: sums of absolute residuals whose minimum is known, also at edges of the box and beyond
+// misleading valleys. Further tests cover counts, repetition, failure and interruption.
 #include "isolaw/opt/multistart.hpp"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,8 @@ class Residuals : public DeviationProblem {
 
 num::Stream const stream(17);
 
-// The sum of distances to numbers is least at their median; their mean, 0.5, would minimise the sum of squares.
+// The sum of distances to these numbers is least at their median, 0.3. At their mean, 0.5, the sum of squares would be
+// least.
 TEST(Multistart, FindsTheMedianNotTheMean) {
   std::vector<double> const numbers{0.1, 0.2, 0.3, 0.9, 1.0};
   Residuals const problem(1, 5, [&](Point x, std::size_t j) { return x[0] - numbers[j]; });
@@ -60,7 +61,7 @@ TEST(Multistart, FindsTheMedianNotTheMean) {
   EXPECT_NEAR(found.best_value, (0.2 + 0.1 + 0.0 + 0.6 + 0.7) / 5.0, 1e-4);
 }
 
-// A line through points, a third of which lie far off: the others must decide.
+// A third of the points lies far off a line. The other points must determine the line.
 TEST(Multistart, IsNotDrawnByOutliers) {
   Residuals const problem(2, 30, [](Point x, std::size_t j) {
     double const t = static_cast<double>(j) / 29.0, y = 0.2 + 0.5 * t + (j % 3 == 1 ? 4.0 : 0.0);
@@ -72,7 +73,8 @@ TEST(Multistart, IsNotDrawnByOutliers) {
 }
 
 TEST(Multistart, StaysInTheBoxAndFindsTheBestOfAnEdge) {
-  // Without the box the minimum is at (1.4, 0.75); with x0 <= 1 and the coupling it is at (1, 0.55).
+  // Without the box the minimum is at (1.4, 0.75). The box limits x0 to 1, and the second residual couples x1 to x0, so
+  // the minimum is at (1, 0.55).
   Residuals const problem(
       2, 2, [](Point x, std::size_t j) { return j == 0 ? x[0] - 1.4 : 4.0 * (x[1] - 0.05 - 0.5 * x[0]); });
   auto const found = minimise_multistart(problem, stream);
@@ -81,7 +83,7 @@ TEST(Multistart, StaysInTheBoxAndFindsTheBestOfAnEdge) {
   EXPECT_NEAR(found.best_value, 0.2, 1e-3);
 }
 
-// Rosenbrock's curved valley, as residuals.
+// Rosenbrock's curved valley as two residuals.
 TEST(Multistart, FollowsACurvedValley) {
   Residuals const problem(2, 2, [](Point x, std::size_t j) {
     double const u = 4.0 * x[0] - 2.0, v = 4.0 * x[1] - 1.0;
@@ -92,7 +94,7 @@ TEST(Multistart, FollowsACurvedValley) {
   EXPECT_NEAR(found.best.at(0), 0.75, 1e-3);
 }
 
-// Two valleys: most starts fall into the broad one, but the narrow one has the least value.
+// Most starts fall into a broad valley, but the least value is in a narrow one.
 TEST(Multistart, LeavesABroadValleyForADeeperNarrowOne) {
   Residuals const problem(1, 1, [](Point x, std::size_t) {
     return 1.0 + 2.0 * std::abs(x[0] - 0.3) - 1.3 * std::exp(-std::pow((x[0] - 0.85) / 0.05, 2));
@@ -125,7 +127,7 @@ TEST(Multistart, RepeatsItselfAndCountsWhatItDoes) {
   EXPECT_EQ(first.failed_evaluations, 0);
 }
 
-// A problem with an outline that has a quarter as many residuals.
+// A problem with an outline: a coarser problem for the first steps, with a quarter of the residuals.
 class Outlined final : public Residuals {
  public:
   Outlined(std::function<double(Point, std::size_t)> const& residual,
@@ -154,7 +156,8 @@ TEST(Multistart, ApproachesByTheOutlineAndCountsItsShare) {
   EXPECT_EQ(found.evaluations, static_cast<int>((4 * problem.seen + problem.fewer().seen + 3) / 4));
 }
 
-// The result must not depend on the outline: one outline leads elsewhere, the other never has a value.
+// The result must not depend on the outline. The minimum of one outline lies elsewhere; the other outline is never
+// finite.
 TEST(Multistart, IsNotMisledByABadOutline) {
   auto const whole = [](Point x, std::size_t j) { return line(x, static_cast<double>(j) / 39.0); };
   Outlined const elsewhere(whole, [](Point x, std::size_t) { return x[0] - x[1] + 0.9; });
@@ -169,7 +172,7 @@ TEST(Multistart, IsNotMisledByABadOutline) {
   }
 }
 
-// Half of the box has no value. The search stays in the other half and counts the points without one.
+// Half of the box has no finite value. The search must stay in the other half and count the points without a value.
 TEST(Multistart, PassesOverPointsWithoutAValue) {
   Residuals const problem(2, 4, [](Point x, std::size_t j) {
     return x[0] < 0.5 ? nan : x[0] - 0.5 + std::abs(x[1] - 0.25 * static_cast<double>(j));
@@ -189,7 +192,7 @@ TEST(Multistart, WithoutAnyValueSaysSo) {
   EXPECT_EQ(found.failed_evaluations, found.evaluations);
 }
 
-// A flat problem and an exact fit leave nothing to measure a relative tolerance by.
+// On a flat problem and at an exact fit there is no scale for a relative tolerance, but the search must end.
 TEST(Multistart, EndsOnAFlatProblemAndOnAnExactFit) {
   auto const flat = minimise_multistart(Residuals(3, 2, [](Point, std::size_t) { return 1.0; }), stream);
   EXPECT_EQ(flat.outcome, Outcome::confirmed);
@@ -211,7 +214,7 @@ TEST(Multistart, StopsWhenItIsAsked) {
 }
 
 TEST(Multistart, SpendsItsBudgetWhereTheBestIsNotConfirmed) {
-  // As many valleys as starts, all of different depth.
+  // The box holds as many valleys as starts, all of different depth.
   Residuals const problem(1, 1, [](Point x, std::size_t) { return 2.0 + std::sin(900.0 * x[0]) + x[0]; });
   auto const found = minimise_multistart(problem, stream, {.hits = 16, .most_evaluations = 3000});
   EXPECT_EQ(found.outcome, Outcome::budget_spent);
@@ -223,7 +226,7 @@ TEST(Multistart, AProblemWithoutDimensionsIsRefused) {
   EXPECT_THROW(minimise_multistart(Residuals(0, 1, [](Point, std::size_t) { return 1.0; }), stream), Error);
 }
 
-// Warm starts, as after a small change of the problem.
+// A single descent, for example from a former optimum after the problem has changed a little.
 TEST(Descend, GoesToTheNearMinimumAndNeverAboveItsStart) {
   std::vector<double> const numbers{0.1, 0.2, 0.3, 0.9, 1.0};
   Residuals const problem(1, 5, [&](Point x, std::size_t j) { return x[0] - numbers[j]; });

@@ -1,4 +1,4 @@
-// The front on cases drawn by hand, then against its definition on random points.
+// The front of non-dominated points on cases worked out by hand, and against its definition on random points.
 #include "isolaw/opt/pareto.hpp"
 
 #include <gtest/gtest.h>
@@ -38,14 +38,15 @@ TEST(NonDominated, ValuesThatAreNotFiniteNeitherWinNorDominate) {
   EXPECT_EQ(non_dominated(Values{infinity, nan}, Values{1, nan}), (Flags{false, false}));
 }
 
-// An independent computation sorts by a, then by b. A point is on the front if its b is below the b of every point with
-// a smaller a.
+// A second computation of the front: sort by a, then by b. A point is on the front if its b is below the b of every
+// point with a smaller a.
 TEST(NonDominated, AgreesWithASweepOnRandomPoints) {
   num::Draws draws(num::Stream(1), 0, 0);
   for (int repetition = 0; repetition < 50; ++repetition) {
     Values a(40), b(40);
     for (auto* values : {&a, &b})
-      for (double& value : *values) value = static_cast<double>(draws.below(12));  // few values: many ties
+      // Only 12 different values occur, so there are many ties.
+      for (double& value : *values) value = static_cast<double>(draws.below(12));
     std::vector<std::size_t> order(a.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::sort(order, [&](std::size_t i, std::size_t j) { return a[i] != a[j] ? a[i] < a[j] : b[i] < b[j]; });

@@ -1,4 +1,5 @@
-// Away from the tested cycle: replacement forms, laws beyond the tests, steps per cycle, two springs for a bearing.
+// Exported laws away from the tested cycle: forms that replace a law, displacements beyond the tests, steps per cycle,
+// and two springs in place of one bearing.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -32,7 +33,7 @@ TEST(OtherCycles, OfTheLawItselfAndOfTwiceItsForce) {
   EXPECT_NE(text(twice).find("a quarter: energy +100 %, peak +100 %; half: "), std::string::npos) << text(twice);
 }
 
-// An error of 30.1 % on one cycle is enough to call a form far off; 29.9 % is not.
+// An error of 30.1 % on one cycle makes a form count as far off; 29.9 % does not.
 TEST(OtherCycles, OneThatIsFarOffIsEnough) {
   std::vector<OtherCycle> cycles{{1.0, 1.0, 29.9, -29.9}, {0.5, 1.0, 2.0, {}}};
   EXPECT_FALSE(far_off(cycles));
@@ -60,7 +61,7 @@ TEST(BeyondTheTests, ALawThatGoesOnIsNotMentioned) {
 }
 
 TEST(BeyondTheTests, AFallingPeakASlopeBelowZeroAndSteepGrowthAreSaid) {
-  // The limit curve 0.6 kN/mm x - 8 kN (exp(x / 40 mm) - 1) turns at 44 mm.
+  // The limit curve 0.6 kN/mm x - 8 kN (exp(x / 40 mm) - 1) has its maximum at 44 mm.
   auto const falling = beyond_the_tests(subject_of("vaiana", vaiana_parameters(-8000.0, 25.0)), kN_mm);
   auto const says = [](std::vector<std::string> const& sentences, std::string_view part) {
     return std::ranges::any_of(sentences, [&](auto const& s) { return s.find(part) != std::string::npos; });
@@ -69,7 +70,8 @@ TEST(BeyondTheTests, AFallingPeakASlopeBelowZeroAndSteepGrowthAreSaid) {
   auto const steep = beyond_the_tests(subject_of("vaiana", vaiana_parameters(800.0, 40.0)), kN_mm);
   EXPECT_TRUE(says(steep, "at 1.25 times the tested displacement the peak force is "));
   EXPECT_TRUE(says(steep, " times the "));
-  // Fitted to a measured bearing up to 152 mm; beyond that an exponential of the law turns against the other terms.
+  // These parameters were fitted to a measured bearing up to 152 mm. Beyond that, an exponential term of the law grows
+  // against the other terms and the peak force falls.
   auto const turning = beyond_the_tests(subject_of("jankowski",
                                                    {734667, 1.31057e+07, -1.1393e+09, 1.05701e+06, 3.87642, 1.06422e+07,
                                                     29.56, 81.2613, 58911.4, -21549.1, 0.168458},
@@ -86,14 +88,14 @@ TEST(StepsNeeded, AreTheFewestThatKeepTheEnergy) {
   ASSERT_TRUE(found);
   EXPECT_LE(std::abs(found->energy), step_energy_percent);
   EXPECT_NE(found->energy, 0.0);
-  // Backward Euler is of the first order, so half as many steps have about twice the error.
+  // Backward Euler is of first order, so the error with half as many steps is about twice as large.
   if (found->per_cycle > 20) {
     EXPECT_GT(std::abs(found->energy), 0.3 * step_energy_percent);
   }
 }
 
-// A rigid-plastic law on a circle of radius A. Both springs act with their full strength Q, together with at most
-// sqrt(2) Q. In a turn each spring dissipates 4 Q A, and a coupled bearing of strength Q dissipates 2 pi A Q.
+// A rigid-plastic law on a circle of radius A. Each spring acts with its full strength Q, so both together reach up to
+// sqrt(2) Q. In a turn each spring dissipates 4 Q A; a coupled bearing of strength Q dissipates 2 pi A Q in all.
 TEST(TwoSpringsForOne, OfAPlasticLawAreThoseOfItsClosedForm) {
   auto const found = two_springs(subject_of("bilinear", {2000.0, 1e-9, 0.02}));
   ASSERT_TRUE(found);

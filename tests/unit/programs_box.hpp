@@ -1,4 +1,4 @@
-// Parameters of any law to export.
+// Parameters for exporting any law.
 #pragma once
 
 #include "isolaw/fit/box.hpp"
@@ -6,7 +6,7 @@
 
 namespace isolaw::programs_test {
 
-// Parameters from the box in which a fit to a record of this size would search.
+// Parameters at this share of the box in which a fit to a record of 150 mm would search.
 inline std::vector<double> inside_box(laws::LawEntry const& law, double share) {
   data::FitRecord record;
   auto const history = cycles({50.0, 150.0}, 200);

@@ -1,4 +1,4 @@
-// Exported scripts, read back from their text and replayed.
+// Exported scripts: the tests read the commands back from the text and compute the force.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace isolaw::programs_test {
 namespace {
 
-// The force [kN] that a procedure of a script gives along a history.
+// The force in kN along a history, from the commands of a procedure in a script.
 std::vector<double> of_script(std::string const& script, std::string const& procedure, std::string const& variant,
                               UnitSystem const& units, History const& history) {
   auto const commands = commands_in(script, procedure, variant);
@@ -25,7 +25,7 @@ struct Case {
   std::string law;
   std::vector<double> parameters;
   std::vector<std::string> procedures;
-  double tolerance;  // share of the peak force
+  double tolerance;  // as a share of the peak force
 };
 
 std::vector<Case> exact_cases() {
@@ -33,12 +33,12 @@ std::vector<Case> exact_cases() {
           {"menegotto-pinto", menegotto_pinto_parameters, {"material"}, 1e-12},
           {"vaiana", vaiana_parameters(), {"material"}, 1e-9},
           {"vaiana", vaiana_parameters(800.0, 12.0), {"material"}, 1e-9},
-          // One backward Euler step per sample, 200 samples per cycle.
+          // Bouc-Wen is computed by one backward Euler step per sample, at 200 samples per cycle.
           {"bouc-wen", bouc_wen_parameters, {"material", "material_original", "bearing"}, 0.03},
           {"vaiana", vaiana_parameters(), {"material_bouc_wen", "material_original", "bearing"}, 0.03}};
 }
 
-// An exact replay has no worst sample, so the text names none.
+// With no deviation there is no worst sample, so the text names none.
 TEST(Deviations, of_an_exact_replay_have_no_place) {
   EXPECT_EQ(deviation_text({}).find("(at "), std::string::npos) << deviation_text({});
   Deviation some;
@@ -61,7 +61,7 @@ TEST(Scripts, give_the_laws_force_when_read_back_in_every_unit_system) {
         ASSERT_EQ(force.size(), history.law_kN.size());
         EXPECT_LE(largest_difference(force, history.law_kN), c.tolerance * peak_of(history.law_kN));
         if (in_kN_mm.empty()) in_kN_mm = force;
-        // Units change nothing beyond rounding.
+        // In other units the force must be the same up to rounding errors.
         EXPECT_LE(largest_difference(force, in_kN_mm), 1e-9 * peak_of(in_kN_mm));
       }
     }
@@ -78,7 +78,7 @@ TEST(Scripts, bouc_wen_in_smaller_steps_is_the_law) {
         << procedure;
 }
 
-// The bounds scale the part that grows with displacement and the hysteretic part separately.
+// The bounds scale two parts of the force separately: the part that grows with displacement and the hysteretic part.
 TEST(Scripts, bounds_scale_stiffness_and_strength) {
   for (auto const& c : exact_cases()) {
     if (c.tolerance > 0.01 || c.parameters == vaiana_parameters(800.0, 12.0)) continue;
@@ -138,7 +138,7 @@ TEST(Replays, find_a_wrong_order_of_arguments) {
   }
 }
 
-// Two arguments that are wrong by the same factor, as by a wrong unit, are found as well.
+// Two arguments that are too large by the same factor, as with a wrong unit, must be found too.
 TEST(Replays, find_a_wrong_normalisation) {
   auto const subject = subject_of("bouc-wen", bouc_wen_parameters);
   auto form = map_law(*subject.law, subject.parameters).forms[0];
@@ -148,10 +148,10 @@ TEST(Replays, find_a_wrong_normalisation) {
   EXPECT_NE(failure_of(form, subject, realised), "");
 }
 
-// The algebraic material works for a travel up to 35 / alpha. Beyond that, Bouc-Wen with exponent 1 replaces it. A law
-// with hardening has no such replacement and is fitted again.
+// The algebraic material fails for a travel beyond 35 / alpha. Bouc-Wen with exponent 1 then replaces it. A law with
+// hardening has no equal replacement, so a Bouc-Wen law is fitted to it.
 TEST(Replays, refuse_the_material_that_turns_into_no_number) {
-  auto const fast = subject_of("vaiana", vaiana_parameters(0.0, 0.0, 150.0));  // alpha times travel: 45
+  auto const fast = subject_of("vaiana", vaiana_parameters(0.0, 0.0, 150.0));  // alpha times travel is 45
   auto const realisation = realise(fast);
   ASSERT_FALSE(realisation.refused.empty());
   EXPECT_NE(realisation.refused[0].find("HystereticAsym"), std::string::npos);
@@ -159,7 +159,7 @@ TEST(Replays, refuse_the_material_that_turns_into_no_number) {
   EXPECT_EQ(realisation.fidelity, Fidelity::exact_in_limit);
   EXPECT_EQ(realisation.forms[0].nominal.id, "material_bouc_wen");
 
-  // The material works for the travel of the test, but not for 1.5 times that travel.
+  // The material would fail at 1.5 times the travel of the test, though not at the travel itself.
   auto const beyond = realise(subject_of("vaiana", vaiana_parameters(0.0, 0.0, 90.0)));
   ASSERT_FALSE(beyond.refused.empty());
   EXPECT_NE(beyond.refused[0].find("1.5 times as far"), std::string::npos) << beyond.refused[0];
@@ -171,7 +171,7 @@ TEST(Replays, refuse_the_material_that_turns_into_no_number) {
 
 TEST(Refits, say_their_error_and_are_the_same_again) {
   auto parameters = vaiana_parameters();
-  parameters[1] *= 1.05;  // unloading now differs from loading
+  parameters[1] *= 1.05;  // unloading differs from loading
   auto const subject = subject_of("vaiana", parameters);
   auto const realisation = realise(subject), again = realise(subject);
   ASSERT_EQ(realisation.fidelity, Fidelity::refitted);
@@ -180,14 +180,14 @@ TEST(Refits, say_their_error_and_are_the_same_again) {
   auto const& error = realisation.forms[0].from_law;
   EXPECT_GT(error.rms, 0.1);
   EXPECT_LT(error.rms, 5.0);
-  // The stated error must be the error of the written script.
+  // The stated error of the fit must be the error of the written script.
   auto const script = opensees_script(subject, realisation, unit_systems[2]);
   auto const force = of_script(script, "material", "nominal", unit_systems[2], subject.histories[0]);
   EXPECT_NEAR(100.0 * largest_difference(force, subject.histories[0].law_kN) / peak_of(subject.histories[0].law_kN),
               error.largest, 1e-6);
 }
 
-// One row of numbers for each line below the head; comment lines are left out.
+// The numbers of each line below the head. Comment lines are left out.
 std::vector<std::vector<double>> rows_of(std::string const& csv, std::string& head) {
   std::vector<std::vector<double>> rows;
   std::istringstream lines(csv);
@@ -204,7 +204,7 @@ std::vector<std::vector<double>> rows_of(std::string const& csv, std::string& he
   return rows;
 }
 
-// In a second cycle of amplitude D a bilinear law has K_eff = K2 + Qd / D, Qd = (K1 - K2) xy.
+// In its second cycle of amplitude D a bilinear law has K_eff = K2 + Qd / D with Qd = (K1 - K2) xy.
 TEST(Tables, hold_the_protocol_and_the_force_in_every_unit_system) {
   auto const subject = subject_of("bilinear", bilinear_parameters);
   for (auto const& units : unit_systems) {
@@ -241,7 +241,8 @@ TEST(Tables, say_in_their_head_what_they_hold) {
             std::string::npos);
 }
 
-// The path from zero to the first sample and the turning points are computed too, but they do not count as samples.
+// The program also computes the path from zero to the first sample and the turning points between samples. These points
+// do not count in the root mean square.
 TEST(Refits, root_mean_square_counts_each_sample_once) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   History const history{.device = "D",
@@ -254,7 +255,7 @@ TEST(Refits, root_mean_square_counts_each_sample_once) {
   double const rms_kN = std::sqrt((4.0 + 1.0 + 0.0) / 3.0);
   EXPECT_NEAR(deviation(history, force, history.law_kN).rms, 100.0 * rms_kN / 12.0, 1e-12);
   EXPECT_NEAR(deviation(history, force, history.measured_kN).rms, 100.0 * rms_kN / 10.0, 1e-12);
-  // The largest deviation covers every point that the program computes.
+  // The largest deviation is taken over all points that the program computes.
   EXPECT_NEAR(deviation(history, force, history.law_kN).largest, 100.0 * 3.0 / 12.0, 1e-12);
 }
 

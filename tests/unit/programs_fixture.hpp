@@ -1,4 +1,5 @@
-// Laws to export without a campaign: a history of sine cycles of growing amplitude, and a subject made from it.
+// Laws to export without a campaign: a history of sine cycles of growing amplitude, and the subject of an export made
+// from it.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace isolaw::programs_test {
 
 using namespace isolaw::programs;
 
-// One cycle at each amplitude [mm] with `samples` steps, from rest at zero.
+// One cycle of `samples` steps at each amplitude, from rest at zero.
 inline History cycles(std::vector<double> const& amplitudes_mm, int samples, double frequency_Hz = 0.5) {
   History history;
   history.device = "D";
@@ -58,7 +59,7 @@ inline Subject subject_of(std::string_view law, std::vector<double> parameters, 
 inline std::vector<double> const bilinear_parameters{2.5, 0.4, 18.0};
 inline std::vector<double> const menegotto_pinto_parameters{2.5, 40.0, 0.15, 4.0, 0.925, 0.15};
 inline std::vector<double> const bouc_wen_parameters{0.2, 2.0, 1.3, 0.045, 1.2, 0.02};
-// Kb f0 alpha beta1 beta2, each for loading and unloading, without sigmoid terms; in N and m.
+// Kb, f0, alpha, beta1 and beta2, each for loading and unloading, in N and m. The sigmoid terms are zero.
 inline std::vector<double> vaiana_parameters(double beta1 = 0.0, double beta2 = 0.0, double alpha = 60.0) {
   return {6e5, 6e5, 25e3, 25e3, alpha, alpha, beta1, beta1, beta2, beta2, 0, 0, 0, 0, 0, 0};
 }
@@ -75,14 +76,14 @@ inline double peak_of(std::vector<double> const& force) {
   return peak;
 }
 
-// The commands of one variant of a procedure, as a reader of the Tcl text finds them.
+// The commands of one variant of a procedure, parsed from the text of a Tcl script.
 inline std::vector<Command> commands_in(std::string const& script, std::string const& procedure,
                                         std::string const& variant) {
   std::vector<Command> commands;
   std::istringstream lines(script);
   std::string line, in_procedure, in_variant;
   while (std::getline(lines, line)) {
-    // An expression like [expr {$tag + 1}] counts as the single word $tag.
+    // An expression such as [expr {$tag + 1}] is read as the single word $tag.
     for (std::size_t at = 0; (at = line.find("[expr {$tag + ")) != std::string::npos;)
       line.replace(at, line.find(']', at) + 1 - at, "$tag");
     std::istringstream stream(line);

@@ -1,4 +1,4 @@
-// A fresh folder in which exported files are run as their readers run them.
+// A fresh folder in which a test runs exported files as a user would.
 #pragma once
 
 #include <fmt/format.h>
@@ -37,7 +37,7 @@ class Folder : public testing::Test {
     text << std::ifstream(folder_ / name, std::ios::binary).rdbuf();
     return text.str();
   }
-  // Returns the exit code; the output is in the file "printed".
+  // Returns the exit code of the command and writes its output to the file "printed".
   int run(std::string const& command) const {
     auto const whole = fmt::format("cd '{}' && {} > printed 2>&1", folder_.string(), command);
     int const status = std::system(whole.c_str());

@@ -1,4 +1,4 @@
-// A folder in which scripts run in the real OpenSees.
+// A folder in which exported scripts run in the real OpenSees.
 #pragma once
 
 #include "opensees.hpp"

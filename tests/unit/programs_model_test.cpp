@@ -1,4 +1,4 @@
-// Layouts and models without the program that runs them: what is read, refused and written.
+// Layouts of isolators and models of buildings, tested without OpenSees: what is read, refused and written.
 #include <gtest/gtest.h>
 
 #include "contains.hpp"
@@ -66,15 +66,15 @@ Subject with_model(std::string_view law, std::vector<double> const& parameters, 
   return subject;
 }
 
-// The numbers of one building in three unit systems: forces in N are those in kN times a thousand, and so on.
+// The numbers of one building in three systems of units must differ by the factors of the units.
 TEST(ModelNumbers, follow_the_units_of_the_file) {
   auto const subject = with_model("bilinear", bilinear_parameters, four(900.0));
   auto const realisation = realise(subject);
   auto const first = model_numbers(subject, realisation, unit_systems[0]);
   auto const N_m = model_numbers(subject, realisation, unit_systems[1]);
   EXPECT_NEAR(first.mass, 4.0 * carried_kN / 9806.65, 1e-12);
-  EXPECT_NEAR(N_m.mass, 1e6 * first.mass, 1e-6);                  // kg, from kN s2/mm
-  EXPECT_NEAR(N_m.inertia, first.inertia, 1e-9 * first.inertia);  // kN mm is N m
+  EXPECT_NEAR(N_m.mass, 1e6 * first.mass, 1e-6);                  // the factor from kN s2/mm to kg
+  EXPECT_NEAR(N_m.inertia, first.inertia, 1e-9 * first.inertia);  // kN mm is the same unit as N m
   EXPECT_NEAR(N_m.inertia, N_m.mass * 2.1 * 2.1, 1e-6);
   EXPECT_NEAR(N_m.bearings[3].x, 6.0, 1e-12);
   EXPECT_NEAR(N_m.bearings[3].K_v, 500e6, 1.0);
@@ -91,7 +91,7 @@ TEST(ModelNumbers, follow_the_units_of_the_file) {
   EXPECT_NEAR(mass, first.mass, 1e-12);
 }
 
-// A form that is exact only as the step goes to zero gets steps as fine as its own error requires.
+// A form that is exact only for ever smaller steps must get steps as small as the law's own error requires.
 TEST(ModelNumbers, take_the_step_that_the_law_needs) {
   auto model = four(450.0);
   model.motions = {shaking(450.0, 0.1)};
@@ -117,7 +117,7 @@ TEST(ModelText, says_what_is_in_the_model_and_what_is_not) {
           "# Warning: the isolators carry 588.4 kN and were tested under 2000"})
       EXPECT_TRUE(contains(text, words)) << name << ": " << words;
   }
-  // Without a model there is nothing to write.
+  // A subject without a model cannot be exported as one.
   subject.model.reset();
   EXPECT_THROW(write_export(subject, find_target("opensees-model"), unit_systems[0], true), Error);
 }
@@ -132,7 +132,7 @@ TEST(ModelText, one_isolator_is_held_against_turning) {
   EXPECT_TRUE(contains(text, "# Turning in plan: held"));
 }
 
-// Every isolator of every draw has a material of its own, which the file checks like the others.
+// Every isolator of a draw gets a material of its own, which the exported file checks like the other materials.
 TEST(ModelDraws, become_variants_that_the_file_checks) {
   auto model = four(900.0);
   auto stiffer = bilinear_parameters;
@@ -177,7 +177,7 @@ TEST(ModelDraws, one_that_the_program_cannot_give_is_named) {
   }
 }
 
-// A form that replaces a law also replaces it in its draws, and is fitted to each of them.
+// If another form replaces a law, that form is fitted to the parameters of each isolator of a draw separately.
 TEST(ModelDraws, of_a_law_that_has_a_stand_in_are_fitted_one_by_one) {
   auto uneven = vaiana_parameters();
   uneven[1] *= 1.1;

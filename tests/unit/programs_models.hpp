@@ -1,4 +1,4 @@
-// Buildings on isolators of one law, without a campaign.
+// Models of buildings on isolators of one law, without a campaign.
 #pragma once
 
 #include "isolaw/programs/model.hpp"
@@ -7,7 +7,7 @@
 
 namespace isolaw::programs_test {
 
-// A ground motion of four cycles near the period of the building; tests use it along x, and some along y too.
+// A ground motion of four cycles near the period of the building.
 inline data::GroundMotion shaking(double amplitude_mm_s2, double step_s = 0.01, double duration_s = 4.5) {
   data::GroundMotion motion{.file = "made here", .step_s = step_s, .acceleration_mm_s2 = {}, .recognised = "made here"};
   for (int i = 0; i * step_s <= duration_s; ++i)
@@ -15,9 +15,9 @@ inline data::GroundMotion shaking(double amplitude_mm_s2, double step_s = 0.01, 
   return motion;
 }
 
-inline constexpr double carried_kN = 588.4;  // carried by one isolator: a period near two seconds
+inline constexpr double carried_kN = 588.4;  // load on one isolator, which gives a period near two seconds
 
-// Isolators in the corners of a rectangle; the two at the larger y carry `heavier` more.
+// Isolators at the corners of a rectangle. The two isolators at the larger y carry more by the share `heavier`.
 inline Model four(double amplitude_mm_s2, double heavier = 0.0) {
   Model model;
   model.layout = "made here";

@@ -1,5 +1,5 @@
-// Exported buildings in the real program, compared with our own integration of one mass on one isolator, with what
-// symmetry demands, and between Tcl and Python.
+// Exported buildings in the real OpenSees. Results are compared with our own integration of one mass on one isolator,
+// with what symmetry demands, and between Tcl and Python.
 #include <fmt/format.h>
 
 #include <functional>
@@ -12,7 +12,7 @@
 namespace isolaw::programs_test {
 namespace {
 
-// The columns of a file of results, by the names in its header without the units.
+// The columns of a file of results by the names in its header, without the units.
 using Table = std::map<std::string, std::vector<double>>;
 
 Table table_of(std::string const& csv) {
@@ -35,9 +35,9 @@ std::vector<double> sum(std::vector<double> a, std::vector<double> const& b) {
   return a;
 }
 
-// Newmark's rule (average acceleration) on one mass, from rest. The displacement of each step is where mass (4 (x1 -
-// x0)/dt2 - 4 v0/dt - a0) + force equals -mass ground. Bisection finds it, so the result is independent of OpenSees'
-// iteration. `force` takes the whole path.
+// Newmark's rule (average acceleration) for one mass, from rest. Each new displacement x1 solves mass (4 (x1 - x0)/dt2
+// - 4 v0/dt - a0) + force = -mass ground. It is found by bisection, so the result does not depend on the iteration in
+// OpenSees. `force` is called with the whole path.
 std::vector<double> response(double mass, std::vector<double> const& ground, double dt,
                              std::function<double(std::vector<double> const&)> const& force) {
   std::vector<double> path{0.0};
@@ -50,7 +50,7 @@ std::vector<double> response(double mass, std::vector<double> const& ground, dou
       path.back() = x;
       return mass * (acceleration(x) + ground[i]) + force(path);
     };
-    // No isolator of these tests moves further than 20 mm in one step.
+    // No isolator in these tests moves by more than 20 mm in one step.
     double low = x0 - 20.0, high = x0 + 20.0, at_low = residual(low), at_high = residual(high);
     for (int k = 0; k < 60 && high - low > 1e-11; ++k) {
       double const weight = std::clamp(at_low / (at_low - at_high), 0.01, 0.99);
@@ -66,7 +66,7 @@ std::vector<double> response(double mass, std::vector<double> const& ground, dou
   return path;
 }
 
-// The ground motion at the steps of the analysis, `pieces` to a sample.
+// The ground motion at the steps of the analysis, with `pieces` steps between two samples.
 std::vector<double> in_pieces(std::vector<double> const& values, int pieces) {
   std::vector<double> steps{values.front()};
   for (std::size_t i = 1; i < values.size(); ++i)
@@ -79,18 +79,19 @@ struct Building {
   std::vector<double> parameters;
   double acceleration_mm_s2;
   bool coupled;
-  double from_law;  // allowed difference from the law itself at these steps, as a share of the largest displacement
+  double from_law;  // allowed difference from the exact law, as a share of the largest displacement
 };
 std::vector<Building> const buildings{
     {"corner", "bilinear", bilinear_parameters, 800.0, true, 1e-6},
     {"smooth", "bouc-wen", bouc_wen_parameters, 450.0, true, 0.02},
-    {"curves", "vaiana", vaiana_parameters(), 450.0, true, 0.02},  // its bearing follows Bouc-Wen
+    // The exported bearing follows Bouc-Wen instead of the law.
+    {"curves", "vaiana", vaiana_parameters(), 450.0, true, 0.02},
     {"hardening curves", "vaiana", vaiana_parameters(800.0, 12.0), 450.0, false, 1e-6},
     {"softening curves", "vaiana", vaiana_parameters(-800.0, 12.0), 450.0, false, 1e-6}};
 
 class ModelInOpenSees : public OpenSees {
  protected:
-  // Writes and runs the model in Tcl; the results lie in `folder`.
+  // Writes the model in Tcl and runs it. The results are in `folder`.
   Realisation shaken(Building const& b, Model model, std::string const& folder,
                      UnitSystem const& units = unit_systems[0], std::string const& cases = "") {
     auto subject = subject_of(b.law, b.parameters);
@@ -110,7 +111,8 @@ class ModelInOpenSees : public OpenSees {
   }
 };
 
-// Four equal isolators in the corners act as one mass on one of them: the slab neither turns nor moves along y.
+// The slab on four equal isolators neither turns nor moves along y, so it moves as a quarter of its mass on one
+// isolator.
 TEST_F(ModelInOpenSees, a_symmetric_building_moves_as_one_mass_on_one_isolator) {
   for (auto const& b : buildings) {
     auto const model = four(b.acceleration_mm_s2);
@@ -136,7 +138,7 @@ TEST_F(ModelInOpenSees, a_symmetric_building_moves_as_one_mass_on_one_isolator) 
     double const peak = peak_of(of_form);
     EXPECT_GT(peak, 30.0) << b.name;
     EXPECT_LT(peak, 225.0) << b.name;
-    // Errors add up over 900 steps: Newton's rule stops at 1e-8 mm in a step, and forms that iterate for z stop at 1e-9
+    // Errors add up over 900 steps. Newton's rule stops at 1e-8 mm in a step, and forms that iterate for z stop at 1e-9
     // of z.
     EXPECT_LT(largest_difference(found.at("ux"), of_form), 1e-6 * peak) << b.name;
     auto const of_law = at_samples(response(mass, ground, dt, [&](auto const& path) {
@@ -151,7 +153,7 @@ TEST_F(ModelInOpenSees, a_symmetric_building_moves_as_one_mass_on_one_isolator) 
     EXPECT_LT(largest_difference(found.at("ux"), of_law), b.from_law * peak) << b.name;
     EXPECT_LT(peak_of(found.at("turning")), 1e-12) << b.name;
     EXPECT_LT(peak_of(found.at("uy")), 1e-9 * peak) << b.name;
-    // Each isolator has a quarter of the shear.
+    // By symmetry each isolator takes a quarter of the shear.
     auto const each = isolators("out");
     std::vector<double> shear(found.at("Vx").size());
     for (auto const* name : {"A", "B", "C", "D"}) {
@@ -162,7 +164,7 @@ TEST_F(ModelInOpenSees, a_symmetric_building_moves_as_one_mass_on_one_isolator) 
       EXPECT_LT(largest_difference(four_times, found.at("Vx")), 1e-8 * peak_of(shear)) << b.name;
     }
     EXPECT_LT(largest_difference(shear, found.at("Vx")), 1e-8 * peak_of(shear)) << b.name;
-    // The same with one isolator alone, under a quarter of the mass.
+    // One isolator under a quarter of the mass must give the same motion.
     auto alone = model;
     alone.bearings.resize(1);
     alone.weight_kN = carried_kN;
@@ -177,7 +179,8 @@ TEST_F(ModelInOpenSees, an_eccentric_building_turns) {
   shaken(b, four(b.acceleration_mm_s2, 0.3), "out", unit_systems[0], "nominal");
   auto const found = slab("out");
   EXPECT_GT(peak_of(found.at("turning")), 1e-4);
-  // The heavier side, at y = 4 m, lags: it moves further than the other side by the turning times their distance.
+  // The side at y = 4 m is heavier and lags. The sides differ in displacement by the rotation times the distance
+  // between them.
   auto const each = isolators("out");
   for (std::size_t i = 0; i < found.at("turning").size(); ++i)
     EXPECT_NEAR(each.at("A ux")[i] - each.at("C ux")[i], 4000.0 * found.at("turning")[i], 1e-6);
@@ -185,8 +188,8 @@ TEST_F(ModelInOpenSees, an_eccentric_building_turns) {
   EXPECT_TRUE(contains(peaks, fmt::format("nominal,C,"))) << peaks;
 }
 
-// Springs at right angles do not interact: each direction moves as if it were alone. A coupled bearing is weaker along
-// x when it moves along y too.
+// Springs at right angles do not interact, so motion along y does not change the motion along x. A coupled bearing is
+// weaker along x while it moves along y.
 TEST_F(ModelInOpenSees, two_components_meet_in_coupled_bearings_alone) {
   for (auto const& b : {buildings[3], buildings[0]}) {
     auto model = four(b.acceleration_mm_s2);
@@ -197,14 +200,14 @@ TEST_F(ModelInOpenSees, two_components_meet_in_coupled_bearings_alone) {
     EXPECT_GT(peak_of(slab("xy").at("uy")), 10.0) << b.name;
     EXPECT_EQ(largest_difference(x, xy) > 0.05 * peak_of(x), b.coupled) << b.name;
     EXPECT_EQ(largest_difference(x, xy) > 1e-7 * peak_of(x), b.coupled) << b.name;
-    // Turned by 90 degrees, the second spring points against x. It hardens to one side, so the sign of the ground
-    // motion is reversed too.
+    // With bearings turned by 90 degrees, the second spring acts along x in the opposite direction. This spring hardens
+    // to one side, so the test reverses the ground motion as well.
     for (auto& bearing : model.bearings) bearing.angle_deg = 90.0;
     for (double& a : model.motions[0].acceleration_mm_s2) a = -a;
     auto const realisation = shaken(b, model, "turned", unit_systems[0], "nominal");
     auto turned = slab("turned").at("ux");
     for (double& value : turned) value = -value;
-    // The coupled bearing is the same in all directions, so it agrees as well.
+    // The turned bearings must give the same motion; a coupled bearing has no preferred direction.
     EXPECT_EQ(largest_difference(turned, xy) > 1e-6 * peak_of(x), false) << b.name;
     auto subject = subject_of(b.law, b.parameters);
     subject.model = model;
@@ -228,7 +231,7 @@ TEST_F(ModelInOpenSees, bounds_are_three_analyses_from_soft_to_stiff) {
   }
 }
 
-// Both languages run the same program, in any units.
+// The Tcl and the Python model must give the same results, in any system of units.
 TEST_F(ModelInOpenSees, python_does_what_tcl_does_in_any_units) {
   for (auto const& b : {buildings[1], buildings[3]}) {
     auto model = four(b.acceleration_mm_s2, 0.2);
@@ -239,7 +242,7 @@ TEST_F(ModelInOpenSees, python_does_what_tcl_does_in_any_units) {
     write("model.py", openseespy_model(subject, realisation, unit_systems[0]));
     EXPECT_EQ(run_python("model.py run python"), 0) << read("printed");
     EXPECT_EQ(read("tcl/peaks.csv"), read("python/peaks.csv"));
-    // Tcl is given values of the program with twenty decimals.
+    // OpenSees passes values to Tcl with twenty decimals, so the two results agree closely but not exactly.
     for (auto const* file : {"lower/slab.csv", "nominal/bearings.csv"}) {
       auto const one = table_of(read(fs::path("tcl") / file)), other = table_of(read(fs::path("python") / file));
       EXPECT_EQ(one.size(), other.size()) << file;
@@ -255,13 +258,13 @@ TEST_F(ModelInOpenSees, python_does_what_tcl_does_in_any_units) {
     for (double& x : metres) x *= 1e3;
     EXPECT_LT(largest_difference(metres, mm), 1e-5 * peak_of(mm)) << b.name;
     EXPECT_FALSE(fs::exists(folder_ / "metres/lower"));
-    // The file still checks its materials.
+    // The files still check their materials.
     EXPECT_EQ(run_python("model.py"), 0) << read("printed");
     EXPECT_EQ(run_tcl("model.tcl check"), 0) << read("printed");
   }
 }
 
-// A draw whose isolators are all nominal gives the nominal answer; a stiffer one does not.
+// A draw with nominal isolators must give the nominal result. A draw with one stiffer isolator makes the slab turn.
 TEST_F(ModelInOpenSees, draws_are_analyses_of_their_own) {
   auto const& b = buildings[0];
   auto model = four(b.acceleration_mm_s2);
@@ -277,7 +280,7 @@ TEST_F(ModelInOpenSees, draws_are_analyses_of_their_own) {
   EXPECT_TRUE(contains(read("printed"), "\nlargest ")) << read("printed");
 }
 
-// OpenSees itself exits with 0 after an error in a script.
+// OpenSees itself exits with 0 after an error in a script; the exported script must exit with 1.
 TEST_F(ModelInOpenSees, what_fails_ends_with_another_exit_code) {
   auto subject = subject_of("bilinear", bilinear_parameters);
   subject.model = four(900.0);
@@ -289,13 +292,13 @@ TEST_F(ModelInOpenSees, what_fails_ends_with_another_exit_code) {
   write("model.py", openseespy_model(subject, realisation, unit_systems[0]));
   EXPECT_EQ(run_python("model.py run out nonsense"), 1) << read("printed");
   EXPECT_TRUE(contains(read("printed"), "no case nonsense")) << read("printed");
-  // OpenSees does not know this bearing.
+  // Replace the bearing by a type that OpenSees does not know.
   auto broken = script;
   constexpr std::string_view name = "element elastomericBearingPlasticity $tag";
   broken.replace(broken.find(name), name.size(), "element elastomericBearingNone $tag");
   write("model.tcl", broken);
   EXPECT_EQ(run_tcl("model.tcl run out nominal"), 1) << read("printed");
-  // This analysis cannot converge; the next displacement is no number.
+  // Make the tolerance negative, so that the analysis cannot converge.
   broken = script;
   constexpr std::string_view tolerance = "variable tolerance ";
   broken.insert(broken.find(tolerance) + tolerance.size(), "-");
@@ -304,7 +307,7 @@ TEST_F(ModelInOpenSees, what_fails_ends_with_another_exit_code) {
   EXPECT_TRUE(contains(read("printed"), "no equilibrium")) << read("printed");
 }
 
-// The table says when a displacement exceeds the tested one.
+// The script must print a warning if a displacement exceeds the tested one.
 TEST_F(ModelInOpenSees, displacements_beyond_the_tests_are_said) {
   auto subject = subject_of("bilinear", bilinear_parameters);
   subject.model = four(900.0);

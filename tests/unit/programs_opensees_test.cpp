@@ -1,5 +1,5 @@
-// Exported scripts in the real OpenSees, in Tcl and Python: their own checks, and analyses in time whose forces are
-// compared with the replay along the displacements reached.
+// Exported scripts in the real OpenSees, in Tcl and Python. The tests run the scripts' own checks. They also run
+// time-history analyses and compare the forces with those computed along the resulting displacements.
 #include <fmt/format.h>
 
 #include "isolaw/base/words.hpp"
@@ -11,7 +11,8 @@ namespace {
 struct Exported {
   std::string name, law;
   std::vector<double> parameters;
-  double acceleration_mm_s2 = 450.0;  // of the ground; it moves the mass as far as the tests did
+  // Peak acceleration of the ground, which moves the mass about as far as the tests did.
+  double acceleration_mm_s2 = 450.0;
 };
 std::vector<Exported> const exported{{"corner", "bilinear", bilinear_parameters, 900.0},
                                      {"branches", "menegotto-pinto", menegotto_pinto_parameters, 300.0},
@@ -41,7 +42,7 @@ TEST_F(OpenSees, scripts_check_themselves) {
     }
 }
 
-// A check that cannot fail shows nothing. The test makes one force wrong, and makes OpenSees refuse a command.
+// The check in a script must be able to fail. The test makes one force wrong and lets OpenSees refuse a command.
 TEST_F(OpenSees, a_wrong_script_ends_with_another_exit_code) {
   auto const subject = subject_of("vaiana", vaiana_parameters());
   auto const script = opensees_script(subject, realise(subject), unit_systems[0]);
@@ -58,7 +59,7 @@ TEST_F(OpenSees, a_wrong_script_ends_with_another_exit_code) {
   EXPECT_EQ(run_tcl("bearing.tcl check"), 1) << read("printed");
 }
 
-// isolaw refuses the arguments that OpenSees is known to refuse, and OpenSees accepts those that isolaw accepts.
+// isolaw must refuse the arguments that OpenSees refuses, and OpenSees must accept those that isolaw accepts.
 TEST_F(OpenSees, arguments_are_refused_where_the_program_refuses_them) {
   for (auto const& [a, taken] : {std::pair(std::vector<double>{2, 1, 3, 0, 0, 0}, true),
                                  {{-2, -3, 3, 0, 0, 0}, false},
@@ -80,15 +81,16 @@ TEST_F(OpenSees, arguments_are_refused_where_the_program_refuses_them) {
   }
 }
 
-// The displacement of a mass on the bearing and the force of the element, at every step of Newmark's rule.
+// The displacement of a mass on the bearing and the force of the bearing at each step of Newmark's rule.
 struct Response {
   std::vector<double> disp, force;
 };
 
 class InTime : public OpenSees {
  protected:
-  // Units are kN and mm. The mass has a period of two seconds on the stiffness after yielding, and four cycles near
-  // that period excite it. `element` makes element 1 between nodes 1 and 2, in `dimensions`.
+  // Four cycles of ground motion shake a mass on the bearing, near its period of two seconds with the stiffness after
+  // yielding. Units are kN and mm. `element` is the command that puts element 1 between nodes 1 and 2 of a model of 2
+  // or 3 `dimensions`.
   Response shaken(Subject const& subject, Realisation const& realisation, std::string const& element, int dimensions,
                   double step_s, double acceleration) const {
     write("bearing.tcl", opensees_script(subject, realisation, unit_systems[0]));
@@ -142,11 +144,12 @@ TEST_F(InTime, elements_give_the_force_of_the_replay) {
           auto const found = shaken(subject, realisation, element, dimensions, step_s, c.acceleration_mm_s2);
           auto const said = fmt::format("{}, {} in {} dimensions, {} s", c.name, id, dimensions, step_s);
           ASSERT_EQ(found.disp.size(), static_cast<std::size_t>(std::ceil(8.0 / step_s - 1e-9)) - 1) << said;
-          // An analysis that hardly moves shows nothing, and an analysis far beyond the tests shows something else.
+          // The mass must move far enough to test the material, but not far beyond the tests.
           EXPECT_GT(peak_of(found.disp), 30.0) << said;
           EXPECT_LT(peak_of(found.disp), 225.0) << said;
           auto const expected = replay(in_units(form.nominal, unit_systems[0]), found.disp);
-          // Newton's rule stops at 1e-10 mm, and forms that iterate for z at their own tolerance, step after step.
+          // Errors add up over the steps: Newton's rule stops at 1e-10 mm, and forms that iterate for z stop at a
+          // tolerance of their own.
           double const tolerance = form.nominal.exactness == Exactness::every_step ? 1e-8 : 1e-5;
           EXPECT_LT(largest_difference(found.force, expected), tolerance * peak_of(expected)) << said;
         }
@@ -154,7 +157,7 @@ TEST_F(InTime, elements_give_the_force_of_the_replay) {
   }
 }
 
-// Up to the travel that a form claims, its force must be a number in OpenSees too.
+// Up to the longest travel that isolaw states for a form, OpenSees must give finite forces.
 TEST_F(OpenSees, travel_that_is_claimed_is_stood) {
   for (double const beta1 : {0.0, 50.0, 800.0, 6000.0, -50.0, -800.0})
     for (double const alpha : {40.0, 60.0, 140.0}) {
@@ -171,7 +174,7 @@ TEST_F(OpenSees, travel_that_is_claimed_is_stood) {
         for (auto const inner : tags[i].inner) script += fmt::format(" {}", inner + 1);
         script += argument_values(commands[i], " ") + "\n";
       }
-      // Cut the same travel into steps in three ways, from rest and from one side to the other.
+      // The same travel in steps of three sizes, from rest and from one side to the other.
       script += fmt::format(
           "uniaxialTest 1\nproc go {{from to steps}} {{\n  for {{set i 1}} {{$i <= $steps}} {{incr i}} {{\n"
           "    strainUniaxialTest [expr {{$from + ($to - $from) * double($i) / $steps}}]\n    set f [stressUniaxialTest]\n"
@@ -181,7 +184,7 @@ TEST_F(OpenSees, travel_that_is_claimed_is_stood) {
           *form.longest_travel_mm, 0.5 * *form.longest_swing_mm);
       write("travel.tcl", script);
       EXPECT_EQ(run_tcl("travel.tcl"), 0) << beta1 << " " << alpha << " " << *form.longest_travel_mm << read("printed");
-      // The claimed travel must not be much shorter than the travel at which OpenSees fails.
+      // The stated travel must not be much shorter than the travel at which OpenSees fails.
       EXPECT_GT(*form.longest_travel_mm * 1e-3 * alpha, 20.0) << beta1;
       EXPECT_GE(*form.longest_swing_mm, *form.longest_travel_mm) << beta1;
     }

@@ -1,5 +1,5 @@
-// Exported files are run as their readers run them: the C++ headers are compiled, the Python and Tcl scripts are
-// interpreted with materials that the test writes from the formulas.
+// Runs exported files as users do: C++ headers are compiled, and Python and Tcl scripts are interpreted, with materials
+// that the test writes from the formulas.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -12,10 +12,10 @@ namespace {
 
 constexpr double shares[] = {0.1, 0.35, 0.6};
 
-// For every law, the header's forces are compared with the library's, its tangents with differences of its own forces.
+// For every law, the header's forces must equal the library's, and its tangents the differences of its own forces.
 TEST_F(Folder, headers_are_the_laws) {
   UnitSystem const& units = unit_systems[1];
-  // Samples at exactly 0 belong to the side from which the motion comes.
+  // Set samples near zero to exactly zero. Laws assign zero to the side from which the motion comes.
   auto history = cycles({40.0, 150.0, 90.0}, 120);
   for (double& x : history.disp_mm) x = std::abs(x) < 1e-9 ? 0.0 : x;
   std::string includes = "#include <cstdio>\n#include <initializer_list>\n", body;
@@ -46,7 +46,8 @@ TEST_F(Folder, headers_are_the_laws) {
       masing.push_back(law.info.traits.masing);
     }
   }
-  // At each point, trials to both sides come first and must leave no trace. Then the point itself is computed twice.
+  // At each point the program first tries displacements and velocities on both sides, which must change no state. Then
+  // it computes the point twice.
   std::string motion;
   for (std::size_t i = 0; i < history.disp_mm.size(); ++i)
     motion += fmt::format("  {{{}, {}}},\n", history.disp_mm[i] / 1e3, history.vel_mm_s[i] / 1e3);
@@ -104,19 +105,20 @@ int main() {
                   back)
           << i;
       ASSERT_NEAR(force, 1.5e3 * expected[c][i], 1.5e3 * tolerances[c] * peak) << i;
-      // The tangent must lie between the slopes to both sides, which differ at a corner and where the motion turns.
+      // The tangent must lie between the slopes to both sides. These differ at a corner and where the motion turns.
       auto const between = [&](double slope, double a, double b, double scale) {
         return slope >= std::min(a, b) - scale && slope <= std::max(a, b) + scale;
       };
-      // In the virgin state |F2/Yt|^n of abe has no second derivative, so that a difference falls short of the slope.
+      // For abe, |F2/Yt|^n has no second derivative at the start, so a difference there misses the slope by more.
       double const share = i == 0 ? 0.03 : 1e-3;
-      // The slope of |x|^g is unbounded for a law that remembers its peaks, so the tangent that it states is cut off.
+      // For a law that remembers its peaks, |x|^g may have an infinite slope at the start. The law then states a
+      // limited tangent.
       bool const bounded = i == 0 && remembers[c] && tangent > 0.0 && tangent < std::min(ahead, behind);
       if (!bounded && !between(tangent, ahead, behind, 1e-4 * stiffness + share * std::abs(tangent)) &&
           ++off_tangents == 1)
         where += fmt::format("sample {}: {}, ahead {}, behind {}\n", i, tangent, ahead, behind);
-      // At rest there is no direction of travel, so a part of the slope belongs to neither side; that part is larger
-      // for laws that integrate or soften on the way.
+      // At rest there is no direction of travel, so part of the slope belongs to neither side. This part is larger for
+      // laws that integrate along the travel or soften.
       if (masing[c] && i > 0 && !between(at_rest, on, back, 1e-4 * stiffness + 0.1 * std::abs(at_rest)) &&
           ++off_at_rest == 1)
         where += fmt::format("at rest, sample {}: {}, ahead {}, behind {}\n", i, at_rest, on, back);
@@ -128,7 +130,8 @@ int main() {
     }
     EXPECT_EQ(off_tangents, 0U) << where;
     EXPECT_EQ(off_damping, 0U);
-    // The slope towards a side that is visited for the first time is unbounded.
+    // At some samples the slope towards a side that was not visited before is infinite. A tenth of the samples may
+    // therefore miss.
     EXPECT_LE(off_at_rest, expected[c].size() / 10) << where;
   }
   std::string rest;
@@ -149,7 +152,7 @@ TEST_F(Folder, headers_check_themselves) {
       EXPECT_NE(read("printed").find("PASS"), std::string::npos);
     }
   }
-  // The check must find a changed parameter.
+  // The header's own check must fail if a parameter is changed.
   auto text = cpp_header(subject_of("bilinear", bilinear_parameters), unit_systems[0]);
   auto const at = text.find("double K2 = 0.4;");
   ASSERT_NE(at, std::string::npos);
@@ -160,7 +163,7 @@ TEST_F(Folder, headers_check_themselves) {
   EXPECT_NE(read("printed").find("FAIL"), std::string::npos);
 }
 
-// OpenSees materials in Python, written from their formulas; BoucWen takes gamma before beta.
+// Stand-ins for materials of OpenSees in Python, written from the formulas. BoucWen takes gamma before beta.
 constexpr char const* python_stub = R"text(
 import math
 
@@ -323,7 +326,7 @@ node = fix = pattern = sp = constraints = numberer = system = algorithm = integr
 )text";
 
 TEST_F(Folder, python_scripts_check_themselves) {
-  // The test needs an interpreter that isolaw itself does not need; `./isolaw.sh test` installs it.
+  // isolaw itself does not need this interpreter; `./isolaw.sh test` installs it.
   if (!has("python3")) GTEST_SKIP() << "no python3 (isolaw.sh installs it): the script cannot be run";
   write("openseespy/__init__.py", "");
   write("openseespy/opensees.py", python_stub);
@@ -343,7 +346,7 @@ TEST_F(Folder, python_scripts_check_themselves) {
       EXPECT_NE(read("printed").find("PASS"), std::string::npos);
       EXPECT_EQ(read("printed").find("FAIL"), std::string::npos);
     }
-  // Users who build OpenSees themselves import the module by another name.
+  // Users who build OpenSees themselves have the module under the name `opensees`.
   fs::rename(folder_ / "openseespy/opensees.py", folder_ / "opensees.py");
   fs::remove_all(folder_ / "openseespy");
   EXPECT_EQ(run("python3 bearing.py"), 0) << read("printed");
@@ -353,7 +356,7 @@ TEST_F(Folder, python_scripts_check_themselves) {
   EXPECT_TRUE(read("printed").starts_with("element elastomericBearingPlasticity 7 1 2 ")) << read("printed");
   EXPECT_TRUE(read("printed").ends_with(" 0.0 2.0 -P 3 -Mz 4\n")) << read("printed");
   EXPECT_NE(run("python3 -c \"import bearing; bearing.material(7, 'uper')\""), 0);
-  // The check must find a program that reads beta before gamma.
+  // The script's check must fail in an OpenSees that reads beta before gamma.
   auto wrong = std::string(python_stub);
   auto const at = wrong.find("n, gamma, beta, Ao");
   ASSERT_NE(at, std::string::npos);
@@ -365,7 +368,7 @@ TEST_F(Folder, python_scripts_check_themselves) {
   EXPECT_NE(read("printed").find("FAIL"), std::string::npos);
 }
 
-// Steel01, HystereticAsym, Multiplier, Parallel and the bilinear bearing, written in Tcl.
+// Stand-ins for Steel01, HystereticAsym, Multiplier, Parallel and the bilinear bearing of OpenSees in Tcl.
 constexpr char const* tcl_stub = R"text(
 foreach ignored {wipe model node fix pattern constraints numberer system algorithm integrator analysis} {
   proc $ignored {args} {}
@@ -440,7 +443,7 @@ proc step {tag x} {
 )text";
 
 TEST_F(Folder, tcl_scripts_check_themselves) {
-  // The test needs an interpreter that isolaw itself does not need; `./isolaw.sh test` installs it.
+  // isolaw itself does not need this interpreter; `./isolaw.sh test` installs it.
   if (!has("tclsh")) GTEST_SKIP() << "no tclsh (isolaw.sh installs tcl): the script cannot be run";
   write("stub.tcl", tcl_stub);
   auto const check = [&](Subject const& subject, UnitSystem const& units, bool good) {
@@ -452,8 +455,8 @@ TEST_F(Folder, tcl_scripts_check_themselves) {
     ASSERT_EQ(run("tclsh run.tcl"), 0) << read("printed");
     EXPECT_NE(read("printed").find(good ? "PASS" : "FAIL"), std::string::npos) << read("printed");
     EXPECT_NE(read("printed").find(good ? "returned 1" : "returned 0"), std::string::npos) << read("printed");
-    // The script is run as by a program that passes its own arguments on. A script that sources the file has arguments
-    // of its own.
+    // Set argv and argv0 as if the script were run directly with the argument `check`. It then checks itself and sets
+    // the exit code.
     write("run.tcl", "source stub.tcl\nset argv check\nset argv0 bearing.tcl\nsource bearing.tcl\n");
     EXPECT_EQ(run("tclsh run.tcl"), good ? 0 : 1) << read("printed");
     EXPECT_NE(read("printed").find(good ? "PASS" : "FAIL"), std::string::npos) << read("printed");

@@ -1,5 +1,5 @@
-// The law itself in the interfaces of two programs: the OpenSees material with a stand-in for the program's headers
-// (and in OpenSees, where it is at hand), and the Abaqus element, called from Fortran.
+// The law itself as code for two programs. The OpenSees material is compiled with a stand-in for OpenSees' headers, and
+// with OpenSees where it is installed. The Abaqus element is called from Fortran.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -15,8 +15,8 @@ namespace {
 
 fs::path const stand_ins = ISOLAW_PROGRAMS_STAND_INS;
 
-// A slow motion that grows and dies away, quicker ones on top that also turn within a side, and tremor within the dead
-// band, so that everything a law remembers matters.
+// A slow motion that grows and fades, with faster motions on top that also turn on one side of zero, and with noise
+// within the dead band. It exercises everything that a law remembers.
 History path_of(Subject const& subject) {
   constexpr int points = 420;
   constexpr double step_s = 0.02;
@@ -51,13 +51,13 @@ struct OfLaw {
   std::string name() const { return identifier(subject); }
 };
 
-// Every law of the catalogue, with parameters that fill its memory.
+// Every law of the catalogue, with parameters for which its memory matters.
 std::vector<OfLaw> every_law() {
   std::vector<OfLaw> cases;
   for (auto const& law : laws::catalogue())
     for (double const share : {0.5, 0.35, 0.1}) {
       auto parameters = inside_box(law, share);
-      // Loops so wide that the law's exponential alone cannot reach them, so that the term with c acts.
+      // With this h0 the loops are wider than the law's exponential alone can make them, so the term with c acts.
       if (law.info.id == "kikuchi-aiken") parameters[law.index_of("h0")] = 0.4;
       OfLaw of{subject_of(law.info.id, parameters), {}, {}};
       of.subject.refinement = law.info.id == "abe" ? 2 : 1;
@@ -129,15 +129,15 @@ TEST_F(OpenSeesMaterial, is_every_law_through_trials_copies_and_messages) {
   EXPECT_FALSE(std::getline(printed, rest)) << rest;
 }
 
-// The material is compiled with OpenSees' own headers and, where OpenSees lies beside the checkout, run in it: a mass
-// on the bearing is shaken. The law's force along the resulting motion must equal the force of the element.
+// The material is compiled with OpenSees' own headers. Where OpenSees lies beside the checkout, a mass on the bearing
+// is shaken in it, and the element's force must equal the law's force along the resulting motion.
 TEST_F(OpenSeesMaterial, is_every_law_in_the_program_itself) {
   char const* const source = std::getenv("OPENSEES_SOURCE");
   if (source == nullptr)
     GTEST_SKIP() << "OPENSEES_SOURCE names no checkout of OpenSees: compiled against a stand-in for its headers alone";
   auto const all = every_law();
   write("all.cpp", includes(all));
-  // Compile as the file itself says.
+  // Compile with the options that the exported file states.
   auto const file = read(all.front().name() + ".cpp");
   auto const begin = file.find("-I$s "), end = file.find("this-file", begin);
   ASSERT_NE(begin, std::string::npos);
@@ -148,7 +148,7 @@ TEST_F(OpenSeesMaterial, is_every_law_in_the_program_itself) {
     return run(fmt::format("s='{}/SRC'; " ISOLAW_COMPILER " -std=c++17 -fPIC -shared {} '{}' -o {}", source, folders,
                            from, library));
   };
-  // One library holds all materials; each is found by a link with its own name.
+  // All materials are in one library. OpenSees finds each by a link with the name of the material.
   ASSERT_EQ(compiled("all.cpp", "all.so"), 0) << read("printed").substr(0, 3000);
 
   auto const program = fs::path(ISOLAW_DATA_DIR).parent_path() / "opensees/OpenSees";
@@ -158,8 +158,8 @@ TEST_F(OpenSeesMaterial, is_every_law_in_the_program_itself) {
   for (auto const& of : all) {
     SCOPED_TRACE(of.name());
     fs::create_symlink("all.so", folder_ / (of.name() + ".so"));
-    // The slope of a first motion may be unbounded, so that Newton's rule oscillates. Units are N and m, the period is
-    // two seconds on the secant to the tested amplitude, and the ground moves the mass about that far.
+    // The slope at the first motion may be infinite, which makes Newton's rule oscillate. Units are N and m. The period
+    // is two seconds with the secant stiffness at the tested amplitude, and the ground moves the mass about that far.
     double const secant = 1e6 * peak_of(of.force_kN) / 150.0, mass = secant / (std::numbers::pi * std::numbers::pi);
     write(
         "shaken.tcl",
@@ -193,7 +193,8 @@ TEST_F(OpenSeesMaterial, is_every_law_in_the_program_itself) {
     EXPECT_GT(peak_of(reached.disp_mm), 10.0);
     auto const expected = law_force(*of.subject.law, of.subject.parameters, reached);
     double const upper = of.subject.bounds.upper->overall, peak = upper * peak_of(expected);
-    // OpenSees prints rounded displacements, and their rounding may choose the side of a corner.
+    // OpenSees prints rounded displacements. At a corner, rounding may select the other branch of the law, so the
+    // tolerance is wider.
     for (std::size_t i = 0; i < force.size(); ++i) ASSERT_NEAR(force[i], upper * expected[i + 1], 1e-7 * peak) << i;
   }
 }
@@ -216,7 +217,7 @@ TEST_F(AbaqusElement, is_every_law_through_iterations_and_cutbacks) {
     auto const at = file.find("VARIABLES=");
     ASSERT_NE(at, std::string::npos);
     motion += fmt::format("{} {} {}\n", k + 1, std::stoi(file.substr(at + 10)), step_s);
-    // Every element begins at rest at zero.
+    // The first point is left out, as every element begins at rest at zero.
     for (std::size_t i = 1; i < of.path.disp_mm.size(); ++i)
       motion += fmt::format("{} {}\n", metres.from_mm(of.path.disp_mm[i]), metres.from_mm(of.path.vel_mm_s[i]));
   }
@@ -233,7 +234,7 @@ TEST_F(AbaqusElement, is_every_law_through_iterations_and_cutbacks) {
   std::istringstream printed(read("printed"));
   for (auto const& of : all) {
     SCOPED_TRACE(of.subject.law->info.id);
-    // The element starts with zero velocity.
+    // The element starts with zero velocity, so the law's force is computed with zero velocity at the start too.
     auto path = of.path;
     path.vel_mm_s[0] = 0.0;
     auto const expected = law_force(*of.subject.law, of.subject.parameters, path);
@@ -256,7 +257,7 @@ TEST_F(AbaqusElement, is_every_law_through_iterations_and_cutbacks) {
   EXPECT_FALSE(std::getline(printed, rest)) << rest;
 }
 
-// A C++ program that makes single calls and prints their results.
+// A C++ program that makes single calls of the element and prints their results.
 constexpr char const* calls_of_one = R"text(
 #include "one.cpp"
 #include <cstring>
@@ -365,7 +366,7 @@ int main() {
       "stopped: isolaw bilinear, element 1: its variables hold no state of this law: is VARIABLES= of *USER ELEMENT as this file says?\n");
 }
 
-// Compiled by Abaqus, the element takes the names that the header of Abaqus gives.
+// When compiled with Abaqus' header, the element must take the symbol names that the header defines.
 TEST_F(AbaqusElement, has_the_names_that_the_programs_header_gives) {
   if (!has("nm")) GTEST_SKIP() << "no nm: the names cannot be read";
   write("one.cpp", abaqus_element(subject_of("bilinear", bilinear_parameters), unit_systems[0]));
@@ -374,11 +375,11 @@ TEST_F(AbaqusElement, has_the_names_that_the_programs_header_gives) {
   ASSERT_EQ(run(ISOLAW_COMPILER " -std=c++17 -I with -c one.cpp -o named.o"), 0) << read("printed").substr(0, 3000);
   EXPECT_EQ(run("nm plain.o | grep -q ' T uel_$' && nm plain.o | grep -q ' U xit_$'"), 0);
   EXPECT_EQ(run("nm named.o | grep -q ' T UEL$' && nm named.o | grep -q ' U XIT$'"), 0);
-  // Abaqus recognises a function in C++ by this line.
+  // Abaqus recognises C++ functions by this line.
   EXPECT_EQ(run("grep -qE '^extern \"C\" void FOR_NAME\\(uel' one.cpp"), 0);
 }
 
-// In a static step the velocity is the displacement increment over the time increment, a backward difference.
+// In a static step the velocity is the increment of displacement over the increment of time, a backward difference.
 TEST_F(AbaqusElement, takes_the_velocity_of_a_static_increment) {
   write("one.cpp",
         abaqus_element(subject_of("hwang-wu", inside_box(laws::find_law("hwang-wu"), 0.35)), unit_systems[0]));
@@ -406,7 +407,7 @@ int main() {
   EXPECT_EQ(read("printed"), "1 1 1 1 1 1 ");
 }
 
-// A free vibration leaves turning points within turning points.
+// In a free vibration each turning point lies within the previous ones, and the element has to remember all of them.
 TEST_F(AbaqusElement, remembers_a_long_free_vibration_and_stops_where_there_is_no_room) {
   for (std::string_view const id : {"ramberg-osgood", "kikuchi-aiken"}) {
     auto const& law = laws::find_law(id);
@@ -440,7 +441,7 @@ int main() {{
   }
 }
 
-// The checks in the files themselves must pass. The check of the element calls the element.
+// The checks in the exported files must pass. The check in the element's file calls the element.
 TEST_F(AbaqusElement, checks_itself_as_the_material_does) {
   for (std::string_view const id : {"bilinear", "hwang-wu", "kikuchi-aiken"}) {
     auto const subject = subject_of(id, inside_box(laws::find_law(id), 0.35));

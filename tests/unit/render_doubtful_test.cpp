@@ -84,7 +84,7 @@ TEST(Doubtful, CopiesOfARecordAreNamed) {
   EXPECT_EQ(copies->devices, (std::vector<std::string>{"A", "B"}));
   EXPECT_EQ(wording::sentence(*copies),
             "A and B hold the same record, which counts 2 times in every mean and spread over the devices.");
-  // A single device has this among its own warnings.
+  // The warnings of a device are its own findings and the finding that A and B are copies.
   summary.devices[1].raw.warnings.push_back(stated("a column is constant"));
   auto const of_devices = device_warnings(summary);
   ASSERT_EQ(of_devices.size(), 2u);
@@ -92,7 +92,7 @@ TEST(Doubtful, CopiesOfARecordAreNamed) {
   ASSERT_EQ(of_devices[1].size(), 3u);
   EXPECT_EQ(wording::sentence(of_devices[1][0]), "B: a column is constant");
   EXPECT_EQ(of_devices[1][2], *copies);
-  summary.devices[1].raw.force_kN.back() = 7.0;  // now another device in the same file
+  summary.devices[1].raw.force_kN.back() = 7.0;  // another force, so A and B no longer hold the same record
   EXPECT_EQ(std::ranges::count(topics(summary), "copies"), 0);
 }
 

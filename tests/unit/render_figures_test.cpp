@@ -1,4 +1,4 @@
-// The figures: their data, that a user's names never become commands, and the drawings that gnuplot makes of them.
+// Figures: their data, how names of devices are quoted so that they never run as commands, and the drawings by gnuplot.
 #include <expat.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ std::map<std::string, Figure> figures_of(Summary const& summary, FigureChoice ch
 using Row = std::vector<std::string>;
 using Blocks = std::vector<std::vector<Row>>;
 
-// The words and quoted words of a line, split as gnuplot splits them.
+// Splits a line into words and quoted words as gnuplot does.
 Row cells(std::string const& line) {
   Row row;
   for (std::size_t i = 0; i < line.size();) {
@@ -93,7 +93,7 @@ TEST(Gnuplot, DataKeepOneRowToALine) {
 TEST(FileStems, AreSafeAndDifferent) {
   auto const stems = file_stems({"D1", "d1", "../x", "a/b", "a b", "", ".hidden", std::string(300, 'x'), "é\n"});
   EXPECT_EQ(stems[0], "D1");
-  EXPECT_EQ(stems[1], "d1_2");  // for file systems where case does not count
+  EXPECT_EQ(stems[1], "d1_2");  // "D1" and "d1" would be one file where case does not count
   EXPECT_EQ(stems[2], "_._x");
   std::set<std::string> different;
   for (auto const& stem : stems) {
@@ -115,7 +115,8 @@ TEST(FileStems, AnEndingMakesNoOtherName) {
   EXPECT_EQ(stems, (std::vector<std::string>{"a_abe", "a_2", "b", "B_Abe-y0_2", "b_x"}));
 }
 
-// The published study's laws as the study draws them, std over mean; its printed values are in blocks of their own.
+// For the laws of the published study, the figure has the values of this campaign and the printed ones of the study, in
+// separate blocks of data.
 TEST(Figures, OfThePublishedStudyHaveItsPrintedValues) {
   auto const figures = figures_of(fixture::lot(3, 7));
   auto const objective = blocks(figures.at("published_objective").data);
@@ -150,7 +151,7 @@ TEST(Figures, OfThePublishedStudyNeedTwoOfItsLaws) {
   for (auto const& [name, figure] : figures_of(summary)) EXPECT_FALSE(name.starts_with("published")) << name;
 }
 
-// Figs. 5 and 7 are drawn by default: the loops of all laws on one device, and the loops of all devices.
+// By default, Figs. 5 and 7 are drawn: the loops of all laws on one device, and the loops of all devices.
 TEST(Figures, LoopsOfAllLawsAndEachDeviceAgainstTheMeanAreDrawnByDefault) {
   auto const summary = fixture::lot(3, 7);
   auto const figures = figures_of(summary);
@@ -182,7 +183,7 @@ TEST(Figures, FrontHoldsEveryLawAndTheFrontInOrder) {
   }
   Row front;
   for (auto const& row : data[1]) front.push_back(row[0]);
-  EXPECT_EQ(front, (Row{"bilinear", "vaiana", "abe", "jankowski"}));  // by rising beta
+  EXPECT_EQ(front, (Row{"bilinear", "vaiana", "abe", "jankowski"}));  // the laws on the front, by rising beta
   Row published, its_front;
   for (auto const& row : data[2]) {
     published.push_back(row[0]);
@@ -196,7 +197,8 @@ TEST(Figures, FrontHoldsEveryLawAndTheFrontInOrder) {
 
 TEST(Figures, ALawThatDoesNotDescribeTheDevicesIsCrossedAndLeavesItsPlace) {
   auto summary = fixture::lot(3, 2);
-  // The first law alone is better than the second in both respects. Later in this test it misses the stiffness.
+  // The first law alone is on the front. Then its stiffness errors make it inadequate, and the second law takes its
+  // place.
   summary.laws[0].objective.mean = 0.05;
   summary.laws[1].on_front = false;
   EXPECT_EQ(blocks(figures_of(summary).at("front").data)[0][1][4], "open");
@@ -220,7 +222,7 @@ TEST(Figures, LawsHaveTheColoursAndMarkersOfThePageAndItsOrder) {
                                              law_looks[i].point)),
               std::string::npos);
   }
-  // Laws in the order of rising objective, each in its own style.
+  // Laws are drawn in the order of rising objective. Each keeps its own style.
   std::size_t at = figure.script.find("set xrange");
   std::size_t drawn = figure.script.find("set multiplot");
   for (std::size_t const law : data["by_objective"]) {
@@ -255,7 +257,7 @@ TEST(Figures, ObjectiveOfEveryDeviceAndGapsWhereThereIsNone) {
   auto const order = by_objective(summary);
   for (std::size_t place = 0; place < 3; ++place) {
     auto const law = order[place];
-    ASSERT_EQ(data[place].size(), 3u);  // the device that could not be read has no place
+    ASSERT_EQ(data[place].size(), 3u);  // a device that could not be read is not drawn
     for (std::size_t d = 0; d < 3; ++d) {
       auto const& row = data[place][d];
       auto const& objective = summary.laws[law].devices[d].objective;
@@ -289,7 +291,7 @@ TEST(Figures, AxesHaveALengthWhereDevicesAgreeToSixDigits) {
 
 TEST(Figures, ParametersPanelByPanel) {
   auto summary = fixture::lot();
-  summary.laws[0].devices[0].parameters[1].free = false;  // K2: fixed, so it has no panel
+  summary.laws[0].devices[0].parameters[1].free = false;  // K2 is fixed, so it has no panel
   auto const figure = figures_of(summary).at("parameters_bilinear");
   auto const data = blocks(figure.data);
   ASSERT_EQ(data.size(), 2u);
@@ -326,7 +328,7 @@ TEST(Figures, ManyDevicesConvergeInOnePanel) {
   summary.laws[0].devices[3].histories = {{0.9, 0.1}};
   auto const figure = figures_of(summary).at("convergence_bilinear");
   auto const data = blocks(figure.data);
-  ASSERT_EQ(data.size(), 21u);  // the last block is of all devices together
+  ASSERT_EQ(data.size(), 21u);  // the last block holds the range over all devices
   EXPECT_EQ(Row(data.back()[0].begin() + 2, data.back()[0].end()), (Row{"0.4", "0.9"}));
   EXPECT_EQ(Row(data.back()[1].begin() + 2, data.back()[1].end()), (Row{"0.1", "0.3"}));
   EXPECT_EQ(figure.script.find("multiplot"), std::string::npos);
@@ -391,7 +393,7 @@ TEST(Figures, LoopsOfAllLawsOfTheDeviceThatStandsForTheLotAlone) {
     EXPECT_EQ(value(data[0][i][5]), summary.laws[0].devices[1].force_kN[i]);
   }
   EXPECT_NE(figure.script.find("refused: it''s not for this"), std::string::npos);
-  // Without its record, the next nearest device is drawn.
+  // If the nearest device has no record, the next nearest is drawn.
   summary.devices[1].record = {};
   EXPECT_TRUE(figures_of(summary).contains("loops_D1"));
   EXPECT_FALSE(figures_of(summary).contains("loops_D2"));
@@ -409,7 +411,7 @@ TEST(Figures, ALawThatRunsAwayLeavesTheOthersTheirScale) {
   EXPECT_LT(highest(), 2.5 * peak);
 }
 
-// --- drawn -----------------------------------------------------------------------------------------------------------
+// --- drawings by gnuplot ---
 
 // Names that a script, a shell, gnuplot's markup or a file system could misread.
 std::vector<std::string> const hostile{"it's `touch drawn_by_a_name`; set output", "a/b\\c\n\"d\"  #e",
@@ -439,7 +441,7 @@ std::string without_spaces(std::string text) {
   return text;
 }
 
-// The text of an SVG; throws if it is not well-formed XML.
+// The text of an SVG file; throws if the file is not well-formed XML.
 std::string text_of_svg(std::string const& svg) {
   std::string text;
   auto* parser = XML_ParserCreate(nullptr);
@@ -463,7 +465,8 @@ class Drawn : public testing::Test {
     ::unsetenv("ISOLAW_GNUPLOT");
   }
 
-  // A report is complete without gnuplot, so drawings are tested only where gnuplot is; `./isolaw.sh test` installs it.
+  // A report is complete without gnuplot, so drawings are tested only where gnuplot is installed. `./isolaw.sh test`
+  // installs it.
   static bool has_gnuplot() { return run_gnuplot({}, fs::temp_directory_path(), std::chrono::seconds(20)).started; }
   static void hide_gnuplot() { ::setenv("ISOLAW_GNUPLOT", "/nonexistent/gnuplot", 1); }
 
@@ -523,7 +526,8 @@ TEST_F(Drawn, AScriptByHandGivesTheFigureAgain) {
   fs::remove(figure("objective.pdf"));
   EXPECT_EQ(run_gnuplot({"objective.gp"}, dir_ / "figures", std::chrono::seconds(60)).reason, "");
   EXPECT_EQ(without_spaces(text_of_svg(content(figure("objective.svg")))),
-            before);  // bytes also depend on earlier drawings
+            // The text is compared, as the bytes also depend on earlier drawings.
+            before);
   EXPECT_TRUE(content(figure("objective.pdf")).starts_with("%PDF"));
 }
 
@@ -567,7 +571,7 @@ TEST_F(Drawn, NoDrawingOutlivesItsData) {
   auto const outcome = write_figures(summary, FigureChoice::lot, dir_);
   EXPECT_FALSE(fs::exists(figure("front.svg")));
   EXPECT_FALSE(fs::exists(figure("front.pdf")));
-  EXPECT_TRUE(fs::exists(figure("properties.svg")));  // drawn from the same data
+  EXPECT_TRUE(fs::exists(figure("properties.svg")));  // the data of this drawing did not change, so the drawing stays
   EXPECT_EQ(outcome.drawn, 1u);
 }
 

@@ -1,4 +1,4 @@
-// summary.json: its exact shape, what is null, and that nothing in the input breaks it.
+// summary.json: its exact layout, which values are null, and that every input gives valid JSON.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -58,7 +58,7 @@ TEST(SummaryJson, ExactText) {
   law.devices.push_back(fit);
   summary.laws.push_back(law);
 
-  // The exact layout up to the warnings. Sentences follow, whose words are in wording/rows.cpp alone.
+  // The exact layout up to the warnings. After these come sentences, whose words stand in wording/rows.cpp alone.
   auto const text = summary_json(summary);
   auto const numbers = text.substr(0, text.find("  \"warnings\": [\n"));
   EXPECT_EQ(numbers, R"({

@@ -1,4 +1,4 @@
-// The tables as LaTeX: numbers, escaping, and that every row has as many cells as its table has columns.
+// Tables in LaTeX: numbers, escaping, and that every row has as many cells as its table has columns.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ std::size_t count(std::string_view part, std::string_view text) {
   return found;
 }
 
-// Separators of cells: & without a backslash before it.
+// Counts the separators of cells: each & without a backslash before it.
 std::size_t separators(std::string const& line) {
   std::size_t found = 0;
   for (std::size_t i = 0; i < line.size(); ++i)
@@ -44,7 +44,7 @@ bool is_row(std::string const& line) {
   return line.ends_with("\\\\") || line.ends_with("\\\\*");
 }
 
-// Every { is closed and no $ is left open; escaped ones do not count.
+// Every { must be closed and every $ paired. Escaped ones do not count.
 void expect_balanced(std::string const& text) {
   int depth = 0, dollars = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -113,7 +113,7 @@ TEST(Latex, TableA5StatesLargeValuesInAPowerOfTen) {
 TEST(Latex, RowsHaveAsManyCellsAsTheTableHasColumns) {
   for (int const devices : {1, 2, 4, 7}) {
     auto summary = fixture::lot(devices);
-    summary.laws[1].devices[0] = DeviceFit{};  // refused, but still a row
+    summary.laws[1].devices[0] = DeviceFit{};  // a device without a fit still has a row
     summary.laws[1].devices[0].device = "D1";
     auto const tex = table_a5_tex(summary);
     auto const of_columns = tex.find("ll*{");
@@ -122,7 +122,7 @@ TEST(Latex, RowsHaveAsManyCellsAsTheTableHasColumns) {
     for (auto const& line : lines(tex)) {
       if (!is_row(line) || line.find("caption") != std::string::npos || line.find("continued") != std::string::npos)
         continue;
-      // A head over three columns is one cell.
+      // A heading over three columns is one cell.
       EXPECT_EQ(separators(line) + 2 * count("\\multicolumn{3}", line) + 1, columns) << line;
     }
   }
@@ -174,7 +174,8 @@ TEST(Front, DominatedByThoseOnIt) {
       {"a", 1.0, 3.0, true}, {"b", 2.0, 2.0, true}, {"c", 2.0, 4.0, false}, {"d", 3.0, 5.0, false}};
   EXPECT_EQ(dominating(points, points[0]), std::vector<std::string>{});
   EXPECT_EQ(dominating(points, points[2]), (std::vector<std::string>{"a", "b"}));
-  EXPECT_EQ(dominating(points, points[3]), (std::vector<std::string>{"a", "b"}));  // c is not on the front
+  // The point c dominates d too, but c is not on the front.
+  EXPECT_EQ(dominating(points, points[3]), (std::vector<std::string>{"a", "b"}));
 }
 
 TEST(Front, CsvIsSortedByAccuracy) {

@@ -1,4 +1,5 @@
-// The page as text: it is self-contained, holds input in its data block alone, and the block's numbers are right.
+// The page as text: it loads nothing from elsewhere, contains the user's input in its data block alone, and has the
+// right numbers there.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -83,7 +84,8 @@ TEST(Page, LoadsNothing) {
   auto const plotly = page.find("plotly.js (basic");
   ASSERT_NE(plotly, std::string::npos);
   page.erase(plotly,
-             page.find("</script", plotly) - plotly);  // names namespaces and licences; the policy blocks it anyway
+             // Plotly's code names addresses of namespaces and licences. The page's policy blocks all loading anyway.
+             page.find("</script", plotly) - plotly);
   EXPECT_FALSE(std::regex_search(page, std::regex(R"((src|href)\s*=\s*["']?(https?:)?//)", std::regex::icase)));
   EXPECT_FALSE(std::regex_search(page, std::regex(R"(<link|@import|url\((?!"data:)|fetch\(|XMLHttpRequest)")));
   EXPECT_NE(page.find("content=\"default-src 'none';"), std::string::npos);
@@ -116,7 +118,7 @@ TEST(PageData, CurvesComeBackWithinTheirStep) {
   auto const& expected = summary.laws[1].devices[2].force_kN;
   ASSERT_EQ(values.size(), expected.size());
   double const step = data["laws"][1]["devices"][2]["force_kN"]["s"].get<double>();
-  EXPECT_LT(step, 0.02);  // kN, in a range of 250
+  EXPECT_LT(step, 0.02);  // in kN, for forces in a range of 250 kN
   for (std::size_t i = 0; i < values.size(); ++i) EXPECT_NEAR(values[i], expected[i], 0.51 * step);
 }
 
@@ -138,7 +140,7 @@ TEST(PageData, LongRecordsAreThinnedEvenlyWithBothEnds) {
   EXPECT_EQ(drawn.back(), 999u);
 }
 
-// Compares to the digits that the page holds: six in profiles and intervals, nine elsewhere.
+// The page holds six digits in profiles and intervals and nine elsewhere. `relative` is the tolerance for this.
 void expect_close(Json const& written, std::optional<double> expected, double relative) {
   ASSERT_EQ(written.is_null(), !expected || !std::isfinite(*expected)) << written;
   if (written.is_null()) return;

@@ -1,4 +1,4 @@
-// How names and numbers are typeset: base/symbol.hpp, base/number_text.hpp.
+// How names and numbers are typeset (base/symbol.hpp, base/number_text.hpp).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ TEST(Symbols, AreALetterAndAnIndex) {
   EXPECT_EQ(gnuplot_symbol("g"), "{/:Italic g}");
 }
 
-// If two parameters of one law had the same symbol, nobody could distinguish them.
+// No two parameters of a law may have the same symbol.
 TEST(Symbols, TellTheParametersOfALawApart) {
   for (auto const& law : laws::catalogue()) {
     std::vector<std::string> set;

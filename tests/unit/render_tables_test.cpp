@@ -1,4 +1,4 @@
-// The CSV tables cell by cell.
+// The CSV tables, compared cell by cell.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-// A plain RFC 4180 reader.
+// A plain reader of CSV (RFC 4180).
 Rows read(std::string_view text) {
   Rows rows{{""}};
   bool quoted = false;
@@ -42,7 +42,7 @@ Rows read(std::string_view text) {
       rows.back().back() += c;
     }
   }
-  rows.pop_back();  // after the last line break
+  rows.pop_back();  // the empty row after the last line break
   return rows;
 }
 
@@ -58,7 +58,7 @@ TEST(CsvCell, FormulasAreDisarmedAndNumbersAreNot) {
   EXPECT_EQ(csv_cell("-1.5e3"), "-1.5e3");
   EXPECT_EQ(csv_cell("+2"), "+2");
   EXPECT_EQ(csv_cell("D 1"), "D 1");
-  EXPECT_EQ(csv_cell("-"), "-");  // the unit of a plain number
+  EXPECT_EQ(csv_cell("-"), "-");  // the cell is the unit of a dimensionless number, so it stays as it is
 }
 
 TEST(CsvCell, QuotesWhatNeedsThem) {
@@ -156,8 +156,8 @@ TEST(Tables, PropertiesWithARefusedDevice) {
   EXPECT_EQ(rows[3][column("cycle")], "3");
   EXPECT_EQ(rows[3][column("counts")], "yes");
   EXPECT_EQ(rows[3][column("reported")], "yes");
-  EXPECT_EQ(rows[3][column("strain [%]")], "100");  // 208 mm on 208 mm of rubber
-  EXPECT_EQ(rows[3][column("G [MPa]")], "");        // no area is given
+  EXPECT_EQ(rows[3][column("strain [%]")], "100");  // the amplitude of 208 mm equals the rubber thickness
+  EXPECT_EQ(rows[3][column("G [MPa]")], "");        // the rubber area is not given
   EXPECT_EQ(rows[10][0], fixture::nasty_name);
   EXPECT_EQ(rows[10][2], "");
   EXPECT_EQ(rows[10].back(), "line 7: not a number: \"<script>alert(2)</script>\"");

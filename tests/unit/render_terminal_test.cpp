@@ -1,4 +1,4 @@
-// The findings and the ranking on the terminal.
+// The findings and the ranking of laws that the terminal prints.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -53,7 +53,7 @@ TEST(Findings, PublishedLotHasThePublishedFront) {
       "4 of 6 laws are worth considering: choose between accuracy (Jankowski) and robustness (Bilinear). The best compromise is Vaiana.");
 }
 
-// A law that is on the front only through the optimiser's noise is no compromise.
+// A law that is on the front only because of the optimiser's noise must not be named as the best compromise.
 TEST(Findings, CompromiseStaysOnTheFrontWithoutNoise) {
   auto summary = fixture::lot(10, 6);
   auto const mark = [&](std::string const& id) {
@@ -83,7 +83,7 @@ TEST(Findings, OneLawOnTheFrontIsBestOfBoth) {
 TEST(Findings, LawWithoutBetaIsNotRankedAndSaysWhy) {
   auto summary = fixture::lot();
   summary.laws[2].beta = std::nullopt;
-  summary.laws[2].on_front = true;  // whatever the caller says
+  summary.laws[2].on_front = true;  // a law without beta is not ranked, even if it is marked as on the front
   summary.laws[2].beta_note = "mean of a9 near zero";
   auto const found = findings(summary);
   EXPECT_EQ(found.verdicts.back().role, Role::unranked);
@@ -160,7 +160,7 @@ TEST(Ranking, ControlCharactersDoNotReachTheTerminal) {
   EXPECT_TRUE(contains(text, R"(bad\x1b[2J\x9b31m\nname was refused)")) << text;
 }
 
-// Three devices with one doubt are named in one line of the list.
+// A finding that three devices have is one line that names them.
 TEST(Ranking, FindingsOfOneKindAreOneLine) {
   auto summary = fixture::lot();
   for (std::size_t d = 0; d < 3; ++d)
@@ -190,7 +190,7 @@ TEST(Answer, NamesTheLawTheNextCommandAndTheReport) {
   EXPECT_TRUE(contains(text, "out/lot/report.html")) << text;
 }
 
-// Findings on the recommended law and on the records are printed. Findings on other laws are only counted.
+// Findings about the recommended law and about the records are printed. Findings about other laws are only counted.
 TEST(Answer, LeavesOutWarningsAboutOtherLaws) {
   auto summary = fixture::analysed(fixture::lot(10, 7));
   for (auto& device : summary.devices) device.raw.warnings.clear();

@@ -1,4 +1,4 @@
-// All files of a report are written, each wholly or not at all.
+// Writes all files of a report, each of them whole or not at all.
 #include <gtest/gtest.h>
 #include <unistd.h>
 

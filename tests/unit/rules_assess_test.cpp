@@ -1,4 +1,5 @@
-// One device against a rule set: formulas, limits at their edge, conditions, and lines that never get a verdict.
+// One device against a rule set: formulas, values exactly at a limit, conditions of the test, and lines without a
+// verdict.
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -48,7 +49,7 @@ TEST(Design, RefusesWhatItDoesNotKnow) {
 }
 
 TEST(Limits, ComparePeakToPeakStiffnessOfTheThirdCycle) {
-  // 1.2 x 1.1 = 1.32 kN/mm is 10 % above 1.2.
+  // The tested stiffness 1.2 x 1.1 = 1.32 kN/mm is 10 % above the design value of 1.2.
   auto const line = find(assess(rules_of(within_20), block(1.1), design()), "K_eff");
   EXPECT_NEAR(*line.value, 1.32, 1e-12);
   EXPECT_EQ(line.nominal, 1.2);
@@ -69,9 +70,10 @@ TEST(Limits, HoldBothTheirEnds) {
   };
   EXPECT_EQ(verdict(1.2), Verdict::pass);
   EXPECT_EQ(verdict(0.8), Verdict::pass);
-  EXPECT_EQ(verdict(1.2 * (1 + 1e-11)), Verdict::fail);  // nothing is rounded: 20.000000001 % is more than 20 %
+  // 20.000000001 % is more than 20 %; nothing is rounded before the comparison.
+  EXPECT_EQ(verdict(1.2 * (1 + 1e-11)), Verdict::fail);
   EXPECT_EQ(verdict(0.8 * (1 - 1e-11)), Verdict::fail);
-  EXPECT_EQ(verdict(1.2004), Verdict::fail);  // 20.04 %, which prints as 20.0 %
+  EXPECT_EQ(verdict(1.2004), Verdict::fail);  // 20.04 %, though it rounds to 20.0 %
 }
 
 TEST(Limits, AreExactForEveryDesignValue) {
@@ -95,10 +97,10 @@ TEST(Limits, AreNeverContradictedByTheDeviationAsText) {
     return find(assess(rules_of(within_20), block(factor), design()), "K_eff").deviation;
   };
   EXPECT_EQ(text(1.1), "+10.0 %");
-  EXPECT_EQ(text(1.2), "+20.0 %");  // passes
+  EXPECT_EQ(text(1.2), "+20.0 %");  // exactly at the limit, which passes
   EXPECT_EQ(text(1.2004), "+20.04 %");
   EXPECT_EQ(text(1.200000004), "+20.0000004 %");
-  EXPECT_EQ(text(1.1999999), "+20.0 %");  // within the limit, and reads as if at it
+  EXPECT_EQ(text(1.1999999), "+20.0 %");  // within the limit of 20 %, so it may be printed as 20.0 %
   EXPECT_EQ(text(0.79996), "-20.004 %");
   EXPECT_EQ(text(0.8), "-20.0 %");
   EXPECT_EQ(deviation_text(0.04, {}, 0.0), "+0.04 %");
@@ -119,8 +121,9 @@ TEST(Limits, OneSidedOnesHaveOneEnd) {
 }
 
 TEST(Formulas, PerSideAreForceOverDisplacement) {
-  // F+ 130, F- -110 at +-100 mm: 1.3 and 1.1 kN/mm. E = 0.15 x 2 pi x 12000: 15 x 12/13 = 13.846 % and 15 x 12/11 =
-  // 16.364 %. Design 1.08 kN/mm: 1.3 is 20.37 % above, 1.1 is 1.85 % above. Design 15 %: -7.69 % and +9.09 %.
+  // The forces 130 and -110 kN at ±100 mm give 1.3 and 1.1 kN/mm. The energy of 0.15 x 2 pi x 12000 kN mm gives a
+  // damping of 15 x 12/13 = 13.846 % and 15 x 12/11 = 16.364 %. The design stiffness is 1.08 kN/mm: 1.3 is 20.37 %
+  // above it and 1.1 is 1.85 % above. From the design damping of 15 % the sides differ by -7.69 % and +9.09 %.
   auto tested = block();
   tested.cycles[2].F_plus_kN = 130;
   tested.cycles[2].F_minus_kN = -110;
@@ -146,7 +149,8 @@ TEST(Formulas, MeanAndEachOfARangeOfCycles) {
     text.replace(text.find("one = 3"), 7, cycles);
     return read_rule_text(text, "rules.toml");
   };
-  // K_eff 1.2, 1.2, 1.5: mean 1.3 is 8.33 % above 1.2; the highest of cycles 2 to 3 is 25 % above.
+  // K_eff is 1.2, 1.2 and 1.5 kN/mm. The mean of 1.3 is 8.33 % above the design value of 1.2; the largest of cycles 2
+  // and 3 is 25 % above.
   auto const tested = block(1.25);
   auto const mean = find(assess(with("mean_of = [1, 3]"), tested, design()), "K_eff");
   EXPECT_NEAR(*mean.value, 1.3, 1e-12);
@@ -177,7 +181,7 @@ TEST(Verdicts, NeedPositiveNumbers) {
   auto tested = block();
   tested.cycles[2].K_eff_kN_per_mm = std::nan("");
   EXPECT_EQ(find(assess(rules_of(within_20), tested, design()), "K_eff").verdict, Verdict::not_assessed);
-  tested.cycles[2].F_minus_kN = 5;  // one-sided: F/d negative
+  tested.cycles[2].F_minus_kN = 5;  // the force at -100 mm is positive, so F/d is negative
   auto const line = find(assess(find_rule_set("ntc-2018"), tested, design()), "K_eff, negative side");
   EXPECT_EQ(line.verdict, Verdict::not_assessed);
   expect_parts(line.reason, {"F-/d-, cycle 3 is -0.05"});
@@ -194,7 +198,7 @@ TEST(Verdicts, NeedTheConditionsOfTheSet) {
   EXPECT_EQ(line(tested, design()).verdict, Verdict::not_assessed);
   EXPECT_EQ(line(tested, design()).reason, "test frequency 0.3 Hz, 0.1 or 0.5 Hz within 10 % asked for");
   EXPECT_TRUE(line(tested, design()).deviation_percent);
-  tested.frequency_Hz = 0.55;  // 10 % above, the end of the tolerance
+  tested.frequency_Hz = 0.55;  // 10 % above 0.5 Hz, the end of the tolerance
   EXPECT_EQ(line(tested, design()).verdict, Verdict::pass);
   tested.frequency_Hz = 0.1;
   EXPECT_EQ(line(tested, design()).verdict, Verdict::pass);
@@ -228,7 +232,8 @@ TEST(Verdicts, NeedStrainAndLoadWhereTheSetAsksForThem) {
   expect_parts(reason(tested, d), {"give the rubber thickness"});
 }
 
-// A set is verified when its limits were compared with their text; otherwise no measurement gets a verdict from it.
+// A rule set is verified once somebody has compared its limits with the standard's text. Before that, it gives no
+// verdict on any measurement.
 TEST(Verdicts, AreNeverGivenByASetThatIsNotVerified) {
   std::vector<RuleSet> sets{read_rule_text(rule_set_text("template"), "template.toml")};
   for (auto const& set : built_in_rule_sets())
@@ -280,7 +285,7 @@ BlockValues with_vertical(double K_v_kN_per_mm) {
 
 TEST(VerticalStiffness, IsHeldToTheSetThatNamesIt) {
   auto const& ntc = find_rule_set("ntc-2018");
-  auto const d = parse_design("K_v=1000");  // at least -30 %, and no upper limit
+  auto const d = parse_design("K_v=1000");  // the rule set asks for at least -30 % and has no upper limit
   auto const verdict = [&](double value) { return find(assess(ntc, with_vertical(value), d), "K_v").verdict; };
   EXPECT_EQ(verdict(700.0), Verdict::pass);
   EXPECT_EQ(verdict(5000.0), Verdict::pass);
@@ -296,7 +301,8 @@ TEST(VerticalStiffness, IsHeldToTheSetThatNamesIt) {
   expect_parts(open.reason, {"no design value: give K_v=..."});
 }
 
-// The conditions of the shear test do not apply to the compression test: the set asks for 0.1 or 0.5 Hz.
+// The rule set asks for shear tests at 0.1 or 0.5 Hz. A shear test at 7 Hz must not affect the verdict on the
+// compression test.
 TEST(VerticalStiffness, DoesNotDependOnTheConditionsOfTheShearTest) {
   auto tested = with_vertical(900.0);
   tested.frequency_Hz = 7.0;
@@ -322,7 +328,8 @@ TEST(VerticalStiffness, HasItsSpreadOverALot) {
   EXPECT_NEAR(*found->mean, 1000.0, 1e-9);
   EXPECT_EQ(found->nominal, 1000.0);
   EXPECT_EQ(found->limit_individual, "at least -30 %");
-  // An analysis with mean properties concerns the response to shear alone.
+  // Whether an analysis with mean properties is permitted depends on the properties in shear alone, so K_v never
+  // permits it.
   EXPECT_FALSE(found->mean_analysis_permitted);
   EXPECT_EQ(found->mean_analysis_open, "");
   devices = {{"C", block()}};
@@ -343,8 +350,8 @@ TEST(Stability, ComparesCyclesWithOneAnother) {
       "[[stability]]\nquantity = \"K_eff\"\nmeasure = \"change_from_first\"\ncycles = [2, 10]\nat_most_percent = 25\n"
       "[[stability]]\nquantity = \"energy\"\nmeasure = \"loss_from_first\"\ncycles = [1, 3]\nat_most_percent = 20\n",
       within_20));
-  // K_eff is 1.5, 1.2 ..., 1.2, 0.9: 0.9/1.5 = 0.6; from the second cycle on, 0.9/1.2 - 1 = -25 %. The first energy is
-  // 15/12 of the others: 1 - 12/15 = 20 %.
+  // K_eff is 1.5, then 1.2 and in the last cycle 0.9. The ratio 0.9/1.5 is 0.6, and from cycle 2 on the change is
+  // 0.9/1.2 - 1 = -25 %. The first energy is 15/12 of the others, a loss of 1 - 12/15 = 20 %.
   auto tested = block(1.0, 10);
   tested.cycles[0] = cycle(1, 1.25);
   tested.cycles[9] = cycle(10, 0.75);
@@ -364,7 +371,7 @@ TEST(Stability, ComparesCyclesWithOneAnother) {
   tested.cycles[9] = cycle(10, 0.749);
   tested.cycles[0] = cycle(1, 1.26);
   for (auto const& line : lines()) EXPECT_EQ(line.verdict, Verdict::fail) << line.formula;
-  // A gain is a change, but not a loss.
+  // A property that grows fails a limit on its change, but not one on its loss.
   tested.cycles[9] = cycle(10, 1.3);
   tested.cycles[0] = cycle(1, 0.5);
   EXPECT_NEAR(*lines()[1].value, 30.0, 1e-9);
@@ -382,7 +389,7 @@ TEST(LoadVariation, IsTheDifferenceBetweenTheLoads) {
   };
   EXPECT_EQ(line({}, design()).verdict, Verdict::not_assessed);
   expect_parts(line({}, design()).reason, {"largest and at the smallest vertical load"});
-  // (1.29 - 1.11)/1.2 = 15 % is the limit itself.
+  // (1.29 - 1.11)/1.2 = 15 % is exactly at the limit.
   EXPECT_NEAR(*line(LoadPair{block(1.075), block(0.925)}, design()).value, 15.0, 1e-9);
   EXPECT_EQ(line(LoadPair{block(1.075), block(0.925)}, design()).verdict, Verdict::pass);
   EXPECT_EQ(line(LoadPair{block(0.925), block(1.0751)}, design()).verdict, Verdict::fail);
@@ -390,7 +397,7 @@ TEST(LoadVariation, IsTheDifferenceBetweenTheLoads) {
   EXPECT_EQ(line(LoadPair{block(), block()}, {}).verdict, Verdict::not_assessed);
 }
 
-// Deviations, ratios and verdicts are relative, so units do not matter.
+// Deviations, ratios and verdicts are relative, so they must not depend on the units.
 TEST(Assess, DoesNotDependOnTheUnits) {
   auto const ntc = find_rule_set("ntc-2018");
   std::mt19937_64 random(7);

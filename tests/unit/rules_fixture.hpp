@@ -1,4 +1,4 @@
-// Devices with values that can be worked out by hand, and rule sets written as text.
+// Devices whose values can be worked out by hand, and rule sets written as text.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 
 namespace isolaw::rules::testing {
 
-// A cycle of amplitude 100 mm with peak forces +-120 kN (K_eff 1.2 kN/mm) and the energy of 15 % damping.
+// A cycle of ±100 mm and ±120 kN, which is K_eff 1.2 kN/mm, with the energy of 15 % damping.
 inline CycleValues cycle(int number, double force_factor = 1.0) {
   double const energy = 0.15 * 2.0 * 3.14159265358979323846 * 1.2 * 1e4;  // xi 2 pi K D^2
   return {.number = number,
@@ -29,7 +29,7 @@ inline CycleValues cycle(int number, double force_factor = 1.0) {
           .K_d_kN_per_mm = 0.9 * force_factor};
 }
 
-// Cycles 1 to `count` at 0.5 Hz, the forces of the third multiplied by `third`.
+// Cycles 1 to `count` at 0.5 Hz. The forces of the third cycle are multiplied by `third`.
 inline BlockValues block(double third = 1.0, int count = 3) {
   BlockValues values{.number = 1,
                      .amplitude_mm = 100.0,

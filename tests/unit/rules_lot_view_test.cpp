@@ -1,4 +1,5 @@
-// The lot: spread, sample, outliers, limits on the mean, modification factors, worked out by hand.
+// The rules applied to a lot: spread, sample, outliers, limits on the mean and modification factors, worked out by
+// hand.
 #include <cmath>
 #include <random>
 
@@ -60,8 +61,8 @@ lower_percent = -10
 }
 
 TEST(LotView, DescribesTheSpread) {
-  // K_eff 1.08, 1.2, 1.32, 1.2: mean 1.2, s = sqrt(2 x 0.12^2/3) = 0.0979796, CoV 8.16497 %; design 1.0.
-  // mean +- 1.644854 s = 1.038838, 1.361162. Exact k(4) = 6.3411: 1.2 -+ 0.621298.
+  // K_eff is 1.08, 1.2, 1.32 and 1.2: mean 1.2, s = sqrt(2 x 0.12^2/3) = 0.0979796, CoV 8.16497 %. The fractiles are
+  // mean ± 1.644854 s = 1.038838 and 1.361162. With the exact k(4) = 6.3411 the tolerance bounds are 1.2 ± 0.621298.
   auto const lot = lot_view(rules_of(limits), lot_of({0.9, 1.0, 1.1, 1.0}), parse_design("K_eff=1"), 28);
   auto const& view = of(lot, Quantity::K_eff);
   EXPECT_EQ(view.count, 4u);
@@ -87,7 +88,7 @@ TEST(LotView, DescribesTheSpread) {
 
 TEST(LotView, TakesTheMeanOfBothSides) {
   auto devices = lot_of({1.0, 1.0});
-  devices[0].block.cycles[2].F_plus_kN = 130;  // 1.3 and 1.2: 1.25
+  devices[0].block.cycles[2].F_plus_kN = 130;  // the sides have 1.3 and 1.2 kN/mm, whose mean is 1.25
   auto const lot = lot_view(find_rule_set("ntc-2018"), devices, {}, 2);
   EXPECT_NEAR(*of(lot, Quantity::K_eff).max, 1.25, 1e-12);
   EXPECT_EQ(of(lot, Quantity::K_eff).max_device, "D1");
@@ -123,7 +124,7 @@ TEST(LotView, OneDeviceIsNoLot) {
   EXPECT_EQ(line.verdict, Verdict::not_assessed);
   expect_parts(line.reason, {"one device is no lot"});
   EXPECT_EQ(lot_view(rules_of(limits), lot_of({1.0, 1.0}), design, 10).note, "");
-  // That one device is the whole production lot.
+  // If the lot has one device in all, its value is the mean of the lot.
   auto const whole = lot_view(rules_of(limits), lot_of({1.0}), design, 1);
   EXPECT_EQ(whole.note, "");
   EXPECT_EQ(of(whole, Quantity::K_eff).mean_limits.at(0).verdict, Verdict::pass);
@@ -134,7 +135,8 @@ TEST(LotView, WithoutRulesTheSampleSaysSo) {
 }
 
 TEST(LotView, ANegativeBoundIsNone) {
-  // K_eff 0.96, 1.44: mean 1.2, s = 0.339411; exact k(2) = 36.519: 1.2 - 12.4 is below zero.
+  // K_eff is 0.96 and 1.44: mean 1.2, s = 0.339411. With the exact k(2) = 36.519 the lower bound 1.2 - 12.4 is
+  // negative.
   auto const lot = lot_view({}, lot_of({0.8, 1.2}), {}, 28);
   auto const& view = of(lot, Quantity::K_eff);
   EXPECT_FALSE(view.tolerance_low);
@@ -147,7 +149,7 @@ TEST(LotView, ANegativeBoundIsNone) {
   EXPECT_GT(each.upper, 1.2);
   expect_parts(each.no_lower, {"too few devices for a lower bound"});
   expect_parts(each.note, {"k = 36.52"});
-  // t(0.975, 1) = 12.7062 times 28.2843 % times sqrt(1/2 - 1/28): 244.9 % of the mean.
+  // The half width is t(0.975, 1) = 12.7062 times 28.2843 % times sqrt(1/2 - 1/28) = 244.9 % of the mean.
   expect_parts(bound(view, "statistical, system predicted").no_lower, {"245 % of the mean"});
   EXPECT_EQ(bound(view, "observed").no_lower, "");
   EXPECT_GT(bound(view, "observed").lower, 0.0);
@@ -158,7 +160,7 @@ TEST(LotView, LimitsTheMean) {
     auto const lot = lot_view(rules_of(limits), lot_of(factors), parse_design("K_eff=1.2"), 10);
     return of(lot, Quantity::K_eff).mean_limits.at(0);
   };
-  EXPECT_EQ(line({1.05, 1.15}).verdict, Verdict::pass);  // mean 10 % above, the limit itself
+  EXPECT_EQ(line({1.05, 1.15}).verdict, Verdict::pass);  // the mean is 10 % above, exactly at the limit
   EXPECT_EQ(line({1.05, 1.151}).verdict, Verdict::fail);
   EXPECT_EQ(line({0.9, 0.9}).verdict, Verdict::pass);
   EXPECT_NEAR(*line({1.05, 1.15}).deviation_percent, 10.0, 1e-9);
@@ -182,8 +184,8 @@ TEST(LotView, JudgesTheSample) {
             rules_of(limits).id + " has no rule for the sample");
 }
 
-// One of three devices has the record of another. The means include the copy, but the sample and everything that
-// follows from its size do not.
+// One of three devices has the same record as another. The means include it, but it does not count in the size of the
+// sample or in anything that depends on this size.
 TEST(LotView, ACopyIsNoFurtherDeviceTested) {
   auto const rules = rules_of(fmt::format("[sample]\nshare_percent = 20\nleast = 3\n{}", limits));
   auto devices = lot_of({0.99, 1.01, 1.01});
@@ -225,7 +227,8 @@ TEST(LotView, ASampleTooSmallLeavesTheMeanOpen) {
 }
 
 TEST(Outliers, AreNamedWithTheProperty) {
-  // Median 1.2; distances 0.012, 0, 0.012, 0.024, 0.6: MAD 0.012, z = 0.6/(1.4826 x 0.012) = 33.7.
+  // The median is 1.2 and the deviations are 0.012, 0, 0.012, 0.024 and 0.6. The MAD is 0.012 and the score 0.6/(1.4826
+  // x 0.012) = 33.7.
   auto const lot = lot_view(rules_of(limits), lot_of({0.99, 1.0, 1.01, 0.98, 1.5}), {});
   auto const& view = of(lot, Quantity::K_eff);
   ASSERT_EQ(view.outliers.size(), 1u);
@@ -240,14 +243,14 @@ TEST(Outliers, AreNotNamedAmongNearlyIdenticalDevices) {
   std::vector<std::string> const names{"A", "B", "C", "D", "E"};
   auto const count = [&](std::vector<double> const& values) { return find_outliers("K", "", names, values).size(); };
   EXPECT_EQ(count({1, 1, 1, 1, 1}), 0u);
-  EXPECT_EQ(count({1, 1, 1, 1, 1.0174}), 0u);  // 3.5 x 0.5 % = 1.75 %
+  EXPECT_EQ(count({1, 1, 1, 1, 1.0174}), 0u);  // 1.74 % is below the threshold, 3.5 x 0.5 % = 1.75 %
   EXPECT_EQ(count({1, 1, 1, 1, 1.0176}), 1u);
   EXPECT_EQ(count({1, 1, 1, 1, 0.9}), 1u);
   EXPECT_EQ(count({0, 0, 0, 0, 0}), 0u);
   EXPECT_TRUE(find_outliers("K", "", std::span(names).first(4), std::vector<double>{1, 1, 1, 9}).empty());
 }
 
-// The measured Q_d of a bearing, in kN, which rises from the first cycle to the second.
+// Q_d in kN of a measured bearing. It rises from the first cycle to the second and falls afterwards.
 TEST(TestFactors, EncloseEveryCountedCycle) {
   auto tested = block(1.0, 7);
   std::vector<double> const Q_d{56.93, 58.96, 57.98, 57.1, 56.5, 56.07, 55.21};
@@ -261,7 +264,7 @@ TEST(TestFactors, EncloseEveryCountedCycle) {
   auto const lot = lot_view({}, std::vector<DeviceValues>{{"A", tested}, {"B", block(1.0, 7)}}, {});
   auto const& view = of(lot, Quantity::Q_d);
   EXPECT_EQ(view.test_max_device, "A");
-  EXPECT_GT(bound(view, "observed").upper, 57.98);  // the third cycle of A, as reported
+  EXPECT_GT(bound(view, "observed").upper, 57.98);  // the reported cycle, the third, has 57.98 kN
   EXPECT_FALSE(test_factors(Quantity::Q_d, [&] {
     tested.cycles[4].Q_d_kN = 0.0;
     return tested;
@@ -269,7 +272,7 @@ TEST(TestFactors, EncloseEveryCountedCycle) {
 }
 
 TEST(TestFactors, CompareTheFirstAndTheLastWithTheFirstThree) {
-  // 1.5, 1.2, 1.2 (mean 1.3), last 1.0: 1.5/1.3 and 1.0/1.3.
+  // K_eff is 1.5, 1.2, 1.2 (mean 1.3) and 1.0 in the last cycle. The factors are 1.5/1.3 and 1.0/1.3.
   auto tested = block(1.0, 5);
   tested.cycles[0] = cycle(1, 1.25);
   tested.cycles[4].K_eff_kN_per_mm = 1.0;
@@ -278,7 +281,7 @@ TEST(TestFactors, CompareTheFirstAndTheLastWithTheFirstThree) {
   EXPECT_NEAR(factors->min, 1.0 / 1.3, 1e-12);
   EXPECT_EQ(factors->max_cycle, 1);
   EXPECT_EQ(factors->min_cycle, 5);
-  // A property that grows: 0.7, 0.9, 0.9 (mean 2.5/3), last 1.0.
+  // A property that grows: 0.7, 0.9, 0.9 (mean 2.5/3) and 1.0 in the last cycle.
   for (auto& c : tested.cycles) c.K_eff_kN_per_mm = c.number == 1 ? 0.7 : c.number == 5 ? 1.0 : 0.9;
   auto const growing = test_factors(Quantity::K_eff, tested);
   EXPECT_NEAR(growing->max, 1.2, 1e-12);
@@ -289,7 +292,7 @@ TEST(TestFactors, CompareTheFirstAndTheLastWithTheFirstThree) {
 }
 
 TEST(Combine, IsTheFormulaOfTheRules) {
-  // (1 + 0.75 x 0.3) 1.1 x 1.15 = 1.549625; (1 - 0.75 x 0.1) 0.9 x 0.85 = 0.707625.
+  // The products are (1 + 0.75 x 0.3) 1.1 x 1.15 = 1.549625 and (1 - 0.75 x 0.1) 0.9 x 0.85 = 0.707625.
   FactorPair const environment{.min = 0.9, .max = 1.3}, test{.min = 0.9, .max = 1.1}, spec{.min = 0.85, .max = 1.15};
   FactorRule rule;
   rule.system_factor = 0.75;
@@ -307,7 +310,8 @@ TEST(Combine, IsTheFormulaOfTheRules) {
 }
 
 TEST(Spread, KeepsTheDeviceAndTheSystemApart) {
-  // 1.95996 x 7/sqrt(28) = 2.5928; x sqrt(22/27) = 2.3404; t(0.975, 5) = 2.570582, x 7 sqrt(1/6 - 1/28) = 6.5116.
+  // For a CoV of 7 % and 28 devices: 1.95996 x 7/sqrt(28) = 2.5928. With six of them tested, this times sqrt(22/27) is
+  // 2.3404, and the prediction is t(0.975, 5) = 2.570582 times 7 sqrt(1/6 - 1/28), which is 6.5116.
   EXPECT_NEAR(system_half_width_percent(7, 28, 0), 2.5928, 1e-4);
   EXPECT_NEAR(system_half_width_percent(7, 28, 1), 2.5928, 1e-4);
   EXPECT_NEAR(system_half_width_percent(7, 28, 6), 2.3404, 1e-4);
@@ -319,7 +323,8 @@ TEST(Spread, KeepsTheDeviceAndTheSystemApart) {
   EXPECT_TRUE(std::isnan(prediction_half_width_percent(7, 28, 1)));
 }
 
-// The prediction must keep its promise and hold 95 % of the lots drawn from a normal production.
+// The prediction from six tested devices must contain the mean of the lot in 95 % of lots drawn from a normal
+// distribution.
 TEST(Spread, ThePredictionOfTheSystemHolds95PercentOfLots) {
   std::mt19937_64 random(3);
   std::normal_distribution<double> device(1.0, 0.07);
@@ -336,17 +341,18 @@ TEST(Spread, ThePredictionOfTheSystemHolds95PercentOfLots) {
     double const mean = tested_sum / 6, s = std::sqrt((squares - 6 * mean * mean) / 5);
     held += std::abs(sum / 28 - mean) <= mean * prediction_half_width_percent(100 * s / mean, 28, 6) / 100;
   }
-  EXPECT_NEAR(held / static_cast<double>(lots), 0.95, 0.005);  // three standard errors
+  EXPECT_NEAR(held / static_cast<double>(lots), 0.95, 0.005);  // the tolerance is three standard errors
 }
 
 TEST(Bounds, AreLabelledBySource) {
   auto const rules = rules_of(fmt::format(
       "{}[factors]\nsystem_factor = 0.75\n[[factor]]\nquantity = \"K_eff\"\nenvironment_min = 0.9\nenvironment_max = 1.3\nspec_min = 0.85\nspec_max = 1.15\n",
       limits));
-  // Design 1.2, the same mean; CoV 8.16497 %, cycles all alike except the third.
+  // The mean equals the design value of 1.2. The CoV is 8.16497 %. All cycles of a device are alike except the third.
   auto const lot = lot_view(rules, lot_of({0.9, 1.0, 1.1, 1.0}), parse_design("K_eff=1.2"), 28);
   auto const& view = of(lot, Quantity::K_eff);
-  // Device 0.9: 1, 1, 0.9: max 3/2.9, min 2.7/2.9. Device 1.1: max 3.3/3.1, min 3/3.1.
+  // Relative to the mean of its three cycles, device 0.9 has cycles 1, 1, 0.9: 2.7/2.9 is the least factor. Device 1.1
+  // has cycles 1, 1, 1.1: 3.3/3.1 is the largest.
   EXPECT_NEAR(view.test_factors->max, 3.3 / 3.1, 1e-12);
   EXPECT_NEAR(view.test_factors->min, 2.7 / 2.9, 1e-12);
   auto const& contract = bound(view, "contract band");
@@ -358,16 +364,16 @@ TEST(Bounds, AreLabelledBySource) {
   // k CoV = 6.3411 x 8.16497 = 51.7749 %
   EXPECT_NEAR(bound(view, "statistical, each device").spec.max, 1.517749, 1e-5);
   EXPECT_NEAR(bound(view, "statistical, each device").spec.min, 1 - 0.517749, 1e-5);
-  // 1.95996 x 8.16497/sqrt(28) x sqrt(24/27) = 2.85130; t(0.975, 3) = 3.182446, x 8.16497 sqrt(1/4 - 1/28) = 12.0286,
-  // all in %.
+  // In percent: 1.95996 x 8.16497/sqrt(28) x sqrt(24/27) = 2.85130 for the system, and t(0.975, 3) = 3.182446 times
+  // 8.16497 sqrt(1/4 - 1/28) = 12.0286 for the prediction.
   EXPECT_NEAR(bound(view, "statistical, system").spec.max, 1.0285130, 1e-6);
   EXPECT_NEAR(bound(view, "statistical, system predicted").spec.min, 1 - 0.120286, 1e-6);
   EXPECT_EQ(view.bounds.size(), 5u);
 }
 
 TEST(Bounds, TakeTheDefaultsOnlyOfPropertiesTheSetNames) {
-  // All cycles are alike, so the test factors are 1. In ASCE 7 the defaults 1.8 and 0.6 replace 1.15 and 0.85 for K_d;
-  // K_eff has no [[factor]].
+  // All cycles are alike, so the test factors are 1. For K_d the file of ASCE 7 has the default factors 1.8 and 0.6,
+  // which replace the products 1.15 and 0.85. It has no [[factor]] for K_eff.
   auto const lot = lot_view(find_rule_set("asce-7-22"), lot_of({1.0, 1.0}), parse_design("K_eff=1.2,K_d=0.9"));
   auto const& named = bound(of(lot, Quantity::K_d), "contract band");
   EXPECT_NEAR(named.upper, 0.9 * 1.8, 1e-12);
@@ -381,7 +387,7 @@ TEST(Bounds, AreRelativeToTheMeanWithoutADesignValue) {
   auto const lot = lot_view(rules_of(limits), lot_of({0.9, 1.0, 1.1, 1.0}), {});
   auto const& view = of(lot, Quantity::K_eff);
   EXPECT_NEAR(bound(view, "observed").spec.max, 1.1, 1e-12);
-  EXPECT_EQ(view.bounds.size(), 2u);  // no contract band, no lot size
+  EXPECT_EQ(view.bounds.size(), 2u);  // neither a contract band nor the size of the lot is given
 }
 
 TEST(MeanAnalysis, IsPermittedUpTo20Percent) {

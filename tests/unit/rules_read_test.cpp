@@ -1,4 +1,4 @@
-// Rule files: what they can say, the built-in ones, and what is refused, with its line.
+// Rule files: what they may contain, the built-in ones, and the messages about mistakes with their line.
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -33,7 +33,7 @@ void expect_limit(RuleSet const& set, Quantity quantity, Scope scope, std::optio
   EXPECT_EQ(limit->upper_percent, upper) << set.id << " " << name(quantity);
 }
 
-std::string refused(std::string_view tail) {  // the first line of the tail is line 11
+std::string refused(std::string_view tail) {  // the first line of the tail is line 11 of the file
   return refusal_of([&] { rules_of(tail); });
 }
 
@@ -144,7 +144,7 @@ TEST(Template, MeansWhatItsCommentsSay) {
   EXPECT_EQ(set.factors_of(Quantity::energy), nullptr);
 }
 
-// The template only mentions these ways of counting.
+// The template explains these other ways of counting cycles in a comment; each must be valid in its place.
 TEST(Template, OffersThreeWaysOfCountingCycles) {
   auto const with = [](std::string_view cycles) {
     std::string text(rule_set_text("template"));
@@ -248,7 +248,7 @@ TEST(FindRules, NamesWhatThereIs) {
   expect_parts(refusal_of([] { find_rule_set("/dev"); }), {"is a directory"});
 }
 
-// A campaign without rules stores an empty text, so an empty file must not be accepted as a rule set.
+// A campaign without rules stores an empty text. An empty file must therefore not be accepted as a rule set.
 TEST(FindRules, AnEmptyFileIsNoRuleSet) {
   auto const path = std::filesystem::temp_directory_path() / "isolaw-empty-rules.toml";
   std::ofstream(path).close();
@@ -258,12 +258,13 @@ TEST(FindRules, AnEmptyFileIsNoRuleSet) {
 
 TEST(RequiredSample, IsTheShareWithinItsBounds) {
   SampleRule const ntc{.share_percent = 20, .least = 4, .clause = {}};
-  // min(N, max(4, ceil(0.2 N))): 28 -> 5.6 -> 6; 35 -> 7 to the last bit of 0.2; 3 and 4 -> all.
+  // The sample is min(N, max(4, ceil(0.2 N))). For 28 devices 5.6 is rounded up to 6. For 35 it is exactly 7, although
+  // 0.2 is inexact in binary. Of 3 or 4 devices all are tested.
   std::vector<std::pair<int, int>> const by_size{{0, 0},  {1, 1},  {3, 3},  {4, 4},   {20, 4},
                                                  {21, 5}, {28, 6}, {35, 7}, {100, 20}};
   for (auto const& [lot, sample] : by_size) EXPECT_EQ(required_sample(ntc, lot), sample) << lot;
   for (int lot = 5; lot < 1000; lot += 5) EXPECT_EQ(required_sample(ntc, lot), std::max(lot / 5, 4)) << lot;
-  // 2.2 % of 1500 are 33, but binary numbers make 33.000000000000004 of it.
+  // 2.2 % of 1500 is 33, but in binary arithmetic it is 33.000000000000004.
   EXPECT_EQ(required_sample({.share_percent = 2.2, .least = 1, .clause = {}}, 1500), 33);
   EXPECT_EQ(required_sample({.share_percent = 100, .least = 1, .clause = {}}, 28), 28);
 }

@@ -1,6 +1,6 @@
-// Records of cyclic tests with known truth, drawn from a seed: devices, waveforms, sampling, noise and digitisers as
-// laboratories have them, and faults of their channels. With them tests/unit/data_signals_test.cpp counts how often a
-// fault is found, and how often one is reported where there is no fault.
+// Random records of cyclic tests whose truth is known, drawn from a seed: devices, waveforms, sampling, noise and
+// digitisers as in laboratories, and faults of the channels. tests/unit/data_signals_test.cpp counts on them how often
+// a fault is found, and how often one is reported where there is none.
 #pragma once
 
 #include <algorithm>
@@ -18,10 +18,10 @@
 namespace isolaw::data::testing {
 
 enum class Waveform { sine, triangle, stages, trapezoid, dwell, one_sided };
-enum class Device { rubber, lead, friction, relaxing, viscous, bouc_wen };  // the last is not drawn by draw()
+enum class Device { rubber, lead, friction, relaxing, viscous, bouc_wen };  // draw() chooses among all but the last
 
 struct Recording {
-  std::string text;  // what was drawn
+  std::string text;  // a description of what was drawn
   double amplitude_mm = 0.0, force_kN = 0.0;
   std::vector<double> time_s, disp_mm, force_kN_;
   CycleView view() const { return {disp_mm, force_kN_, time_s, {}}; }
@@ -34,7 +34,8 @@ class Drawn {
   double on_logs(double low, double high) { return low * std::pow(high / low, uniform()); }
   int whole(int low, int high) { return low + static_cast<int>(between(0.0, high - low + 1.0 - 1e-9)); }
   bool chance(double p) { return uniform() < p; }
-  // Marsaglia's polar method, two numbers at a time; the standard library's distributions differ between libraries.
+  // Marsaglia's polar method gives two numbers at a time. The distributions of standard libraries differ, so they are
+  // not used.
   double normal() {
     if (next_normal_) return *std::exchange(next_normal_, std::nullopt);
     double x = 0.0, y = 0.0, square = 0.0;
@@ -49,7 +50,7 @@ class Drawn {
   }
 
  private:
-  // A number below 1 from 64 random bits.
+  // A number from 0 to below 1, from 64 random bits.
   double uniform() {
     auto const low = static_cast<double>(random_()), high = static_cast<double>(random_());
     return std::min((low + 0x1p32 * high) * 0x1p-64, std::nextafter(1.0, 0.0));
@@ -59,7 +60,7 @@ class Drawn {
 };
 
 struct Bounds {
-  double most_disp_noise = 0.002, most_force_noise = 0.005;  // shares of the amplitudes
+  double most_disp_noise = 0.002, most_force_noise = 0.005;  // as shares of the amplitudes
   int fewest_samples = 60, most_samples = 1000;              // per cycle
   int fewest_bits = 12;
 };
@@ -69,10 +70,11 @@ struct Plan {
   Device device = Device::rubber;
   int samples = 200, cycles = 3, bits = 0;
   double amplitude_mm = 100.0, frequency_Hz = 0.5, disp_noise = 0.0, force_noise = 0.0;
-  // For a Bouc-Wen loop: its yield displacement as a share of the amplitude, K1/K2, and the exponent.
+  // Used for Bouc-Wen loops only: yield displacement over amplitude, K1/K2, and the exponent.
   double yields_at = 0.02, stiffness_ratio = 20.0;
   int exponent = 1;
-  double overdriven = 1.4;  // for a trapezoid: height of the triangle that it is cut from, over the amplitude
+  // Used for trapezoids only: height of the triangle whose tips are cut off, over the amplitude.
+  double overdriven = 1.4;
 };
 
 inline Plan draw(Drawn& random, Bounds const& bounds, bool holds) {
@@ -89,7 +91,7 @@ inline Plan draw(Drawn& random, Bounds const& bounds, bool holds) {
   return plan;
 }
 
-// Displacement as a share of the amplitude; `phase` counts cycles from the start.
+// Displacement over amplitude; `phase` counts cycles from the start.
 inline double shape_of(Plan const& plan, double phase) {
   double const part = phase - std::floor(phase);
   auto const triangle = [](double p) { return p < 0.25 ? 4.0 * p : p < 0.75 ? 2.0 - 4.0 * p : 4.0 * p - 4.0; };
@@ -101,7 +103,7 @@ inline double shape_of(Plan const& plan, double phase) {
       return sine * (phase < plan.cycles / 2 ? 0.5 : 1.0);
     case Waveform::trapezoid:
       return std::clamp(plan.overdriven * triangle(part), -1.0, 1.0);
-    case Waveform::dwell: {  // half cosines between holds, at the peaks and at zero
+    case Waveform::dwell: {  // half cosines between holds at the peaks and at zero
       double const p = 8.0 * part;
       auto const rise = [](double u) { return 0.5 - 0.5 * std::cos(std::numbers::pi * std::clamp(u, 0.0, 1.0)); };
       return p < 3.0 ? rise(p) : p < 4.0 ? 1.0 - rise(p - 3.0) : p < 7.0 ? -rise(p - 4.0) : -1.0 + rise(p - 7.0);
@@ -113,10 +115,11 @@ inline double shape_of(Plan const& plan, double phase) {
   }
 }
 
-// The force in kN along a finely sampled history; stiffness and distances scale with the amplitude.
+// The force in kN along a finely sampled history. Stiffness and distances scale with the amplitude.
 inline std::vector<double> force_of(Device device, std::vector<double> const& x, double dt, Plan const& plan) {
   double const D = plan.amplitude_mm, K = 100.0 / D, period = 1.0 / plan.frequency_Hz;
-  double elastic = 0.6, Q = 0.4, way = 0.1, maxwell = 0.0, damper = 0.0;  // as shares of the amplitudes
+  // Stiffnesses, strengths and damping are shares of the amplitude of the force, and `way` is one of the displacement.
+  double elastic = 0.6, Q = 0.4, way = 0.1, maxwell = 0.0, damper = 0.0;
   if (device == Device::lead) elastic = 0.35, Q = 0.65, way = 0.02;
   if (device == Device::friction) elastic = 0.2, Q = 0.8, way = 0.001;
   if (device == Device::relaxing) elastic = 0.5, Q = 0.25, way = 0.1, maxwell = 0.5;
@@ -128,7 +131,7 @@ inline std::vector<double> force_of(Device device, std::vector<double> const& x,
     for (double const now : x) {
       double const step = (now - before) / uy;
       auto const rate = [&](double at) { return at * step > 0.0 ? 1.0 - std::pow(std::abs(at), plan.exponent) : 1.0; };
-      z += step * rate(z + step / 2.0 * rate(z));  // midpoint
+      z += step * rate(z + step / 2.0 * rate(z));  // midpoint rule
       F.push_back(100.0 * (share * now / uy + (1.0 - share) * z));
       before = now;
     }
@@ -149,7 +152,8 @@ inline void add_noise(Drawn& random, std::vector<double>& x, double deviation) {
     for (double& value : x) value += deviation * random.normal();
 }
 inline void digitise(std::vector<double>& x, int bits, double full_scale) {
-  double const step = bits > 0 ? 2.0 * full_scale / std::pow(2.0, bits) : 1e-4;  // without bits, the digits of the file
+  // Without a digitiser, the file rounds values to four decimals.
+  double const step = bits > 0 ? 2.0 * full_scale / std::pow(2.0, bits) : 1e-4;
   for (double& value : x) value = step * std::round(value / step);
 }
 
@@ -157,7 +161,7 @@ struct Clean {
   std::vector<double> time_s, disp_mm, force_kN;
 };
 
-// The motion without noise: rest, cycles, rest.
+// The motion without noise: rest, cycles and rest.
 inline Clean true_motion(Plan const& plan) {
   constexpr int finer = 8;
   int const n = plan.samples * plan.cycles * finer;

@@ -1,5 +1,5 @@
-// Grades of prediction, when a law is adequate, which laws have parameters that only the box holds, and the warnings
-// that go with a law taken from a campaign; see docs/decision.md.
+// Grades of prediction, adequacy of laws, parameters that only the search box limits, and the warnings for a law that a
+// user takes from a campaign. docs/decision.md explains them.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -31,10 +31,11 @@ TEST(Prediction, IsGradedByTheMeanOnThePredictedBlocks) {
 
 TEST(Prediction, CollapsesWhereABlockIsLostOrFarBeyondTheFit) {
   using enum PredictionGrade;
-  EXPECT_EQ(graded(0.02, 0.08, 1.01), unusable);  // worse than a constant somewhere
-  EXPECT_EQ(graded(0.02, 0.20, 0.25), fair);      // ten times the fit, no more
+  EXPECT_EQ(graded(0.02, 0.08, 1.01), unusable);  // on one block the prediction is worse than a constant force
+  EXPECT_EQ(graded(0.02, 0.20, 0.25), fair);      // ten times the error of the fit is still allowed
   EXPECT_EQ(graded(0.019, 0.20, 0.25), unusable);
-  EXPECT_EQ(graded(0.001, 0.19, 0.19), fair);  // errors too small to see may be any multiple of the fit
+  // This error is many times that of the fit, but too small to be called poor.
+  EXPECT_EQ(graded(0.001, 0.19, 0.19), fair);
   double const nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
   EXPECT_EQ(graded(0.02, nan, nan), unusable);
   EXPECT_EQ(graded(0.02, infinite, infinite), unusable);
@@ -63,7 +64,7 @@ TEST(Adequacy, OfALawThatMissesTheForceOrTheStiffness) {
     EXPECT_FALSE(contains(findings(summary).headline, id)) << findings(summary).headline;
   }
   EXPECT_TRUE(contains(findings(summary).headline, "worth considering"));
-  // A user who takes this law from the campaign is warned as well.
+  // A user who takes jankowski from the campaign gets the same warning.
   auto const with_it = doubts(summary, "jankowski", summary.devices.front().name).findings;
   EXPECT_TRUE(contains(
       with_it.front(),
@@ -73,7 +74,8 @@ TEST(Adequacy, OfALawThatMissesTheForceOrTheStiffness) {
       << findings(summary).headline;
 }
 
-// Eight of ten parameters lie at one bound and so hardly scatter. Beta is small, but the law is not robust.
+// On half of the devices every parameter lies at its upper bound, so the parameters hardly scatter and beta is small.
+// The law must not be called robust.
 TEST(Adequacy, ParametersAtBoundsMakeNoLawRobust) {
   auto summary = fixture::lot(10, 6);
   EXPECT_EQ(verdict(summary, "bilinear").role, Role::most_robust);
@@ -109,7 +111,7 @@ TEST(Prediction, ThatIsPoorIsNoCompromiseAndIsSaid) {
   EXPECT_TRUE(contains(doubts(summary, "vaiana", summary.devices.front().name).objection, "unusable"));
 }
 
-// Doubts concern this law on this device, not other laws and devices.
+// The warnings concern one law on one device. Findings about other laws and devices are left out.
 TEST(Doubts, AreOfTheLawAndTheDevice) {
   auto summary = fixture::lot();
   auto const devices = device_names(summary);
@@ -141,10 +143,10 @@ void miss_the_stiffness(LawResult& law) {
   for (auto& fit : law.devices) fit.K_eff_error_percent = 467.0;
 }
 
-// A law that does not describe the devices dominates none that does.
+// A law that does not describe the devices must not exclude others from the front.
 TEST(Adequacy, OfALawOnTheFrontHidesNoOther) {
   auto summary = fixture::lot(10, 6);
-  ASSERT_EQ(verdict(summary, "bouc-wen").role, Role::dominated);  // by vaiana alone
+  ASSERT_EQ(verdict(summary, "bouc-wen").role, Role::dominated);  // vaiana alone dominates it
   miss_the_stiffness(law(summary, "vaiana"));
   EXPECT_EQ(verdict(summary, "bouc-wen").role, Role::compromise);
   EXPECT_TRUE(contains(findings(summary).headline, "4 of 6 laws are worth considering")) << findings(summary).headline;
@@ -189,7 +191,7 @@ TEST(Adequacy, AFrontThatTheBoxHoldsHasNoRobustEnd) {
       << findings(summary).headline;
 }
 
-// A single device always agrees with itself, so the search box cannot be the reason for the agreement.
+// A single device always agrees with itself. The search box must not be named as the reason for the agreement.
 TEST(Adequacy, OneDeviceIsHeldByNoBox) {
   auto summary = fixture::lot(1, 2);
   for (auto& one : summary.laws) hold_by_the_box(one);
@@ -255,7 +257,7 @@ TEST(Doubts, OfDegradationAreOfTheLawAlone) {
   EXPECT_FALSE(contains(doubts_of(summary, "bilinear", "D1"), "--fit-cycles"));
 }
 
-// Adequacy is judged for a law on all devices together, not for one device.
+// A law is adequate or not for all devices together. A poor fit to one device does not change this.
 TEST(Doubts, TakeAdequacyFromTheWhole) {
   auto summary = fixture::lot(10, 3);
   law(summary, "bilinear").devices[0].K_eff_error_percent = 60.0;
@@ -287,7 +289,8 @@ TEST(Doubts, NameCopiesOfARecord) {
   EXPECT_FALSE(contains(doubts_of(summary, "bilinear", "D3"), copies));
 }
 
-// A user who takes the law of a lot is told that the lot fails, and which devices the law does not cover.
+// A user who takes the law of a lot is told which devices were refused and not used for it, and which rules the lot
+// fails.
 TEST(Doubts, SayWhatIsNotKeptAndWhichDevicesWereRefused) {
   auto summary = fixture::lot();
   auto const count = summary.devices.size();

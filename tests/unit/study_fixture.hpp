@@ -1,5 +1,5 @@
-// A small made-up lot for the tests of the report: devices that differ a little, laws that miss their loops in
-// different ways, and one refused device whose name attacks every output format.
+// A small made-up lot for the tests of the report. Its devices differ a little, its laws miss their loops in different
+// ways, and it has one refused device whose name attacks every output format.
 #pragma once
 
 #include <cmath>
@@ -15,12 +15,12 @@ namespace isolaw::study::fixture {
 
 inline std::string const nasty_name = "</script><img src=x onerror=alert(1)>\"'\n=1+1";
 
-// How a made-up law misses the record, and where it lies in the plane of accuracy and robustness.
+// A made-up law: how far it misses the record, and its accuracy and robustness.
 struct LawSketch {
   std::string id, title;
   double objective, beta;
   bool on_front;
-  double stiffness, strength;  // factors on the record's loop
+  double stiffness, strength;  // the law's stiffness and strength over those of the record
   std::vector<ParameterFit> parameters;
 };
 
@@ -34,8 +34,8 @@ inline ParameterFit parameter(std::string name, std::string unit, double mean, d
   return fit;
 }
 
-// The first three laws serve exact tests; the others fill the page for browser tests. Objectives and betas are from the
-// published table.
+// Exact tests use the first three laws; the others fill the page for browser tests. Objectives and betas are those of
+// the published table.
 inline std::vector<LawSketch> sketches() {
   return {
       {"bilinear",
@@ -105,7 +105,7 @@ inline std::vector<LawSketch> sketches() {
   };
 }
 
-// The force on three cycles of ±208 mm at 0.5 Hz. Factors of 1 give the force of the record itself.
+// The force on three cycles of ±208 mm at 0.5 Hz. With both factors 1 it is the force of the record itself.
 inline std::vector<double> loop_force(data::FitRecord const& record, double stiffness, double strength,
                                       double scragging) {
   std::vector<double> force;
@@ -163,7 +163,7 @@ inline DeviceResult device(std::string name, double scatter, int samples_per_cyc
   return device;
 }
 
-// `law_count` laws on `device_count` usable devices named D1, D2, ..., and one refused device after them.
+// `law_count` laws on the devices D1, D2, ..., followed by one refused device.
 inline Summary lot(int device_count = 3, int law_count = 3) {
   Summary summary;
   summary.version = "0.1.0";

@@ -1,5 +1,6 @@
-// The campaign beside the published study: with the study's own numbers every value is the printed one, and every
-// statement is judged as its table judges it. Other numbers, fewer laws or another reading change the result.
+// Compares a campaign with the published study. If the campaign has the study's own numbers, every value must be the
+// printed one and every statement be judged as by the printed table. Other numbers, fewer laws or another reading of a
+// law change the result.
 #include "isolaw/study/published.hpp"
 
 #include <gtest/gtest.h>
@@ -60,7 +61,7 @@ PublishedLaw const& row(Published const& comparison, std::string const& id) {
   return *std::ranges::find(comparison.laws, id, &PublishedLaw::law);
 }
 
-// Each law states whether it belongs to the study; the printed table has numbers for exactly those, by the same ids.
+// Each law states whether it belongs to the study. The printed table must have numbers for exactly those laws.
 TEST(PublishedTable, has_a_row_for_each_law_of_the_study) {
   std::set<std::string_view> printed, known;
   for (auto const& law : table_a5::laws) {
@@ -76,7 +77,7 @@ TEST(Published, ItsOwnNumbersAreFoundAgain) {
   auto const comparison = published(campaign_of_table());
   ASSERT_TRUE(comparison);
   ASSERT_EQ(comparison->laws.size(), 6u);
-  // From the printed table, computed without this program.
+  // Mean objective and beta of each law in the printed table, computed without this program.
   std::map<int, std::pair<double, double>> const expected{{1, {0.137, 0.1421}}, {2, {0.079, 0.3030}},
                                                           {3, {0.088, 0.2164}}, {4, {0.089, 0.2171}},
                                                           {5, {0.085, 0.2590}}, {6, {0.117, 0.3341}}};
@@ -99,7 +100,7 @@ TEST(Published, ItsOwnNumbersAreFoundAgain) {
   }
 }
 
-// Three statements of the study do not follow from its own table.
+// Three statements of the study disagree with the study's own table.
 TEST(Published, StatementsOfTheStudyInItsOwnTable) {
   auto const comparison = published(campaign_of_table());
   ASSERT_TRUE(comparison);
@@ -135,7 +136,7 @@ TEST(Published, OtherNumbersAreJudgedAnew) {
 TEST(Published, WhatCannotBeJudgedIsOpenWithItsReason) {
   auto summary = campaign_of_table();
   std::erase_if(summary.laws, [](auto const& law) { return law.id == "bouc-wen"; });
-  for (auto& law : summary.laws) law.beta.reset();  // as with one device
+  for (auto& law : summary.laws) law.beta.reset();  // a campaign of one device has no beta
   auto const comparison = published(summary);
   EXPECT_EQ(statement(*comparison, "Laws 2 to 6").here, std::nullopt);
   EXPECT_EQ(statement(*comparison, "Laws 2 to 6").found, "no objective of law 4");
@@ -172,7 +173,8 @@ TEST(Published, RunsThatEndAtOnePlaceHaveNoScatterToCompare) {
   EXPECT_EQ(statement(*published(summary), "Law 3 scatters").here, true);
 }
 
-// Law 5 has two readings. If a campaign has both, the closer one is judged, and the two count as one law.
+// The text of the study allows two readings of law 5. If a campaign has both, the reading with the closer results is
+// judged, and the two count as one law.
 TEST(Published, TwoReadingsOfLaw5) {
   auto summary = campaign_of_table();
   auto other = the(summary, "abe-y0");

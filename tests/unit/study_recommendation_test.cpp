@@ -104,14 +104,14 @@ TEST(Recommendation, OfLawsWithinTheScatterOfTheDevicesIsATie) {
                                    {"b", {0.045, 0.035, 0.043}, {0.055, 0.045, 0.054}, {}, 4}});
   auto const recommendation = of(summary, Purpose::untested_device);
   EXPECT_EQ(recommendation.sure, Sure::tie) << recommendation.why;
-  EXPECT_EQ(law_of(summary, recommendation), "b");  // fewer parameters
+  EXPECT_EQ(law_of(summary, recommendation), "b");  // law b has fewer parameters
   EXPECT_EQ(recommendation.ties, std::vector<std::size_t>{0});
   EXPECT_TRUE(contains(recommendation.why, "a differs from it by less than the scatter over the devices"))
       << recommendation.why;
   EXPECT_FALSE(recommendation.surer.empty());
 }
 
-// A law may come nearest to the tests that it was fitted to and be wrong elsewhere.
+// A law may be closest to the tests used for its fit and still predict other tests badly.
 TEST(Recommendation, IsNeverALawThatPredictsBadly) {
   auto const summary =
       summary_of({{"overfit", {0.01}, {}, 2.7}, {"poor", {0.015}, {}, 0.4}, {"sound", {0.05}, {}, 0.08}});
@@ -179,7 +179,7 @@ TEST(Recommendation, IsWeakWhereTheTestsLeaveParametersOpenOrTheBoxHoldsThem) {
   EXPECT_EQ(of(held, Purpose::untested_device).sure, Sure::weak) << of(held, Purpose::untested_device).why;
 }
 
-// With one law there is no choice, however small its error is.
+// With a single law there is no comparison, so the recommendation is weak even if the error is small.
 TEST(Recommendation, OfTheOnlyLawIsWeak) {
   auto const summary = summary_of({{"only", {0.02, 0.021, 0.022}, {0.03, 0.031, 0.032}}});
   for (auto const& recommendation : recommendations(summary)) {
@@ -207,7 +207,7 @@ TEST(Recommendation, LeavesOutALawThatWasRefusedOnADevice) {
   summary.laws[0].devices[1].device = "D1";
   summary.laws[0].devices[1].refusal = "no time channel";
   for (auto const& recommendation : recommendations(summary)) EXPECT_EQ(law_of(summary, recommendation), "whole");
-  // A device that could not be read takes no part in the choice.
+  // A device that could not be read does not change the choice.
   DeviceResult refused;
   refused.name = "bad";
   refused.status = "refused";

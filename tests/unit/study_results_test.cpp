@@ -1,4 +1,4 @@
-// The descriptions of results are compared with the page that documents them.
+// The descriptions of results in the code must be those of docs/summary-json.md.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 namespace isolaw::study {
 namespace {
 
-// The rows of the table under a heading, cell by cell.
+// The cells of each row of the table under a heading.
 std::vector<std::vector<std::string>> documented(std::string const& heading,
                                                  std::string const& file = "summary-json.md") {
   std::ifstream page(ISOLAW_SOURCE_DIR "/docs/" + file);
@@ -59,7 +59,7 @@ void expect_all_documented(Result<Of> const (&results)[count], std::vector<std::
   EXPECT_EQ(rows.size(), count);
 }
 
-// The row of an object must name each of its members.
+// The description of an object must name every member of the object.
 template <class Of, std::size_t count, class Whole>
 void expect_members(Result<Of> const (&results)[count], Result<Whole> const& whole) {
   for (auto const& row : results)
@@ -122,7 +122,8 @@ TEST(Results, HaveAHeadingForEachCell) {
   EXPECT_EQ(texts(columns(cycle_results, {"D_y_mm"})[0]), std::vector<std::string>{"D_y [mm]"});
 }
 
-// The page looks up a property of the lot in the devices by the heading of the cycles, so the names must be equal.
+// The page finds a lot's property in the devices by the heading of the property, so lot and cycles must use the same
+// names.
 TEST(Results, OfALotsPropertiesAreNamedAsThoseOfCycles) {
   for (auto const quantity : rules::measured_quantities())
     EXPECT_EQ(std::ranges::count(cycle_results, rules::name(quantity), &Result<CycleOf>::heading), 1)

@@ -1,4 +1,4 @@
-// The device that represents its lot.
+// The device that best represents its lot.
 #include "isolaw/study/typical_device.hpp"
 
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@ namespace {
 
 TEST(TypicalDevice, IsNearestToTheMeanOfTheLot) {
   auto summary = fixture::lot(3);
-  EXPECT_EQ(typical_device(summary), 1u);  // off by 12 %, by nothing and by 12 %
-  // A device that every law misses is not typical either.
+  EXPECT_EQ(typical_device(summary), 1u);  // the devices differ from the mean by -12 %, 0 and 12 %
+  // A device that every law fits badly is not typical.
   for (auto& law : summary.laws) *law.devices[1].objective.mean *= 4.0;
   EXPECT_EQ(typical_device(summary), 2u);
 }
@@ -29,7 +29,7 @@ TEST(TypicalDevice, IsKnownByItsStiffnessAloneOfRecordsWithoutLaws) {
 
 TEST(TypicalDevice, IsNoneThatWasRefused) {
   auto summary = fixture::lot(2);
-  EXPECT_EQ(typical_device(summary), 0u);  // equally far: the first one
+  EXPECT_EQ(typical_device(summary), 0u);  // both are equally near the mean, so it is the first
   summary.devices[0].status = "refused";
   EXPECT_EQ(typical_device(summary), 1u);
   summary.devices.clear();

@@ -1,4 +1,4 @@
-// The verdict on a device and on the lot: never a bare pass where something was not compared.
+// The verdict on a device and on the lot. It is never a plain pass if something was not compared.
 #include "finding_text.hpp"
 #include "isolaw/study/verdict.hpp"
 
@@ -48,7 +48,7 @@ TEST(DeviceVerdict, OfWhatWasNotComparedIsNamed) {
                      line("damping, positive side", Verdict::not_assessed),
                      line("damping, negative side", Verdict::not_assessed), line("K_v", Verdict::not_assessed)}),
             "pass on 1 of 3 (K_eff; not assessed: damping, K_v)");
-  // A quantity with a side that could not be compared does not pass.
+  // A quantity does not pass if one of its sides could not be compared.
   EXPECT_EQ(text_of({line("K_eff, positive side", Verdict::pass), line("K_eff, negative side", Verdict::not_assessed),
                      line("damping", Verdict::pass)}),
             "pass on 1 of 2 (damping; not assessed: K_eff)");
@@ -56,7 +56,7 @@ TEST(DeviceVerdict, OfWhatWasNotComparedIsNamed) {
             "not assessed");
 }
 
-// A device whose shear test was compared with nothing does not pass by its compression test.
+// If nothing in the shear test was compared, a passed compression test alone is no pass.
 TEST(DeviceVerdict, ACompressionTestAloneIsNoPass) {
   EXPECT_EQ(text_of({line("K_eff", Verdict::not_assessed), line("damping", Verdict::not_assessed),
                      line("K_v", Verdict::pass, 8.3)}),
@@ -70,9 +70,9 @@ TEST(DeviceVerdict, InformationOnWhatHasNoLimitIsNoVerdict) {
   EXPECT_EQ(text_of({line("K_eff", Verdict::not_assessed), line("Q_d", Verdict::information, 3.0, "")}),
             "not assessed");
   EXPECT_EQ(text_of({line("K_eff", Verdict::information, 3.0), line("damping", Verdict::not_assessed)}),
-            "information");  // from a set that is not verified
+            "information");  // the rule set is not verified
   EXPECT_EQ(text_of({line("Q_d", Verdict::information, 3.0, ""), line("K_v", Verdict::not_assessed, {}, "")}),
-            "information");  // from a set without limits on a device
+            "information");  // the rule set has no limits on a single device
   EXPECT_EQ(text_of({}), "not assessed");
 }
 
@@ -219,7 +219,7 @@ TEST(OverallVerdict, NamesTenDevicesThatFailAndCountsTheOthers) {
   EXPECT_FALSE(verdict_against(summary, "Y"));
 }
 
-// Two devices hold the same record. The second gets no verdict, and the reason is given beside it.
+// Two devices hold the same record. The second device gets no verdict, and the reason is stated.
 TEST(OverallVerdict, OneRecordIsNoTestOfTwoDevices) {
   auto summary = verified_lot();
   add(summary, "D01", {line("K_eff", Verdict::pass)});
@@ -238,7 +238,8 @@ TEST(OverallVerdict, OneRecordIsNoTestOfTwoDevices) {
   EXPECT_EQ(device_verdict(copy).brief(), "not assessed");
 }
 
-// The record of the copy shows the first device, so a law taken from the copy carries that device's failure.
+// The copy holds the record of the first device, which fails. A law taken from the copy therefore carries the first
+// device's failure.
 TEST(OverallVerdict, OfACopyTheFirstDeviceFails) {
   auto summary = verified_lot();
   add(summary, "D01", {line("K_eff", Verdict::fail, 23.0)});
@@ -246,7 +247,7 @@ TEST(OverallVerdict, OfACopyTheFirstDeviceFails) {
   auto& copy = summary.devices[1].acceptance;
   copy.copy_of = "D01";
   rules::withhold_verdicts(copy.assessments, copy.copy_of);
-  EXPECT_EQ(copy.assessments[1].verdict, Verdict::pass);  // from a test of its own
+  EXPECT_EQ(copy.assessments[1].verdict, Verdict::pass);  // device D02 has a compression test of its own
   EXPECT_EQ(overall_verdict(summary).failing.size(), 1u);
   EXPECT_EQ(text_of(verdict_against(summary, "D02")), "D01 fails NTC 2018: K_eff +23.0 %");
 }

@@ -1,4 +1,4 @@
-// Findings as a store keeps them.
+// Findings as JSON, in which a campaign's store keeps them.
 #include <gtest/gtest.h>
 
 #include <cmath>

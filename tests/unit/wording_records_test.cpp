@@ -1,5 +1,5 @@
-// Sentences about several records at once: magnitudes are given as a range, and every sample, time, cycle and block is
-// given with its device.
+// Sentences about several records at once. Magnitudes may be given as a range, but each sample, time, cycle and block
+// is given with its device.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ TEST(RecordSentences, OfOneDeviceNameThePlace) {
       "properties are computed from such a record; --repair spikes replaces the samples by interpolation between their neighbours.");
 }
 
-// Three files of a lot with +60 kN on one sample each.
+// Three devices have a spike of +60 kN, each at another sample.
 TEST(RecordSentences, SpikesOfSeveralDevicesKeepTheirSamplesAndValues) {
   auto const said = sentences({spike("device-01", 151, 1.5, -11.0, -71.0), spike("device-02", 421, 4.2, 742.0, 682.0),
                                spike("device-03", 301, 3.0, 120.0, 60.0)});
@@ -86,7 +86,7 @@ TEST(RecordSentences, PartsOfAHistoryAreNamedAndNotJoined) {
   EXPECT_TRUE(said[1].starts_with("a: second.csv: the force has")) << said[1];
 }
 
-// No row of the table, old or new, may turn positions into a range.
+// No kind of finding may merge the positions of several devices into a range.
 TEST(RecordSentences, NoKindMakesARangeOfPositions) {
   struct Place {
     std::string name;

@@ -15,7 +15,7 @@ scratch = pathlib.Path(scratch)
 shutil.rmtree(scratch, ignore_errors=True)
 scratch.mkdir(parents=True)
 
-# Members of JSON that hold nothing but sentences.
+# Members of the JSON output that contain only sentences.
 SENTENCES = {
     "sentence", "why", "would_decide", "answer", "reason", "programs", "headline", "warnings", "recognised", "notes",
     "corrections", "cleaning", "message", "verdict_text", "properties_refusal", "prediction", "objection", "verdict",

@@ -1,5 +1,5 @@
-// Replaces wording/fill.cpp in a program for tests: every sentence of the table becomes the reversed key of its kind.
-// If the program reads its own sentences anywhere, it then behaves differently.
+// Replaces wording/fill.cpp in a test program: every sentence becomes the reversed key of its kind. A program that
+// reads its own sentences then behaves differently.
 #include <algorithm>
 #include <string>
 

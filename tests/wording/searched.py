@@ -19,15 +19,16 @@ SCRIPT = re.compile(
     r"|[!=]==?\s*['\"`](" + PHRASE + r")['\"`]"
     r"|/(" + PHRASE + r")/[a-z]*\.test\("
 )
-# These literals are words of foreign files, names of JSON members and enumerations, not sentences of the program.
+# The allowed literals are words of foreign files, names of JSON members and values of enumerations. None is a sentence
+# of the program.
 ALLOWED = {
-    ("src/isolaw/data/exporter.cpp", "Raw Data"),  # the program that recorded wrote it
+    ("src/isolaw/data/exporter.cpp", "Raw Data"),  # written by the program that recorded the file
     ("src/isolaw/data/mat_table.cpp", "table or object"),  # a class of MATLAB variables
-    ("src/isolaw/programs/header_parts.cpp", "struct TurningPoints"),  # C++ of an exported header
-    ("src/isolaw/render/page/script/certificate/verdict.js", "not assessed"),  # an enumeration
-    ("src/isolaw/render/page/script/decision/errors.js", "ruled out"),  # an enumeration
-    ("src/isolaw/render/page/script/icons.js", "not adequate"),  # an enumeration
-    ("src/isolaw/render/page/script/laws.js", "not adequate"),  # an enumeration
+    ("src/isolaw/programs/header_parts.cpp", "struct TurningPoints"),  # C++ code of an exported header
+    ("src/isolaw/render/page/script/certificate/verdict.js", "not assessed"),  # value of an enumeration
+    ("src/isolaw/render/page/script/decision/errors.js", "ruled out"),  # value of an enumeration
+    ("src/isolaw/render/page/script/icons.js", "not adequate"),  # value of an enumeration
+    ("src/isolaw/render/page/script/laws.js", "not adequate"),  # value of an enumeration
 }
 
 found = []

@@ -1,5 +1,5 @@
-// A program of a user of the library: it computes the force of a bilinear bearing under a sine, and asks for an unknown
-// law.
+// A program of a user of the library. It computes the force of a bilinear bearing under a sine and asks for a law that
+// does not exist.
 #include <cmath>
 #include <cstdio>
 #include <isolaw/api/isolaw.hpp>
@@ -12,7 +12,8 @@ int main() {
   std::vector<double> force_kN(path.samples());
   std::vector<double> const K1_K2_xy{2.0, 0.5, 20.0};
   isolaw::laws::find_law("bilinear").evaluate(K1_K2_xy, path, isolaw::laws::Integration::converged, force_kN);
-  double const expected = 0.5 * 100.0 + (2.0 - 0.5) * 20.0;  // post-elastic part and characteristic strength
+  // Force on the branch after yielding, K2 x + (K1 - K2) xy, at the peak of 100 mm.
+  double const expected = 0.5 * 100.0 + (2.0 - 0.5) * 20.0;
   std::printf("force at the first peak: %.3f kN\n", force_kN[50]);
   bool refused = false;
   try {

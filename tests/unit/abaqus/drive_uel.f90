@@ -1,6 +1,6 @@
-! Calls UEL as Abaqus/Standard does, increment by increment. The file motion.txt gives the number of laws, then for
-! each law its type, the number of its variables, the time step, and the displacement and velocity of each point. The
-! output for each point is the force from RHS, AMATRX (1, 1), stiffness and damping, and the work.
+! Calls the user element UEL as Abaqus/Standard does, increment by increment. The file motion.txt gives the number of
+! laws. For each law it gives the type, the number of variables, the time step, and the displacement and velocity at
+! each point. The output for each point is the force from RHS, AMATRX (1, 1), stiffness and damping, and the work.
 program drive_uel
   implicit none
   integer, parameter :: most = 4096
@@ -21,7 +21,9 @@ program drive_uel
     svars = 0
     energy = 0
     do i = 1, points
-      ! Two iterations whose results are dropped, and now and then an increment over two points that is cut back.
+      ! Abaqus repeats an increment until it converges, and cuts it back where it does not converge. The element is
+      ! therefore called twice at wrong displacements, and at every fifth point once for an increment over two points.
+      ! The results of these calls are dropped.
       do task = 1, 3
         if (task == 3 .and. (mod(i, 5) /= 0 .or. i == points)) cycle
         off = merge(-0.7d0, 1.3d0, task == 1)
@@ -33,7 +35,8 @@ program drive_uel
           call asked(kind, 11, 1, off * x(i), v(i), off * x(i) - x(i - 1), step, tried, variables, tried_energy, rhs, matrix)
         end if
       end do
-      ! Asking for stiffness, damping or a residual alone must leave no trace.
+      ! A call that asks for stiffness, damping or a residual alone must not change the element's variables and
+      ! energies.
       tried = svars
       tried_energy = energy
       call asked(kind, 11, 2, x(i), v(i), x(i) - x(i - 1), step, svars, variables, energy, rhs, k)
@@ -63,7 +66,7 @@ contains
     props = 1.5d0
     coords = 0
     u = [0d0, disp]
-    ! Both nodes also move together, which causes no force.
+    ! A displacement that both nodes share causes no force.
     du(:, 1) = [0.125d0, 0.125d0 + increment]
     vel = [0.5d0, 0.5d0 + velocity]
     acc = 0

@@ -1,5 +1,5 @@
-// Drives an exported material as an analysis does and prints force, tangent and damping of each point. Every fault
-// found on the way gets a line of its own.
+// Drives an exported material as an analysis does and prints force, tangent and damping at each point. A failed check
+// prints a line of its own.
 #pragma once
 
 #include <cmath>
@@ -49,7 +49,7 @@ void drive(void* (*parse)(), Point const (&motion)[count]) {
     m->setTrialStrain(-3.0 * x, 2.0 * v);
     m->revertToLastCommit();
     if (i % 2 == 1) {
-      m->setTrialStrain(2.0 * x, v);  // only what was committed is sent
+      m->setTrialStrain(2.0 * x, v);  // sendSelf must send the last committed state, not this trial
       Memory channel;
       require(m->sendSelf(1, channel) == 0, "not sent");
       std::unique_ptr<UniaxialMaterial> received(new UserMaterial());
@@ -61,7 +61,7 @@ void drive(void* (*parse)(), Point const (&motion)[count]) {
                   received->getInitialTangent() == first_tangent && received->getTangent() == m->getTangent() &&
                   received->getDampTangent() == m->getDampTangent(),
               "another state was received");
-      // A message that is too short or too long must change nothing.
+      // A message of the wrong length must be refused and leave the receiving material unchanged.
       for (int const more : {-1, 1}) {
         m->sendSelf(1, channel);
         channel.ids.front()[1] += more;
@@ -74,7 +74,7 @@ void drive(void* (*parse)(), Point const (&motion)[count]) {
       m = std::move(received);
     }
     if (i % 5 == 2) {
-      // A copy must not act on the original.
+      // Committing a state in the copy must not change the original.
       std::unique_ptr<UniaxialMaterial> copy(m->getCopy());
       require(copy->getTag() == 4 && copy->getStress() == m->getStress(), "the copy is another");
       copy->setTrialStrain(-x, -v);
@@ -86,7 +86,7 @@ void drive(void* (*parse)(), Point const (&motion)[count]) {
             "setTrial gives other numbers");
     std::printf("%.17g %.17g %.17g\n", force, tangent, m->getDampTangent());
     m->commitState();
-    // A second element has a material of its own, driven in turn with the first.
+    // A second material of the same kind, driven in turn with the first, must not change the first.
     other->setTrialStrain(0.5 * x, 0.5 * v);
     other->commitState();
   }

@@ -1,5 +1,6 @@
-// A Tcl command for OpenSees, which loads this file. It makes a material of a library with OpenSees' own search and
-// parser. The command uniaxialMaterial uses them too, but only after code that a partial build of OpenSees may lack.
+// A library that OpenSees loads. It adds a Tcl command that makes a material of another library by OpenSees' own search
+// and parser. OpenSees' command uniaxialMaterial does this too, but first runs code that a partial build of OpenSees
+// may lack.
 #include <cstring>
 #include <string>
 

@@ -1,5 +1,5 @@
-// The part of OpenSees that an exported material uses: the program's signatures, with the least code that makes them
-// work. It was written for the tests from the interface and contains no text of the program.
+// A stand-in for the part of OpenSees that an exported material uses: the same signatures, with the least code that
+// makes them work. It was written from the interface and contains no text of OpenSees.
 #pragma once
 
 #include <cstdlib>
@@ -52,7 +52,8 @@ class Channel {
   virtual int recvID(int, int, ID&, ChannelAddress* = nullptr) = 0;
 };
 
-// First in, first out. Receiving a message of another length than was sent is an error, as in the program.
+// Stores messages first in, first out. As in OpenSees, it is an error to receive a message of another length than was
+// sent.
 class Memory : public Channel {
  public:
   int sendVector(int, int, Vector const& x, ChannelAddress*) override {
@@ -122,7 +123,7 @@ class UniaxialMaterial : public Material {
   virtual UniaxialMaterial* getCopy(SectionForceDeformation*) { return getCopy(); }
 };
 
-// The words after a command's name. In Python a number is not text.
+// The words after the name of a command. With `python` set, a number is not accepted as text.
 inline std::vector<std::string> words;
 inline std::size_t next_word = 0;
 inline bool python = false;

@@ -1,1 +1,1 @@
-#include "isolaw/fit/box.hpp"  // a law must not know the fit: direction.cmake has to refuse this
+#include "isolaw/fit/box.hpp"  // direction.cmake must refuse this: a law must not include the fit

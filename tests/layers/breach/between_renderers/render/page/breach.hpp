@@ -1,1 +1,1 @@
-#include "isolaw/render/tables/csv.hpp"  // the page must not know the tables: direction.cmake has to refuse this
+#include "isolaw/render/tables/csv.hpp"  // direction.cmake must refuse this: the page must not include the tables

@@ -1,4 +1,4 @@
-// A breach: a decision is made from the words of a warning.
+// The deliberate error that searched.py must find: code that decides by the words of a warning.
 #include <string>
 
 bool is_about_cycles(std::string const& warning) {
