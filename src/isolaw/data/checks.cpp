@@ -23,7 +23,7 @@ constexpr double beyond_any_sensor = 1e10;
 constexpr std::array sentinels{999.0,  9999.0,  99999.0, 999999.0, 9999999.0, 999.9,
                                9999.9, 99999.9, 999.99,  9999.99,  99999.99};
 constexpr double far_beyond = 50.0;      // times the ordinary size; a larger value is an overload
-constexpr double sentinel_beyond = 3.0;  // times the ordinary size; a smaller 9999 is a true value
+constexpr double sentinel_beyond = 3.0;  // times the ordinary size; 9999 and the like are true values below it
 constexpr std::size_t least_values = 20;
 
 bool is_sentinel(double size) {
@@ -209,7 +209,7 @@ void check_physics(TestRecord const& record, std::string const& exchange_advice,
   auto const cycles = properties.complete();
   if (cycles.empty() || !properties.faults.empty()) return;  // a faulty signal is already reported
   auto const loop = measure_loop(record, cycles);
-  // A skew may make the energy of a nearly elastic device slightly negative. The record then only has no properties.
+  // A skew may make the energy of a nearly elastic device slightly negative. Such a record is read, without properties.
   constexpr double significant_energy = 0.02;
   constexpr double significant_correlation = 0.2;
   if (loop.equivalent_damping > -significant_energy) return;

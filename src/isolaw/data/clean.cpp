@@ -165,7 +165,7 @@ std::vector<double> central_difference(std::vector<double> const& time_s, std::v
     double const after = interval(i);
     return (before * slope(i) + after * slope(i - 1)) / (before + after);
   };
-  // At both ends, uses that the slope of a parabola's chord is the mean of the parabola's slopes at the chord's ends.
+  // The first and last rate follow from the neighbouring one: a chord of a parabola has the mean slope of its two ends.
   std::vector<double> rate;
   rate.reserve(size);
   rate.push_back(2.0 * slope(0) - central(1));

@@ -11,7 +11,7 @@ namespace isolaw::data {
 // campaign::setting_table() has the allowed values.
 struct CleanOptions {
   int smooth = 1;                              // window of the centred moving average, odd; 1 = none
-  std::optional<int> samples_per_cycle = 200;  // keep at least this many, 20 or more; nullopt = all samples
+  std::optional<int> samples_per_cycle = 200;  // keep at least this many per cycle, 20 or more; nullopt = all
   bool center = false;                         // remove the mean of the extremes of displacement and force
   std::optional<double> dead_band_mm = {};     // see FitRecord::dead_band_mm; nullopt = three deviations of the noise
   Selection scored = {};                       // blocks and cycles that the objective counts

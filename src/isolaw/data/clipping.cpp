@@ -22,9 +22,9 @@ constexpr double least_depth = 0.001;      // times the half range; clipping cut
 constexpr double depth_quanta = 2.5;
 constexpr double noise_width = 7.0;     // standard deviations, from top to bottom of a noisy plateau
 constexpr double least_flatness = 0.5;  // times the hump of an uncut parabola; a noisy plateau has less
-constexpr double flat_thirds = 0.197;  // hump of a parabola (see Plateau) over the height that a plateau cuts off it
-constexpr double least_turn = 0.08;    // times stiffness times depth; force turns by more if displacement is clipped
-constexpr double slower = 0.85;        // times the fastest speed; just before its plateau a clipped sine moves slower
+constexpr double flat_thirds = 0.197;   // hump of a parabola (see Plateau) over the height that a plateau cuts off it
+constexpr double least_turn = 0.08;     // times stiffness times depth; force turns by more if displacement is clipped
+constexpr double slower = 0.85;         // times the fastest speed; just before its plateau a clipped sine moves slower
 constexpr double short_plateau = 0.24;  // times half a cycle; the rig's holds are longer
 constexpr double past_the_tip = 0.006;  // times the amplitude; displacement returns by more during a clipped force
 constexpr double top_deviations = 4.0;  // standard deviations of the noise between a plateau's samples and its level
@@ -228,7 +228,7 @@ class Clipping {
     double way = 0.0, returned = 0.0;  // sums over plateaus: way from the plateau's start to the tip, and back
     double rise_before = 0.0, rise = 0.0, window = 0.0;  // sums in the two windows of displacement before a plateau
     double rise_last = 0.0, last_way = 0.0;              // sums over the step to a plateau's first sample
-    std::array<double, 4> drop{}, drop_way{};            // sums within 1, 2, 4 or half_cycle / 24 samples after it
+    std::array<double, 4> drop{}, drop_way{};            // sums over 1, 2, 4, half_cycle / 24 samples after a plateau
     std::array<double, 3> third{};                       // sums of force above the level, by thirds of `way`
     std::array<double, 3> samples{};
     double off_level = 0.0;  // number of plateaus whose mean force is not the common level

@@ -132,7 +132,7 @@ std::string narrow(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     auto const byte = [&](std::size_t at) { return static_cast<unsigned char>(text[at]); };
     if (i + 2 < text.size() && byte(i) == 0xEF && (byte(i + 1) == 0xBC || byte(i + 1) == 0xBD)) {
-      unsigned const code = (byte(i + 1) - 0xBCu) * 64u + (byte(i + 2) & 0x3Fu);  // character - U+FF00
+      unsigned const code = (byte(i + 1) - 0xBCu) * 64u + (byte(i + 2) & 0x3Fu);  // code - U+FF00
       if (code >= 1 && code <= 0x5E) {
         narrowed += static_cast<char>(0x20 + code);
         i += 2;
@@ -238,7 +238,7 @@ std::optional<ColumnName> split_brackets(std::string_view name) {
 std::optional<ColumnName> split_last_word(std::string_view name) {
   auto const at = name.find_last_of(" _/,;:-");
   if (at == std::string_view::npos || at == 0 || !parse_unit(name.substr(at + 1))) return std::nullopt;
-  // In "Force min" and "x_t" the last word is no unit, although minutes and tons are written so.
+  // In "Force min" and "x_t" the last word is no unit, although min and t are units too.
   auto const last = lower(name.substr(at + 1));
   auto const before = trimmed(name.substr(0, at + 1));
   bool const set_apart = before.ends_with(',') || before.ends_with('/') || before.ends_with(" in");

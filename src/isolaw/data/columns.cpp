@@ -230,7 +230,8 @@ class Resolver {
     auto const small = lower(trimmed(wanted));
     auto const base = lower(dissect_name(wanted).base);
     auto found = columns_where([&](auto const& text) { return text == wanted; });
-    // In a workbook, "F" means the column with that letter, unless another column's whole name is "F". "F [kN]" is not.
+    // In a workbook, "F" means the column with that letter, unless a column is named exactly "F". "F [kN]" is no such
+    // name.
     if (auto const letter = found.empty() ? lettered(wanted) : std::nullopt) return std::vector{*letter};
     if (found.empty()) found = columns_where([&](auto const& text) { return lower(text) == small; });
     if (found.empty()) found = columns_where([&](auto const& text) { return lower(dissect_name(text).base) == small; });
@@ -462,7 +463,7 @@ class Resolver {
     return written;
   }
 
-  // The unit of --units is used, not the one in the file.
+  // Warns if --units gives another unit than the file does. The unit of --units is used.
   void warn_of_other_unit(Channel channel, Column const& column, Unit const& used) {
     if (!options_.units.contains(channel) || !has_names()) return;
     auto const stated = parse_unit(dissect_name(header_.names[column.index]).unit);

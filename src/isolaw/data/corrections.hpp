@@ -11,7 +11,7 @@ struct Corrections {
   bool repair_spikes = false;                       // replaces single samples far from their neighbours
   std::optional<double> skew_s = {};                // delay of the force behind displacement, to be removed
   std::optional<double> friction_kN = {};           // friction of the rig in the measured force, to be subtracted
-  std::optional<double> friction_coefficient = {};  // the same friction over the measured vertical load
+  std::optional<double> friction_coefficient = {};  // friction of the rig over the measured vertical load
   std::optional<double> moving_mass_kg = {};        // mass between device and load cell; m a is subtracted
   std::optional<double> force_factor = {};  // multiplies the force at the end: 0.5 for two devices in double shear
 

@@ -62,7 +62,7 @@ bool is_even(Shape const& shape) {
   return same_pace(shape.rise_and_fall, shape.period + shape.still_time, far_period);
 }
 
-// Compares the periods of cycles [begin, at) with two from `after` on. A single cycle before must differ clearly.
+// Compares the periods of [begin, at) with two from `after` on. A single cycle in [begin, at) must differ by more.
 bool changes(std::vector<Shape> const& shapes, std::size_t begin, std::size_t at, std::size_t after) {
   if (begin >= at) return false;
   auto const period = [](Shape const& shape) { return shape.period; };
@@ -212,7 +212,7 @@ std::string of_period(Shape const& shape, double period, std::string_view unit) 
                      period, unit, far_period);
 }
 
-// The median period that the block's cycles are compared with, of even cycles if any. 0 if no cycle is close to it.
+// The median period of cycles that do not start or end slowly, or of all if all do. 0 if no cycle is close to it.
 double period_of(std::vector<Shape> const& shapes, std::vector<std::size_t> const& nominal_cycles) {
   std::vector<double> even, all;
   for (auto const i : nominal_cycles) {

@@ -22,8 +22,8 @@ constexpr double off_centre = 0.05;       // times the amplitude; a middle close
 constexpr double uneven = 0.25;           // times the amplitude; a start closer to the middle may be the centre
 constexpr double resting = 0.05;          // times the amplitude; a record that ends closer to its start returns to it
 constexpr double as_large = 0.05;         // times the amplitude; amplitudes that are closer than this repeat each other
-// Least share of regular cycles in the travel. Tests reach 0.9; of 1000 irregular linear responses ten reach 0.64, one
-// 0.8.
+// Least share of the whole travel that is in cycles that repeat an amplitude or are symmetric. Tests reach 0.9; of 1000
+// irregular linear responses, ten reach 0.64 and one 0.80.
 constexpr double least_regular_share = 0.8;
 constexpr auto not_cyclic_cycle = "the record is not cyclic";
 
@@ -94,7 +94,7 @@ Swings swings_of(std::span<double const> x, std::vector<std::size_t> const& at) 
   return swings;
 }
 
-// A weighted median in which the largest stage decides, because an offset matters most there.
+// A weighted median of the swings' middles, in which the largest swings decide: an offset matters most in them.
 double middle_of(Swings const& swings) {
   double const largest = swings.largest();
   std::vector<std::pair<double, double>> weighted;
@@ -118,9 +118,9 @@ std::size_t swings_across(Swings const& swings, double level, double margin) {
   return count;
 }
 
-// The displacement about which cycles are counted. It is zero if the middle is close to zero and as many swings cross
-// zero as cross the middle, because noise makes the middle less certain than the zero of the test. If the record ends
-// where it starts, somewhat off the middle, the start is the centre.
+// The displacement about which cycles are counted. It is zero if the motion's middle is close to zero and as many
+// swings cross zero as cross the middle, because noise makes the middle less certain than the zero of the test. If the
+// record ends where it starts, somewhat off the middle, the start is the centre.
 double centre_of(std::span<double const> x, Swings const& swings, double band) {
   double const middle = middle_of(swings);
   double const amplitude = swings.largest();
@@ -292,8 +292,8 @@ Finding not_cyclic(std::vector<Shape> const& shapes, double share) {
 
 }  // namespace
 
-// Fourth differences of white noise have a deviation sqrt(70) times as large. A sine of 20 samples per cycle adds a
-// thousandth of its amplitude. A missing value counts as large, since num::median would return NaN.
+// Uses fourth differences: they make white noise sqrt(70) times as large, and leave a thousandth of the amplitude of a
+// sine of 20 samples per cycle. A missing value counts as large, since num::median would return NaN.
 double noise_deviation(std::span<double const> x) {
   if (x.size() < 16) return 0.0;
   std::vector<double> sizes(x.size() - 4);

@@ -36,7 +36,7 @@ struct Segmentation {
   double band_mm = 0.0;            // swings smaller than twice this do not count as motion
   double centre_mm = 0.0;          // displacement at which cycles are cut: 0 unless the record is clearly off zero
   double regular_share = 0.0;      // share of regular cycles in the travel; they repeat an amplitude or are symmetric
-  std::vector<CycleCut> cycles;  // in order, partial ones too; complete ones even if the record is not cyclic
+  std::vector<CycleCut> cycles;    // in order, partial ones too; complete ones even if the record is not cyclic
 };
 
 // If time_s is empty, periods are in samples. Never throws; O(n) in time and memory.

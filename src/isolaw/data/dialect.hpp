@@ -39,7 +39,7 @@ struct Dialect {
   std::vector<StampKind> stamps;  // for each column: the kind of its dates and times
   bool decimal_seen = false;      // at least one number holds the decimal separator
   std::string why;                // explains the choice in one sentence
-  bool sheet = false;  // a worksheet, in which short rows are filled up and cells right of the table ignored
+  bool sheet = false;             // a worksheet, in which short rows are filled up and cells right of the table ignored
 
   NumberFormat format() const { return {decimal, thousands}; }
 };
@@ -55,7 +55,7 @@ enum class CellKind {
 
 struct Cell {
   CellKind kind = CellKind::empty;
-  double value = 0.0;  // only of a number
+  double value = 0.0;  // only for a number
 };
 
 Cell parse_cell(std::string_view cell, NumberFormat format);

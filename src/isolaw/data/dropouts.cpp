@@ -15,8 +15,8 @@ constexpr double gone_deviations = 10.0;  // standard deviations of the noise; b
 constexpr double gone_quanta = 4.0;       // steps of the digitiser; both jumps are larger
 constexpr double gone_steps = 4.0;        // times the largest step between samples near by; both jumps are larger
 constexpr double other_goes_on = 0.002;   // fraction of the other channel's half range; it moves by more meanwhile
-constexpr double other_jumps = 0.3;  // largest jump of the other channel over this one's, each over its half range
-constexpr double most_gone = 0.15;   // fraction of the samples; if more are gone, the channel has no dropouts
+constexpr double other_jumps = 0.3;       // largest jump of the other channel over this one's, each over its half range
+constexpr double most_gone = 0.15;        // fraction of the samples; if more are gone, the channel has no dropouts
 
 struct Size {
   double half_range = 0.0, noise = 0.0, quantum = 0.0;

@@ -29,7 +29,7 @@ constexpr double most_average_loss = 1.0;  // percent of the amplitude, at the t
 
 constexpr double most_noise_bias = 1.0;  // percent of the amplitude
 constexpr double unlike_between = 0.15,
-                 unlike_beside = 0.2;       // largest change of a peak force; if only one neighbour is known
+                 unlike_beside = 0.2;       // largest change of a peak force against two cycles; against one
 constexpr double most_noise_scatter = 2.0;  // percent of the effective stiffness
 
 struct Jump {
@@ -167,7 +167,7 @@ class Assessment {
     double const force_amplitude = std::abs(cycle().F_plus_kN - cycle().F_minus_kN) / 2.0;
     if (!(amplitude > 0.0 && force_amplitude > 0.0)) return;
     double const beyond = percent(peak_gain_mm(disp, amplitude, *properties_.samples_per_cycle), amplitude);
-    // K_eff has a difference of two forces over one of two displacements. All four errors are independent.
+    // K_eff is a difference of two forces over a difference of two displacements, with four independent errors.
     double const scatter = std::hypot(percent(force, force_amplitude), percent(disp, amplitude)) / std::numbers::sqrt2;
     add("noise of displacement", percent(disp, amplitude), "%");
     add("noise of force", percent(force, force_amplitude), "%");

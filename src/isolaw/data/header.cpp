@@ -49,7 +49,7 @@ Names split_bracketed(std::string_view line) {
   return names;
 }
 
-// Between blanks, a date and a time of day are two columns, often with one name. Inserts an empty name for the date.
+// If blanks separate cells, date and time are two columns, often with one name. The date then gets an empty name.
 void name_date_and_clock(Names& names, Dialect const& dialect) {
   if (dialect.delimiter != ' ' || names.size() + 1 != dialect.columns) return;
   for (std::size_t i = 0; i + 1 < dialect.columns; ++i)
@@ -59,7 +59,7 @@ void name_date_and_clock(Names& names, Dialect const& dialect) {
     }
 }
 
-// The cells of a row of names. Between blanks, tries several ways until the number of cells is that of the columns.
+// The cells of a row of names. If blanks separate cells, tries several ways to split until their number is right.
 Names header_cells(std::string_view line, Dialect const& dialect) {
   if (dialect.sheet) {
     std::vector<std::string_view> cells;

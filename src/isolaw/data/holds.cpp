@@ -50,7 +50,7 @@ std::vector<Stretch> stretches_within(std::span<double const> x, std::size_t beg
   return found;
 }
 
-// The share of a cycle in which a sine is between two levels, given as shares of its amplitude; at a peak up and down.
+// The share of a cycle in which a sine lies between two levels (shares of its amplitude). At a peak, up and down count.
 double lingering(double least, double largest) {
   auto const angle = [](double level) { return std::acos(std::clamp(level, -1.0, 1.0)); };
   double const once = (angle(least) - angle(largest)) / (2.0 * std::numbers::pi);

@@ -21,13 +21,13 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t most_odd_cells = 64;  // of each column that are kept as text
+constexpr std::size_t most_odd_cells = 64;  // cells of a column that are no number and are kept as text
 constexpr std::size_t most_words = 10000;   // single texts that are kept because they may be units
 constexpr std::size_t longest_text = 200;
 
 struct Value {
   double number = missing;
-  std::string text;  // only of a value that is no number
+  std::string text;  // only for a value that is no number
   bool is_text = false;
 };
 
@@ -130,7 +130,7 @@ class Handler {
   }
   bool parse_error(std::size_t at, std::string const&, nlohmann::detail::exception const& error) {
     std::string_view text = error.what();
-    for (auto const mark : {"]"sv, ": "sv})  // before the message: "[json.exception.parse_error.101] parse error ...: "
+    for (auto const mark : {"]"sv, ": "sv})  // removes "[json.exception.parse_error.101] parse error ...: "
       if (auto const found = text.find(mark); found != std::string_view::npos) text.remove_prefix(found + mark.size());
     failed_at = at;
     refusal = "is no JSON: " + std::string(trimmed(text));
@@ -139,7 +139,7 @@ class Handler {
 
  private:
   enum class Kind { object, array };
-  enum class Shape { none, values, rows, records, mixed };  // of an array's elements
+  enum class Shape { none, values, rows, records, mixed };  // what the elements of an array are
   struct Frame {
     Kind kind;
     Shape shape = Shape::none;

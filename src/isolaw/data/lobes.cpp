@@ -74,7 +74,7 @@ class Finder {
     lobe.reach_mm = reach(k);
   }
 
-  // Where the motion crosses the centre. If it only comes back, as three cycles of a sine end: where it is nearest.
+  // Where a lobe ends: at the crossing of the centre, or nearest to it if the motion only comes back, as a sine ends.
   double boundary(Lobe const& lobe, std::size_t to, bool crosses) const {
     std::size_t nearest = lobe.tip;
     for (auto i = lobe.tip + 1; i <= to; ++i) {

@@ -1,5 +1,4 @@
-// Reads MATLAB variables as columns: a vector by its name, a matrix's columns or few rows as "x_F:3", a struct's
-// fields.
+// Reads MATLAB variables as columns: a vector, each column of a matrix ("x_F:3"; rows if few), each field of a struct.
 #pragma once
 
 #include <optional>

@@ -65,7 +65,7 @@ struct Block {
 
 struct Properties {
   std::vector<Block> blocks;
-  // Third counted cycle, or the last if there are fewer, of the first block of largest amplitude. Empty with a refusal.
+  // Third counted cycle, or the last of fewer, of the first block of largest amplitude. Empty if `refusal` is not.
   std::optional<Cycle> reported;
   // Why there is no reported cycle: a fault, not cyclic, under 20 samples per cycle, negative energy or stiffness.
   std::vector<Finding> refusal;

@@ -14,11 +14,11 @@ namespace {
 constexpr double least_spike = 0.04;       // fraction of the half range; true records have kinks of 3 % in a sample
 constexpr double spike_deviations = 13.0;  // standard deviations of the noise
 constexpr double spike_quanta = 2.5;
-// A spike's distance from a cubic through its neighbours over their rms distance. A corner has 7.4, a step 5.6.
+// Distance of a spike from the cubic through its neighbours, over theirs (rms). A corner has 7.4, a step has 5.6.
 constexpr double spike_contrast = 10.0;
-constexpr double edge_contrast = 2.0;      // times spike_contrast near an end, where most neighbours are on one side
-constexpr double on_one_side = 0.5;        // fraction of a spike's size; closer to the neighbours' line is no spike
-constexpr double beyond_others = 1.25;     // times the size of the largest samples that are only like spikes
+constexpr double edge_contrast = 2.0;   // times spike_contrast near an end, where most neighbours are on one side
+constexpr double on_one_side = 0.5;     // fraction of a spike's size; closer to the neighbours' line is no spike
+constexpr double beyond_others = 1.25;  // times the size that many samples of a spike's shape reach; a spike is larger
 constexpr std::size_t fewest_others = 24;  // if more samples look like spikes, the signal itself is rough
 constexpr std::size_t samples_an_other = 75;
 constexpr std::size_t fewest_texture = 6;     // so few spikes are always reported

@@ -111,7 +111,7 @@ class Sticking {
     return runs;
   }
 
-  // Finds stretches of noise that end in a jump of `stands` but not of `other`. Yielding, rest and slip do not.
+  // Finds stretches of noise that end in a jump of `stands` alone. A device that yields, rests or slips moves both.
   std::vector<SampleRange> stuck_in_noise(Signal const& stands, Signal const& other, double least_part) const {
     double const noise = std::hypot(stands.noise, 0.3 * stands.quantum);
     if (!(noise > same_value * stands.half_range)) return {};
@@ -159,7 +159,7 @@ class Sticking {
     std::vector<std::size_t> first;
     std::size_t longest = 0;
     auto const keep = [&](SampleRange const& run) {
-      // A slow channel repeats values for less than half a cycle.
+      // Counts stretches that a slow channel may cause: it repeats values for less than half a cycle.
       if (run.size() < pair_.half_cycle) covered += run.size();
       first.push_back(run.first);
       longest = std::max(longest, run.size());

@@ -33,8 +33,7 @@ struct Lines {
 // Lines may end with LF, CRLF or CR in the same file.
 Lines split_lines(std::string_view bytes);
 
-// Text converted from Shift-JIS (Japan) or Windows-1254 (Turkey), if `names_channels` then finds a channel's name in
-// it.
+// Text converted from Shift-JIS or Windows-1254 (Turkish), if `names_channels` then finds a channel's name in it.
 struct LegacyText {
   std::string utf8;
   std::string_view encoding;

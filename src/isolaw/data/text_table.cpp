@@ -294,7 +294,7 @@ class RowReader {
   bool serial_ = false;                     // the stamps are a spreadsheet's days
   std::optional<std::size_t> date_column_;  // the column with the dates of the times of day
   std::vector<Stamp> stamps_;
-  std::optional<bool> in_threes_;   
+  std::optional<bool> in_threes_;
   std::vector<std::size_t> indices_;  // columns of the wanted channels
   std::size_t row_count_ = 0;         // number of rows, once a row has been refused
   std::vector<std::string_view> cells_;

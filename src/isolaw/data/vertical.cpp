@@ -18,11 +18,11 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double usual_low = 0.3;  // fraction of the largest load: lower end of the usual range
-constexpr int usual_loading = 3;   // the loading that is used, or the last if there are fewer
-constexpr double same_peak = 0.9;  // fraction of the largest load; a loading with a lower peak is ignored
-constexpr double reversal = 0.1;   // fraction of the load's range; a smaller reversal is noise or a hold
-constexpr double reached = 0.998;  // fraction of its peak at which a loading ends, before the held load creeps
+constexpr double usual_low = 0.3;        // fraction of the largest load: lower end of the usual range
+constexpr int usual_loading = 3;         // the loading that is used, or the last if there are fewer
+constexpr double same_peak = 0.9;        // fraction of the largest load; a loading with a lower peak is ignored
+constexpr double reversal = 0.1;         // fraction of the load's range; a smaller reversal is noise or a hold
+constexpr double reached = 0.998;        // fraction of its peak at which a loading ends, before the held load creeps
 constexpr double near_range_end = 0.02;  // fraction of the upper load by which a machine may miss the range
 struct Loading {
   std::size_t first = 0, last = 0;
@@ -133,7 +133,7 @@ struct Secant {
   double K_v() const { return (high.load_kN - low.load_kN) / (high.disp_mm - low.disp_mm); }
 };
 
-// From the last time at the lower load to the first time at the upper load, so that creep under held loads is left out.
+// The secant from the last time at the lower load to the first at the upper one, without creep under held loads.
 Secant secant_of(Compression const& c, Loading const& loading, LoadRange const& range) {
   auto const& load = c.load_kN;
   Secant secant;

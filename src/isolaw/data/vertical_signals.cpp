@@ -17,9 +17,9 @@ namespace {
 constexpr std::size_t fewest_standing = 4;  // samples
 constexpr double standing_noise = 6.0;      // standard deviations of noise between the extremes of a plateau
 constexpr double standing_quanta = 1.5;
-constexpr double goes_beyond = 0.03;   // times its range; the other channel peaks so far above both ends of a clipped plateau
-constexpr double goes_on = 0.1;        // times its range; the other channel moves this far while one is stuck
-constexpr double width_of_both = 4.0;  // times the plateau's width, each over its range; least motion of the other channel
+constexpr double goes_beyond = 0.03;   // times its range; the other channel rises by more during clipping
+constexpr double goes_on = 0.1;        // times its range; least motion of the other channel while one is stuck
+constexpr double width_of_both = 4.0;  // times a plateau's width, by range; the other channel moves by more
 constexpr double carries = 0.1;        // times the load's range above the least load; from there the device is loaded
 constexpr double load_jump = 0.05;     // times the load's range; a stuck load ends with a larger jump
 
@@ -105,7 +105,7 @@ class Plateaus {
     double const way = std::abs(other_.x[run.last] - other_.x[run.first]);
     return way > std::max(threshold(goes_on) * other_.range, 2.0 * other_.width);
   }
-  // Only counts while the load rises. While it falls, a device that dissipates energy may keep its displacement.
+  // Counts only while the load rises, since a device that dissipates energy may keep its displacement while it falls.
   bool is_stuck_displacement(SampleRange const& run) const {
     return other_goes_on(run) && other_.x[run.last] > other_.x[run.first];
   }

@@ -49,7 +49,7 @@ void assess_limit(RuleSet const& rules, Limit const& limit, BlockValues const& b
 }
 
 std::string_view measure_text(Measure measure) {
-  // In the order of Measure.
+  // In the order of the enumerators of Measure.
   static constexpr std::array<std::string_view, 3> texts{"lowest over highest", "largest change from the first",
                                                          "largest loss from the first"};
   return texts.at(static_cast<std::size_t>(measure));
@@ -121,7 +121,7 @@ void assess_load(RuleSet const& rules, LoadVariation const& limit, Design const&
   }
 }
 
-// Unmet conditions for limits on ratios of cycles. They need no design value, so the amplitude may differ from its.
+// Unmet conditions for limits on ratios of cycles. These need no design value, and so no particular amplitude.
 std::vector<std::string> unmet_of_ratios(RuleSet rules, BlockValues const& block, Design const& design) {
   rules.test.displacement_tolerance_percent.reset();
   return unmet_conditions(rules, block, design);
@@ -143,7 +143,7 @@ bool has_limit(RuleSet const& rules, Quantity quantity) {
 }  // namespace
 
 std::string_view name(Verdict verdict) {
-  // In the order of Verdict.
+  // In the order of the enumerators of Verdict.
   static constexpr std::array<std::string_view, 4> names{"pass", "fail", "information", "not assessed"};
   return names.at(static_cast<std::size_t>(verdict));
 }
@@ -180,7 +180,7 @@ std::string deviation_text(double deviation_percent, std::optional<double> lower
 }
 
 std::string_view name(Subject subject) {
-  // In the order of Subject.
+  // In the order of the enumerators of Subject.
   static constexpr std::array<std::string_view, 5> names{"device", "cycles", "loads", "lot", "sample"};
   return names.at(static_cast<std::size_t>(subject));
 }

@@ -42,8 +42,9 @@ CombinedFactors combine(FactorRule const& rule, FactorPair const& environment, F
 // devices scatters by CoV/sqrt(N): half width 2.6 % for N = 28 and CoV 7 %. If n of them are `tested`, only the others
 // are unknown. The factor of a finite population, sqrt((N - n)/(N - 1)), gives 2.3 % for n = 6 and 0 for n = N.
 double system_half_width_percent(double cov_percent, int installed, int tested);
-// Half width of that interval about the mean of the `tested` devices, if mean and CoV are only estimates: t(0.975, n -
-// 1) CoV sqrt(1/n - 1/N) (Cochran 1977, 2.8). N = 28, n = 6, CoV 7 %: 6.5 %. NaN for fewer than two tested devices.
+// Half width of the 95 % interval of the mean over all `installed` devices about the mean of the `tested` ones, if mean
+// and CoV are only estimates: t(0.975, n-1) CoV sqrt(1/n - 1/N) (Cochran 1977, 2.8). 6.5 % for N = 28, n = 6, CoV 7 %.
+// NaN for fewer than two tested devices.
 double prediction_half_width_percent(double cov_percent, int installed, int tested);
 
 }  // namespace isolaw::rules

@@ -40,8 +40,8 @@ std::string_view name(Spread spread);  // "contract", "device", "system"
 struct Bound {         // factors on the design value (or the lot's mean), and the resulting property
   std::string source;  // "contract band", "observed", "statistical, each device", "statistical, system", ...
   Spread spread = Spread::device;
-  FactorPair spec;           // lambda_spec; without a lower bound all minima and `lower` are NaN
-  CombinedFactors combined;  // with ageing, environment and test; see combine()
+  FactorPair spec;                  // lambda_spec; without a lower bound all minima and `lower` are NaN
+  CombinedFactors combined;         // with ageing, environment and test; see combine()
   double lower = 0.0, upper = 0.0;  // combined factors times the design value or the mean
   std::string note;                 // explains the source
   std::string no_lower;             // why there is no lower bound
@@ -76,7 +76,7 @@ struct LotQuantity {
   // variability within the supply, because the records do not show the other effects.
   std::optional<double> largest_from_mean_percent;  // largest deviation of a tested device from the mean
   std::optional<bool> mean_analysis_permitted;
-  std::string mean_analysis_open;  // why nothing is said although all deviations are small enough
+  std::string mean_analysis_open;  // why it is undecided although all deviations are small enough
 };
 
 struct LotView {

@@ -150,7 +150,7 @@ void take_design_value(std::string_view part, Design& design, std::vector<Compla
 }  // namespace
 
 double CycleValues::of(Quantity quantity) const {
-  // In the order of Quantity, without K_v.
+  // In the order of the enumerators of Quantity, without K_v.
   static constexpr std::array members{&CycleValues::K_eff_kN_per_mm, &CycleValues::damping_percent,
                                       &CycleValues::energy_kN_mm, &CycleValues::Q_d_kN, &CycleValues::K_d_kN_per_mm};
   auto const place = static_cast<std::size_t>(quantity);

@@ -16,7 +16,7 @@ namespace isolaw::rules {
 enum class Quantity { K_eff, damping, energy, Q_d, K_d, K_v };  // K_v comes from a compression test
 std::string_view name(Quantity quantity);                       // as rule files write it: "K_eff"
 std::string_view unit(Quantity quantity);                       // "kN/mm", "%", "kN mm", "kN"
-std::vector<Quantity> const& measured_quantities();  // all but K_v, in the order of reports
+std::vector<Quantity> const& measured_quantities();             // all but K_v, in the order of reports
 
 enum class Formula {  // from which force and displacement stiffness and damping follow
   peak_to_peak,       // (F+ - F-)/(d+ - d-); E/(2 pi K D^2) with this K and D = (d+ - d-)/2
@@ -90,7 +90,7 @@ struct FactorRule {            // see combine() in factors.hpp
   std::vector<PropertyFactors> properties;
 };
 
-struct MeanAnalysisRule {  // an analysis with mean properties is enough if no device is farther off
+struct MeanAnalysisRule {  // mean properties are enough for an analysis if no device is farther from the mean
   double within_percent = 0.0;
   std::string clause;
 };
