@@ -17,7 +17,7 @@ namespace isolaw::data {
 
 inline constexpr Channel all_channels[] = {Channel::time, Channel::disp, Channel::force, Channel::load};
 
-// What to read: a test, only its displacement history, a compression test, or some channels of a test.
+// The content to read: a test, only its displacement history, a compression test, or some channels of a test.
 struct Wanted {
   bool time = true, disp = true, force = true, load = true;
   bool part = false;      // this file has only some of the channels

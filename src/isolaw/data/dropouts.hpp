@@ -14,7 +14,7 @@ struct Dropout {
   double before = 0.0, after = 0.0;  // the values just before and after the dropout
 };
 
-// What the other channel does during a dropout. The force may vanish at rest, so for a force use `moves`.
+// The other channel's state during a dropout. A device's force may vanish at rest, so for a force use `moves`.
 enum class Other { moves, may_stand };
 // docs/properties.md has the limits, and the rates of missed and false dropouts.
 std::vector<Dropout> dropouts(std::span<double const> values, std::span<double const> other, Other does);

@@ -32,7 +32,7 @@ struct Header {
   std::optional<double> interval_s;  // interval between rows if no column has the time, but the header gives it
 
   bool own_axis = false;             // names refer to the machine's axis, which may have any direction in the rig
-  std::string_view row = "line";     // what messages call a row: "line", "row", "element"
+  std::string_view row = "line";     // word for a row in messages: "line", "row", "element"
   bool lettered = false;             // columns have letters instead of numbers, as in a workbook
   bool by_name = false;              // columns are variables: messages call them by name, not by number
   std::vector<std::string> objects;  // variables that hold text, or objects that only MATLAB reads

@@ -139,7 +139,7 @@ class Handler {
 
  private:
   enum class Kind { object, array };
-  enum class Shape { none, values, rows, records, mixed };  // what the elements of an array are
+  enum class Shape { none, values, rows, records, mixed };  // kind of an array's elements
   struct Frame {
     Kind kind;
     Shape shape = Shape::none;
@@ -147,7 +147,7 @@ class Handler {
     std::string key = {};          // the last key that was read
     bool in_reach = true;          // not too deep to contain a table
     std::size_t elements = 0;      // objects that were read in an array
-    std::size_t number = 0;        // of an object in an array, from 1; else 0
+    std::size_t number = 0;        // position of an object in its array, from 1; else 0
     bool has_path_of_own = false;  // an element with arrays or objects in it: its number is in its path
   };
 

@@ -75,7 +75,7 @@ struct Properties {
   double centre_mm = 0.0;                   // displacement at which cycles are cut
 
   Cycle const* find(int block, int number) const;  // nullptr if there is none
-  std::vector<Cycle const*> counted() const;       // of all blocks, in order
+  std::vector<Cycle const*> counted() const;       // counted cycles of all blocks, in order
   std::vector<Cycle const*> complete() const;      // all except partial ones, also if the record is not cyclic
   bool is_reported(Cycle const& cycle) const;
 };

@@ -17,7 +17,7 @@ namespace isolaw::rules {
 enum class Verdict { pass, fail, information, not_assessed };
 std::string_view name(Verdict verdict);  // "pass", "fail", "information", "not assessed"
 
-// What a limit applies to: a device's property, its change over cycles or loads, the lot's mean, or the sample size.
+// A limit is on a device's property, on its change over cycles or loads, on the lot's mean, or on the sample size.
 enum class Subject { device, cycles, loads, lot, sample };
 std::string_view name(Subject subject);  // "device", "cycles", "loads", "lot", "sample"
 

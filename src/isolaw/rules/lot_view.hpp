@@ -33,7 +33,7 @@ std::vector<Outlier> find_outliers(std::string_view quantity, std::string_view u
                                    std::span<std::string const> names, std::span<double const> values);
 inline constexpr std::size_t fewest_for_outliers = 5;
 
-// What bounds apply to: what the contract says, a single device, or the mean of all devices of the system.
+// Bounds apply as the contract says, to a single device, or to the mean of all devices of the system.
 enum class Spread { contract, device, system };
 std::string_view name(Spread spread);  // "contract", "device", "system"
 
@@ -55,10 +55,10 @@ struct LotQuantity {
   std::vector<std::string> without;  // devices without a value
   std::optional<double> mean, min, max;
   std::string min_device, max_device;
-  std::optional<double> std, cov_percent;         // of the sample; nullopt for fewer than two tested devices
+  std::optional<double> std, cov_percent;         // for the sample; nullopt for fewer than two tested devices
   std::optional<double> nominal;                  // design value
-  std::optional<double> mean_deviation_percent;   // of the mean from the design value
-  std::optional<double> worst_deviation_percent;  // of the device farthest from the design value
+  std::optional<double> mean_deviation_percent;   // deviation of the mean from the design value
+  std::optional<double> worst_deviation_percent;  // deviation of the device farthest from the design value
   std::string worst_device;
   std::optional<double> fractile_5, fractile_95;        // mean +- 1.645 std
   std::optional<double> tolerance_factor;               // two-sided: holds 95 % of devices with confidence 95 %

@@ -33,7 +33,7 @@ struct BlockValues {
   double amplitude_mm = 0.0;
   std::optional<double> frequency_Hz, shear_strain_percent, load_mean_kN;
   std::vector<CycleValues> cycles;  // the counted cycles, in order
-  VerticalValue vertical = {};      // of the device, whichever the block
+  VerticalValue vertical = {};      // K_v of the device, the same for every block
 
   CycleValues const* find(int cycle) const;
 };

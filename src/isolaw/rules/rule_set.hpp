@@ -36,8 +36,9 @@ struct TestConditions {
   std::optional<double> strain_tolerance_percent;
   std::vector<double> frequencies_Hz;  // the test must have one of these
   std::optional<double> frequency_tolerance_percent;
-  std::optional<double> displacement_tolerance_percent;  // of the amplitude from the design displacement
-  std::optional<double> load_tolerance_percent;          // of the mean vertical load from the design load
+  std::optional<double>
+      displacement_tolerance_percent;            // between the amplitude and the displacement of the design values
+  std::optional<double> load_tolerance_percent;  // between the mean vertical load and the load of the design values
 };
 
 enum class Scope { each, mean };  // every device by itself; the mean over the lot's devices
