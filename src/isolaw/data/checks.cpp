@@ -230,7 +230,7 @@ void add_warnings(TestRecord& record) {
   auto& warnings = record.warnings;
   warn_about_magnitude(record);
   auto const properties = cyclic_properties(record);
-  // From a faulty signal no other warning can be trusted.
+  // If a signal is faulty, all other warnings may be wrong and are left out.
   if (!properties.faults.empty()) return append(warnings, properties.refusal);
   auto const [least, largest] = std::ranges::minmax(record.disp_mm);
   double const half_range = (largest - least) / 2.0, start = record.disp_mm.front();

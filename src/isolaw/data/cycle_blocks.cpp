@@ -110,7 +110,7 @@ double middle(Shape const& shape) {
   return shape.largest / 2.0 + shape.least / 2.0;
 }
 
-// Whether the cycle's middle is close to its neighbour's. The middle may drift slowly, but not jump.
+// Whether the middle of a cycle's extremes is close to its neighbour's. The middle may drift slowly, but not jump.
 bool stays(std::vector<Shape> const& shapes, Run const& run, std::size_t i) {
   auto const neighbour = i > run.begin ? i - 1 : i + 1;
   return std::abs(middle(shapes[i]) - middle(shapes[neighbour])) <= lopsided * shapes[i].amplitude();

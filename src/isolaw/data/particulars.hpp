@@ -11,7 +11,7 @@ namespace isolaw::data {
 // Keys and values in the order of the file. If a key occurs twice, the first counts.
 using ParticularList = std::vector<std::pair<std::string, std::string>>;
 
-// Adds what a line says, such as "Serial No: X", "Specimen;D07" or "Temperature [C]", "23".
+// Adds the facts that a line states, such as "Serial No: X", "Specimen;D07" or "Temperature [C]", "23".
 void take_particulars(std::string_view line, char delimiter, ParticularList& found);
 
 }  // namespace isolaw::data

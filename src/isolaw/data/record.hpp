@@ -50,7 +50,7 @@ struct ReadOptions {
   bool operator==(ReadOptions const&) const = default;
 };
 
-// Values as measured, in record units. All channels are of one length, but `time_s` and `load_kN` may be empty.
+// Values as measured, in mm, kN and s. All channels are of one length, but `time_s` and `load_kN` may be empty.
 struct TestRecord {
   std::string file;    // as the user named it, relative to the lot file
   std::string sha256;  // hash of the file's bytes

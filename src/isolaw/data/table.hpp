@@ -46,7 +46,7 @@ class Table {
   std::string const& place() const { return place_; }
   Header const& header() const { return header_; }
   std::size_t columns() const { return columns_; }
-  // Line or row at which the test starts, with its header.
+  // Number of the line or row at which the test starts, its header included.
   std::size_t start() const { return start_; }
   // The test's name among those of its file if `start` does not tell them apart: "tests(2) 'B'".
   std::string const& title() const { return title_; }

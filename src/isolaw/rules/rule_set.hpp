@@ -38,7 +38,7 @@ struct TestConditions {
   std::optional<double> frequency_tolerance_percent;
   std::optional<double>
       displacement_tolerance_percent;            // between the amplitude and the displacement of the design values
-  std::optional<double> load_tolerance_percent;  // between the mean vertical load and the load of the design values
+  std::optional<double> load_tolerance_percent;  // between mean load and design load
 };
 
 enum class Scope { each, mean };  // every device by itself; the mean over the lot's devices
