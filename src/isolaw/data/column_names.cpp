@@ -16,7 +16,7 @@ namespace {
 using Words = std::vector<std::string>;
 using Lexicon = std::span<std::string_view const>;
 
-// English, Italian, German, French, Spanish, Turkish; lower case without accents.
+// Words for time in English, Italian, German, French, Spanish and Turkish, in lower case and without accents.
 constexpr std::string_view time_words[]{"time",     "tempo", "zeit", "temps",   "tiempo",
                                         "messzeit", "zaman", "sure", "prufzeit"};
 constexpr std::string_view calendar_words[]{"datetime", "datenum", "date", "datum", "data", "fecha", "tarih"};

@@ -13,7 +13,7 @@ struct Reading : Option<ReadOptions> {
   std::string_view motion_option = {};  // the option's name for a motion, if `key` means something else there
 };
 
-// Columns and units are set channel by channel. Any other value replaces the one given before.
+// Given again, columns and units change only the channels that are named. Any other value replaces the earlier one.
 std::span<Reading const> reading_table();
 
 }  // namespace isolaw::data

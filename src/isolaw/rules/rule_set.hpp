@@ -36,9 +36,8 @@ struct TestConditions {
   std::optional<double> strain_tolerance_percent;
   std::vector<double> frequencies_Hz;  // the test must have one of these
   std::optional<double> frequency_tolerance_percent;
-  std::optional<double>
-      displacement_tolerance_percent;            // between the amplitude and the displacement of the design values
-  std::optional<double> load_tolerance_percent;  // between mean load and design load
+  std::optional<double> displacement_tolerance_percent;  // between amplitude and design displacement
+  std::optional<double> load_tolerance_percent;          // between mean vertical load and design load
 };
 
 enum class Scope { each, mean };  // every device by itself; the mean over the lot's devices
