@@ -16,7 +16,7 @@ namespace {
 using Words = std::vector<std::string>;
 using Lexicon = std::span<std::string_view const>;
 
-// Words for time in English, Italian, German, French, Spanish and Turkish, in lower case and without accents.
+// Words that mean a channel or a quantity, in English, Italian, German, French, Spanish and Turkish, in lower case.
 constexpr std::string_view time_words[]{"time",     "tempo", "zeit", "temps",   "tiempo",
                                         "messzeit", "zaman", "sure", "prufzeit"};
 constexpr std::string_view calendar_words[]{"datetime", "datenum", "date", "datum", "data", "fecha", "tarih"};
