@@ -22,15 +22,15 @@ namespace {
 constexpr double beyond_any_sensor = 1e10;
 constexpr std::array sentinels{999.0,  9999.0,  99999.0, 999999.0, 9999999.0, 999.9,
                                9999.9, 99999.9, 999.99,  9999.99,  99999.99};
-constexpr double far_beyond = 50.0;      // times the ordinary size; no device jumps so far
-constexpr double sentinel_beyond = 3.0;  // times the ordinary size: 9999 N among values up to 12000 N is a value
+constexpr double far_beyond = 50.0;      // times the ordinary size; a larger value is an overload
+constexpr double sentinel_beyond = 3.0;  // times the ordinary size; 9999 and the like are true values below it
 constexpr std::size_t least_values = 20;
 
 bool is_sentinel(double size) {
   return std::ranges::find(sentinels, size) != sentinels.end();
 }
 
-// The 99.9th percentile of |value|, or a lower one with three larger values. It leaves out sentinels and overloads.
+// The 99.9th percentile of |value| without sentinels and overloads. At least three values are larger than it.
 std::optional<double> ordinary_size(std::span<double const> values) {
   std::vector<double> sizes;
   sizes.reserve(values.size());
@@ -95,7 +95,7 @@ struct Loop {
   double energy_kN_mm = 0.0;
   double slope_kN_per_mm = 0.0;
   double correlation = 0.0;
-  double equivalent_damping = 0.0;  // energy divided by the area of the ellipse with the same spread
+  double equivalent_damping = 0.0;  // energy over that of the fullest loop with the same standard deviations
 };
 
 Loop measure_loop(TestRecord const& record, std::vector<Cycle const*> const& cycles) {
@@ -122,7 +122,7 @@ Loop measure_loop(TestRecord const& record, std::vector<Cycle const*> const& cyc
   }
   loop.slope_kN_per_mm = xF / xx;
   loop.correlation = xF / std::sqrt(xx * FF);
-  // The area of the ellipse with the same standard deviations and no correlation is 2 pi sigma_x sigma_F.
+  // An ellipse without correlation, of standard deviations sigma_x and sigma_F, has the area 2 pi sigma_x sigma_F.
   double const fullest = 2.0 * std::numbers::pi * std::sqrt(xx * FF) / count * static_cast<double>(cycles.size());
   loop.equivalent_damping = loop.energy_kN_mm / fullest;
   return loop;
@@ -153,7 +153,7 @@ void warn_about_magnitude(TestRecord& record) {
                                                                                      : "softer"}}});
 }
 
-// A rest that was not recorded lasts as long as the clock says. No time is removed for it, so it needs no warning.
+// Warns of gaps in which the test took less time than the clock says. A rest that was not recorded is no such gap.
 void warn_of_gaps(TestRecord& record) {
   auto gaps = time_gaps(record.disp_mm, record.time_s);
   std::erase_if(gaps, [](Gap const& gap) { return gap.taken_s >= gap.length_s; });
@@ -167,10 +167,10 @@ void warn_of_gaps(TestRecord& record) {
                                          {"taken_s", gap.taken_s}}});
 }
 
-// Warns of a spreadsheet's days in a column of seconds: each value is a date, and the whole test lasts a part of a day.
+// Warns if times read as seconds look like a spreadsheet's days: large numbers that grow by less than 1 in the test.
 void warn_of_days(TestRecord& record) {
   if (record.time_s.empty() || !may_be_serial(record.time_s.front()) || !may_be_serial(record.time_s.back())) return;
-  constexpr double fastest_Hz = 1000.0;  // no test of a device is sampled faster and lasts less than a second
+  constexpr double fastest_Hz = 1000.0;  // no test of less than a second is sampled faster
   double const length = record.time_s.back() - record.time_s.front();
   double const rate = static_cast<double>(record.time_s.size() - 1) / length;
   if (length > 1.0 || rate < fastest_Hz) return;
@@ -201,7 +201,7 @@ void check_channel(std::string const& file, RawChannel const& raw, std::span<std
     return;
   }
   check_overload(file, raw, lines, complaints);
-  if (raw.channel != Channel::load) check_constant(file, raw, complaints);  // a load may be held, and is not fitted
+  if (raw.channel != Channel::load) check_constant(file, raw, complaints);  // a press may hold the load constant
 }
 
 void check_physics(TestRecord const& record, std::string const& exchange_advice, std::vector<Complaint>& complaints) {
@@ -209,7 +209,7 @@ void check_physics(TestRecord const& record, std::string const& exchange_advice,
   auto const cycles = properties.complete();
   if (cycles.empty() || !properties.faults.empty()) return;  // a faulty signal is already reported
   auto const loop = measure_loop(record, cycles);
-  // If a nearly elastic device has a skew, its energy may be slightly negative. Then only the properties are refused.
+  // A skew may make the energy of a nearly elastic device slightly negative. Such a record is read, without properties.
   constexpr double significant_energy = 0.02;
   constexpr double significant_correlation = 0.2;
   if (loop.equivalent_damping > -significant_energy) return;
@@ -230,7 +230,7 @@ void add_warnings(TestRecord& record) {
   auto& warnings = record.warnings;
   warn_about_magnitude(record);
   auto const properties = cyclic_properties(record);
-  // A faulty signal is not diagnosed further.
+  // If a signal is faulty, all other warnings may be wrong and are left out.
   if (!properties.faults.empty()) return append(warnings, properties.refusal);
   auto const [least, largest] = std::ranges::minmax(record.disp_mm);
   double const half_range = (largest - least) / 2.0, start = record.disp_mm.front();

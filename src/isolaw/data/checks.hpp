@@ -1,4 +1,4 @@
-// Finds faults in a record's values. Among them are negative energy and stiffness, which no device has.
+// Finds faults in a record's values, such as overloads, or a negative stiffness, which no device has.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 namespace isolaw::data {
 class Findings {
  public:
-  // Shows the first five findings. The message counts the others as `rest`, such as "cells that are no number".
+  // Reports the first five complaints, then the number of all others. `rest` names them: "cells that are no number".
   Findings(std::string file, std::string_view rest) : file_(std::move(file)), rest_(rest) {}
   void add(std::size_t line, std::string found, std::string allowed, std::string advice);
   void append_to(std::vector<Complaint>& complaints) const;
@@ -27,7 +27,7 @@ class Findings {
   std::vector<Complaint> first_;
 };
 
-// `lines` holds the line number of each value.
+// One column of the file. In the functions below `lines` holds the line number of each value.
 struct RawChannel {
   Channel channel;
   std::string column;  // "column 2 'Force [kN]'"
@@ -37,7 +37,7 @@ struct RawChannel {
 
 void check_channel(std::string const& file, RawChannel const& raw, std::span<std::size_t const> lines,
                    std::vector<Complaint>& complaints);
-// `exchange_advice` says how to exchange two columns.
+// `exchange_advice` tells the user how to exchange the columns of displacement and force.
 void check_physics(TestRecord const& record, std::string const& exchange_advice, std::vector<Complaint>& complaints);
 
 void add_warnings(TestRecord& record);

@@ -17,7 +17,7 @@
 namespace isolaw::data {
 namespace {
 
-// Keeps the rounding error of each sum too. The difference of two sums is then exact even after a million samples.
+// Keeps the rounding error of each sum too, so that differences of two sums stay exact after a million samples.
 class PrefixSums {
  public:
   explicit PrefixSums(std::vector<double> const& values) : sum_(values.size() + 1), lost_(values.size() + 1) {
@@ -84,7 +84,7 @@ std::size_t thinning_step(FitRecord& record, Properties const& properties, std::
     return 1;
   }
   double const found = *properties.samples_per_cycle;
-  // Crossings are interpolated with a rounding error, so an exact multiple needs a tolerance.
+  // The tolerance keeps a rounding error in `found` from making an exact multiple of `wanted` one less.
   auto const step = static_cast<std::size_t>(std::floor(found / *wanted * (1.0 + 1e-9)));
   if (step >= 2) return step;
   record.cleaning.push_back({.kind = FindingKind::all_samples_kept,
@@ -116,7 +116,7 @@ void choose_scored(FitRecord& record, TestRecord const& raw, Selection const& se
                              .words = {{"blocks", selection.blocks.text()}, {"cycles", selection.cycles.text()}}});
 }
 
-// An average over a quarter of a cycle lowers its amplitude by a tenth. Parameters fitted to that mean nothing.
+// An average over a quarter of a cycle lowers its amplitude by a tenth, so parameters fitted to it would mean nothing.
 void refuse_wide_window(int window, Properties const& properties) {
   if (!properties.samples_per_cycle || window < 0.25 * *properties.samples_per_cycle) return;
   throw Error({fmt::format("--smooth {}", window),
@@ -165,7 +165,7 @@ std::vector<double> central_difference(std::vector<double> const& time_s, std::v
     double const after = interval(i);
     return (before * slope(i) + after * slope(i - 1)) / (before + after);
   };
-  // The slope of a chord is the mean of the parabola's slopes at the chord's ends.
+  // The first and last rate follow from the neighbouring one: a chord of a parabola has the mean slope of its two ends.
   std::vector<double> rate;
   rate.reserve(size);
   rate.push_back(2.0 * slope(0) - central(1));
@@ -222,7 +222,7 @@ FitRecord clean(TestRecord const& raw, CleanOptions const& options) {
 double dead_band_of(std::vector<double> const& disp_mm) {
   auto const [least, most] = std::ranges::minmax(disp_mm);
   double const band = 3.0 * noise_deviation(disp_mm);
-  // A computed record has no noise, only rounding.
+  // A computed record has only rounding errors; they need no dead band.
   return band > 1e-6 * (most - least) ? band : 0.0;
 }
 

@@ -17,27 +17,27 @@ namespace isolaw::data {
 namespace {
 
 constexpr std::size_t least_plateau = 3;   // samples
-constexpr std::size_t least_evidence = 9;  // samples on all plateaus of one side
-constexpr double least_depth = 0.001;      // times the half range; a plateau cuts off more
+constexpr std::size_t least_evidence = 9;  // samples, summed over all plateaus of one sign
+constexpr double least_depth = 0.001;      // times the half range; clipping cuts off more
 constexpr double depth_quanta = 2.5;
 constexpr double noise_width = 7.0;     // standard deviations, from top to bottom of a noisy plateau
-constexpr double least_flatness = 0.5;  // times the bulge of the parabola through a noisy plateau's flanks
-constexpr double flat_thirds = 0.197;  // that bulge, times the depth: middle less outer thirds, of its inner two thirds
-constexpr double least_turn = 0.08;    // times stiffness times depth; the force turns by more within a plateau
-constexpr double slower = 0.85;        // times the fastest speed before
-constexpr double short_plateau = 0.24;  // times half a cycle; every hold is longer
-constexpr double past_the_tip = 0.006;  // times the amplitude; clipped force lasts longer beyond the reversal
-constexpr double top_deviations = 4.0;  // times the noise; samples of a noisy plateau are within this of its level
-constexpr double least_third = 4.0;     // samples in each third of all noisy plateaus together
-constexpr double most_window = 0.2;     // times the half range; examined before a noisy plateau
+constexpr double least_flatness = 0.5;  // times the hump of an uncut parabola; a noisy plateau has less
+constexpr double flat_thirds = 0.197;   // hump of a parabola (see Plateau) over the height that a plateau cuts off it
+constexpr double least_turn = 0.08;     // times stiffness times depth; force turns by more if displacement is clipped
+constexpr double slower = 0.85;         // times the fastest speed; just before its plateau a clipped sine moves slower
+constexpr double short_plateau = 0.24;  // times half a cycle; the rig's holds are longer
+constexpr double past_the_tip = 0.006;  // times the amplitude; displacement returns by more during a clipped force
+constexpr double top_deviations = 4.0;  // standard deviations of the noise between a plateau's samples and its level
+constexpr double least_third = 4.0;     // samples in one third of a plateau, summed over all noisy plateaus
+constexpr double most_window = 0.2;     // times the half range; longest window of displacement before a plateau
 constexpr double least_window = 0.01;
-constexpr double least_cut = 0.01;     // times the half range of force; a noisy plateau cuts off more
-constexpr double most_uneven = 0.15;   // times the depth; the means of a noisy plateau's thirds differ by less
-constexpr double same_level = 0.002;   // times the level; a plateau farther off is at another level
-constexpr double least_return = 0.12;  // times the expected distance; displacement comes back by more on the plateau
-constexpr double most_bend = 1.5;      // ratio of the slopes in the two windows before a noisy plateau
-constexpr double least_corner = 5.0;   // 1 if the slope falls by one factor from window to window and on to the plateau
-constexpr double least_back = 0.1;     // times the distance to the tip; the force is late if it returns by less
+constexpr double least_cut = 0.01;     // times the half range of force; clipping in noise cuts off more
+constexpr double most_uneven = 0.15;   // times the depth; largest difference between the means of a plateau's thirds
+constexpr double same_level = 0.002;   // times the level; a plateau that is farther off has another level
+constexpr double least_return = 0.12;  // times the expected distance by which displacement returns on a plateau
+constexpr double most_bend = 1.5;      // ratio of the slopes in the two windows before a plateau
+constexpr double least_corner = 5.0;   // (slope before a plateau)^2 / (earlier slope x slope on it); 1 without a corner
+constexpr double least_back = 0.1;     // times the way to the tip; if displacement returns by less, force is only late
 
 class Clipping {
  public:
@@ -68,8 +68,8 @@ class Clipping {
     return runs;
   }
 
-  // The height that a plateau cuts off a parabola through flanks as long as itself. It cuts four times as much off a
-  // triangle.
+  // The height that a plateau cuts off a parabola whose flanks are as long as the plateau. A triangle loses four times
+  // as much.
   std::optional<double> depth_of(Signal const& signal, double sign, SampleRange const& run) const {
     auto const reach = std::min(run.size(), std::max<std::size_t>(1, pair_.half_cycle / 4));
     double sum = 0.0, count = 0.0;
@@ -92,8 +92,8 @@ class Clipping {
     return run;
   }
 
-  // A plateau without its first and last sixth, which may still be motion. `hump` (displacement) and `turn` (force) are
-  // the mean of the middle third less the mean of the outer ones. Noise of variance 1 gives them `variance`.
+  // Measured without the plateau's first and last sixth, which may still be motion. `hump` (displacement) and `turn`
+  // (force) are means of the middle third less the outer thirds; white noise of variance 1 gives them `variance`.
   struct Plateau {
     SampleRange run;
     double depth = 0.0, hump = 0.0, turn = 0.0, range = 0.0, variance = 0.0;
@@ -126,7 +126,7 @@ class Clipping {
       double fastest = 0.0;
       for (auto i = std::max(lag, first - std::min(first, pair_.half_cycle)); i < first; ++i)
         fastest = std::max(fastest, way(i));
-      ratios.push_back(way(first - 1) / fastest);  // the last sample may lie in the corner
+      ratios.push_back(way(first - 1) / fastest);  // sample `first` may lie in the corner of the plateau
     }
     return !ratios.empty() && num::median(std::move(ratios)) < slower;
   }
@@ -139,7 +139,7 @@ class Clipping {
       auto const depth = depth_of(pair_.disp, sign, run);
       if (!depth || !(*depth > deep) || (!runs.empty() && runs.back().run.last >= run.last)) continue;
       auto const found = measure(sign, whole(sign, run), *depth);
-      if (found.run.first == 0 || found.run.last + 1 == pair_.size()) continue;  // a rest at one end of the record
+      if (found.run.first == 0 || found.run.last + 1 == pair_.size()) continue;  // a rest at an end of the record
       double const humped = least_flatness / 2.0 * flat_thirds * *depth;
       if (!exact && found.hump - 2.0 * pair_.disp.noise * std::sqrt(found.variance) > humped) continue;
       longest = std::max(longest, run.size());
@@ -148,7 +148,7 @@ class Clipping {
     std::size_t samples = 0;
     for (auto const& plateau : runs) samples += plateau.run.size();
     if (samples < least_evidence) return false;
-    // The force turned within the plateaus if it is larger in their middle than at their ends.
+    // Force turns within the plateaus if the mean of `turn` over the plateaus is clearly positive.
     auto const count = static_cast<double>(runs.size());
     auto const mean = [&](auto member) {
       double sum = 0.0;
@@ -163,8 +163,8 @@ class Clipping {
     double const length = mean([](Plateau const& plateau) { return static_cast<double>(plateau.run.size()); });
     bool const no_hold = length + 1.0 < short_plateau * static_cast<double>(pair_.half_cycle);
     bool const reversed = num::median_over(runs, &Plateau::range) > most_of_force * 2.0 * pair_.force.half_range;
-    // If the force is too noisy to decide, a short plateau counts as clipped if the motion slows down before it (a
-    // clipped sine) or if noise ends exactly at it. Between straight ramps it may be a hold or a clipped triangle.
+    // If noise hides the turn of force, a short plateau is clipped if the motion slows down before it, as in a sine, or
+    // if a noisy displacement becomes exactly constant. Between straight ramps it may be a hold.
     bool const cut = no_hold && (slows_before(runs) || (exact && pair_.has_noise(pair_.disp)));
     if (!(reversed || (clear ? turn > wanted : cut))) return false;
     std::vector<std::size_t> first;
@@ -175,8 +175,7 @@ class Clipping {
     return true;
   }
 
-  // Whether the force leaves its plateaus much more steeply than it reaches them. The force of a yielding device does
-  // not.
+  // Whether force leaves its plateaus much more steeply than it reaches them, unlike the force of a yielding device.
   bool is_cut_off(std::vector<SampleRange> const& runs) const {
     auto const reach = std::max<std::size_t>(3, pair_.half_cycle / 24);
     std::vector<double> ratios, into;
@@ -186,7 +185,7 @@ class Clipping {
         return std::abs(pair_.force.x[to] - pair_.force.x[from]) /
                std::max(std::abs(pair_.disp.x[to] - pair_.disp.x[from]), 1e-6 * pair_.disp.half_range);
       };
-      // A device that yields may reach its plateau within one sample. A cut-off force is no steeper in its last sample.
+      // A yielding device may reach its plateau in one step, so that step counts too. Clipping makes no step steeper.
       into.push_back(std::max(slope(run.first - reach, run.first - 1), slope(run.first - 1, run.first)));
       ratios.push_back(into.back() / std::max(slope(run.last, run.last + reach), 1e-12));
       double const clear = std::max(3.0 * pair_.force.quantum, 6.0 * pair_.force.noise);
@@ -212,7 +211,7 @@ class Clipping {
       bool const returns = back > std::max(least, least_back * way) && end - tip > 2;
       bool const moves = *std::max_element(begin, end) - *std::min_element(begin, end) > least;
       bool const repeats = noisy && run.size() > least_plateau + 1 && moves;
-      // On a coarse digitiser the top of a smooth peak only looks like a plateau.
+      // With a coarse digitiser even a smooth peak has a plateau, but a shallow one.
       bool const deep = depth_of(pair_.force, sign, run).value_or(0.0) > depth_quanta * pair_.force.quantum;
       if (!repeats && !(deep && ((cut && moves) || (returns && tip != begin)))) continue;
       first.push_back(run.first);
@@ -226,13 +225,13 @@ class Clipping {
   struct Tops {
     std::vector<std::size_t> first;
     std::size_t longest = 0;
-    double way = 0.0, returned = 0.0;  // sums of the distances from the plateau's start to the tip and back
-    double rise_before = 0.0, rise = 0.0, window = 0.0;  // in two windows of displacement before it
-    double rise_last = 0.0, last_way = 0.0;              // in the step to its first sample
-    std::array<double, 4> drop{}, drop_way{};            // after it, within 1, 2, 4 samples and a 24th of half a cycle
-    std::array<double, 3> third{};                       // force above the level, by thirds of the distance to the tip
+    double way = 0.0, returned = 0.0;  // sums over plateaus: way from the plateau's start to the tip, and back
+    double rise_before = 0.0, rise = 0.0, window = 0.0;  // sums in the two windows of displacement before a plateau
+    double rise_last = 0.0, last_way = 0.0;              // sums over the step to a plateau's first sample
+    std::array<double, 4> drop{}, drop_way{};            // sums over 1, 2, 4, half_cycle / 24 samples after a plateau
+    std::array<double, 3> third{};                       // sums of force above the level, by thirds of `way`
     std::array<double, 3> samples{};
-    double off_level = 0.0;  // plateaus that are not at the level of the others
+    double off_level = 0.0;  // number of plateaus whose mean force is not the common level
   };
 
   double top_level(double sign, double noise) const {
@@ -248,7 +247,7 @@ class Clipping {
     return level;
   }
 
-  // Noise throws single samples out of the band, so up to two of them do not end a plateau.
+  // Noise moves single samples below `low`, so up to two samples below it do not end a plateau.
   std::vector<SampleRange> tops_of(double sign, double low) const {
     constexpr std::size_t bridged = 2;
     std::vector<SampleRange> runs;
@@ -281,7 +280,7 @@ class Clipping {
     tops.longest = std::max(tops.longest, run.size());
     tops.way += way;
     tops.returned += std::max(0.0, x(tip) - x(run.last));
-    // The rise ends at the lower edge of the band, not at a sample, so that coarse sampling does not change it.
+    // The rise ends at the plateau's lower edge between two samples, so that coarse sampling does not change the slope.
     double const corner = (x(run.first) + x(run.first - 1)) / 2.0;
     tops.rise += (level - top_deviations * noise - y(near)) / std::max(corner - x(near), window / 4.0) * window;
     tops.rise_before += (y(near) - y(far)) / (x(near) - x(far)) * window;
@@ -305,7 +304,7 @@ class Clipping {
     if (std::abs(sum) > top_deviations * noise * std::sqrt(count) + same_level * level * count) tops.off_level += 1.0;
   }
 
-  // A clipped force reaches its level at a corner, keeps it beyond the reversal and leaves it more steeply than a force
+  // A clipped force reaches its level at a corner, keeps it beyond the reversal and then drops more steeply than force
   // that yields.
   void clipped_force_in_noise(double sign) {
     for (double const wider : {1.0, 3.0}) {
@@ -344,7 +343,7 @@ class Clipping {
     double const last = (tops.rise_last - top_deviations * noise * std::sqrt(2.0 * count)) /
                         std::max(tops.last_way, 1e-3 * pair_.disp.half_range * count);
     if (!(std::max({slope, slope_before, last}) < 0.4 * leaves)) return false;
-    // If samples can resolve it, a clipped force must stay level until displacement has come back from its peak.
+    // If the samples can resolve it, clipped force stays level until displacement has come back from its peak.
     double const expected = depth / leaves;
     double const told = std::max(8.0 * pair_.disp.noise, past_the_tip * pair_.disp.half_range);
     return expected < 2.0 * told || tops.returned / count > least_return * expected;

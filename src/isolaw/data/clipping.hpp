@@ -1,5 +1,5 @@
-// Finds channels that are cut off at the limit of an amplifier or converter. Such a channel keeps one level while the
-// other channel goes on: exactly, or within the noise that is added behind the limit.
+// Finds channels that an amplifier or converter cuts off at its limit. Such a channel keeps one level while the other
+// channel goes on. The level is exact, or noisy if noise enters behind the limit.
 #pragma once
 
 #include <vector>

@@ -16,7 +16,7 @@ namespace {
 using Words = std::vector<std::string>;
 using Lexicon = std::span<std::string_view const>;
 
-// English, Italian, German, French, Spanish, Turkish; lower case without accents.
+// Words that mean a channel or a quantity, in English, Italian, German, French, Spanish and Turkish, in lower case.
 constexpr std::string_view time_words[]{"time",     "tempo", "zeit", "temps",   "tiempo",
                                         "messzeit", "zaman", "sure", "prufzeit"};
 constexpr std::string_view calendar_words[]{"datetime", "datenum", "date", "datum", "data", "fecha", "tarih"};
@@ -40,7 +40,7 @@ constexpr std::string_view horizontal_words[]{"horizontal", "horizontale", "oriz
                                               "lateral",    "laterale",    "shear",       "taglio", "yatay", "kesme"};
 constexpr std::string_view velocity_words[]{"velocity",        "velocita", "vel",      "speed",
                                             "geschwindigkeit", "vitesse",  "velocidad"};
-// Words of other quantities: a name with one of them means no channel, even if "displacement" is also in it.
+// A name with one of these words means no channel, even if "displacement" is also in it.
 constexpr std::string_view other_quantities[]{
     "command",     "comando",     "cmd",          "setpoint",      "target",    "demand",
     "soll",        "sollwert",    "sollweg",      "consigne",      "consigna",  "reference",
@@ -52,7 +52,7 @@ constexpr std::string_view other_quantities[]{
 constexpr std::string_view disp_symbols[]{"x", "u", "d", "ux", "dx", "uh", "dh"};
 constexpr std::string_view force_symbols[]{"f", "h", "fx", "fh"};
 constexpr std::string_view load_symbols[]{"v", "fv", "fz", "p"};
-constexpr std::string_view vertical_letters[]{"v", "n"};  // beside another word: "Force V"
+constexpr std::string_view vertical_letters[]{"v", "n"};  // only beside another word: "Force V"
 constexpr std::string_view counter_words[]{"sample", "samples",  "index", "idx",     "no",    "nr",
                                            "num",    "number",   "count", "counter", "point", "points",
                                            "scan",   "campione", "row",   "record",  "id"};
@@ -78,7 +78,7 @@ bool is_capital(char c) {
 struct Translation {
   std::string_view text, words;
 };
-// A longer name comes before the shorter names that it contains.
+// The first match counts, so a longer name comes before the shorter names that it contains.
 constexpr Translation japanese[]{{"加速度", "acceleration"},
                                  {"試験年月日", "test date"},
                                  {"試験体番号", "specimen no"},
@@ -132,7 +132,7 @@ std::string narrow(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     auto const byte = [&](std::size_t at) { return static_cast<unsigned char>(text[at]); };
     if (i + 2 < text.size() && byte(i) == 0xEF && (byte(i + 1) == 0xBC || byte(i + 1) == 0xBD)) {
-      unsigned const code = (byte(i + 1) - 0xBCu) * 64u + (byte(i + 2) & 0x3Fu);  // from U+FF00
+      unsigned const code = (byte(i + 1) - 0xBCu) * 64u + (byte(i + 2) & 0x3Fu);  // code - U+FF00
       if (code >= 1 && code <= 0x5E) {
         narrowed += static_cast<char>(0x20 + code);
         i += 2;
@@ -203,17 +203,17 @@ Meaning meaning_of_symbol(std::string_view base, std::optional<Unit> unit) {
     return other_dimension ? Meaning{} : Meaning{.channel = channel, .certainty = Certainty::symbol};
   };
   if (symbol == "t") return meant(Channel::time);
-  if (symbol == "T" && unit) return meant(Channel::time);  // without a unit it is as often a temperature
-  if (symbol == "N") return meant(Channel::load);          // n counts samples
+  if (symbol == "T" && unit) return meant(Channel::time);  // without a unit, T may be a temperature
+  if (symbol == "N") return meant(Channel::load);          // in lower case, n counts samples
   auto const small = lower(symbol);
-  if (small == "xvalue") return meant(Channel::time);  // in LabVIEW's files
+  if (small == "xvalue") return meant(Channel::time);  // LabVIEW names the time so
   if (is_in(disp_symbols, small)) return meant(Channel::disp);
   if (is_in(force_symbols, small)) return meant(Channel::force);
   if (is_in(load_symbols, small)) return meant(Channel::load);
   return {};
 }
 
-// "Displacement [mm] horizontal"
+// "Displacement [mm] horizontal" -> "Displacement horizontal" and "mm"
 std::optional<ColumnName> split_brackets(std::string_view name) {
   constexpr std::array<std::pair<char, char>, 3> brackets{{{'[', ']'}, {'(', ')'}, {'{', '}'}}};
   std::optional<ColumnName> unknown;
@@ -234,11 +234,11 @@ std::optional<ColumnName> split_brackets(std::string_view name) {
   return unknown;
 }
 
-// "displacement_cm", "Force, kN", "Kraft in kN", "F / kN"
+// Splits names that end in their unit: "displacement_cm", "Force, kN", "Kraft in kN", "F / kN".
 std::optional<ColumnName> split_last_word(std::string_view name) {
   auto const at = name.find_last_of(" _/,;:-");
   if (at == std::string_view::npos || at == 0 || !parse_unit(name.substr(at + 1))) return std::nullopt;
-  // "Force min" is the smallest force, and "x_t" is a whole name.
+  // In "Force min" and "x_t" the last word is no unit, although min and t are units too.
   auto const last = lower(name.substr(at + 1));
   auto const before = trimmed(name.substr(0, at + 1));
   bool const set_apart = before.ends_with(',') || before.ends_with('/') || before.ends_with(" in");

@@ -1,4 +1,4 @@
-// Reads the name of a column, in the languages of laboratories: its words, its unit and the channel that it means.
+// Reads the name of a column in the languages of laboratories: its words, its unit, and the channel that it names.
 #pragma once
 
 #include <optional>
@@ -20,17 +20,17 @@ ColumnName dissect_name(std::string_view name);
 // The words of a name in lower case, without accents: "DispH_2" -> disp, h, 2. Japanese words are translated.
 std::vector<std::string> name_words(std::string_view name);
 bool is_japanese(std::string_view name);
-// Whether a cell means a channel. Rows of names are recognised by such cells.
+// Whether a cell of a table's header is the name of a channel.
 bool names_a_channel(std::string_view cell);
 
 enum class Certainty { none, symbol, word };
 
-// `load` without "vertical" or "horizontal" (plain_load) may be either force.
+// plain_load: a name with "load", but without "vertical" or "horizontal"; it may be either force.
 struct Meaning {
   std::optional<Channel> channel;
   Certainty certainty = Certainty::none;
   bool plain_load = false;
-  bool vertical_disp = false;  // vertical displacement, for which a shear test has no channel
+  bool vertical_disp = false;  // the name of a vertical displacement, which is no channel of a shear test
 };
 Meaning meaning_of(std::string_view name);
 

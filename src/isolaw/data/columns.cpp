@@ -41,7 +41,7 @@ class Resolver {
     refuse_shared_columns();
     for (auto& [channel, column] : result_.channels) resolve_unit(channel, column);
     std::erase_if(result_.channels, [](auto const& entry) {
-      return entry.first == Channel::load && !entry.second.unit;  // a warning or complaint says so
+      return entry.first == Channel::load && !entry.second.unit;  // resolve_unit() has already reported it
     });
     say_given_units();
     say_unused();
@@ -110,8 +110,8 @@ class Resolver {
     return kind == StampKind::date_time || kind == StampKind::clock;
   }
 
-  // Numbers are a spreadsheet's days only without a unit and if the name means a date. Below "Time" they may be
-  // seconds.
+  // Reads numbers as a spreadsheet's days only if they have no unit and the column is named like "Date". Numbers in a
+  // column "Time" may be seconds.
   void take_stamps(Column& time) {
     auto const kind = stamps_of(time.index);
     bool const has_unit = options_.units.contains(Channel::time) || !written_units(Channel::time, time.index).empty();
@@ -131,7 +131,7 @@ class Resolver {
   // Takes the column whose name means time, or else the only one that holds time stamps.
   void recognise_time() {
     auto found = candidates_of_any(Channel::time);
-    // If columns of numbers and of time stamps have such a name, the only column of numbers is the time.
+    // If several columns are named like a time and only one of them holds plain numbers, it is the time.
     if (found.size() > 1) {
       auto numbers = found;
       std::erase_if(numbers, [&](auto i) { return stamps_of(i) != StampKind::none; });
@@ -162,7 +162,7 @@ class Resolver {
     take_stamps(time);
   }
 
-  // Complains of a time that only MATLAB can read. Without that nobody would notice that it is missing.
+  // Complains of a time variable that only MATLAB can read, since nobody would notice that it is missing.
   void report_objects() {
     if (options_.dt_s) return;
     for (auto const& variable : header_.objects)
@@ -179,7 +179,7 @@ class Resolver {
     return index < header_.names.size() && data::names_a_calendar(header_.names[index]);
   }
 
-  // Notes units that are given by --units alone: a reader of the results cannot find them in the file.
+  // Notes units that only --units gives, because a reader of the results cannot find them in the file.
   void say_given_units() {
     std::vector<std::string> given;
     for (auto const& [channel, column] : result_.channels)
@@ -197,7 +197,7 @@ class Resolver {
     bool const timed = result_.channels.contains(Channel::time);
     for (std::size_t i = 0; i < count_; ++i) {
       bool const date = timed && result_.channels.at(Channel::time).date_column == i;
-      bool const counter = !timed && i < header_.names.size() && is_counter(header_.names[i]);  // reported later
+      bool const counter = !timed && i < header_.names.size() && is_counter(header_.names[i]);  // reported elsewhere
       if (is_taken(i) || date || counter) continue;
       texts.push_back(column_text(i, header_));
       if (!wanted_.force && !wanted_.part && i < header_.names.size() && names_a_velocity(header_.names[i]))
@@ -230,7 +230,8 @@ class Resolver {
     auto const small = lower(trimmed(wanted));
     auto const base = lower(dissect_name(wanted).base);
     auto found = columns_where([&](auto const& text) { return text == wanted; });
-    // In a workbook, "F" is the column with that letter, unless it is a column's whole name ("F [kN]" is not the same).
+    // In a workbook, "F" means the column with that letter, unless a column is named exactly "F". "F [kN]" is no such
+    // name.
     if (auto const letter = found.empty() ? lettered(wanted) : std::nullopt) return std::vector{*letter};
     if (found.empty()) found = columns_where([&](auto const& text) { return lower(text) == small; });
     if (found.empty()) found = columns_where([&](auto const& text) { return lower(dissect_name(text).base) == small; });
@@ -287,7 +288,7 @@ class Resolver {
     return found;
   }
 
-  // Looks for words before symbols: beside a column "Force", a column "F" is more likely something else.
+  // Words count before symbols: if one column is named "Force", another named "F" is more likely something else.
   void recognise(Channel channel) {
     if (channel == Channel::time) return recognise_time();
     auto found = wanted_.vertical ? compression_candidates(channel) : candidates_of_any(channel);
@@ -348,7 +349,7 @@ class Resolver {
   void report_variables(Channel channel) {
     bool const no_disp = !result_.channels.contains(Channel::disp) && candidates_of_any(Channel::disp).empty();
     bool const both = both_wanted() && no_disp && candidates_of_any(Channel::force).empty();
-    if (both && channel == Channel::force) return;  // the complaint about the displacement names both
+    if (both && channel == Channel::force) return;  // the complaint about displacement also names force
     complain(header_place(),
              fmt::format("no variable is recognised as the {}{}", meaning_text(channel),
                          both ? fmt::format(", none as the {}", info_of(Channel::force).meaning) : ""),
@@ -363,7 +364,7 @@ class Resolver {
     return found.empty() ? candidates(channel, Certainty::symbol) : found;
   }
 
-  // If nothing else is named, takes "Axial Displacement" and "Axial Force": the only actuator then shears the device.
+  // Takes "Axial Force" and the like if nothing is named horizontal: the only actuator then shears the device.
   std::vector<std::size_t> own_axis_candidates(Channel channel) {
     if (channel != Channel::disp && channel != Channel::force) return {};
     auto found = columns_where([&](auto const& text) {
@@ -378,7 +379,7 @@ class Resolver {
     return found;
   }
 
-  // Takes names with "vertical" first: a rig that also shears has columns of both directions, a press of one only.
+  // Prefers names with "vertical". A rig that also shears has columns of two directions, a press has only one.
   std::vector<std::size_t> compression_candidates(Channel channel) const {
     auto const find = [&](auto matches) {
       auto found = columns_where([&](auto const& text) { return matches(meaning_of(text)); });
@@ -406,7 +407,7 @@ class Resolver {
   // Without names, displacement cannot be distinguished from force, nor time from a counter.
   void report_nameless(Channel channel) {
     bool const both = both_wanted() && !asked_for(Channel::disp) && !asked_for(Channel::force);
-    if (both && channel == Channel::force) return;  // the complaint about the displacement names both
+    if (both && channel == Channel::force) return;  // the complaint about displacement also names force
     auto const what = both ? std::string("displacement and which the force") : std::string(meaning_text(channel));
     complain(
         file_,
@@ -462,7 +463,7 @@ class Resolver {
     return written;
   }
 
-  // --units takes precedence over the file, and a warning says so.
+  // Warns if --units gives another unit than the file does. The unit of --units is used.
   void warn_of_other_unit(Channel channel, Column const& column, Unit const& used) {
     if (!options_.units.contains(channel) || !has_names()) return;
     auto const stated = parse_unit(dissect_name(header_.names[column.index]).unit);

@@ -51,14 +51,14 @@ void write_all(int descriptor, std::string_view bytes) {
   }
 }
 
-// Runs in the forked process. Its end must print nothing, and it can open no file and write only to the pipe.
+// Runs in the forked process: prints nothing, opens no file, writes only to the pipe `output`.
 [[noreturn]] void be_confined(std::function<void(std::function<void(std::string_view)> const&)> const& work,
                               ConfinedLimits const& limits, int output) {
   int const nowhere = ::open("/dev/null", O_RDWR | O_CLOEXEC);
   for (int const standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (nowhere >= 0) ::dup2(nowhere, standard);
   for (int const deadly : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTERM, SIGINT}) ::signal(deadly, SIG_DFL);
-  // A sanitizer reserves address space, and opens files itself when an exception is thrown.
+  // Sanitizers reserve address space and open files, so a limit on either would break them.
   if (!sanitized) {
     limit(RLIMIT_AS, address_space_held() + limits.memory_bytes);
     limit(RLIMIT_NOFILE, 0);
@@ -78,7 +78,7 @@ void write_all(int descriptor, std::string_view bytes) {
 
 // Returns why the forked process was given up; empty if the process closed its end of the pipe.
 std::string collect(int input, ConfinedLimits const& limits, std::string& output) {
-  // On a busy machine the process waits for the processor, so it may last longer than its processor time.
+  // limits.seconds is processor time. On a busy machine the process also waits for the processor.
   auto const patience = 5 * limits.seconds;
   auto const deadline = std::chrono::steady_clock::now() + std::chrono::seconds(patience);
   std::array<char, 1 << 16> buffer;

@@ -1,4 +1,4 @@
-// Runs a library on an untrusted file in a process of its own that opens no files, with limits on memory and time.
+// Runs a library on an untrusted file in a separate process that opens no files and has limited memory and time.
 #pragma once
 
 #include <cstddef>
@@ -9,9 +9,9 @@
 
 namespace isolaw::data {
 
-// Sanitizers need memory and files themselves, so with them neither is limited.
+// In a build with sanitizers, memory and files are not limited.
 struct ConfinedLimits {
-  std::uint64_t memory_bytes;  // in addition to what the process holds already
+  std::uint64_t memory_bytes;  // beyond the address space that the process has at its start
   unsigned seconds;
   std::size_t output_bytes;
 };
@@ -21,7 +21,7 @@ struct ConfinedResult {
   std::string failure;  // why there is no output; empty if the work ended well
 };
 
-// `work` passes its result to `write`; the text of an exception becomes the failure. Throws std::system_error.
+// `work` passes its result to `write`. If it throws, the exception's text becomes `failure`. Throws std::system_error.
 ConfinedResult run_confined(std::function<void(std::function<void(std::string_view)> const& write)> const& work,
                             ConfinedLimits const& limits);
 

@@ -28,7 +28,7 @@ constexpr double largest_coefficient = 0.2;
 constexpr double largest_mass_kg = 1e6;
 constexpr double largest_factor = 10.0;
 constexpr double least_factor = 0.01;
-constexpr double samples_to_average = 40.0;  // acceleration is computed over a cycle divided by this
+constexpr double samples_to_average = 40.0;  // acceleration uses samples that are a cycle divided by this apart
 
 void check(std::vector<Complaint>& complaints, std::string const& option, std::optional<double> value, double scale,
            double least, double largest, std::string const& unit, std::string const& advice) {
@@ -89,15 +89,15 @@ void remove_skew(TestRecord& record, double skew_s) {
        {{"skew_ms", 1000.0 * skew_s}, {"dropped_samples", static_cast<double>(dropped)}});
 }
 
-// The sample at which friction changes its sign. Before `at` it has the sign of the approach, after it the opposite
-// sign; at `at` itself the friction of the approach still acts (`there` = 1) or none does (`there` = 0).
+// Where friction changes its sign. Before sample `at` friction has the sign of the motion towards the peak, after it
+// the opposite sign. At `at` itself, `there` is 1 if friction still has the sign before it, and 0 if friction is zero.
 struct Turn {
   std::size_t at;
   double there;
 };
 
-// The peak's sample is uncertain, since displacement hardly changes near it. The turn is the sample at which the force
-// without friction is clearly smoothest.
+// The sample of the peak is uncertain, since displacement hardly changes near it. Friction is assumed to turn at the
+// sample at which the force without friction is clearly smoothest.
 Turn turn_about(std::size_t peak, double approach, std::vector<double> const& force,
                 std::vector<double> const& friction) {
   constexpr std::size_t reach = 2;
@@ -125,15 +125,15 @@ Turn turn_about(std::size_t peak, double approach, std::vector<double> const& fo
   return best;
 }
 
-// The direction of motion at each sample, +1 or -1, for the sign of the friction. It changes only at reversals, so
-// noise cannot change it. It is 0 while the record rests at its start or end, and may be 0 at the sample of a turn.
+// The direction of motion at each sample, +1 or -1. It changes only at reversals, so that noise of displacement cannot
+// change it. It is 0 while the record rests at its start or end, and may be 0 at the sample of a turn.
 std::vector<double> directions(std::vector<double> const& x, std::vector<double> const& force,
                                std::vector<double> const& friction) {
   auto const sign = [](double value) { return value > 0.0 ? 1.0 : value < 0.0 ? -1.0 : 0.0; };
   std::vector<double> found(x.size(), 0.0);
   auto const motion = reversals(x);
   if (motion.at.size() < 2) return found;
-  std::vector<std::pair<Turn, double>> turns;  // each with the direction of the approach
+  std::vector<std::pair<Turn, double>> turns;  // a turn, and the direction of motion before it
   for (std::size_t k = 1; k < motion.at.size(); ++k) {
     double const direction = sign(x[motion.at[k]] - x[motion.at[k - 1]]);
     for (auto i = motion.at[k - 1] + 1; i < motion.at[k]; ++i) found[i] = direction;
@@ -148,7 +148,7 @@ std::vector<double> directions(std::vector<double> const& x, std::vector<double>
     for (auto i = std::min(turn.at, peak); i <= std::max(turn.at, peak); ++i)
       found[i] = approach * (i < turn.at ? 1.0 : i == turn.at ? turn.there : -1.0);
   }
-  // After the last extreme the record moves by less than the band, or turns once more and ends.
+  // After the last extreme, displacement stays within the band, or turns once more before the record ends.
   double const tail = sign(x.back() - x[motion.at.back()]);
   for (auto i = motion.at.back() + 1; i < x.size(); ++i) found[i] = tail;
   for (std::size_t i = 0; i < x.size() && std::abs(x[i] - x.front()) <= motion.band_mm; ++i) found[i] = 0.0;
@@ -168,7 +168,7 @@ void remove_friction(TestRecord& record, Corrections const& corrections) {
        {{constant ? "friction_kN" : "coefficient", factor}});
 }
 
-// Uses the samples `reach` intervals before and after, at their recorded times.
+// Second derivative at sample i from the samples `reach` before and after it, at their recorded times.
 double second_difference(std::vector<double> const& x, std::vector<double> const& t, std::size_t i, std::size_t reach) {
   auto const at = std::clamp(i, reach, x.size() - 1 - reach);
   double const before = t[at] - t[at - reach];

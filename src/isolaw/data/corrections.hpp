@@ -1,4 +1,4 @@
-// Corrects a record for errors of the rig, only on request. Each correction leaves a finding in the record.
+// Corrects a record for errors of the rig if the user asks for it. Each correction leaves a finding in the record.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,9 @@ struct TestRecord;
 
 struct Corrections {
   bool repair_spikes = false;                       // replaces single samples far from their neighbours
-  std::optional<double> skew_s = {};                // the force is later than displacement by this much
+  std::optional<double> skew_s = {};                // delay of the force behind displacement, to be removed
   std::optional<double> friction_kN = {};           // friction of the rig in the measured force, to be subtracted
-  std::optional<double> friction_coefficient = {};  // the same, as a share of the measured vertical load
+  std::optional<double> friction_coefficient = {};  // friction of the rig over the measured vertical load
   std::optional<double> moving_mass_kg = {};        // mass between device and load cell; m a is subtracted
   std::optional<double> force_factor = {};  // multiplies the force at the end: 0.5 for two devices in double shear
 
@@ -20,15 +20,13 @@ struct Corrections {
   void validate() const;  // throws Error that names the options
 };
 
-// Makes the correction repair_spikes. It runs before the search for faults and before all other corrections.
+// Repairs spikes, if asked for. Call it before the search for faults and before correct().
 void repair(TestRecord& record, Corrections const& corrections);
 
-// Makes the other corrections, in the order of the members: friction and inertia are subtracted from the force as
-// measured. Samples at the end of the record (at its start for a negative skew) whose interpolated force is not known
-// are dropped from all channels. Friction acts against the motion between reversals (noise apart), not while the record
-// rests at its start or end. Acceleration is the second difference over a 40th of a cycle, of displacement averaged
-// three times over as much; for a sine it is 0.5 % too small. Throws Error if a correction is invalid or lacks its
-// channel.
+// Makes all corrections except the repair of spikes, in the order of the members. Samples whose shifted force would lie
+// outside the record are dropped from all channels. Friction acts against the motion, except while the record rests at
+// its start or end. Acceleration is the second difference over a 40th of a cycle, of displacement averaged three times
+// over as many samples; for a sine it is 0.5 % too small. Throws Error if a correction is invalid or lacks its channel.
 void correct(TestRecord& record, Corrections const& corrections);
 
 }  // namespace isolaw::data

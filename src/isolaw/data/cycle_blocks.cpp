@@ -12,22 +12,22 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double nominal = 0.05;          // fraction of the block's amplitude
-constexpr double least_change = 0.05;     // fraction of the period; this change splits a block
-constexpr double clear_change = 0.20;     // the same if only one cycle before it can be compared
-constexpr double agreement = 0.25;        // fraction of the change by which periods before and after it may scatter
-constexpr std::size_t compared = 3;       // cycles before a change
-constexpr double far_period = 1.4;        // ratio to the block's period; a cycle beyond it does not count
-constexpr double build_up = 0.15;         // fraction of the amplitude of the run that a lone cycle belongs to
-constexpr double symmetric = 0.05;        // unevenness of a lone cycle that is a stage of its own
-constexpr double lopsided = 0.25;         // fraction of the amplitude by which a regular cycle's middle may move
-constexpr std::size_t sure_run = 3;       // cycles: shorter runs may come about by chance
+constexpr double nominal = 0.05;          // fraction of the block's amplitude; a counted cycle differs by less
+constexpr double least_change = 0.05;     // fraction of the period; a larger change splits a block
+constexpr double clear_change = 0.20;     // fraction of the period; needed if only one cycle precedes the change
+constexpr double agreement = 0.25;        // fraction of the change; periods before and after it scatter by less
+constexpr std::size_t compared = 3;       // most cycles before a change that are compared
+constexpr double far_period = 1.4;        // ratio to the block's period; a cycle farther off does not count
+constexpr double build_up = 0.15;         // fraction of a run's amplitude; a lone cycle this close belongs to the run
+constexpr double symmetric = 0.05;        // largest unevenness of a lone cycle that makes a block of its own
+constexpr double lopsided = 0.25;         // fraction of the amplitude by which the middle of a regular cycle may move
+constexpr std::size_t sure_run = 3;       // cycles; a shorter run may have come about by chance
 constexpr std::size_t longest_taper = 2;  // cycles
 
 struct Run {
   std::size_t begin = 0;
   std::size_t end = 0;
-  double amplitude = 0.0;  // medians
+  double amplitude = 0.0;  // median of the cycles, as is the period
   double period = 0.0;
   std::size_t size() const { return end - begin; }
 };
@@ -38,7 +38,7 @@ bool close(double value, double reference, double share) {
 
 std::vector<Run> runs_of_amplitude(std::vector<Shape> const& shapes) {
   std::vector<Run> runs;
-  // Compares with the mean of the run's amplitudes. The median would have to be found anew for every cycle.
+  // A cycle joins if it is close to the mean of the run. A median would have to be found anew for every cycle.
   double sum = 0.0;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     bool const joins =
@@ -57,12 +57,12 @@ bool same_pace(double period, double other, double factor) {
   return period <= factor * other && other <= factor * period;
 }
 
-// False if the cycle starts or ends slowly.
+// False if the device moves slowly at the start or end of the cycle.
 bool is_even(Shape const& shape) {
   return same_pace(shape.rise_and_fall, shape.period + shape.still_time, far_period);
 }
 
-// Compares [begin, at) with the two periods from `after` on. With only one cycle before, only a clear change counts.
+// Compares the periods of [begin, at) with two from `after` on. A single cycle in [begin, at) must differ by more.
 bool changes(std::vector<Shape> const& shapes, std::size_t begin, std::size_t at, std::size_t after) {
   if (begin >= at) return false;
   auto const period = [](Shape const& shape) { return shape.period; };
@@ -78,8 +78,8 @@ bool changes(std::vector<Shape> const& shapes, std::size_t begin, std::size_t at
 }
 
 // Splits a run where its frequency changes. A new part starts at cycle i if the periods of i and i + 1 agree, the
-// periods of the cycles before agree, and the two groups differ. Cycle i - 1 may be the transition. A part's first
-// cycle may start slowly, so it is not compared if there are others.
+// periods of the cycles before agree, and the two groups differ. Cycle i - 1 may lead from one frequency to the other.
+// The first cycle of a part may start slowly, so it is compared only if it is the only one.
 std::vector<Run> split_by_frequency(std::vector<Shape> const& shapes, Run const& run) {
   std::vector<Run> parts{{.begin = run.begin, .end = run.end}};
   auto const split_at = [&](std::size_t i) {
@@ -110,13 +110,13 @@ double middle(Shape const& shape) {
   return shape.largest / 2.0 + shape.least / 2.0;
 }
 
-// Whether the cycle's middle is close to its neighbour's. It may drift from cycle to cycle, but must not jump about.
+// Whether the middle of a cycle's extremes is close to its neighbour's. The middle may drift slowly, but not jump.
 bool stays(std::vector<Shape> const& shapes, Run const& run, std::size_t i) {
   auto const neighbour = i > run.begin ? i - 1 : i + 1;
   return std::abs(middle(shapes[i]) - middle(shapes[neighbour])) <= lopsided * shapes[i].amplitude();
 }
 
-// Marks cycles that grow into a run or fade out of it, as the ramps of a shaking table's signal do.
+// Marks cycles that grow into a run or fade out of it. A shaking table's signal starts and ends with such ramps.
 void mark_tapers(std::vector<Shape>& shapes, Run const& run) {
   if (run.size() < sure_run) return;
   for (std::size_t k = 0; k < longest_taper && run.begin > k; ++k) {
@@ -150,15 +150,15 @@ bool is_build_up(Run const& lone, Run const& run) {
          same_pace(lone.period, run.period, far_period);
 }
 
-// A lone cycle joins a neighbouring run if it is uneven or builds up to that run, or if it lies between two runs alike.
+// A lone cycle joins a neighbouring run if it is uneven or builds up to that run, or lies between two similar runs.
 std::vector<Draft> drafts_of(std::vector<Shape> const& shapes, std::vector<Run> const& runs) {
   std::vector<Draft> drafts;
-  std::size_t pending = 0;  // first of the lone cycles that lead to the next block
+  std::size_t pending = 0;  // first lone cycle of those that lead to the next block
   bool waiting = false;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     auto const& run = runs[r];
     bool const lone = run.size() == 1;
-    // If the time jumps within a cycle, its peak may be missing; then the cycle joins its neighbours, even lone ones.
+    // If the time jumps within a cycle, its peak may be missing. It then joins its neighbours, even lone cycles.
     bool const has_gap = lone && shapes[run.begin].has_gap;
     bool const between = lone && !drafts.empty() && !waiting && r + 1 < runs.size() &&
                          (has_gap || (drafts.back().core.size() > 1 && runs[r + 1].size() > 1)) &&
@@ -190,7 +190,7 @@ std::vector<Draft> drafts_of(std::vector<Shape> const& shapes, std::vector<Run> 
     waiting = false;
   }
   if (waiting && !drafts.empty()) drafts.back().end = runs.back().end;
-  // If all cycles are uneven, they form one block with the largest run as its core.
+  // If all cycles are uneven, they form one block with the run of largest amplitude as its core.
   if (drafts.empty() && !runs.empty())
     drafts.push_back({.begin = runs.front().begin,
                       .end = runs.back().end,
@@ -212,7 +212,7 @@ std::string of_period(Shape const& shape, double period, std::string_view unit) 
                      period, unit, far_period);
 }
 
-// The period with which a block's cycles are compared, of the even ones if there are any; 0 if no cycle is close to it.
+// The median period of cycles that do not start or end slowly, or of all if all do. 0 if no cycle is close to it.
 double period_of(std::vector<Shape> const& shapes, std::vector<std::size_t> const& nominal_cycles) {
   std::vector<double> even, all;
   for (auto const i : nominal_cycles) {

@@ -16,14 +16,14 @@ namespace {
 
 constexpr double least_floor = 0.01;      // times the half range
 constexpr double largest_floor = 0.05;    // times the half range; no rig has more noise
-constexpr double noise_deviations = 5.0;  // among a million samples hardly one lies beyond
-constexpr double interruption = 0.04;     // times the smaller neighbour; a stage of 5 % strain beside 200 % is larger
-constexpr double off_centre = 0.05;       // times the amplitude; if the middle is so close to zero, cuts are at zero
-constexpr double uneven = 0.25;           // times the amplitude; so close to the middle the start may be the centre
-constexpr double resting = 0.05;          // times the amplitude; so close to its start a record ends where it started
-constexpr double as_large = 0.05;         // times the amplitude; so close to a neighbour's an amplitude repeats it
-// Share of the travel in regular cycles. Of 1000 irregular linear responses, ten reach 0.64 and one 0.80; tests reach
-// 0.9.
+constexpr double noise_deviations = 5.0;  // hardly one sample in a million lies beyond
+constexpr double interruption = 0.04;     // times the smaller swing beside it; a smaller swing interrupts a larger one
+constexpr double off_centre = 0.05;       // times the amplitude; a middle closer to zero than this counts as zero
+constexpr double uneven = 0.25;           // times the amplitude; a start closer to the middle may be the centre
+constexpr double resting = 0.05;          // times the amplitude; a record that ends closer to its start returns to it
+constexpr double as_large = 0.05;         // times the amplitude; amplitudes that are closer than this repeat each other
+// Least share of the whole travel that is in cycles that repeat an amplitude or are symmetric. Tests reach 0.9; of 1000
+// irregular linear responses, ten reach 0.64 and one 0.80.
 constexpr double least_regular_share = 0.8;
 constexpr auto not_cyclic_cycle = "the record is not cyclic";
 
@@ -33,7 +33,7 @@ double half_range(std::span<double const> x) {
   return largest / 2.0 - least / 2.0;
 }
 
-// The first sample, then the ends of the swings of `least` mm or more.
+// The first sample, then the turning points between swings of `least` mm or more.
 std::vector<std::size_t> extremes(std::span<double const> x, double least) {
   std::vector<std::size_t> found;
   std::size_t low = 0, high = 0;
@@ -74,7 +74,7 @@ std::vector<std::size_t> without_interruptions(std::span<double const> x, std::v
 struct Swings {
   std::vector<double> half;
   std::vector<double> middle;
-  std::size_t begin = 0;  // first swing with reversals at both ends, if there are three swings or more
+  std::size_t begin = 0;  // first swing that is used: with three or more, the first and last are left out
   std::size_t end = 0;
 
   double largest() const { return std::ranges::max(std::span(half).subspan(begin, end - begin)); }
@@ -94,8 +94,7 @@ Swings swings_of(std::span<double const> x, std::vector<std::size_t> const& at) 
   return swings;
 }
 
-// A weighted median, in which the largest stage decides: an offset matters most in it. Swings between stages count
-// little.
+// A weighted median of the swings' middles, in which the largest swings decide: an offset matters most in them.
 double middle_of(Swings const& swings) {
   double const largest = swings.largest();
   std::vector<std::pair<double, double>> weighted;
@@ -119,9 +118,9 @@ std::size_t swings_across(Swings const& swings, double level, double margin) {
   return count;
 }
 
-// The displacement about which cycles are counted: zero if as many swings cross zero as cross the middle and the middle
-// is close to zero, because noise makes the middle less certain than the zero of the test. It is the start of a record
-// that also ends there, if that is near the middle.
+// The displacement about which cycles are counted. It is zero if the motion's middle is close to zero and as many
+// swings cross zero as cross the middle, because noise makes the middle less certain than the zero of the test. If the
+// record ends where it starts, somewhat off the middle, the start is the centre.
 double centre_of(std::span<double const> x, Swings const& swings, double band) {
   double const middle = middle_of(swings);
   double const amplitude = swings.largest();
@@ -134,7 +133,7 @@ double centre_of(std::span<double const> x, Swings const& swings, double band) {
   return middle;
 }
 
-// Replaces a displacement below the resolution of any transducer by zero, so that it has no sign.
+// Replaces a displacement below any transducer's resolution by zero, so that messages show no "-0".
 double or_zero(double disp_mm) {
   return std::abs(disp_mm) < 1e-6 ? 0.0 : disp_mm;
 }
@@ -232,7 +231,7 @@ std::vector<CycleCut> with_parts(std::vector<CycleCut> cycles, Motion const& mot
 
 Finding too_short(std::span<double const> x, Motion const& motion, Segmentation const& segmentation) {
   auto const [least, largest] = std::ranges::minmax(x);
-  // Counts crossings in the direction of the first motion: each lobe on that side starts with one.
+  // Counts crossings of the centre in the direction of the first motion: each lobe on that side starts with one.
   auto const first = std::ranges::find(motion.lobes, false, &Lobe::starts_open);
   auto const crossings =
       std::count_if(first, motion.lobes.end(), [&](Lobe const& lobe) { return lobe.positive == first->positive; });
@@ -244,7 +243,7 @@ Finding too_short(std::span<double const> x, Motion const& motion, Segmentation 
                       {"noise_mm", 2.0 * segmentation.band_mm}}};
 }
 
-// The travel of incomplete cycles at the ends of the record that repeat the amplitude of a regular neighbour.
+// The travel of incomplete cycles at the record's ends whose amplitude is that of the regular cycle beside them.
 double regular_ends(std::vector<Shape> const& shapes, Swings const& swings, std::vector<std::size_t> const& at) {
   double travel = 0.0;
   for (auto k = swings.begin; k < swings.end; ++k) {
@@ -254,13 +253,13 @@ double regular_ends(std::vector<Shape> const& shapes, Swings const& swings, std:
     auto const& neighbour = before ? shapes.front() : shapes.back();
     if (!neighbour.regular || std::abs(swings.half[k] - neighbour.amplitude()) > as_large * neighbour.amplitude())
       continue;
-    bool const crosses = before ? to > neighbour.first : from < neighbour.last;  // the cycle has half of the swing
+    bool const crosses = before ? to > neighbour.first : from < neighbour.last;  // half the swing is the cycle's
     travel += (crosses ? 1.0 : 2.0) * swings.half[k];
   }
   return travel;
 }
 
-// The share of the travel in regular cycles, without pre-loads, tapers, regular ends, and the first and last swing.
+// The share of regular cycles in the travel, without pre-loads, tapers, regular_ends(), and the first and last swing.
 double regular_share(std::vector<Shape> const& shapes, Swings const& swings, Motion const& motion,
                      std::vector<std::size_t> const& at) {
   double regular = 0.0, in_cycles = 0.0, in_tapers = 0.0, travel = 0.0;
@@ -293,8 +292,8 @@ Finding not_cyclic(std::vector<Shape> const& shapes, double share) {
 
 }  // namespace
 
-// Uses the median of |fourth differences|, which are sqrt(70) times as large as white noise. A sine of 20 samples per
-// cycle adds a thousandth of its amplitude. A missing value counts as large (num::median would return NaN).
+// Uses fourth differences: they make white noise sqrt(70) times as large, and leave a thousandth of the amplitude of a
+// sine of 20 samples per cycle. A missing value counts as large, since num::median would return NaN.
 double noise_deviation(std::span<double const> x) {
   if (x.size() < 16) return 0.0;
   std::vector<double> sizes(x.size() - 4);

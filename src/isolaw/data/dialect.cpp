@@ -39,7 +39,7 @@ constexpr std::array group_marks{GroupMark{'.', "."},
                                  GroupMark{' ', "\xE2\x80\xAF"},
                                  GroupMark{'\'', "\xE2\x80\x99"}};
 
-// "1.234,56", "1.234.567", "1 234,56", "1'234.56". If the user names the mark, one group is enough.
+// Accepts "1.234,56", "1.234.567", "1 234,56", "1'234.56". "1.234" is accepted only if the user names the mark.
 bool is_grouped(std::string_view cell, NumberFormat format, std::string* digits = nullptr) {
   auto const whole = cell;
   char const decimal = format.decimal;
@@ -80,7 +80,7 @@ Cell parse_point(char const* first, char const* last) {
   auto const [end, failure] = std::from_chars(first, last, value);
   if (end != last) return {.kind = CellKind::text};
   if (failure == std::errc::result_out_of_range) {
-    bool const tiny = std::find(std::next(first), last, '-') != last;  // the minus of the exponent
+    bool const tiny = std::find(std::next(first), last, '-') != last;  // the exponent's minus
     if (tiny) return {.kind = CellKind::number, .value = 0.0};
     return {.kind = CellKind::not_finite};
   }
@@ -88,7 +88,7 @@ Cell parse_point(char const* first, char const* last) {
   return {.kind = CellKind::number, .value = value};
 }
 
-// from_chars accepts only a point, so a decimal comma is replaced in a copy on the stack.
+// std::from_chars accepts only a point, so this replaces the comma in a copy on the stack.
 Cell parse_comma(std::string_view cell) {
   std::array<char, 64> buffer;
   if (cell.size() > buffer.size()) return {.kind = CellKind::text};
@@ -109,8 +109,8 @@ struct Pair {
 struct Score {
   Pair pair{',', '.'};
   std::size_t columns = 0;
-  std::size_t rows = 0;  // lines with that many cells, at least two of them numbers
-  double points = 0.0;   // sum over those lines of the share of numbers among the cells that are not empty
+  std::size_t rows = 0;  // lines with `columns` cells, of which at least two are numbers
+  double points = 0.0;   // sum over these lines: numbers / cells that are not empty
 };
 
 bool number_like(CellKind kind) {
@@ -145,7 +145,7 @@ Score score_pair(std::span<std::string_view const> lines, Pair pair, char thousa
   return best;
 }
 
-// The first lines and lines from all over the file: enough to decide, and few enough to be quick on a million lines.
+// The first 200 lines and about 800 from all over the file. More would be slow for a million lines.
 std::vector<std::string_view> sample_lines(std::span<std::string_view const> lines) {
   constexpr std::size_t first = 200;
   constexpr std::size_t spread = 800;
@@ -158,8 +158,8 @@ std::vector<std::string_view> sample_lines(std::span<std::string_view const> lin
 
 struct ColumnStudy {
   std::size_t numbers = 0;
-  std::array<std::size_t, 4> stamps{};  // by kind, from StampKind::none
-  bool serial = true;                   // every number may be a day of a spreadsheet's calendar
+  std::array<std::size_t, 4> stamps{};  // how many cells of each StampKind, in its order
+  bool serial = true;                   // each number may be a date, as a spreadsheet counts days
   double least = 0.0, largest = 0.0;
 
   void take(std::string_view text, Cell const& cell) {
@@ -305,10 +305,10 @@ std::optional<Dialect> sheet_dialect(std::span<std::string_view const> rows) {
 std::optional<Dialect> recognise_dialect(std::span<std::string_view const> lines, std::optional<char> thousands) {
   char const group = thousands.value_or('\0');
   auto const sample = sample_lines(lines);
-  // The first of two pairs is preferred if they read the file equally well, as with whole numbers or tabs and blanks.
+  // If two pairs read the file equally well, the first wins. That happens with whole numbers, or tabs beside blanks.
   std::vector<Pair> pairs{{'\t', '.'}, {'\t', ','}, {';', '.'}, {';', ','}, {',', '.'}, {' ', '.'}, {' ', ','}};
   bool const quotes = std::ranges::any_of(sample, [](auto line) { return line.find('"') != std::string_view::npos; });
-  if (quotes) pairs.push_back({',', ','});  // "1,5","2,0": only quotes keep the two commas apart
+  if (quotes) pairs.push_back({',', ','});  // in "1,5","2,0" the quotes keep the two kinds of commas apart
   std::erase_if(pairs, [&](auto pair) { return pair.decimal == group || (pair.delimiter == group && !quotes); });
   Score best;
   Score second;

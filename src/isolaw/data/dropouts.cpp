@@ -9,14 +9,14 @@
 namespace isolaw::data {
 namespace {
 
-constexpr std::size_t fewest_gone = 3;    // samples; fewer are spikes, or may be the signal
-constexpr double least_gone = 0.1;        // fraction of the half range; the jumps at both ends are larger
-constexpr double gone_deviations = 10.0;  // standard deviations of the noise
-constexpr double gone_quanta = 4.0;       // steps of the digitiser
-constexpr double gone_steps = 4.0;        // times the largest step between samples near by
-constexpr double other_goes_on = 0.002;   // fraction of its half range
-constexpr double other_jumps = 0.3;  // ratio to the jump, each relative to its half range; the other channel jumps less
-constexpr double most_gone = 0.15;   // fraction of the samples; a channel that lacks more is not said to drop out
+constexpr std::size_t fewest_gone = 3;    // samples; shorter dropouts are left to the search for spikes
+constexpr double least_gone = 0.1;        // fraction of the half range; both jumps of a dropout are larger
+constexpr double gone_deviations = 10.0;  // standard deviations of the noise; both jumps are larger
+constexpr double gone_quanta = 4.0;       // steps of the digitiser; both jumps are larger
+constexpr double gone_steps = 4.0;        // times the largest step between samples near by; both jumps are larger
+constexpr double other_goes_on = 0.002;   // fraction of the other channel's half range; it moves by more meanwhile
+constexpr double other_jumps = 0.3;       // largest jump of the other channel over this one's, each over its half range
+constexpr double most_gone = 0.15;        // fraction of the samples; if more are gone, the channel has no dropouts
 
 struct Size {
   double half_range = 0.0, noise = 0.0, quantum = 0.0;
@@ -71,7 +71,7 @@ class DropoutSearch {
     double const step = std::max(largest_step(x_, run.first > reach ? run.first - reach : 0, run.first),
                                  largest_step(x_, run.last + 1, run.last + 1 + reach));
     if (!(jump > gone_steps * step)) return false;
-    // After a dropout the channel returns to a value that it can have reached in the meantime.
+    // After a dropout the channel returns to a value that it can have reached while it was gone.
     double const way = std::abs(x_[run.last + 1] - x_[run.first - 1]);
     if (way > 2.0 * step * static_cast<double>(count + 1) + gone_deviations * own_.noise) return false;
     for (auto const i : {run.first, run.last + 1})
@@ -86,7 +86,7 @@ class DropoutSearch {
            std::max({other_goes_on * other_size_.half_range, 4.0 * other_size_.noise, 2.0 * other_size_.quantum});
   }
 
-  // The force of a device with friction jumps at a turn of the motion and jumps back at the next turn.
+  // A force with friction also jumps at a turn of the motion and back at the next turn, which is no dropout.
   bool turns_at_both_ends(SampleRange const& run) const {
     auto const lag = std::max<std::size_t>(4, run.size());
     auto const begin = run.first - 1 - std::min(run.first - 1, lag);

@@ -1,4 +1,4 @@
-// Finds dropouts: samples of one value that begin and end with a jump while the other channel moves.
+// Finds dropouts: stretches of one value that begin and end with a jump while the other channel moves.
 #pragma once
 
 #include <span>
@@ -10,13 +10,13 @@ namespace isolaw::data {
 
 struct Dropout {
   SampleRange samples;
-  double level = 0.0;                // the value of these samples
-  double before = 0.0, after = 0.0;  // the values beside them
+  double level = 0.0;                // the value during the dropout
+  double before = 0.0, after = 0.0;  // the values just before and after the dropout
 };
 
-// The force of a device at rest may vanish, so a force drops out only while the motion goes on.
+// The other channel's state during a dropout. A device's force may vanish at rest, so for a force use `moves`.
 enum class Other { moves, may_stand };
-// docs/properties.md has limits and rates.
+// docs/properties.md has the limits, and the rates of missed and false dropouts.
 std::vector<Dropout> dropouts(std::span<double const> values, std::span<double const> other, Other does);
 std::vector<double> bridged(std::span<double const> values, std::vector<Dropout> const& gone);
 

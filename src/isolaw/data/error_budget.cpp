@@ -18,23 +18,23 @@ namespace {
 constexpr double wanted_samples = 100.0;
 constexpr double most_jitter = 1.0;         // percent of the mean interval
 constexpr double most_disp_offset = 5.0;    // percent of the amplitude
-constexpr double most_force_offset = 10.0;  // percent of the amplitude; loops of elastomers are a little uneven
-constexpr double most_closure = 1.0;        // percent of the whole travel, 2 D
-constexpr double most_drift = 1.0;          // percent of the whole travel
+constexpr double most_force_offset = 10.0;  // percent of the amplitude; true loops of elastomers are a little uneven
+constexpr double most_closure = 1.0;        // percent of 2 D, twice the amplitude
+constexpr double most_drift = 1.0;          // percent of twice the amplitude
 constexpr double most_v_max_error = 5.0;    // percent
-constexpr double assumed_friction = 0.005;  // times the vertical load, for well kept sliding or rolling guides
-constexpr double least_jump = 0.04;         // times the force's amplitude; a smaller jump is the shape of a loop
+constexpr double assumed_friction = 0.005;  // times the vertical load; typical of well kept sliding or rolling guides
+constexpr double least_jump = 0.04;         // times the force's amplitude; a smaller jump may be the shape of a loop
 constexpr double most_friction_points = 1.0;
-constexpr double most_average_loss = 1.0;  // percent, at the test's frequency
+constexpr double most_average_loss = 1.0;  // percent of the amplitude, at the test's frequency
 
 constexpr double most_noise_bias = 1.0;  // percent of the amplitude
 constexpr double unlike_between = 0.15,
-                 unlike_beside = 0.2;       // times the force at a peak, between two cycles or beside one
-constexpr double most_noise_scatter = 2.0;  // percent of the stiffness
+                 unlike_beside = 0.2;       // largest change of a peak force against two cycles; against one
+constexpr double most_noise_scatter = 2.0;  // percent of the effective stiffness
 
 struct Jump {
   double force_kN = 0.0;
-  bool said = false;  // it is large enough to be named as friction
+  bool said = false;  // large enough to be reported as friction
 };
 
 double percent(double part, double whole) {
@@ -102,7 +102,7 @@ class Assessment {
       warn(FindingKind::time_uneven, {{"least_s", least}, {"largest_s", largest}, {"mean_s", mean}});
   }
 
-  // Warns of several amplitudes: the reported cycle describes only the stage that it belongs to.
+  // Warns that a test has several amplitudes, because the reported cycle describes only one of them.
   void stages() {
     auto const counted = properties_.counted();
     auto const by_amplitude = [](Cycle const* c) { return c->amplitude_mm; };
@@ -114,16 +114,16 @@ class Assessment {
     locate(budget_.warnings, cycle());
   }
 
-  // After the first, cycles of one amplitude change little. If one differs, there was a dropout at its peak or a slip.
+  // After the first, cycles of one amplitude change little. One that differs shows a dropout at its peak, or a slip.
   void unlike_their_neighbours() {
     for (auto const& block : properties_.blocks) {
       std::vector<Cycle const*> cycles;
       for (auto const& each : block.cycles)
         if (each.counts()) cycles.push_back(&each);
       if (cycles.size() < 3) continue;
-      cycles.erase(cycles.begin());  // the virgin one
+      cycles.erase(cycles.begin());  // the first cycle, in which rubber scrags
       Cycle const* oddest = nullptr;
-      double share = 1.0;  // the peak's force over the mean of its neighbours
+      double share = 1.0;  // peak force over the mean of the peaks in the neighbouring cycles
       auto const distance = [](double of) {
         return of > 0.0 ? std::abs(std::log(of)) : std::numeric_limits<double>::infinity();
       };
@@ -148,7 +148,7 @@ class Assessment {
 
   void sampling() {
     double const samples = *properties_.samples_per_cycle;
-    bool const few = std::round(10.0 * samples) / 10.0 < wanted_samples;  // compared as it is printed, with one decimal
+    bool const few = std::round(10.0 * samples) / 10.0 < wanted_samples;  // rounded as it is printed
     budget_.effects.push_back({"samples per cycle", samples, "", wanted_samples, few});
     double const energy = energy_loss_percent(samples);
     double const peak = peak_loss_percent(samples);
@@ -159,7 +159,7 @@ class Assessment {
     few ? warn(FindingKind::samples_few, std::move(numbers)) : note(FindingKind::samples_per_cycle, std::move(numbers));
   }
 
-  // With noise, the extreme samples lie beyond the extremes of the motion. The properties use raw values nevertheless.
+  // Noise moves the extreme samples beyond the true extremes of the motion. The properties use raw values nevertheless.
   void noise() {
     double const disp = noise_deviation(view_.disp_mm);
     double const force = noise_deviation(view_.force_kN);
@@ -167,7 +167,7 @@ class Assessment {
     double const force_amplitude = std::abs(cycle().F_plus_kN - cycle().F_minus_kN) / 2.0;
     if (!(amplitude > 0.0 && force_amplitude > 0.0)) return;
     double const beyond = percent(peak_gain_mm(disp, amplitude, *properties_.samples_per_cycle), amplitude);
-    // Force and displacement are each the difference of two samples, and all these errors are independent.
+    // K_eff is a difference of two forces over a difference of two displacements, with four independent errors.
     double const scatter = std::hypot(percent(force, force_amplitude), percent(disp, amplitude)) / std::numbers::sqrt2;
     add("noise of displacement", percent(disp, amplitude), "%");
     add("noise of force", percent(force, force_amplitude), "%");
@@ -182,7 +182,7 @@ class Assessment {
                                 {"scatter_percent", scatter}});
   }
 
-  // Notes rests and holds longer than the period of their counted cycle, except a rest before the first motion.
+  // Notes rests and holds that last longer than the period of their cycle, except a rest before the first motion.
   void rests() {
     Cycle const* longest = nullptr;
     int count = 0;
@@ -259,7 +259,7 @@ class Assessment {
     double const noise = noise_deviation(view_.disp_mm);
     for (auto const* counted : block_->counted())
       for (bool const upper : {true, false}) {
-        if (held_at_extreme(view_.disp_mm, *counted, upper, noise)) continue;  // the force creeps during a hold
+        if (held_at_extreme(view_.disp_mm, *counted, upper, noise)) continue;  // the force relaxes during a hold
         if (auto const found = jump(*counted, upper)) jumps.push_back(*found);
       }
     if (jumps.size() < 4) return {};
@@ -267,7 +267,7 @@ class Assessment {
     double const typical = jumps[jumps.size() / 2];
     double const force = (cycle().F_plus_kN - cycle().F_minus_kN) / 2.0;
     add("jump of force at reversals", typical, "kN");
-    // Three quarters of the reversals must show at least half of the jump; noise alone does not do that.
+    // At three quarters of the reversals the jump must be at least half the typical one, which noise does not achieve.
     Jump const found{.force_kN = typical,
                      .said = typical > least_jump * std::abs(force) && jumps[jumps.size() / 4] >= 0.5 * typical};
     if (!found.said) return found;
@@ -289,7 +289,7 @@ class Assessment {
                                     {"percent", std::abs(percent(stiffness, cycle().K_eff_kN_per_mm))}});
   }
 
-  // The first cycle is left out, because the force of a device that softens is uneven in it.
+  // The first cycle is left out, because in it the force of a device that softens is not symmetric.
   void drift_of(std::string const& what, std::string const& unit, double amplitude, auto middle) {
     auto const counted = block_->counted();
     if (counted.size() < 3) return;
@@ -381,7 +381,7 @@ class Assessment {
 
   CycleView const& view_;
   Properties const& properties_;
-  Block const* block_ = nullptr;  // the reported cycle's
+  Block const* block_ = nullptr;  // the block of the reported cycle
   Budget budget_;
 };
 
@@ -396,13 +396,13 @@ double peak_loss_percent(double samples_per_cycle) {
   return 100.0 * (1.0 - std::cos(std::numbers::pi / samples_per_cycle));
 }
 
-// The largest of independent samples x_k + noise exceeds v with probability 1 - product of Phi((v - x_k) / s); the mean
-// follows by integration over v. Of many samples only one in several is computed, with the weight of its neighbours.
+// The largest of independent samples x_k + noise exceeds v with probability 1 - product of Phi((v - x_k) / s).
+// Integration over v gives its mean. Of many samples only some are computed; each then stands for `weight` samples.
 double peak_gain_mm(double noise_mm, double amplitude_mm, double samples_per_cycle) {
   if (!(noise_mm > 0.0) || !(amplitude_mm > noise_mm)) return 0.0;
   double const angle = 2.0 * std::numbers::pi / samples_per_cycle;
   double const deepest = std::min(12.0 * noise_mm / amplitude_mm, 1.0);
-  double const reach = std::acos(1.0 - deepest) / angle;  // samples to each side that may come out largest
+  double const reach = std::acos(1.0 - deepest) / angle;  // samples on each side of the peak that may be the largest
   double const weight = std::max(1.0, reach / 200.0);
   constexpr double step = 0.05;
   double mean = -6.0;

@@ -1,6 +1,6 @@
-// Recognises the program that wrote a text file by its first lines. The names of channels depend on it. Sources of the
-// layouts: National Instruments' description of .lvm; for the others files and readers that laboratories have published
-// (MTS Series 793, MultiPurpose TestWare and TestSuite, Instron Bluehill 3 and Universal, DASYLab).
+// Recognises the program that wrote a text file by its first lines, because programs name channels differently.
+// Sources: National Instruments' description of .lvm; for the others, files and readers that laboratories have
+// published (MTS Series 793, MultiPurpose TestWare and TestSuite, Instron Bluehill 3 and Universal, DASYLab).
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@ namespace isolaw::data {
 
 struct Exporter {
   std::string_view name;
-  // "Axial Displacement", "Extension" and "Load" are measured at the actuator, however it lies in the rig.
+  // Channels are named after the actuator ("Axial Displacement", "Load"), whose direction in the rig is unknown.
   bool own_axis = false;
 };
 

@@ -22,7 +22,7 @@ constexpr std::size_t fewest_accelerations = 10;
 constexpr std::string_view columns_allowed =
     "an AT2 file of the PEER database, or columns of text with a header that names their units: 'time [s], acceleration [m/s2]'";
 
-// "DT= .0050 SEC"
+// The number after a word, such as 0.005 after "dt" in "DT= .0050 SEC".
 std::optional<double> number_behind(std::string_view line, std::string_view word) {
   auto const at = lower(line).find(word);
   if (at == std::string::npos) return std::nullopt;
@@ -34,13 +34,13 @@ std::optional<double> number_behind(std::string_view line, std::string_view word
 }
 
 struct PeerHeader {
-  std::size_t line = 0;  // the line with the counts, from 0
+  std::size_t line = 0;  // the line that holds count and step, from 0
   std::size_t count = 0;
   double step_s = 0.0;
   std::optional<double> unit_mm_s2;
 };
 
-// "NPTS=  4000, DT= .01000 SEC", or the numbers before their names, and above it "IN UNITS OF G".
+// Finds "NPTS=  4000, DT= .01000 SEC", in which numbers may also come first, and "IN UNITS OF G" above it.
 std::optional<PeerHeader> peer_header(LineList const& lines) {
   constexpr std::size_t head = 10;
   PeerHeader header;
@@ -115,7 +115,7 @@ GroundMotion read_peer(LineList const& lines, PeerHeader const& header, std::str
 
 struct MotionColumns {
   std::optional<std::size_t> time, acceleration;
-  double time_s = 1.0, unit_mm_s2 = 1.0;  // one unit of the file, in s and in mm/s2
+  double time_s = 1.0, unit_mm_s2 = 1.0;  // the file's units, in s and in mm/s2
 };
 
 MotionColumns motion_columns(Header const& header, std::size_t count, std::string const& name) {
@@ -153,10 +153,10 @@ MotionColumns motion_columns(Header const& header, std::size_t count, std::strin
   return columns;
 }
 
-// The step of equally spaced times. Each time may be rounded, as in files with three decimals.
+// The step of equally spaced times. A file may round each time, for example to three decimals.
 double step_of(std::vector<double> const& time_s, std::string const& name) {
   double const step = (time_s.back() - time_s.front()) / static_cast<double>(time_s.size() - 1);
-  constexpr double allowed = 0.1;  // fraction of a step
+  constexpr double allowed = 0.1;  // a time may be off by this fraction of a step
   for (std::size_t i = 0; i < time_s.size(); ++i) {
     double const expected = time_s.front() + static_cast<double>(i) * step;
     if (step > 0.0 && std::abs(time_s[i] - expected) <= allowed * step) continue;

@@ -36,7 +36,7 @@ Names split_wide(std::string_view line) {
   return names;
 }
 
-// In a file separated by blanks, "Force [kN]" is one name.
+// Splits a row of names at blanks, but keeps "Force [kN]" as one name.
 Names split_bracketed(std::string_view line) {
   Names names;
   for (auto& name : split_names(line, ' ')) {
@@ -49,7 +49,7 @@ Names split_bracketed(std::string_view line) {
   return names;
 }
 
-// If blanks separate, a date and a time of day are two columns, often with one name. The date's name is then empty.
+// If blanks separate cells, date and time are two columns, often with one name. The date then gets an empty name.
 void name_date_and_clock(Names& names, Dialect const& dialect) {
   if (dialect.delimiter != ' ' || names.size() + 1 != dialect.columns) return;
   for (std::size_t i = 0; i + 1 < dialect.columns; ++i)
@@ -59,7 +59,7 @@ void name_date_and_clock(Names& names, Dialect const& dialect) {
     }
 }
 
-// If blanks separate, splits the line so that the number of cells is right, if that is possible.
+// The cells of a row of names. If blanks separate cells, tries several ways to split until their number is right.
 Names header_cells(std::string_view line, Dialect const& dialect) {
   if (dialect.sheet) {
     std::vector<std::string_view> cells;
@@ -69,7 +69,7 @@ Names header_cells(std::string_view line, Dialect const& dialect) {
   auto names = split_names(line, dialect.delimiter);
   while (names.size() > dialect.columns && names.back().empty()) names.pop_back();
   if (names.size() + 1 == dialect.columns && line.ends_with(dialect.delimiter))
-    names.emplace_back();  // empty last name
+    names.emplace_back();  // the last name is empty
   if (dialect.delimiter != ' ' || names.size() == dialect.columns) return names;
   for (auto other : {names, split_bracketed(line), split_wide(line), split_names(line, '\t')}) {
     name_date_and_clock(other, dialect);
@@ -130,7 +130,7 @@ struct Candidate {
   std::size_t channels;
 };
 
-// The line with the right number of cells that names most channels; the last one if several name as many.
+// The line that has the right number of cells and names most channels; if several name as many, the last of them.
 std::optional<Candidate> find_names(std::span<std::string_view const> above, Dialect const& dialect, Header& header) {
   std::optional<Candidate> best;
   std::optional<Candidate> comment;
@@ -144,7 +144,7 @@ std::optional<Candidate> find_names(std::span<std::string_view const> above, Dia
             Header::Mismatch{i, cells.size(), dialect.delimiter == ',' && dialect.columns == 2 * cells.size()};
       continue;
     }
-    if (dialect.sheet && count_filled(cells) < 2) continue;  // a title
+    if (dialect.sheet && count_filled(cells) < 2) continue;  // a title of the sheet
     if (has_number(cells, dialect) || has_stamp(cells) || (best && count_units(cells).most()) ||
         count_units(cells).all())
       continue;
@@ -155,12 +155,12 @@ std::optional<Candidate> find_names(std::span<std::string_view const> above, Dia
   return best;
 }
 
-// Most rows of numbers hold letters only in exponents and time stamps, and need not be split to find that out.
+// A cheap test that spares most rows of numbers: they have letters only in exponents and time stamps.
 bool may_hold_names(std::string_view line) {
   char previous = ' ';
   for (char const c : line) {
     bool const letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
-    bool const of_number = is_digit(previous);  // 2024-05-02T10:00:00Z
+    bool const of_number = is_digit(previous);  // as in 2024-05-02T10:00:00Z
     if (letter && c != 'e' && c != 'E' && !of_number) return true;
     previous = c;
   }
@@ -187,7 +187,7 @@ std::optional<double> lvm_interval(Names const& given, Dialect const& dialect) {
   return interval;
 }
 
-// LabVIEW's .lvm: the names, one of them for comments, follow the last end of header. A row above it has the units.
+// Reads the header of LabVIEW's .lvm: units are in rows before the last end-of-header mark, names in the row after.
 bool read_lvm_header(std::span<std::string_view const> above, Dialect const& dialect, Header& header) {
   auto const opens = [](std::string_view line, std::string_view key) { return trimmed(line).starts_with(key); };
   std::optional<std::size_t> end;
@@ -201,7 +201,7 @@ bool read_lvm_header(std::span<std::string_view const> above, Dialect const& dia
   while (cells.size() > dialect.columns && (cells.back().empty() || lower(cells.back()) == "comment")) cells.pop_back();
   if (cells.size() != dialect.columns || lower(cells.front()) != "x_value") return false;
   bool const timed = dialect.numeric.front();
-  if (!timed) cells.front().clear();  // "X_Columns No": no column has the time
+  if (!timed) cells.front().clear();  // the file says "X_Columns No": no column holds the time
   bool of_times = true;
   Names units(dialect.columns);
   for (std::size_t i = 0; i < *end; ++i) {
@@ -244,12 +244,12 @@ std::vector<std::size_t> later_tests(std::span<std::string_view const> lines, Di
                                      Header const& first) {
   std::vector<std::size_t> starts;
   auto const names = first.name_line ? trimmed(lines[*first.name_line]) : std::string_view{};
-  auto last_seen = first.first_data;  // no row of numbers is looked for above this line
+  auto last_seen = first.first_data;  // rows of numbers above this line belong to earlier tests
   for (auto i = first.first_data; i < lines.size(); ++i) {
     if (!begins_test(lines[i], dialect, names)) continue;
     auto row = i;
     while (row > last_seen && !is_data_row(lines[row - 1], dialect)) --row;
-    if (row > last_seen) starts.push_back(row);  // lines between the rows and the names belong to the new test
+    if (row > last_seen) starts.push_back(row);  // the lines above the names are the new test's
     last_seen = i + 1;
   }
   return starts;
@@ -277,7 +277,7 @@ Header recognise_header(std::span<std::string_view const> lines, Dialect const& 
       header.unit_line = i;
       header.units = cells;
     } else if (right_size && names && i > names->line && has_number(cells, dialect) && !is_comment(lines[i])) {
-      header.first_data = i;  // a broken row of numbers; reading the rows complains of it
+      header.first_data = i;  // a damaged row of numbers, of which Table::read() complains
     } else if (!is_comment(lines[i])) {
       header.passed_over.push_back(i);
     }

@@ -11,18 +11,18 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double band = 0.005;          // fraction of the amplitude; a servo holds better
-constexpr double edge = 0.0005;         // fraction of the amplitude at which a hold begins and ends
-constexpr double noise_band = 8.0;      // standard deviations, from the least of a stretch to its largest
-constexpr double too_noisy = 0.3;       // fraction of the amplitude
-constexpr double least_hold = 0.15;     // fraction of the period
-constexpr double least_stretch = 0.02;  // fraction of the piece
-constexpr double clear_edges = 0.9;     // fraction of a stretch; so long a part in the narrower band replaces it
-constexpr std::size_t most_holds = 16;  // per piece
+constexpr double band = 0.005;          // fraction of the amplitude; a servo holds the device within less
+constexpr double edge = 0.0005;         // fraction of the amplitude; motion by more begins or ends a hold
+constexpr double noise_band = 8.0;      // standard deviations of the noise between the extremes of a hold
+constexpr double too_noisy = 0.3;       // fraction of the amplitude; in more noise no hold is sought
+constexpr double least_hold = 0.15;     // fraction of the period; a hold lasts longer
+constexpr double least_stretch = 0.02;  // fraction of the cycle's samples; a hold has more
+constexpr double clear_edges = 0.9;     // fraction of a stretch; a part within `edge` that is so long replaces it
+constexpr std::size_t most_holds = 16;  // in one cycle
 constexpr std::size_t least_in_piece = 8;
 
 struct Stretch {
-  std::size_t first = 0;  // samples, both included
+  std::size_t first = 0;  // first and last sample
   std::size_t last = 0;
   std::size_t size() const { return last - first; }
 };
@@ -30,7 +30,7 @@ struct Stretch {
 std::vector<Stretch> stretches_within(std::span<double const> x, std::size_t begin, std::size_t end, double width,
                                       std::size_t least) {
   std::vector<Stretch> found;
-  std::vector<std::size_t> low, high;  // queues of the least and the largest of the window
+  std::vector<std::size_t> low, high;  // queues of candidates for the window's least and largest value
   std::size_t low_front = 0, high_front = 0, left = begin;
   for (auto i = begin; i <= end; ++i) {
     bool const over = i == end;
@@ -50,7 +50,7 @@ std::vector<Stretch> stretches_within(std::span<double const> x, std::size_t beg
   return found;
 }
 
-// The share of a cycle in which a sine passes between two levels (shares of its amplitude), both ways at a peak.
+// The share of a cycle in which a sine lies between two levels (shares of its amplitude). At a peak, up and down count.
 double lingering(double least, double largest) {
   auto const angle = [](double level) { return std::acos(std::clamp(level, -1.0, 1.0)); };
   double const once = (angle(least) - angle(largest)) / (2.0 * std::numbers::pi);
@@ -95,7 +95,7 @@ StillTime still_time(std::span<double const> disp_mm, std::span<double const> ti
                                disp_mm.begin() + static_cast<std::ptrdiff_t>(stretch.last) + 1);
     auto const half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::ranges::nth_element(values, half);
-    double const level = *half;  // the level of the hold: always a value of the record
+    double const level = *half;  // a value of the record, so that a mean cannot fall between two steps
     auto const hold = sharpened(disp_mm, stretch, level, half_edge);
     double const reach = (hold.size() == stretch.size() ? width / 2.0 : half_edge) / piece.amplitude;
     double const centred = (level - piece.middle) / piece.amplitude;
@@ -119,7 +119,7 @@ std::vector<Gap> time_gaps(std::span<double const> x, std::span<double const> ti
   double const longest = std::ranges::max(intervals);
   double const interval = num::median(intervals);
   if (!(longest > most_intervals * interval)) return {};
-  // Several long intervals in a row are no gaps: a slower part of the test has as many samples in a cycle.
+  // Several long intervals in a row are no gap but a slower part of the test, with as many samples in a cycle.
   auto const is_long = [&](std::size_t i) { return intervals[i] > most_intervals * interval; };
   std::vector<Gap> gaps;
   for (std::size_t i = 0; i + 1 < time_s.size(); ++i) {
@@ -129,7 +129,7 @@ std::vector<Gap> time_gaps(std::span<double const> x, std::span<double const> ti
     double const after = i + 2 < x.size() ? std::abs(x[i + 2] - x[i + 1]) : 0.0;
     double const speed = std::max(before, after) / interval;
     double const way = std::abs(x[i + 1] - x[i]);
-    // A rest that was not recorded lasts as long as the clock says: nothing moves on either side of it.
+    // If nothing moves on either side, the device rested, and for as long as the clock says.
     double const taken = speed > 0.0 ? std::clamp(way / speed, interval, length) : length;
     gaps.push_back({.after = i, .length_s = length, .taken_s = taken});
   }

@@ -1,5 +1,5 @@
-// Limits how much a file may grow when it is unpacked: packing shrinks a laboratory's file tenfold at most, and a bomb
-// more than a thousandfold. Small files may grow more, so that a constant channel does not look like a bomb.
+// Limits how much a file may grow when it is unpacked. Packing shrinks a laboratory's file tenfold at most, a bomb more
+// than a thousandfold. Small files may grow more, because a constant channel packs as well as a bomb.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ inline constexpr std::uint64_t most_unpacked_bytes = std::uint64_t{1} << 30;
 inline constexpr std::uint64_t most_growth = 30;
 
 constexpr std::uint64_t unpacked_limit(std::uint64_t file_bytes) {
-  auto const grown = most_growth * file_bytes;  // a file has 1 GiB at most
+  auto const grown = most_growth * file_bytes;  // cannot overflow: a file has 1 GiB at most
   if (grown <= free_unpacked_bytes) return free_unpacked_bytes;
   return grown < most_unpacked_bytes ? grown : most_unpacked_bytes;
 }

@@ -18,12 +18,12 @@
 namespace isolaw::data {
 namespace {
 struct Opened {
-  std::unique_ptr<std::string> bytes;  // the tables refer to them
+  std::unique_ptr<std::string> bytes;  // on the heap, because `tests` points into them
   TestRecord start;
   Tests tests;
   ReadOptions options;
   Wanted wanted;
-  bool chooses_sheet = false, chooses_test = false;  // the file has several, and --sheet or --test names one
+  bool chooses_sheet = false, chooses_test = false;  // --sheet or --test is given, and this file has several
 
   Opened(std::filesystem::path const& file, ReadOptions const& asked, Wanted what) : options(asked), wanted(what) {
     options.sheet.reset();
@@ -122,8 +122,8 @@ RecordPart read_joined(std::filesystem::path const& file, ReadOptions options,
   bool const untimed = asked.columns.contains(Channel::time) && lower(asked.columns.at(Channel::time)) == "none";
   for (auto const& [other, of_other] : others) {
     auto more = of_other;
-    if (more.dt_s || untimed) more.columns[Channel::time] = "none";  // one sampling interval, for both
-    auto const time_unit = more.units.extract(Channel::time);        // used if the file states none
+    if (more.dt_s || untimed) more.columns[Channel::time] = "none";  // all files have the interval of --dt, or no time
+    auto const time_unit = more.units.extract(Channel::time);        // only for a file that states no unit
     Wanted const wanted{.time = true,
                         .disp = more.columns.contains(Channel::disp),
                         .force = more.columns.contains(Channel::force),
@@ -137,13 +137,13 @@ RecordPart read_joined(std::filesystem::path const& file, ReadOptions options,
   }
   bool const sheet_of_another = std::ranges::any_of(rest, &Opened::chooses_sheet);
   bool const test_of_another = std::ranges::any_of(rest, &Opened::chooses_test);
-  // An option may be given if it has an effect in one of the files.
+  // Refuses options that have no effect in any of the files.
   auto const idle_in = [&](Opened const& each) { return idle_options(*each.bytes, asked); };
   auto idle = idle_in(first);
   for (auto const& more : rest)
     std::erase_if(idle, [&](auto const& option) { return std::ranges::count(idle_in(more), option) == 0; });
   refuse_idle(idle, first.start.file);
-  // A choice that no file needs is accepted or refused as for one file.
+  // If no file has several sheets, or several tests, the first file accepts or refuses --sheet and --test.
   if (asked.sheet && !first.chooses_sheet && !sheet_of_another) {
     first.options.sheet = asked.sheet;
     first.open(file);

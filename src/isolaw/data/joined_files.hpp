@@ -1,4 +1,4 @@
-// Reads a test whose channels are in several files: reads each by itself, then brings it to the samples of the first.
+// Reads a test whose channels are in several files, and brings them to the samples of the first, by time or by row.
 #pragma once
 
 #include <filesystem>
@@ -10,10 +10,10 @@
 
 namespace isolaw::data {
 
-// Removes the channels that are in other files from `options`, and returns these files with the options for each.
+// Removes from `options` the channels that are in other files. Returns these files, each with its own options.
 std::map<std::string, ReadOptions> other_files(std::filesystem::path const& file, ReadOptions& options);
 
-// The record is not yet checked. Throws Error if a file cannot be read, or if the files do not belong together.
+// Does not check the record's values. Throws Error if a file cannot be read, or if the files do not belong together.
 RecordPart read_joined(std::filesystem::path const& file, ReadOptions options,
                        std::map<std::string, ReadOptions> const& others);
 

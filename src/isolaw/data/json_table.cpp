@@ -21,29 +21,29 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t most_odd_cells = 64;  // kept with their text, per column
-constexpr std::size_t most_words = 10000;   // single texts that may be units
+constexpr std::size_t most_odd_cells = 64;  // cells of a column that are no number and are kept as text
+constexpr std::size_t most_words = 10000;   // single texts that are kept because they may be units
 constexpr std::size_t longest_text = 200;
 
 struct Value {
   double number = missing;
-  std::string text;  // the text of a value that is no number
+  std::string text;  // only for a value that is no number
   bool is_text = false;
 };
 
-// A table is either an object whose arrays are columns, or an array whose elements are rows.
+// One table of the document: an object whose arrays are columns, or an array whose elements are rows.
 struct Branch {
   std::vector<NumberColumn> columns;
-  std::map<std::string, std::size_t, std::less<>> index;  // columns by name
+  std::map<std::string, std::size_t, std::less<>> index;  // position of a column by its name
   std::size_t rows = 0;                                   // number of rows, if elements are rows
-  std::string element;                                    // path of the list's element that contains it, if any
+  std::string element;                                    // path of the list's element that holds the table, if any
   bool of_rows = false;
-  bool named = false;        // columns have names
-  std::string flaw;          // why it is no table
-  std::size_t flaw_row = 0;  // from 1; 0: none in particular
+  bool named = false;        // the columns have names
+  std::string flaw;          // why the table cannot be read
+  std::size_t flaw_row = 0;  // row of the flaw from 1; 0 if it concerns no single row
 };
 
-// `element` is the list's element with this text, because the units of one test do not apply to the next.
+// A text and the list element (a test) that it is in, because units of one test do not apply to the next.
 struct Word {
   std::string text;
   std::string element;
@@ -57,7 +57,7 @@ std::vector<std::string> texts_of(NumberColumn const& column) {
 
 bool is_table(Branch const& part) {
   constexpr std::size_t fewest = 3;
-  if (!part.flaw.empty()) return part.columns.size() >= 2 && part.rows >= fewest;  // refused when it is chosen
+  if (!part.flaw.empty()) return part.columns.size() >= 2 && part.rows >= fewest;  // is refused if the user chooses it
   auto const filled = std::ranges::count_if(
       part.columns, [](auto const& column) { return column.values.size() >= fewest && texts_of(column).empty(); });
   return filled >= 2;
@@ -71,16 +71,16 @@ void put(NumberColumn& column, Value const& value) {
   column.values.push_back(value.number);
 }
 
-// Keeps nothing of the document but numbers and a few texts.
+// Receives the document from the JSON parser. Keeps only tables of numbers and a few texts.
 class Handler {
  public:
   explicit Handler(std::size_t file_bytes) : left_(file_bytes + (std::size_t{1} << 20)) {}
 
-  std::map<std::string, Branch> parts;                                 // by path
-  std::map<std::pair<std::string, std::string>, Word> words;           // by path and key
-  std::map<std::string, std::vector<std::string>> lists, passed_over;  // elements by the path of their list
+  std::map<std::string, Branch> parts;                                 // tables by path
+  std::map<std::pair<std::string, std::string>, Word> words;           // texts by path and key of their object
+  std::map<std::string, std::vector<std::string>> lists, passed_over;  // paths of elements by their list's path
   std::string refusal;
-  std::size_t failed_at = 0;  // byte, from 1
+  std::size_t failed_at = 0;  // position of the syntax error in bytes, from 1
 
   bool null() { return scalar({.number = missing, .text = "null", .is_text = false}); }
   bool boolean(bool value) { return scalar({.number = missing, .text = value ? "true" : "false", .is_text = false}); }
@@ -130,7 +130,7 @@ class Handler {
   }
   bool parse_error(std::size_t at, std::string const&, nlohmann::detail::exception const& error) {
     std::string_view text = error.what();
-    for (auto const mark : {"]"sv, ": "sv})  // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
+    for (auto const mark : {"]"sv, ": "sv})  // removes "[json.exception.parse_error.101] parse error ...: "
       if (auto const found = text.find(mark); found != std::string_view::npos) text.remove_prefix(found + mark.size());
     failed_at = at;
     refusal = "is no JSON: " + std::string(trimmed(text));
@@ -139,16 +139,16 @@ class Handler {
 
  private:
   enum class Kind { object, array };
-  enum class Shape { none, values, rows, records, mixed };  // the elements of an array
+  enum class Shape { none, values, rows, records, mixed };  // kind of an array's elements
   struct Frame {
     Kind kind;
     Shape shape = Shape::none;
-    std::string path = {};         // keys above, joined by points
-    std::string key = {};          // the key being read
-    bool in_reach = true;          // may contain tables
-    std::size_t elements = 0;      // objects among an array's elements so far
-    std::size_t number = 0;        // from 1, for an object that is an element
-    bool has_path_of_own = false;  // it holds more than single values, so its number is in its path
+    std::string path = {};         // keys that lead here, joined by points
+    std::string key = {};          // the last key that was read
+    bool in_reach = true;          // not too deep to contain a table
+    std::size_t elements = 0;      // objects that were read in an array
+    std::size_t number = 0;        // position of an object in its array, from 1; else 0
+    bool has_path_of_own = false;  // an element with arrays or objects in it: its number is in its path
   };
 
   bool push(Kind kind) {
@@ -160,7 +160,7 @@ class Handler {
     Frame frame{.kind = kind};
     if (!stack_.empty()) {
       auto const& above = stack_.back();
-      bool const in_list = stack_.size() == 4 && stack_[2].kind == Kind::object;  // {"tests": [{"data": [[...
+      bool const in_list = stack_.size() == 4 && stack_[2].kind == Kind::object;  // as in {"tests": [{"data": [[...
       frame.in_reach = above.in_reach && (above.kind == Kind::object ? depth() <= 2 : stack_.size() <= 3 || in_list);
       if (frame.in_reach && above.kind == Kind::object) number_path();
       frame.path = above.kind == Kind::object ? joined(above.path, above.key) : above.path;
@@ -172,13 +172,14 @@ class Handler {
   static std::string joined(std::string const& path, std::string const& key) {
     return path.empty() ? key : path + '.' + key;
   }
-  // Elements are not counted: a list of tests is no deeper than one test.
+  // Objects in arrays do not count, so that a list of tests is no deeper than one test.
   std::size_t depth() const {
     return static_cast<std::size_t>(std::ranges::count_if(
         stack_, [](auto const& frame) { return frame.kind == Kind::object && frame.number == 0; }));
   }
 
-  // Most objects in arrays are rows, by the million: only those that hold arrays or objects get a path.
+  // Adds an element's number to its path if it holds arrays or objects. Others are rows, of which there may be
+  // millions.
   void number_path() {
     auto& frame = stack_.back();
     if (frame.number == 0 || frame.has_path_of_own) return;
@@ -202,7 +203,7 @@ class Handler {
     return found->second;
   }
 
-  // Whether the element holds a table. If not, this drops its contents.
+  // Whether the list element that has just ended holds a table. If it does not, drops its contents.
   bool is_test(Frame const& ended) {
     bool channels = false;
     for (auto it = parts.lower_bound(ended.path); it != parts.end() && it->first.starts_with(ended.path);) {
@@ -313,7 +314,7 @@ class Handler {
         return;
       }
       auto& column = part.columns[found->second];
-      if (column.values.size() > part.rows) continue;  // a key twice: the first counts
+      if (column.values.size() > part.rows) continue;  // the row has the key twice: the first counts
       if (!afford(part.rows + 1 - column.values.size())) return;
       while (column.values.size() < part.rows) put(column, {.number = missing, .text = "a key that is not there"});
       put(column, row_[i]);
@@ -347,7 +348,7 @@ class Handler {
     return affordable;
   }
 
-  std::size_t left_;  // cells that may still be kept: each takes two bytes of the file or more
+  std::size_t left_;  // number of cells that may still be kept; a cell takes at least two bytes of the file
   std::size_t tests_ = 0;
   std::vector<Frame> stack_;
   NumberColumn values_;  // the array of single values being read
@@ -403,7 +404,7 @@ class Document {
   static inline std::string const top = "(top)";
   static std::string shown(std::string const& path) { return path.empty() ? top : path; }
 
-  // "tests(2) 'B'"
+  // The name of a test in messages: "tests(2) 'B'".
   std::string title_of(std::string const& element) const {
     for (auto const* key : {"name", "title", "id", "label", "test"})
       if (auto const word = handler_.words.find({element, key}); word != handler_.words.end())

@@ -6,10 +6,10 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double at_rest = 0.05;         // fraction of a lobe's reach; so close to the centre counts as at the centre
-constexpr double alike = 0.15;           // difference of two reaches over the larger one
-constexpr double same_fall = 1.5;        // ratio of the times to fall
-constexpr double slight = 0.2;           // fraction of the next lobe's reach; a smaller lobe is a pre-load
+constexpr double at_rest = 0.05;         // fraction of a lobe's reach; closer to the centre counts as at the centre
+constexpr double alike = 0.15;           // difference of two lobes' reaches over the larger one; less is alike
+constexpr double same_fall = 1.5;        // ratio of the times in which two lobes fall; less is alike
+constexpr double slight = 0.2;           // fraction of the next lobe's reach; a lobe that is smaller is a pre-load
 constexpr double high = 0.9, low = 0.1;  // fractions of the reach between which the fall of a lobe is timed
 
 class Finder {
@@ -74,14 +74,14 @@ class Finder {
     lobe.reach_mm = reach(k);
   }
 
-  // The crossing of the centre. Without one, as three exact cycles of a sine end, the sample nearest to the centre.
+  // Where a lobe ends: at the crossing of the centre, or nearest to it if the motion only comes back, as a sine ends.
   double boundary(Lobe const& lobe, std::size_t to, bool crosses) const {
     std::size_t nearest = lobe.tip;
     for (auto i = lobe.tip + 1; i <= to; ++i) {
       double const before = out(lobe, i - 1);
       double const after = out(lobe, i);
       if (before > 0.0 && after <= 0.0) {
-        double const part = before / (before - after);  // not finite if a damaged store has such values
+        double const part = before / (before - after);  // not finite for damaged data
         return static_cast<double>(i - 1) + (std::isfinite(part) ? part : 0.0);
       }
       if (!crosses && std::abs(after) < std::abs(y(nearest))) nearest = i;
@@ -117,13 +117,13 @@ class Finder {
     return from;
   }
 
-  // Ends at the first sample below the low level, so a rest that follows does not count.
+  // The time in which displacement falls from 90 to 10 % of the lobe's reach. A rest that follows does not count.
   double fall(Lobe const& lobe) const {
     auto const from = last_beyond(lobe, high);
     return duration(from, first_below(lobe, from, static_cast<std::size_t>(std::floor(lobe.last))));
   }
 
-  // The rest must last longer than the motion takes to get to the centre.
+  // Whether the device rests between two lobes for longer than the first lobe takes to fall.
   bool rests_between(Lobe const& before, Lobe const& after) const {
     auto const to = first_beyond(after, low);
     return duration(first_below(before, last_beyond(before, high), to), to) > before.fall;
@@ -175,7 +175,7 @@ std::vector<Group> group_lobes(std::vector<Lobe> const& lobes) {
     if (lobe.ends_open || i + 1 == lobes.size()) {
       i = add(lobe.starts_open ? Part::open_start : Part::open_end, i, i + 1);
     } else if (lobe.starts_open) {
-      // If the record starts outwards, the open part includes the next lobe: cycles start in the record's direction.
+      // If the record starts outwards, the open part includes the next lobe, so that cycles start in that direction.
       bool const outwards = lobe.tip > 0 && opposite && !lobes[i + 1].ends_open && i + 2 < lobes.size();
       i = add(Part::open_start, i, outwards ? i + 2 : i + 1);
     } else if (!opposite) {

@@ -1,7 +1,7 @@
 // A lobe is an excursion of the motion to one side of its centre; two lobes to opposite sides make a cycle. A lobe ends
 // where the motion crosses the centre, or comes back to it and turns there. A lobe after the start, a rest or a turn is
-// left out as a pre-load if it differs from the next in size (by 15 %) or in the time it takes to fall (by a factor of
-// 1.5) while the lobes after it are alike. A half cycle at the end of a stage is left out as well.
+// left out as a pre-load if the lobes after it are alike and it differs from them in reach (by 15 %) or in the time in
+// which it falls (by a factor of 1.5). A half cycle at the end of a stage is left out as well.
 #pragma once
 
 #include <cstddef>
@@ -16,11 +16,11 @@ struct Lobe {
   double first = 0.0;  // fractional sample indices
   double last = 0.0;
   std::size_t tip = 0;       // sample farthest from the centre
-  bool positive = false;     // to which side
+  bool positive = false;     // on the positive side of the centre
   double reach_mm = 0.0;     // distance of the tip from the centre
-  double fall = 0.0;         // time from 90 to 10 % of the reach, in s or in samples
-  bool turns = false;        // starts where the motion turns at the centre, or at rest at the start of the record
-  bool rests = false;        // starts after a rest
+  double fall = 0.0;         // time in which it falls from 90 to 10 % of the reach, in s or in samples
+  bool turns = false;        // it starts with a turn at the centre, or the record starts there at rest
+  bool rests = false;        // it starts after a rest
   bool starts_open = false;  // the record starts within it
   bool ends_open = false;    // the record ends within it
   bool has_gap = false;      // the time jumps within it, so its tip may be missing
@@ -28,10 +28,10 @@ struct Lobe {
 
 enum class Part {
   cycle,       // two lobes
-  pre_load,    // a lobe before a cycle, but no part of it
-  half,        // a lobe that is left over before the motion starts anew
-  open_start,  // the record starts within it
-  open_end     // the record ends within it, or before the second lobe
+  pre_load,    // a lobe before cycles that belongs to none of them
+  half,        // a single lobe, after which the motion starts anew
+  open_start,  // part of a cycle at the start of the record
+  open_end     // part of a cycle at the end of the record
 };
 
 struct Group {

@@ -1,6 +1,6 @@
-// Reads MATLAB files of version 5, and of version 7, in which elements are compressed (MathWorks, "MAT-File Format",
-// 2017). It decompresses while it reads: a size stated in the file only says how many bytes to skip or where to stop,
-// never how much memory to allocate. docs/decisions/0001-dependencies.md says why isolaw uses no library for this.
+// Reads MATLAB files of version 5, and of version 7, whose elements are compressed (MathWorks, "MAT-File Format",
+// 2017). A size stated in the file only says how many bytes to skip or where to stop while decompressing, never how
+// much memory to allocate. docs/decisions/0001-dependencies.md says why isolaw uses no library for this.
 #include <fmt/format.h>
 #include <zlib.h>
 
@@ -21,7 +21,7 @@
 namespace isolaw::data {
 namespace {
 
-// Types of a data element (table 1-1) and classes of an array (table 1-3).
+// Types of data elements (table 1-1). Classes of arrays (table 1-3) are constants below.
 enum Type : std::uint32_t {
   mi_int8 = 1,
   mi_uint8 = 2,
@@ -79,9 +79,9 @@ class PlainSource : public Source {
 
 class InflatedSource : public Source {
  public:
-  // Decompressed bytes count against `left`.
+  // Takes the number of decompressed bytes off `left`, and refuses the file if `left` is too small.
   InflatedSource(std::string_view bytes, std::uint64_t& left) : left_(left) {
-    // zlib does not write to its input, though its type says so.
+    // The cast is safe: zlib does not write to its input.
     stream_.next_in = const_cast<Bytef*>(static_cast<Bytef const*>(static_cast<void const*>(bytes.data())));
     stream_.avail_in = static_cast<uInt>(bytes.size());
     if (inflateInit(&stream_) != Z_OK) throw std::bad_alloc();
@@ -110,11 +110,11 @@ class InflatedSource : public Source {
 struct Tag {
   std::uint32_t type = 0;
   std::uint32_t size = 0;
-  bool small = false;  // the data are in the tag itself
+  bool small = false;  // the element's data are in its tag
   std::array<char, 4> data{};
 };
 
-// Reads one element and counts its bytes. An element inside another one counts for both.
+// Reads one data element and counts its bytes. Bytes of an element within it count for both elements.
 class Reader {
  public:
   Reader(Source& source, bool swapped, std::uint64_t available)
@@ -204,14 +204,14 @@ Stored const* stored(std::uint32_t type) {
   return found == table.end() ? nullptr : &*found;
 }
 
-// Called for every array; returns the values wanted of it, if any.
+// Called for every array. Returns the slice of its values that is to be read, if any.
 using Chooser = std::function<std::optional<MatSlice>(MatVariable const&)>;
 
 class Walk {
  public:
   Walk(Chooser wanted, std::vector<double>& values) : wanted_(std::move(wanted)), values_(values) {}
 
-  // `prefix` is the name of a field; it is empty at the top, where the array holds its own name.
+  // `prefix` is the name of the field that holds the array. It is empty for a variable, which has its own name.
   void array(Reader& reader, std::string const& prefix) {
     auto const flags_tag = reader.tag();
     auto const flags_data = reader.content(flags_tag, 8, "array flags");
@@ -220,7 +220,7 @@ class Walk {
     auto const kind = flags & 0xFFu;
     bool const complex = (flags & 0x800u) != 0;
     MatVariable variable{.name = prefix, .kind = std::string(class_names[std::min<std::size_t>(kind, 17)]), .size = {}};
-    if (kind == 17) {  // holds no size
+    if (kind == 17) {  // an object: such an array states no size
       read_name(reader, variable);
       wanted_(variable);
       if (!prefix.empty()) reader.skip(reader.available());
@@ -236,7 +236,7 @@ class Walk {
       auto const [tag, form] = values_tag(reader, variable);
       if (slice) read_values(reader, tag, form, *slice, elements(variable));
     }
-    if (!prefix.empty()) reader.skip(reader.available());  // at the top the next array is found by its tag
+    if (!prefix.empty()) reader.skip(reader.available());  // the tag of the next variable says where it starts
   }
 
  private:
@@ -269,7 +269,7 @@ class Walk {
     if (variable.name.empty()) variable.name = printable(to_utf8(name));
   }
 
-  // Names of equal length, then the values of the first struct, of the second, ...
+  // Reads field names, padded to one length, then all values of the first struct, of the second, and so on.
   void structure(Reader& reader, MatVariable variable) {
     constexpr std::size_t longest_field = 128;
     constexpr std::size_t most_fields = 1000;
@@ -307,7 +307,7 @@ class Walk {
 
   void read_values(Reader& reader, Tag const& tag, Stored const& form, MatSlice const& slice, std::uint64_t stated) {
     auto const [type, size, read] = form;
-    values_.reserve(static_cast<std::size_t>(slice.count));  // the caller limits the count
+    values_.reserve(static_cast<std::size_t>(slice.count));  // MatTable has checked the count
     if (tag.small) {
       for (std::uint64_t i = 0; i < slice.count; ++i)
         values_.push_back(read(reader, tag.data.data() + (slice.first + i * slice.stride) * size));
@@ -335,7 +335,7 @@ class Mat5File : public MatFile {
       std::vector<double> none;
       walk(
           [&](MatVariable const& variable) {
-            if (variable.name.empty()) return std::optional<MatSlice>();  // MATLAB's own, for objects
+            if (variable.name.empty()) return std::optional<MatSlice>();  // MATLAB's own data for objects
             if (variables_.size() >= most_variables) damaged(fmt::format("more than {} variables", most_variables));
             variables_.push_back(variable);
             return std::optional<MatSlice>();
@@ -347,7 +347,7 @@ class Mat5File : public MatFile {
   std::vector<double> values(MatVariable const& variable, MatSlice const& slice) const override {
     std::vector<double> values;
     guarded([&] {
-      bool found = false;  // names may occur twice: the first counts, as in the list
+      bool found = false;  // if a name occurs twice, the first variable counts, as in the list
       walk(
           [&](MatVariable const& other) {
             bool const same = other.name == variable.name && other.size == variable.size && other.kind == variable.kind;

@@ -1,5 +1,5 @@
-// Reads MATLAB files of version 7.3: HDF5 behind a block of 512 bytes, with dimensions reversed. Malicious files can
-// break the HDF5 library, so it runs in a confined process, in which links and external data lead nowhere.
+// Reads MATLAB files of version 7.3: HDF5 behind a block of 512 bytes, with dimensions in reverse order. A malicious
+// file can break the HDF5 library, so isolaw runs it in a confined process and follows no links and no external data.
 #include <fmt/format.h>
 #include <hdf5.h>
 #include <hdf5_hl.h>
@@ -40,8 +40,8 @@ class Handle {
 
 Handle open_image(std::string_view bytes) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  H5PLset_loading_state(0);  // loads no filters from other files
-  // The image is neither copied nor written to.
+  H5PLset_loading_state(0);  // loads no plugins
+  // The cast is safe: with these flags HDF5 neither copies the image nor writes to it.
   auto* const image = const_cast<void*>(static_cast<void const*>(bytes.data()));
   return {H5LTopen_file_image(image, bytes.size(), H5LT_FILE_IMAGE_DONT_COPY | H5LT_FILE_IMAGE_DONT_RELEASE), H5Fclose};
 }
@@ -90,7 +90,7 @@ std::string kind_of(hid_t object, hid_t type) {
   return kind;
 }
 
-// One line for each variable: numeric, name, kind, unit, sizes, a tab after each.
+// Writes a line for a variable: numeric, name, kind, unit, sizes, with a tab after each.
 void describe(hid_t data_set, std::string const& name, Write const& write) {
   Handle const type(H5Dget_type(data_set), H5Tclose);
   Handle const space(H5Dget_space(data_set), H5Sclose);
@@ -101,7 +101,7 @@ void describe(hid_t data_set, std::string const& name, Write const& write) {
   auto const kind = kind_of(data_set, type);
   auto const stored = H5Tget_class(type);
   bool const empty = H5Aexists(data_set, "MATLAB_empty") > 0;
-  bool const object = H5Aexists(data_set, "MATLAB_object_decode") > 0;  // its numbers only say where the values are
+  bool const object = H5Aexists(data_set, "MATLAB_object_decode") > 0;  // its numbers only refer to the values
   bool const numeric =
       (stored == H5T_FLOAT || stored == H5T_INTEGER) && kind != "char" && kind != "cell" && !empty && !object;
   auto unit = attribute(data_set, "units");
@@ -149,7 +149,7 @@ void read(std::string_view bytes, MatVariable const& variable, MatSlice const& s
   if (H5Sget_simple_extent_ndims(space) != 2 || H5Sget_simple_extent_dims(space, sizes.data(), nullptr) < 0 ||
       sizes[0] != variable.size[1] || sizes[1] != variable.size[0])
     throw std::runtime_error("is damaged");
-  // MATLAB's column is a row of the file.
+  // A column in MATLAB is a row in the file, because the dimensions are in reverse order.
   bool const whole = slice.stride == 1 && slice.count == sizes[0] * sizes[1];
   bool const column = slice.stride == 1;
   std::array<hsize_t, 2> const start{column && !whole ? slice.first / sizes[1] : 0, column ? 0 : slice.first};

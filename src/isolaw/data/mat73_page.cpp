@@ -1,4 +1,4 @@
-// In a browser files of MATLAB 7.3 cannot be read, since the page does not contain the HDF5 library.
+// In the browser isolaw cannot read files of MATLAB 7.3, because the page does not contain the HDF5 library.
 #include "isolaw/data/mat_file.hpp"
 
 namespace isolaw::data {

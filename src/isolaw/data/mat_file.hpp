@@ -1,4 +1,4 @@
-// The contents of a MATLAB file of any version: arrays of numbers, at the top or in structs one level deep.
+// A MATLAB file of any version: arrays of numbers, as variables or as fields of structs (one level deep).
 #pragma once
 
 #include <fmt/format.h>
@@ -17,12 +17,12 @@ namespace isolaw::data {
 struct MatVariable {
   std::string name;                 // "dist", "test.disp", "test(2).disp"
   std::string kind;                 // "double", "char", "struct", ...
-  std::vector<std::uint64_t> size;  // as MATLAB's size() has it
-  bool numeric = false;             // real numbers, which can be read
-  std::string unit = {};            // from an attribute beside it; may be empty
+  std::vector<std::uint64_t> size;  // as MATLAB's size() gives it
+  bool numeric = false;             // holds real numbers
+  std::string unit = {};            // from an attribute of the array; may be empty
 };
 
-// Every `stride`-th value from `first`, in MATLAB's order (the first index runs fastest).
+// `count` values of an array from `first`, every `stride`-th one. The first index runs fastest, as in MATLAB.
 struct MatSlice {
   std::uint64_t first = 0;
   std::uint64_t stride = 1;
@@ -40,7 +40,7 @@ class MatFile {
   MatFile& operator=(MatFile const&) = delete;
 
   std::vector<MatVariable> const& variables() const { return variables_; }
-  // Characters give their codes. Throws Error if the file is damaged or grows beyond the limit when it is unpacked.
+  // Values of characters are their codes. Throws Error if the file is damaged or grows beyond its limit when unpacked.
   virtual std::vector<double> values(MatVariable const& variable, MatSlice const& slice) const = 0;
   virtual std::string_view version() const = 0;
 
@@ -57,7 +57,7 @@ class MatFile {
   std::vector<MatVariable> variables_;
 };
 
-// `bytes` must outlive the file. Throw Error if it is damaged or has more variables than any test.
+// `bytes` must outlive the MatFile. Both throw Error if the file is damaged or has more than most_variables.
 std::unique_ptr<MatFile> open_mat5(std::string_view bytes, std::string const& file);
 std::unique_ptr<MatFile> open_mat73(std::string_view bytes, std::string const& file);
 

@@ -18,14 +18,14 @@ namespace isolaw::data {
 namespace {
 
 constexpr std::uint64_t fewest_values = 3;
-constexpr std::uint64_t most_rows_across = 20;  // the most rows of a matrix whose rows are channels
-constexpr std::uint64_t bytes_per_sample = 32;  // four channels
+constexpr std::uint64_t most_rows_across = 20;  // a wide matrix with more rows has no channels as rows
+constexpr std::uint64_t bytes_per_sample = 32;  // a double for each of four channels
 constexpr std::size_t most_listed = 30;
 
 struct Origin {
   MatVariable const* variable;
   MatSlice slice;
-  std::string name;  // of the column, with its owner
+  std::string name;  // full name of the column: "test.disp", "x_F:3"
 };
 
 struct MatColumns {
@@ -39,7 +39,7 @@ struct MatColumns {
   }
 };
 
-// Empty for a vector at the top.
+// The struct or matrix that a column belongs to. Empty for a vector that is a variable.
 std::string owner_of(std::string_view name) {
   return std::string(name.substr(0, name.find_last_of(".:") == std::string_view::npos ? 0 : name.find_last_of(".:")));
 }
@@ -67,10 +67,10 @@ MatColumns columns_of(std::vector<MatVariable> const& variables) {
   return found;
 }
 
-// Adds each matrix of characters whose rows are time stamps, as a column.
+// Adds each matrix of characters whose rows are time stamps as one column.
 void add_stamps(MatFile const& mat, std::uint64_t longest, MatColumns& found) {
   constexpr std::uint64_t widest = 48;
-  std::size_t left = 4;  // matrices still to be examined: each needs a pass through the file
+  std::size_t left = 4;  // matrices that may be examined: each takes a pass through the file
   for (auto const& v : mat.variables()) {
     if (v.kind != "char" || v.size.size() != 2) continue;
     auto const rows = v.size[0], width = v.size[1];
@@ -100,7 +100,7 @@ std::string size_text(MatVariable const& v) {
   return v.size.empty() ? v.kind : fmt::format("{} {}", fmt::join(v.size, " x "), v.kind);
 }
 
-// "variables Tout (1501 x 1 double), x_F:1 to x_F:3 (1501 x 3 double), note (1 x 12 char, not read)"
+// Lists the file's contents for messages: "variables Tout (1501 x 1 double), x_F:1 to x_F:3 (1501 x 3 double)".
 std::string listing(std::vector<MatVariable> const& variables, MatColumns const& found) {
   std::vector<std::string> texts;
   for (auto const& v : variables) {

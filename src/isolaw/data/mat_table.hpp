@@ -1,4 +1,4 @@
-// Reads MATLAB variables as columns: vectors by name, matrix columns as "x_F:3" (rows if few), fields as "test.disp".
+// Reads MATLAB variables as columns: a vector, each column of a matrix ("x_F:3"; rows if few), each field of a struct.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@ namespace isolaw::data {
 
 bool is_mat(std::string_view bytes);
 
-// `owner` is a struct or matrix whose fields are then named without it. Without it all variables are one test, and if
-// several structs seem to hold a test each, Tests::sheets names them. Throws Error.
+// `owner` names a struct or matrix. Only its columns are then read, and named without it. If it is empty, all variables
+// are one test, and if several structs seem to hold a test each, Tests::sheets lists them. Throws Error.
 Tests mat_tests(std::string_view bytes, std::string const& file, std::optional<std::string> const& owner);
 
 }  // namespace isolaw::data

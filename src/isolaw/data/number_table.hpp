@@ -1,4 +1,4 @@
-// A table whose columns are arrays of numbers: MATLAB variables, arrays of JSON.
+// A table whose columns are arrays of numbers, as MATLAB variables or JSON arrays are.
 #pragma once
 
 #include <cstddef>
@@ -15,17 +15,17 @@ struct NumberColumn {
   std::string name = {};  // UTF-8
   std::string unit = {};  // as written beside the column; may be empty
   std::size_t length = 0;
-  std::vector<double> values = {};                    // may be read only when the column is asked for
-  std::map<std::size_t, std::string> odd_cells = {};  // the first few that are no number, by position from 0
-  std::vector<Stamp> stamps = {};                     // time stamps of the column: as many as values, or none
-  bool datenum = false;                               // numbers are MATLAB's days
+  std::vector<double> values = {};                    // may stay empty until a channel needs the column
+  std::map<std::size_t, std::string> odd_cells = {};  // text of the first few that are no number, by position from 0
+  std::vector<Stamp> stamps = {};                     // as many as values if the column holds time stamps, else none
+  bool datenum = false;                               // the numbers are days of MATLAB's calendar
 
   StampKind kind() const;  // none if the stamps differ in kind
 };
 
 class NumberTable : public Table {
  public:
-  // `row` is what a row is called in messages: "row", "element"; `recognised` says how the table was found.
+  // Messages call a row `row` ("row", "element"). `recognised` says how the table was found.
   NumberTable(std::string place, std::vector<NumberColumn> columns, std::string_view row, std::string recognised,
               std::string title = {});
 

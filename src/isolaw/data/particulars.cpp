@@ -13,7 +13,7 @@ namespace isolaw::data {
 namespace {
 
 struct Label {
-  std::string_view key, words;  // lower case, without accents, one blank between words
+  std::string_view key, words;  // in lower case, without accents, with one blank between words
 };
 // Japanese labels are written as name_words() translates them.
 constexpr std::array labels{Label{"serial", "serial"},
@@ -142,7 +142,7 @@ void add(std::string_view key, std::string_view value, std::string const& unit, 
   if (empty || value.size() > longest ||
       std::ranges::find(found, key, &ParticularList::value_type::first) != found.end())
     return;
-  // A text with further labels in it is not the value of this one.
+  // A value that contains other labels is several values.
   if (value.find(';') != std::string_view::npos || value.find(": ") != std::string_view::npos) return;
   auto text = std::string(value);
   constexpr std::size_t shortest_date = 6;
@@ -162,7 +162,7 @@ void take_particulars(std::string_view line, char delimiter, ParticularList& fou
     line = trimmed(line.substr(1));
   if (line.empty() || line.size() > longest_line_of_one) return;
   std::vector<std::string_view> cells;
-  // If blanks separate the columns, a line about the specimen is one text.
+  // In a file with blanks between cells, a line about the specimen cannot be split.
   if (delimiter == ' ')
     cells.push_back(line);
   else
@@ -172,7 +172,7 @@ void take_particulars(std::string_view line, char delimiter, ParticularList& fou
     std::string unit;
     auto colon = cell.find_first_of(":=");
     std::size_t width = 1;
-    if (auto const wide = cell.find("\xEF\xBC\x9A"); wide != std::string::npos && wide < colon) {  // Japanese
+    if (auto const wide = cell.find("\xEF\xBC\x9A"); wide != std::string::npos && wide < colon) {  // a Japanese colon
       colon = wide;
       width = 3;
     }
@@ -180,7 +180,7 @@ void take_particulars(std::string_view line, char delimiter, ParticularList& fou
     if (!key) continue;
     if (colon != std::string::npos && !trimmed(std::string_view(cell).substr(colon + width)).empty()) {
       auto value = std::string(trimmed(std::string_view(cell).substr(colon + width)));
-      // A decimal comma has split the value into two cells.
+      // Where commas separate the cells, a decimal comma has split the value in two.
       if (delimiter == ',' && is_digit(value.back()) && i + 1 < cells.size() && !cells[i + 1].empty() &&
           is_digit(cells[i + 1].front()))
         value += "," + to_utf8(cells[i + 1]);

@@ -1,4 +1,4 @@
-// Finds facts about the device above the rows of numbers: serial, lot, date, ... Values are kept as they are written.
+// Finds facts about the device above the rows of numbers (serial number, lot, date, ...) and keeps them as written.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace isolaw::data {
 
-// In the order of the file; only the first of each key.
+// Keys and values in the order of the file. If a key occurs twice, the first counts.
 using ParticularList = std::vector<std::pair<std::string, std::string>>;
 
-// A line may read "Serial No: X", "Specimen;D07", "Temperature [C]", "23".
+// Adds the facts that a line states, such as "Serial No: X", "Specimen;D07" or "Temperature [C]", "23".
 void take_particulars(std::string_view line, char delimiter, ParticularList& found);
 
 }  // namespace isolaw::data

@@ -15,14 +15,14 @@
 namespace isolaw::data {
 namespace {
 
-// With fewer samples per cycle, the trapezoid loses more than 1.6 % of the energy, and samples miss 1.2 % of the peak.
+// With fewer samples, the trapezoidal rule loses over 1.6 % of the energy, and samples miss over 1.2 % of the peak.
 constexpr double least_samples_per_cycle = 20.0;
 constexpr std::size_t reported_cycle = 3;
-constexpr double rounding_of_energy = 1e-9;  // times K_eff D^2
-constexpr double noise_of_energy = 5.0;      // standard deviations
-constexpr double same_shape = 0.05;          // rms difference over the amplitude; a sine and a triangle are 0.15 apart
+constexpr double rounding_of_energy = 1e-9;  // times K_eff D^2; energy below it may be rounding
+constexpr double noise_of_energy = 5.0;      // standard deviations of noise; energy below it may be noise
+constexpr double same_shape = 0.05;          // rms difference over the amplitude; sine and triangle differ by 0.15
 
-// Samples strictly between two fractional indices: [begin, end).
+// The samples [begin, end) that lie strictly between a cycle's fractional start and end.
 struct Inside {
   std::size_t begin = 0;
   std::size_t end = 0;
@@ -77,7 +77,7 @@ std::optional<double> force_at_level(std::span<double const> x, std::span<double
   return std::nullopt;
 }
 
-// Half the height of the loop at the level of the cuts. Leaves out a cycle's end at rest or at a turn: not on the loop.
+// Half the loop's height where cycles are cut. Leaves out an end of the cycle at rest or at a turn: it is off the loop.
 double strength(Cycle const& cycle, Peaks const& peaks, std::span<double const> x, std::span<double const> F) {
   bool const rises = peaks.at_largest < peaks.at_least;
   bool const starts_in_motion = cycle.first > 0.0 && !cycle.turns_at_start;
@@ -92,12 +92,12 @@ double strength(Cycle const& cycle, Peaks const& peaks, std::span<double const> 
                                     std::max(peaks.at_largest, peaks.at_least), level);
   if (!inner) return 0.0;
   double const height = rises ? outer - *inner : *inner - outer;
-  constexpr double rounding = 1e-12;  // rounding error of a difference of equal forces, times these
+  constexpr double rounding = 1e-12;  // times the sum of the forces: rounding error of their difference
   return std::abs(height) <= rounding * (std::abs(outer) + std::abs(*inner)) ? 0.0 : height / 2.0;
 }
 
-// A cycle that hardly leaves zero on one side has no stiffness on that side.
-constexpr double least_excursion = 0.01;  // share of the amplitude
+// A cycle that hardly leaves zero on one side has no stiffness there.
+constexpr double least_excursion = 0.01;  // fraction of the amplitude
 
 void derive(Cycle& cycle, Peaks const& peaks) {
   cycle.d_plus_mm = peaks.largest;
@@ -123,7 +123,7 @@ void idealise(Cycle& cycle) {
   cycle.K_1_kN_per_mm = cycle.K_d_kN_per_mm + cycle.Q_d_kN / yield;
 }
 
-// Slope of a chord over a 25th of a sine, 0.3 % too small. In one interval, noise of 0.02 mm at 1 kHz makes 30 mm/s.
+// Chords span a 25th of a cycle: 0.3 % too slow for a sine. Over one interval, 0.02 mm of noise at 1 kHz adds 30 mm/s.
 double largest_slope(Cycle const& cycle, CycleView const& view) {
   auto const peaks = peak_positions(view.disp_mm, cycle.first, cycle.last);
   auto const reach =
@@ -165,14 +165,14 @@ Cycle measure(CycleCut const& cut, CycleView const& view) {
   return cycle;
 }
 
-// Compares the swing with half a cosine and a line. It is neither if it stays at the extremes twice as long as a sine.
+// Compares a swing with half a cosine and with a line. It is neither if it spends twice a sine's time at the extremes.
 std::string waveform(Cycle const& cycle, CycleView const& view) {
   auto const peaks = peak_positions(view.disp_mm, cycle.first, cycle.last);
   bool const falls = peaks.largest < peaks.smallest;
   double const from = value_at(view.time_s, std::min(peaks.largest, peaks.smallest));
   double const to = value_at(view.time_s, std::max(peaks.largest, peaks.smallest));
   double const centre = (cycle.d_plus_mm + cycle.d_minus_mm) / 2.0;
-  constexpr double near = 0.995;  // share of the amplitude
+  constexpr double near = 0.995;  // fraction of the amplitude
   double const lingers = 2.0 * std::acos(near) / std::numbers::pi;
   double from_sine = 0.0, from_triangle = 0.0, count = 0.0, all = 0.0, at_extremes = 0.0;
   auto const samples = inside(cycle, view.disp_mm.size());
@@ -186,7 +186,7 @@ std::string waveform(Cycle const& cycle, CycleView const& view) {
     from_triangle += std::pow(y - (1.0 - 2.0 * part), 2.0);
     count += 1.0;
   }
-  constexpr double margin = 4.0;  // samples: one more on each side of either extreme
+  constexpr double margin = 4.0;  // samples at the extremes that may come from rounding
   if (at_extremes > 2.0 * lingers * all + margin) return "other";
   double const limit = same_shape * same_shape * count;
   if (count > 0.0 && from_sine <= std::min(limit, from_triangle)) return "sine";
@@ -201,20 +201,20 @@ void summarise(Block& block, CycleView const& view) {
   double const period = num::median_over(counted, [](Cycle const* c) { return *c->period_s; });
   if (period > 0.0) block.frequency_Hz = 1.0 / period;
   block.v_max_mm_s = num::median_over(counted, [](Cycle const* c) { return *c->v_max_mm_s; });
-  // The middle cycle, of the cycles without a hold if there are any.
+  // The waveform is that of the middle counted cycle, or of the middle one without a hold if there is any.
   std::vector<Cycle const*> unheld;
   std::ranges::copy_if(counted, std::back_inserter(unheld), [](Cycle const* c) { return c->still_samples == 0.0; });
   auto const& shown = unheld.empty() ? counted : unheld;
   block.waveform = waveform(*shown[shown.size() / 2], view);
 }
 
-// Standard deviations.
+// Standard deviations of the noise.
 struct Noise {
   double disp_mm = 0.0, force_kN = 0.0;
 };
 
-// Standard deviation of a cycle's area, caused by noise. A force error counts with half the displacement between the
-// sample's neighbours, a displacement error with half the difference of their forces.
+// Standard deviation of a cycle's energy, caused by noise. A sample's error of force counts with half the displacement
+// between its neighbours, an error of displacement with half the difference of their forces.
 double noise_of_area(Cycle const& cycle, CycleView const& view, Noise const& noise) {
   double ways = 0.0, forces = 0.0;
   auto const samples = inside(cycle, view.disp_mm.size());
@@ -231,7 +231,7 @@ Finding of_cycle(FindingKind kind, Cycle const& cycle, FindingNumber number) {
           .numbers = {{"cycle", static_cast<double>(cycle.number)}, std::move(number)}};
 }
 
-// The findings are empty if a device can make such a loop.
+// Says why no device can make such a loop; empty if one can.
 std::vector<Finding> impossible(Cycle const& cycle, CycleView const& view, Noise const& noise) {
   double const size = std::abs(cycle.K_eff_kN_per_mm) * cycle.amplitude_mm * cycle.amplitude_mm;
   double const least = rounding_of_energy * size + noise_of_energy * noise_of_area(cycle, view, noise);

@@ -1,4 +1,4 @@
-// Calls the parts of reading in order. Collects problems until one of them hides the rest, and then throws all at once.
+// Reads a record step by step. Collects problems until one of them hides the rest, and then throws all at once.
 #include "isolaw/data/read.hpp"
 
 #include <fmt/format.h>
@@ -150,7 +150,7 @@ TestRecord read_motion_text(std::string_view bytes, std::string const& name, Rea
   auto const acceleration = line_about_acceleration(bytes);
   try {
     auto motion = read_tests(bytes, name, options, Wanted::motion());
-    // If the user has named the column of displacements, words about acceleration only give a warning.
+    // If --columns names the displacement, the file may mention acceleration, which then only gives a warning.
     if (acceleration && options.columns.contains(Channel::disp))
       motion.warnings.push_back({.kind = FindingKind::about_acceleration, .words = {{"line", *acceleration}}});
     return motion;

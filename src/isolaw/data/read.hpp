@@ -1,4 +1,4 @@
-// Reads test records of laboratories. Refuses whatever cannot be recognised, and says why.
+// Reads test records of laboratories. What it cannot recognise it refuses, and says why.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@ namespace isolaw::data {
 
 std::string_view name(Channel channel);
 
-// Parses "time=1,disp=Displacement,force=3" (option --columns); throws Error on an unknown channel.
-// "none" leaves out a time or load column that the header names.
+// Parses "time=1,disp=Displacement,force=3" (option --columns). The column "none" leaves out time or load, even if the
+// header names it. Throws Error on an unknown channel.
 std::map<Channel, std::string> parse_columns(std::string_view text);
 // Parses "disp=cm,force=tonf,time=s" (option --units); throws Error on an unknown unit.
 std::map<Channel, std::string> parse_units(std::string_view text);
@@ -30,18 +30,18 @@ inline constexpr std::array<std::string_view, 9> record_extensions{".csv", ".tsv
                                                                    ".lvm", ".mat", ".xlsx", ".json"};
 bool is_record_name(std::string_view file);
 
-// "loadcell.csv:Force". file_column() returns nullopt for text that names no record's file: the text is then a column.
+// A column in another file: "loadcell.csv:Force". file_column() returns nullopt if the text names no record's file.
 struct FileColumn {
   std::string file, column;
   std::string text() const { return file + ":" + column; }  // file_column() reads it back
 };
 std::optional<FileColumn> file_column(std::string_view text);
 
-// Reads one file, and other files if channels are in them. Throws one Error that holds every problem found: file,
-// columns, units, values, time, constant or exchanged channels, flipped sign, several tests or sheets of which none is
-// chosen.
+// Reads a record from one file, or from several if options.columns names others. Throws one Error that holds every
+// problem found: file, columns, units, values, time, constant or exchanged channels, flipped sign, or several tests or
+// sheets of which none is chosen.
 TestRecord read_record(std::filesystem::path const& file, ReadOptions const& options = {});
-// The same for a file's bytes; messages call the file `name`.
+// Reads a record from the bytes of a file. Messages call the file `name`.
 TestRecord read_record_text(std::string_view bytes, std::string const& name, ReadOptions const& options = {});
 
 // Reads and checks a displacement history alone; force and load stay empty. Refuses a file of accelerations.
@@ -51,22 +51,22 @@ TestRecord read_motion_text(std::string_view bytes, std::string const& name, Rea
 // Reads vertical displacement and load of a compression test, without time and force.
 TestRecord read_compression(std::filesystem::path const& file, ReadOptions const& options = {});
 
-// Values in mm, kN and s; time and load may be empty; without force it is a motion. Throws Error as read_record() does.
+// A record in mm, kN and s. Time and load may be empty; without force it is a displacement history. Throws Error.
 struct Values {
   std::vector<double> disp_mm, force_kN, time_s, load_kN;
 };
 TestRecord record_of_values(std::string const& name, Values values);
 
 struct TestChoice {
-  std::optional<std::string> sheet;  // as TestRecord::layout has it
+  std::optional<std::string> sheet;  // option --sheet for this test, as is `test` for --test
   std::optional<std::string> test;
-  std::string place;                          // "d01.csv:204", "d01.xlsx:Sheet 2:1"
-  std::vector<std::string> passed_over = {};  // sheets of the file that are no test, only beside its first test
+  std::string place;                          // where the test starts: "d01.csv:204", "d01.xlsx:Sheet 2:1"
+  std::vector<std::string> passed_over = {};  // sheets that are no test; given only with the file's first test
 };
-// All tests of a file, or of the sheet or test that `options` names. Throws Error if the file cannot be read.
+// Lists all tests of a file, or those of the sheet or test that `options` names. Throws Error if it cannot be read.
 std::vector<TestChoice> list_tests(std::filesystem::path const& file, ReadOptions const& options = {});
 
-// Appends `next` one sampling interval after the end. Messages call it `label`. Throws Error if only one has time.
+// Appends `next` one sampling interval after `history`. Messages call it `label`. Throws Error if only one has time.
 void continue_with(TestRecord& history, TestRecord const& next, std::string const& label);
 
 }  // namespace isolaw::data

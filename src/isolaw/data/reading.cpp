@@ -11,7 +11,7 @@
 namespace isolaw::data {
 namespace {
 
-// "disp=2,force=F", or {"disp": 2, "force": "F"}.
+// An option with a value for each channel: "disp=2,force=F" or {"disp": 2, "force": "F"}.
 Reading by_channel(std::string_view key, std::string help, std::map<Channel, std::string> ReadOptions::*values,
                    std::map<Channel, std::string> (*parse)(std::string_view)) {
   auto const write = [values](ReadOptions const& from) {
@@ -30,7 +30,7 @@ Reading by_channel(std::string_view key, std::string help, std::map<Channel, std
         throw Error({.where = {},
                      .found = fmt::format("{}: {} is neither text nor a number", channel, shown(item)),
                      .allowed = "a name or a 1-based number"});
-      // A column's name may contain a comma, but text like "disp=2,force=F" cannot.
+      // parse() splits text at commas, so it gets "1" in place of a column's name that contains one.
       auto const text = text_of(item);
       bool const comma = text.find(',') != std::string::npos;
       for (auto& [known, parsed] : parse(fmt::format("{}={}", channel, comma ? "1" : text)))
@@ -41,7 +41,7 @@ Reading by_channel(std::string_view key, std::string help, std::map<Channel, std
       {{.key = key, .kind = Kind::assignments, .help = std::move(help), .heading = Heading::everyday}, write, read}};
 }
 
-// `written` is the kind of the value in a lot file.
+// `written` says whether lot files store the value as text or as a number.
 Reading name_or_number(std::string_view key, std::string help, Kind written,
                        std::optional<std::string> ReadOptions::*choice, std::string (*parse)(std::string const&)) {
   auto const write = [=](ReadOptions const& from) {
@@ -119,7 +119,7 @@ Reading rows() {
            read}};
 }
 
-// For a motion the option is called --motion-from or --motion-to, because --from names a campaign in that command.
+// Where a command reads a motion, --from names a campaign, so the motion's options are --motion-from and --motion-to.
 Reading time_limit(std::string_view key, std::string help, std::optional<double> ReadOptions::*value,
                    std::string_view keyword, std::string_view motion_option) {
   Reading row{number<ReadOptions>(key, std::move(help), at(value)).under(Heading::reading), false, motion_option};

@@ -1,4 +1,4 @@
-// The options that say how records are read. The command line, lot files and Python are built from this table.
+// The table of options for reading records. The command line, lot files and Python are built from it.
 #pragma once
 
 #include <span>
@@ -9,11 +9,11 @@
 namespace isolaw::data {
 
 struct Reading : Option<ReadOptions> {
-  bool of_test = false;                 // not for motions, which have no force
-  std::string_view motion_option = {};  // its name for a motion, if the key already means something else
+  bool of_test = false;                 // applies to tests only, because a motion has no force
+  std::string_view motion_option = {};  // the option's name for a motion, if `key` means something else there
 };
 
-// Columns and units add to those given before, channel by channel; every other value replaces the one given before.
+// Given again, columns and units change only the channels that are named. Any other value replaces the earlier one.
 std::span<Reading const> reading_table();
 
 }  // namespace isolaw::data

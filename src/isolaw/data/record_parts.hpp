@@ -1,4 +1,4 @@
-// Builds a record while it is read: chooses its samples, and joins the channels of several files.
+// Parts of reading a record: selects samples, and joins channels of several files.
 #pragma once
 
 #include <cstddef>
@@ -17,14 +17,14 @@ struct Span {
   std::size_t first = 0, count = 0;
 };
 
-// nullopt, with a complaint, if there are no such samples. `dashes` precedes the names of options in messages.
+// Samples between from_s and to_s; nullopt, with a complaint, if none. `dashes` precedes options' names in messages.
 std::optional<Span> span_of_time(std::vector<double> const& time_s, ReadOptions const& options,
                                  std::string const& place, std::vector<Complaint>& complaints,
                                  std::string_view dashes = "--");
 void describe_span(Span const& span, std::size_t of, ReadOptions const& options, std::vector<Finding>& recognised,
                    std::string_view dashes = "--");
 
-// Advice on reading the `of` rows without this one: the longer part before or behind it, if long enough.
+// Advice after a bad row: read the longer part of the `of` rows before or behind it, or export the record again.
 std::string without_row(RowRange const& range, std::size_t row, std::size_t of);
 
 template <class T>
@@ -44,7 +44,7 @@ std::vector<double>& values_of(TestRecord& record, Channel channel);
 
 void append(std::vector<Finding>& findings, std::vector<Finding> const& more);
 
-// Brings the channels of another file to the samples of `main`, by time or else row by row. Throws Error.
+// Adds the channels of `other` to `main`: interpolated at main's times, or row by row without times. Throws Error.
 void join_channels(RecordPart& main, RecordPart other);
 
 }  // namespace isolaw::data

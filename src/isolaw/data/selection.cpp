@@ -32,7 +32,7 @@ std::optional<Numbers::Range> parse_range(std::string_view text) {
   return Numbers::Range{*first, *last};
 }
 
-// "block 1: cycles 1 to 7; block 2: ..."
+// Lists the record's cycles for messages: "block 1: cycles 1 to 7; block 2: ..."
 std::string what_there_is(Segmentation const& segmentation) {
   std::map<int, int> counted;
   for (auto const& cycle : segmentation.cycles) {
@@ -125,7 +125,7 @@ std::vector<double> block_numbers(Selection const& selection, Segmentation const
   if (selection.blocks.all()) return {};
   std::vector<double> numbers(samples, 0.0);
   bool any = false;
-  // A sample in which two blocks meet belongs to the fitted block.
+  // Marks fitted blocks last, so that a sample in which two blocks meet belongs to the fitted one.
   for (bool const fitted : {false, true})
     for (auto const& cycle : segmentation.cycles) {
       bool const wanted = fitted || selection.predicted.contains(cycle.block);

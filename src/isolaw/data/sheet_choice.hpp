@@ -1,4 +1,4 @@
-// Chooses among the parts of a file that each hold a table of their own (sheets, keys, structs).
+// Chooses among the parts of a file (sheets, keys, structs) that each hold a table of their own.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,14 @@ namespace isolaw::data {
 
 inline constexpr std::string_view accepted_formats = "delimited text, .xlsx, .mat or JSON";
 
-// "sheets 'Test 1', 'Test 2'", the first thirty of them
+// Text for messages, such as "sheets 'Test 1', 'Test 2'". Lists at most thirty names.
 std::string sheet_list(std::vector<std::string> const& names, std::string_view what);
 
-// `wanted` is a name (in any case, if that is unique) or counts from 1; `what` is the word for a part. Throws Error.
+// `wanted` is a name (in any case if that is unique) or a number from 1. Messages call a part `what`. Throws Error.
 std::size_t choose_sheet(std::string const& wanted, std::vector<std::string> const& names, std::string const& file,
                          std::string_view what);
 
-// Its name if printable and unique, else its number.
+// The part's name if it is printable and unique, else its number.
 std::string sheet_key(std::vector<std::string> const& names, std::size_t index);
 
 }  // namespace isolaw::data

@@ -1,8 +1,8 @@
 // Finds signals that cannot be true. Whatever is computed from such a record is wrong, so it has no properties.
 // docs/properties.md has the limits and rates. A plateau of displacement is a hold if the force only relaxes on it,
-// faster at first than later, and clipping if the force goes on rising and turns within it. A plateau of force is
-// yielding if it ends with the motion's reversal, and clipping if it lasts longer. Steps of a coarse digitiser and
-// noise are no faults.
+// faster at first than later. It is clipping if the force goes on rising and turns within it. A plateau of force is
+// yielding if it ends at the motion's reversal, and clipping if it lasts longer. Steps of a coarse digitiser and noise
+// are no faults.
 #pragma once
 
 #include <cstddef>
@@ -24,19 +24,19 @@ std::string_view said_of(
 struct SignalFault {
   FaultKind kind = FaultKind::clipped;
   std::string channel;               // "displacement" or "force"
-  std::vector<std::size_t> samples;  // first of each plateau or stretch, each spike, each peak; from 0, rising
-  Finding finding = {};              // with sample numbers from 1, and times if there are any
+  std::vector<std::size_t> samples;  // from 0, rising: each spike or peak, or the first sample of each plateau
+  Finding finding = {};              // numbers samples from 1; with times if the record has time
 };
 
-// Starts a finding with "sample", "time_s", "sample_2", ... of at most five samples (from 0), and their "count".
+// A finding with the count of `samples` (from 0) and, for the first five, "sample", "time_s", "sample_2", and so on.
 Finding finding_at(FindingKind kind, std::string const& channel, std::string_view unit,
                    std::span<std::size_t const> samples, std::span<double const> time_s);
 
-// time_s may be empty; else all are of one length. O(n log n) in time, O(n) in memory.
+// All are of one length, but time_s may be empty. O(n log n) in time, O(n) in memory.
 std::vector<SignalFault> signal_faults(std::span<double const> disp_mm, std::span<double const> force_kN,
                                        std::span<double const> time_s = {});
 
-// Names the first sample of each plateau, and how many samples the longest has.
+// A fault of plateaus. `samples` are their first samples, `longest` is the number of samples in the longest.
 SignalFault standing_fault(FaultKind kind, std::string const& channel, std::string_view unit,
                            std::vector<std::size_t> samples, std::span<double const> time_s, double level,
                            std::size_t longest);
@@ -45,7 +45,7 @@ std::vector<SignalFault> spike_faults(std::string const& channel, std::string_vi
 std::vector<SignalFault> dropout_faults(std::string const& channel, std::string_view unit,
                                         std::vector<Dropout> const& gone, std::span<double const> time_s);
 
-// "sample 213 (2.12 s)", "samples 3, 17 and 21"; index from 0. At most five are named.
+// Text for messages from indices from 0: "sample 213 (2.12 s)", "samples 3, 17 and 21". Names at most five.
 std::string sample_text(std::span<std::size_t const> samples, std::span<double const> time_s);
 
 }  // namespace isolaw::data

@@ -14,39 +14,39 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double wide = 0.08;            // fraction of a cycle to each side of a reversal: half a radian
-constexpr double narrow = 0.04;          // fraction of a cycle; in so short a part a sharp loop is smooth too
+constexpr double wide = 0.08;            // fraction of a cycle on each side of a reversal: half a radian
+constexpr double narrow = 0.04;          // fraction of a cycle; even a sharp loop is smooth in so short a part
 constexpr double farthest_shift = 0.04;  // fraction of a cycle: a quarter of a radian
 constexpr int shifts = 41;
-constexpr std::size_t least_in_window = 12;  // in a window: twice the unknowns
-constexpr std::size_t most_samples = 400;    // in a window; if there are more, only one of several is used
+constexpr std::size_t least_in_window = 12;  // samples in a window; twice the unknowns
+constexpr std::size_t most_samples = 400;    // samples in a window; of more, only one of several is used
 constexpr std::size_t most_cycles = 12;
 constexpr int least_reversals = 4;
-constexpr double poor_fit = 0.012;             // rms over the force's amplitude; a force that fits worse is not smooth
-constexpr double good_fit = 0.0012;            // beyond the noise; with a poorer fit the loop's shape may look late
-constexpr double least_late = 0.015;           // rad
-constexpr double least_late_by_shape = 0.045;  // rad, if a loop is too sharp for its samples
+constexpr double poor_fit = 0.012;             // rms over the force's amplitude; a force that fits worse gives no skew
+constexpr double good_fit = 0.0012;            // rms beyond noise, over the amplitude; else the loop may only look late
+constexpr double least_late = 0.015;           // rad; less is no skew
+constexpr double least_late_by_shape = 0.045;  // rad; limit for a loop that is too sharp to fit
 constexpr double least_early = 0.04;
-constexpr double standard_errors = 4.0;     // at least
-constexpr double by_chance = 0.001;         // fraction of the records, one-sided
-constexpr double most_agree = 0.75;         // fraction of the reversals
-constexpr double most_apart = 0.004;        // rad, between the two windows
-constexpr double quiet = 0.0005;            // fraction of the amplitude; less noise of displacement does no harm
-constexpr double too_noisy = 0.01;          // fraction of the amplitude
-constexpr double smoothed_over = 0.06;      // fraction of a cycle to each side; takes 0.02 % from a sine
-constexpr double hold_band = 0.005;         // fraction of the amplitude
-constexpr double noise_band = 8.0;          // standard deviations, from the least of a hold to its largest
-constexpr std::size_t most_smoothed = 100;  // samples to each side: more bring little and cost time
+constexpr double standard_errors = 4.0;     // the skew must exceed this many
+constexpr double by_chance = 0.001;         // fraction of records without skew that seem late
+constexpr double most_agree = 0.75;         // fraction of the reversals that must agree
+constexpr double most_apart = 0.004;        // rad; difference between the wide and narrow window
+constexpr double quiet = 0.0005;            // fraction of the amplitude; less noise needs no smoothing
+constexpr double too_noisy = 0.01;          // fraction of the amplitude; noisier records give no skew
+constexpr double smoothed_over = 0.06;      // fraction of a cycle on each side; takes 0.02 % off a sine
+constexpr double hold_band = 0.005;         // fraction of the amplitude; a hold stays within it
+constexpr double noise_band = 8.0;          // standard deviations of noise between the extremes of a hold
+constexpr std::size_t most_smoothed = 100;  // samples on each side; more bring little and cost time
 
 struct Reversal {
   double at = 0.0;      // fractional sample index
-  double cycle = 0.0;   // samples of a cycle
-  double tip_mm = 0.0;  // displacement
+  double cycle = 0.0;   // samples in a cycle
+  double tip_mm = 0.0;  // displacement at the reversal
   double reach_mm = 0.0;
-  double friction_kN = 0.0;  // falls from plus to minus this at the reversal
+  double friction_kN = 0.0;  // friction changes from plus to minus this at the reversal
 };
 
-// Columns of the fit: the tip, parabola before and cubic after, in the distance from the tip.
+// Unknowns of the fit: force at the tip, a parabola before it and a cubic after it, in the distance from the tip.
 constexpr std::size_t unknowns = 6;
 using Row = std::array<double, unknowns>;
 
@@ -55,7 +55,7 @@ Row row_of(double distance, bool before) {
   return before ? Row{1.0, s, s * s, 0.0, 0.0, 0.0} : Row{1.0, 0.0, 0.0, s, s * s, s * s * s};
 }
 
-// Modified Gram-Schmidt, a column at a time.
+// The sum of squares that a least-squares fit leaves (modified Gram-Schmidt, column by column).
 double residual(std::vector<Row>& rows, std::vector<double>& values) {
   for (std::size_t k = 0; k < unknowns; ++k) {
     double size = 0.0;
@@ -77,7 +77,7 @@ double residual(std::vector<Row>& rows, std::vector<double>& values) {
   return sum;
 }
 
-// Shifts the displacement, because it is smoother: interpolation of the force would make the force's noise smaller.
+// Mean squared residual of the fit for one shift. Shifts displacement, since interpolation would reduce force's noise.
 double left_at(double shift, double window, Reversal const& reversal, CycleView const& view) {
   double const half = window * reversal.cycle;
   auto const begin = static_cast<std::size_t>(std::ceil(reversal.at - half));
@@ -97,10 +97,10 @@ double left_at(double shift, double window, Reversal const& reversal, CycleView 
 
 struct Shift {
   double samples = 0.0;
-  double left = 0.0;  // rms residual relative to the force's amplitude
+  double left = 0.0;  // rms residual over the force's amplitude
 };
 
-// nullopt if the least residual is at the edge of the search or the fit is poor.
+// The shift of least residual. nullopt if that is at the edge of the search, or the fit is poor.
 std::optional<Shift> best_shift(double window, Reversal const& reversal, CycleView const& view,
                                 double force_amplitude) {
   double const farthest = farthest_shift * reversal.cycle;
@@ -135,11 +135,11 @@ bool is_held(std::span<double const> x, double at, double tip, Cycle const& cycl
   };
   double const share = std::acos(std::max(-1.0, 1.0 - width / cycle.amplitude_mm)) / std::numbers::pi;
   double const lingers = share * (cycle.last - cycle.first);
-  return stays(-1) + stays(1) > longer * lingers + 1.0;  // a sample of slack, since samples rarely lie on the tip
+  return stays(-1) + stays(1) > longer * lingers + 1.0;  // one sample more, since samples rarely lie on the tip
 }
 
 std::vector<Cycle const*> chosen_cycles(Properties const& properties) {
-  std::vector<Cycle const*> all;  // without holds, in which the force relaxes
+  std::vector<Cycle const*> all;  // only cycles without holds, because force relaxes in a hold
   for (auto const* cycle : properties.counted())
     if (cycle->still_samples == 0.0) all.push_back(cycle);
   std::vector<Cycle const*> chosen;
@@ -152,7 +152,7 @@ double samples_of(Cycle const* cycle) {
   return cycle->last - cycle->first;
 }
 
-// Fits a parabola to the samples around each sample (least squares); leaves the ends as they are.
+// Replaces each sample by the least-squares parabola through its neighbours. Leaves both ends as they are.
 std::vector<double> smoothed(std::span<double const> x, std::size_t half) {
   std::vector<double> smooth(x.begin(), x.end());
   auto const h = static_cast<double>(half);
@@ -173,9 +173,9 @@ std::vector<double> smoothed(std::span<double const> x, std::size_t half) {
 }
 struct Sample {
   double phase = 0.0;              // rad
-  double late = 0.0;               // s, or samples
-  double left = 0.0, noise = 0.0;  // rms relative to the force's amplitude
-  double samples = 0.0;            // in the window
+  double late = 0.0;               // in s, or in samples without time
+  double left = 0.0, noise = 0.0;  // rms over the force's amplitude
+  double samples = 0.0;            // number of samples in the window
 };
 
 std::optional<Skew> skew_of(std::vector<Sample> const& samples, double least_uncertainty) {
@@ -208,7 +208,7 @@ bool held_at_extreme(std::span<double const> disp_mm, Cycle const& cycle, bool u
 }
 
 bool Skew::significant() const {
-  // A few reversals give a poor estimate of their scatter.
+  // Student's t, because a few reversals give a poor estimate of their scatter.
   boost::math::students_t const chance(std::max(1, reversals - 1));
   double const errors = std::max(standard_errors, boost::math::quantile(boost::math::complement(chance, by_chance)));
   return std::abs(force_late) > errors / 2.0 * uncertainty && agreement >= most_agree &&
@@ -245,7 +245,7 @@ std::optional<Skew> estimate_skew(CycleView const& of, Properties const& propert
                               .tip_mm = smooth.empty() ? raw_tip : value_at(smooth, at),
                               .reach_mm = 0.15 * cycle->amplitude_mm,
                               .friction_kN = upper ? friction_kN : -friction_kN};
-      // Smoothing makes corners of a hold that noise hides. They show because little noise is left.
+      // Leaves out holds. A hold that noise hides shows in the smoothed displacement, in which little noise is left.
       if (held_at_extreme(of.disp_mm, *cycle, upper, noise) ||
           is_held(view.disp_mm, at, reversal.tip_mm, *cycle, left_of_noise))
         continue;
@@ -269,11 +269,11 @@ std::optional<Skew> estimate_skew(CycleView const& of, Properties const& propert
   double const sampling =
       view.time_s.empty() ? 1.0
                           : (view.time_s.back() - view.time_s.front()) / static_cast<double>(view.time_s.size() - 1);
-  // Friction changes its sign between two samples, so that half an interval is uncertain.
+  // Friction changes its sign between two samples, which makes half an interval uncertain.
   double const least = (friction_kN != 0.0 ? 0.5 : 0.1) * sampling;
   auto const found = skew_of(of_wide, least);
   auto const near = skew_of(of_narrow, least);
-  // The windows have different errors: the loop's shape disturbs the wide one only, noise disturbs the narrow one more.
+  // The shape of the loop disturbs only the fit in the wide window. Noise disturbs the narrow window more.
   if (!near || !found) return near ? near : found;
   double const apart = std::abs(near->phase - found->phase);
   double const unsure = std::abs(near->uncertainty * near->phase / near->force_late);

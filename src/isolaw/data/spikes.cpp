@@ -11,20 +11,20 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double least_spike = 0.04;       // fraction of the half range; a true record has kinks of 3 % in a sample
+constexpr double least_spike = 0.04;       // fraction of the half range; true records have kinks of 3 % in a sample
 constexpr double spike_deviations = 13.0;  // standard deviations of the noise
 constexpr double spike_quanta = 2.5;
-// Ratio to the rms distance of the neighbours from a cubic through them. A corner has a ratio of 7.4, a step of 5.6.
+// Distance of a spike from the cubic through its neighbours, over theirs (rms). A corner has 7.4, a step has 5.6.
 constexpr double spike_contrast = 10.0;
-constexpr double edge_contrast = 2.0;      // times spike_contrast at the ends, where the neighbours are on one side
-constexpr double on_one_side = 0.5;        // fraction of a spike; a sample closer to the line of two neighbours is none
-constexpr double beyond_others = 1.25;     // times the size that more than `fewest_others` samples reach
-constexpr std::size_t fewest_others = 24;  // if more samples have a spike's shape, the signal is like that
+constexpr double edge_contrast = 2.0;   // times spike_contrast near an end, where most neighbours are on one side
+constexpr double on_one_side = 0.5;     // fraction of a spike's size; closer to the neighbours' line is no spike
+constexpr double beyond_others = 1.25;  // times the size that many samples of a spike's shape reach; a spike is larger
+constexpr std::size_t fewest_others = 24;  // if more samples look like spikes, the signal itself is rough
 constexpr std::size_t samples_an_other = 75;
-constexpr std::size_t fewest_texture = 6;     // up to this number they are always reported
-constexpr std::size_t samples_a_spike = 150;  // if more than one in 150 samples is a spike, the signal is like that
+constexpr std::size_t fewest_texture = 6;     // so few spikes are always reported
+constexpr std::size_t samples_a_spike = 150;  // if more than one in 150 samples is a spike, the signal itself is rough
 
-// `expected` comes from a cubic through six neighbours (least squares); `left` is the rms of its residuals.
+// `expected` is the value of a cubic through six neighbours (least squares); `left` is their rms distance from it.
 struct Neighbours {
   double expected = 0.0;
   double left = 0.0;
@@ -42,7 +42,7 @@ Neighbours neighbours_of(std::span<double const> x, std::size_t i) {
     rows[row] = {1.0, at, at * at, at * at * at};
     values[row++] = x[k] - x[i];
   }
-  // Makes each column orthogonal to the columns before it, from the highest power down.
+  // Least squares: makes each column orthogonal to those before it, from the highest power down.
   std::array<double, count> ones{};
   ones.fill(1.0);
   std::array<std::size_t, 3> const powers{3, 2, 1};
@@ -101,13 +101,13 @@ std::vector<Spike> spikes(std::span<double const> values) {
   double const least = std::max({least_spike * half_range, spike_deviations * noise_deviation(values),
                                  spike_quanta * smallest_step(values, 2.0 * half_range)});
   std::vector<Spike> found;
-  std::vector<double> others;  // distances of samples that have a spike's shape, also of smaller ones
+  std::vector<double> others;  // distance of each sample that looks like a spike, small ones too
   for (std::size_t i = 1; i + 1 < values.size(); ++i) {
-    // A cheap test comes first: most samples lie between their neighbours.
+    // A cheap test spares the fit for most samples, which lie between their neighbours.
     if (std::abs(values[i] - (values[i - 1] + values[i + 1]) / 2.0) <= least / 4.0) continue;
     auto const neighbours = neighbours_of(values, i);
     double const off = std::abs(values[i] - neighbours.expected);
-    // A sample beside a jump or a corner lies on the line through two samples before it or after it.
+    // A sample beside a jump or a corner is no spike. It lies on the line through two samples before or after it.
     auto const on_line = [&](std::size_t near, std::size_t far) {
       return std::abs(values[i] - (2.0 * values[near] - values[far])) < on_one_side * off;
     };

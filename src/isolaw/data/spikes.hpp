@@ -1,4 +1,4 @@
-// Finds single samples that are far from their neighbours.
+// Finds spikes: single samples that are far from their neighbours.
 #pragma once
 
 #include <cstddef>
@@ -13,12 +13,12 @@ struct Spike {
 };
 std::vector<Spike> spikes(std::span<double const> values);
 
-// Whether other turns look like the spike, which is then no fault: the force may jump at a turn, and a sample in the
-// jump is far from its neighbours. `turns` are samples at which displacement turns; `all` are the spikes of the force.
+// Whether other turns look like the spike, which is then no fault. The force of a device may jump at each turn, and a
+// sample in the jump is far from its neighbours. Displacement turns at `turns`; `all` are the spikes of the force.
 bool is_of_every_turn(Spike const& spike, std::vector<Spike> const& all, std::span<double const> force,
                       std::span<std::size_t const> turns);
 
-// The resolution of a digitiser or a file's digits. At most `range`.
+// The smallest step between two values: the resolution of a digitiser or of a file's digits. At most `range`.
 double smallest_step(std::span<double const> values, double range);
 
 }  // namespace isolaw::data

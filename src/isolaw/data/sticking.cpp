@@ -13,12 +13,12 @@ namespace isolaw::data {
 namespace {
 
 constexpr std::size_t least_stretch = 4;  // samples
-constexpr double least_missed = 0.02;     // times the half range
+constexpr double least_missed = 0.02;     // times the half range; a stuck channel misses more motion
 constexpr double missed_quanta = 4.0;
-constexpr double least_jump = 2.0;      // times the step of the motion in a sampling interval
-constexpr double least_advance = 0.1;   // times the force of the missed motion
-constexpr double most_stretches = 0.3;  // share of the samples; a slow channel repeats more of them
-constexpr double force_stands = 0.05;   // times the half range of displacement; a stuck force lasts longer
+constexpr double least_jump = 2.0;      // times the usual step in a sampling interval; a stuck channel jumps by more
+constexpr double least_advance = 0.1;   // times stiffness times missed motion; force meanwhile changes by more
+constexpr double most_stretches = 0.3;  // fraction of the samples; a slow channel repeats more values
+constexpr double force_stands = 0.05;   // times the half range; displacement moves by more while the force is stuck
 
 class Sticking {
  public:
@@ -68,7 +68,7 @@ class Sticking {
     double const floor = std::max({0.01 * pair_.force.half_range, 6.0 * pair_.force.noise, 3.0 * pair_.force.quantum});
     if (!(*largest - *least > floor)) return false;
     double advance = 0.0;
-    // A rest at the end of the record may begin a little earlier in displacement than in force.
+    // When the device comes to rest at the record's end, displacement may stop a little before the force.
     auto const late =
         run.last + 1 == pair_.size() ? std::min(run.size() - 1, std::max<std::size_t>(2, pair_.half_cycle / 12)) : 0;
     auto const way = std::min(run.first, std::clamp<std::size_t>(pair_.half_cycle / 16, 2, 8));
@@ -111,7 +111,7 @@ class Sticking {
     return runs;
   }
 
-  // Finds stretches of noise that end in a jump of this channel only. A device that yields, rests or slips moves both.
+  // Finds stretches of noise that end in a jump of `stands` alone. A device that yields, rests or slips moves both.
   std::vector<SampleRange> stuck_in_noise(Signal const& stands, Signal const& other, double least_part) const {
     double const noise = std::hypot(stands.noise, 0.3 * stands.quantum);
     if (!(noise > same_value * stands.half_range)) return {};
@@ -138,8 +138,8 @@ class Sticking {
     return found;
   }
 
-  // Whether the force is clearly different when the motion passes this displacement at other times. A device with play,
-  // or one that yields and stiffens again, keeps the same force in every cycle.
+  // Whether the force differs clearly when the motion passes this displacement at other times. The force of a device
+  // with play, or of one that yields and stiffens again, is the same in every cycle.
   bool is_elsewhere(SampleRange const& run) const {
     auto const lag = std::max<std::size_t>(2, pair_.half_cycle / 48);
     double const at = pair_.disp.x[run.last - lag], way = pair_.disp.x[run.last] - at;
@@ -159,7 +159,7 @@ class Sticking {
     std::vector<std::size_t> first;
     std::size_t longest = 0;
     auto const keep = [&](SampleRange const& run) {
-      // A stretch of half a cycle does not come from a slow channel.
+      // Counts stretches that a slow channel may cause: it repeats values for less than half a cycle.
       if (run.size() < pair_.half_cycle) covered += run.size();
       first.push_back(run.first);
       longest = std::max(longest, run.size());
@@ -171,7 +171,7 @@ class Sticking {
     add("displacement", "mm", first, pair_.disp.x[first.front()], longest);
   }
 
-  // The device has play if the stretch has no force and begins near a reversal or without a jump.
+  // Whether the device has play: the stretch has no force, and begins near a reversal or without a jump.
   bool is_backlash(SampleRange const& run, std::size_t lag) const {
     double const noise = 5.0 * pair_.force.noise + pair_.force.quantum;
     if (std::abs(mean_of(pair_.force.x, run.first, run.last + 1)) > noise) return false;
@@ -202,7 +202,7 @@ class Sticking {
       auto const end = begin + static_cast<std::ptrdiff_t>(run.size());
       auto const [low, high] = std::minmax_element(begin, end);
       if (!(*high - *low > least)) continue;
-      // How far the motion goes out and back within the stretch. Yielding would have ended at the turn.
+      // How far the motion goes out and back in the stretch. If the device yielded, the stretch would end at the turn.
       double const there_and_back =
           std::max(std::min(*high - *begin, *high - *(end - 1)), std::min(*begin - *low, *(end - 1) - *low));
       auto const lag = std::max<std::size_t>(2, pair_.half_cycle / 48);
@@ -219,7 +219,7 @@ class Sticking {
                                              missed_quanta * pair_.force.quantum,
                                              least_jump * std::max(std::abs(before), std::abs(after))});
       }
-      // A rest at one end of the record may last a little longer in one channel than in the other.
+      // When the device rests at an end of the record, one channel may stand a little longer than the other.
       bool const at_an_end = run.first == 0 || run.last + 1 == pair_.size();
       if (stuck && !(at_an_end && *high - *low < pair_.disp.half_range)) keep(run);
     }

@@ -1,4 +1,4 @@
-// Finds channels that keep one value while the other channel goes on. Rest, yielding, slip and play are no faults.
+// Finds channels that keep one value while the other channel moves. Rest, yielding, slip and play are no faults.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace isolaw::data {
 
-// A clipped channel is not examined.
+// Leaves out a channel that is clipped.
 std::vector<SignalFault> stuck_channels(SignalPair const& pair, bool clipped_disp, bool clipped_force);
 
 }  // namespace isolaw::data

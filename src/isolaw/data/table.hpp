@@ -1,4 +1,4 @@
-// The common form of all file formats before their values are read: named columns, and rows with a place in the file.
+// The common form of all file formats before their values are read: named columns, and rows that know their place.
 #pragma once
 
 #include <cstddef>
@@ -18,15 +18,15 @@ namespace isolaw::data {
 inline constexpr std::size_t most_columns = 1000;
 inline constexpr std::size_t most_tests = 1000;
 
-// Values are in the units of the file.
+// The rows that were read, in the units of the file.
 struct Rows {
   std::vector<RawChannel> channels;
-  std::vector<std::size_t> numbers;  // place of each sample, counted from 1: line, row of the sheet, element
+  std::vector<std::size_t> numbers;  // number of each sample's line, sheet row or element, from 1
   std::size_t comments = 0;          // comment lines among the rows
-  std::size_t of = 0;                // number of all rows, also of those not asked for
+  std::size_t of = 0;                // number of all rows in the file, also of those not asked for
   std::vector<Finding> recognised;
-  std::optional<double> origin_s;  // zero of the time, if it was read from stamps
-  bool dated = false;              // origin_s counts from 1970; else from midnight
+  std::optional<double> origin_s;  // time stamp at time zero, if the file has time stamps
+  bool dated = false;              // origin_s is in s from 1970; else from midnight
 };
 struct RowChoice {
   RowRange range;
@@ -42,22 +42,22 @@ class Table {
   Table(Table const&) = delete;
   Table& operator=(Table const&) = delete;
 
-  // "d01.csv", "d01.xlsx:Sheet1", "d01.json:data"; messages put a row's number behind it.
+  // The table's place for messages, which add a row's number: "d01.csv", "d01.xlsx:Sheet1", "d01.json:data".
   std::string const& place() const { return place_; }
   Header const& header() const { return header_; }
   std::size_t columns() const { return columns_; }
-  // Number of the test's first row, the header included.
+  // Number of the line or row at which the test starts, its header included.
   std::size_t start() const { return start_; }
-  // Names the test among others of its file, if the start row is not enough: "tests(2) 'B'".
+  // The test's name among those of its file if `start` does not tell them apart: "tests(2) 'B'".
   std::string const& title() const { return title_; }
   ParticularList const& particulars() const { return particulars_; }
 
-  // "d01.mat:dist", if columns have places of their own.
+  // The place of a column for messages, such as "d01.mat:dist".
   virtual std::string place_of(std::size_t /*column*/) const { return place_; }
   virtual std::vector<Finding> recognised() const = 0;
-  // Complaints about the table as a whole.
+  // Adds complaints about the table as a whole.
   virtual void check(std::vector<Complaint>& /*complaints*/) const {}
-  // Complains of cells that are no number. Throws Error if nothing can be read at all.
+  // Adds complaints about cells that are no number. Throws Error if it can read nothing at all.
   virtual Rows read(Columns const& columns, RowChoice const& choice, std::vector<Complaint>& complaints) const = 0;
 
  protected:
@@ -70,12 +70,12 @@ class Table {
 };
 
 struct Tests {
-  std::vector<std::unique_ptr<Table>> tables;   // at least one if a file was read
-  std::vector<std::string> sheets;              // the parts of the file that hold tables, if it has parts
-  std::optional<std::string> sheet;             // the sheet of these tables, if there are several
-  std::vector<Finding> recognised;              // about the file as a whole
-  ParticularList particulars;                   // from sheets without tables
-  std::vector<std::string> sheets_passed_over;  // with rows of numbers, but without the name of any channel
+  std::vector<std::unique_ptr<Table>> tables;   // one for each test; at least one if a file was read
+  std::vector<std::string> sheets;              // names of the file's parts with tables, if it has parts
+  std::optional<std::string> sheet;             // the part that `tables` are from, if there are several
+  std::vector<Finding> recognised;              // findings about the file as a whole
+  ParticularList particulars;                   // facts about the device from sheets without tables
+  std::vector<std::string> sheets_passed_over;  // sheets with rows of numbers that name no channel
 };
 
 }  // namespace isolaw::data

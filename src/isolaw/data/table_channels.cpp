@@ -47,7 +47,7 @@ void describe_rows(Rows const& rows, Header const& header, TestRecord const& rec
                                 record.layout.dt_s && !of_header ? "--dt" : ""));
 }
 
-// Time counts from the first row of the file, whichever part of it is read.
+// The time of a sample in a file without time. Zero is the file's first row, even if --rows leaves it out.
 double time_of_row(std::size_t sample, ReadOptions const& options) {
   return static_cast<double>(sample + options.rows.value_or(RowRange{}).first - 1) * *options.dt_s;
 }

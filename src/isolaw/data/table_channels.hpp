@@ -1,4 +1,4 @@
-// Makes the channels of a record from a table, in the record's units.
+// Makes a record's channels, in its units, from the columns of a table.
 #pragma once
 
 #include <optional>
@@ -9,13 +9,13 @@
 
 namespace isolaw::data {
 
-// Another file's first time stamp, if --from and --to count from it.
+// The time stamp, in the first of several files, from which --from and --to count.
 struct FirstStamp {
   double since_s = 0.0;
   bool dated = false;
 };
 
-// `record` already holds the facts about the file. Throws Error with every problem found.
+// `record` already holds the file's name and hash. Throws Error with every problem found.
 RecordPart read_channels(Tests const& tests, Table const& table, TestRecord record, ReadOptions const& options,
                          Wanted wanted, std::optional<FirstStamp> const& origin = {});
 

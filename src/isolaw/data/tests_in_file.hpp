@@ -1,4 +1,4 @@
-// Recognises the format of a file and chooses the table with the test that is asked for.
+// Recognises the format of a file, and chooses the table that holds the wanted test.
 #pragma once
 
 #include <cstddef>
@@ -16,15 +16,15 @@ namespace isolaw::data {
 Tests open_tests(std::string_view bytes, std::string const& file, ReadOptions const& options,
                  Wanted wanted = Wanted::test());
 
-// Options without an effect on this file. They are refused and not ignored, because the user meant something by them.
+// Options that have no effect on this file. They are refused, because the user expects an effect.
 std::vector<std::string> idle_options(std::string_view bytes, ReadOptions const& options);
 void refuse_idle(std::vector<std::string> const& idle, std::string const& file);
-// Whether --columns names the displacement and, if a force is wanted, the force: these then need not be recognised.
+// Whether --columns names displacement, and force if it is wanted, so that neither need be recognised.
 bool columns_are_told(ReadOptions const& options, Wanted wanted);
 
 void require_one_sheet(Tests const& tests, std::string const& file, ReadOptions const& options, Wanted wanted);
 
-// Positions in tests.tables. Throws Error if several tests are possible and the options choose none.
+// Positions of the chosen tests in tests.tables. Throws Error if there are several and the options choose none.
 std::vector<std::size_t> chosen_tests(Tests const& tests, std::string const& file, ReadOptions const& options);
 
 }  // namespace isolaw::data

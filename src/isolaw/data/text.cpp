@@ -91,7 +91,7 @@ void append_utf8(std::string& text, std::uint32_t code) {
   }
 }
 
-// Windows-1252 differs from Latin-1 in 0x80 to 0x9F; the five unassigned bytes become the replacement character.
+// The character of a Windows-1252 byte. 0x80 to 0x9F differ from Latin-1; five are unassigned and become U+FFFD.
 std::uint32_t windows_1252(unsigned char byte) {
   constexpr std::array<std::uint16_t, 32> high{0x20AC, 0xFFFD, 0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021,
                                                0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0xFFFD, 0x017D, 0xFFFD,
@@ -100,11 +100,11 @@ std::uint32_t windows_1252(unsigned char byte) {
   return byte >= 0x80 && byte < 0xA0 ? high[byte - 0x80u] : byte;
 }
 
-// Base letters of U+00C0 to U+00FF; a blank where there is none.
+// The letters U+00C0 to U+00FF without their accents; a blank if that is no letter.
 constexpr std::string_view latin_letters = "AAAAAAACEEEEIIIIDNOOOOO OUUUUY saaaaaaaceeeeiiiidnooooo ouuuuy y";
 static_assert(latin_letters.size() == 64);
 
-// Base letters of the Turkish letters outside Latin-1; a blank for others.
+// A Turkish letter outside Latin-1 without its accent; a blank for any other character.
 char turkish_letter(unsigned char lead, unsigned char second) {
   if (lead == 0xC4)
     return second == 0x9E ? 'G' : second == 0x9F ? 'g' : second == 0xB0 ? 'I' : second == 0xB1 ? 'i' : ' ';
@@ -117,10 +117,10 @@ bool is_turkish_lead(unsigned char byte) {
 
 std::optional<std::string> converted(std::string_view bytes, char const* encoding) {
   iconv_t converter = iconv_open("UTF-8", encoding);
-  // musl's iconv, which a browser uses, lacks this name.
+  // musl's iconv, which the page uses in a browser, knows CP932 only as SHIFT_JIS.
   if (converter == reinterpret_cast<iconv_t>(-1) && std::string_view(encoding) == "CP932")
     converter = iconv_open("UTF-8", "SHIFT_JIS");
-  if (converter == reinterpret_cast<iconv_t>(-1)) return std::nullopt;  // not on this system
+  if (converter == reinterpret_cast<iconv_t>(-1)) return std::nullopt;  // this system lacks the encoding
   std::string text;
   std::array<char, 4096> buffer;
   auto* in = const_cast<char*>(bytes.data());
@@ -145,7 +145,7 @@ std::optional<LegacyText> decode_legacy(std::string_view bytes, bool (*names_cha
     std::string_view shown;
   };
   for (auto const& [name, shown] : {Encoding{"CP932", "Shift-JIS"}, Encoding{"CP1254", "Windows-1254 (Turkish)"}}) {
-    constexpr std::size_t head = 16384;  // the names are at the top; cut at the end of a line
+    constexpr std::size_t head = 16384;  // bytes that hold the names of channels; the cut is at the end of a line
     auto const cut = bytes.size() <= head ? bytes.size() : bytes.find_last_of("\n\r", head);
     auto const top = converted(bytes.substr(0, cut == std::string_view::npos ? head : cut), name);
     if (!top || !names_channels(*top)) continue;
@@ -192,7 +192,7 @@ Lines split_lines(std::string_view bytes) {
   Lines text;
   text.byte_order_mark = bytes.starts_with("\xEF\xBB\xBF");
   if (text.byte_order_mark) bytes.remove_prefix(3);
-  if (bytes.ends_with('\x1A')) bytes.remove_suffix(1);  // end-of-file mark of old acquisition programs
+  if (bytes.ends_with('\x1A')) bytes.remove_suffix(1);  // old acquisition programs end a file with this mark
   text.windows_1252 = !is_utf8(bytes);
   while (!bytes.empty()) text.lines.push_back(take_line(bytes));
   return text;

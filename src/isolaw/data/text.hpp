@@ -1,5 +1,4 @@
-// Splits a file's bytes into lines. Bytes that are not UTF-8 are read as Windows-1252, which laboratories on Windows
-// write.
+// Splits a file's bytes into lines. Bytes that are not UTF-8 are read as Windows-1252, the usual encoding on Windows.
 #pragma once
 
 #include <cstddef>
@@ -21,20 +20,20 @@ inline constexpr std::size_t longest_line = 32'768;  // bytes
 
 // Throws Error if the file does not exist, is no plain file, cannot be read, or exceeds largest_file_bytes.
 std::string load_text(std::filesystem::path const& file);
-// nullopt without the byte order mark of UTF-16, or if the bytes are not valid.
+// UTF-16 as UTF-8. nullopt if the bytes have no byte order mark of UTF-16, or are not valid.
 std::optional<std::string> decode_utf_16(std::string_view bytes);
-// Throws Error when the bytes are no text to read: empty, binary, above most_lines or longest_line.
+// Throws Error if the bytes are empty, are binary, or exceed most_lines or longest_line.
 void check_text(std::string const& where, std::string_view bytes);
 
 struct Lines {
-  std::vector<std::string_view> lines;  // without line ends; line number = index + 1; views into the bytes
+  std::vector<std::string_view> lines;  // views into the bytes, without line ends; line number = index + 1
   bool byte_order_mark = false;
-  bool windows_1252 = false;  // there are bytes that are no UTF-8
+  bool windows_1252 = false;  // some bytes are not UTF-8
 };
-// Line ends are LF, CRLF or CR, also mixed.
+// Lines may end with LF, CRLF or CR in the same file.
 Lines split_lines(std::string_view bytes);
 
-// Text in Shift-JIS (Japan) or Windows-1254 (Turkey) as UTF-8, if `names_channels` then finds a channel's name in it.
+// Text converted from Shift-JIS or Windows-1254 (Turkish), if `names_channels` then finds a channel's name in it.
 struct LegacyText {
   std::string utf8;
   std::string_view encoding;
@@ -43,11 +42,11 @@ std::optional<LegacyText> decode_legacy(std::string_view bytes, bool (*names_cha
 
 std::string to_utf8(std::string_view bytes);
 
-// ASCII only: "Déplacement" -> "Deplacement", other characters replaced by blanks. Keeps case.
+// Turns text into ASCII: "Déplacement" -> "Deplacement". Other characters become blanks. Keeps upper and lower case.
 std::string without_accents(std::string_view utf8);
-// Whether there are letters of Turkish that Windows-1252 lacks.
+// Whether the text has Turkish letters that Windows-1252 lacks.
 bool has_turkish_letters(std::string_view utf8);
-// 'text' for a message, cut to a readable length, control characters spelled out.
+// The text in quotes for messages, cut to a readable length, with control characters spelled out.
 std::string in_quotes(std::string_view bytes);
 
 }  // namespace isolaw::data

@@ -18,7 +18,7 @@ namespace isolaw::data {
 namespace {
 
 struct Page {
-  std::string owned;  // set for a worksheet
+  std::string owned;  // the text of a worksheet, which `lines` points into; else empty
   Lines text;
   Dialect dialect;
   std::optional<Exporter> exporter = {};
@@ -70,7 +70,7 @@ class RowReader {
   }
 
  private:
-  // Removes text below the rows, such as statistics, a signature or "End of data".
+  // Removes text below the rows, such as statistics, a signature or "End of data", or complains of it.
   void take_footer_off(std::vector<Complaint>& complaints) {
     auto const is_open = [&](std::size_t i) {
       return is_comment(lines_[i]) || is_blank(lines_[i], dialect_.delimiter);
@@ -100,7 +100,7 @@ class RowReader {
                    fmt::format("below the rows, {} {} text, {}{}, and left out (--footer skip)", where,
                                count == 1 ? "is" : "are", text, count == 1 ? "" : " and so on"),
                    "--footer"));
-    else if (!choice_.range.last)  // a range ends before the text
+    else if (!choice_.range.last)  // a range from --rows ends above the text
       complaints.push_back(
           {fmt::format("{}:{}", place_, first + 1), fmt::format("text below the rows of numbers, {}: {}", where, text),
            "rows of numbers to the end of the file", "--footer skip, which leaves it out and the file as it is"});
@@ -119,12 +119,12 @@ class RowReader {
       digits = digits || cells_[i].find_first_of("0123456789") != std::string_view::npos;
       statistics = statistics || (word && is_statistic(cells_[i]));
     }
-    // A lone number may be a count of the rows, or a broken row: it counts as text only if the user skips the footer.
+    // A lone number may be a count of rows or a broken row. It counts as text only if the user skips the footer.
     if (!as_wide) return words || !digits || (choice_.skip_footer && cells_.size() == 1);
     if (statistics) return true;
     auto const reads = std::ranges::count_if(indices_, [&](auto k) { return is_value(cells_[k]); });
     if (static_cast<std::size_t>(reads) == indices_.size()) return false;
-    if (dialect_.sheet && reads > 0) return false;  // an error, or a formula without its value
+    if (dialect_.sheet && reads > 0) return false;  // a row with an error or an unsaved formula is no footer
     return (first_is_word && words) || !digits;
   }
 
@@ -204,7 +204,7 @@ class RowReader {
       auto const parsed = parse_cell(cell, dialect_.format());
       row_[k] = parsed.value;
       if (parsed.kind == CellKind::number) continue;
-      if (good) report_cell(i, k, cell, parsed.kind);  // one complaint per row
+      if (good) report_cell(i, k, cell, parsed.kind);  // only the first bad cell of a row
       good = false;
     }
     if (!good) return;
@@ -290,13 +290,13 @@ class RowReader {
   Dialect const& dialect_;
   Header const& header_;
   RowChoice const& choice_;
-  std::optional<std::size_t> stamped_;      // position of the channel that is read from time stamps
-  bool serial_ = false;                     // the stamps are days of a spreadsheet
-  std::optional<std::size_t> date_column_;  // the dates that belong to times of day
+  std::optional<std::size_t> stamped_;      // position in `indices_` of the channel that is read from time stamps
+  bool serial_ = false;                     // the stamps are a spreadsheet's days
+  std::optional<std::size_t> date_column_;  // the column with the dates of the times of day
   std::vector<Stamp> stamps_;
-  std::optional<bool> in_threes_;     // computed once
-  std::vector<std::size_t> indices_;  // columns wanted
-  std::size_t row_count_ = 0;         // counted when a row is refused
+  std::optional<bool> in_threes_;
+  std::vector<std::size_t> indices_;  // columns of the wanted channels
+  std::size_t row_count_ = 0;         // number of rows, once a row has been refused
   std::vector<std::string_view> cells_;
   std::vector<double> row_;
   Rows rows_;
@@ -351,7 +351,7 @@ class TextTable : public Table {
     return decisions;
   }
 
-  // Whole numbers separated by commas without names may be decimals with a comma: "1,5,2,0".
+  // Complains of whole numbers without names, separated by commas: "1,5,2,0" may be two numbers with decimal commas.
   void check(std::vector<Complaint>& complaints) const override {
     auto const& dialect = page_->dialect;
     if (dialect.delimiter != ',' || dialect.decimal_seen || !header_.names.empty() || header_.mismatch ||
@@ -416,7 +416,7 @@ Dialect require_dialect(std::string const& file, std::span<std::string_view cons
               : "export displacement and force as CSV"});
 }
 
-// Whether a cell is a channel's name in Turkish or Japanese, which shows that the encoding is right.
+// Whether a cell names a channel in Turkish or Japanese, which shows that the text was decoded correctly.
 bool has_foreign_names(std::string_view utf8) {
   std::string word;
   auto const ends = [](char c) { return c == ';' || c == ',' || c == '\t' || c == '\n' || c == '\r' || c == '"'; };

@@ -1,4 +1,4 @@
-// Reads tables written as lines of cells: delimited text, and the rows of a worksheet brought into the same form.
+// Reads tables that are lines of cells: delimited text, and worksheets, whose rows are written as such lines first.
 #pragma once
 
 #include <optional>
@@ -11,13 +11,13 @@ namespace isolaw::data {
 
 struct TextOptions {
   std::optional<char> thousands = {};  // the mark that groups digits
-  bool one_column = false;             // a single column of numbers will do
+  bool one_column = false;             // one column of numbers is enough
 };
 
-// Throws Error when there are no rows of numbers. `bytes` must outlive the tests.
+// `bytes` must outlive the result. Throws Error if there are no rows of numbers.
 Tests text_tests(std::string_view bytes, std::string const& file, TextOptions const& options = {});
 
-// One row a line, cells separated by tabs, decimal points. Empty `tables` if the sheet holds no rows of numbers.
+// `rows` has a line for each row, with tabs and decimal points. `tables` is empty if the sheet has no rows of numbers.
 Tests sheet_tests(std::string rows, std::string const& place);
 
 }  // namespace isolaw::data

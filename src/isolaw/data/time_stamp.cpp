@@ -14,7 +14,7 @@ namespace isolaw::data {
 namespace {
 
 constexpr double day_s = 86400.0;
-constexpr long spreadsheet_epoch = -25569;  // 1899-12-30, from which spreadsheets count, after 1900-02-28
+constexpr long spreadsheet_epoch = -25569;  // 1899-12-30, from which spreadsheets count the days after 1900-02-28
 
 std::optional<long> days_of(int year, int month, int day) {
   std::chrono::year_month_day const date{std::chrono::year{year}, std::chrono::month{static_cast<unsigned>(month)},
@@ -71,7 +71,7 @@ std::optional<int> month_of(std::string const& word) {
   return found == names.end() ? std::nullopt : std::optional(static_cast<int>(found - names.begin()) + 1);
 }
 
-// 2024-05-02, 2024/05/02, 20240502, 02.05.2024, 05/02/24, 02-May-2024
+// Reads a date: 2024-05-02, 2024/05/02, 20240502, 02.05.2024, 05/02/24, 02-May-2024
 bool take_date(StampText& text, Stamp& stamp) {
   auto const lead = text.digits(1, 8);
   if (!lead) return false;
@@ -133,7 +133,7 @@ bool take_zone(StampText& text, Stamp& stamp) {
   return text.done();
 }
 
-// 10:00:00.250, 10:00:00:250, 100000.25 behind an undivided date, 10:00:00 PM, 10:00; 59:59.5 without hours
+// Reads a time of day: 10:00:00.250, 10:00:00:250, 10:00:00 PM, 59:59.5 (no hours); 10:00 or 100000.25 after a date
 bool take_clock(StampText& text, Stamp& stamp) {
   auto const lead = text.digits(1, 6);
   if (!lead) return false;
@@ -159,12 +159,12 @@ bool take_clock(StampText& text, Stamp& stamp) {
         if (!thousandths) return false;
         seconds += *thousandths / 1000.0;
       }
-    } else if (text.take('.') || text.take(',')) {  // minutes and seconds
+    } else if (text.take('.') || text.take(',')) {  // 59:59.5 has minutes and seconds only
       seconds = minutes + text.fraction();
       minutes = hours;
       hours = 0.0;
     } else if (!stamp.dated) {
-      return false;  // 10:30 alone may be hours and minutes or minutes and seconds
+      return false;  // without a date, 10:30 may also be minutes and seconds
     }
   }
   text.skip_blanks();
@@ -180,7 +180,7 @@ bool take_clock(StampText& text, Stamp& stamp) {
   return take_zone(text, stamp);
 }
 
-// Japanese writes year, month and day (hour, minute, second) behind their numbers.
+// Replaces the Japanese characters for year, month, day, hour, minute and second by the usual separators.
 std::string without_japanese(std::string_view cell) {
   constexpr std::pair<std::string_view, std::string_view> signs[]{{"\xE5\xB9\xB4", "-"}, {"\xE6\x9C\x88", "-"},
                                                                   {"\xE6\x97\xA5", " "}, {"\xE6\x99\x82", ":"},
@@ -238,7 +238,7 @@ struct DatesRead {
   std::vector<double> times;
   DateOrder order = DateOrder::day_first;
   std::string why;
-  bool in_either_order = false;  // both orders give the same times, but the first date is open
+  bool in_either_order = false;  // both orders give the same times; only the first date is uncertain
 };
 
 class DateReader {
@@ -284,7 +284,7 @@ class DateReader {
     return "which alone makes dates of all of them";
   }
 
-  // Takes the order in which the times rise in short steps, if the other order makes them go back or leap by days.
+  // Takes the order of dates in which times rise in short steps, if in the other order they go back or leap by days.
   std::optional<DatesRead> by_sequence(std::vector<double> day_first, std::vector<double> month_first) {
     constexpr double step_of_a_record_s = 12.0 * 3600.0;
     auto const fits = [&](std::vector<double> const& times) {
@@ -329,7 +329,7 @@ class DateReader {
   std::vector<Complaint>& complaints_;
 };
 
-// A time of day that goes back by more than half a day is past midnight.
+// Fills in `times`. Where the time of day goes back by more than half a day, midnight has passed.
 std::size_t count_midnights(std::span<Stamp const> stamps, std::vector<double>& times) {
   std::size_t midnights = 0;
   for (std::size_t i = 0; i < stamps.size(); ++i) {
@@ -339,7 +339,7 @@ std::size_t count_midnights(std::span<Stamp const> stamps, std::vector<double>& 
   return midnights;
 }
 
-// A logger that writes whole seconds gives many rows the same stamp.
+// Refuses stamps that many rows share, as of a logger that writes whole seconds.
 bool refuse_coarse(std::vector<double> const& times, std::string const& where, std::vector<Complaint>& complaints) {
   std::size_t repeated = 0;
   for (std::size_t i = 1; i < times.size(); ++i) repeated += times[i] == times[i - 1] ? 1u : 0u;

@@ -18,16 +18,16 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double usual_low = 0.3;  // share of the largest load of the loading that counts
-constexpr int usual_loading = 3;   // or the last if there are fewer
-constexpr double same_peak = 0.9;  // share of the largest load; a loading with a lower peak is left out
-constexpr double reversal = 0.1;   // share of the range of the load; less is noise, or a hold
-constexpr double reached = 0.998;  // share of its largest load at which a loading has ended: a held load creeps on
-constexpr double near_range_end = 0.02;  // share of the upper load, by which a machine may miss it
+constexpr double usual_low = 0.3;        // fraction of the largest load: lower end of the usual range
+constexpr int usual_loading = 3;         // the loading that is used, or the last if there are fewer
+constexpr double same_peak = 0.9;        // fraction of the largest load; a loading with a lower peak is ignored
+constexpr double reversal = 0.1;         // fraction of the load's range; a smaller reversal is noise or a hold
+constexpr double reached = 0.998;        // fraction of its peak at which a loading ends, before the held load creeps
+constexpr double near_range_end = 0.02;  // fraction of the upper load by which a machine may miss the range
 struct Loading {
   std::size_t first = 0, last = 0;
 };
-// Both signals, turned so that compression is positive.
+// Displacement and load, with signs turned so that compression is positive.
 struct Compression {
   std::vector<double> disp_mm, load_kN;
   std::vector<std::string> turned;
@@ -60,8 +60,8 @@ Compression compression_of(VerticalTest const& test) {
   return compression;
 }
 
-constexpr double noise_left = 0.0005;         // share of the range; averaging leaves no more noise
-constexpr std::size_t least_of_loading = 10;  // a loading is at least this many averages long
+constexpr double noise_left = 0.0005;         // fraction of the range; averaging reduces noise to this
+constexpr std::size_t least_of_loading = 10;  // averaging windows in a loading, at least
 
 std::vector<double> averaged(std::vector<double> const& x, std::size_t half) {
   std::vector<double> sums(x.size() + 1, 0.0), averages(x.size());
@@ -73,7 +73,7 @@ std::vector<double> averaged(std::vector<double> const& x, std::size_t half) {
   return averages;
 }
 
-// The loadings that nearly reach the largest load, also one in which the record ends. A reversal is larger than noise.
+// All loadings that nearly reach the largest load, also one in which the record ends. Ignores small reversals.
 std::vector<Loading> all_loadings(std::vector<double> const& load) {
   auto const [least, largest] = std::ranges::minmax(load);
   double const step = reversal * (largest - least);
@@ -100,8 +100,8 @@ std::size_t counting_among(std::vector<Loading> const& loadings) {
   return std::min(static_cast<std::size_t>(usual_loading), loadings.size()) - 1;
 }
 
-// Noise makes the device look stiffer, by 2 to 7 % for 1 % of noise: the largest load lies above the true one, and
-// noisy samples cross a limit early. The same averaging of both channels keeps the slope.
+// Averages both channels alike, which keeps the slope. Noise of 1 % would make the device look 2 to 7 % stiffer: the
+// largest load lies above the true one, and noisy samples cross a limit early.
 Compression without_noise(Compression compression) {
   auto const loadings = all_loadings(compression.load_kN);
   if (loadings.empty()) return compression;
@@ -133,7 +133,7 @@ struct Secant {
   double K_v() const { return (high.load_kN - low.load_kN) / (high.disp_mm - low.disp_mm); }
 };
 
-// From the last time at the lower load to the first time at the upper load, which leaves out creep under held loads.
+// The secant from the last time at the lower load to the first at the upper one, without creep under held loads.
 Secant secant_of(Compression const& c, Loading const& loading, LoadRange const& range) {
   auto const& load = c.load_kN;
   Secant secant;
@@ -230,7 +230,7 @@ VerticalTest read_vertical(std::filesystem::path const& file, ReadOptions const&
     return test;
   } catch (Error const& error) {
     auto complaints = error.complaints();
-    // Options of the command line concern the shear test.
+    // Options of the command line are for shear tests. For a compression test, the lot file has keys of the same names.
     for (auto& complaint : complaints)
       if (complaint.advice.find("--") != std::string::npos)
         complaint.advice += ", as keys of the device's table 'vertical' in a lot file";

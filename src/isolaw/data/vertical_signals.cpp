@@ -15,18 +15,18 @@ namespace isolaw::data {
 namespace {
 
 constexpr std::size_t fewest_standing = 4;  // samples
-constexpr double standing_noise = 6.0;      // standard deviations, from the least to the largest value of a plateau
+constexpr double standing_noise = 6.0;      // standard deviations of noise between the extremes of a plateau
 constexpr double standing_quanta = 1.5;
-constexpr double goes_beyond = 0.03;   // times its range; the other channel goes this far beyond a plateau's ends
-constexpr double goes_on = 0.1;        // times its range; the other channel moves this far on a plateau
-constexpr double width_of_both = 4.0;  // times the plateau's width, both channels relative to their ranges
-constexpr double carries = 0.1;        // times its range; a press with this much more than the least load carries
-constexpr double load_jump = 0.05;     // times its range; a stuck load ends with a larger jump
+constexpr double goes_beyond = 0.03;   // times its range; the other channel rises by more during clipping
+constexpr double goes_on = 0.1;        // times its range; least motion of the other channel while one is stuck
+constexpr double width_of_both = 4.0;  // times a plateau's width, by range; the other channel moves by more
+constexpr double carries = 0.1;        // times the load's range above the least load; from there the device is loaded
+constexpr double load_jump = 0.05;     // times the load's range; a stuck load ends with a larger jump
 
 struct VerticalChannel {
   std::string name, unit;
   std::span<double const> x;
-  double least = 0.0, range = 0.0, width = 0.0;  // width: of a plateau
+  double least = 0.0, range = 0.0, width = 0.0;  // width: most variation within a plateau
 };
 
 VerticalChannel channel_of(std::string name, std::string unit, std::span<double const> x) {
@@ -58,9 +58,9 @@ std::vector<SampleRange> plateaus(VerticalChannel const& channel) {
 }
 
 struct Standing {
-  std::vector<std::size_t> samples;  // first of each plateau
+  std::vector<std::size_t> samples;  // first sample of each plateau
   std::size_t longest = 0;
-  double level = 0.0;  // the longest plateau's
+  double level = 0.0;  // level of the longest plateau
 
   void add(SampleRange const& run, std::span<double const> x) {
     samples.push_back(run.first);
@@ -91,7 +91,7 @@ class Plateaus {
   }
 
  private:
-  // Least distance of the other channel, as a share of its range.
+  // How far the other channel must go, as a fraction of its range.
   double threshold(double least) const { return std::max(least, width_of_both * stands_.width / stands_.range); }
 
   bool is_clipped(SampleRange const& run) const {
@@ -105,11 +105,11 @@ class Plateaus {
     double const way = std::abs(other_.x[run.last] - other_.x[run.first]);
     return way > std::max(threshold(goes_on) * other_.range, 2.0 * other_.width);
   }
-  // While the load falls from its peak, a device that dissipates energy may keep its displacement for a while.
+  // Counts only while the load rises, since a device that dissipates energy may keep its displacement while it falls.
   bool is_stuck_displacement(SampleRange const& run) const {
     return other_goes_on(run) && other_.x[run.last] > other_.x[run.first];
   }
-  // A held load is not stuck, and a press that has lifted off carries no load.
+  // A press may hold a load, and carries none once it has lifted off. A stuck load is neither: it ends with a jump.
   bool is_stuck_load(SampleRange const& run) const {
     if (run.last + 2 >= stands_.x.size() || run.first == 0 || !other_goes_on(run)) return false;
     double const level = mean_of(stands_.x, run.first, run.last + 1);
@@ -137,7 +137,7 @@ void add_standing(VerticalChannel const& stands, StandingStill found, std::vecto
   add(FaultKind::stuck, std::move(found.stuck));
 }
 
-// Leaves out spikes in both channels, which are a real load, and a press that lifts off between loadings.
+// The spikes that are faults. A spike in both channels is a real load; at low load the press may lift off.
 std::vector<Spike> single(std::vector<Spike> found, std::vector<Spike> const& other_channel,
                           std::span<double const> load) {
   auto const [least, largest] = std::ranges::minmax(load);

@@ -1,4 +1,4 @@
-// Finds faulty signals of a compression test, as signal_faults.hpp does of a shear test.
+// Finds faulty signals of a compression test. signal_faults.hpp does so for shear tests.
 #pragma once
 
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace isolaw::data {
 
-// Both channels are positive in compression. Creep, a press that lifts off and steps of a digitiser are no faults.
+// Both channels must be positive in compression. Creep, a press that lifts off and a digitiser's steps are no faults.
 std::vector<SignalFault> vertical_faults(std::span<double const> disp_mm, std::span<double const> load_kN);
 
 }  // namespace isolaw::data

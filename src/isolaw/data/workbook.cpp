@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t most_rows = 1'048'576;  // Excel's limit for a sheet
 constexpr std::size_t most_sheets = 1000;
-// Enough for a name; a text that a million cells repeat must not fill memory.
+// Long enough for a name. Longer texts are cut, since a million cells may repeat one and would fill the memory.
 constexpr std::size_t longest_text = 200;
 
 struct Sheet {
@@ -36,7 +36,7 @@ void parse(ZipArchive& archive, std::string const& file, std::string const& entr
   read_xml(fmt::format("{}:{}", file, entry), handlers, [&](auto const& take) { archive.read(entry, take); });
 }
 
-// "xl/workbook.xml" and "worksheets/sheet1.xml" give "xl/worksheets/sheet1.xml"; "/xl/x.xml" counts from the top.
+// The path that `target` means in file `from`: "worksheets/sheet1.xml" in "xl/workbook.xml" is in "xl/worksheets".
 std::string resolved(std::string_view from, std::string_view target) {
   if (target.starts_with('/')) return std::string(target.substr(1));
   std::string folder(from.substr(0, from.rfind('/') + 1));
@@ -48,7 +48,7 @@ std::string resolved(std::string_view from, std::string_view target) {
   return folder + std::string(target);
 }
 
-// Targets by their id, and also by the last word of their type ("/styles").
+// The files that a part of the workbook refers to, by their id, and also by the last word of their type ("/styles").
 std::map<std::string, std::string> relations(ZipArchive& archive, std::string const& file, std::string const& part) {
   auto const slash = part.rfind('/') + 1;
   auto const entry = part.substr(0, slash) + "_rels/" + part.substr(slash) + ".rels";
@@ -74,7 +74,7 @@ class SharedTexts {
   void read(ZipArchive& archive, std::string const& file, std::string const& entry) {
     if (!archive.has(entry)) return;
     bool in_text = false;
-    int phonetic = 0;  // how Japanese is spoken, which is not part of the text
+    int phonetic = 0;  // depth in elements with Japanese pronunciation, which is no part of the text
     parse(archive, file, entry,
           {.start =
                [&](std::string_view name, Attributes const&) {
@@ -110,7 +110,7 @@ class SharedTexts {
 bool is_date_format(std::string_view code) {
   for (std::size_t i = 0; i < code.size(); ++i) {
     char const c = code[i];
-    if (c == '"' || c == '[') {  // quoted text; a colour, a condition or hours above 24
+    if (c == '"' || c == '[') {  // text in quotes; in brackets a colour, a condition, or hours above 24
       auto const close = code.find(c == '"' ? '"' : ']', i + 1);
       auto const inside = code.substr(i + 1, close == std::string_view::npos ? close : close - i - 1);
       if (c == '[' &&
@@ -153,7 +153,7 @@ std::vector<bool> date_styles(ZipArchive& archive, std::string const& file, std:
   return styles;
 }
 
-// "BC12", from 0.
+// The place that a reference such as "BC12" means, counted from 0.
 struct CellPlace {
   std::size_t column;
   std::size_t row;
@@ -166,7 +166,7 @@ std::optional<CellPlace> parse_reference(std::string_view text) {
   return CellPlace{*column, *row - 1};
 }
 
-// One row a line, tabs between the cells.
+// Writes a sheet as text: a line for each row, with tabs between the cells.
 class RowWriter {
  public:
   RowWriter(std::string place, SharedTexts const& texts, std::vector<bool> const& dates, std::uint64_t longest)
@@ -207,7 +207,7 @@ class RowWriter {
     in_cell_ = false;
   }
 
-  // Rows may be left out, and need not say their number.
+  // The file may leave out rows, and a row may have no number; it then follows the row before.
   void begin_row(std::string_view number) {
     auto const row = number.empty() ? std::optional(next_row_ + 1) : number_in<std::size_t>(number);
     if (!row || *row == 0 || *row > most_rows)
@@ -263,7 +263,7 @@ class RowWriter {
       return one_line(text ? *text : "a text that the file lacks");
     }
     if (type_ == "b") return value_ == "1" ? "TRUE" : "FALSE";
-    if (type_ == "e") return "error " + one_line(value_);  // "#DIV/0!" alone would look like a comment
+    if (type_ == "e") return "error " + one_line(value_);  // without the word, "#DIV/0!" would look like a comment
     if (formula_ && !has_value_) return "a formula saved without its value";
     auto text = one_line(value_);
     bool const number = type_.empty() || type_ == "n";
@@ -278,7 +278,7 @@ class RowWriter {
       if (c == '"') c = '\'';
     }
     while (!line.empty() && utf8_length(std::string_view(line).substr(last_character(line))) == 0)
-      line.resize(last_character(line));  // cut in the middle of a character
+      line.resize(last_character(line));  // longest_text may have cut a character in two
     return std::string(trimmed(line));
   }
   static std::size_t last_character(std::string_view line) {
@@ -299,8 +299,8 @@ class RowWriter {
   std::vector<bool> const& dates_;
   std::uint64_t longest_;
   std::string rows_;
-  std::size_t row_ = 0, next_row_ = 0;        // the row being written; the next row, if it has no number
-  std::size_t column_ = 0, next_column_ = 0;  // columns written; the next cell's, if it has no reference
+  std::size_t row_ = 0, next_row_ = 0;        // current row; number of the next row if the file gives none
+  std::size_t column_ = 0, next_column_ = 0;  // last column written; column of the next cell if the file gives none
   std::size_t cell_column_ = 0;
   bool in_cell_ = false, in_value_ = false, phonetic_ = false, formula_ = false, has_value_ = false, date_ = false;
   std::string type_, value_;
@@ -326,7 +326,7 @@ class Workbook {
     return sheet_tests(writer.take(), place);
   }
 
-  // Finds facts in a sheet of notes only, not in one that holds a table or a long text.
+  // Facts about the device in a sheet of notes. Empty for a sheet that holds a table or a long text.
   ParticularList particulars(Sheet const& sheet) {
     constexpr std::uint64_t longest = 1u << 16;
     try {
@@ -334,7 +334,7 @@ class Workbook {
       parse(archive_, file_, sheet.entry, writer.handlers());
       auto notes = sheet_tests(writer.take(), sheet.name);
       return notes.tables.empty() ? std::move(notes.particulars) : ParticularList{};
-    } catch (Error const&) {  // unread parts may be of any kind
+    } catch (Error const&) {  // a sheet that is not the test may hold anything
       return {};
     }
   }
@@ -345,7 +345,7 @@ class Workbook {
             if (name != "sheet") return;
             auto const target = targets.find(std::string(attributes["id"]));
             if (target == targets.end() || !archive_.has(target->second)) return;
-            if (target->second.find("worksheets/") == std::string::npos) return;  // a sheet that is a chart
+            if (target->second.find("worksheets/") == std::string::npos) return;  // the sheet is a chart
             if (sheets_.size() >= most_sheets)
               throw Error(Complaint{.where = file_,
                                     .found = fmt::format("more than {} sheets", most_sheets),
@@ -407,16 +407,16 @@ Tests workbook_tests(std::string_view bytes, std::string const& file, std::optio
     if (names.size() > 1) tests.sheet = sheet_key(names, index);
     tests.recognised.push_back(
         decision(FindingKind::file_format, fmt::format("an Excel workbook, sheet {}", in_quotes(names[index]))));
-    constexpr std::size_t most_beside = 30;  // notes are in the first sheets
+    constexpr std::size_t most_beside = 30;  // only the first sheets are searched for notes
     for (std::size_t i = 0; i < std::min(names.size(), most_beside); ++i)
       if (i != index) append(tests.particulars, workbook.particulars(workbook.sheets()[i]));
     return tests;
   }
-  Tests first, named;  // the first with rows of numbers, the first that names a channel
+  Tests first, named;  // first sheet with rows of numbers; first that also names a channel
   std::vector<std::string> found, without_names;
   std::size_t most = 0;
   ParticularList particulars;
-  std::vector<std::pair<std::size_t, std::size_t>> filled;  // sheets with rows of numbers, channels that they name
+  std::vector<std::pair<std::size_t, std::size_t>> filled;  // sheets with rows of numbers; number of channels they name
   for (std::size_t i = 0; i < names.size(); ++i) {
     auto tests = workbook.tests(workbook.sheets()[i]);
     if (tests.tables.empty()) {

@@ -47,7 +47,7 @@ class Reader {
     if (status == XML_STATUS_ERROR)
       refuse(fmt::format("is no XML: {} in line {}", XML_ErrorString(XML_GetErrorCode(parser_)),
                          XML_GetCurrentLineNumber(parser_)));
-    // expat keeps a tag until it is closed, and looks at it again with every piece.
+    // expat keeps an unfinished tag and reads it again with every piece, which would take memory and time.
     if (!last && fed_ - XML_GetCurrentByteIndex(parser_) > longest_tag) refuse("a tag longer than 1 MiB");
   }
 
@@ -92,7 +92,7 @@ class Reader {
   int depth_ = 0;
   std::int64_t fed_ = 0;
   std::string refusal_;        // why the parser was stopped
-  std::exception_ptr thrown_;  // by a handler: must not pass through expat
+  std::exception_ptr thrown_;  // exception of a handler, which must not pass through expat
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Reads XML with expat and keeps nothing. Refuses document types, which could declare entities, and excessive nesting.
+// Reads XML with expat without keeping it. Refuses document types, which could declare entities, and deep nesting.
 #pragma once
 
 #include <functional>
@@ -7,7 +7,7 @@
 
 namespace isolaw::data {
 
-// The value of an attribute, by its name without a prefix.
+// The attributes of an element. [] gives the value of one by its name without a prefix; empty if it is missing.
 class Attributes {
  public:
   explicit Attributes(char const** list) : list_(list) {}
@@ -17,15 +17,14 @@ class Attributes {
   char const** list_;
 };
 
-// Element names come without their prefix. Empty handlers are not called.
+// Functions that read_xml() calls with names of elements without their prefix. Empty ones are not called.
 struct XmlHandlers {
   std::function<void(std::string_view name, Attributes const& attributes)> start;
   std::function<void(std::string_view name)> end = {};
   std::function<void(std::string_view text)> text = {};
 };
 
-// `source` passes the document on piece by piece; `place` is its name in messages. Throws Error, or what a handler
-// throws.
+// `source` hands over the document piece by piece. Messages call it `place`. Throws Error, or what a handler throws.
 void read_xml(std::string const& place, XmlHandlers const& handlers,
               std::function<void(std::function<void(std::string_view piece)> const& take)> const& source);
 

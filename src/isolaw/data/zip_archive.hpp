@@ -1,4 +1,4 @@
-// Reads a zip archive in memory with minizip. All bytes taken out of it count against one limit.
+// Reads a zip archive in memory with minizip. One limit applies to all bytes that are unpacked from it.
 #pragma once
 
 #include <cstddef>
@@ -16,14 +16,14 @@ class ZipArchive {
     std::size_t at = 0;
   };
 
-  // `bytes` must outlive the archive. Throws Error when it is damaged or holds more than 10 000 entries.
+  // `bytes` must outlive the archive. Throws Error if it is damaged or holds more than 10 000 entries.
   ZipArchive(std::string_view bytes, std::string file);
   ~ZipArchive();
   ZipArchive(ZipArchive const&) = delete;
   ZipArchive& operator=(ZipArchive const&) = delete;
 
   bool has(std::string const& entry) const;
-  // Throws Error if the entry is missing, damaged, encrypted, not deflated, or beyond the limit of unpacked bytes.
+  // Passes an entry to `take` in pieces. Throws Error if it is missing, damaged, encrypted, not deflated, or too large.
   void read(std::string const& entry, std::function<void(std::string_view)> const& take);
 
  private:

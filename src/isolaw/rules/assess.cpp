@@ -11,7 +11,7 @@
 namespace isolaw::rules {
 namespace {
 
-constexpr double slack = 1e-12;  // relative to the bound: a thousand times the rounding of a product
+constexpr double slack = 1e-12;  // relative to the bound; a thousand times the rounding error of a product
 
 bool is_at_least(double value, double bound) {
   return value >= bound - slack * std::abs(bound);
@@ -42,20 +42,20 @@ void assess_limit(RuleSet const& rules, Limit const& limit, BlockValues const& b
                   std::vector<std::string> const& unmet, std::vector<Assessment>& out) {
   for (auto const& derived : derive(rules, limit.quantity, block)) {
     auto result = compared(derived, limit.quantity, design);
-    // `unmet` is about the conditions of the shear test, which do not concern K_v.
+    // `unmet` lists unmet conditions of the shear test. K_v comes from another test.
     hold_to(result, rules, limit, derived.reason, limit.quantity == Quantity::K_v ? std::vector<std::string>() : unmet);
     out.push_back(std::move(result));
   }
 }
 
 std::string_view measure_text(Measure measure) {
-  // In the order of Measure.
+  // In the order of the enumerators of Measure.
   static constexpr std::array<std::string_view, 3> texts{"lowest over highest", "largest change from the first",
                                                          "largest loss from the first"};
   return texts.at(static_cast<std::size_t>(measure));
 }
 
-// Returns nullopt if a cycle is missing or its value is not positive.
+// nullopt if a cycle is missing or has a value that is not positive.
 std::optional<double> measured(StabilityLimit const& limit, BlockValues const& block) {
   double first = 0.0, lowest = 0.0, highest = 0.0;
   for (int number = limit.first; number <= limit.last; ++number) {
@@ -121,13 +121,13 @@ void assess_load(RuleSet const& rules, LoadVariation const& limit, Design const&
   }
 }
 
-// Ratios of cycles need no design value, so the amplitude need not be the one that the design value holds at.
+// Unmet conditions for limits on ratios of cycles. These need no design value, and so no particular amplitude.
 std::vector<std::string> unmet_of_ratios(RuleSet rules, BlockValues const& block, Design const& design) {
   rules.test.displacement_tolerance_percent.reset();
   return unmet_conditions(rules, block, design);
 }
 
-// These tests run at other vertical loads than the design load on purpose.
+// Unmet conditions for a pair of tests that run at other vertical loads than the design load on purpose.
 std::vector<std::string> unmet_of_pair(RuleSet rules, LoadPair const& loads, Design const& design) {
   rules.test.load_tolerance_percent.reset();
   auto unmet = unmet_conditions(rules, loads.largest, design);
@@ -143,13 +143,13 @@ bool has_limit(RuleSet const& rules, Quantity quantity) {
 }  // namespace
 
 std::string_view name(Verdict verdict) {
-  // In the order of Verdict.
+  // In the order of the enumerators of Verdict.
   static constexpr std::array<std::string_view, 4> names{"pass", "fail", "information", "not assessed"};
   return names.at(static_cast<std::size_t>(verdict));
 }
 
 bool is_within(double value, double nominal, std::optional<double> lower_percent, std::optional<double> upper_percent) {
-  // In binary (100 + 20)/100 is nearer to 1.2 than 1 + 20/100; the slack covers the rest.
+  // In binary, (100 + 20)/100 is closer to 1.2 than 1 + 20/100 is. The slack covers the rest.
   auto const bound = [&](double percent) { return nominal * (100.0 + percent) / 100.0; };
   if (!std::isfinite(value)) return false;
   if (lower_percent && !is_at_least(value, bound(*lower_percent))) return false;
@@ -164,7 +164,7 @@ std::string limit_text(std::optional<double> lower_percent, std::optional<double
 
 std::string deviation_text(double deviation_percent, std::optional<double> lower_percent,
                            std::optional<double> upper_percent) {
-  // Adds decimals until the printed number is on the value's side of the limit. Within the slack, it is on the limit.
+  // Adds decimals until the text is on the value's side of each limit. A value within the slack is on the limit.
   auto const on_this_side = [&](double shown, std::optional<double> bound, double sign) {
     if (!bound) return true;
     double const over = sign * (deviation_percent - *bound);
@@ -180,7 +180,7 @@ std::string deviation_text(double deviation_percent, std::optional<double> lower
 }
 
 std::string_view name(Subject subject) {
-  // In the order of Subject.
+  // In the order of the enumerators of Subject.
   static constexpr std::array<std::string_view, 5> names{"device", "cycles", "loads", "lot", "sample"};
   return names.at(static_cast<std::size_t>(subject));
 }
@@ -196,7 +196,7 @@ std::string same_record_as(std::string_view device) {
 void withhold_verdicts(std::vector<Assessment>& assessments, std::string_view copy_of) {
   for (auto& a : assessments) {
     bool const judged = a.verdict == Verdict::pass || a.verdict == Verdict::fail;
-    if (!judged || a.property == Quantity::K_v) continue;  // K_v has a test of its own
+    if (!judged || a.property == Quantity::K_v) continue;  // K_v comes from another test
     a.verdict = Verdict::not_assessed;
     a.reason = same_record_as(copy_of);
   }
@@ -244,7 +244,7 @@ std::vector<Assessment> assess(RuleSet const& rules, BlockValues const& block, D
   std::vector<Quantity> without_limit(measured_quantities().begin(), measured_quantities().end());
   without_limit.push_back(Quantity::K_v);
   for (auto const quantity : without_limit) {
-    // K_v is listed as open even if nobody asks for it.
+    // K_v is always listed, so that a missing compression test is seen.
     bool const asked = design.of(quantity) || quantity == Quantity::K_v;
     if (has_limit(rules, quantity) || !asked) continue;
     for (auto const& derived : derive(rules, quantity, block)) {

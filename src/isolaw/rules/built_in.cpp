@@ -1,4 +1,4 @@
-// The files of rules/, which the build embeds into the library.
+// Gives access to the files of rules/, which the build embeds into the library.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ std::span<Embedded const> files();
 
 namespace {
 
-std::vector<Embedded> const& texts() {  // named without their extension
+std::vector<Embedded> const& texts() {  // names have no ".toml"
   static std::vector<Embedded> const all = [] {
     std::vector<Embedded> named;
     for (auto const& file : files()) named.push_back({file.name.substr(0, file.name.rfind('.')), file.text});
@@ -57,7 +57,7 @@ std::string load_rule_text(std::string_view name_or_file) {
                  .allowed = allowed,
                  .when_too_large = "a rule file holds one set of limits, not data",
                  .when_missing = "isolaw rules lists the sets, isolaw rules template prints a file to start from"});
-  // An empty file is refused, because a campaign without a rule set stores an empty text.
+  // A campaign without a rule set stores an empty text, so that a rule file must not be empty.
   if (text.empty())
     throw Error({.where = std::string(name_or_file),
                  .found = "an empty file",

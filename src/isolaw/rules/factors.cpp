@@ -8,9 +8,9 @@
 namespace isolaw::rules {
 namespace {
 
-constexpr double normal_97_5 = 1.959963984540054;  // two-sided 95 %
+constexpr double normal_97_5 = 1.959963984540054;  // quantile of the normal distribution for a two-sided 95 %
 
-// Quantile 0.975 of Student's t: P(|t| > q) = I(freedom/(freedom + q^2); freedom/2, 1/2), an incomplete beta function.
+// Quantile 0.975 of Student's t. P(|t| > q) = I(freedom/(freedom + q^2); freedom/2, 1/2), the incomplete beta function.
 double student_97_5(double freedom) {
   double const x = boost::math::ibeta_inv(0.5 * freedom, 0.5, 0.05);
   return std::sqrt(freedom * (1.0 - x) / x);
@@ -52,7 +52,7 @@ CombinedFactors combine(FactorRule const& rule, FactorPair const& environment, F
 
 double system_half_width_percent(double cov_percent, int installed, int tested) {
   auto const N = static_cast<double>(installed), n = static_cast<double>(std::min(tested, installed));
-  // If no device was tested, the lot counts as drawn from an unlimited production.
+  // With one installed device the formula divides by zero. The factor is then 0 if the device was tested, else 1.
   double const finite = installed > 1 ? std::min(1.0, std::sqrt((N - n) / (N - 1.0))) : (tested > 0 ? 0.0 : 1.0);
   return normal_97_5 * cov_percent / std::sqrt(N) * finite;
 }

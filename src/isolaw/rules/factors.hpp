@@ -1,8 +1,8 @@
-// Property modification factors lambda: the possible properties of a lot as multiples of their design value, and how
-// the factors of ageing and environment, of the test and of the supply combine (ASCE/SEI 7, chapter 17; other standards
-// combine them by the same formulas with other numbers, which the rule set holds).
-// The scatter between devices is kept apart from the scatter of the whole isolation system. The system is the sum of
-// its devices, and a sum scatters less: the spread of devices would overstate the system's bounds several times.
+// Property modification factors lambda: the largest and smallest value of a property in a lot over its design value,
+// and how the factors of ageing and environment, of the test and of the supply combine (ASCE/SEI 7, chapter 17; other
+// standards combine them by the same formulas with other numbers, which the rule set holds). The scatter of single
+// devices is kept apart from the scatter of the whole isolation system. The system is the sum of its devices and
+// scatters less, so that the devices' spread would make its bounds several times too wide.
 #pragma once
 
 #include <optional>
@@ -16,10 +16,10 @@ struct FactorPair {
   double min = 1.0, max = 1.0;
 };
 
-// lambda_test of one device: the largest and the smallest value of its counted cycles over mean(P_1..P_3). If a
-// property falls from cycle to cycle these are P_1 and P_n, as in ASCE/SEI 7; otherwise P_1 and P_n would miss larger
-// or smaller values that were measured. Among equal cycles the first counts as the largest and the last as the
-// smallest. nullopt without the first three cycles, or if a value is not positive.
+// lambda_test of one device: the largest and smallest value of its counted cycles over mean(P_1..P_3). If a property
+// falls from cycle to cycle, these are P_1 and P_n, as in ASCE/SEI 7. If it does not, P_1 and P_n would miss larger or
+// smaller values. Among equal cycles, the first counts as the largest and the last as the smallest. test_factors() is
+// nullopt without the first three cycles, or if a value is not positive.
 struct TestFactors {
   double min = 1.0, max = 1.0;
   int min_cycle = 0, max_cycle = 0;
@@ -30,21 +30,21 @@ std::optional<TestFactors> test_factors(Quantity quantity, BlockValues const& bl
 
 struct CombinedFactors {
   double min = 1.0, max = 1.0;
-  bool max_is_default = false, min_is_default = false;  // max is the rule's max_not_below, min its min_not_above
+  bool max_is_default = false, min_is_default = false;  // the rule's max_not_below or min_not_above was taken
 };
 
-// max = (1 + f (environment.max - 1)) test.max spec.max, not below max_not_below; min = (1 - f (1 - environment.min))
-// test.min spec.min, not above min_not_above; f is the rule's system factor.
+// max = (1 + f (environment.max - 1)) test.max spec.max, at least max_not_below; min = (1 - f (1 - environment.min))
+// test.min spec.min, at most min_not_above; f is the rule's system factor.
 CombinedFactors combine(FactorRule const& rule, FactorPair const& environment, FactorPair const& test,
                         FactorPair const& spec);
-// Half width of the 95 % interval of the mean over all `installed` devices, in percent of that mean, for a known
-// coefficient of variation `cov_percent` between devices: 1.960 standard deviations of the normal distribution. A mean
-// of N independent devices scatters by CoV/sqrt(N): 2.6 % for N = 28 and CoV 7 %. With n of them `tested`, only the
-// others are unknown; the factor of a finite population, sqrt((N - n)/(N - 1)), gives 2.3 % for 6 tested devices and 0
-// for all. The lot's mean and CoV count as known, unlike in prediction_half_width_percent().
+// Half width of the 95 % interval (1.960 standard deviations) of the mean over all `installed` devices, in percent of
+// that mean, if the lot's mean and its coefficient of variation `cov_percent` count as known. A mean of N independent
+// devices scatters by CoV/sqrt(N): half width 2.6 % for N = 28 and CoV 7 %. If n of them are `tested`, only the others
+// are unknown. The factor of a finite population, sqrt((N - n)/(N - 1)), gives 2.3 % for n = 6 and 0 for n = N.
 double system_half_width_percent(double cov_percent, int installed, int tested);
-// The same half width about the mean of the `tested` devices, where mean and CoV are estimates: t(0.975, n - 1) CoV
-// sqrt(1/n - 1/N) (Cochran 1977, 2.8). N = 28, n = 6, CoV 7 %: 6.5 %. NaN for fewer than two tested devices.
+// Half width of the 95 % interval of the mean over all `installed` devices about the mean of the `tested` ones, if mean
+// and CoV are only estimates: t(0.975, n-1) CoV sqrt(1/n - 1/N) (Cochran 1977, 2.8). 6.5 % for N = 28, n = 6, CoV 7 %.
+// NaN for fewer than two tested devices.
 double prediction_half_width_percent(double cov_percent, int installed, int tested);
 
 }  // namespace isolaw::rules

@@ -16,14 +16,14 @@
 namespace isolaw::rules {
 namespace {
 
-constexpr double normal_95 = 1.6448536269514722;  // one-sided
-constexpr double property_error = 0.005;          // relative error of a property from one record
+constexpr double normal_95 = 1.6448536269514722;  // quantile of the normal distribution for a one-sided 95 %
+constexpr double property_error = 0.005;          // relative error of a property that one record gives
 
 struct Values {
   std::vector<std::string> names;
   std::vector<double> values;
   std::vector<std::string> without;
-  std::size_t tested = 0;  // number of values whose record is not a copy
+  std::size_t tested = 0;  // number of values from records that are not copies
 };
 
 std::size_t without_copies(std::span<DeviceValues const> devices) {
@@ -36,7 +36,7 @@ Values collect(RuleSet const& rules, Quantity quantity, std::span<DeviceValues c
     if (auto const value = device_value(rules, quantity, device.block)) {
       collected.names.push_back(device.name);
       collected.values.push_back(*value);
-      collected.tested += quantity == Quantity::K_v || device.copy_of.empty() ? 1u : 0u;  // K_v comes from another test
+      collected.tested += quantity == Quantity::K_v || device.copy_of.empty() ? 1u : 0u;  // K_v has its own test
     } else {
       collected.without.push_back(device.name);
     }
@@ -70,7 +70,7 @@ void describe_spread(Values const& found, LotQuantity& view) {
   view.largest_from_mean_percent = 100.0 * std::max(*high / moments.mean - 1.0, 1.0 - *low / moments.mean);
   view.std = moments.std;
   view.cov_percent = 100.0 * moments.std / moments.mean;
-  // The quantity is positive, so a value below 0 is no bound.
+  // nullopt below 0, because the quantity is positive and such a bound would say nothing.
   auto const below_mean = [&](double factor) -> std::optional<double> {
     double const value = moments.mean - factor * moments.std;
     if (value > 0.0) return value;
@@ -102,21 +102,21 @@ std::string unmet_sample(RuleSet const& rules, LotView const& lot, LotQuantity c
   return {};
 }
 
-// Reasons against a verdict on the lot: a small sample, devices without the value, other test conditions.
+// Reasons why the lot gets no verdict: a small sample, devices without the value, other test conditions.
 std::vector<std::string> unmet_of_lot(RuleSet const& rules, LotView const& lot, LotQuantity const& view,
                                       std::span<DeviceValues const> devices, Design const& design) {
   std::vector<std::string> unmet;
   if (!lot.note.empty()) unmet.push_back(lot.note);
   if (auto sample = unmet_sample(rules, lot, view); !sample.empty()) unmet.push_back(std::move(sample));
   if (!view.without.empty()) unmet.push_back(fmt::format("no value of {}", fmt::join(view.without, ", ")));
-  if (view.quantity == Quantity::K_v) return unmet;  // the other conditions concern the shear test
+  if (view.quantity == Quantity::K_v) return unmet;  // the conditions below are those of the shear test
   for (auto const& device : devices)
     if (!device.copy_of.empty())
       unmet.push_back(fmt::format("{}: {}, counted in the mean", device.name, same_record_as(device.copy_of)));
   for (auto const& device : devices)
     for (auto const& text : unmet_conditions(rules, device.block, design)) {
       unmet.push_back(fmt::format("{}: {}", device.name, text));
-      return unmet;  // one device is enough as an example in a lot of hundreds
+      return unmet;  // one device serves as an example: a lot may have hundreds
     }
   return unmet;
 }
@@ -165,14 +165,14 @@ void add_test_factors(std::span<DeviceValues const> devices, LotQuantity& view) 
     }
 }
 
-// Adds the bounds of lambda_spec as factors on the base value, which is the design value or else the devices' mean.
+// Adds bounds as factors lambda_spec on the design value, or on the devices' mean if there is no design value.
 void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& view) {
   if (!view.mean) return;
   double const base = view.nominal.value_or(*view.mean);
   auto const* given = rules.factors_of(view.quantity);
   FactorPair const environment =
       given == nullptr ? FactorPair{} : FactorPair{.min = given->environment_min, .max = given->environment_max};
-  // The rule's defaults cover all effects together, and apply only to the properties that the set names.
+  // The rule's least and largest factors apply only to properties that have factors of their own in the set.
   auto const rule = given == nullptr ? FactorRule{} : rules.factors;
   auto const test = view.test_factors.value_or(TestFactors{}).pair();
   auto const add = [&](std::string source, Spread spread, FactorPair spec, std::string note) {
@@ -199,7 +199,7 @@ void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& 
   if (given != nullptr && given->spec_min)
     add("contract band", Spread::contract, {.min = *given->spec_min, .max = *given->spec_max},
         "as agreed in the rule set");
-  if (!view.cov_percent) return;  // one device is no lot
+  if (!view.cov_percent) return;  // fewer than two tested devices have no spread
   add("observed", Spread::device, {.min = *view.min / base, .max = *view.max / base},
       "lowest and highest device tested");
   add("statistical, each device", Spread::device, about_mean(*view.tolerance_factor * *view.cov_percent),
@@ -216,9 +216,9 @@ void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& 
       fmt::format("mean of {} devices predicted from {} tested, 95 %; mean and CoV estimated", *lot_size, tested));
 }
 
-// Two tested devices can forbid the analysis if one is too far from the mean. To permit it, the set's sample is needed.
+// Two tested devices are enough to forbid an analysis with mean properties. To permit it, the set's sample is needed.
 void judge_mean_analysis(RuleSet const& rules, LotView const& lot, LotQuantity& view) {
-  if (view.quantity == Quantity::K_v) return;  // the analysis is about the response to shear
+  if (view.quantity == Quantity::K_v) return;  // that analysis is about shear only
   if (!rules.verified() || !rules.mean_analysis || view.tested < 2) return;
   double const within = rules.mean_analysis->within_percent;
   bool const close =

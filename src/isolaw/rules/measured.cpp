@@ -23,7 +23,7 @@ double stiffness(CycleValues const& cycle, Side side) {
   return cycle.K_eff_kN_per_mm;
 }
 
-// E/(2 pi F d) in percent. Force and displacement of a side have the same sign.
+// Damping in percent: E/(2 pi F d) for one side, on which force and displacement have the same sign.
 double damping(CycleValues const& cycle, Side side) {
   if (side == Side::both) return cycle.damping_percent;
   double const work = side == Side::positive ? cycle.F_plus_kN * cycle.d_plus_mm : cycle.F_minus_kN * cycle.d_minus_mm;
@@ -94,7 +94,7 @@ Reduced reduce(RuleSet const& rules, Quantity quantity, Side side, BlockValues c
   return reduced;
 }
 
-// A value that is not positive cannot be compared with a limit: the motion missed one side, or the part is no cycle.
+// A value that is not positive gives a reason instead: the motion missed one side, or is no complete cycle.
 void set_value(DerivedValue& derived, double value) {
   if (std::isfinite(value) && value > 0.0)
     derived.value = value;
@@ -150,7 +150,7 @@ void take_design_value(std::string_view part, Design& design, std::vector<Compla
 }  // namespace
 
 double CycleValues::of(Quantity quantity) const {
-  // In the order of Quantity, without K_v.
+  // In the order of the enumerators of Quantity, without K_v.
   static constexpr std::array members{&CycleValues::K_eff_kN_per_mm, &CycleValues::damping_percent,
                                       &CycleValues::energy_kN_mm, &CycleValues::Q_d_kN, &CycleValues::K_d_kN_per_mm};
   auto const place = static_cast<std::size_t>(quantity);

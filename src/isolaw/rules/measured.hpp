@@ -1,4 +1,4 @@
-// The input of rules: plain values of the counted cycles of one block, and the design values to compare them with.
+// The input of rules: values of the counted cycles of one block, and the design values to compare them with.
 #pragma once
 
 #include <optional>
@@ -11,11 +11,11 @@
 namespace isolaw::rules {
 
 struct CycleValues {
-  int number = 0;                            // nominal cycle of its block, from 1
+  int number = 0;                            // number among the counted cycles of its block, from 1
   double d_plus_mm = 0.0, d_minus_mm = 0.0;  // largest and smallest displacement
   double F_plus_kN = 0.0, F_minus_kN = 0.0;  // force at these displacements
   double K_eff_kN_per_mm = 0.0;              // peak to peak
-  double damping_percent = 0.0;              // with the peak to peak stiffness
+  double damping_percent = 0.0;              // computed with the peak-to-peak stiffness
   double energy_kN_mm = 0.0;
   double Q_d_kN = 0.0, K_d_kN_per_mm = 0.0;
 
@@ -29,44 +29,44 @@ struct VerticalValue {  // from the device's compression test
 };
 
 struct BlockValues {
-  int number = 0;  // number of the block in its record, from 1; for messages
+  int number = 0;  // number of the block in its record, from 1
   double amplitude_mm = 0.0;
   std::optional<double> frequency_Hz, shear_strain_percent, load_mean_kN;
   std::vector<CycleValues> cycles;  // the counted cycles, in order
-  VerticalValue vertical = {};      // the device's, the same for every block
+  VerticalValue vertical = {};      // K_v of the device, the same for every block
 
   CycleValues const* find(int cycle) const;
 };
 
 struct Design {  // design values of the devices; all are positive
   std::optional<double> K_eff_kN_per_mm, damping_percent, energy_kN_mm, Q_d_kN, K_d_kN_per_mm, K_v_kN_per_mm;
-  std::optional<double> disp_mm;       // displacement at which they hold
-  std::optional<double> frequency_Hz;  // frequency at which they hold
-  std::optional<double> load_kN;       // vertical load under which they hold
+  std::optional<double> disp_mm;       // displacement at which the design values hold
+  std::optional<double> frequency_Hz;  // frequency at which the design values hold
+  std::optional<double> load_kN;       // vertical load under which the design values hold
 
   std::optional<double> of(Quantity quantity) const;
 };
 
-// Reads "K_eff=1.2,damping=15,disp=150": K_eff, K_d and K_v in kN/mm, damping in percent, energy in kN mm, Q_d and load
+// Parses "K_eff=1.2,damping=15,disp=150": K_eff, K_d, K_v in kN/mm, damping in percent, energy in kN mm, Q_d and load
 // in kN, disp in mm, frequency in Hz. Throws Error for unknown or repeated names and for values that are not positive.
 Design parse_design(std::string_view text);
 
-enum class Side { both, positive, negative };  // both: peak to peak, or a value that has no sides
+enum class Side { both, positive, negative };  // both: peak to peak, or a quantity without sides
 std::string_view name(Side side);              // "both", "positive", "negative"
 
-// One value that a rule set derives from the counting cycles. Each side, or each extreme, is a value of its own.
+// One value that a rule set asks for from its counting cycles. Each side, and each extreme over cycles, has its own.
 struct DerivedValue {
   std::string label;  // "K_eff, positive side"
   Side side = Side::both;
   std::string formula;          // "F+/d+, cycle 3"
-  std::optional<double> value;  // nullopt if there is a reason
+  std::optional<double> value;  // nullopt if `reason` is not empty
   std::string reason;
 };
 std::vector<DerivedValue> derive(RuleSet const& rules, Quantity quantity, BlockValues const& block);
-// For statistics over a lot: the mean over the counting cycles and both sides of a per-side formula. nullopt if a
-// counting cycle is missing or the mean is not positive.
+// A device's value for statistics over a lot: the mean over the counting cycles, and over both sides if the formula is
+// per side. nullopt if a counting cycle is missing or the mean is not positive.
 std::optional<double> device_value(RuleSet const& rules, Quantity quantity, BlockValues const& block);
-// One sentence for each condition of the shear test that is unknown or differs from the set's conditions.
+// A sentence for each condition of the shear test that is unknown or is not as the set asks.
 std::vector<std::string> unmet_conditions(RuleSet const& rules, BlockValues const& block, Design const& design);
 
 }  // namespace isolaw::rules

@@ -14,8 +14,8 @@
 namespace isolaw::rules {
 namespace {
 
-constexpr std::size_t longest_note = 2048;  // bytes of a source or a clause
-constexpr std::size_t most_tables = 100;    // limits of one kind
+constexpr std::size_t longest_note = 2048;  // bytes of the text of a source or a clause
+constexpr std::size_t most_tables = 100;    // tables of limits of one kind
 constexpr int last_cycle = 1000;
 
 struct Range {
@@ -52,7 +52,7 @@ class RuleTable : public TomlTable {
     value<std::string>(
         key, "text", [&](std::string const& found) { target = found; }, longest);
   }
-  template <class Target>  // double or an optional one
+  template <class Target>  // double or std::optional<double>
   void number(std::string_view key, Range const& range, Target& target) {
     value<double>(key, "a number", [&](double found) {
       refuse_outside(found, range);
@@ -79,7 +79,7 @@ class RuleTable : public TomlTable {
         target.push_back(found);
       });
   }
-  bool cycles(std::string_view key, int& first, int& last) {  // returns whether the key holds a valid range
+  bool cycles(std::string_view key, int& first, int& last) {  // whether the key holds a valid range
     auto const* node = find(key);
     if (node == nullptr) return false;
     std::vector<std::int64_t> ends;
@@ -212,7 +212,7 @@ class Reader {
     table.number("load_tolerance_percent", percent, test.load_tolerance_percent);
     if (table.has("strains_percent") != table.has("strain_tolerance_percent"))
       table.complain("strains without their tolerance, or the reverse", "strains_percent and strain_tolerance_percent");
-    // A tolerance without frequencies is allowed: it also applies between the test's and the design's frequency.
+    // A tolerance without frequencies is allowed: it also limits the test's frequency against the design's.
     if (table.has("frequencies_Hz") && !table.has("frequency_tolerance_percent"))
       table.complain("frequencies without their tolerance", "frequencies_Hz and frequency_tolerance_percent");
   }

@@ -11,7 +11,7 @@ namespace {
 struct Names {
   std::string_view name, unit;
 };
-// In the order of Quantity.
+// In the order of the enumerators of Quantity.
 constexpr std::array<Names, 6> names{
     {{"K_eff", "kN/mm"}, {"damping", "%"}, {"energy", "kN mm"}, {"Q_d", "kN"}, {"K_d", "kN/mm"}, {"K_v", "kN/mm"}}};
 
@@ -38,7 +38,7 @@ PropertyFactors const* RuleSet::factors_of(Quantity quantity) const {
 
 int required_sample(SampleRule const& rule, int lot_size) {
   if (lot_size <= 0) return 0;
-  // 2.2 % of 1500 are 33 devices, not 34, whatever the last bit of the product.
+  // The 1e-9 keeps rounding from adding a device: 2.2 % of 1500 are 33 devices, not 34.
   double const tested = rule.share_percent * lot_size / 100.0;
   int const rounded_up = static_cast<int>(std::ceil(tested - 1e-9));
   return std::min(lot_size, std::max(rule.least, rounded_up));
