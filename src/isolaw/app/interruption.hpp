@@ -1,4 +1,4 @@
-// Ending a long command early: finished work is kept, and the same command continues.
+// Lets a signal end a long command early. Finished work is kept, and the same command continues it.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace isolaw::app {
 
-// A second signal ends the program at once. Under nohup a closed terminal is ignored.
+// While it lives, a signal sets interrupted(), and a second one ends the program. SIGHUP stays ignored under nohup.
 class SignalGuard {
  public:
   SignalGuard();
@@ -18,10 +18,10 @@ class SignalGuard {
  private:
   std::array<void (*)(int), 3> previous_{};
 };
-// Whether a signal came since the last guard was constructed.
+// True if a signal came since the last guard was constructed.
 bool interrupted();
 
-// The command line that continues the work: the given words without --fresh.
+// The command line that continues the work: `words` without --fresh.
 std::string to_continue(std::vector<std::string> words);
 
 }  // namespace isolaw::app
