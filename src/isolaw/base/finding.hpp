@@ -11,7 +11,7 @@
 
 namespace isolaw {
 
-// In the order of the table in wording/table.cpp, which is the order of display: the most serious first.
+// In the order of the rows in wording/rows.cpp, which is the order of display: the most serious first.
 // clang-format off
 enum class FindingKind {
   // [campaign]

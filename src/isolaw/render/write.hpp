@@ -15,16 +15,16 @@ struct Answers;
 
 namespace isolaw::render {
 
-// Writes summary.json, the tables (CSV and LaTeX) and report.html into `dir`, which is created if needed. Throws Error.
+// Creates `dir` if necessary and writes summary.json, the tables (CSV and LaTeX) and report.html. Throws Error.
 void write_outputs(Summary const& summary, std::filesystem::path const& dir);
-// Writes inspection.html, inspection.json and the tables of an inspection in the same way.
+// Creates `dir` if necessary and writes inspection.html, inspection.json and the tables. Throws Error.
 void write_inspection(Summary const& summary, std::filesystem::path const& dir);
-// Writes building.html, building.json and the tables of a building in the same way.
+// Creates `dir` if necessary and writes building.html, building.json and the tables. Throws Error.
 void write_building_outputs(building::Study const& study, building::Answers const& answers,
                             std::filesystem::path const& dir);
 // The files that write_outputs() writes: names relative to `dir`, and texts.
 std::vector<std::pair<std::string, std::string>> output_texts(Summary const& summary);
-// Removes all these files, run.json and the figures, since one campaign's reports must not remain beside another's
+// Removes the files of write_outputs(), run.json and the figures. One campaign's reports must not stay beside another's
 // store.
 void remove_outputs(std::filesystem::path const& dir);
 void remove_building_outputs(std::filesystem::path const& dir);

@@ -31,7 +31,7 @@ struct Law {
   std::string_view other_reading = {};  // isolaw's id of a second reading of the law; empty if there is none
 };
 
-// For each parameter its name, the means and the standard deviations.
+// Each row has the name of a parameter, its means and its standard deviations.
 // clang-format off
 inline constexpr std::array bilinear{
     Parameter{"K1",

@@ -1,4 +1,4 @@
-// Panels that each show one quantity over the devices of the lot: values with error bars, and difference from the mean.
+// Panels that each show one quantity over the devices of the lot, with error bars and the difference from the mean.
 #pragma once
 
 #include <string>
@@ -12,14 +12,14 @@ namespace isolaw::render {
 
 struct DevicePoint {
   std::string device;
-  Statistic value;  // all empty: a gap in the plot
+  Statistic value;  // if it holds no number, the plot has a gap
   MaybeNumber percent;
 };
 
 struct DevicePanel {
   std::string title;       // written above the panel; may be empty
   std::string name, unit;  // name and unit of the quantity
-  MaybeNumber reference;   // mean over the devices; percentages are differences from it
+  MaybeNumber reference;   // mean over the devices, from which the percentages differ
   std::size_t law = 0;     // the law's place in the summary
   std::vector<DevicePoint> points;
 };

@@ -47,7 +47,7 @@ function draw(look) {
   };
 }
 
-// The spread between laws is known only for the displacement. It is a line, since it belongs to all laws together.
+// The scatter between laws, known only for the displacement. It belongs to no single law, so it is drawn as a line.
 function betweenLaws(look) {
   if (study.law_std_ln === null || chosen.quantity !== 'isolator_mm') return {};
   const x = 100 * study.law_std_ln;

@@ -27,7 +27,7 @@ const panelPlaces = (law) =>
 const PANEL_MARGIN = { l: 62, r: 52, t: 8, b: 40 };
 
 function panelGrid(panels, width) {
-  const printing = isPrinting(); // a printed figure must fit on a page
+  const printing = isPrinting();  // a printed figure must fit on a page
   const columns = width > 900 || printing ? 3 : width > NARROW ? 2 : 1;
   const rows = Math.max(1, Math.ceil(panels / columns)),
     panel = printing ? 95 : 140,
@@ -64,7 +64,7 @@ function panelsCaption() {
   );
 }
 
-// A minimum width of the range: runs that end in the same place differ only in digits that nobody reads.
+// Widens a range to at least `least`, since runs that end at the same value differ only in digits that nobody reads.
 function atLeast(least, [low, high]) {
   const more = Math.max(0, least - (high - low)) / 2;
   return [low - more, high + more];
@@ -76,7 +76,7 @@ function drawPanels(look, width) {
   const { columns, panel, heading, between, inner } = panelGrid(places.length, width);
   const layout = { margin: PANEL_MARGIN, annotations: [], shapes: [] },
     traces = [];
-  const named = usable.every((device) => device.name.length <= 6); // longer names are replaced by numbers
+  const named = usable.every((device) => device.name.length <= 6);  // longer names are replaced by numbers
   const abscissa = namedAxis(usable.map((device, i) => (named ? device.name : String(i + 1))), columns === 1 ? 12 : 11);
   const gap = columns === 1 ? 0 : 118 / (width - PANEL_MARGIN.l - PANEL_MARGIN.r),
     wide = (1 - gap * (columns - 1)) / columns;
@@ -89,7 +89,7 @@ function drawPanels(look, width) {
       { factor, exponent } = rowFormat(entries.map(({ row }) => row.mean));
     const values = entries.flatMap(({ row }) => [(row.mean - (row.std ?? 0)) / factor, (row.mean + (row.std ?? 0)) / factor]);
     const range = atLeast(0.02 * Math.abs(lot / factor), paddedRange([...values, lot / factor], 0.08));
-    // It falls from bottom to top if the mean is negative.
+    // The percentage falls from the bottom of the axis to the top if the mean is negative.
     const percent = (value) => (lot !== 0 ? 100 * ((value * factor) / lot - 1) : 0);
     layout['xaxis' + x] = {
       ...abscissa, domain: [left, left + wide], anchor: 'y' + y, tickfont: { size: 10.5 }, automargin: false,
@@ -99,7 +99,7 @@ function drawPanels(look, width) {
       layout['yaxis' + right] = {
         domain: [top - panel / inner, top], anchor: 'x' + x, overlaying: 'y' + y, side: 'right',
         range: range.map(percent), nticks: 5, ticksuffix: THIN + '%', showgrid: false, zeroline: false,
-        automargin: false, tickmode: 'auto', // its ticks need not match the left axis
+        automargin: false, tickmode: 'auto',  // the ticks of this axis need not match those of the left axis
       };
     const { unit } = law.parameters[place];
     const scale = [exponent !== 0 ? '10' + superscript(exponent) : '', unit && unit !== '1' ? unitText(unit) : ''].filter(Boolean).join(' ');
