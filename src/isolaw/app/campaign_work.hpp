@@ -26,7 +26,6 @@ struct HowToWork {
 class CampaignWork {
  public:
   explicit CampaignWork(std::vector<std::string> const& command_line);
-  // Returns the exit code.
   int finish(campaign::Contents& contents, HowToWork const& how);
 
  private:

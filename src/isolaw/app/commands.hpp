@@ -12,8 +12,7 @@ namespace isolaw::app {
 
 inline constexpr int exit_done = 0, exit_with_refusals = 1, exit_wrong_usage = 2, exit_internal = 3;
 
-// Members of type Values hold options that the user gave; these override a lot file and the rules in a campaign's
-// store.
+// Members of type Values hold the options that the user gave. They override a lot file and a campaign's store.
 struct CalibrateArguments {
   std::vector<std::filesystem::path> inputs;  // one lot file, or records
   Values settings, read, acceptance;

@@ -39,7 +39,7 @@ std::vector<double> force_of(std::string_view law_id, std::size_t device, std::v
   for (auto const& info : law.parameters) parameters.push_back(info.fixed_by_default.value_or(0.0));
   for (auto const& parameter : printed->parameters)
     if (auto const place = std::ranges::find(law.parameters, parameter.name, &laws::ParameterInfo::name);
-        place != law.parameters.end())  // abe-y0 has no p
+        place != law.parameters.end())  // abe-y0 lacks the printed p
       parameters[static_cast<std::size_t>(place - law.parameters.begin())] = parameter.mean[device];
 
   data::FitRecord const motion{.time_s = {}, .disp_mm = disp_mm, .vel_mm_s = vel_mm_s, .force_kN = {}, .cleaning = {}};

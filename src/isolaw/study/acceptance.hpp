@@ -23,7 +23,7 @@ struct AssessedTest {
 struct DeviceAcceptance {
   std::optional<int> block;  // the block that is assessed; empty if the record has no cyclic properties
   std::string choice;        // why this block was chosen
-  std::string copy_of;       // as in AssessedTest
+  std::string copy_of;       // the device that is assessed instead: AssessedTest::copy_of
   std::vector<rules::Assessment> assessments;
 };
 

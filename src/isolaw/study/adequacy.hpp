@@ -25,7 +25,7 @@ inline bool is_adequate(LawResult const& law) {
 // a parameter agree between devices. With one device both counts are 0: there are no values to compare.
 struct Pinned {
   std::size_t count = 0, calibrated = 0;
-  bool decides() const { return 3 * count >= calibrated && count > 0; }  // from a third on, the law is not robust
+  bool decides() const { return 3 * count >= calibrated && count > 0; }  // true: the search box decides this law's beta
   Finding finding(std::string const& law) const;                         // FindingKind::held_by_box
 };
 Pinned pinned(LawResult const& law);

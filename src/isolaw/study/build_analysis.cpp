@@ -165,7 +165,7 @@ lot::DeviceEstimate reduced(laws::LawEntry const& entry, std::vector<double> con
     return parameters;
   };
   auto const here = form(values);
-  std::vector<std::vector<double>> slopes;  // [free][kept]
+  std::vector<std::vector<double>> slopes;  // of the kept parameters by the free ones: [free][kept]
   for (auto const k : free) {
     constexpr double step = 1e-6;
     double const size = values[k] != 0.0 ? step * std::abs(values[k]) : step;
@@ -439,7 +439,7 @@ void add_lot_analysis(LawResult& law, campaign::Contents const& contents) {
 
 void add_converged_views(Summary& summary) {
   if (summary.missing_runs() > 0 || summary.missing_analyses() > 0)
-    return;  // laws would otherwise be compared on different devices
+    return;  // some laws would lack devices that others have
   auto const accurate = [](LawResult const& law) { return law.objective_converged; };
   mark_front(
       summary.laws, [](auto const& law) { return law.beta_converged; }, accurate, &LawResult::on_front_converged);

@@ -17,7 +17,7 @@ struct Draws {
   std::vector<ParameterFit> const* parameters = nullptr;  // names and units of the columns; points into the summary
   std::vector<std::vector<double>> values;                // [device][parameter], in the law's order
   lot::Population const* population = nullptr;
-  std::size_t rejected = 0, pulled_back = 0;  // as in lot::Sample
+  std::size_t rejected = 0, pulled_back = 0;  // draws outside the limits, and devices moved inside: lot::Sample
 };
 
 // Where a parameter's value comes from: its place in the population or, without a place, one value for all devices.

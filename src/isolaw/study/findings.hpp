@@ -31,8 +31,8 @@ std::string_view name(Role role);  // "most accurate", "dominated", ...
 struct LawVerdict {
   std::size_t law = 0;  // index into Summary::laws
   Role role = Role::unranked;
-  std::vector<Finding> findings;          // one sentence each, in this order
-  std::vector<std::string> dominated_by;  // ids of laws on the front
+  std::vector<Finding> findings;          // each gives a sentence, in this order
+  std::vector<std::string> dominated_by;  // ids of the laws on the front that beat this law
 };
 
 struct Findings {

@@ -55,7 +55,7 @@ struct ParameterFit {
   bool free = true;  // false: fixed by default or by the user; then mean = best = the value, std = 0
   double lower = 0.0, upper = 0.0;
   Statistic value;
-  std::optional<double> percent_of_lot;      // difference of the mean from the mean over devices, percent
+  std::optional<double> percent_of_lot;      // difference of the mean from the mean over the devices
   fit::AtBound at_bound = fit::AtBound::no;  // whether the best run ended at a bound of the box
   std::string tied_to;                       // the parameter whose value this one takes; "" for none
   std::string paper_name;                    // its name in the tables of Cucuzza et al. 2025, if different; else ""
@@ -80,9 +80,9 @@ struct DeviceFit {
   std::optional<double> interval_level;
   std::size_t interval_samples = 0, interval_block = 0;
   int interval_replicates = 0;
-  std::optional<double> lot_objective;       // with the lot's common parameters of least mean objective
-  std::optional<double> worst_objective;     // with the common parameters that are best for the worst device
-  std::optional<double> left_out_objective;  // with parameters fitted to all other devices
+  std::optional<double> lot_objective;       // objective with the parameters that fit the lot best on average
+  std::optional<double> worst_objective;     // objective with the parameters that fit the worst device best
+  std::optional<double> left_out_objective;  // objective with parameters fitted to all other devices
   // Objectives of springs around the circle along the test direction: parameters fitted to springs, and the law's own.
   std::optional<double> springs_objective, springs_given_objective;
   std::vector<BlockScore> blocks;
@@ -133,9 +133,9 @@ struct LawResult {
   std::string loo_worst_device;
   bool on_front_loo = false;  // on the front of objective_converged against loo_objective
   std::optional<lot::Population> population;
-  std::optional<double> fitted_objective, predicted_objective, worst_predicted;  // means over blocks, then over devices
+  std::optional<double> fitted_objective, predicted_objective, worst_predicted;  // two means, and the largest of all
   std::optional<PredictionGrade> prediction_grade;                               // empty if no blocks are predicted
-  bool in_programs = false;  // analysis programs have this law with such parameters, apart from bounds and records
+  bool in_programs = false;  // an analysis program has this law for such parameter values
   std::string reduced_form;  // the `--set` that fits the form without the redundant parameter; "" if there is none
   std::vector<std::string> notes;  // how isolaw reads the law where its source is ambiguous
   std::vector<DeviceFit> devices;
@@ -154,9 +154,9 @@ struct DeviceResult {
   std::optional<double> temperature_C, rubber_thickness_mm, rubber_area_mm2;
   data::TestRecord raw;                             // empty if the device was refused
   data::FitRecord record;                           // the record that the laws were fitted to
-  data::Properties properties;                      // from raw values
+  data::Properties properties;                      // of the raw record
   data::VerticalTest vertical_test;                 // holds the reason if the test gives no stiffness
-  std::optional<data::VerticalStiffness> vertical;  // from raw values
+  std::optional<data::VerticalStiffness> vertical;  // of the raw test
   std::vector<Finding> notes;                       // remarks from the error budget, besides the record's warnings
   std::vector<data::Effect> effects;                // the whole error budget, for JSON
   DeviceAcceptance acceptance;

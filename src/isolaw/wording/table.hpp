@@ -65,7 +65,6 @@ std::string reasons(std::vector<Finding> const& findings);
 
 // The findings that may appear in `place`, in the order of the table. Each inner list makes one sentence.
 std::vector<std::vector<Finding>> grouped(std::vector<Finding> const& findings, unsigned place = in_report);
-// The sentences of grouped().
 std::vector<std::string> sentences(std::vector<Finding> const& findings, unsigned place = in_report);
 
 // One sentence for each finding, in the order given, joined by `between`. `with_subject` is false for a place that

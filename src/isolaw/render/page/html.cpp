@@ -13,8 +13,7 @@
 namespace isolaw::render {
 namespace {
 
-// Inserts a backslash into "<!--" and "</script", which would change or end a <script>. In the strings and regular
-// expressions of JavaScript that hold them, the backslash has no effect.
+// Adds a backslash to "<!--" and "</script", which would end a <script>. Strings and regular expressions ignore it.
 std::string inline_script(std::string_view script) {
   std::string safe;
   safe.reserve(script.size());

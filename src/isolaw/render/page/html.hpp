@@ -18,7 +18,6 @@ namespace isolaw::render {
 
 // The page with styles, scripts and data. Only its title and its data block contain text from the input, escaped.
 std::string html(Summary const& summary);
-// The page of a building, with the data of building.json.
 std::string building_html(building::Study const& study, building::Answers const& answers);
 // The rules and design values that an existing page was written with; nullopt if the page states none.
 std::optional<campaign::Acceptance> asked_in(std::string_view page);

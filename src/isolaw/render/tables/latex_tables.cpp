@@ -204,8 +204,7 @@ std::string latex_number(std::optional<double> const& number, int digits_shown) 
   auto text = fmt::format("{:#.{}g}", *number, digits_shown);
   auto const e = text.find('e');
   auto digits = text.substr(0, e);
-  // fmt writes "1234." or, in some versions, "1234.0". The decimal point is dropped if there are enough digits before
-  // it.
+  // fmt writes "1234." or, in some versions, "1234.0". With enough digits before the point, the rest is dropped.
   auto const point = digits.find('.');
   auto const before = static_cast<int>(std::ranges::count_if(digits.substr(0, point), [](char c) { return c != '-'; }));
   if (before >= digits_shown) digits.resize(std::min(point, digits.size()));
