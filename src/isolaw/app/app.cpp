@@ -60,7 +60,7 @@ void add_option(CLI::App& command, OptionInfo const& option, Values& given, std:
   under(option.heading, added);
 }
 
-// `of_test` is false for a motion, which has no force. The lot file alone sets an option whose name the command uses.
+// `of_test` is false for a motion, which has no force. If the command uses a name itself, only the lot file sets it.
 void add_reading(CLI::App& command, Values& read, bool of_test = true) {
   for (auto const& option : data::reading_table()) {
     auto const other_name = of_test ? std::string_view() : option.motion_option;

@@ -7,7 +7,7 @@
 
 namespace isolaw::app {
 
-// While it lives, a signal sets interrupted(), and a second one ends the program. SIGHUP stays ignored under nohup.
+// A guard catches signals: the first sets interrupted(), the second ends the program. nohup's ignored SIGHUP stays so.
 class SignalGuard {
  public:
   SignalGuard();

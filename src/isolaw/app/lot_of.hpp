@@ -15,7 +15,7 @@ std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path>
 campaign::Lot lot_of_file(std::filesystem::path const& file, campaign::LotFileOptions options);
 campaign::Lot lot_of_inputs(std::vector<std::filesystem::path> const& inputs, campaign::LotFileOptions const& options);
 
-// Also loads the rule set and parses the design values. Throws Error if one of them is wrong.
+// Sets the given options, loads the rule set and parses the design values. Throws Error if one of them is wrong.
 void apply(Values const& given, campaign::Acceptance& acceptance);
 
 // "DEVICE=FILE" replaces the compression test of that device in the lot file. Throws Error.

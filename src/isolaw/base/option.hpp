@@ -94,7 +94,7 @@ void lay_over(Rows const& rows, Values const& given, Target& target) {
   });
 }
 
-// Each of these functions checks a value and throws Error without `where`.
+// These functions convert a value. If it is not allowed, they throw Error without `where`.
 int whole_of(Json const& value, Limits const& limits);
 double real_of(Json const& value, Limits const& limits);
 bool flag_of(Json const& value);

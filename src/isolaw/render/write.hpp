@@ -1,5 +1,5 @@
-// Writes page, JSON and tables of a report, an inspection or a building study into `dir`, and removes them. Creates `dir`
-// if necessary. Throws Error if a file cannot be written.
+// Writes and removes the page, JSON and tables of a report, an inspection or a building study. The functions that write
+// create `dir` if necessary and throw Error on failure.
 #pragma once
 
 #include <filesystem>

@@ -439,7 +439,7 @@ void add_lot_analysis(LawResult& law, campaign::Contents const& contents) {
 
 void add_converged_views(Summary& summary) {
   if (summary.missing_runs() > 0 || summary.missing_analyses() > 0)
-    return;  // some laws would lack devices that others have
+    return;  // laws with results on different devices cannot be compared
   auto const accurate = [](LawResult const& law) { return law.objective_converged; };
   mark_front(
       summary.laws, [](auto const& law) { return law.beta_converged; }, accurate, &LawResult::on_front_converged);

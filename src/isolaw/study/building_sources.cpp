@@ -79,7 +79,7 @@ building::LawSource source_of(campaign::Contents const& contents, Summary const&
   return source;
 }
 
-// Replaces the law's parameters by those fitted to springs around the circle. Returns nullopt if some are missing.
+// Replaces the law's parameters by those fitted to springs in several directions. Returns nullopt if some are missing.
 std::optional<campaign::Contents> with_springs_of(campaign::Contents contents, std::string_view law) {
   bool any = false;
   for (auto& analysis : contents.device_analyses) {

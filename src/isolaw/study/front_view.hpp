@@ -27,8 +27,7 @@ struct FrontPoint {
 
 // One point for each law that has both numbers, in the order of the summary.
 std::vector<FrontPoint> front_points(Summary const& summary, FrontView view);
-// Ids of the laws on the front that beat the point: no worse in both numbers, better in one. Empty for laws on the
-// front.
+// Ids of the laws on the front that beat the point: no worse in both numbers, better in one. A front's law has none.
 std::vector<std::string> dominating(std::vector<FrontPoint> const& points, FrontPoint const& point);
 
 }  // namespace isolaw::study

@@ -27,7 +27,7 @@ struct Named {
   std::string law;
   PublishedNumbers numbers;
 };
-using ByNumber = std::array<Named, study_laws>;  // from law 1 on
+using ByNumber = std::array<Named, study_laws>;  // index 0 is law 1
 
 Named const& law_of(ByNumber const& laws, int number) {
   return laws[static_cast<std::size_t>(number - 1)];

@@ -27,7 +27,7 @@ std::string_view name(Rank place);  // "taken", "ties", "behind", "ruled out"
 struct Standing {
   std::size_t law = 0;  // index into Summary::laws
   Rank place = Rank::behind;
-  std::optional<double> error;    // misfit on what the purpose is about
+  std::optional<double> error;    // misfit on the tests, or on what was left out of the fit, by purpose
   std::optional<Finding> reason;  // why the law is ruled out
 };
 
@@ -36,7 +36,7 @@ struct Recommendation {
   std::string title;                // "For a device not tested"
   std::optional<std::size_t> law;   // index into Summary::laws; empty: none can be recommended
   Sure sure = Sure::weak;           // weak if the law has a weakness, even if it ties with others
-  std::optional<double> error;      // its misfit on what the purpose is about; 0 is perfect
+  std::optional<double> error;      // its misfit on the tests, or on what was left out; 0 is perfect
   std::string measure;              // what that error was computed on: "fitted to each device"
   std::vector<std::size_t> ties;    // other laws whose errors hardly differ from this law's, best first
   std::vector<Standing> standings;  // every law, best first, those ruled out last

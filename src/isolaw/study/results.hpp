@@ -25,7 +25,7 @@ struct Ends {
 struct Nested {};  // an object or array that the renderer writes itself
 
 using Value = std::variant<std::monostate, bool, int, std::uint64_t, double, std::string_view,
-                           std::vector<std::string> const*, Statistic, Ends, Nested>;  // monostate: undefined
+                           std::vector<std::string> const*, Statistic, Ends, Nested>;  // monostate: an undefined value
 
 template <class T>
 Value value_of(T const& from) {

@@ -22,7 +22,7 @@
 namespace isolaw::study {
 
 struct Statistic {
-  std::optional<double> mean, std, best;  // empty: no usable run (std is empty below two runs)
+  std::optional<double> mean, std, best;  // empty without a usable run; std needs two runs
 };
 
 // How well the test of one device determines a parameter, from the objective around its minimum.
@@ -83,7 +83,7 @@ struct DeviceFit {
   std::optional<double> lot_objective;       // objective with the parameters that fit the lot best on average
   std::optional<double> worst_objective;     // objective with the parameters that fit the worst device best
   std::optional<double> left_out_objective;  // objective with parameters fitted to all other devices
-  // Objectives of springs around the circle along the test direction: parameters fitted to springs, and the law's own.
+  // Objectives if springs in several directions in plan replace the law: with parameters fitted to springs, or its own.
   std::optional<double> springs_objective, springs_given_objective;
   std::vector<BlockScore> blocks;
   std::optional<EnergyFall> energy_fall;       // empty if the device does not lose energy steadily
@@ -98,7 +98,7 @@ inline std::string_view fit_status(DeviceFit const& fit) {
   return fit.objective.mean ? "ok" : "failed";
 }
 
-// Parameters common to all devices, in the law's order: of least mean objective, and of least worst objective.
+// Two parameter sets for all devices, in the law's order: with the least mean, and with the least largest objective.
 struct LotLaw {
   std::vector<double> parameters, worst_parameters;
   double mean = 0.0, worst = 0.0;  // mean and largest objective with `parameters`
@@ -133,9 +133,10 @@ struct LawResult {
   std::string loo_worst_device;
   bool on_front_loo = false;  // on the front of objective_converged against loo_objective
   std::optional<lot::Population> population;
-  std::optional<double> fitted_objective, predicted_objective, worst_predicted;  // two means, and the largest of all
-  std::optional<PredictionGrade> prediction_grade;                               // empty if no blocks are predicted
-  bool in_programs = false;  // an analysis program has this law for such parameter values
+  std::optional<double> fitted_objective, predicted_objective,
+      worst_predicted;                              // means over blocks; worst: the largest
+  std::optional<PredictionGrade> prediction_grade;  // empty if no blocks are predicted
+  bool in_programs = false;                         // an analysis program has this law for such parameter values
   std::string reduced_form;  // the `--set` that fits the form without the redundant parameter; "" if there is none
   std::vector<std::string> notes;  // how isolaw reads the law where its source is ambiguous
   std::vector<DeviceFit> devices;

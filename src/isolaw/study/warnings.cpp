@@ -91,7 +91,7 @@ class Collector {
     return found != summary_.settings.end() && found->json != "\"all\"" && found->json != "\"\"";
   }
 
-  // Warns if a device loses energy steadily and no law in scope does. The laws then describe a mean cycle.
+  // Warns if a device loses energy steadily through a block and no law in scope follows the loss.
   void degradation() {
     for (auto const* device : devices_) {
       EnergyFall const* nearest = nullptr;
@@ -270,8 +270,7 @@ std::vector<Finding> Collector::record_findings(DeviceResult const& device) {
   return found;
 }
 
-// A record shared by two devices makes parameters look less scattered. A compression test can belong to one device
-// only.
+// A record shared by two devices makes parameters look less scattered. A compression test belongs to one device.
 std::vector<Finding> Collector::shared_records(Summary const& summary) {
   std::vector<Finding> found;
   auto const names_of = [](auto const& group) {
