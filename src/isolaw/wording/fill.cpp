@@ -175,7 +175,7 @@ class Filler {
   }
 
   Group group_;
-  double count_ = 0.0;  // of the list or number that was printed last
+  double count_ = 0.0;  // the last number printed, or the length of the last list
 };
 
 }  // namespace

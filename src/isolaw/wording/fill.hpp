@@ -5,7 +5,7 @@
 //                 `law`: a word that is a law's id
 //   {law} {laws} {devices} {parameters} {block}   the members of the finding; {laws} are the other laws
 //   {one|many}    chosen by the list or the number that was printed last
-//   [ ... ]       left out if a field inside is absent, or if a number inside, {name}, is 0
+//   [ ... ]       left out if a field inside is absent, or if a number {name} inside is 0
 //   < ... >       repeated for each finding, and names its device if there are several; ~ ... ~ never names the device
 // If the findings of a group have different values of a number, their range is printed.
 #pragma once

@@ -254,7 +254,7 @@ std::span<Row const> rows() {
       campaign(
           motions_too_few, "motions-too-few", "motions", caution, "Use more motions", each_alone, with_building, none,
           "{motions} motion{|s}: codes accept the mean over {wanted} motions or more as the design's response, some over eleven."),
-      // [records] Reasons why there are no cyclic properties, such as signals that cannot be true.
+      // [records] Signals that cannot be true, and other reasons why there are no cyclic properties.
       doubt(no_cyclic_properties, "no-cyclic-properties", serious, by_words, "no cyclic properties: {reason}"),
       doubt(signal_clipped, "signal-clipped", serious, by_words, "", wording::signal_clipped),
       doubt(signal_stuck, "signal-stuck", serious, by_words, "", wording::signal_stuck),

@@ -58,7 +58,7 @@ bool take_over(fs::path const& from, fs::path const& to, std::string const& name
   return has_svg && has_pdf;
 }
 
-// After a failure the other figures of the process are drawn again, and temporary files take room, so this is small.
+// A process draws few figures: after a failure it draws the rest again, and temporary files take room.
 constexpr std::size_t figures_per_process = 64;
 
 // Draws `names` in one process; if a figure fails, a new process draws the rest. Copies complete figures to `dir`.

@@ -23,8 +23,7 @@ void write_value(JsonWriter& out, Value const& value, std::optional<int> digits)
 // If `digits` is empty, numbers have all digits.
 void write_values(JsonWriter& out, std::span<double const> values, std::optional<int> digits = std::nullopt);
 
-// Writes members (key, value, key, value, ...) into the open object. Numbers have nine digits; undefined values are
-// null.
+// Writes pairs of key and value into the open object. Numbers have nine digits; undefined values are null.
 template <class T, class... Rest>
 void write_members(JsonWriter& out, std::string_view key, T const& value, Rest const&... rest) {
   write_value(out.key(key), study::value_of(value), shown_digits);

@@ -21,7 +21,7 @@ std::string html(Summary const& summary);
 std::string building_html(building::Study const& study, building::Answers const& answers);
 // The rules and design values that an existing page was written with; nullopt if the page states none.
 std::optional<campaign::Acceptance> asked_in(std::string_view page);
-// page.html with placeholders, page.css, page.js, building.js and plotly-basic.min.js.
+// The embedded files: page.html with placeholders, page.css, page.js, building.js and plotly-basic.min.js.
 std::span<Embedded const> page_files();
 
 }  // namespace isolaw::render

@@ -170,8 +170,8 @@ void write_determination(JsonWriter& out, DeviceFit const& fit) {
   out.end_object();
 }
 
-// Over the runs: least, median and largest log10 of the best objective so far, after each generation or start. Runs
-// that have ended keep their last value.
+// Writes the best objective after each generation or start as least, median and largest log10 over the runs. A run that
+// has ended keeps its last value.
 void write_convergence(JsonWriter& out, DeviceFit const& fit) {
   std::vector<std::vector<double>> runs;
   std::size_t steps = 0;

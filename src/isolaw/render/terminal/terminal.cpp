@@ -99,7 +99,7 @@ std::string law_table(Summary const& summary) {
   return table(rows, {18, 8, 7, 7, 9, 9}, 3);
 }
 
-// Explains |dK| and |dE| if laws were fitted to part of the tests, since they may then belong to another cycle.
+// Explains |dK| and |dE| if laws were fitted to part of the tests: the errors may then belong to another cycle.
 std::string compared_on(Summary const& summary, int width) {
   bool const part =
       std::ranges::any_of(summary.devices, [](auto const& device) { return !device.record.scored.empty(); });

@@ -17,12 +17,12 @@ const reader = choices({
   grouping: 'law',
   purpose: FIRST,
   view: FIRST_VIEW,
-  examined: examinedLaws[0]?.index ?? null,  // the law in the section on determination
-  parameter: firstExamined(examinedLaws[0]),  // index of the parameter shown with that law
+  examined: examinedLaws[0]?.index ?? null, // the law in the section on determination
+  parameter: firstExamined(examinedLaws[0]), // index of the parameter shown with that law
   lotLaw: lotLaws[0]?.index ?? null,
-  predicted: predictedByFit[1]?.index ?? null,  // the law that predicts second best, since the best is shown anyway
-  law: ranking[0]?.index ?? null,  // the law in the section on parameters
-  order: { key: 'best OF\n-', down: false },  // how the table of laws on one device is sorted
+  predicted: predictedByFit[1]?.index ?? null, // the law that predicts second best, since the best is shown anyway
+  law: ranking[0]?.index ?? null, // the law in the section on parameters
+  order: { key: 'best OF\n-', down: false }, // how the table of laws on one device is sorted
 });
 
 export const chosen = reader.chosen;

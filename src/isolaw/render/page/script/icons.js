@@ -1,4 +1,4 @@
-// Shapes for icon(), which draws [path, fill, stroke] in a field of 12 by 12.
+// A path for icon(), which draws shapes [path, fill, stroke] in a field of 12 by 12.
 export const ROUND = 'M6 .8 A5.2 5.2 0 1 1 5.99 .8 Z';
 
 export function icon(...shapes) {

@@ -1,5 +1,5 @@
-const MARKER = 8,  // a point's marker reaches this many pixels from its centre
-  LETTERS = 16;  // height of a label in pixels
+const MARKER = 8, // a point's marker reaches this many pixels from its centre
+  LETTERS = 16; // height of a label in pixels
 
 const meet = (a, b) => a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
 
@@ -74,7 +74,8 @@ export function spread(wanted, gap, low, high) {
   return groups.flatMap((group) => Array(group.size).fill(group.sum / group.size)).map((value, i) => value + i * gap);
 }
 
-// Numbers of the outermost peaks are in the right margin, others up and left of the peak, where a loop leaves room.
+// Places the numbers of cycles at their peaks: those of the outermost peaks in the right margin, others up and left of
+// the peak, where a hysteresis loop leaves room.
 export function peakLabels(labels, pixel, room, height) {
   const gap = 15,
     columns = [];

@@ -9,7 +9,7 @@ export const colourOf = (law) => 'law-' + ((law.index % COLOURS) + 1);
 export const isAgain = (law) => law.index >= COLOURS;
 
 const DASHES = ['solid', 'dash', 'dashdot', 'dot', 'longdash', 'longdashdot', '6px,3px', '10px,3px,2px,3px'];
-export const NARROW = 620;  // pixels; a narrower window is that of a telephone
+export const NARROW = 620; // pixels; a narrower window is that of a telephone
 
 export function theme() {
   const style = getComputedStyle(document.documentElement);
@@ -22,7 +22,7 @@ export function theme() {
 }
 
 export const symbolOf = (law) => SYMBOLS[law.index % SYMBOLS.length] + (isAgain(law) ? '-open' : '');
-export const dashOf = (place) => DASHES[place % DASHES.length];  // `place`: among the chosen laws; the first is solid
+export const dashOf = (place) => DASHES[place % DASHES.length]; // `place`: among the chosen laws; the first is solid
 export const LEGEND = { orientation: 'h', x: 0, y: 1.02, xanchor: 'left', yanchor: 'bottom', font: { size: 12 } };
 
 export function styled(layout, look) {
@@ -31,7 +31,7 @@ export function styled(layout, look) {
     tickfont: { size: 11.5 }, title: { standoff: 6 }, automargin: true, ticks: '',
   };
   const result = {
-    autosize: false,  // the page sets the size of every plot
+    autosize: false, // the page sets the size of every plot
     paper_bgcolor: 'rgba(0,0,0,0)',
     plot_bgcolor: 'rgba(0,0,0,0)',
     font: { family: look.font, size: 12.5, color: look.colour('ink') },

@@ -47,8 +47,7 @@ export function answering(purpose, viewId) {
   return placedIn(view).filter((law) => view.onFront(law));
 }
 
-// The answer as a sentence. Accuracy against robustness has the program's sentence or, in other views, the front's
-// laws.
+// The answer as a sentence. Only the view of the runs has a sentence on robustness; others list the front's laws.
 export function answerOf(purpose, viewId) {
   if (purpose.recommendation) return purpose.answer;
   const view = viewOf(viewId);

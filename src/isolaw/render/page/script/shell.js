@@ -86,6 +86,6 @@ export function followWindow({ beforePrint = () => {}, afterPrint = () => {} } =
     const width = Math.round(entry.contentRect.width);
     if (width === drawnWidth) return;
     drawnWidth = width;
-    requestAnimationFrame(() => redraw());  // later, since drawing at once would change the observed height
+    requestAnimationFrame(() => redraw()); // later, since drawing at once would change the observed height
   }).observe(document.getElementById('report'));
 }

@@ -3,7 +3,7 @@
 
 import { data } from './data.js';
 
-const MARK = '\u2063';  // an invisible character; text without typesetting may keep it
+const MARK = '\u2063'; // an invisible character; text without typesetting may keep it
 const { words, parameters } = data.notation;
 
 export const symbol = (name) => (parameters[name] ? MARK + name + MARK : name);

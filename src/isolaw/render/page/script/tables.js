@@ -1,7 +1,7 @@
 import { element } from './dom.js';
 import { DASH, MINUS } from './text.js';
 
-const FEW_ROWS = 3;  // tables with fewer rows cannot be sorted
+const FEW_ROWS = 3; // a table of up to this many rows cannot be sorted
 
 // The order of each table, by its label. A table that is built again keeps its order.
 const orders = new Map();

@@ -5,7 +5,7 @@ export const VIEWS = [
   {
     id: 'runs',
     title: 'mean of the runs',
-    column: 'mean of the runs',  // heading in a CSV file
+    column: 'mean of the runs', // heading in a CSV file
     robust: (law) => law.beta,
     accurate: (law) => law.objective.mean,
     onFront: (law) => law.on_front,

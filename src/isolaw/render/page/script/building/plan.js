@@ -5,7 +5,7 @@ import { choose, chosen, laws, numberText, placeChooser, quantityOf, study, unit
 
 const KINDS = { draw: ['draw of the lot', 'circle'], lot: ['law of the lot', 'square'], lower: ['lower bound', 'triangle-down'], upper: ['upper bound', 'triangle-up'] };
 const kindOf = ({ is }) => (Object.hasOwn(KINDS, is) ? KINDS[is] : ['tested device', 'diamond']);
-const LEAST_CONTRAST = 0.05;  // the colours span at least this share of the mean displacement to both sides
+const LEAST_CONTRAST = 0.05; // the colours span at least this share of the mean displacement to both sides
 const TWISTS = ['corner_over_centre', 'corner_mm', 'centre_mm', 'rotation_mrad', 'worst_energy_share'];
 
 export const planSection = {

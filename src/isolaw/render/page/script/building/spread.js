@@ -4,7 +4,7 @@ import { atTheHead, plain, short } from '../text.js';
 import { bars, bounds, histogramData, spanOf } from './histogram.js';
 import { axisTitle, chosen, first, grouped, isCovered, laws, numberText, quantityChooser, quantityOf, spreadText, study } from './study.js';
 
-const ROW = 150;  // height in pixels for each law
+const ROW = 150; // height in pixels for each law
 const quantity = () => quantityOf(chosen.quantity);
 
 export const spreadSection = {

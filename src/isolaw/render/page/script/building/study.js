@@ -7,7 +7,7 @@ import { atTheHead, fixed, significant, unitText, withUnit } from '../text.js';
 
 export const study = data;
 export const laws = study.laws.map((law, index) => ({ ...law, index }));
-export const first = laws[0];  // the law whose coverage decides the verdict
+export const first = laws[0]; // the law whose coverage decides the verdict
 export const grouped = (number) => number.toLocaleString('en');
 
 export const quantityOf = (key) => study.quantities.find((quantity) => quantity.key === key);
@@ -20,11 +20,11 @@ export const spreadText = (std) => fixed(100 * std, std < 0.0995 ? 1 : 0) + '\u2
 
 const reader = choices({
   quantity: 'isolator_mm',
-  law: 0,  // shown in the plan and under single motions
+  law: 0, // the law shown in the plan and under single motions
   motion: 0,
-  bearing: 0,  // the bearing whose loop is shown
+  bearing: 0, // the bearing whose loop is shown
   axis: 'x',
-  laws: new Set([0]),  // shown in the histories
+  laws: new Set([0]), // the laws shown in the histories
 });
 export const chosen = reader.chosen;
 export const choose = reader.choose;

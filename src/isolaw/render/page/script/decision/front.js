@@ -135,7 +135,7 @@ function drawFront(look, width) {
   const shown = laws.filter((law) => isPlaced(view, law));
   const adequate = shown.filter((law) => !isInadequate(law)),
     crossed = shown.filter(isInadequate);
-  const margin = { ...FRONT_MARGIN, t: width < NARROW ? 50 : 30 };  // room for the key
+  const margin = { ...FRONT_MARGIN, t: width < NARROW ? 50 : 30 }; // room for the key
   const edge = shown.filter((law) => stands(view, law)).sort((a, b) => view.robust(a) - view.robust(b));
   const printed = publishedPoints(view);
   const xRange = paddedRange([...shown.map(view.robust), ...printed.map((law) => law.published_beta)], 0.13),

@@ -48,7 +48,7 @@ function profileData() {
   };
 }
 
-// The axis is logarithmic for values of one sign over more than a factor of 20. Otherwise it has a factor as in tables.
+// The axis is logarithmic if the values have one sign and differ by a factor above 20. Otherwise it is linear.
 function parameterAxis({ name, unit }, values) {
   const sizes = values.map(Math.abs),
     largest = Math.max(...sizes),
@@ -62,7 +62,7 @@ function parameterAxis({ name, unit }, values) {
   const start = log && sign < 0 ? [...range].reverse() : range;
   return {
     of: (value) => value / factor,
-    share: (place) => ((log ? Math.log10(place) : place) - start[0]) / (start[1] - start[0]),  // as a share of the axis
+    share: (place) => ((log ? Math.log10(place) : place) - start[0]) / (start[1] - start[0]), // as a share of the axis
     layout: {
       title: inFigure(symbol(name)) + plain(' [' + scaled + unitText(unit) + ']'),
       type: log ? 'log' : 'linear',
@@ -90,7 +90,7 @@ function drawProfile(look) {
   const ends = one.open.map(axis.of);
   const curvePoints = [
     ...values.map((value, i) => [value, objectives[i]]),
-    ...one.open.filter((_, i) => !one.ends[i]).map((value) => [value, limit]),  // the profile crosses the limit here
+    ...one.open.filter((_, i) => !one.ends[i]).map((value) => [value, limit]), // the profile crosses the limit here
   ].sort((a, b) => a[0] - b[0]);
   const text = (value) => withUnit(value, unitText(one.parameter.unit));
   return {
@@ -140,7 +140,7 @@ function drawProfile(look) {
       annotations: [
         {
           xref: 'paper',
-          x: Math.min(0.8, Math.max(0.2, axis.share((ends[0] + ends[1]) / 2))),  // the curve lies below the label
+          x: Math.min(0.8, Math.max(0.2, axis.share((ends[0] + ends[1]) / 2))), // the curve lies below the label
           y: limit,
           xanchor: 'center',
           yanchor: 'bottom',

@@ -181,7 +181,7 @@ function outlierLabels(points, quantity, range, width, height) {
   const pixel = (value) => ((value - range[0]) / (range[1] - range[0])) * width;
   const names = found.map(({ device }) => '\u25be ' + short(device.name, 12));
   const widest = Math.max(0, ...names.map((name) => 7 * name.length)) + 6;
-  const free = 110,  // pixels for the strip's heading
+  const free = 110, // pixels for the strip's heading
     most = Math.max(1, Math.floor((width - free) / widest));
   const some = found.slice(-most);
   const places =

@@ -27,7 +27,7 @@ const panelPlaces = (law) =>
 const PANEL_MARGIN = { l: 62, r: 52, t: 8, b: 40 };
 
 function panelGrid(panels, width) {
-  const printing = isPrinting();  // a printed figure must fit on a page
+  const printing = isPrinting(); // a printed figure must fit on a page
   const columns = width > 900 || printing ? 3 : width > NARROW ? 2 : 1;
   const rows = Math.max(1, Math.ceil(panels / columns)),
     panel = printing ? 95 : 140,
@@ -76,7 +76,7 @@ function drawPanels(look, width) {
   const { columns, panel, heading, between, inner } = panelGrid(places.length, width);
   const layout = { margin: PANEL_MARGIN, annotations: [], shapes: [] },
     traces = [];
-  const named = usable.every((device) => device.name.length <= 6);  // longer names are replaced by numbers
+  const named = usable.every((device) => device.name.length <= 6); // longer names are replaced by numbers
   const abscissa = namedAxis(usable.map((device, i) => (named ? device.name : String(i + 1))), columns === 1 ? 12 : 11);
   const gap = columns === 1 ? 0 : 118 / (width - PANEL_MARGIN.l - PANEL_MARGIN.r),
     wide = (1 - gap * (columns - 1)) / columns;
@@ -99,7 +99,7 @@ function drawPanels(look, width) {
       layout['yaxis' + right] = {
         domain: [top - panel / inner, top], anchor: 'x' + x, overlaying: 'y' + y, side: 'right',
         range: range.map(percent), nticks: 5, ticksuffix: THIN + '%', showgrid: false, zeroline: false,
-        automargin: false, tickmode: 'auto',  // the ticks of this axis need not match those of the left axis
+        automargin: false, tickmode: 'auto', // the ticks of this axis need not match those of the left axis
       };
     const { unit } = law.parameters[place];
     const scale = [exponent !== 0 ? '10' + superscript(exponent) : '', unit && unit !== '1' ? unitText(unit) : ''].filter(Boolean).join(' ');

@@ -16,7 +16,7 @@ const predictionsFigure = {
 export const predictionSection = {
   id: 'prediction',
   title: 'Prediction across the record',
-  short: 'Prediction',  // title in the table of contents
+  short: 'Prediction', // title in the table of contents
   laws: true,
   figures: [predictionsFigure, predictedLoopsFigure],
 };

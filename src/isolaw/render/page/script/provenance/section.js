@@ -7,7 +7,7 @@ const settingsFigure = {
   id: 'settings',
   width: 'narrow',
   title: 'Settings',
-  wanted: () => !inspection,  // an inspection has no settings of a search
+  wanted: () => !inspection, // an inspection has no settings of a search
   caption: () =>
     'The same files, settings and seed give the same results, whatever the number of threads.',
   build: () => termList('settings', settingRows()),
@@ -18,7 +18,7 @@ const filesFigure = {
   id: 'files',
   width: 'wide',
   title: 'Input files',
-  wanted: () => !inspection,  // an inspection's certificate lists them
+  wanted: () => !inspection, // an inspection's certificate lists them
   caption: () => 'SHA-256 of each file as it was read. A changed file has another SHA-256.',
   csv: () => ({
     columns: ['device', 'file', 'sha256', 'status', 'message'],
