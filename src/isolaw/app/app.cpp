@@ -60,7 +60,7 @@ void add_option(CLI::App& command, OptionInfo const& option, Values& given, std:
   under(option.heading, added);
 }
 
-// `of_test` is false for a motion, which has no force. An option whose name the command uses is left to the lot file.
+// `of_test` is false for a motion, which has no force. If the command uses a name itself, only the lot file sets it.
 void add_reading(CLI::App& command, Values& read, bool of_test = true) {
   for (auto const& option : data::reading_table()) {
     auto const other_name = of_test ? std::string_view() : option.motion_option;
@@ -110,7 +110,7 @@ void add_fresh(CLI::App& c, bool& fresh) {
   under(Heading::running, c.add_flag("--fresh", fresh, "start over, even if the directory holds another campaign"));
 }
 
-// The options that calibrate and parts share: they decide the results and the place where these are written.
+// Adds the options that calibrate and parts share: those that decide the results, and the folder of the results.
 void add_campaign(CLI::App& c, CalibrateArguments& a) {
   for (auto const& setting : campaign::setting_table())
     if (!setting.stored_only) add_option(c, setting, a.settings);
@@ -382,16 +382,16 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (CLI::ParseError const& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);  // help, version
+    if (error.get_exit_code() == 0) return app.exit(error);  // the user asked for --help or --version
     throw Error(usage_complaints(app, error));
   }
   return std::ranges::find_if(commands, [](auto const& each) { return each.first->parsed(); })->second();
 }
 
-// The reader of a failure besides the person at the terminal: none, a program that asked for --json, the page's engine.
+// Who reads a failure as JSON: nobody, a program that gave --json, or the engine of the browser version.
 enum class Reader { none, program, engine };
 
-// The page's engine passes this word before the command; run() removes it.
+// The engine of the browser version passes this word before the command; run() removes it.
 constexpr std::string_view word_of_engine = "--errors-as-json";
 
 Reader reader_of(int argc, char** argv) {
@@ -423,7 +423,7 @@ int fail_without_memory(Reader reader) {
   constexpr std::string_view advice =
       "fewer devices or shorter records at once, fewer --jobs, --samples-per-cycle 200, a smaller --population, or a machine with more memory";
   say("isolaw: out of memory; try: {}\n", advice);
-  // The same JSON as from fail(), without an allocation.
+  // Writes the same JSON as fail(), but allocates no memory.
   fmt::memory_buffer object;
   fmt::format_to(
       std::back_inserter(object),
@@ -440,7 +440,7 @@ int fail_without_output(Reader reader) {
 }  // namespace
 
 int run(int argc, char** argv) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the file size limit then fails with a message
+  std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the file size limit then returns an error
   auto const reader = reader_of(argc, argv);
   if (reader == Reader::engine) {
     argv[1] = argv[0];
@@ -456,7 +456,7 @@ int run(int argc, char** argv) {
     app.footer("isolaw COMMAND --help lists the options of a command.");
     app.require_subcommand(1);
     int const code = dispatch(app, argc, argv);
-    // Check both: a failure while printing leaves nothing for fflush to report.
+    // fflush reports nothing if an earlier write has failed, so ferror is asked too.
     return std::fflush(stdout) != 0 || std::ferror(stdout) != 0 ? fail_without_output(reader) : code;
   } catch (Error const& error) {
     return fail(reader, "input", error.complaints(), exit_wrong_usage);

@@ -3,8 +3,8 @@
 
 namespace isolaw::app {
 
-// Exit codes: 0 done; 1 done with refusals or failures; 2 wrong usage or no usable device; 3 internal error. Never
-// throws.
+// Never throws. Returns 0 if done, 1 with refusals or failures, 2 for wrong usage or no usable device, 3 for an
+// internal error.
 int run(int argc, char** argv);
 
 }  // namespace isolaw::app

@@ -1,4 +1,4 @@
-// `isolaw bench`: a signature of the numbers that this program computes, and its speed on this machine.
+// `isolaw bench`: hashes the numbers that this program computes, and measures its speed on this machine.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,8 +37,8 @@ class SpeedTest {
     return values;
   }
 
-  // Processor time per sample and candidate [ns], to the picosecond. Other work on the machine only adds time, but a
-  // shared host has reported a seventh of a pass's time, so the second shortest pass counts.
+  // Processor time per sample and candidate [ns], to the picosecond. Other work on the machine only adds time. A shared
+  // host once reported a seventh of the true time of a pass, so the second shortest pass is taken.
   double ns() const {
     constexpr std::size_t least_passes = 5, most_passes = 2000;
     constexpr double enough_s = 0.15;
@@ -62,7 +62,7 @@ class SpeedTest {
 }  // namespace
 
 int bench(bool json) {
-  // Seven digits of every objective: they are the same for all instruction sets and change when a law changes.
+  // Seven digits of each objective are the same for all instruction sets, and some change when a law changes.
   std::string digits;
   nlohmann::ordered_json converged, paper;
   for (auto const& law : laws::catalogue())

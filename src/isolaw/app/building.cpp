@@ -128,7 +128,7 @@ std::string full_name(std::filesystem::path const& path) {
   return std::filesystem::absolute(path).lexically_normal().string();
 }
 
-// Makes names of files absolute; "x.AT2,y.AT2" names two files.
+// Makes file names absolute. "x.AT2,y.AT2" names two files.
 std::vector<std::string> full_names(std::vector<std::string> motions) {
   for (auto& motion : motions) {
     auto const comma = motion.find(',');

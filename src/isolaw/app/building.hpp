@@ -1,4 +1,4 @@
-// Reading a building study, for the commands building and parts.
+// Reads a building study for the commands building and parts.
 #pragma once
 
 #include "isolaw/app/commands.hpp"
@@ -6,7 +6,7 @@
 
 namespace isolaw::app {
 
-// Throws Error if the file or the campaign is not given, or for all faults in them.
+// Throws Error if no file or campaign is given. One Error lists all faults in them.
 building::Study building_study(BuildingArguments const& arguments);
 
 }  // namespace isolaw::app

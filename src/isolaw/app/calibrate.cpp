@@ -30,7 +30,7 @@ void warn_of_idle_overrides(campaign::Settings const& settings) {
 int calibrate(CalibrateArguments const& arguments, std::vector<std::string> const& command_line) {
   CampaignWork work(command_line);
   auto const figures = render::figure_choice(arguments.figures);
-  fit::instruction_set();  // throws before anything is written, even if no run is left to do
+  fit::instruction_set();  // throws if the machine lacks the instruction set asked for, before anything is written
   auto const lot = lot_of(arguments);
   auto const part = arguments.part ? std::optional(campaign::parse_part(*arguments.part)) : std::nullopt;
   if (part && arguments.json)
@@ -43,7 +43,7 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
   for (auto const& device : contents.devices)
     if (!device.vertical.refusal.empty())
       say("{}: no vertical stiffness\n  {}\n", device.name, device.vertical.refusal);
-  // Throws before the search, not after it, if the rules or design values do not suit the lot.
+  // If the rules or design values do not suit the lot, this throws before the search begins.
   if (lot.acceptance != campaign::Acceptance{}) study::build_summary(contents);
 
   auto const directory = output_directory(arguments, lot);

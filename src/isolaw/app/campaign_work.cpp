@@ -76,13 +76,13 @@ int CampaignWork::finish(campaign::Contents& contents, HowToWork const& how) {
   if (contents.part) {
     say("part {} of {}: {}, all of its share, in {}; once every part is there: isolaw merge OUT PARTS...\n",
         contents.part->number, contents.part->of, counted(contents.runs.size(), "run"), shown(file));
-    return exit_done;  // the whole campaign's report says what was refused or failed
+    return exit_done;  // a part's exit code ignores refusals and failures: the report of the whole campaign has them
   }
   double const search_s = std::chrono::duration<double>(Clock::now() - start_).count();
-  // Reads the store, so that the program prints the same as `isolaw report`.
+  // The summary is made from the store, as in `isolaw report`, so both commands print the same.
   auto const summary = study::build_summary(campaign::Store::read(file));
   render::write_outputs(summary, directory);
-  // Figures are for print and not part of the study: their time is reported separately.
+  // Figures are for print. The time to draw them is reported separately from the time of the study.
   auto const before_figures = Clock::now();
   double const cpu_s = process_time_s() - cpu_at_start_s_;
   own_.lap(campaign::Phase::report);

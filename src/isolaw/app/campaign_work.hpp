@@ -1,4 +1,4 @@
-// Computes the missing runs and analyses of a prepared campaign whose directory is locked, then writes the reports.
+// Computes the missing runs and analyses of a campaign, then writes the reports. The caller has locked the directory.
 #pragma once
 
 #include <chrono>
@@ -17,16 +17,15 @@ namespace isolaw::app {
 struct HowToWork {
   std::filesystem::path directory;
   int jobs = 0;
-  std::optional<campaign::Part> share = {};  // compute this share of the analyses only, and no report
+  std::optional<campaign::Part> share = {};  // if given, compute only this share of the analyses and write no report
   render::FigureChoice figures = {};
   bool json = false, details = false;
 };
 
-// Must be constructed when the command starts, since reported times count from its construction.
+// Reported times count from the construction, so construct this when the command starts.
 class CampaignWork {
  public:
   explicit CampaignWork(std::vector<std::string> const& command_line);
-  // Returns the exit code.
   int finish(campaign::Contents& contents, HowToWork const& how);
 
  private:

@@ -32,7 +32,7 @@ bool holds(std::filesystem::path const& file, std::string_view text) {
   return there == text;
 }
 
-// How many runs the store has gained since the reports beside it were written; 0 if their summary.json does not say.
+// The number of runs added to the store since the reports in `directory` were written; 0 if summary.json does not say.
 std::size_t runs_since(std::filesystem::path const& directory, std::size_t missing_runs) {
   try {
     auto const text =
@@ -45,8 +45,8 @@ std::size_t runs_since(std::filesystem::path const& directory, std::size_t missi
   }
 }
 
-// A page by `isolaw report --rules ...` states other rules than the store, and these then count. An unreadable page
-// states none.
+// After `isolaw report --rules ...` the page states other rules than the store. The files are then checked against the
+// page's rules. Returns false if the page states none or cannot be read.
 bool hold_to_what_the_page_states(std::filesystem::path const& directory, campaign::Contents& contents,
                                   study::Summary& summary) {
   auto const stored = contents.acceptance;

@@ -12,14 +12,14 @@ namespace isolaw::app {
 
 inline constexpr int exit_done = 0, exit_with_refusals = 1, exit_wrong_usage = 2, exit_internal = 3;
 
-// Values hold the options given from a table. They override a lot file and the acceptance of a campaign's store.
+// Members of type Values hold the options that the user gave. They override a lot file and a campaign's store.
 struct CalibrateArguments {
   std::vector<std::filesystem::path> inputs;  // one lot file, or records
   Values settings, read, acceptance;
   std::vector<std::string> vertical;  // DEVICE=FILE of compression tests
   std::optional<std::filesystem::path> out;
   std::optional<int> jobs;
-  std::optional<std::string> part;  // "3/40"
+  std::optional<std::string> part;  // such as "3/40"
   std::string figures = "lot";
   bool fresh = false;
   bool allow_outside = false;  // the lot file may name files outside its folder
@@ -30,21 +30,21 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
 struct MergeArguments {
   std::filesystem::path directory;
   std::vector<std::filesystem::path> parts;
-  std::optional<std::string> part;  // "3/40", of the analyses
+  std::optional<std::string> part;  // such as "3/40": compute only this part of the analyses
   std::optional<int> jobs;
   std::string figures = "lot";
   bool copy_only = false, fresh = false, json = false, details = false;
 };
-// The result is the same as from one machine.
+// Merges parts of a campaign. The result is the same as if one machine had computed the whole campaign.
 int merge(MergeArguments const& arguments, std::vector<std::string> const& command_line);
-// Whether the parts belong to a building study. Throws Error if that cannot be decided. merge_buildings() merges them.
+// True if the parts belong to a building study, which merge_buildings() merges. Throws Error if that cannot be decided.
 bool merges_buildings(MergeArguments const& arguments);
 int merge_buildings(MergeArguments const& arguments);
 
 struct PartsArguments {
   std::filesystem::path lot;
-  CalibrateArguments calibrate;                   // its inputs are the lot
-  std::optional<std::filesystem::path> campaign;  // if given, `lot` is a building file, with these motions
+  CalibrateArguments calibrate;                   // `inputs` stays empty: `lot` replaces it
+  std::optional<std::filesystem::path> campaign;  // if given, `lot` is a building file
   std::vector<std::string> motions;
   std::vector<std::string> given;  // names of all options given
   int count = 0;
@@ -84,29 +84,29 @@ struct SampleArguments {
   std::filesystem::path directory;
   std::string law;
   int count = 100;
-  Values seed;  // from campaign::setting_table()
+  Values seed;  // an option of campaign::setting_table()
 };
 int sample(SampleArguments const& arguments);
 
 struct ExportArguments {
   std::filesystem::path directory;
   std::string law, device, to;
-  Values acceptance;  // for the bounds
+  Values acceptance;  // options that change the bounds
   std::optional<std::string> units;
   std::optional<std::filesystem::path> out;  // empty: standard output
-  Values model, seed;   // from programs::model_table(), and from campaign::setting_table() for the draws
-  bool anyway = false;  // export despite objections
+  Values model, seed;                        // model: from programs::model_table(); seed: for the draws
+  bool anyway = false;                       // export despite objections
 };
 int export_law(ExportArguments const& arguments);
 
 struct SimulateArguments {
   std::string law;
   std::optional<std::filesystem::path> parameters;  // a file of parameters
-  std::optional<std::filesystem::path> from;        // or a campaign's directory, with a device's name or "lot"
+  std::optional<std::filesystem::path> from;  // or a campaign's directory; `device` is then a device's name or "lot"
   std::optional<std::string> device;
   std::vector<std::string> set;
   std::filesystem::path motion;
-  Values read, how;  // how: from campaign::setting_table(), integration to dead-band
+  Values read, how;  // how: the options of campaign::setting_table() from integration to dead-band
   std::optional<int> refinement;
   std::optional<std::filesystem::path> out;
   bool anyway = false;  // simulate even if the prediction is unusable
@@ -115,10 +115,11 @@ struct SimulateArguments {
 int simulate(SimulateArguments const& arguments);
 
 struct BuildingArguments {
-  std::optional<std::filesystem::path> file, from, out;  // BUILDING.toml, a campaign's directory, for the results
-  std::vector<std::string> motions;                      // "x.AT2" or "x.AT2,y.AT2", in place of the file's
+  // `file`: BUILDING.toml; `from`: a campaign's directory; `out`: the directory for the results.
+  std::optional<std::filesystem::path> file, from, out;
+  std::vector<std::string> motions;  // "x.AT2" or "x.AT2,y.AT2"; they replace the file's motions
   std::optional<int> jobs;
-  std::optional<std::string> part;  // "3/40"
+  std::optional<std::string> part;  // such as "3/40"
   std::string figures = "lot";
   bool print_template = false, fresh = false, arrange = false, nominal = false, json = false;
 };
@@ -129,7 +130,7 @@ int list_rules(std::string const& name, bool json);
 int check(std::filesystem::path const& directory);
 int bench(bool json);
 int list_laws(std::string const& id, bool json, bool markdown);
-// Prints whole tables (settings, acceptance, reading, motion, building) and single rows as parameters of Python.
+// Prints parameters for Python: whole tables (settings, acceptance, reading, motion, building) or single rows.
 int list_keywords(std::vector<std::string> const& which, std::vector<std::string> const& but);
 int example(std::filesystem::path const& directory, bool with_building);
 

@@ -1,6 +1,6 @@
-// Mean force of jankowski, vaiana, hwang-wu and abe-y0 with a device's published mean parameters (Table A.5), under
-// three cycles of +-208 mm at 0.5 Hz, 100 samples per second. The forces follow the actuator's tremor, not the sensor
-// noise.
+// The force is the mean of jankowski, vaiana, hwang-wu and abe-y0 with a device's published mean parameters (Table
+// A.5), under three cycles of +-208 mm at 0.5 Hz, 100 samples per second. The path that the laws follow includes the
+// actuator's tremor but not the sensors' noise.
 #include "isolaw/app/example_lot.hpp"
 
 #include <fmt/format.h>
@@ -39,7 +39,7 @@ std::vector<double> force_of(std::string_view law_id, std::size_t device, std::v
   for (auto const& info : law.parameters) parameters.push_back(info.fixed_by_default.value_or(0.0));
   for (auto const& parameter : printed->parameters)
     if (auto const place = std::ranges::find(law.parameters, parameter.name, &laws::ParameterInfo::name);
-        place != law.parameters.end())  // abe-y0 has no p
+        place != law.parameters.end())  // abe-y0 lacks the printed p
       parameters[static_cast<std::size_t>(place - law.parameters.begin())] = parameter.mean[device];
 
   data::FitRecord const motion{.time_s = {}, .disp_mm = disp_mm, .vel_mm_s = vel_mm_s, .force_kN = {}, .cleaning = {}};
@@ -54,7 +54,7 @@ std::vector<Sample> record_of(std::size_t device) {
   std::vector<double> time, x, v;
   for (std::size_t i = 0; i < count; ++i) {
     double const t = static_cast<double>(i) / sampling_Hz;
-    // The tremor starts from rest at zero with the motion.
+    // The tremor has no offset at the start of the motion.
     double const sway = std::sin(wt * t + tremor_phase) - std::sin(tremor_phase);
     time.push_back(t);
     x.push_back(amplitude_mm * std::sin(w * t) + tremor_mm * sway);
@@ -83,7 +83,7 @@ std::string decimals(double value, int digits) {
   return fmt::format("{:.{}f}", value, digits);
 }
 
-// The cells of a row: time [s], displacement, force and load in units of the given size (record units per unit).
+// The cells of one row: time, displacement, force and load. A unit is given by its size in s, mm or kN.
 auto plain(double disp_unit, double force_unit, double load_unit, int disp_digits, int force_digits,
            double time_unit = 1.0, int time_digits = 2) {
   return [=](Sample const& s, std::size_t) {

@@ -9,13 +9,13 @@ namespace isolaw::app {
 
 struct TextFile {
   std::string name;
-  std::string text;  // bytes, in whatever encoding the file is meant to have
+  std::string text;  // the bytes, in the encoding that this file has
 };
 
-// Ten records in ten dialects, lot.toml and README.md. The same bytes at every call: the noise is seeded.
+// Ten records in ten file formats, lot.toml and README.md. The noise is seeded, so every call gives the same bytes.
 std::vector<TextFile> example_lot();
 
-// Writes the lot into `directory`, which is created if absent. Throws Error if a file with other content is in the way.
+// Creates `directory` if necessary. Throws Error instead of overwriting a file with other content.
 void write_example_lot(std::filesystem::path const& directory);
 
 }  // namespace isolaw::app

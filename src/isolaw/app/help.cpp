@@ -1,4 +1,4 @@
-// The text of --help, and docs/cli.md.
+// Writes the text of --help and docs/cli.md.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -78,7 +78,7 @@ void print_list(Options const& options) {
                option->get_required() ? " (required)" : "");
 }
 
-// Such as "[Reading records](#reading-records) without `--to`", or "`--rules` ([Everyday options](#everyday-options))"
+// "[Reading records](#reading-records) without `--to`", or "`--rules` ([Everyday options](#everyday-options))"
 std::string reference_to(Heading heading, Options const& shared, CLI::App const& command) {
   std::vector<std::string> with, without;
   for (auto const* option : shared) {
@@ -127,7 +127,7 @@ std::shared_ptr<CLI::FormatterBase> help_format() {
 
 void print_reference(CLI::App const& app) {
   auto const commands = app.get_subcommands([](CLI::App const* command) { return !command->get_group().empty(); });
-  // The first command, calibrate, has all the options that are worth a section of their own.
+  // The first command is calibrate. It has every option that gets a section.
   auto const& first = *commands.front();
   std::set<std::string> shared_keys;
   for (auto const* command : commands)

@@ -1,4 +1,4 @@
-// `isolaw inspect` and `isolaw init`: they show what a file holds, before any law is fitted.
+// `isolaw inspect` and `isolaw init`: both show the contents of files before any law is fitted.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -42,7 +42,7 @@ int inspect(InspectArguments const& arguments) {
   apply_vertical(arguments.vertical, lot);
   apply(arguments.acceptance, lot.acceptance);
   auto const contents = campaign::prepare_devices(lot);
-  // A single record that cannot be read is refused with its own error, which holds every complaint.
+  // If the only record cannot be read, reading it again throws an error that holds every complaint.
   if (contents.devices.size() == 1 && !contents.devices.front().usable()) {
     for (auto const& file : lot.devices.front().files) data::read_record(file, lot.devices.front().read);
     throw Error({.where = printable(contents.devices.front().name), .found = contents.devices.front().refusal});
@@ -65,7 +65,8 @@ int inspect(InspectArguments const& arguments) {
 
 namespace {
 
-// Copies a lot file's settings; reading options from the lot, or from its first device. Drops channels in other files.
+// Copies a lot file's settings to `lot`, and its reading options or those of its first device. A column that is read
+// from a file of its own is dropped, since that file belongs to the other lot.
 void take_over(std::filesystem::path const& file, campaign::Lot& lot) {
   auto const other = lot_of_file(file, {.allow_outside = true, .other_out = true});
   lot.settings = other.settings;
@@ -83,7 +84,7 @@ void take_over(std::filesystem::path const& file, campaign::Lot& lot) {
   for (auto& device : lot.devices) device.read = read;
 }
 
-// One device for each test of each file, named by the file and, if it holds several, by sheet and number.
+// One device for each test of each file. Sheet and number follow the file's name if the file holds several tests.
 campaign::Lot lot_of_tests(InitArguments const& arguments) {
   auto lot = campaign::lot_of_files(records_of(arguments.files));
   if (arguments.like) take_over(*arguments.like, lot);
@@ -94,7 +95,7 @@ campaign::Lot lot_of_tests(InitArguments const& arguments) {
     try {
       tests = data::list_tests(device.files.front(), device.read);
     } catch (Error const&) {
-      tests.resize(1, {.sheet = device.read.sheet, .test = device.read.test, .place = {}});  // reported when it is read
+      tests.resize(1, {.sheet = device.read.sheet, .test = device.read.test, .place = {}});
     }
     if (auto const& other = tests.front().passed_over; !other.empty())
       say("{}: {} {} no time, displacement or force, passed over\n", device.shown_file,
@@ -141,7 +142,7 @@ int init(InitArguments const& arguments) {
   campaign::LotFileRemarks remarks;
   remarks.open_keys = true;
   std::vector<campaign::DeviceInput> recognised;
-  std::vector<std::filesystem::path> of_sheets;  // files with a sheet that cannot be read
+  std::vector<std::filesystem::path> of_sheets;  // files that hold a sheet that cannot be read
   for (auto& device : lot.devices) {
     try {
       if (!is_printable(device.files.front().string()))
@@ -172,7 +173,7 @@ int init(InitArguments const& arguments) {
         shown(arguments.out));
   lot.devices = std::move(recognised);
   auto const folder = std::filesystem::absolute(arguments.out).parent_path();
-  // The lot size belongs to the other production lot: the user is told, and a size too small for this lot is dropped.
+  // The size is that of the other production lot, so the user is told. A size below the number of devices is dropped.
   auto& size = lot.acceptance.lot_size;
   if (size && static_cast<std::size_t>(*size) < lot.devices.size()) {
     say("lot-size = {} of {} left out: there are {} devices here\n", *size, shown(*arguments.like), lot.devices.size());

@@ -1,4 +1,4 @@
-// Ending a long command early: finished work is kept, and the same command continues.
+// Lets a signal end a long command early. Finished work is kept, and the same command continues it.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace isolaw::app {
 
-// A second signal ends the program at once. Under nohup a closed terminal is ignored.
+// A guard catches signals: the first sets interrupted(), the second ends the program. nohup's ignored SIGHUP stays so.
 class SignalGuard {
  public:
   SignalGuard();
@@ -18,10 +18,10 @@ class SignalGuard {
  private:
   std::array<void (*)(int), 3> previous_{};
 };
-// Whether a signal came since the last guard was constructed.
+// True if a signal came since the last guard was constructed.
 bool interrupted();
 
-// The command line that continues the work: the given words without --fresh.
+// The command line that continues the work: `words` without --fresh.
 std::string to_continue(std::vector<std::string> words);
 
 }  // namespace isolaw::app

@@ -1,5 +1,5 @@
-// `isolaw keywords`: the tables as keyword parameters. `./isolaw.sh docs` puts them into the stub of the Python
-// package.
+// `isolaw keywords`: prints the option tables as keyword parameters for the Python package; `./isolaw.sh docs` copies
+// them to the package's stub file.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,11 +22,11 @@ std::string python_literal(Json const& value) {
   return value.dump();
 }
 
-// A parameter as Python text, "runs: int | None = None,". `in_place`: it replaces a file's value, which None keeps.
+// A parameter as Python text, "runs: int | None = None,". `in_place`: a file already has a value, and None leaves it.
 template <class Row>
 std::string keyword(Row const& row, bool in_place = false) {
   auto value = in_place ? Json() : row.get({});
-  // A default of zero below the limits means that other settings decide the value.
+  // A default of zero that the limits forbid means that other settings decide the value.
   if (row.limits && value == 0 && row.limits->least > 0.0) value = Json();
   auto type = row.python_type();
   if (value.is_null() && !type.ends_with(" | None")) type += " | None";

@@ -24,7 +24,7 @@ bool is_lot_file(std::filesystem::path const& path) {
   return path.extension() == ".toml";
 }
 
-// Each number alone may be large, but their product is limited: all runs are listed before the first one starts.
+// Limits the number of runs, since all of them are listed before the first one starts.
 void refuse_endless(campaign::Lot const& lot) {
   constexpr std::size_t most_runs = 10'000'000;
   auto const runs = static_cast<std::size_t>(lot.settings.runs) * lot.settings.laws.size() * lot.devices.size();
@@ -41,13 +41,13 @@ void refuse_endless(campaign::Lot const& lot) {
                  .advice = "fewer runs, 20 are usual"});
 }
 
-// Works for "." and "records/" too.
+// The canonical path makes "." and "records/" end in a name too.
 std::string folder_name(std::filesystem::path const& directory) {
   auto const path = std::filesystem::weakly_canonical(directory);
   return path.filename().string();
 }
 
-// The name of a lot file's folder, of the only input, or of the folder that all files share; else "12 records".
+// The name of the lot file's folder, of the only input, or of the folder that all inputs share; otherwise "12 records".
 std::string name_of(std::vector<std::filesystem::path> const& inputs, std::size_t devices) {
   auto const& first = inputs.front();
   auto const folder = [](std::filesystem::path const& file) {
@@ -104,7 +104,7 @@ std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path>
 
 namespace {
 
-// Repeated options add to the lot file's values. A parameter given twice on the command line is refused later.
+// Repeated options add to the lot file's values; a value for the same parameter is replaced.
 Json added(Json const& there, Json const& given) {
   auto const parameter = [](std::string const& text) { return text.substr(0, text.find('=')); };
   auto const words = given.get<std::vector<std::string>>();
@@ -149,7 +149,7 @@ void apply_vertical(std::vector<std::string> const& given, campaign::Lot& lot) {
   std::vector<Complaint> complaints;
   std::set<std::string> named;
   for (auto const& text : given) {
-    // Device names may hold an equals sign: take the longest name that fits.
+    // A device name may contain "=", so the longest name that fits is taken.
     campaign::DeviceInput* found = nullptr;
     for (auto& device : lot.devices)
       if (text.starts_with(device.name + "=") && (found == nullptr || device.name.size() > found->name.size()))

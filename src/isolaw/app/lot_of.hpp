@@ -9,20 +9,20 @@ namespace isolaw::app {
 campaign::Lot lot_of(CalibrateArguments const& arguments);
 bool is_of_lot_file(CalibrateArguments const& arguments);
 
-// A directory is replaced by the records in it, without subdirectories. Throws Error for a directory without records.
+// Replaces a directory by the records in it, not in its subdirectories. Throws Error for a directory without records.
 std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path> const& inputs);
 
 campaign::Lot lot_of_file(std::filesystem::path const& file, campaign::LotFileOptions options);
 campaign::Lot lot_of_inputs(std::vector<std::filesystem::path> const& inputs, campaign::LotFileOptions const& options);
 
-// Loads the rule set and checks everything. Throws Error.
+// Sets the given options, loads the rule set and parses the design values. Throws Error if one of them is wrong.
 void apply(Values const& given, campaign::Acceptance& acceptance);
 
-// "DEVICE=FILE" replaces the lot file's compression test of that device. Throws Error.
+// "DEVICE=FILE" replaces the compression test of that device in the lot file. Throws Error.
 void apply_vertical(std::vector<std::string> const& given, campaign::Lot& lot);
 void apply(Values const& given, data::ReadOptions& options);
 
-// --out, or else `out` of the lot file, or else out/<name of the lot file's directory or of the first record>.
+// The directory for the results: --out, else `out` of the lot file, else out/<name of the lot>.
 std::filesystem::path output_directory(CalibrateArguments const& arguments, campaign::Lot const& lot);
 
 }  // namespace isolaw::app

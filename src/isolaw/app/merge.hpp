@@ -1,4 +1,4 @@
-// Messages that merges of campaigns and of building studies share.
+// Messages that the merges of campaigns and of building studies have in common.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// A file that the user asked for by name.
+// Writes a file that the user named with --out.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 namespace isolaw::app {
 
-// Writes a regular file whole or not at all. Throws Error on failure, for one of `inputs`, or for a campaign's store.
+// Leaves no half-written file. Throws Error if writing fails or if `out` is one of `inputs` or a campaign's store.
 void write_output(std::filesystem::path const& out, std::string_view text,
                   std::vector<std::filesystem::path> const& inputs);
 

@@ -14,7 +14,7 @@
 namespace isolaw::app {
 namespace {
 
-// Allows for slower processors, for searches longer than average, and for other jobs on the machine.
+// Some processors are slower, some searches are longer, and other jobs may run on the same machine.
 constexpr double time_margin = 3.0;
 constexpr double least_minutes = 10.0;
 

@@ -41,7 +41,7 @@ std::vector<std::string> words_again(CalibrateArguments const& given) {
   return words;
 }
 
-// A part reads the lot first, as this command just did; each thread adds a little.
+// A part first reads the lot, as this process has just done, so both need about as much memory. Threads add a little.
 std::uint64_t memory_bytes(int jobs) {
   rusage used{};
   getrusage(RUSAGE_SELF, &used);
@@ -55,7 +55,7 @@ std::string program_of(std::string const& word) {
   return word.find('/') == std::string::npos ? word : std::filesystem::absolute(word).lexically_normal().string();
 }
 
-// Refuses options of a lot given for a building, and the reverse, which would otherwise be ignored silently.
+// Refuses options that would have no effect: those for a lot if a building is given, and the reverse.
 void require_used(PartsArguments const& arguments) {
   if (!arguments.campaign && !arguments.motions.empty())
     throw Error({.where = "--motion",
@@ -75,7 +75,7 @@ void require_used(PartsArguments const& arguments) {
                  .advice = "set it in the building file; the campaign keeps its own settings"});
 }
 
-// The script for a building study. Computes one block of runs of each law, to measure the time of a block.
+// Makes the script for a building study. To estimate the times it computes one block of runs for each law.
 std::string script_of_building(PartsArguments const& arguments, std::string const& program) {
   auto const study = building_study({.file = arguments.lot,
                                      .from = arguments.campaign,
@@ -110,7 +110,7 @@ std::string script_of_building(PartsArguments const& arguments, std::string cons
                                     .parts = arguments.count,
                                     .jobs = jobs,
                                     .instruction_set = std::string(fit::name(fit::instruction_set())),
-                                    // The answers need a few runs, one by one, for each law and motion.
+                                    // The merge computes the answers, which need a few runs for each law and motion.
                                     .needs = {.part_s = all_s / arguments.count / jobs,
                                               .merge_s = blocks_s * static_cast<double>(study.file.motions.size()),
                                               .memory_bytes = memory_bytes(jobs)}});
@@ -141,7 +141,7 @@ int parts(PartsArguments const& arguments, std::string const& program) {
   for (auto const kind : {campaign::TaskKind::device, campaign::TaskKind::lot, campaign::TaskKind::left_out})
     analyses_s += estimate.work_left_s(kind);
   auto const threads = static_cast<std::size_t>(jobs);
-  auto const in_turn = (runs + count * threads - 1) / (count * threads);  // runs that one thread computes
+  auto const in_turn = (runs + count * threads - 1) / (count * threads);  // the number of runs that one thread computes
   double const run_s = runs > 0 ? estimate.work_left_s(campaign::TaskKind::run) / static_cast<double>(runs) : 0.0;
   std::vector<std::string> of_merge{"--figures", given.figures};
   print(part_script(arguments.to, {.program = program_of(program),

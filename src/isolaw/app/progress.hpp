@@ -9,7 +9,7 @@ namespace isolaw::app {
 
 class ProgressLine {
  public:
-  ProgressLine();  // a line every half minute when stderr is not a terminal
+  ProgressLine();  // if stderr is not a terminal, it prints a line every half minute
   ~ProgressLine();
   ProgressLine(ProgressLine const&) = delete;
   ProgressLine& operator=(ProgressLine const&) = delete;

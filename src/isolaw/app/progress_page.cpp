@@ -1,4 +1,4 @@
-// The progress line in a browser: the page reads it (page/engine/engine.js), about five times per second.
+// The progress line of the browser version. page/engine/engine.js reads it about five times per second, in this form:
 //   progress SHARE SECONDS_LEFT DONE TOTAL runs|analyses
 #include <fmt/format.h>
 

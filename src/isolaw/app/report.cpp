@@ -71,7 +71,7 @@ int report(ReportArguments const& arguments) {
   auto contents = campaign::Store::read(directory / store_name);
   apply(arguments.acceptance, contents.acceptance);
   auto const summary = study::build_summary(contents);
-  // Print even if the files cannot be written: a store on read-only media can then still be looked at.
+  // Results are printed even if the files cannot be written, for example when the store is on read-only media.
   std::optional<Error> not_written;
   try {
     render::write_outputs(summary, arguments.out.value_or(directory));

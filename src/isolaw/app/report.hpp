@@ -1,4 +1,4 @@
-// Printing results, shared by `report`, `calibrate` and `check`.
+// Prints the results for `report`, `calibrate` and `check`.
 #pragma once
 
 #include <filesystem>
@@ -10,18 +10,18 @@
 
 namespace isolaw::app {
 
-// Says which figures were not drawn, though their data are written. `again` is the command that draws them.
+// Names the figures that were not drawn. Their data files are written, and the command `again` draws them.
 void say_drawn(render::FigureOutcome const& outcome, std::filesystem::path const& directory, std::string_view again);
 void draw_figures(study::Summary const& summary, render::FigureChoice choice, std::filesystem::path const& directory);
 
 struct Printed {
   bool json = false, details = false;
 };
-// Prints one screen or all details, then the verdicts of a rule set; or summary.json with the campaign's profile.
+// Prints one screen or all details, then the verdicts of a rule set. As JSON: summary.json and the campaign's profile.
 void print(study::Summary const& summary, std::filesystem::path const& directory, Printed how,
            std::string_view profile = {});
 
-// 1 if a device was refused, a law could not be fitted to a device, a run failed, or a limit of the rules is exceeded.
+// 1 if a device was refused, a law could not be fitted to a device, a run failed, or a limit of the rules is not kept.
 int exit_code(study::Summary const& summary);
 
 std::string what_is_missing(study::Summary const& summary);

@@ -1,4 +1,4 @@
-// Printing: messages to standard error, results to standard output, and names of files in them.
+// Prints messages to standard error and results to standard output.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,17 +15,17 @@
 
 namespace isolaw::app {
 
-// Flushes standard output first, so that in a common file no message interrupts a line of output. Ignores failures, so
-// that a campaign ends in good order after its terminal was closed.
+// Flushes standard output first, so that a message never interrupts a line of results in a common file. Ignores
+// failures, so that a campaign ends in good order after its terminal was closed.
 template <class... Args>
 void say(fmt::format_string<Args...> format, Args&&... args) {
-  fmt::memory_buffer text;  // does not allocate for a message of usual length, as memory may be full
+  fmt::memory_buffer text;  // a message of usual length needs no allocation, which could fail when memory is full
   fmt::format_to(std::back_inserter(text), format, std::forward<Args>(args)...);
   std::fflush(stdout);
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
-inline bool has_printed = false;  // set by print(): an error as JSON would not be alone on standard output
+inline bool has_printed = false;  // set by print(); JSON of an error is then not printed after the results
 
 inline void print(std::string_view text) {
   has_printed = true;
@@ -33,13 +33,13 @@ inline void print(std::string_view text) {
   if (!text.ends_with('\n')) std::fputc('\n', stdout);
 }
 
-// The terminal's width; 80 if the descriptor is not a terminal, or if it has less than 40 columns.
+// The width of the terminal; 80 if `descriptor` is no terminal, or if the terminal has less than 40 columns.
 inline int terminal_width(int descriptor) {
   winsize size{};
   return ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col >= 40 ? size.ws_col : 80;
 }
 
-// A file's name for a message, with control characters spelled out.
+// A file name for use in a message. Control characters are spelled out.
 inline std::string shown(std::filesystem::path const& path) {
   return printable(path.string());
 }

@@ -31,7 +31,7 @@
 namespace isolaw::app {
 namespace {
 
-constexpr int finest = 1000;  // steps per sample
+constexpr int finest = 1000;  // most integration steps per sample
 
 double largest(std::vector<double> const& values) {
   double found = 0.0;
@@ -41,10 +41,10 @@ double largest(std::vector<double> const& values) {
 
 struct Chosen {
   FittedLaw law;
-  study::Doubts doubts;              // the campaign's doubts about the law with its fitted values
-  std::string origin;                // "device 'a'", "the lot"; empty: not from a campaign
-  std::vector<std::string> changes;  // made by --set; the law is then not the campaign's any more
-  // Given only for a device's law with its fitted values.
+  study::Doubts doubts;              // the campaign's doubts about the fitted law
+  std::string origin;                // "device 'a'" or "the lot"; empty if the law is not from a campaign
+  std::vector<std::string> changes;  // values given with --set; the law then differs from the campaign's
+  // Only for a law fitted to one device, without changes: the record and box of its fit.
   struct Fit {
     data::FitRecord record;
     fit::SearchBox box;
@@ -52,7 +52,7 @@ struct Chosen {
   std::optional<Fit> fit = {};
 };
 
-// Names of parameters are checked together with the values, by parameters_in_order().
+// parameters_in_order() checks names and values of the parameters together.
 Chosen chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
   if (a.parameters && a.from)
     throw Error({.where = "--parameters and --from", .found = "both are given", .allowed = "one of them"});
@@ -94,7 +94,7 @@ Chosen chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
     return std::ranges::find(changes, value.name, &NamedValue::name) != changes.end();
   });
   values.insert(values.end(), changes.begin(), changes.end());
-  // Fitted values need not meet the joint limits: a search may end beyond a limit that crosses its box.
+  // A limit on several parameters jointly may cross the search box, so a fitted law may violate it and is not checked.
   auto& taken = chosen.law;
   taken.parameters =
       parameters_in_order(law, values, where, a.from && changes.empty() ? Together::left : Together::checked);
@@ -167,7 +167,7 @@ std::vector<std::string> beyond_what_is_known(laws::LawEntry const& law, FittedL
 
 std::vector<std::string> cautions(laws::LawEntry const& law, FittedLaw const& chosen, data::FitRecord const& path) {
   auto lines = beyond_what_is_known(law, chosen, path);
-  constexpr double at_zero = 1e-6;  // share of the largest displacement
+  constexpr double at_zero = 1e-6;  // as a share of the largest displacement
   if (double const x = path.disp_mm.front(); std::abs(x) > at_zero * largest(path.disp_mm))
     lines.push_back(fmt::format(
         "warning: the motion starts at {:.4g} mm: the device is taken as virgin there, its force as if it had come there without history; an analysis program starts at 0: put a path from 0 in front to compare",
@@ -175,7 +175,7 @@ std::vector<std::string> cautions(laws::LawEntry const& law, FittedLaw const& ch
   return lines;
 }
 
-// The numbers in the text read back as the same doubles.
+// Reading the text gives exactly the same doubles.
 std::string csv_text(std::string_view law, std::vector<std::string> const& known, data::TestRecord const& motion,
                      data::FitRecord const& path, std::vector<double> const& force_kN) {
   std::string text;
@@ -192,11 +192,11 @@ std::string csv_text(std::string_view law, std::vector<std::string> const& known
   return text;
 }
 
-// The choices for a motion in two directions.
+// The user's choices for a motion in two directions.
 struct TwoDirections {
   laws::Bidirectional how;
   laws::plane::Softening softening;
-  bool as_given;  // springs with the parameters as given
+  bool as_given;  // if true, springs have the law's own parameters, not parameters fitted to springs
   std::string second_disp;
 };
 std::optional<TwoDirections> two_directions(SimulateArguments const& a) {
@@ -284,9 +284,9 @@ std::vector<std::string> left_open(fit::LawInPlane const& law, TwoDirections con
     lines.push_back(fmt::format(
         "warning: the dead band of {:.4g} mm that the law was fitted with is defined along one direction, and is not used here",
         law.dead_band_mm));
-  // Parameters that were fitted for springs are not parameters of a coupled form.
+  // Parameters fitted to springs do not suit the coupled form, with which springs would be compared below.
   if (two.how == laws::Bidirectional::springs && !as_given) return lines;
-  // A figure of eight is fastest at its middle, by sqrt(2), so a longer cycle keeps the motion's largest speed.
+  // A figure of eight is fastest at its centre, by sqrt(2). A longer period keeps the motion's largest speed.
   auto const rules = fit::on_a_figure_of_eight(law, size, std::numbers::sqrt2 * cycle);
   if (rules.size() < 2) return lines;
   auto const [peak, work] = fit::spread_of(rules);
@@ -363,7 +363,7 @@ int simulate_in_plane(SimulateArguments const& a, TwoDirections const& two, laws
                  .advice = "--dt SECONDS, the sampling interval"});
   auto const x = data::motion_of(first), y = data::motion_of(second);
   fit::PlaneMotion motion{.time_s = x.time_s, .disp_mm = {}, .vel_mm_s = {}};
-  data::FitRecord reach = x;  // distance and speed, for warnings about motions beyond the tests
+  data::FitRecord reach = x;  // distance from the origin and speed, for warnings about motions beyond the tests
   for (std::size_t i = 0; i < x.size(); ++i) {
     motion.disp_mm.push_back({x.disp_mm[i], y.disp_mm[i]});
     reach.disp_mm[i] = distance(motion.disp_mm[i]);

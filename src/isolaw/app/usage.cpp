@@ -13,7 +13,7 @@
 namespace isolaw::app {
 namespace {
 
-// The number of insertions, deletions and replacements that turn one word into the other.
+// The number of insertions, deletions and replacements that turn `a` into `b`.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -45,7 +45,7 @@ std::vector<std::string> names_of_options(CLI::App const& command) {
   return names;
 }
 
-// Commands without a group are for the project itself and are not shown.
+// A command without a group is only for developers of isolaw and is not shown.
 std::vector<std::string> names_of_commands(CLI::App& app, bool hidden_too = false) {
   std::vector<std::string> names;
   for (auto const* command :
@@ -70,7 +70,7 @@ std::vector<Complaint> about_extra_words(CLI::App const& command, std::string co
   return complaints;
 }
 
-// The option that CLI11's message is about: "Could not convert: --runs = many", "--out: 1 required TEXT missing".
+// The option that CLI11's message names: "Could not convert: --runs = many", "--out: 1 required TEXT missing".
 CLI::Option const* option_of(CLI::App const& command, std::string_view message) {
   for (auto const* option : command.get_options()) {
     auto const name = option->get_name();

@@ -1,4 +1,4 @@
-// Texts about using the program: --help, docs/cli.md, and errors of usage in our own words.
+// Texts on the program's usage: --help, docs/cli.md, and errors of usage in our own words.
 #pragma once
 
 #include <memory>
@@ -16,13 +16,13 @@ class ParseError;
 
 namespace isolaw::app {
 
-// A command's footer is its example, after this mark.
+// The footer of a command's help is this mark and an example.
 inline constexpr std::string_view example_mark = "Example: ";
 
-// Lists options under the headings of base/option.hpp, in their order, or under a single heading if there are few.
+// Lists options under the headings of base/option.hpp, in their order. A command with few options has a single heading.
 std::shared_ptr<CLI::FormatterBase> help_format();
 
-// Options that other commands share with calibrate get sections of their own, to which the commands refer.
+// Prints docs/cli.md. Options that calibrate shares with other commands get sections, and the commands refer to them.
 void print_reference(CLI::App const& app);
 
 std::string plain_markdown(std::string_view text);
@@ -30,7 +30,7 @@ std::string plain_markdown(std::string_view text);
 // Throws Error if the first word is neither a command of `app` nor an option.
 void require_known_command(CLI::App& app, int argc, char** argv);
 
-// The complaints about a command line that `app` refused with `error`; never empty.
+// Explains why `app` refused a command line with `error`. Returns at least one complaint.
 std::vector<Complaint> usage_complaints(CLI::App& app, CLI::ParseError const& error);
 
 }  // namespace isolaw::app

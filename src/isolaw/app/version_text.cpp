@@ -6,7 +6,7 @@
 
 namespace isolaw::app {
 
-extern char const* const source_commit;  // written while building by cmake/commit.cmake
+extern char const* const source_commit;  // cmake/commit.cmake defines it at every build
 
 namespace {
 

@@ -40,7 +40,7 @@ void WorkerGroup::withdraw(WorkAhead& work) {
 }
 
 void WorkerGroup::changed() {
-  // A thread that is about to wait holds the mutex: it either sees the change itself or is woken for it.
+  // A waiting thread tests finished() with the mutex held: it has either seen the change, or sleeps and is woken.
   { std::scoped_lock const lock(mutex_); }
   news_.notify_all();
 }

@@ -1,4 +1,4 @@
-// A list of work items that one thread needs in order. Idle threads compute later items ahead of it.
+// Work items that one thread needs in order. Idle threads compute later items before that thread needs them.
 #pragma once
 
 #include <atomic>
@@ -14,8 +14,8 @@ namespace isolaw {
 
 class WorkAhead;
 
-// Notified before and after each item that a helping thread computes, on that thread. It covers all work that is
-// offered during its life by the thread that created it, and by helpers while they work for that thread.
+// A helping thread calls help_begins() before and help_ends() after each item. A listener hears of all work that is
+// offered during its life by the thread that created it, and by helpers of that thread.
 class HelpListener {
  public:
   HelpListener();
@@ -29,13 +29,13 @@ class HelpListener {
   HelpListener* before_;
 };
 
-// Threads that help one another: each WorkAhead that a member creates (see Membership) is offered to the others.
+// Threads that help one another: each WorkAhead that a thread with a Membership creates is offered to the others.
 class WorkerGroup {
  public:
   static WorkerGroup* current();  // the calling thread's group, or null
-  // Computes offered items or sleeps until finished() is true, which is called with the group's mutex held.
+  // Computes offered items, or sleeps, until finished() is true. Calls finished() with the mutex held.
   void help_until(std::function<bool()> const& finished);
-  void changed();  // to be called after a change of anything that finished() looks at
+  void changed();  // must be called after a change of anything that finished() reads
 
  private:
   friend class WorkAhead;
@@ -58,21 +58,21 @@ class Membership {
   WorkerGroup* before_;
 };
 
-// Items 0 to count - 1 of a piece of work. Several threads may call `work`, at most once for each item and also for
-// items that nobody needs; no item's result may depend on another. Without a group items are computed when needed.
+// The items 0 to count - 1 of a piece of work. Several threads may call `work`, at most once for each item, and also
+// for items that nobody needs. No item may depend on another. Outside a group, need() computes the items.
 class WorkAhead {
  public:
   WorkAhead(std::size_t count, std::function<void(std::size_t)> work);
-  ~WorkAhead();  // begins no further item, and waits for those that helpers are computing
+  ~WorkAhead();  // begins no further item, and waits for helpers that compute one
   WorkAhead(WorkAhead const&) = delete;
   WorkAhead& operator=(WorkAhead const&) = delete;
-  void need(std::size_t i);  // returns when item `i` is done; throws what its work threw
+  void need(std::size_t i);  // returns when item `i` is done; throws what `work` threw for it
 
  private:
   friend class WorkerGroup;
   enum class State : unsigned char { open, taken, done };
   bool has_open() const { return next_open_ < states_.size(); }
-  bool do_one();  // returns false if no item is open
+  bool do_one();  // computes one item; returns false if every item is taken
   void perform(std::size_t i);
 
   std::function<void(std::size_t)> work_;

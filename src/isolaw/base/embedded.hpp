@@ -10,7 +10,7 @@ struct Embedded {
   std::string_view name, text;
 };
 
-// The text of the named file. A missing file is our own mistake: std::logic_error.
+// The text of the file `name`. Throws std::logic_error if it is missing, which is a mistake in isolaw.
 std::string_view embedded_text(std::span<Embedded const> files, std::string_view name);
 
 }  // namespace isolaw

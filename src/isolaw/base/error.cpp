@@ -6,7 +6,7 @@
 namespace isolaw {
 namespace {
 
-// The parts may quote files from outside and hold several lines: line breaks stay, other control characters do not.
+// A complaint may quote a user's file. Line breaks stay, and other control characters are spelled out.
 std::string clean(std::string const& part) {
   return printable(part, true);
 }

@@ -1,4 +1,4 @@
-// The library's only exception. It reports wrong input or environment, with all problems of one input at once.
+// The library's only exception: wrong input, or a fault of the environment, with all problems of one input at once.
 #pragma once
 
 #include <concepts>
@@ -11,23 +11,23 @@ namespace isolaw {
 
 class JsonWriter;
 
-struct Complaint {                      // one problem of an input; empty parts are left out of the message
+struct Complaint {                      // one problem of an input; the message omits empty members
   std::string where = {};               // "file:line", a key, an option
-  std::string found = {};               // the value or the fault
-  std::string allowed = {};             // the values that would have been accepted
+  std::string found = {};               // the wrong value or the fault
+  std::string allowed = {};             // the values that are accepted
   std::string advice = {};              // a remedy to try
   std::vector<std::string> names = {};  // the record's columns, if a column was not found; not in the message
 };
 
 // "where: found; allowed: ...; try: ...", with control characters spelled out.
 std::string to_string(Complaint const& complaint);
-// Writes the complaints as an array of objects with these parts, cleaned as in the message; an empty part is "".
+// Writes complaints as an array of objects. Each has all members of Complaint, with control characters spelled out.
 void write_complaints(JsonWriter& out, std::vector<Complaint> const& complaints);
 
 class Error : public std::runtime_error {
  public:
   explicit Error(Complaint complaint) : Error(std::vector{std::move(complaint)}) {}
-  // Several problems found in one pass; at least one. A template, so that Error({...}) always means one complaint.
+  // Reports several problems of one input. It is a template so that Error({...}) always means a single complaint.
   template <std::same_as<std::vector<Complaint>> Complaints>
   explicit Error(Complaints complaints) : std::runtime_error(join(complaints)), complaints_(std::move(complaints)) {}
 

@@ -63,7 +63,7 @@ std::string read_file(fs::path const& file, ReadLimits const& limits) {
     if (size > limits.largest_bytes) refuse("is " + size_text(size, limits.largest_bytes), limits.when_too_large);
   };
 
-  // Checks before opening, which may set a device going, and again after, since the name may lead to another file then.
+  // Opening a device could start it, so check first; the name may then lead to another file, so check again.
   struct stat status {};
   if (::stat(file.c_str(), &status) != 0) {
     bool const missing = errno == ENOENT || errno == ENOTDIR;
@@ -83,7 +83,7 @@ std::string read_file(fs::path const& file, ReadLimits const& limits) {
     if (count < 0) refuse("cannot be read to its end: " + reason());
     if (count == 0) return bytes;
     bytes.append(buffer.data(), static_cast<std::size_t>(count));
-    if (bytes.size() > limits.largest_bytes)  // the file grows, or the system gives no size for it
+    if (bytes.size() > limits.largest_bytes)  // the file grew, or the system reports no size for it
       refuse("is " + size_text(bytes.size(), limits.largest_bytes), limits.when_too_large);
   }
 }
@@ -100,7 +100,7 @@ std::optional<fs::path> leads_outside(fs::path const& file, fs::path const& fold
   if (failure) return file;
   auto const target = fs::weakly_canonical(fs::absolute(file, failure), failure).lexically_normal();
   if (failure) return file;
-  // weakly_canonical does not follow a link without a target, but that link leads anywhere once the target is created.
+  // weakly_canonical leaves a link without a target as it is, but the link leads anywhere once that target exists.
   fs::path part;
   for (auto const& name : target) {
     part /= name;

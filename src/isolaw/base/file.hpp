@@ -1,4 +1,4 @@
-// Reads plain files of bounded size that a user names or someone else wrote; checks whether a name leaves a folder.
+// Reads plain files of bounded size from users and third parties, and checks whether a name leads out of a folder.
 #pragma once
 
 #include <cstdint>
@@ -11,17 +11,17 @@ namespace isolaw {
 
 struct ReadLimits {
   std::uintmax_t largest_bytes;
-  std::string_view allowed;            // for the messages: what is accepted
-  std::string_view when_too_large;     // for the messages: what to try with a file that is too large
-  std::string_view when_missing = {};  // the same for a file that is missing
+  std::string_view allowed;            // in messages: what is accepted
+  std::string_view when_too_large;     // in messages: the remedy for a file that is too large
+  std::string_view when_missing = {};  // in messages: the remedy for a missing file
 };
 
-// Follows links. Throws Error for a file that is missing, too large (checked first), unreadable or not plain.
+// Follows links. Throws Error for a file that is missing, not plain, unreadable, or too large (checked before reading).
 std::string read_file(std::filesystem::path const& file, ReadLimits const& limits);
-// "a pipe" or the like if the name, with links followed, belongs to anything but a plain file; otherwise nullopt.
+// Returns "a pipe" or the like if the name, with links followed, belongs to anything but a plain file.
 std::optional<std::string> other_than_plain(std::filesystem::path const& file);
-// The real place of `file`, with links followed, if it is outside `folder`; otherwise nullopt. A part of the path that
-// does not exist yet is judged by its name. A name that cannot be followed, such as a circle of links, is outside.
+// Returns the real place of `file`, with links followed, if it is outside `folder`. A part of the path that does not
+// exist yet is judged by its name. A name that cannot be followed, such as a circle of links, counts as outside.
 std::optional<std::filesystem::path> leads_outside(std::filesystem::path const& file,
                                                    std::filesystem::path const& folder);
 

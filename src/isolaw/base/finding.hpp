@@ -1,5 +1,5 @@
 // A finding is whatever the program has to say besides numbers: a warning, a doubt, an answer, a piece of advice. It
-// travels as fields; the table of the module `wording` makes its sentence for printing. No code reads a sentence back.
+// consists of fields, from which the module `wording` makes a sentence for printing. No code reads a sentence back.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace isolaw {
 
-// In the order of the table in wording/table.cpp, which is the order of display: the most serious first.
+// In the order of the rows in wording/rows.cpp, which is the order of display: the most serious first.
 // clang-format off
 enum class FindingKind {
   // [campaign]
@@ -39,28 +39,28 @@ enum class FindingKind {
   no_cyclic_properties, signal_clipped, signal_stuck, signal_without_sign, signal_interrupted, signal_spike,
   cycle_gives_energy, cycle_not_stiff, not_cyclic, no_complete_cycle, no_cycle_counts, samples_too_few,
   vertical_test_refused,
-  // Doubts about the data as read.
+  // Doubts about the values in a record.
   units_implausible, vertical_stiffness_implausible, vertical_softer_than_expected, time_in_days,
   about_acceleration, cycle_unlike_neighbours, force_late, friction_in_force, samples_few, time_uneven, time_jumps,
   noise, drift, loop_open, speed_off, off_centre, starts_off_zero, several_amplitudes, damping_undefined,
   average_too_wide, shared_time_short, channel_interpolated, axis_taken_for_channel, unit_overridden,
   loads_ambiguous, load_unit_unclear, velocity_unused,
-  // Notes: numbers worth knowing of a record.
+  // Notes: numbers of a record that the reader should know.
   samples_per_cycle, force_early, jump_of_force, rig_friction, moving_mass, stands_still, cut_off_zero,
   largest_speed, average_over_samples,
-  // How the record was read. The finding's word named "text" holds the description.
+  // How the record was read. The word named "text" of the finding holds the description.
   file_format, header_found, column_taken, columns_unused, units_given, time_scale, no_time_column, rows_read,
   test_chosen, file_joined, force_flipped,
-  // Corrections, and the steps before laws are fitted.
+  // Corrections of a record, and steps to prepare it for fitting.
   spikes_repaired, skew_removed, friction_removed, inertia_removed, force_multiplied, centred, smoothed,
   not_smoothed, scored_in_part, all_samples_kept, velocity_computed, no_velocity, samples_thinned,
-  // The condition under which a device's damping would differ (study/value_doubts.hpp).
+  // The condition under which a device's damping would have another value (study/value_doubts.hpp).
   if_late_force_is_moved, if_force_is_early, if_jump_is_of_rig, if_rig_rubs,
 };
 // clang-format on
 
 struct FindingNumber {
-  std::string name;  // with its unit: "offset_mm"
+  std::string name;  // includes the unit: "offset_mm"
   double value = 0.0;
 
   bool operator==(FindingNumber const&) const = default;
@@ -74,7 +74,7 @@ struct FindingWord {
 
 struct Finding {
   FindingKind kind = {};
-  std::string law = {};  // its id; empty: the finding is about no single law
+  std::string law = {};  // the law's id; empty if the finding is about no single law
   std::vector<std::string> other_laws = {};
   std::vector<std::string> devices = {}, parameters = {};
   std::vector<int> blocks = {};
@@ -90,7 +90,7 @@ struct Finding {
   bool has_number(std::string_view name) const {
     return std::ranges::find(numbers, name, &FindingNumber::name) != numbers.end();
   }
-  std::string_view word(std::string_view name) const {  // empty if there is none
+  std::string_view word(std::string_view name) const {  // empty if there is no such word
     auto const found = std::ranges::find(words, name, &FindingWord::name);
     return found == words.end() ? std::string_view() : found->text;
   }

@@ -65,7 +65,7 @@ JsonWriter& JsonWriter::json(std::string_view text) {
   if (!indented_) return put(document.dump(-1, ' ', false, replace));
   start_value();
   std::string const indent(2 * filled_.size(), ' ');
-  for (char const c : document.dump(2, ' ', false, replace)) {  // strings escape line breaks, so these are layout
+  for (char const c : document.dump(2, ' ', false, replace)) {  // strings escape line breaks, so all of them are layout
     text_ += c;
     if (c == '\n') text_ += indent;
   }

@@ -1,5 +1,5 @@
-// Writes JSON text straight into a string: shortest round-trip numbers, U+FFFD for invalid UTF-8, and null for numbers
-// that are not finite. It builds no document tree, since a page of 160 devices holds a million numbers.
+// Writes JSON straight into a string: shortest round-trip numbers, U+FFFD for invalid UTF-8, null for numbers that are
+// not finite. It builds no document tree, since a page of 160 devices holds a million numbers.
 #pragma once
 
 #include <cstdint>
@@ -30,10 +30,10 @@ class JsonWriter {
   JsonWriter& value(std::uint64_t number) { return put(std::to_string(number)); }
   JsonWriter& value(double number);  // null when not finite
   JsonWriter& value(std::optional<double> const& number);
-  JsonWriter& rounded(std::optional<double> const& number, int digits);  // significant digits; for drawing only
+  JsonWriter& rounded(std::optional<double> const& number, int digits);  // to significant digits; for plots
   JsonWriter& line(std::vector<double> const& numbers, int digits);  // rounded, on one line in any layout; for curves
   JsonWriter& null() { return put("null"); }
-  // Inserts text that is JSON already. Text that does not parse is written as a string, so that no setting is lost.
+  // Inserts `text`, which should be JSON. Text that does not parse is written as a string, so that no setting is lost.
   JsonWriter& json(std::string_view text);
   JsonWriter& value(std::vector<std::string> const& texts);
 
@@ -42,7 +42,7 @@ class JsonWriter {
     return key(name).value(content);
   }
 
-  std::string take();  // returns the document and leaves the writer empty
+  std::string take();  // returns the document and empties the writer
 
  private:
   JsonWriter& put(std::string_view json);
@@ -52,15 +52,15 @@ class JsonWriter {
   void new_line();
 
   std::string text_;
-  std::vector<bool> filled_;  // for each open bracket: whether it holds a value already
+  std::vector<bool> filled_;  // for each open bracket: whether it already holds a value
   bool indented_;
   bool after_key_ = false;
 };
 
-// `number` with `digits` significant digits in its shortest form ("0.0791", "2.32e+05"); "" if empty or not finite.
+// The number with `digits` significant digits in its shortest form ("0.0791", "2.32e+05"); "" if empty or not finite.
 std::string to_text(std::optional<double> const& number, int digits);
-std::string to_text(std::optional<double> const& number);  // the shortest that reads back as the same number, or ""
-// Makes JSON safe inside <script>: escapes "<", U+2028 and U+2029. It still parses to the same document.
+std::string to_text(std::optional<double> const& number);  // shortest text that reads back as the same number, or ""
+// Escapes "<", U+2028 and U+2029, so that the text is safe inside <script> and parses to the same document.
 std::string script_safe(std::string_view json);
 
 }  // namespace isolaw

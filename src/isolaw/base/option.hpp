@@ -1,5 +1,5 @@
 // An option of the program as one row of a table: its name, the values it allows, where the value is kept. The command
-// line, a lot file, the store and Python each turn what they were given into a JSON value; the row alone checks it.
+// line, a lot file, the store and Python each make a JSON value of what they were given, and the row checks that value.
 #pragma once
 
 #include <algorithm>
@@ -22,18 +22,18 @@ namespace isolaw {
 
 using Json = nlohmann::ordered_json;
 
-// list: "a,b" on the command line. repeated: the option is given once for each value. assignments: "a=1,b=2", a table.
+// list: "a,b" on the command line. repeated: the option is given once for each value. assignments: "a=1,b=2".
 enum class Kind { flag, whole, real, text, list, repeated, assignments };
 
-// The heading under which help and docs/cli.md list an option. Headings follow in this order.
+// The headings of options in help and docs/cli.md, in the order in which they appear there.
 enum class Heading { everyday, reading, corrections, search, plane, analysis, acceptance, model, running };
 std::string_view title(Heading heading);
 
 struct Limits {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
-  std::string words = {};  // for messages and help, if "least to most" does not describe the limits
-  int step = 1;            // between allowed whole numbers, counted from the least
+  std::string words = {};  // describes the limits in messages and help instead of "least to most"
+  int step = 1;            // allowed whole numbers are `least` plus multiples of this
   bool or_zero = false;    // zero is allowed too and means none
 
   bool allow(double value) const;
@@ -45,20 +45,20 @@ struct OptionInfo {
   Kind kind = Kind::text;
   std::string help = {};
   std::optional<Limits> limits = {};
-  std::vector<std::string_view> words = {};  // the values allowed, if it takes one of a few words
-  std::string_view keyword = {};             // the name in Python, if it is not the key with underscores
-  std::string_view type = {};                // the type in Python, if kind and words do not decide it
-  Heading heading = Heading::search;         // the heading of most settings
+  std::vector<std::string_view> words = {};  // the allowed words, if the option takes one of a few
+  std::string_view keyword = {};             // the name in Python; empty: the key with underscores
+  std::string_view type = {};                // the type in Python; empty: kind and words decide it
+  Heading heading = Heading::search;         // most settings belong here
 
   std::string option() const;  // the name in a lot file and, after two dashes, on the command line
   std::string python() const;
-  std::string python_type() const;                       // in the package's stub: float, Literal["best", "ga"]
+  std::string python_type() const;  // as written in the package's stub: float, Literal["best", "ga"]
   std::string where() const { return "--" + option(); }  // the place that a complaint names
 };
 
 template <class Target>
 struct Option : OptionInfo {
-  std::function<Json(Target const&)> get;         // gives null if the option was not given
+  std::function<Json(Target const&)> get;         // returns null if the option was not given
   std::function<void(Target&, Json const&)> set;  // throws Error; the caller adds `where`
 
   Option under(Heading chosen) && {
@@ -67,16 +67,16 @@ struct Option : OptionInfo {
   }
 };
 
-using Values = std::map<std::string, Json, std::less<>>;  // by key
+using Values = std::map<std::string, Json, std::less<>>;  // the keys of options with their values
 
-// The value of words from the command line. Text that is not a number stays text, even if the kind asks for a number.
+// Makes a value from words of the command line. Text that is not a number stays text, even if the kind is a number.
 Json value_of(Kind kind, std::vector<std::string> const& words);
-// The value as it is written on the command line; the items of a list are joined by commas.
+// Writes the value as on the command line. The items of a list are joined by commas.
 std::string text_of(Json const& value);
-// The words of the command line that give an option its value; none for null, false and an empty list.
+// The words of the command line that set the option to `value`. There are none for null, false and an empty list.
 std::vector<std::string> words_of(OptionInfo const& option, Json const& value);
 std::string shown(Json const& value);  // for messages: 'text', 12, true
-// Calls judge() and adds its complaints to the list. Those that do not name an option become complaints about `where`.
+// Calls judge() and adds its complaints to the list. Complaints that name no option become complaints about `where`.
 void about(std::string const& where, std::vector<Complaint>& complaints, std::function<void()> const& judge);
 
 // Calls judge(row) for every row of a table and throws one Error with all complaints.
@@ -94,13 +94,13 @@ void lay_over(Rows const& rows, Values const& given, Target& target) {
   });
 }
 
-// These check a value, and throw Error without `where`.
+// These functions convert a value. If it is not allowed, they throw Error without `where`.
 int whole_of(Json const& value, Limits const& limits);
 double real_of(Json const& value, Limits const& limits);
 bool flag_of(Json const& value);
 std::string text_in(Json const& value);
 [[noreturn]] void refuse(Json const& value, std::string allowed);
-constexpr auto at(auto... path) {  // at(&A::b, &B::c): a function that returns a.b.c of an A
+constexpr auto at(auto... path) {  // at(&A::b, &B::c) is a function that returns a.b.c for an object a of type A
   return [=](auto& from) -> auto& {
     return (from.*....*path);
   };
@@ -118,7 +118,7 @@ Json or_null(std::optional<T> const& value) {
 // "help, limits (default usual)"
 std::string help_of(std::string help, std::string const& limits, std::string const& usual);
 
-// An option that is an int or a double, optional or not.
+// Makes an option whose value is an int or a double, or an optional one.
 template <class Target, class Access>
 Option<Target> number(std::string_view key, std::string help, Access place, Limits limits = {},
                       std::string usual = {}) {
@@ -142,7 +142,7 @@ Option<Target> flag(std::string_view key, std::string help, Access place) {
           [place](Target& to, Json const& value) { place(to) = flag_of(value); }};
 }
 
-// An option that takes one of several words, each with its value. If the values are true and false, these serve too.
+// Makes an option that takes one of several words, each with its value. For bool values, true and false serve too.
 template <class Target, class Access, class T, std::size_t N>
 Option<Target> word(std::string_view key, std::string help, Access place,
                     std::pair<std::string_view, T> const (&words)[N]) {

@@ -7,14 +7,14 @@
 
 namespace isolaw {
 
-// The length of the UTF-8 sequence at the start of `bytes` (not empty); 0 if the bytes are no such sequence.
+// The length of the UTF-8 sequence at the start of `bytes`, which must not be empty; 0 if the sequence is invalid.
 std::size_t utf8_length(std::string_view bytes);
-// Whether the text is UTF-8 without control characters, line or paragraph separators and direction marks.
+// True if the text is UTF-8 without control characters, line or paragraph separators and direction marks.
 bool is_printable(std::string_view text);
-// Spells out what is not printable: \n, \x1b, \u202e. With `keep_lines`, line breaks stay.
+// Spells out unprintable characters: \n, \x1b, \u202e. With `keep_lines`, line breaks stay.
 std::string printable(std::string_view text, bool keep_lines = false);
-std::string on_one_line(std::string_view text);  // the same, with lines joined: "a; b"
-// The text in single quotes for a message, cut after 40 bytes, with control characters spelled out.
+std::string on_one_line(std::string_view text);  // printable(), with lines joined: "a; b"
+// Puts the text in single quotes for a message, cuts it after 40 bytes and spells out control characters.
 std::string in_quotes(std::string_view text);
 
 }  // namespace isolaw

@@ -1,4 +1,4 @@
-// Processor time in seconds. Other work on the machine hardly lengthens it, unlike elapsed time.
+// Processor time in seconds. Unlike elapsed time, it hardly grows when other programs use the machine.
 #pragma once
 
 #include <ctime>
@@ -7,7 +7,7 @@ namespace isolaw {
 
 inline double processor_time_s(clockid_t clock) {
   timespec time{};
-  // A browser has no processor clock: elapsed time takes its place.
+  // A browser has no processor clock, so elapsed time is returned there.
   if (clock_gettime(clock, &time) != 0) clock_gettime(CLOCK_MONOTONIC, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }

@@ -12,7 +12,7 @@ struct Letter {
   std::string_view name, sign, latex;
 };
 
-// The first of these names that a text begins with is used. If one name began another, the longer would come first.
+// The first name that begins a text is used, so a longer name must precede a name that begins it.
 constexpr auto greek = std::to_array<Letter>({
     {"alpha", "α", "\\alpha"},
     {"beta", "β", "\\beta"},
@@ -61,10 +61,10 @@ std::string with_signs(std::string index) {
 
 Symbol symbol_of(std::string_view name) {
   if (name.empty()) return {};
-  if (name == "OF") return {"OF", "\\mathit{OF}", {}};  // the objective function: one symbol of two letters
+  if (name == "OF") return {"OF", "\\mathit{OF}", {}};  // the objective function has a symbol of two letters
   if (auto const* letter = greek_at_head(name))
     return {letter->sign, letter->latex, index_of(name.substr(letter->name.size()))};
-  auto const rest = name.substr(1);  // "dbeta" is the degradation of beta: delta with beta as its index
+  auto const rest = name.substr(1);  // "dbeta", the degradation of beta, becomes delta with the index beta
   if (name.front() == 'd')
     if (auto const* degrading = greek_letter(rest)) return {"δ", "\\delta", std::string(degrading->sign)};
   return {name.substr(0, 1), {}, index_of(rest)};

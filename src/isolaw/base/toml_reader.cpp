@@ -11,16 +11,16 @@
 namespace isolaw {
 namespace {
 
-// Measures how deep a statement nests. Each dot of a name counts as a level, since toml++ recurses: a name of a hundred
-// thousand parts would overflow its stack. Quoted text and comments do not count. The parser checks everything else.
+// Measures how deep a statement nests, before toml++ parses it by recursion: a name of a hundred thousand parts would
+// overflow the stack. Each dot of a name counts as a level; quoted text and comments do not count.
 class NestingCheck {
  public:
   explicit NestingCheck(std::string_view text) : text_(text) {}
 
-  std::size_t deep_line() {  // 0 if no line nests deeper than any real file
+  std::size_t deep_line() {  // returns 0 if every line nests as little as a real file
     constexpr int deepest = 64;
     int depth = 0;
-    std::vector<int> dots{0};  // dots in the name being read, for every table and list that is open
+    std::vector<int> dots{0};  // for the document and each open table and list: dots in the name being read
     auto const end_name = [&] {
       depth -= dots.back();
       dots.back() = 0;
@@ -51,7 +51,7 @@ class NestingCheck {
   }
 
  private:
-  void skip_quoted(char quote) {  // leaves at_ on the last character
+  void skip_quoted(char quote) {  // leaves at_ on the last character of the text
     auto const run = [&](std::size_t at) {
       std::size_t length = 0;
       while (at + length < text_.size() && text_[at + length] == quote && length < 5) ++length;
@@ -66,7 +66,7 @@ class NestingCheck {
     for (at_ += marks; at_ < text_.size(); ++at_) {
       char const c = text_[at_];
       if (c == '\n') {
-        if (marks == 1) {  // the quote is not closed, which the parser will refuse
+        if (marks == 1) {  // the quote is not closed: the parser will refuse it
           --at_;
           return;
         }
@@ -191,7 +191,7 @@ void TomlTable::refuse_unknown() {
 }
 
 void TomlTable::complain(toml::node const& node, std::string found, std::string allowed, std::string advice) {
-  if (complaints_.size() > most_complaints) return;  // one more than is shown makes throw_complaints mention more
+  if (complaints_.size() > most_complaints) return;  // one more than is printed, so that throw_complaints mentions more
   complaints_.push_back(
       {.where = where(node), .found = std::move(found), .allowed = std::move(allowed), .advice = std::move(advice)});
 }

@@ -1,4 +1,4 @@
-// Reads TOML files from outside safely: bounds the nesting before the parser sees it, collects every mistake with its
+// Reads TOML files from outside safely. It bounds the nesting before the parser runs, collects every mistake with its
 // line, converts no kind of value into another, and takes only printable text of bounded length.
 #pragma once
 
@@ -23,12 +23,12 @@ using Json = nlohmann::ordered_json;
 
 struct TomlMessages {
   std::string kind;    // such as "lot file"
-  std::string advice;  // for a file that is not TOML
+  std::string advice;  // the remedy for a file that is not TOML
 };
 
-// Throws one Error with the line if the text nests deeper than any such file needs or is not TOML.
+// Throws one Error with the line if the text is not TOML or nests deeper than any such file needs.
 toml::table parse_toml(std::string_view text, std::string const& file, TomlMessages const& messages);
-// Throws one Error with all complaints, if there are any. If there are more than most_complaints, it only says so.
+// Throws one Error with all complaints, if there are any. After most_complaints of them it says that there are more.
 void throw_complaints(std::vector<Complaint> complaints, std::string const& file);
 
 // Reads the keys of one table, collects complaints about them, and remembers which keys were asked for.
@@ -37,12 +37,12 @@ class TomlTable {
   static constexpr std::size_t longest_text = 512;  // bytes, unless the caller says otherwise
   static constexpr std::size_t most_items = 1000;   // in a list
   static constexpr std::size_t most_complaints = 50;
-  // `name` is how messages call the table: "[calibrate]"; empty for the file itself.
+  // Messages call the table `name`, such as "[calibrate]"; empty for the file itself.
   TomlTable(toml::table const& table, std::string file, std::string name, std::vector<Complaint>& complaints);
 
   std::string where(toml::node const& node) const;
 
-  // Calls take(value) if the key is there with a value of type T. An Error of take() becomes complaints at its line.
+  // Calls take(value) if the key has a value of type T. An Error from take() becomes complaints at the value's line.
   template <class T, class Take>
   void value(std::string_view key, std::string_view expected, Take&& take, std::size_t longest = longest_text) {
     auto const* node = find(key);
@@ -53,16 +53,15 @@ class TomlTable {
       if (!accept_text(*node, key, *found, longest)) return;
     guarded(*node, key, [&] { take(*found); });
   }
-  // Calls take() for a text, or for each text of a list.
+  // Calls take() for the key's text or, if it is a list, for each text of the list.
   void strings(std::string_view key, std::function<void(std::string const&)> const& take,
                std::size_t longest = longest_text);
-  // Passes the key's value to take(), if the key is there. A list is passed as it grows, so that an Error of take()
-  // belongs to the item just added: for a, b, c first [a], then [a, b], then [a, b, c]. A table is passed entry by
-  // entry, each as {name: value}. An Error becomes complaints at the item's line, and the list goes on without that
-  // item.
+  // Passes the key's value, if there is one, to take(). A list is passed as it grows (first [a], then [a, b]), so that
+  // an Error from take() belongs to the last item. A table is passed entry by entry as {name: value}. An Error becomes
+  // complaints at the item's line, and the rest of the list is read without that item.
   void json(std::string_view key, std::function<void(Json const&)> const& take, std::size_t longest = longest_text);
   toml::table const* table(std::string_view key);  // the sub-table, or nullptr
-  toml::node const* find(std::string_view key);    // the node or nullptr; the key then counts as known
+  toml::node const* find(std::string_view key);    // returns the node or nullptr; the key then counts as known
   void refuse_unknown();                           // complains about every key that was not asked for
   void complain(toml::node const& node, std::string found, std::string allowed, std::string advice = {});
   void complain(std::string found, std::string allowed, std::string advice = {}) {
@@ -70,13 +69,13 @@ class TomlTable {
   }
 
  protected:
-  // Whether the text is printable and short enough for terminals, tables and pages; complains if it is not.
+  // True if the text is printable and short enough for terminals, tables and pages. Complains if it is not.
   bool accept_text(toml::node const& node, std::string_view key, std::string const& text, std::size_t longest);
-  // Calls action() and returns whether it threw no Error. Collects the complaints of an Error.
+  // Calls action() and returns true unless it threw an Error. Collects the complaints of the Error.
   bool guarded(toml::node const& node, std::string_view key, std::function<void()> const& action);
 
  private:
-  // toml++ would convert 1 to true and true to a number.
+  // Accepts T only: toml++ itself would convert 1 to true and true to a number.
   template <class T>
   static bool is_kind(toml::node const& node) {
     if constexpr (std::is_same_v<T, bool>)
@@ -88,9 +87,9 @@ class TomlTable {
     else
       return node.is_string();
   }
-  // The value of a text, number, bool or date (as text). Other nodes and refused texts give nullopt and a complaint.
+  // The node's value if it is a text, a number, a bool or a date (as text). Complains about any other node.
   std::optional<Json> scalar(toml::node const& node, std::string_view key, std::size_t longest);
-  // `of_kind` is true for a whole number that its type cannot hold, and false for a value of another kind.
+  // `of_kind` is true for a whole number that does not fit its type, and false for a value of another kind.
   void complain_value(toml::node const& node, std::string_view key, std::string_view expected, bool of_kind);
 
   toml::table const& table_;

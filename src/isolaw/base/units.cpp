@@ -8,7 +8,7 @@
 namespace isolaw {
 namespace {
 
-// These are exact by definition: 1 kgf = 9.80665 N, 1 lbf = 4.4482216152605 N, 1 in = 25.4 mm.
+// The sizes are exact by definition: 1 kgf = 9.80665 N, 1 lbf = 4.4482216152605 N, 1 in = 25.4 mm.
 constexpr std::array known{
     kN,
     N,
@@ -41,7 +41,7 @@ constexpr std::array aliases{
     Alias{"in.", "in"},         Alias{"t", "tonf"},     Alias{"minute", "min"},
     Alias{"day", "d"},          Alias{"days", "d"},     Alias{"minutes", "min"},
     Alias{"sek", "s"},          Alias{"sn", "s"},       Alias{"saniye", "s"},
-    Alias{"\xE7\xA7\x92", "s"},  // Turkish, Japanese
+    Alias{"\xE7\xA7\x92", "s"},  // "second" in Chinese and Japanese
     Alias{"dk", "min"},         Alias{"dakika", "min"}, Alias{"\xE5\x88\x86", "min"},
 };
 

@@ -1,4 +1,4 @@
-// Units of a test record's channels. Inside isolaw, records are in kN, mm and s; each law converts once per record.
+// Units of a record's channels. isolaw computes with kN, mm and s; each law converts a record once to its own units.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ enum class Dimension { force, length, time };
 struct Unit {
   Dimension dimension;
   std::string_view symbol;
-  double in_record_units;  // the size of one of this unit in kN, mm or s
+  double in_record_units;  // the size of this unit in kN, mm or s
 };
 
 inline constexpr Unit kN{Dimension::force, "kN", 1.0};
@@ -22,8 +22,8 @@ inline constexpr Unit cm{Dimension::length, "cm", 10.0};
 inline constexpr Unit m{Dimension::length, "m", 1e3};
 inline constexpr Unit s{Dimension::time, "s", 1.0};
 
-// The unit that `text` names ("kN", "[mm]", "tonf", "lbf", "ms", ...); nullopt if it is unknown. Brackets, blanks and
-// case are ignored, except that "mN" is unknown: load cells report meganewtons, never millinewtons.
+// The unit that `text` names ("kN", "[mm]", "tonf", "lbf", "ms", ...); nullopt if unknown. Brackets, blanks and case
+// are ignored. "mN" is unknown: load cells report meganewtons, never millinewtons.
 std::optional<Unit> parse_unit(std::string_view text);
 
 std::string known_units(Dimension dimension);  // "kN, N, MN, tonf, kgf, daN, kip, lbf"

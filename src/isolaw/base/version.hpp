@@ -1,4 +1,4 @@
-// The program's version. The number comes from the build (base/CMakeLists.txt).
+// The program's version. base/CMakeLists.txt sets it.
 #pragma once
 
 #include <string_view>

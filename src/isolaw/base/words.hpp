@@ -1,4 +1,4 @@
-// Small operations on text that a person typed or a file holds: trimming, lower case, numbers, lists of words.
+// Small functions for text that a person typed or a file holds: trimming, lower case, numbers, lists of words.
 #pragma once
 
 #include <charconv>
@@ -11,7 +11,7 @@
 
 namespace isolaw {
 
-constexpr std::string_view trimmed(std::string_view text) {  // without blanks and tabs at both ends
+constexpr std::string_view trimmed(std::string_view text) {  // removes blanks and tabs at both ends
   auto const first = text.find_first_not_of(" \t");
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
@@ -31,14 +31,14 @@ inline std::string lower(std::string_view text) {  // changes ASCII letters only
   return out;
 }
 
-// Returns the part before the first separator (or everything) and removes both from `text`.
+// Returns the part of `text` before the first separator, or all of it, and removes the part and the separator.
 constexpr std::string_view take_part(std::string_view& text, char separator) {
   auto const part = text.substr(0, text.find(separator));
   text.remove_prefix(part.size() == text.size() ? part.size() : part.size() + 1);
   return part;
 }
 
-// The number, if the whole text is one that T can hold. The decimal sign is a point, and a leading '+' is allowed.
+// Converts the text if all of it is a number that T can hold. The decimal sign is a point; a leading '+' is allowed.
 template <class T>
 std::optional<T> number_in(std::string_view text) {
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
@@ -65,7 +65,7 @@ std::string joined(Words const& words, std::string_view separator = ", ") {
   return text;
 }
 
-// "a, b, and 3 more": the first `shown` of the words.
+// "a, b, and 3 more": lists only the first `shown` words.
 inline std::string shortened(std::vector<std::string> words, std::size_t shown, std::string_view separator = ", ") {
   auto const left_out = words.size() > shown ? words.size() - shown : 0;
   words.resize(words.size() - left_out);

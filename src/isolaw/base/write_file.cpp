@@ -32,7 +32,7 @@ void make_folder(fs::path const& dir) {
   if (error) refuse(dir, error.message());
 }
 
-// All bytes are on disk before the file gets its name: after a power cut either the old or the new file exists.
+// All bytes are on disk before the file gets its name, so after a power cut either the old or the new file exists.
 void write_file(fs::path const& path, std::string_view text) {
   auto aside = path;  // in the same directory, since only there is a rename atomic
   aside += "." + std::to_string(::getpid()) + std::string(part_suffix);
@@ -60,7 +60,7 @@ void write_file(fs::path const& path, std::string_view text) {
 void remove_unfinished_files(fs::path const& folder) {
   std::error_code ignored;
   for (auto const& entry : fs::directory_iterator(folder, ignored)) {
-    // The name is NAME.PID.part; the file is removed if that process has ended.
+    // Unfinished files are called NAME.PID.part. A file is removed if the process PID has ended.
     auto const name = entry.path().filename().string();
     if (!name.ends_with(part_suffix)) continue;
     auto const stem = std::string_view(name).substr(0, name.size() - part_suffix.size());

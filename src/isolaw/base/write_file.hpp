@@ -1,4 +1,4 @@
-// Writes a file beside its place and then renames it, so that a reader never sees half a file.
+// Writes a file under another name and then renames it, so that a reader never sees half a file.
 #pragma once
 
 #include <filesystem>
@@ -10,6 +10,6 @@ void write_file(std::filesystem::path const& path, std::string_view text);  // t
 // Creates the folder if it is missing. Throws Error if that fails or if the name is a symbolic link.
 void make_folder(std::filesystem::path const& folder);
 
-void remove_unfinished_files(std::filesystem::path const& folder);  // left by killed processes
+void remove_unfinished_files(std::filesystem::path const& folder);  // removes what killed processes left
 
 }  // namespace isolaw

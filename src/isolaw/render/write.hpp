@@ -1,4 +1,5 @@
-// Writes the files of a report, and removes them.
+// Writes and removes the page, JSON and tables of a report, an inspection or a building study. The functions that write
+// create `dir` if necessary and throw Error on failure.
 #pragma once
 
 #include <filesystem>
@@ -15,17 +16,13 @@ struct Answers;
 
 namespace isolaw::render {
 
-// Writes summary.json, the tables (CSV and LaTeX) and report.html into `dir`, which is created if needed. Throws Error.
 void write_outputs(Summary const& summary, std::filesystem::path const& dir);
-// Writes inspection.html, inspection.json and the tables of an inspection in the same way.
 void write_inspection(Summary const& summary, std::filesystem::path const& dir);
-// Writes building.html, building.json and the tables of a building in the same way.
 void write_building_outputs(building::Study const& study, building::Answers const& answers,
                             std::filesystem::path const& dir);
 // The files that write_outputs() writes: names relative to `dir`, and texts.
 std::vector<std::pair<std::string, std::string>> output_texts(Summary const& summary);
-// Removes all these files, run.json and the figures, since one campaign's reports must not remain beside another's
-// store.
+// Removes the files of write_outputs(), run.json and figures, which must not stay beside the store of another campaign.
 void remove_outputs(std::filesystem::path const& dir);
 void remove_building_outputs(std::filesystem::path const& dir);
 // Removes the unfinished files that a killed process left in `dir` and in its folders of tables and figures.

@@ -1,5 +1,5 @@
-// Assesses the tests of a lot against a rule set: which block of each record counts, and whether every device and the
-// lot keep the limits. Without a rule set there are statistics of the third cycles and no verdict.
+// Assesses the tests of a lot against a rule set: it chooses the block of each record to assess, and tests whether
+// every device and the lot keep the limits. Without a rule set it gives statistics of the third cycles and no verdict.
 #pragma once
 
 #include <optional>
@@ -17,13 +17,13 @@ struct AssessedTest {
   data::Properties const* properties = nullptr;
   std::optional<double> rubber_thickness_mm, rubber_area_mm2;
   rules::VerticalValue vertical = {};
-  std::string copy_of = {};  // the other device that has the same record and is assessed by it; else empty
+  std::string copy_of = {};  // the device with the same record that is assessed instead of this one; else empty
 };
 
 struct DeviceAcceptance {
-  std::optional<int> block;  // the block that counts; empty if the record has no cyclic properties
-  std::string choice;        // why this block counts
-  std::string copy_of;       // as in AssessedTest
+  std::optional<int> block;  // the block that is assessed; empty if the record has no cyclic properties
+  std::string choice;        // why this block was chosen
+  std::string copy_of;       // the device that is assessed instead: AssessedTest::copy_of
   std::vector<rules::Assessment> assessments;
 };
 
@@ -52,9 +52,9 @@ struct DesignValue {
 };
 std::vector<DesignValue> design_values(rules::Design const& design);
 
-// Whether the scatter of the lot permits an analysis with mean properties. It joins the answers of all quantities.
+// Whether the scatter of the lot permits an analysis with mean properties: only if the scatter of every quantity does.
 struct MeanAnalysis {
-  std::optional<bool> permitted;  // empty: no verified rule set decides this, or a quantity is not judged
+  std::optional<bool> permitted;  // empty: no verified rule set has a limit, or a quantity is not judged
   std::string sentence;
 };
 MeanAnalysis mean_analysis(rules::LotView const& lot);

@@ -1,5 +1,5 @@
-// The assessments of the devices and the lot as results: inspection.json, the data of the page and tables/tests.csv,
-// lot.csv and lambda.csv are written from these rows. docs/inspection-json.md is checked against them.
+// The rows that inspection.json, the page's data, tests.csv, lot.csv and lambda.csv take from the assessments of the
+// devices and the lot. A test compares docs/inspection-json.md with them.
 #pragma once
 
 #include "isolaw/study/acceptance.hpp"

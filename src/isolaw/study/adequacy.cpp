@@ -13,7 +13,7 @@ std::optional<Finding> inadequacy(LawResult const& law) {
   if (law.objective.mean && !(*law.objective.mean <= adequate_objective))
     finding.numbers.push_back({"misfit", *law.objective.mean});
   auto const add = [&](std::optional<double> DeviceFit::*error, double most, std::string name) {
-    // An error relative to zero is infinite and cannot be judged.
+    // Where the measured value is zero, the relative error is infinite. It cannot be judged and is left out.
     if (auto const mean = mean_magnitude(law, error); mean && std::isfinite(*mean) && *mean > most)
       finding.numbers.push_back({std::move(name), *mean});
   };

@@ -1,5 +1,5 @@
-// Two questions before a law is compared with others: does it describe the tested devices at all, and do its parameters
-// agree between the devices without the help of the search box? docs/decision.md has the reasons.
+// Two questions before a law is compared with others: does it describe the tested devices at all, and would its
+// parameters still agree between the devices if the search box were wider? docs/decision.md has the reasons.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace isolaw::study {
 
-// Limits of an adequate law: means over the devices of the objective and of the errors on the compared cycle.
+// The objective and the errors on the compared cycle, as means over the devices, that an adequate law may not exceed.
 inline constexpr double adequate_objective = 0.3;
 inline constexpr double adequate_K_eff_percent = 15.0, adequate_energy_percent = 30.0;
 // The errors by which the law exceeds these limits (FindingKind::law_inadequate); nullopt for an adequate law, and for
@@ -21,11 +21,11 @@ inline bool is_adequate(LawResult const& law) {
   return !inadequacy(law);
 }
 
-// Counts the calibrated parameters that lie at a bound on at least half of the devices: they agree only because of the
-// search box. With one device both counts are 0, since a single device agrees with itself whatever the box is.
+// Counts the calibrated parameters that lie at a bound on at least half of the devices. The search box alone makes such
+// a parameter agree between devices. With one device both counts are 0: there are no values to compare.
 struct Pinned {
   std::size_t count = 0, calibrated = 0;
-  bool decides() const { return 3 * count >= calibrated && count > 0; }  // from a third on, the law is not robust
+  bool decides() const { return 3 * count >= calibrated && count > 0; }  // true: the search box decides this law's beta
   Finding finding(std::string const& law) const;                         // FindingKind::held_by_box
 };
 Pinned pinned(LawResult const& law);

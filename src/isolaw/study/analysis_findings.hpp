@@ -1,4 +1,4 @@
-// Findings from the analyses: optimiser's noise, devices left out, predicted blocks, parameters that tests determine.
+// Makes findings from the analyses: the optimiser's noise, devices left out, predicted blocks, undetermined parameters.
 #pragma once
 
 #include <vector>

@@ -39,7 +39,7 @@ void add_success(DeviceFit& fit, campaign::Contents const& contents, campaign::S
     ++usable;
     found += run.objective <= least * (1.0 + found_within) + 1e-9 ? 1 : 0;
   }
-  // A single run would be compared with itself alone and would always count as found.
+  // A single run is always the best run of the campaign, so its success would say nothing.
   if (usable < 2) return;
   fit.success_share = static_cast<double>(found) / usable;
   fit.success_reference = "best of this campaign";
@@ -57,7 +57,7 @@ void add_blocks(DeviceFit& fit, data::FitRecord const& record) {
     fitted[block] = fitted[block] || record.is_scored(i);
   }
   for (auto& [block, mask] : members) {
-    // In a block that the law was fitted to, only the scored samples count.
+    // In a block that the law was fitted to, the objective is computed on the scored samples only.
     if (fitted[block])
       for (std::size_t i = 0; i < mask.size(); ++i) mask[i] *= record.is_scored(i) ? 1.0 : 0.0;
     double const objective = fit::objective_on(record, fit.force_kN, std::move(mask));
@@ -65,8 +65,9 @@ void add_blocks(DeviceFit& fit, data::FitRecord const& record) {
   }
 }
 
-// The free parameters' values as [parameter][device] over the examined devices, in the reduced form if the redundant
-// parameter was free. Parameters that most tests leave undetermined or at a bound are in `left_out` instead.
+// The best values of the free parameters on the examined devices, as [parameter][device], in the form without the
+// redundant parameter if that was free. `left_out` names the parameters that most tests leave undetermined or at a
+// bound.
 struct Examined {
   std::vector<std::string> names, left_out;
   std::vector<std::vector<double>> values;
@@ -136,9 +137,9 @@ std::vector<fit::SearchParameter> parameters_of_search(campaign::Contents const&
   return {};
 }
 
-// Covariance of one device's estimates by linearisation, [parameter][parameter] over the free ones. A parameter at its
-// bound that the test does not determine gets the largest variance that a box permits, a quarter of its squared width.
-// Rounding is added to every variance.
+// The covariance of one device's estimates by linearisation, [parameter][parameter] over the free ones. A parameter at
+// its bound that the test does not determine gets a quarter of its box's squared width, the largest variance that a box
+// permits. Every variance is raised by the square of a rounding error, which keeps it above zero.
 lot::SquareMatrix uncertainty(DeviceFit const& fit, campaign::DeviceAnalysis const& analysis) {
   constexpr double rounding = 1e-6;
   auto const& intervals = analysis.intervals;
@@ -155,7 +156,7 @@ lot::SquareMatrix uncertainty(DeviceFit const& fit, campaign::DeviceAnalysis con
   return covariance;
 }
 
-// Converts an estimate to the form without the redundant parameter, and its covariance to first order.
+// Converts an estimate to the form without the redundant parameter. Its covariance is converted to first order.
 lot::DeviceEstimate reduced(laws::LawEntry const& entry, std::vector<double> const& values,
                             std::vector<std::size_t> const& free, lot::SquareMatrix const& covariance,
                             std::vector<std::size_t> const& kept) {
@@ -164,7 +165,7 @@ lot::DeviceEstimate reduced(laws::LawEntry const& entry, std::vector<double> con
     return parameters;
   };
   auto const here = form(values);
-  std::vector<std::vector<double>> slopes;  // [free][kept]
+  std::vector<std::vector<double>> slopes;  // of the kept parameters by the free ones: [free][kept]
   for (auto const k : free) {
     constexpr double step = 1e-6;
     double const size = values[k] != 0.0 ? step * std::abs(values[k]) : step;
@@ -190,7 +191,7 @@ std::vector<std::size_t> undetermined_everywhere(LawResult const& law, std::vect
   for (std::size_t n = 0; n < names.size(); ++n)
     if (std::ranges::all_of(law.devices, [&](DeviceFit const& fit) {
           auto const p = std::ranges::find(fit.parameters, names[n], &ParameterFit::name);
-          bool const examined = p != fit.parameters.end() && p->analysis;  // false if the law was refused
+          bool const examined = p != fit.parameters.end() && p->analysis;
           return !examined || p->analysis->identifiability == analysis::Verdict::undetermined;
         }))
       found.push_back(n);
@@ -438,7 +439,7 @@ void add_lot_analysis(LawResult& law, campaign::Contents const& contents) {
 
 void add_converged_views(Summary& summary) {
   if (summary.missing_runs() > 0 || summary.missing_analyses() > 0)
-    return;  // laws would otherwise be compared on different devices
+    return;  // laws with results on different devices cannot be compared
   auto const accurate = [](LawResult const& law) { return law.objective_converged; };
   mark_front(
       summary.laws, [](auto const& law) { return law.beta_converged; }, accurate, &LawResult::on_front_converged);

@@ -53,7 +53,7 @@ void add_vertical(DeviceResult& result) {
   if (!test.refusal.empty())
     warnings.push_back({.kind = FindingKind::vertical_test_refused, .words = {{"reason", test.refusal}}});
   if (result.vertical) std::ranges::copy(result.vertical->warnings, std::back_inserter(warnings));
-  // Bearings carry weight: the vertical stiffness of each is at least this many times its horizontal stiffness.
+  // Isolators carry weight. A vertical stiffness below this many times the horizontal stiffness is implausible.
   constexpr double least_ratio = 3.0;
   auto const& reported = result.properties.reported;
   if (result.vertical && reported && result.vertical->K_v_kN_per_mm < least_ratio * reported->K_eff_kN_per_mm)
@@ -96,7 +96,7 @@ DeviceResult device_result(campaign::Device const& device, int smooth) {
   auto budget = data::error_budget(device.raw, result.properties, smooth);
   result.notes = std::move(budget.notes);
   result.effects = std::move(budget.effects);
-  // Only the records that laws are fitted to have the moving average, so reading could not warn of its effects.
+  // Reading a record does not smooth it, so the warnings about smoothing are added here.
   if (smooth > 1) {
     auto const read = data::error_budget(device.raw, result.properties).warnings;
     for (auto const& warning : budget.warnings)
@@ -120,8 +120,8 @@ ParameterFit parameter_fit(fit::SearchParameter const& searched, std::size_t ind
   return fitted;
 }
 
-// The cycle in which law and test are compared: the reported cycle. If only part of the record is scored, it is the
-// third scored cycle (or the last, if there are fewer) of the scored block with the largest amplitude.
+// The cycle in which law and test are compared: normally the reported cycle. If only part of the record is scored, it
+// is the third scored cycle (or the last, if there are fewer) of the scored block with the largest amplitude.
 std::optional<data::Cycle> compared_cycle(data::Properties const& measured, data::FitRecord const& record) {
   if (record.scored.empty() || !measured.reported) return measured.reported;
   auto const is_scored = [&](data::Cycle const& cycle) {

@@ -1,4 +1,4 @@
-// Computes what reports print from what a campaign holds.
+// Computes everything that reports print, from a campaign's store.
 #pragma once
 
 #include "isolaw/campaign/contents.hpp"
@@ -6,8 +6,8 @@
 
 namespace isolaw::study {
 
-// Recomputes everything from the contents alone: statistics over runs and devices, robustness, front, and the forces
-// and errors of the best fits. The campaign may be incomplete; missing runs are then counted.
+// Computes statistics over runs and devices, robustness, the front, and the forces and errors of the best fits, from
+// the contents alone. Of an incomplete campaign it counts the missing runs.
 Summary build_summary(campaign::Contents const& contents);
 
 }  // namespace isolaw::study

@@ -1,5 +1,5 @@
-// The results of a building's analyses as rows of building.json, the page and the tables: name, unit and meaning.
-// docs/building-json.md is checked against them. building::quantities() lists the measured quantities.
+// The rows that building.json, the page and the tables take from a building's analyses: name, unit and meaning.
+// building::quantities() lists the responses of the building. A test compares docs/building-json.md with these rows.
 #pragma once
 
 #include "isolaw/building/answers.hpp"

@@ -53,7 +53,7 @@ building::LawSource source_of(campaign::Contents const& contents, Summary const&
         source.tested_mm = std::max(source.tested_mm, std::abs(x));
       source.devices.emplace(contents.devices[d].name, analysis->determination.optimum);
     }
-  // If only one device was analysed, its parameters also represent the lot.
+  // If only one device was analysed, there is no law of the lot, and this device's parameters represent the lot.
   if (law->lot)
     source.lot = law->lot->parameters;
   else if (source.devices.size() == 1)
@@ -79,7 +79,7 @@ building::LawSource source_of(campaign::Contents const& contents, Summary const&
   return source;
 }
 
-// Replaces the law's parameters by those fitted to springs. Returns nullopt if any device or the lot lacks them.
+// Replaces the law's parameters by those fitted to springs in several directions. Returns nullopt if some are missing.
 std::optional<campaign::Contents> with_springs_of(campaign::Contents contents, std::string_view law) {
   bool any = false;
   for (auto& analysis : contents.device_analyses) {

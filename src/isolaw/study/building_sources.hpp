@@ -10,12 +10,12 @@
 
 namespace isolaw::study {
 
-// The parameters of one law for the building of `file`, and the findings against the law on the lot and on the tested
-// devices in the building. If the law acts as springs in plan, the parameters are those fitted to springs, if there are
-// any. Throws Error if the law is not in this campaign or was not analysed.
+// Takes one law's parameters for the building of `file`, and the findings against the law on the lot and on the devices
+// in the building. For a law that acts as springs in plan it takes the parameters fitted to springs, if the campaign
+// has them. Throws Error if the law is not in this campaign or was not analysed.
 building::LawSource law_source(campaign::Contents const& contents, Summary const& summary, std::string_view law,
                                std::string_view where, building::BuildingFile const& file);
-// The law that the campaign recommends for a device not tested. Throws Error if it recommends none.
+// The law that the campaign recommends for untested devices. Throws Error if it recommends none.
 std::string recommended_law(Summary const& summary, std::string_view where);
 
 }  // namespace isolaw::study

@@ -10,7 +10,7 @@
 namespace isolaw::study {
 namespace {
 
-// True for the name that a device gets without a lot file. Any other name needs a lot file, since it changes the seed.
+// True if the device has the name that it gets without a lot file. The seed depends on the name.
 bool is_named_by_its_file(DeviceResult const& device) {
   return device.name == campaign::name_of_file(device.file);
 }

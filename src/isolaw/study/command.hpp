@@ -7,9 +7,8 @@
 
 namespace isolaw::study {
 
-// `isolaw calibrate FILES --laws ... --seed N`, from the store: the files under their given names and every setting
-// that is an option, but not how columns and units were read. It has LOT.toml in place of the files if a lot file named
-// the devices. Empty for an inspection.
+// Rebuilds `isolaw calibrate FILES --laws ... --seed N` from the store, with every setting that is an option, but not
+// how columns and units were read. LOT.toml replaces FILES if a lot file named the devices. Empty for an inspection.
 std::string command_again(Summary const& summary);
 bool takes_lot_file(Summary const& summary);
 

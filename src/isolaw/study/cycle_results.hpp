@@ -1,5 +1,5 @@
-// The properties of cycles and blocks and the error budget as results: inspection.json, the data and tables of the page
-// and tables/cycles.csv are written from these rows, and docs/inspection-json.md is checked against them.
+// The rows that inspection.json, the page and cycles.csv take from the properties of cycles and blocks and from the
+// error budget. A test compares docs/inspection-json.md with them.
 #pragma once
 
 #include "isolaw/study/levels.hpp"
@@ -7,7 +7,7 @@
 
 namespace isolaw::study {
 
-// A cycle and its device, whose rubber thickness the strain needs.
+// A cycle, and the device whose rubber thickness turns its amplitude into a shear strain.
 struct CycleOf {
   data::Cycle const& cycle;
   DeviceResult const& device;

@@ -43,7 +43,7 @@ Doubts doubts(Summary const& summary, std::string_view law_id, std::optional<std
     if (!left_out.devices.empty()) result.findings.push_back(std::move(left_out));
   }
   for (auto& warning : warnings(summary, {.law = law_id, .device = device})) {
-    // devices_not_in_lot_law already names refused devices, which have no part in the law.
+    // A refused device has no part in the law, and devices_not_in_lot_law names it already.
     if (warning.kind != FindingKind::device_refused) result.findings.push_back(std::move(warning));
   }
   if (law.prediction_unusable()) result.objection = result.prediction;

@@ -1,4 +1,4 @@
-// Collects the findings against one law of a campaign for its users: exports, `simulate` and `building`.
+// Collects the findings against one law of a campaign, for the commands export, simulate and building.
 #pragma once
 
 #include <optional>
@@ -10,25 +10,25 @@
 
 namespace isolaw::study {
 
-// How well the law predicts the blocks that it was not fitted to: FindingKind::prediction_good to prediction_unusable,
-// or prediction_unknown where no block was left out of the fit.
+// Grades the prediction of the blocks that the law was not fitted to: FindingKind::prediction_good to
+// prediction_unusable, or prediction_unknown if no block was left out of the fit.
 Finding prediction_of(Summary const& summary, LawResult const& law);
 
 struct Doubts {
-  // Limits that the device or the lot does not keep, devices left out of the lot's law, warnings about the law.
+  // Limits that the device or the lot does not keep, devices that the lot's law leaves out, warnings about the law.
   std::vector<Finding> findings;
   Finding prediction;
   std::optional<Finding> objection;  // why the law should not be used at all
 };
 
-// The doubts about the law on one device or, without a device, about the one law of the lot.
+// The doubts about the law on one device or, if `device` is empty, about the lot's law.
 Doubts doubts(Summary const& summary, std::string_view law, std::optional<std::string_view> device);
 // "law bouc-wen, device 'a'" or "law bouc-wen, the lot": names a law's parameters in messages.
 std::string whose(std::string_view law, std::optional<std::string_view> device);
-// Throws Error if there is an objection, unless `anyway` overrules it. `where` comes from whose().
+// Throws Error if there is an objection and `anyway` is false. `where` begins the message, such as a text from whose().
 void require_taken(Doubts const& doubts, std::string const& where, bool anyway);
 std::string let_through(std::string_view objection);
-// The part of the tests that a law was fitted to, in words. `part` is written as in data::Selection, empty for all.
+// Names in a sentence the part of the tests that a law was fitted to: a data::Selection as text, empty for all.
 std::string part_text(std::string_view part);
 
 }  // namespace isolaw::study

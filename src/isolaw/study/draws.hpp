@@ -1,4 +1,4 @@
-// Draws whole devices from a lot's population: `isolaw sample` prints them, and models of several bearings use them.
+// Draws whole devices from a lot's population, for `isolaw sample` and for exported models of several bearings.
 #pragma once
 
 #include <cstddef>
@@ -17,18 +17,18 @@ struct Draws {
   std::vector<ParameterFit> const* parameters = nullptr;  // names and units of the columns; points into the summary
   std::vector<std::vector<double>> values;                // [device][parameter], in the law's order
   lot::Population const* population = nullptr;
-  std::size_t rejected = 0, pulled_back = 0;  // as in lot::Sample
+  std::size_t rejected = 0, pulled_back = 0;  // draws outside the limits, and devices moved inside: lot::Sample
 };
 
-// The source of a parameter's value: a place in the population, or a value that holds for all devices.
+// Takes a parameter from a drawn device, at the index `place` of the population, or else one value for all devices.
 struct Column {
   std::optional<std::size_t> place;
   double value = 0.0;
 };
 std::vector<Column> columns_of(LawResult const& law, laws::LawEntry const& entry);
 std::vector<lot::Limits> limits_of(lot::Population const& population, laws::LawEntry const& entry);
-// Draws `count` devices. Device i depends only on the seed, the law and i. Messages begin with `where`. Throws Error if
-// the law is not in this campaign or has no population.
+// Draws `count` devices. Device i depends only on the seed, the law and i. Throws Error, with a message that begins
+// with `where`, if the law is not in this campaign or has no population.
 Draws draw_devices(campaign::Contents const& contents, Summary const& summary, std::string_view law, std::size_t count,
                    std::uint64_t seed, std::string_view where);
 std::vector<std::string> sentences(Draws const& draws);

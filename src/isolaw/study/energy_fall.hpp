@@ -1,5 +1,5 @@
-// How the energy of a cycle falls through a block: on the device, by heat, wear and damage, and in a law. The fall is
-// counted from the third counted cycle on: the loss before that is scragging, which laws without wear may follow.
+// How the energy of a cycle falls through a block, on the device (by heat, wear and damage) and in a law. Counting
+// starts at the third counted cycle, since the loss before it is scragging, which a law without wear can follow.
 #pragma once
 
 #include <optional>
@@ -11,12 +11,12 @@
 
 namespace isolaw::study {
 
-// The fall in the block of eight or more counted cycles that loses most. Returns nullopt unless a cycle's energy falls
-// by a tenth, at least a quarter of that in each half of the block. `force_kN` is the law's force at the record's
-// samples.
+// The fall in the block that loses most, among the blocks of eight or more counted cycles. A block counts only if a
+// cycle's energy falls by at least a tenth, with at least a quarter of the fall in each half of the block. `force_kN`
+// is the law's force at the record's samples. Returns nullopt if no block counts.
 std::optional<EnergyFall> energy_fall(data::Properties const& measured, data::FitRecord const& record,
                                       std::vector<double> const& force_kN);
-// True if the law loses at least half as much as the device.
+// True if the law loses at least half as much energy as the device.
 bool follows(EnergyFall const& fall);
 
 }  // namespace isolaw::study

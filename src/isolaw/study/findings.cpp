@@ -24,14 +24,14 @@ bool dominates(LawResult const& a, LawResult const& b) {
   return no_worse && (*a.objective.mean < *b.objective.mean || *a.beta < *b.beta);
 }
 
-// Adds what speaks against a law that is offered as a choice: bounds of its search box decide its fit (pinned), or it
-// predicts the blocks left out of the fit worse than fair.
+// Adds warnings about a law that is offered as a choice: bounds of its search box decide its fit (pinned), or its
+// prediction of the blocks left out of the fit is worse than fair.
 void add_cautions(std::vector<Finding>& findings, Summary const& summary, LawResult const& law) {
   if (auto const held = pinned(law); held.decides()) findings.push_back(held.finding(law.id));
   if (!law.prediction_holds()) findings.push_back(prediction_of(summary, law));
 }
 
-// True for a law that was identified and is near enough to the devices. Only such laws are compared or recommended.
+// True for a law that was identified and is adequate. Only such laws are compared or recommended.
 bool describes(LawResult const& law) {
   return law.objective.mean && is_adequate(law);
 }
@@ -47,7 +47,7 @@ Finding beside_others(Summary const& summary, FindingKind kind, LawResult const&
   return finding;
 }
 
-// The front among the laws that describe the devices. No other law is a choice, whatever it beats.
+// The front among the adequate laws. An inadequate law is never offered, even if it beats others.
 std::vector<bool> front_among_adequate(Summary const& summary) {
   return front_of(
       summary.laws, [](auto const& law) { return describes(law) ? law.beta : std::nullopt; },
@@ -60,15 +60,16 @@ std::vector<bool> converged_among_adequate(Summary const& summary) {
       [](auto const& law) { return law.objective_converged; });
 }
 
-// The place of the last law on the front that does not depend on its search box; 0 if there is none after the first.
+// The place on the front of its most robust law, without laws decided by their search box; 0 if only the first is left.
 std::size_t robust_end(Summary const& summary, std::vector<std::size_t> const& front) {
   for (std::size_t place = front.size(); place-- > 1;)
     if (!pinned(summary.laws[front[place]]).decides()) return place;
   return 0;
 }
 
-// The place of the law between the front's ends that is nearest to the best of both, by the front's extent; else the
-// front's size. It must predict, not be held by its box, and stay on the front without the optimiser's noise.
+// Finds the law between the front's two ends that is nearest to the point of least objective and least beta, both
+// scaled by the ends; returns its place, or the front's size if there is none. The law must predict well, must not be
+// decided by its search box, and must also be on the front that is free of the optimiser's noise.
 std::size_t compromise(Summary const& summary, std::vector<std::size_t> const& front) {
   auto const& laws = summary.laws;
   bool const analysed = std::ranges::any_of(laws, &LawResult::on_front_converged);
@@ -153,7 +154,7 @@ LawVerdict unranked_verdict(Summary const& summary, std::size_t index, LawResult
   return verdict;
 }
 
-// `best` is the index of the most accurate law that describes the devices, or the number of laws without one.
+// `best` is the index of the most accurate adequate law, or the number of laws if there is none.
 std::vector<Finding> headline(Summary const& summary, std::vector<std::size_t> const& front, std::size_t best) {
   auto const& laws = summary.laws;
   auto const about = [&](FindingKind kind, std::size_t index) {

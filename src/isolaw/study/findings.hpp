@@ -1,5 +1,5 @@
 // Turns a campaign's numbers into findings: which law to take and why, how the laws compare, and the warnings. Every
-// renderer prints these; wording/table.hpp makes the sentences.
+// renderer prints these findings; wording/table.hpp makes the sentences.
 #pragma once
 
 #include <cstddef>
@@ -17,10 +17,10 @@ namespace isolaw::study {
 enum class Role {
   best_of_both,   // the only law on the front
   most_accurate,  // the law of smallest objective on the front
-  most_robust,    // the law of smallest beta on the front, without laws that their box holds
-  compromise,     // between most_accurate and most_robust, nearest to the best of both
-  between,        // another law between the two
-  held_by_box,    // on the front, but not robust by itself, since its parameters lie at bounds
+  most_robust,    // the law of smallest beta on the front, without laws decided by their box
+  compromise,     // between most_accurate and most_robust: nearest to the best of both numbers
+  between,        // on the front, and none of the roles above
+  held_by_box,    // on the front, but only because its parameters lie at bounds of the box
   dominated,
   inadequate,  // does not describe the devices (adequacy.hpp), so it is not compared
   unranked     // has no beta, or was never identified
@@ -31,8 +31,8 @@ std::string_view name(Role role);  // "most accurate", "dominated", ...
 struct LawVerdict {
   std::size_t law = 0;  // index into Summary::laws
   Role role = Role::unranked;
-  std::vector<Finding> findings;          // one sentence each, in this order
-  std::vector<std::string> dominated_by;  // ids of laws on the front
+  std::vector<Finding> findings;          // each gives a sentence, in this order
+  std::vector<std::string> dominated_by;  // ids of the laws on the front that beat this law
 };
 
 struct Findings {
@@ -41,29 +41,29 @@ struct Findings {
   std::vector<Finding> headline;     // the choice between accuracy and robustness
   std::vector<LawVerdict> verdicts;  // the front from accurate to robust, then dominated, inadequate, unranked laws
   std::vector<Finding> warnings;     // most serious first
-  std::vector<Finding> converged;    // from the analyses: analysis_findings.hpp
+  std::vector<Finding> converged;    // from the analyses, by converged_findings()
   std::string beta_note;             // why no law has a beta; "" if one has
 };
 
 Findings findings(Summary const& summary);
-// Delta_n, the largest relative difference of a device's parameter from the lot's; empty if it is undefined or fixed.
+// Delta_n, a parameter's largest relative difference between a device and the lot's mean; empty if fixed or undefined.
 std::optional<double> largest_difference(LawResult const& law, std::size_t parameter);
 std::optional<double> mean_magnitude(LawResult const& law, std::optional<double> DeviceFit::*error);
-// The largest displacement in mm at which a law was shown to hold: in the whole tests if its prediction holds, else in
-// the part that it was fitted to. Empty if it was identified on no device.
+// The largest displacement in mm at which a law was shown to hold: in the whole tests if its prediction is fair or
+// better, otherwise in the part that it was fitted to. Empty if it was identified on no device.
 std::optional<double> largest_displacement(Summary const& summary, LawResult const& law);
-// Groups of two or more devices with the same record: the same samples or, if both were refused, the same file.
+// Groups of two or more devices with the same record: the same samples or, for refused devices, the same file.
 std::vector<std::vector<DeviceResult const*>> devices_of_one_record(Summary const& summary);
 std::vector<std::vector<DeviceResult const*>> devices_of_one_compression(Summary const& summary);
 // Indices of the laws by rising mean objective; laws without one come last, in their order.
 std::vector<std::size_t> by_objective(Summary const& summary);
 std::vector<std::string> device_names(Summary const& summary);
-// nullptr if the law was not tried on the device.
+// Returns nullptr if the law was not tried on the device.
 DeviceFit const* fit_of(LawResult const& law, std::string_view device);
 // A law's parameters as its first identified device lists them; empty if there is no such device.
 std::vector<ParameterFit> const& parameters_of(LawResult const& law);
-// The index of a parameter in the vectors of a population, which differs from its index in the law. nullopt for a
-// parameter without an entry: fixed, tied, or redundant if the reduced form is used.
+// The index of a parameter in the vectors of a population, which is not its index in the law. Returns nullopt for a
+// parameter that is fixed, tied to another, or redundant if the population uses the form without it.
 std::optional<std::size_t> place_of(lot::Population const& population, std::string_view parameter);
 
 }  // namespace isolaw::study

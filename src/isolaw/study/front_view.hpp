@@ -1,4 +1,4 @@
-// Places the laws in the plane of accuracy and robustness, in the three views that figures and tables show.
+// Places the laws in the plane of accuracy against robustness, in the three views that figures and tables show.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace isolaw::study {
 
-// runs: means over the runs, as in Fig. 14 of Cucuzza et al. 2025; converged: least objectives; left_out: least
-// objectives against objectives on devices left out.
+// runs: mean objective over the runs against beta, as in Fig. 14 of Cucuzza et al. 2025. converged: least objective
+// against the beta of the best fits. left_out: least objective against the objective on devices left out.
 enum class FrontView { runs, converged, left_out };
 inline constexpr FrontView front_views[]{FrontView::runs, FrontView::converged, FrontView::left_out};
 
@@ -21,13 +21,13 @@ struct FrontPoint {
   std::string law;
   double x = 0.0, y = 0.0;  // x: beta, or the objective on devices left out; y: objective
   bool on_front = false;
-  // is_adequate: the law describes the devices; stands: it is adequate, and no other adequate law beats it.
+  // is_adequate: the law describes the devices. stands: it is adequate, and no other adequate law beats it.
   bool stands = false, is_adequate = true;
 };
 
 // One point for each law that has both numbers, in the order of the summary.
 std::vector<FrontPoint> front_points(Summary const& summary, FrontView view);
-// Ids of the laws on the front that beat the point: no worse in both numbers, better in one. Empty on the front.
+// Ids of the laws on the front that beat the point: no worse in both numbers, better in one. A front's law has none.
 std::vector<std::string> dominating(std::vector<FrontPoint> const& points, FrontPoint const& point);
 
 }  // namespace isolaw::study

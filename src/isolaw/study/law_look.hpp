@@ -1,5 +1,5 @@
-// How each law is drawn on the page and in figures for print: in colours that colour-blind readers tell apart (after
-// Okabe, Ito 2008), each with a variant for a dark screen, and with markers that stay distinct in grey print.
+// How each law is drawn on the page and in printed figures. Colour-blind readers can tell the colours apart (after
+// Okabe, Ito 2008). Each colour has a variant for a dark screen, and the markers stay distinct in grey print.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@ namespace isolaw::study {
 
 struct LawLook {
   std::string_view colour, on_dark;
-  std::string_view symbol;    // the page's marker
-  int point = 0, hollow = 0;  // gnuplot's markers, filled and not
+  std::string_view symbol;    // the marker on the page
+  int point = 0, hollow = 0;  // gnuplot's markers, filled and hollow
 };
 
 inline constexpr LawLook law_looks[]{
@@ -26,7 +26,7 @@ inline constexpr LawLook law_looks[]{
 };
 inline constexpr std::size_t law_look_count = std::size(law_looks);
 
-// Index of a law's look by its place in the summary. After law_look_count laws the looks repeat with hollow markers.
+// The look of the law at this place in the summary. After law_look_count laws the looks repeat with hollow markers.
 constexpr std::size_t look_of(std::size_t law) {
   return law % law_look_count;
 }
@@ -34,8 +34,8 @@ constexpr bool is_hollow(std::size_t law) {
   return law >= law_look_count;
 }
 
-// gnuplot's markers in the plot of accuracy against robustness: filled on the front, hollow for a law that is beaten, a
-// cross for a law that does not describe the devices.
+// gnuplot's markers in the plot of accuracy against robustness: filled for a law on the front, hollow for a law that
+// another law beats, a cross for an inadequate law.
 inline constexpr int front_point = 7, beaten_point = 12, inadequate_point = 2;
 
 }  // namespace isolaw::study

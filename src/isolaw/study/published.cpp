@@ -27,7 +27,7 @@ struct Named {
   std::string law;
   PublishedNumbers numbers;
 };
-using ByNumber = std::array<Named, study_laws>;  // law 1 first
+using ByNumber = std::array<Named, study_laws>;  // index 0 is law 1
 
 Named const& law_of(ByNumber const& laws, int number) {
   return laws[static_cast<std::size_t>(number - 1)];
@@ -138,7 +138,7 @@ bool is_rising(ByNumber const& laws, Numbers const& numbers, Compared quantity) 
          }) == numbers.end();
 }
 
-// Whether the laws `first` have the smallest values, in any order among themselves. Not judged without another law.
+// Judges whether each of the laws `first` has a smaller value than all other laws. Needs at least one other law.
 Judged have_smallest(ByNumber const& laws, Numbers const& first, Compared quantity) {
   if (auto const open = not_judged(laws, first, {quantity})) return *open;
   Numbers there;
@@ -163,7 +163,7 @@ Judged rising(ByNumber const& laws, Numbers const& numbers, Compared quantity) {
 
 constexpr Compared of_accuracy = &PublishedNumbers::objective, of_beta = &PublishedNumbers::beta;
 
-// If the runs of every law end at one place, their scatter is only rounding and is not compared.
+// If the runs of every law end at one objective, their scatter is only rounding, and the statement is not judged.
 Judged law_3_scatters_least(ByNumber const& laws) {
   auto const ends_at_one_place = [](Named const& law) {
     auto const& numbers = law.numbers;

@@ -1,5 +1,5 @@
-// Compares a campaign with the study whose laws and method isolaw uses (Cucuzza et al. 2025): the numbers of Table A.5
-// for the study's ten devices, the campaign's numbers, and which of the study's statements hold in the campaign.
+// Compares a campaign with the study whose laws and method isolaw uses (Cucuzza et al. 2025). It sets the numbers of
+// Table A.5 beside the campaign's, and says which of the study's statements hold in the campaign.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace isolaw::study {
 
-// The numbers of one law, from means and standard deviations over the runs on every device.
+// The numbers of one law. They derive from means and standard deviations over the runs on every device.
 struct PublishedNumbers {
   std::optional<double> objective;         // mean over the devices
   std::optional<double> std_over_runs;     // mean over the devices of the standard deviation over the runs
@@ -21,16 +21,16 @@ struct PublishedNumbers {
 
 struct PublishedLaw {
   int number = 0;         // the law's number in the study
-  std::string law;        // isolaw's id; the two readings of law 5 have a row each
-  bool compared = false;  // the campaign has it, and statements are judged by this reading
+  std::string law;        // isolaw's id; law 5 has two rows, one for each reading of its equations
+  bool compared = false;  // the campaign has this law, and statements are judged by this reading
   PublishedNumbers printed, here;
 };
 
 struct PublishedStatement {
   std::string where;         // place in the study
   std::string text;          // the statement in isolaw's words
-  bool in_table = false;     // it holds in the study's own Table A.5
-  std::optional<bool> here;  // in the campaign; empty: cannot be judged, as laws, beta or scatter are missing
+  bool in_table = false;     // the statement holds in the study's own Table A.5
+  std::optional<bool> here;  // whether it holds in the campaign; empty if laws, beta or scatter are missing
   std::string found;         // the campaign's numbers, or what is missing
 };
 

@@ -1,5 +1,5 @@
-// The comparison with the published study as results: the rows of `published` in summary.json and of the page's data.
-// docs/summary-json.md is checked against them.
+// The comparison with the published study as rows of `published`, for summary.json and the page's data. A test compares
+// docs/summary-json.md with them.
 #pragma once
 
 #include "isolaw/study/published.hpp"

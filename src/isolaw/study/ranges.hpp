@@ -1,5 +1,5 @@
-// How far the devices were tested and how far a law was fitted, over the samples of the records that laws are fitted
-// to. Exports state these ranges, and `simulate` compares a motion with them.
+// The largest displacement and speed of the tests, and of the part that a law was fitted to, from the cleaned records.
+// Exports state these ranges, and `simulate` compares a motion with them.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace isolaw::study {
 
 struct Range {
   double disp_mm = 0.0;
-  std::optional<double> vel_mm_s;  // empty: no record has time
+  std::optional<double> vel_mm_s;  // empty if no record has time
 };
 
 struct Ranges {
@@ -22,7 +22,7 @@ struct Ranges {
   void add(data::FitRecord const& record) {
     widen(
         tested, record, [](std::size_t) { return true; }, [](std::size_t) { return true; });
-    // A velocity comes from the samples on both sides, so it counts only if both belong to the fitted part.
+    // A velocity is computed from the two neighbouring samples, so it is used only if both belong to the fitted part.
     auto const last = record.size() - 1;
     auto const scored = [&](std::size_t i) { return record.is_scored(i); };
     widen(fitted, record, scored, [&](std::size_t i) {

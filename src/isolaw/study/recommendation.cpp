@@ -39,7 +39,7 @@ std::optional<double> predicted_of(DeviceFit const& fit) {
   return count > 0 ? std::optional(sum / count) : std::nullopt;
 }
 
-// The mean error on blocks that the law was not fitted to or on devices left out, whichever is larger.
+// The mean error on blocks that the law was not fitted to or on devices left out, whichever error is larger.
 std::optional<Known> known_for_untested(LawResult const& law) {
   auto const& loo = law.loo_objective;
   auto const& predicted = law.predicted_objective;
@@ -81,7 +81,7 @@ struct Candidate {
   LawResult const* law = nullptr;
   Known known;
   std::size_t parameters = 0;
-  std::vector<Finding> weak = {};  // why the choice is not sure
+  std::vector<Finding> weak = {};  // why the choice is uncertain
 };
 
 bool may_be_taken(Summary const& summary, LawResult const& law) {
@@ -129,14 +129,14 @@ std::vector<Finding> weaknesses(Summary const& summary, Candidate const& candida
     found.push_back(held.finding(law.id));
     found.back().kind = FindingKind::weak_bounds;
   }
-  // If blocks were predicted, the law has already shown that its open parameters do not matter.
+  // If the law predicted blocks, the parameters that the tests leave undetermined have already proved harmless.
   if (purpose == Purpose::untested_device && !law.prediction_grade)
     if (auto const share = share_open(law); share && *share > open_share)
       found.push_back({.kind = FindingKind::weak_open, .law = law.id, .numbers = {{"share", *share}}});
   return found;
 }
 
-// Prefers a law without weaknesses, then fewer parameters, then a law that analysis programs have.
+// Prefers a law without weaknesses, then one with fewer parameters, then one that analysis programs have.
 bool preferred(Candidate const& a, Candidate const& b) {
   if (a.weak.empty() != b.weak.empty()) return a.weak.empty();
   if (a.parameters != b.parameters) return a.parameters < b.parameters;
@@ -177,7 +177,7 @@ std::vector<Finding> what_would_decide(Summary const& summary, Purpose purpose, 
   return steps;
 }
 
-// The title names only what the errors are known for: devices left out, blocks, or both.
+// The title names the kinds of untested things for which errors are known: devices left out, blocks, or both.
 std::string title_of(Summary const& summary, Purpose purpose) {
   if (purpose == Purpose::these_tests) return "For these tests";
   if (purpose == Purpose::simplest) return "Simplest that serves";
@@ -257,7 +257,7 @@ std::vector<Standing> standings_of(Summary const& summary, bool untested, std::v
   return standings;
 }
 
-// Reports the law that follows the tests most closely if it does not predict: readers ask why it was not taken.
+// Names the law that fits the tests best if it was refused for its prediction: readers ask why it was not taken.
 std::optional<Finding> closer_but_refused(Summary const& summary, Candidate const& taken, Purpose purpose) {
   if (purpose != Purpose::these_tests) return std::nullopt;
   LawResult const* closest = nullptr;
@@ -296,7 +296,7 @@ Recommendation recommend(Summary const& summary, Purpose purpose) {
   std::ranges::stable_sort(candidates, {}, [](auto const& c) { return c.known.error; });
   auto const& best = candidates.front();
 
-  std::vector<Candidate> chosen;  // the laws whose errors do not differ enough for the purpose
+  std::vector<Candidate> chosen;  // the laws that are equally good for the purpose
   if (purpose == Purpose::simplest) {
     double const most = best.known.error + std::max(simple_share * best.known.error, simple_error);
     auto fewest = best.parameters;
@@ -311,7 +311,7 @@ Recommendation recommend(Summary const& summary, Purpose purpose) {
     for (auto const& c : candidates)
       if (&c == &best || tie(best.known, c.known)) chosen.push_back(c);
   }
-  // A grade outranks an error: a law that predicts well comes before one that predicts fairly.
+  // A grade comes before an error: a law of grade good is taken before a law of grade fair.
   auto const grade_of = [](Candidate const& c) { return c.law->prediction_grade.value_or(PredictionGrade::good); };
   auto const least_grade = std::ranges::min(chosen | std::views::transform(grade_of));
   std::erase_if(chosen, [&](auto const& c) { return grade_of(c) != least_grade; });
@@ -395,7 +395,7 @@ std::vector<Recommendation> recommendations(Summary const& summary) {
     answers.push_back(recommend(summary, purpose));
     answers.back().title = title_of(summary, purpose);
   }
-  // If none is recommended for untested devices, the other answers say that their law is not shown to hold elsewhere.
+  // If no law is recommended for untested devices, the other answers warn that their law may not hold elsewhere.
   if (answers.front().law) return answers;
   for (auto& each : answers | std::views::drop(1))
     if (each.law) {

@@ -1,5 +1,5 @@
-// Every result under one name: its key in JSON, its unit, its heading in tables and its meaning. These are the rows of
-// summary.json, of the page's data and of the tables, in this order. docs/summary-json.md is checked against them.
+// Defines every result once: its key in JSON, its unit, its heading in tables and its meaning. summary.json, the page's
+// data and the tables are written from these rows, in this order. A test compares docs/summary-json.md with them.
 #pragma once
 
 #include <array>
@@ -22,10 +22,10 @@ namespace isolaw::study {
 struct Ends {
   std::optional<double> lower, upper;
 };
-struct Nested {};  // an object or array of its own, which the renderer writes
+struct Nested {};  // an object or array that the renderer writes itself
 
 using Value = std::variant<std::monostate, bool, int, std::uint64_t, double, std::string_view,
-                           std::vector<std::string> const*, Statistic, Ends, Nested>;  // monostate: undefined
+                           std::vector<std::string> const*, Statistic, Ends, Nested>;  // monostate: an undefined value
 
 template <class T>
 Value value_of(T const& from) {
@@ -43,7 +43,7 @@ Value value_of(T const& from) {
     return from;
 }
 
-// Reads a member or calls a function of the object, then of the result: get<&ParameterFit::value, &Statistic::mean>.
+// Applies members or functions to the object one after another: get<&ParameterFit::value, &Statistic::mean>.
 template <auto first, auto... rest, class Object>
 Value get(Object const& object) {
   if constexpr (sizeof...(rest) > 0)
@@ -55,7 +55,7 @@ template <auto lower, auto upper, class Object>
 Value ends(Object const& object) {
   return Ends{object.*lower, object.*upper};
 }
-// A text that is undefined if it is empty.
+// Reads a text that counts as undefined if it is empty.
 template <auto member, class Object>
 Value word(Object const& object) {
   return (object.*member).empty() ? Value() : value_of(object.*member);
@@ -65,7 +65,7 @@ Value nested(Object const&) {
   return Nested{};
 }
 
-// Marks a number whose unit differs between objects, as a parameter's does, and is given beside the number.
+// Stands in place of a unit that differs between objects, such as a parameter's; another row gives that unit.
 inline constexpr std::string_view own_unit = "its own";
 
 struct Printed {
@@ -80,11 +80,11 @@ constexpr Printed significant(int count) {
 
 template <class Object>
 struct Result {
-  // unit: "-" for a number without a unit, "" for other values; heading: "" if no table and no page shows the result.
+  // unit: "-" for a number without a unit, "" for other values. heading: "" if no table and no page shows the result.
   std::string_view key, unit, heading, meaning;
   Value (*of)(Object const&) = nullptr;
   Printed printed{};
-  int digits = 9;  // significant digits in the page's data, for numbers that are only drawn
+  int digits = 9;  // significant digits in the page's data, for numbers that are only plotted
 };
 
 inline std::string_view fit_message(DeviceFit const& fit) {
@@ -302,7 +302,7 @@ inline constexpr Result<OutlyingDevice> outlier_results[]{
     {"percent", "%", "difference", "difference from the median", get<&OutlyingDevice::percent>},
 };
 
-// Picks rows in the order of the keys; "key: heading" also changes the heading. An unknown key does not compile.
+// Selects rows by their keys, in this order. "key: heading" changes the heading. An unknown key does not compile.
 template <class Object, std::size_t all, std::size_t count>
 consteval std::array<Result<Object>, count> columns(Result<Object> const (&rows)[all],
                                                     std::string_view const (&keys)[count]) {
@@ -317,9 +317,9 @@ consteval std::array<Result<Object>, count> columns(Result<Object> const (&rows)
   return chosen;
 }
 
-// The heading of one cell. A row has one for each cell that its value takes: three for a Statistic.
+// The heading of one column. A row has one column for each number of its value: three for a Statistic.
 struct Heading {
-  std::string title, unit;   // unit: empty if the row has no fixed one
+  std::string title, unit;   // unit: empty if the row has no fixed unit
   std::string text() const;  // "title [unit]"
 };
 std::vector<Heading> headings(std::string_view heading, std::string_view unit, Value const& example);

@@ -1,4 +1,4 @@
-// Helpers for sentences in study: functions of wording/words.hpp, and the name of a law.
+// Helpers for sentences in study: functions of wording/words.hpp, and the name of a law in a sentence.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ using wording::capitalised;
 using wording::enumerate;
 using wording::percent;
 using wording::with_decimals;
-// The name of a law in sentences; its id is for options and files.
+// The name of a law in sentences. Its id is for options and files.
 inline std::string called(LawResult const& law) {
   return std::string(laws::called(law.id));
 }

@@ -1,5 +1,4 @@
-// The campaign in numbers: everything that summary.json, the tables, the page and the terminal print. It is plain data,
-// and renderers decide nothing about it.
+// The campaign in numbers: the plain data that summary.json, the tables, the page and the terminal print.
 #pragma once
 
 #include <cstddef>
@@ -23,14 +22,14 @@
 namespace isolaw::study {
 
 struct Statistic {
-  std::optional<double> mean, std, best;  // empty: no usable run (std is empty below two runs)
+  std::optional<double> mean, std, best;  // empty without a usable run; std needs two runs
 };
 
-// How far the test of one device determines a parameter, around the least objective.
+// How well the test of one device determines a parameter, from the objective around its minimum.
 struct ParameterAnalysis {
   double optimum = 0.0;
   analysis::Verdict identifiability = analysis::Verdict::determined;
-  // The range in which the objective, with all other parameters fitted again, stays within the rise.
+  // The range in which the objective, with all other parameters fitted again, rises by at most DeviceFit::rise.
   double open_lower = 0.0, open_upper = 0.0;
   bool open_below = false, open_above = false;  // the range ends at a bound of the search box
   double linear_lower = 0.0, linear_upper = 0.0;
@@ -40,11 +39,11 @@ struct ParameterAnalysis {
 
 struct BlockScore {
   int block = 0;
-  bool fitted = false;  // false: predicted
+  bool fitted = false;  // false: the law was not fitted to this block but predicts it
   double objective = 0.0;
 };
 
-// How the energy of a cycle falls through a block that loses it steadily, as measured and by a law (`percent`).
+// How the energy of a cycle falls steadily through a block: measured_percent on the device, `percent` in a law.
 struct EnergyFall {
   int block = 0, first_cycle = 0, last_cycle = 0;
   double measured_percent = 0.0, percent = 0.0;
@@ -56,10 +55,10 @@ struct ParameterFit {
   bool free = true;  // false: fixed by default or by the user; then mean = best = the value, std = 0
   double lower = 0.0, upper = 0.0;
   Statistic value;
-  std::optional<double> percent_of_lot;      // difference of the mean from the mean over devices, percent
+  std::optional<double> percent_of_lot;      // difference of the mean from the mean over the devices
   fit::AtBound at_bound = fit::AtBound::no;  // whether the best run ended at a bound of the box
   std::string tied_to;                       // the parameter whose value this one takes; "" for none
-  std::string paper_name;                    // its name in the tables of Cucuzza et al. 2025, if that differs; else ""
+  std::string paper_name;                    // its name in the tables of Cucuzza et al. 2025, if different; else ""
   std::optional<ParameterAnalysis> analysis;
 };
 
@@ -72,19 +71,19 @@ struct DeviceFit {
   Statistic objective;
   std::optional<double> K_eff_error_percent, energy_error_percent, damping_error_percent;
   std::optional<double> integration_shift;
-  int refinement = 1;                   // integration steps per sample, of the best run
+  int refinement = 1;                   // integration steps per sample, in the best run
   std::optional<double> success_share;  // share of usable runs within 0.1 % of the campaign's least objective
-  std::string success_reference;        // the source of that least objective
+  std::string success_reference;        // where that least objective comes from
   std::optional<double> optimum;        // least objective of the analysis
   std::optional<double> rise;           // how far the objective may rise within a parameter's range
-  std::vector<std::string> trade_offs;  // as sentences
+  std::vector<std::string> trade_offs;  // sentences on parameters that compensate each other
   std::optional<double> interval_level;
   std::size_t interval_samples = 0, interval_block = 0;
   int interval_replicates = 0;
-  std::optional<double> lot_objective;       // with the lot's common parameters of least mean objective
-  std::optional<double> worst_objective;     // with the common parameters that are best for the worst device
-  std::optional<double> left_out_objective;  // with parameters fitted to all other devices
-  // With springs around the circle, along the test direction: as fitted to springs, and with the law's own parameters.
+  std::optional<double> lot_objective;       // objective with the parameters that fit the lot best on average
+  std::optional<double> worst_objective;     // objective with the parameters that fit the worst device best
+  std::optional<double> left_out_objective;  // objective with parameters fitted to all other devices
+  // Objectives if springs in several directions in plan replace the law: with parameters fitted to springs, or its own.
   std::optional<double> springs_objective, springs_given_objective;
   std::vector<BlockScore> blocks;
   std::optional<EnergyFall> energy_fall;       // empty if the device does not lose energy steadily
@@ -99,12 +98,12 @@ inline std::string_view fit_status(DeviceFit const& fit) {
   return fit.objective.mean ? "ok" : "failed";
 }
 
-// Parameters for all devices in common, in the law's order: of least mean objective, and of least worst objective.
+// Two parameter sets for all devices, in the law's order: with the least mean, and with the least largest objective.
 struct LotLaw {
   std::vector<double> parameters, worst_parameters;
   double mean = 0.0, worst = 0.0;  // mean and largest objective with `parameters`
   std::string worst_device;
-  double least_worst = 0.0, least_worst_bound = 0.0;  // largest objective with `worst_parameters`, and its lower limit
+  double least_worst = 0.0, least_worst_bound = 0.0;  // `worst_parameters`: largest objective, and its lower limit
   std::vector<std::pair<std::string, fit::AtBound>> at_bound;  // entries of `parameters` that lie at a bound
 };
 
@@ -121,27 +120,28 @@ struct LawResult {
   std::optional<double> beta;
   std::string beta_note;  // why beta is empty
   bool on_front = false;
-  // From the least objectives, so without the optimiser's noise: docs/method.md.
+  // From here to left_out_of_beta: results from least objectives, without the optimiser's noise (docs/method.md).
   std::optional<double> success_share;
   std::string success_reference;
   std::optional<double> objective_converged, beta_converged;
   std::string beta_converged_note;            // why beta_converged is empty
   std::vector<std::string> left_out_of_beta;  // parameters that most tests leave undetermined or at a bound
-  bool reduced = false;                       // beta_converged belongs to the form without the redundant parameter
+  bool reduced = false;  // true: beta_converged belongs to the form without the redundant parameter
   bool on_front_converged = false;
   std::optional<LotLaw> lot;
   std::optional<double> loo_objective, loo_worst;  // mean and largest objective over the devices left out
   std::string loo_worst_device;
-  bool on_front_loo = false;  // the front of objective_converged against loo_objective
+  bool on_front_loo = false;  // on the front of objective_converged against loo_objective
   std::optional<lot::Population> population;
-  std::optional<double> fitted_objective, predicted_objective, worst_predicted;  // means over blocks, then over devices
-  std::optional<PredictionGrade> prediction_grade;                               // empty if no blocks are predicted
-  bool in_programs = false;  // analysis programs have this law with such parameters, apart from bounds and records
-  std::string reduced_form;  // the `--set` that fits the form without the redundant parameter; "" if none is offered
-  std::vector<std::string> notes;  // how isolaw reads the law if its source is ambiguous
+  std::optional<double> fitted_objective, predicted_objective,
+      worst_predicted;                              // means over blocks; worst: the largest
+  std::optional<PredictionGrade> prediction_grade;  // empty if no blocks are predicted
+  bool in_programs = false;                         // an analysis program has this law for such parameter values
+  std::string reduced_form;  // the `--set` that fits the form without the redundant parameter; "" if there is none
+  std::vector<std::string> notes;  // how isolaw reads the law where its source is ambiguous
   std::vector<DeviceFit> devices;
 
-  // False if blocks are predicted with a grade worse than fair.
+  // False if the law predicts blocks with a grade worse than fair.
   bool prediction_holds() const { return !prediction_grade || *prediction_grade <= PredictionGrade::fair; }
   bool prediction_unusable() const { return prediction_grade == PredictionGrade::unusable; }
 };
@@ -154,18 +154,18 @@ struct DeviceResult {
   std::string serial, lot, test_date;
   std::optional<double> temperature_C, rubber_thickness_mm, rubber_area_mm2;
   data::TestRecord raw;                             // empty if the device was refused
-  data::FitRecord record;                           // what the laws were fitted to
-  data::Properties properties;                      // from raw values
-  data::VerticalTest vertical_test;                 // with the reason if the test gives no stiffness
-  std::optional<data::VerticalStiffness> vertical;  // from raw values
-  std::vector<Finding> notes;         // numbers of the error budget worth knowing, besides the record's warnings
-  std::vector<data::Effect> effects;  // the whole error budget, for machines
+  data::FitRecord record;                           // the record that the laws were fitted to
+  data::Properties properties;                      // of the raw record
+  data::VerticalTest vertical_test;                 // holds the reason if the test gives no stiffness
+  std::optional<data::VerticalStiffness> vertical;  // of the raw test
+  std::vector<Finding> notes;                       // remarks from the error budget, besides the record's warnings
+  std::vector<data::Effect> effects;                // the whole error budget, for JSON
   DeviceAcceptance acceptance;
 };
 
 struct OutlyingDevice {
   std::string device, property, unit;
-  std::string law;  // the law whose misfit is the property; empty: the property is the device's own
+  std::string law;  // the law, if the property is a law's misfit; empty if it is the device's own
   double value = 0.0, median = 0.0, score = 0.0, percent = 0.0;
 };
 
@@ -182,13 +182,13 @@ struct Summary {
   std::vector<Setting> settings;
   std::vector<DeviceResult> devices;
   std::vector<LawResult> laws;  // in the order asked for; none for an inspection
-  campaign::Acceptance asked;   // the options that `acceptance` follows
+  campaign::Acceptance asked;   // the options that `acceptance` was computed with
   LotAcceptance acceptance;
   std::vector<OutlyingDevice> outliers;
   std::size_t analyses = 0, expected_analyses = 0;
   std::size_t runs = 0, expected_runs = 0;  // stored runs, and runs of the complete campaign
-  std::optional<campaign::Part> part;       // the only part in the store; nullopt: the whole campaign
-  std::size_t expected_here = 0;            // runs of this part
+  std::optional<campaign::Part> part;       // the part that the store holds; nullopt: the whole campaign
+  std::size_t expected_here = 0;            // runs of this part, or of the whole campaign
 
   std::size_t missing_runs() const { return expected_runs > runs ? expected_runs - runs : 0; }
   std::size_t missing_analyses() const { return expected_analyses > analyses ? expected_analyses - analyses : 0; }

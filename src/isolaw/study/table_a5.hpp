@@ -1,10 +1,10 @@
 // Table A.5 of Cucuzza, Londono Lopez, Domaneschi, Greco, Marano: "High Damping Rubber Bearings: Optimal models
-// evaluation considering production variability", Structures 73 (2025) 108355, as printed. For every law it gives means
-// and sample standard deviations over 20 runs on ten devices, in the laws' units and under isolaw's parameter names
+// evaluation considering production variability", Structures 73 (2025) 108355, as printed. It gives means and sample
+// standard deviations over 20 runs on ten devices, for every law, in the laws' units and under isolaw's parameter names
 // (laws::ParameterInfo::paper_name is the paper's). The laws' files hold the search boxes of the paper's Table 4.
 //
-// The values are printed to two to four digits, and gamma (law 4) and a3 (law 6) as constants. Numbers computed from
-// them are exact for the printed values, not for the numbers that the authors had.
+// The values are printed to two to four digits, and gamma (law 4) and a3 (law 6) as constants. A result computed from
+// them is exact for the printed values, not for the numbers that the authors had.
 #pragma once
 
 #include <array>
@@ -25,13 +25,13 @@ struct Parameter {
 
 struct Law {
   int number;
-  std::string_view id;  // isolaw's; abe-y0 is the variant of docs/source.md that the printed values are closest to
+  std::string_view id;  // isolaw's id; abe-y0 is the variant of docs/source.md nearest to the printed values
   PerDevice objective_mean, objective_std;
   std::span<Parameter const> parameters;
-  std::string_view other_reading = {};  // isolaw's id of a second reading; empty: there is none
+  std::string_view other_reading = {};  // isolaw's id of a second reading of the law; empty if there is none
 };
 
-// For each parameter its name, the means and the standard deviations.
+// Each row has the name of a parameter, its means and its standard deviations.
 // clang-format off
 inline constexpr std::array bilinear{
     Parameter{"K1",

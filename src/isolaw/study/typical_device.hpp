@@ -8,8 +8,8 @@
 
 namespace isolaw::study {
 
-// Index of the device nearest to the lot's means of effective stiffness (in the reported cycle) and of each law's
-// objective, in relative terms. Refused devices are skipped; the first of equally near devices is chosen.
+// The index of the device whose effective stiffness (in the reported cycle) and objectives for each law are nearest to
+// the lot's means, in relative terms. Refused devices are skipped. The first of equally near devices is chosen.
 std::optional<std::size_t> typical_device(Summary const& summary);
 
 }  // namespace isolaw::study

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double least_share = 0.02;
 
-// The damping that is compared with the rule set (the mean of both sides), or else the damping of the reported cycle.
+// The damping that the rule set judges (the mean of both sides) or, without it, the damping of the reported cycle.
 std::optional<double> stated_damping(DeviceResult const& device) {
   double sum = 0.0, count = 0.0;
   for (auto const& a : device.acceptance.assessments)
@@ -39,7 +39,7 @@ std::vector<ValueDoubt> value_doubts(DeviceResult const& device) {
   std::vector<ValueDoubt> doubts;
   auto const damping = stated_damping(device);
   if (!damping || !(*damping > 0.0)) return doubts;
-  // `points`: how many percentage points the effect adds to the damping.
+  // `points`: by how many percentage points the effect raises the damping.
   auto const add = [&](std::optional<double> points, FindingKind kind) {
     if (!points || std::abs(*points) < least_share * *damping) return;
     doubts.push_back({.quantity = std::string(rules::name(rules::Quantity::damping)),

@@ -1,4 +1,4 @@
-// Doubts that the measurement itself raises about a certified value, and what the value would be otherwise.
+// Doubts about a certified value that errors of the measurement raise, and the value without the error.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace isolaw::study {
 struct ValueDoubt {
   std::string quantity;    // "damping", as rule sets name it
   double value = 0.0;      // as stated for the device
-  double otherwise = 0.0;  // as it would be under `condition`
+  double otherwise = 0.0;  // the value if `condition` holds
   std::string unit;
   std::string condition;  // such as "the force channel is early"
 
@@ -20,7 +20,7 @@ struct ValueDoubt {
 };
 
 // Doubts about damping, from the error budget: a late or early force channel, a jump of the force, friction of the rig.
-// An effect of less than a fiftieth of the value raises no doubt.
+// An effect below a fiftieth of the value raises no doubt.
 std::vector<ValueDoubt> value_doubts(DeviceResult const& device);
 
 inline constexpr Result<ValueDoubt> doubt_results[]{

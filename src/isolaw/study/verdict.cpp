@@ -26,7 +26,7 @@ void add_once(std::vector<std::string>& names, std::string const& name) {
   if (std::ranges::find(names, name) == names.end()) names.push_back(name);
 }
 
-// "K_eff" for either side of a device and for the lot's mean; a limit over cycles or loads has its own name.
+// "K_eff" names both sides of a device and the lot's mean. A limit over cycles or loads has a name of its own.
 std::string property_of(rules::Assessment const& a) {
   bool const plain = a.subject == rules::Subject::device || a.subject == rules::Subject::lot;
   return a.property && plain ? std::string(name(*a.property)) : printable(a.quantity);
@@ -38,7 +38,7 @@ std::string failure(rules::Assessment const& a) {
   return fmt::format("{} {}{}{}", property_of(a), number_text(*a.value), a.unit.empty() ? "" : " ", a.unit);
 }
 
-// Shortens "NTC 2018, elastomeric isolators: ..." to "NTC 2018", as people call the set.
+// Shortens "NTC 2018, elastomeric isolators: ..." to "NTC 2018", the name in common use.
 std::string short_title(rules::RuleSet const& rules) {
   return printable(rules.title.substr(0, rules.title.find_first_of(",:")));
 }
@@ -76,7 +76,7 @@ void add_device(OverallVerdict& overall, DeviceResult const& device) {
     overall.not_assessed.push_back({.device = name, .remark = printable(on_one_line(why))});
     return;
   }
-  // If two devices share a record, only the first is assessed by it, and nothing is known of the second.
+  // If two devices share a record, it is attributed to the first, and the second counts as not assessed.
   auto const& copy_of = device.acceptance.copy_of;
   if (!copy_of.empty())
     overall.not_assessed.push_back({.device = name, .remark = rules::same_record_as(printable(copy_of))});
@@ -207,7 +207,7 @@ DeviceVerdict device_verdict(DeviceAcceptance const& acceptance) {
   std::vector<Farthest> off;  // one for each quantity
   bool limits = false, information = false;
   for (auto const& a : assessments) {
-    // A quantity without a limit requires nothing.
+    // A rule set requires nothing of a quantity without a limit.
     if (a.limit.empty()) continue;
     limits = true;
     information = information || a.verdict == Verdict::information;
@@ -230,7 +230,7 @@ DeviceVerdict device_verdict(DeviceAcceptance const& acceptance) {
   std::erase_if(result.passed, [&](auto const& name) {
     return std::ranges::find(result.not_assessed, name) != result.not_assessed.end();
   });
-  // A compression test alone says too little for a device to pass.
+  // A device cannot pass on a compression test alone.
   bool const in_shear =
       std::ranges::any_of(result.passed, [](auto const& name) { return name != rules::name(rules::Quantity::K_v); });
   result.verdict = !result.failed.empty() ? Verdict::fail
@@ -269,7 +269,7 @@ OverallVerdict overall_verdict(Summary const& summary) {
       if (!nothing && !more.empty()) overall.sentence += "; " + more;
     if (overall.word != "PASS") overall.mark = overall.word, overall.is_red = !nothing;
   }
-  // Data that were not measured show nothing about real devices, whatever the limits say.
+  // Data that were computed, not measured, say nothing about real devices.
   if (summary.title.find(not_measured) != std::string::npos) {
     overall.mark = "NOT MEASURED";
     overall.is_red = false;
@@ -291,7 +291,7 @@ std::optional<Finding> verdict_against(Summary const& summary, std::optional<std
                                        .words = {{"verdict", overall_verdict(summary).sentence}}})
                : std::nullopt;
   auto found = std::ranges::find(summary.devices, *device, &DeviceResult::name);
-  // If two devices share a record, the first one has the verdict.
+  // If two devices share a record, the first one has the verdict for both.
   if (found != summary.devices.end() && !found->acceptance.copy_of.empty())
     found = std::ranges::find(summary.devices, found->acceptance.copy_of, &DeviceResult::name);
   if (found == summary.devices.end()) return std::nullopt;

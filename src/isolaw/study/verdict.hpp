@@ -1,5 +1,5 @@
-// Sums up the assessments of a device and of the lot in a word and a sentence. A pass names what passed and what nobody
-// compared, since keeping half of a standard's requirements does not pass the standard.
+// Sums up the assessments of a device and of the lot in a word and a sentence. A pass names the requirements that were
+// met and those that nobody compared, since meeting half of a standard does not pass the standard.
 #pragma once
 
 #include <optional>
@@ -14,24 +14,24 @@ namespace isolaw::study {
 
 struct DeviceVerdict {
   rules::Verdict verdict = rules::Verdict::not_assessed;
-  // The quantities that have a limit, each once: "K_eff" for both sides.
+  // The names of the quantities that have a limit, each once: "K_eff" stands for both sides.
   std::vector<std::string> passed, failed, not_assessed;
-  // For each failed quantity its value farthest from the design value, the farthest first: "K_eff +23.0 %".
+  // For each failed quantity, its value farthest from the design value: "K_eff +23.0 %". The farthest comes first.
   std::vector<std::string> failures;
-  std::string copy_of;  // the other device that has the same record and is assessed by it; else empty
+  std::string copy_of;  // the device with the same record that is assessed instead of this one; else empty
 
   // "pass on 1 of 2 (K_eff; not assessed: damping)", "fail: K_eff +23.0 %, damping -16.2 %", "not assessed: the same
   // record as D01"
   std::string text() const;
-  // text() shortened for the cell of a table: "pass on 1 of 2", "fail", or "pass" if all were compared.
+  // text() shortened for the cell of a table: "pass on 1 of 2", "fail", or "pass" if everything was compared.
   std::string brief() const;
-  // The first three failures, and how many more there are.
+  // The first three failures, and the number of further ones.
   std::string failures_text(std::string_view between = ", ") const;
 };
 DeviceVerdict device_verdict(DeviceAcceptance const& acceptance);
 
-// The verdict on a device of an inspection or a campaign: not assessed if its record has no properties to compare with
-// the rule set; nullopt if nothing was asked.
+// The verdict on one device. A device is not assessed if its record has no properties to compare with the rule set.
+// Returns nullopt without a rule set.
 std::optional<rules::Verdict> verdict_on(LotAcceptance const& lot, DeviceResult const& device);
 
 struct Requirement {
@@ -44,22 +44,21 @@ struct DeviceRemark {
   std::string device, remark;
 };
 
-// The verdict on the whole. FAIL: a device or the lot does not keep a limit of a verified set. INCOMPLETE: nothing
-// fails, but a requirement or device was not assessed. PASS: everything passes. Without a verified set the word is
-// empty.
+// The verdict on the whole lot. FAIL: a device or the lot does not keep a limit of a verified set. INCOMPLETE: nothing
+// fails, but a requirement or device was not assessed. PASS: everything passes. Empty without a verified set.
 struct OverallVerdict {
   std::string word;      // "PASS", "FAIL", "INCOMPLETE", or empty
-  std::string sentence;  // the reasons, with devices and requirements; without a word, why there is none
+  std::string sentence;  // the reasons, with devices and requirements; if `word` is empty, why there is no verdict
   std::vector<DeviceRemark> failing, not_assessed;
   std::vector<Requirement> requirements;
-  // The words across a certificate that nobody can sign, and whether they are red. Empty if it can be signed.
+  // The words printed across a certificate that nobody may sign, and whether they are red. Empty if it may be signed.
   std::string mark;
   bool is_red = false;
 
   std::string text() const { return word.empty() ? sentence : word + ": " + sentence; }
 };
 OverallVerdict overall_verdict(Summary const& summary);
-// If a lot's title contains this, its devices are not real, as in the example lot.
+// A lot whose title contains these words has no real devices, such as the built-in example lot.
 inline constexpr std::string_view not_measured = "not measured";
 std::string verdict_summary(Summary const& summary);
 // Limits of a verified rule set that the device does not keep; without a device, those of the lot and all its devices.

@@ -91,7 +91,7 @@ class Collector {
     return found != summary_.settings.end() && found->json != "\"all\"" && found->json != "\"\"";
   }
 
-  // Warns if a device loses energy over its cycles and no law in scope does: the laws then describe a mean cycle.
+  // Warns if a device loses energy steadily through a block and no law in scope follows the loss.
   void degradation() {
     for (auto const* device : devices_) {
       EnergyFall const* nearest = nullptr;
@@ -261,7 +261,7 @@ class Collector {
   std::vector<Finding> all_;
 };
 
-// Adds why the record has no cyclic properties, unless reading it has already said so.
+// Adds the reasons why the record has no cyclic properties, except those that reading it has already reported.
 std::vector<Finding> Collector::record_findings(DeviceResult const& device) {
   auto found = device.raw.warnings;
   for (auto const& reason : device.properties.refusal)
@@ -270,7 +270,7 @@ std::vector<Finding> Collector::record_findings(DeviceResult const& device) {
   return found;
 }
 
-// Two devices with one record make parameters look less scattered. A compression test can belong to only one device.
+// A record shared by two devices makes parameters look less scattered. A compression test belongs to one device.
 std::vector<Finding> Collector::shared_records(Summary const& summary) {
   std::vector<Finding> found;
   auto const names_of = [](auto const& group) {

@@ -1,5 +1,5 @@
-// Collects the findings that a careful reader must know before relying on a campaign or an inspection. Each is computed
-// once, as fields; wording/table.hpp makes its sentence and says what to do about it.
+// Collects the findings that a careful reader must know before relying on a campaign or an inspection. Each finding is
+// computed once, as fields; wording/table.hpp makes its sentence and says what to do about it.
 #pragma once
 
 #include <optional>
@@ -11,9 +11,9 @@
 
 namespace isolaw::study {
 
-// A finer integration step that moves the objective by more than this is worth a warning.
+// A warning is due if a finer integration step moves the objective by more than this.
 inline constexpr double large_integration_shift = 1e-3;
-// The part of a campaign that findings are wanted for: one law or all, on one device or all.
+// The part of a campaign to report on: one law or all, on one device or all.
 struct Scope {
   std::optional<std::string_view> law = {}, device = {};
 
@@ -21,10 +21,10 @@ struct Scope {
   bool covers_device(std::string_view name) const { return !device || *device == name; }
 };
 
-// Findings within the scope. Whether a law describes the devices, and which devices share a record, is always judged on
-// the whole campaign.
+// The findings within the scope. Two questions are always answered for the whole campaign: whether a law describes the
+// devices, and which devices share a record.
 std::vector<Finding> warnings(Summary const& summary, Scope const& scope = {});
-// For each device, in the order of the summary: the findings on its record and on sharing it with other devices.
+// For each device, in the order of the summary: the findings on its record and on other devices with the same record.
 std::vector<std::vector<Finding>> device_warnings(Summary const& summary);
 
 }  // namespace isolaw::study

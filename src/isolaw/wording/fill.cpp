@@ -16,8 +16,7 @@
 namespace isolaw::wording {
 namespace {
 
-// The text that a sentence gets in place of {name} if the finding has `word` under that name. A word without a row here
-// is printed as it is.
+// The text that replaces {name} if the finding has `word` under this name. A word without a phrase is printed as it is.
 struct Phrase {
   std::string_view name, word, text;
 };
@@ -176,7 +175,7 @@ class Filler {
   }
 
   Group group_;
-  double count_ = 0.0;  // of the list or number printed last
+  double count_ = 0.0;  // the last number printed, or the length of the last list
 };
 
 }  // namespace

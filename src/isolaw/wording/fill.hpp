@@ -5,9 +5,9 @@
 //                 `law`: a word that is a law's id
 //   {law} {laws} {devices} {parameters} {block}   the members of the finding; {laws} are the other laws
 //   {one|many}    chosen by the list or the number that was printed last
-//   [ ... ]       left out if a field inside is absent, or if a count inside, {name}, is 0
-//   < ... >       repeated for each finding, with its device if there are several; ~ ... ~ the same without the device
-// A number that differs between the findings of a group is printed as a range.
+//   [ ... ]       left out if a field inside is absent, or if a number {name} inside is 0
+//   < ... >       repeated for each finding, and names its device if there are several; ~ ... ~ never names the device
+// If the findings of a group have different values of a number, their range is printed.
 #pragma once
 
 #include <string>

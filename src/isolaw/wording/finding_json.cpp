@@ -12,7 +12,7 @@
 namespace isolaw::wording {
 namespace {
 
-using Json = nlohmann::ordered_json;  // numbers and words keep their order
+using Json = nlohmann::ordered_json;  // keeps the order of numbers and words
 
 Json json_of(Finding const& finding) {
   Json object{{"kind", row(finding.kind).key}};

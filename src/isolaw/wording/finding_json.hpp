@@ -1,5 +1,5 @@
 // The JSON form in which a store keeps findings: an array of objects {kind, law, other_laws, devices, parameters,
-// blocks, numbers, words} without empty members. `kind` is the key of the kind's row in the table.
+// blocks, numbers, words}, without empty members. The value of `kind` is the key of a row in the table.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 namespace isolaw::wording {
 
 std::string findings_json(std::vector<Finding> const& findings);
-// Throws Error, or nlohmann::json::exception, for text that findings_json() does not write.
+// Reads what findings_json() wrote. Throws Error or nlohmann::json::exception for any other text.
 std::vector<Finding> findings_of(std::string_view json);
 
 }  // namespace isolaw::wording

@@ -1,5 +1,5 @@
-// The rows of the table, in the order of FindingKind. A sentence is a text with the fields of the finding in braces
-// (wording/fill.hpp says how). A sentence that has to decide something is a function of sentences.hpp.
+// The rows of the table of findings, in the order of FindingKind. Each text holds the finding's fields in braces (see
+// wording/fill.hpp). Where the wording depends on the findings, a function of sentences.hpp makes the sentence.
 #include <cstddef>
 #include <iterator>
 
@@ -10,25 +10,25 @@ namespace {
 
 using Sentence = std::string (*)(Group);
 
-// A finding of a campaign about the law or the device that it names.
+// A finding about a law or a device of a campaign.
 constexpr Row campaign(FindingKind kind, std::string_view key, std::string_view topic, Severity severity,
                        std::string_view action, unsigned grouping, unsigned appears, Subject subject,
                        std::string_view text) {
   return {kind, key, topic, severity, action, grouping, appears, subject, text};
 }
-// A piece of an answer, which appears only where code asks for it.
+// A piece of an answer. It is printed only where code asks for this kind.
 constexpr Row answer(FindingKind kind, std::string_view key, std::string_view topic, std::string_view text,
                      unsigned grouping = each_alone) {
   return {kind, key, topic, Severity::note, "", grouping, anywhere, Subject::none, text};
 }
 constexpr std::string_view look_at_records = "Look at the records";
-// A doubt about a record that everyone who uses its numbers must know.
+// A doubt about a record that affects all uses of its numbers.
 constexpr Row doubt(FindingKind kind, std::string_view key, Severity severity, unsigned grouping, std::string_view text,
                     Sentence compose = nullptr) {
   constexpr unsigned places = in_report | with_law | with_building | on_certificate;
   return {kind, key, "record", severity, look_at_records, grouping, places, Subject::devices, text, compose};
 }
-// A fact about a record that is shown only beside the record.
+// A fact about a record. It is printed only beside the record.
 constexpr Row fact(FindingKind kind, std::string_view key, std::string_view text, Sentence compose = nullptr) {
   return {kind, key, "record", Severity::note, look_at_records, each_alone, anywhere, Subject::devices, text, compose};
 }
@@ -47,7 +47,7 @@ std::span<Row const> rows() {
                                     stated = "{text}";
   static constexpr unsigned everywhere = in_report | with_law | with_building, taken = with_law | with_building,
                             signed_too = everywhere | on_certificate;
-  // A row keeps its layout: the formatter would indent every text anew when one of them changes its length.
+  // The formatter is off, since it would indent every text of a row anew when one of them changes its length.
   // clang-format off
   static constexpr Row table[]{
       // [campaign]

@@ -1,5 +1,5 @@
-// Sentences about signals and cleaning whose wording depends on the findings: the `compose` functions of the table's
-// rows (table.hpp). Each gets the findings of one group and returns their sentence without its subject, "device-01: ".
+// Functions for rows of the table whose wording depends on the findings (`compose` in table.hpp). Each gets the
+// findings of one group and returns their sentence without its subject, "device-01: ".
 #pragma once
 
 #include <string>

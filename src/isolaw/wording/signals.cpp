@@ -1,6 +1,5 @@
-// Sentences about the signals of records: faults that leave no cyclic properties, and effects of the measurement.
-// If several devices share one, its magnitudes are given as a range; a sample, a time or a cycle is given with its
-// device.
+// Sentences about the signals of records: faults that leave no cyclic properties, and effects of the measurement. One
+// sentence for several devices gives magnitudes as a range, but names the device of each sample, time or cycle.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +15,7 @@ namespace {
 constexpr char const* of_no_use =
     "Whatever is computed from such a signal is wrong: test again, or give a channel that was not disturbed.";
 
-// A number that is named with the unit of its channel: "level_mm".
+// Finds a number whose name ends with the unit of its channel: "level_mm".
 double in_unit(Finding const& finding, std::string_view name) {
   return finding.number(fmt::format("{}_{}", name, finding.word("unit")));
 }
@@ -40,7 +39,7 @@ std::string places(Finding const& finding) {
   return enumerate(all, all.size());
 }
 
-// A channel that keeps a level: "at 95 mm for up to 12 samples from 3.2 s (sample 161)".
+// Describes a channel whose value stands still: "at 95 mm for up to 12 samples from 3.2 s (sample 161)".
 std::string standing(Group group, std::string_view how) {
   auto const& f = group.front();
   auto const stretch = [](Finding const& finding) {

@@ -13,18 +13,18 @@
 
 namespace isolaw::wording {
 
-// "A, B and C"; beyond `most` names "A, B and 5 more".
+// "A, B and C"; if there are more than `most` names, "A, B and 5 more".
 std::string enumerate(std::vector<std::string> const& names, std::size_t most = 5);
 
-// Fixed decimals, and three significant digits from a million on: nobody reads three hundred digits.
+// Fixed decimals. From a million on, three significant digits, since fixed decimals could give hundreds of digits.
 std::string with_decimals(double value, int decimals);
-// "4.2 %" of 0.042: one decimal below ten per cent, none above.
+// Writes 0.042 as "4.2 %": one decimal below ten per cent, none above.
 std::string percent(double fraction);
 std::string capitalised(std::string text);
-// The law's name in sentences, "Bouc-Wen"; its id is what users type.
+// The law's name in sentences, such as "Bouc-Wen". Users type its id.
 std::string law_name(Finding const& finding);
 
-// A number of the findings as text, such as "4.2 to 6.1" if they differ.
+// The number `name` of the findings as text: one number, or "4.2 to 6.1" if they differ.
 template <class Print>
 std::string range(Group group, std::string_view name, Print print) {
   double least = group.front().number(name), largest = least;
@@ -36,11 +36,11 @@ std::string range(Group group, std::string_view name, Print print) {
   std::string const low = print(least), high = print(largest);
   return low == high ? low : low + " to " + high;
 }
-// The same with this many significant digits.
+// Prints the numbers with this many significant digits.
 std::string range(Group group, std::string_view name, int digits = 3);
 
-// Something said of each finding: "sample 151 on device-01, sample 421 on device-02 and 3 more". If all findings are
-// about one device, the text does not name it, since the sentence begins with it.
+// Calls say_one for each finding: "sample 151 on device-01, sample 421 on device-02 and 3 more". If all findings are
+// about one device, the text does not name it, since the sentence begins with its name.
 template <class Say>
 std::string each(Group group, Say say_one, std::size_t most = 4) {
   if (group.size() == 1) return say_one(group.front());

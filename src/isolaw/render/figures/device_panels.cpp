@@ -20,7 +20,7 @@ Range range_of(DevicePanel const& panel) {
   return range.padded(0.1);
 }
 
-// Draws error bars as vectors, because gnuplot's own error bars leave a gap around the marker.
+// Error bars are drawn as vectors, because gnuplot's own error bars leave a gap around the marker.
 void draw_panel(Script& script, std::string const& file, std::size_t index, DevicePanel const& panel,
                 DeviceAxis const& axis) {
   auto const range = range_of(panel);

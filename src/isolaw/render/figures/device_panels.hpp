@@ -1,4 +1,4 @@
-// Panels that each show one quantity over the devices of the lot: values with error bars, and difference from the mean.
+// Panels that each show one quantity over the devices of the lot, with error bars and the difference from the mean.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace isolaw::render {
 
 struct DevicePoint {
   std::string device;
-  Statistic value;  // all empty: a gap in the plot
+  Statistic value;  // if it holds no number, the plot has a gap
   MaybeNumber percent;
 };
 

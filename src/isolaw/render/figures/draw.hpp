@@ -1,4 +1,4 @@
-// Draws figures with gnuplot in a temporary folder; their data and scripts must exist.
+// Draws figures with gnuplot in a temporary folder. The data and scripts of the figures must exist.
 #pragma once
 
 #include <filesystem>
@@ -10,9 +10,9 @@
 namespace isolaw::render {
 
 std::filesystem::path figure_file(std::filesystem::path const& dir, std::string const& name, char const* extension);
-// Returns "" if the file is missing or cannot be read.
+// The content of the file; "" if it is missing or cannot be read.
 std::string text_of(std::filesystem::path const& path);
-// Draws `names` in `dir`. `outcome` gets their number and why some failed. Throws Error if files cannot be written.
+// Draws `names` in `dir`. Throws Error if a file cannot be written. `outcome` gets the count, and why figures failed.
 void draw(std::filesystem::path const& dir, std::vector<std::string> const& names, FigureOutcome& outcome);
 
 }  // namespace isolaw::render

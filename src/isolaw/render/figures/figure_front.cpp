@@ -49,7 +49,7 @@ struct NamePlace {
 
 template <class At>
 std::vector<std::pair<double, double>> along_front(std::vector<FrontPoint> points, At const& at) {
-  constexpr int steps = 60;  // of each straight piece
+  constexpr int steps = 60;  // number of points on each straight piece
   std::erase_if(points, [](auto const& point) { return !point.stands; });
   std::ranges::stable_sort(points, {}, &FrontPoint::x);
   std::vector<std::pair<double, double>> line;
@@ -61,7 +61,7 @@ std::vector<std::pair<double, double>> along_front(std::vector<FrontPoint> point
   return line;
 }
 
-// The published study's laws, named by their numbers. Only the view of the runs has them.
+// The laws of the published study, named by their numbers. The study has numbers only for the view of the runs.
 std::vector<FrontPoint> published_points(Summary const& summary, FrontView view) {
   std::vector<FrontPoint> points;
   auto const known = view == FrontView::runs ? study::published(summary) : std::nullopt;
@@ -77,7 +77,7 @@ std::vector<FrontPoint> published_points(Summary const& summary, FrontView view)
 std::vector<NamePlace> place_names(std::vector<FrontPoint> const& points, std::vector<FrontPoint> const& published,
                                    Range const& x, Range const& y, double width_mm, double height_mm) {
   constexpr double letter_height_mm = 2.6, marker_mm = 1.3, line_mm = 0.4;
-  // Candidates beside the marker come first, then candidates one line farther away.
+  // Places for a name: first those beside the marker, then those one line farther away.
   static constexpr std::array<NamePlace, 14> candidates{{{2.0, 0.0, "left"},
                                                          {-2.0, 0.0, "right"},
                                                          {0.0, 2.4, "center"},
@@ -168,7 +168,7 @@ std::string front_script(std::vector<FrontPoint> const& points, std::vector<Fron
   script.line("set key at graph 0,1.02 left bottom horizontal Left reverse samplen 1 width (kind eq 'svg' ? -2 : 1)");
   auto const places = place_names(points, published, x, y, single_column_mm - left - right, height_mm - bottom - top);
   for (std::size_t i = 0; i < points.size();
-       ++i)  // offsets are in letters: 1.65 mm wide and 3.2 mm high, the mean of SVG and PDF
+       ++i)  // gnuplot's unit is a letter: 1.65 mm wide and 3.2 mm high, as a mean of SVG and PDF
     script.line("set label {} {} noenhanced at {},{} {} offset {},{}", i + 1,
                 gnuplot_string(laws::called(points[i].law)), number(points[i].x), number(points[i].y), places[i].align,
                 number(places[i].dx_mm / 1.65), number(places[i].dy_mm / 3.2));

@@ -25,7 +25,7 @@ LoopPanel loop_panel(DeviceResult const& device, LawResult const& law) {
     return {fmt::format("{}: OF = {:.4f}", called(law), fit->objective.best.value_or(0.0)), fit, {}};
   if (fit == nullptr) return {called(law), nullptr, "not tried"};
   auto reason = fit->refusal.empty() ? fit->failure : fit->refusal;
-  constexpr std::size_t most = 60;  // a panel has room for so many bytes
+  constexpr std::size_t most = 60;  // a panel has room for this many bytes
   if (reason.size() > most) reason = reason.substr(0, reason.find_last_of(' ', most)) + " ...";
   return {called(law), nullptr, std::string(fit_status(*fit)) + (reason.empty() ? "" : ": " + reason)};
 }
@@ -76,11 +76,11 @@ void draw_absence(Script& script, LoopPanel const& panel, double width_mm) {
   for (std::size_t i = 0; i < lines.size(); ++i) script.line("unset label {}", i + 2);
 }
 
-// Draws the device's name and the key in a strip over the whole width. No panel is wide enough for the key.
+// Draws the device's name and the key in a strip over the whole width, since the key is wider than any panel.
 void draw_head(Script& script, Grid const& grid, std::string const& device, std::size_t law) {
   constexpr double key_mm = 45.0;
   script.margins(grid.margins.left, grid.margins.right, grid.height_mm() - grid.head_mm, 0.5);
-  // gnuplot would keep the settings of the previous drawing's panels.
+  // Settings of gnuplot would otherwise carry over from the panels of the previous drawing.
   script.line("unset border; unset tics; unset grid; unset title; unset xlabel; unset ylabel");
   script.line("set xrange [0:1]; set yrange [0:1]");
   script.line("set label 1 {} noenhanced at graph 0,0.5",
@@ -91,7 +91,7 @@ void draw_head(Script& script, Grid const& grid, std::string const& device, std:
   script.line("unset key; unset label 1; set border 31 lw 0.8; set tics scale 0.6");
 }
 
-// Distance of ticks: one, two or five times a power of ten. At most four or so fit on a narrow panel.
+// The distance of ticks: one, two or five times a power of ten. About four ticks fit on a narrow panel.
 double tick_step(double span) {
   constexpr double most = 4.0;
   double const power = std::pow(10.0, std::floor(std::log10(span / most)));
@@ -107,7 +107,7 @@ std::string loops_script(std::string const& name, std::string const& about, Devi
   Range disp, force;
   for (double const x : device.record.disp_mm) disp.add(x);
   for (double const f : device.record.force_kN) force.add(f);
-  // The scale is set by the measured forces, with half of their range to spare. A law that runs away is cut off.
+  // The axis extends beyond the measured forces by half their range on each side. A law with larger forces is cut off.
   double const spare = 0.5 * (force.high - force.low), lowest = force.low - spare, highest = force.high + spare;
   for (auto const& panel : panels)
     if (panel.fit != nullptr)

@@ -46,7 +46,7 @@ ObjectiveRanges ranges_of(std::vector<DevicePanel> const& laws) {
   return ranges;
 }
 
-// Abscissa of a device. Each law has an interval around its number, in which the devices are side by side.
+// The abscissa of a device. Each law has an interval around its number, with the devices side by side.
 std::string place_in_law(std::size_t law, std::size_t devices) {
   return fmt::format("({}+0.8*($1-{})/{})", law + 1, number((static_cast<double>(devices) + 1.0) / 2.0), devices);
 }

@@ -7,7 +7,7 @@
 namespace isolaw::render {
 namespace {
 
-// The rule set's value, or its values for the two sides. Without a rule set, the value of the cycle that counts.
+// The value that the rule set assesses, or a value for each side. Without a rule set, the value of the assessed cycle.
 std::vector<double> property_values(DeviceResult const& device, rules::Quantity quantity) {
   std::vector<double> values;
   for (auto const& assessment : device.acceptance.assessments)
@@ -37,7 +37,7 @@ PropertyLimits limits_of(Summary const& summary, rules::Quantity quantity) {
 struct PropertyPanel {
   std::string name, label, unit;
   PropertyLimits limits;
-  std::vector<std::vector<double>> values;  // for each device
+  std::vector<std::vector<double>> values;  // [device][one value or two sides]
 };
 
 PropertyPanel property_panel(Summary const& summary, rules::Quantity quantity, std::string label) {

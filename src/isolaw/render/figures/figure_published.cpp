@@ -1,4 +1,4 @@
-// The campaign beside Table A.5, normalised as in the study: standard deviation over the runs by magnitude of the mean.
+// The campaign beside Table A.5. As in the study, scatter over the runs is divided by the magnitude of the mean.
 #include <algorithm>
 #include <cmath>
 
@@ -80,7 +80,7 @@ std::vector<Beside> laws_beside(Summary const& summary) {
   return laws;
 }
 
-// Abscissa of a device. A law's interval has the campaign's devices in its left half, the study's in its right half.
+// The abscissa of a device. The left half of a law's interval is for the campaign's devices, the right for the study's.
 std::string place_in_half(std::size_t law, std::size_t devices, bool printed) {
   return fmt::format("({}+0.38*($1-0.5)/{})", number(static_cast<double>(law + 1) + (printed ? 0.04 : -0.42)), devices);
 }
@@ -103,7 +103,7 @@ struct BesidePanel {
   Spreads here, printed;
 };
 
-// The largest magnitude, which sets half the length of an axis: the left axis is centred on 1, the right one on 0.
+// The largest magnitude of a number over all devices. It sets half the length of the number's axis.
 double largest_of(BesidePanel const& panel, MaybeNumber DeviceSpread::*value) {
   double largest = 0.0;
   for (auto const* spreads : {&panel.here, &panel.printed})

@@ -85,7 +85,7 @@ Script::Script(std::string_view name, std::string_view about, double width_mm, d
   line("  set terminal pdfcairo size {}cm,{}cm enhanced font 'Sans,{}' fontscale 0.75 linewidth 0.75",
        to_text(width_mm / 10.0, 5), to_text(height_mm / 10.0, 5), to_text(font_pt, 3));
   line("}}");
-  // gnuplot measures offsets in letters, which differ between SVG and PDF. These bring labels equally close in both.
+  // gnuplot measures offsets in letters. They differ between SVG and PDF, and these variables make the offsets agree.
   line("raise = kind eq 'svg' ? 0.75 : 0.35; inward = kind eq 'svg' ? 1.4 : 0.8");
   line("set output '{}.'.kind", name);
   for (std::size_t i = 0; i < law_look_count; ++i)
@@ -147,7 +147,7 @@ void Range::add(std::optional<double> const& value) {
 
 Range Range::padded(double share) const {
   double const length = high - low;
-  // The ends of a shorter range would be equal when written with six digits, and gnuplot draws no axis without length.
+  // With six digits the ends of a shorter range could be equal, and gnuplot draws no axis of zero length.
   double const least = 1e-4 * std::max(std::abs(low), std::abs(high));
   double const by = length > least ? share * length : low != 0.0 ? 0.05 * std::max(std::abs(low), std::abs(high)) : 1.0;
   return {low - by, high + by, false};

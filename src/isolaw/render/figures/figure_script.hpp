@@ -1,5 +1,5 @@
 // The look of the figures: size and fonts for print, colours that colour-blind readers tell apart (Okabe, Ito 2008),
-// markers and dashes that survive grey print, panels on a grid, device names on an axis.
+// markers and dashes that stay distinct in grey print, panels on a grid, device names on an axis.
 #pragma once
 
 #include <fmt/format.h>
@@ -18,24 +18,24 @@ namespace isolaw::render {
 
 inline constexpr double single_column_mm = 84.0, double_column_mm = 174.0;
 inline constexpr double letter_mm = 1.5;           // mean width of a letter at 7 pt
-inline constexpr std::size_t most_samples = 4000;  // of a curve; more could not be seen at this size
+inline constexpr std::size_t most_samples = 4000;  // most points on a curve; more cannot be seen
 
-// Line styles that every script defines: one for each look of a law, from 1, then black and grey.
+// gnuplot's numbers of the line styles in every script: one for each look of a law, from 1, then black and grey.
 inline constexpr int blue = 1, vermillion = 2, green = 3, sky = 6, black = law_look_count + 1, grey = black + 1;
 constexpr int style_of(std::size_t law) {
   return static_cast<int>(look_of(law)) + 1;
 }
 std::string marked_style(std::size_t law);
-// First line of every script. isolaw removes only figures whose script begins with this line.
+// The first words of every script. isolaw removes only figures whose script begins with them.
 inline constexpr std::string_view script_mark = "# A figure of isolaw: ";
 
 struct Margins {
-  double left = 13.0, right = 3.0, bottom = 9.0, top = 3.0;  // around a panel's axes, mm
+  double left = 13.0, right = 3.0, bottom = 9.0, top = 3.0;  // around the axes of a panel, in mm
 };
 
 struct Grid {
   int columns = 1, rows = 1;
-  double width_mm = single_column_mm, panel_height_mm = 40.0;  // width of the figure; height of one panel's axes
+  double width_mm = single_column_mm, panel_height_mm = 40.0;  // width of the figure; height of the axes of one panel
   Margins margins;
   double head_mm = 0.0;  // room above all panels
 
@@ -44,7 +44,7 @@ struct Grid {
   double height_mm() const { return head_mm + rows * row_mm(); }
 };
 
-// A single panel is as wide as one print column; several panels share the width of two.
+// A single panel is as wide as one column of a printed page; several panels share two columns.
 Grid grid_of(std::size_t panels, double panel_height_mm, Margins const& margins, int most_columns = 3);
 
 class Script {
@@ -64,7 +64,7 @@ class Script {
   std::string text_;
   double width_mm_, height_mm_;
 };
-// Makes a user's text safe for drawing: control characters are spelled out, and it is cut to the width.
+// Makes a user's text safe to draw: spells out control characters and cuts the text to the width.
 std::string shortened(std::string_view text, double width_mm);
 
 std::string number(double value);
@@ -87,25 +87,25 @@ struct Range {
   Range padded_log(double share) const;  // for logarithmic axes
 };
 
-// Large and small values are drawn as multiples of a power of ten, which the label states.
+// Large and small values are drawn as multiples of a power of ten, which the axis label states.
 struct Scale {
   double factor = 1.0;
   std::string label;  // for gnuplot, with the unit: 'K1 (10^{3} N/m)'
 };
 Scale scale_for(Range const& range, std::string_view name, std::string_view unit);
-// A law's name below an axis, as a quoted string; a part in brackets goes to a second line.
+// A law's name below an axis, as a quoted string. The part in brackets goes to a second line.
 std::string law_tic(std::string name);
 // Makes the y axis logarithmic. Tics are at the decades, or closer together if the axis spans only a few decades.
 void set_log_axis(Script& script, Range const& range);
 
-// An axis of devices with their names, or their numbers if the names need too much room.
+// An axis of devices. It shows their names, or their numbers if the names need too much room.
 struct DeviceAxis {
   std::size_t count = 0;
   bool names = false, upright = false;
   double label_mm = 0.0;  // height of the labels
 
   DeviceAxis(std::vector<std::string> const& devices, double axis_mm);
-  // Names come from column 2 of the data.
+  // gnuplot takes the names from column 2 of the data.
   std::string using_suffix() const { return names ? ":xticlabels(2)" : ""; }
   void draw(Script& script) const;
 };

@@ -1,4 +1,4 @@
-// The figures of a report for print. Each has its data (NAME.dat), a gnuplot script (NAME.gp) and the drawings
+// The figures of a report for print. Each consists of its data (NAME.dat), a gnuplot script (NAME.gp) and drawings
 // (NAME.svg, NAME.pdf). Figure numbers 4 to 14 refer to Cucuzza et al. 2025. docs/figures.md lists the figures.
 #pragma once
 
@@ -13,36 +13,36 @@
 
 namespace isolaw::render {
 
-enum class FigureChoice { none, lot, all };  // lot: with one device's loops as an example; all: every device's figures
-// Throws Error for other names than "none", "lot" and "all".
+enum class FigureChoice { none, lot, all };  // lot: loops of one device as an example; all: loops of every device
+// Throws Error for any name but "none", "lot" and "all".
 FigureChoice figure_choice(std::string_view name);
 
 struct Figure {
-  std::string name;  // stem of its files, safe for every file system
+  std::string name;  // the stem of its files; safe for every file system
   std::string data, script;
 };
 
-// Makes one figure after the other, since the figures of 160 devices would fill the memory. Skips those without data.
+// Makes one figure after another, since all figures of 160 devices would fill the memory. Skips figures without data.
 void for_each_figure(Summary const& summary, FigureChoice choice, std::function<void(Figure const&)> const& use);
-// Makes file names of letters, digits, '.', '-' and '_', short enough for a file system and different even if case does
-// not count. No stem equals another stem followed by an underscore and one of the endings.
+// Makes file names of letters, digits, '.', '-' and '_'. They are short enough for a file system and differ even if it
+// ignores case. No stem equals another stem followed by an underscore and one of the endings.
 std::vector<std::string> file_stems(std::vector<std::string> const& names,
                                     std::vector<std::string> const& endings = {});
 
 struct FigureOutcome {
-  std::size_t figures = 0, drawn = 0;  // `drawn` includes drawings kept from the same data
+  std::size_t figures = 0, drawn = 0;  // `drawn` also counts drawings kept from an earlier call with the same data
   bool program_missing = false;
-  std::string reason;  // why some were not drawn
+  std::string reason;  // why some figures were not drawn
 };
 
-// Writes data and scripts into dir/figures, lets gnuplot draw missing figures, and removes figures of isolaw that are
+// Writes data and scripts into dir/figures, draws missing figures with gnuplot, and removes isolaw's figures that are
 // not chosen. Does nothing for `none`. Throws Error if files cannot be written.
 FigureOutcome write_figures(Summary const& summary, FigureChoice choice, std::filesystem::path const& dir);
 
 FigureOutcome write_figures(std::vector<Figure> const& figures, std::filesystem::path const& dir);
-// Removes isolaw's figures, recognised by the first line of their scripts, and nothing else in dir/figures.
+// Removes isolaw's figures from dir/figures, which it knows by the first line of their scripts, and no other file.
 void remove_figures(std::filesystem::path const& dir);
-// Data of the lot's figures: file name relative to the report's directory, and text.
+// The data files of the lot's figures: name relative to the report's directory, and text.
 std::vector<std::pair<std::string, std::string>> figure_data(Summary const& summary);
 
 }  // namespace isolaw::render

@@ -30,7 +30,7 @@ constexpr int exit_not_started = 127;
 
 [[noreturn]] void become_gnuplot(std::vector<char*> const& arguments, char const* directory, int messages) {
 #ifdef __linux__
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // gnuplot must not outlive isolaw
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // the kernel ends gnuplot if isolaw ends
 #endif
   int const nowhere = ::open("/dev/null", O_RDWR | O_CLOEXEC);
   for (int const standard : {STDIN_FILENO, STDOUT_FILENO}) ::dup2(nowhere, standard);
@@ -57,7 +57,7 @@ std::optional<std::string> read_messages(int input, Clock::time_point deadline) 
   }
 }
 
-// gnuplot prints the faulty line, a caret below the fault, then `"front.gp" line 7: reason`. Returns this last line.
+// Finds gnuplot's reason, `"front.gp" line 7: reason`. It is the last of the lines that gnuplot prints about an error.
 std::string error_in(std::string const& messages) {
   auto const at = messages.rfind(" line ");
   if (at == std::string::npos) return {};
@@ -112,7 +112,7 @@ DataTable& DataTable::comment(std::string_view text) {
 void DataTable::cell(std::string_view text) {
   text_ += '"';
   for (char const c : printable(text)) {
-    if (c == '\\') text_ += '\\';  // otherwise \n would be a line break in the drawing
+    if (c == '\\') text_ += '\\';  // a single \n would be a line break in the drawing
     text_ += c == '"' ? '\'' : c;
   }
   text_ += "\" ";

@@ -1,5 +1,5 @@
-// Safe text for gnuplot's scripts and data files (names come from users and must never act as commands), and gnuplot
-// itself, run without a shell, without the user's settings and with a time limit.
+// Writes users' text into gnuplot's scripts and data files so that it never acts as a command, and runs gnuplot without
+// a shell, without the user's settings and with a time limit.
 #pragma once
 
 #include <chrono>
@@ -11,14 +11,14 @@
 
 namespace isolaw::render {
 
-// A single-quoted string, in which gnuplot substitutes nothing; control characters are spelled out. Draw it with
-// `noenhanced`, so that _, ^, {, }, @, & and ~ print as they are.
+// A single-quoted string, in which gnuplot replaces nothing, with control characters spelled out. In a drawing it needs
+// `noenhanced`, so that _, ^, {, }, @, & and ~ are printed as they are.
 std::string gnuplot_string(std::string_view text);
-// isolaw's own text for labels in enhanced mode: "N/m^3" gets a raised exponent.
+// isolaw's own text, for labels in gnuplot's enhanced mode: "N/m^3" gets a raised exponent.
 std::string gnuplot_text(std::string_view text);
 std::string gnuplot_label(std::string_view text);
 
-// A data file: rows of numbers and quoted words, separated by spaces; two empty lines end a block (gnuplot's `index`).
+// A data file: rows of numbers and quoted words, separated by spaces. Two empty lines end a block (gnuplot's `index`).
 class DataTable {
  public:
   DataTable& comment(std::string_view text);
@@ -32,7 +32,7 @@ class DataTable {
 
  private:
   void cell(std::string_view text);  // in double quotes; double quotes inside the text become single quotes
-  void cell(std::optional<double> const& number);  // with all digits; NaN without a number
+  void cell(std::optional<double> const& number);  // with all digits; NaN if it is empty
   void cell(double number) { cell(std::optional(number)); }
   void cell(std::vector<std::optional<double>> const& numbers) {
     for (auto const& number : numbers) cell(number);
@@ -43,10 +43,10 @@ class DataTable {
 
 struct GnuplotEnd {
   bool started = false;
-  std::string reason;  // why gnuplot did not finish; else empty
+  std::string reason;  // why gnuplot did not finish; empty if it did
 };
 
-// Runs `scripts` one after the other in one process in `directory`; the first error ends it.
+// Runs `scripts` one after another in one process in `directory`. The process ends at the first error.
 GnuplotEnd run_gnuplot(std::vector<std::string> const& scripts, std::filesystem::path const& directory,
                        std::chrono::seconds limit);
 

@@ -36,7 +36,7 @@ void remove_figure(fs::path const& dir, std::string const& name) {
   for (auto const* extension : {".dat", ".gp"}) fs::remove(figure_file(dir, name, extension), ignored);
 }
 
-// First removes drawings of other data or by another script, so that a drawing always belongs to the data beside it.
+// Drawings of other data or by another script are removed first, so that a drawing always fits the data beside it.
 void write_sources(fs::path const& dir, Figure const& figure) {
   auto const data = figure_file(dir, figure.name, ".dat"), script = figure_file(dir, figure.name, ".gp");
   if (text_of(data) == figure.data && text_of(script) == figure.script) return;

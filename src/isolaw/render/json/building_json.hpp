@@ -9,7 +9,7 @@
 
 namespace isolaw::render {
 
-// Writes the members into the open object.
+// Writes the members of building.json into the open object.
 void write_building(JsonWriter& out, building::Study const& study, building::Answers const& answers, Digits digits);
 std::vector<std::string> building_warnings(building::Answers const& answers);
 

@@ -7,8 +7,8 @@
 
 namespace isolaw::render {
 
-// docs/inspection-json.md has the schema. A single device's members are in the object itself; several devices are in
-// its array `devices`. `assessment` holds rule_set, design and lot.
+// docs/inspection-json.md has the schema. A single device's members are in the object itself, and several devices are
+// in its array `devices`. `assessment` holds rule_set, design and lot.
 std::string inspection_json(Summary const& summary);
 
 }  // namespace isolaw::render

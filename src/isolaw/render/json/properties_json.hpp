@@ -1,5 +1,5 @@
-// Writes cyclic properties, their verdicts under a rule set and the view of the lot as JSON. The page and `isolaw
-// inspect --json` use the same objects. Keys carry the units; docs/inspection-json.md describes them.
+// Writes cyclic properties, their verdicts under a rule set and the results of the lot as JSON, for the page and
+// `isolaw inspect --json`. Keys carry the units; docs/inspection-json.md describes them.
 #pragma once
 
 #include "isolaw/base/json.hpp"

@@ -14,23 +14,23 @@
 
 namespace isolaw::render {
 
-// all: numbers read back as the same doubles; shown: numbers that are only drawn, with the digits of their row.
+// all: numbers read back as the same doubles. shown: numbers that are only plotted have the digits of their row.
 enum class Digits { all, shown };
 
 inline constexpr int shown_digits = 9;
 
 void write_value(JsonWriter& out, Value const& value, std::optional<int> digits);
-// Without `digits` every number is written with all digits.
+// If `digits` is empty, numbers have all digits.
 void write_values(JsonWriter& out, std::span<double const> values, std::optional<int> digits = std::nullopt);
 
-// Writes members of the open object, key after key. Numbers have nine digits; undefined values are null.
+// Writes pairs of key and value into the open object. Numbers have nine digits; undefined values are null.
 template <class T, class... Rest>
 void write_members(JsonWriter& out, std::string_view key, T const& value, Rest const&... rest) {
   write_value(out.key(key), study::value_of(value), shown_digits);
   if constexpr (sizeof...(rest) > 0) write_members(out, rest...);
 }
 
-// `nested` is called after its key was written. It writes the objects that a row leaves to the renderer.
+// For a row that the renderer must write itself (Nested), calls `nested` after the key was written.
 template <class Object, std::size_t count, class Nested>
 void write_results(JsonWriter& out, Result<Object> const (&rows)[count], Object const& object, Digits digits,
                    Nested const& nested) {
@@ -55,10 +55,10 @@ void write_blocks(JsonWriter& out, std::vector<BlockScore> const& blocks, Digits
 void write_outliers(JsonWriter& out, std::vector<OutlyingDevice> const& outliers, Digits digits);
 void write_recommendations(JsonWriter& out, study::Summary const& summary,
                            std::vector<study::Recommendation> const& recommendations);
-// Writes "published", the comparison with the published study; null if the campaign has too few of its laws.
+// Writes "published", the comparison with the published study; null if the campaign has too few of the study's laws.
 void write_published(JsonWriter& out, study::Summary const& summary, Digits digits);
-// Writes an array under this key, with one object for each sentence of the table (wording/table.hpp): its kind, topic,
-// severity, action, law, devices, parameters and blocks. `each` holds the fields of every finding that it joins.
+// Writes an array with one object for each sentence of the table (wording/table.hpp): its kind, topic, severity,
+// action, law, devices, parameters and blocks. Its array `each` holds the fields of every finding in the sentence.
 void write_findings(JsonWriter& out, std::string_view key, std::vector<Finding> const& findings,
                     unsigned place = wording::in_report);
 

@@ -1,4 +1,4 @@
-// Writes run.json: everything about a campaign that varies between runs of the same inputs and settings.
+// Writes run.json: everything that differs between two runs of one campaign with the same inputs and settings.
 #pragma once
 
 #include <ctime>
@@ -11,7 +11,7 @@ namespace isolaw::render {
 struct RunFacts {
   std::string command, directory;
   std::time_t started_at = 0;
-  double search_s = 0.0, total_s = 0.0;  // total_s does not include the drawing of figures
+  double search_s = 0.0, total_s = 0.0;  // total_s excludes the drawing of figures
   double figures_s = 0.0;
   double cpu_s = 0.0;  // processor time of the process during total_s
   int jobs = 0;
@@ -19,7 +19,7 @@ struct RunFacts {
 };
 
 std::string run_json(RunFacts const& facts);
-// An array with one object for each phase of a campaign: the time that it took.
+// An array with one object for each phase of a campaign, with the time that the phase took.
 std::string profile_json(campaign::Profile const& profile);
 
 }  // namespace isolaw::render

@@ -13,7 +13,7 @@
 namespace isolaw::render {
 namespace {
 
-// Escapes the sequences that end or change a <script>. Strings and regular expressions ignore the backslash.
+// Adds a backslash to "<!--" and "</script", which would end a <script>. Strings and regular expressions ignore it.
 std::string inline_script(std::string_view script) {
   std::string safe;
   safe.reserve(script.size());
@@ -68,7 +68,7 @@ std::string page_of(std::string_view title, std::string_view asked, std::string_
       {"data", script_safe(data)},
       {"script", inline_script(embedded_text(page_files(), script))},
   };
-  // Passes over the template once, so that a placeholder's name within a content is not replaced.
+  // Goes through the template only once, so that a placeholder's name inside an inserted text is not replaced.
   std::string_view rest = embedded_text(page_files(), "page.html");
   std::string page;
   for (auto at = rest.find("{{"); at != std::string_view::npos; at = rest.find("{{")) {

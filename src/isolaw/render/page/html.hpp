@@ -16,14 +16,12 @@ struct Answers;
 
 namespace isolaw::render {
 
-// The page with styles, scripts and data inlined. It contains text from the input only in its title and inside the data
-// block, escaped.
+// The page with styles, scripts and data. Only its title and its data block contain text from the input, escaped.
 std::string html(Summary const& summary);
-// The page of a building, with the data of building.json.
 std::string building_html(building::Study const& study, building::Answers const& answers);
-// The state of acceptance that an existing page was written with; nullopt if it states none.
+// The rules and design values that an existing page was written with; nullopt if the page states none.
 std::optional<campaign::Acceptance> asked_in(std::string_view page);
-// page.html (html() fills its placeholders), page.css, page.js, building.js and plotly-basic.min.js.
+// The embedded files: page.html with placeholders, page.css, page.js, building.js and plotly-basic.min.js.
 std::span<Embedded const> page_files();
 
 }  // namespace isolaw::render

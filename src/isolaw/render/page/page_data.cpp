@@ -31,7 +31,7 @@ constexpr int profile_digits = 6;
 constexpr double curve_levels = 20000.0;
 constexpr std::size_t convergence_points = 120;
 
-// Writes differences of integers, so that rounding does not add up. A sample that is not finite repeats the last one.
+// Differences of rounded integers do not add up rounding errors. A sample that is not finite repeats the last value.
 void write_curve(JsonWriter& out, std::string_view key, std::vector<double> const& values,
                  std::vector<std::size_t> const& samples) {
   double lower = 0.0, upper = 0.0;
@@ -55,7 +55,7 @@ void write_curve(JsonWriter& out, std::string_view key, std::vector<double> cons
   out.end_array().end_object();
 }
 
-// All curves share about two million drawn points, so that a page of 160 devices stays small.
+// Divides about two million points among all curves, so that a page of 160 devices stays small.
 std::size_t points_per_curve(Summary const& summary) {
   std::size_t const curves = std::max<std::size_t>(1, summary.devices.size() * (summary.laws.size() + 5));
   return std::clamp<std::size_t>(2'000'000 / curves, 300, 2400);
@@ -73,7 +73,7 @@ void write_curves(JsonWriter& out, Record const& record, std::vector<std::size_t
   write_curve(out, "force_kN", record.force_kN, drawn);
 }
 
-// Point k of a curve is the raw sample min(k stride, samples - 1).
+// Point k of the curve is the raw sample min(k stride, samples - 1).
 void write_raw(JsonWriter& out, data::TestRecord const& raw, std::size_t most) {
   auto const drawn = drawn_samples(raw.size(), most);
   out.key("raw").begin_object();
@@ -82,7 +82,7 @@ void write_raw(JsonWriter& out, data::TestRecord const& raw, std::size_t most) {
   out.end_object();
 }
 
-// The ranges of time that laws are scored on; null if the whole record is scored.
+// The time ranges that the laws were fitted to; null if that is the whole record.
 void write_scored(JsonWriter& out, data::FitRecord const& record) {
   out.key("scored");
   if (record.scored.empty()) {
@@ -130,10 +130,10 @@ void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const&
   out.end_object().end_object();
 }
 
-// These results of a parameter are the same on every device, so they are written once with the law.
+// A parameter has the same values of these results on every device, so they are written once for each law.
 constexpr auto of_the_law = columns(parameter_results, {"unit", "free", "paper_name"});
 
-// Writes one array for each property, so that a fit has each property's name once and no parameter's name.
+// Writes one array for each property, so that a fit repeats neither names of properties nor of parameters.
 void write_parameter_columns(JsonWriter& out, std::vector<ParameterFit> const& parameters) {
   out.begin_object();
   for (auto const& row : parameter_results) {
@@ -154,7 +154,7 @@ void write_examined(JsonWriter& out, Result<ParameterAnalysis> const& row,
     write_value(out, value, row.digits);
 }
 
-// Writes one array for each property, with null for a parameter that was not examined, or null without an analysis.
+// Writes one array for each property, with null for a parameter that was not examined. Writes null without an analysis.
 void write_determination(JsonWriter& out, DeviceFit const& fit) {
   out.key("determination");
   if (!fit.optimum) {
@@ -170,7 +170,8 @@ void write_determination(JsonWriter& out, DeviceFit const& fit) {
   out.end_object();
 }
 
-// Least, median and largest log10 of the runs' best so far, after each generation or start. Ended runs keep their last.
+// Writes the best objective after each generation or start as least, median and largest log10 over the runs. A run that
+// has ended keeps its last value.
 void write_convergence(JsonWriter& out, DeviceFit const& fit) {
   std::vector<std::vector<double>> runs;
   std::size_t steps = 0;
@@ -232,7 +233,7 @@ void write_lot_law(JsonWriter& out, LotLaw const& lot) {
   out.end_array().end_object();
 }
 
-// The page draws correlations and does not need covariances.
+// Covariances are left out, since the page draws only correlations.
 void write_population(JsonWriter& out, lot::Population const& population) {
   out.begin_object().member("devices", std::uint64_t{population.devices}).member("parameters", population.names);
   write_values(out.key("medians"), population.medians, shown_digits);
@@ -319,7 +320,7 @@ void write_shown(JsonWriter& out, Summary const& summary) {
   out.end_object();
 }
 
-// The limits behind the words of the verdicts, so that the page states the limits that were used.
+// The limits that decide the words of verdicts. The page states these numbers.
 void write_thresholds(JsonWriter& out) {
   out.key("thresholds").begin_object();
   out.member("found_within", found_within).member("determined_within", analysis::determined_within);
@@ -400,7 +401,7 @@ void write_notation(JsonWriter& out, Notation const& of) {
   for (auto const word : symbol_words()) words.insert(word);
   for (auto const name : of.parameters)
     if (symbol_of(name).is_greek() || is_no_other_word(name)) words.insert(name);
-  // How each name is typeset: [letter, index].
+  // Each name is written with its symbol as [letter, index].
   auto const write = [&](std::string_view key, std::set<std::string_view> const& names) {
     out.key(key).begin_object();
     for (auto const name : names) {
@@ -422,7 +423,7 @@ std::string page_data_json(Summary const& summary) {
 
   JsonWriter out;
   out.begin_object();
-  auto const seed = std::to_string(summary.seed);  // as text: a JavaScript number does not hold 64 bits
+  auto const seed = std::to_string(summary.seed);  // as text, since a JavaScript number does not hold 64 bits
   write_members(out, "isolaw", campaign::text(std::span(summary.makers)), "title", summary.title, "seed", seed, "runs",
                 summary.runs, "missing_runs", summary.missing_runs(), "missing_analyses", summary.missing_analyses(),
                 "command", command_again(summary), "takes_lot_file", takes_lot_file(summary));

@@ -10,13 +10,13 @@
 
 namespace isolaw::render {
 
-// Results of summary.json have the same keys. Statistics have nine significant digits, profiles and intervals six. A
-// curve is {"o":offset,"s":step,"d":[...]}: value k = offset + step * (sum of d[0..k]) with integers d; a step is a
-// 20,000th of the range.
+// Keys are those of summary.json. Statistics have nine significant digits, profiles and intervals six. A curve is
+// {"o":offset,"s":step,"d":[...]}: value k = offset + step * (sum of d[0..k]) with integers d and step = range /
+// 20,000.
 std::string page_data_json(Summary const& summary);
 
-// Writes the members of the open object that every page's scripts need: how laws are marked, and how to typeset the
-// symbols of these parameters and of sentences. A name like a10 is not typeset if a device has it.
+// The names to typeset on a page. write_notation() writes the markers of the laws and the symbols of these names into
+// the open object. A name like a10 is not typeset if a device has it.
 struct Notation {
   std::set<std::string_view> parameters, devices;
 };

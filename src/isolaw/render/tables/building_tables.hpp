@@ -7,10 +7,10 @@
 
 namespace isolaw::render {
 
-// A row per law and quantity: bound and nominal analyses, fractiles of the draws, parts of the scatter.
+// A row for each law and quantity: bound and nominal analyses, fractiles of the draws, parts of the scatter.
 std::string building_csv(building::Answers const& answers);
 std::string coverage_csv(building::Answers const& answers);
-// A row per law and motion for the nominal building: implicit path, checks, equivalent linear analysis.
+// A row for each law and motion, for the nominal building: implicit integration, checks, equivalent linear analysis.
 std::string building_checks_csv(building::Study const& study, building::Answers const& answers);
 // The content of building_csv and coverage_csv, law by law.
 std::string building_tex(building::Study const& study, building::Answers const& answers);

@@ -1,4 +1,4 @@
-// A CSV table written cell by cell: RFC 4180, numbers with six significant digits.
+// A CSV table that is written cell by cell, after RFC 4180. Numbers have six significant digits.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace isolaw::render {
 
 class CsvTable {
  public:
-  // Adds a cell for each value, three for a Statistic and two for Ends. Undefined values give empty cells.
+  // Adds a cell for each value, three for a Statistic and two for Ends. An undefined value gives an empty cell.
   template <class... Of>
   CsvTable& add(Of const&... cells) {
     (put(study::value_of(cells)), ...);

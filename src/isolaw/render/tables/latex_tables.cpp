@@ -22,7 +22,7 @@ constexpr std::string_view packages_of_long =
     "% Needs in the preamble: \\usepackage{booktabs,longtable}; with names beyond ASCII \\usepackage[T1]{fontenc} too.\n";
 
 constexpr std::string_view after_backslash = "&%$#_{}";
-// A backquote before ? would give another letter. A bracket or a star after a line break would be an option.
+// A backquote before ? would make another letter, and a bracket or a star after a line break would be an option.
 constexpr std::pair<char, std::string_view> signs[]{{'~', "\\textasciitilde{}"},
                                                     {'^', "\\textasciicircum{}"},
                                                     {'\\', "\\textbackslash{}"},
@@ -35,7 +35,7 @@ constexpr std::pair<char, std::string_view> signs[]{{'~', "\\textasciitilde{}"},
                                                     {']', "{]}"},
                                                     {'*', "{*}"}};
 
-// Letters beyond Latin-1 that pdfLaTeX sets from UTF-8 without further packages.
+// The letters beyond Latin-1 that pdfLaTeX sets from UTF-8 without further packages.
 constexpr std::string_view known_letters = "ĂăĄąĆćČčĎďĐđĘęĚěĞğİıĹĺĽľŁłŃńŇňŐőŒœŔŕŘřŚśŞşŠšŢţŤťŮůŰűŸŹźŻżŽž";
 
 std::string latex_of_letter(std::string_view sequence) {
@@ -81,7 +81,7 @@ std::string block_head(std::vector<std::string> const& devices, std::size_t colu
   return names + "\\\\*\n" + rules + "\\nopagebreak\n" + words + " \\\\*\n\\midrule\\nopagebreak\n";
 }
 
-// Values far from 1 become multiples of a power of ten that the unit states: they are short and easy to compare.
+// The power of ten to divide a row by, so that its numbers are short and easy to compare. The unit states it.
 int power_of(LawResult const& law, Quantity const& quantity) {
   double largest = 0.0;
   for (auto const& fit : law.devices) {
@@ -123,7 +123,7 @@ std::string block_row(LawResult const& law, Quantity const& quantity, std::vecto
 std::size_t visible(std::string_view number) {
   constexpr std::string_view times = "\\times";
   auto const hidden =
-      number.find(times) == std::string_view::npos ? 0 : times.size() - 2;  // the times sign is as wide as two letters
+      number.find(times) == std::string_view::npos ? 0 : times.size() - 2;  // the sign × is as wide as two letters
   return number.size() - hidden - static_cast<std::size_t>(std::ranges::count_if(number, [](char c) {
            return c == '$' || c == '{' || c == '}' || c == '^';
          }));
@@ -142,7 +142,7 @@ Letters longest_texts(Summary const& summary, std::vector<std::string> const& de
     for (auto const& quantity : quantities_of(law)) {
       int const power = power_of(law, quantity);
       auto const there = quantity.paper_name.empty() ? std::size_t{0} : quantity.paper_name.size() + 8;
-      raise(longest.quantity, quantity.name.size() + quantity.unit.size() + there + 8);  // a power of ten, brackets
+      raise(longest.quantity, quantity.name.size() + quantity.unit.size() + there + 8);  // 8: power of ten, brackets
       for (auto const& fit : law.devices) {
         auto const statistic = statistic_of(fit, quantity);
         raise(longest.value, visible(latex_number(scaled(statistic.mean, power))));
@@ -187,7 +187,7 @@ std::string latex_text(std::string_view text) {
       latex += latex_of_letter(rest.substr(0, length));
     } else {
       auto const special = std::ranges::find(signs, rest.front(), &std::pair<char, std::string_view>::first);
-      // Keeps two dashes or two quotes apart: together they would become another sign.
+      // Two dashes or two quotes in a row would become another sign, so they are kept apart.
       bool const joins = (rest.front() == '-' || rest.front() == '\'') && latex.ends_with(rest.front());
       if (joins) latex += "{}";
       if (after_backslash.find(rest.front()) != std::string_view::npos) latex += '\\';
@@ -204,7 +204,7 @@ std::string latex_number(std::optional<double> const& number, int digits_shown) 
   auto text = fmt::format("{:#.{}g}", *number, digits_shown);
   auto const e = text.find('e');
   auto digits = text.substr(0, e);
-  // Drops the decimal point after enough digits: fmt gives "1234." or, in some versions, "1234.0".
+  // fmt writes "1234." or, in some versions, "1234.0". With enough digits before the point, the rest is dropped.
   auto const point = digits.find('.');
   auto const before = static_cast<int>(std::ranges::count_if(digits.substr(0, point), [](char c) { return c != '-'; }));
   if (before >= digits_shown) digits.resize(std::min(point, digits.size()));

@@ -10,7 +10,7 @@
 namespace isolaw::render {
 namespace {
 
-// Columns of a cycle that come before and after the frequency of its block.
+// The columns of a cycle before and after the column of its block's frequency.
 constexpr auto strain = columns(cycle_results, {"strain_percent"});
 constexpr auto of_cycles = columns(cycle_results, {"period_s",
                                                    "amplitude_mm",

@@ -1,4 +1,4 @@
-// Rows of the tables that exist both as CSV and as LaTeX.
+// The rows of tables that exist both as CSV and as LaTeX.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ struct Quantity {
   std::string paper_name = {};   // the name in the paper's tables, if it differs
 };
 std::vector<Quantity> quantities_of(LawResult const& law);
-// Without a result all values are empty.
+// If there is no result, all values are empty.
 Statistic statistic_of(DeviceFit const& fit, Quantity const& quantity);
 Statistic statistic_of(LawResult const& law, std::string const& device, Quantity const& quantity);
 // The points of Fig. 14 by rising objective.

@@ -19,7 +19,7 @@ std::string devices_at_bound(LawResult const& law, std::size_t parameter) {
   return joined(devices, "; ");
 }
 
-// Search boxes scaled from each record differ between devices; the table then says "per device".
+// Search boxes that are scaled from each record differ between devices. The table then says "per device".
 Value common_bound(LawResult const& law, std::size_t parameter, double ParameterFit::*bound) {
   std::optional<double> common;
   for (auto const& fit : law.devices) {

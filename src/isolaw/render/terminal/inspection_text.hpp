@@ -8,7 +8,7 @@
 namespace isolaw::render {
 
 // One device is printed in full: recognised columns, channels, every cycle, stability, assessments, warnings, notes.
-// Several devices get a line each, followed by the lot.
+// Several devices get a line each, and the lot follows.
 std::string inspection_text(Summary const& summary);
 
 }  // namespace isolaw::render

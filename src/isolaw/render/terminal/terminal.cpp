@@ -17,13 +17,13 @@
 namespace isolaw::render {
 namespace {
 
-// Counts code points. In the scripts that names of devices and laws use, each takes one column.
+// Counts code points. A letter of the scripts that occur in names of devices and laws takes one column.
 int columns(std::string_view text) {
   return static_cast<int>(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
 }
 
-// Removes control characters: names come from files, and no control character must reach the terminal.
+// Removes control characters. Names come from files, and their control characters must not reach the terminal.
 std::string printable(std::string_view text) {
   std::string clean;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -61,7 +61,7 @@ struct Row {
   std::string remark = {};
 };
 
-// A column is two blanks wider than its longest text, the names' column `id_gap` wider, or as wide as given if larger.
+// Columns are two blanks wider than their longest text (the column of names: `id_gap` wider), or as wide as given.
 std::string table(std::vector<Row> const& rows, std::vector<int> widths, int id_width, int id_gap = 0) {
   widths.resize(rows.front().cells.size());
   for (auto const& row : rows) {
@@ -99,7 +99,7 @@ std::string law_table(Summary const& summary) {
   return table(rows, {18, 8, 7, 7, 9, 9}, 3);
 }
 
-// Explains |dK| and |dE| if laws were scored on part of the tests, since these errors then belong to another cycle.
+// Explains |dK| and |dE| if laws were fitted to part of the tests: the errors may then belong to another cycle.
 std::string compared_on(Summary const& summary, int width) {
   bool const part =
       std::ranges::any_of(summary.devices, [](auto const& device) { return !device.record.scored.empty(); });
@@ -201,12 +201,12 @@ class Canvas {
 };
 
 void put_label(Canvas& canvas, int column, int row, std::string_view id) {
-  int const length = static_cast<int>(id.size());  // identifiers of laws are ASCII
+  int const length = static_cast<int>(id.size());  // the ids of laws are ASCII
   std::array const places{
       std::pair{column + 2, row},     std::pair{column - 1 - length, row},     std::pair{column + 2, row - 1},
       std::pair{column + 2, row + 1}, std::pair{column - 1 - length, row - 1}, std::pair{column - 1 - length, row + 1}};
   for (auto const& [x, y] : places) {
-    int const after = x + length < canvas.width() ? 1 : 0;  // a blank on both sides separates it from its neighbours
+    int const after = x + length < canvas.width() ? 1 : 0;  // room for a blank after the label
     if (!canvas.is_free(x - 1, y, 1 + length + after)) continue;
     for (int i = 0; i < length; ++i) canvas.put(x + i, y, id.substr(static_cast<std::size_t>(i), 1));
     return;
@@ -418,7 +418,7 @@ std::string answer(Summary const& summary, std::string_view directory, int width
     text += wrapped("", fmt::format("Low confidence: {}.", wording::paragraph(shown.weak, "; ")), 2, width);
   text += '\n' + short_table(summary, shown) + '\n';
   if (!shown.surer.empty()) text += wrapped("To be surer", wording::paragraph(shown.surer, "; ") + ".", margin, width);
-  // Only --details shows warnings about other laws, and those that the lines on confidence have said.
+  // Warnings about other laws, and those that the line "Low confidence" repeats, are left to --details.
   auto concerned = found.warnings;
   std::erase_if(concerned, [&](Finding const& finding) {
     return (law != nullptr && !finding.law.empty() && finding.law != summary.laws[*law->law].id) ||

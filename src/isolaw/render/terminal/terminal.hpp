@@ -9,11 +9,11 @@
 namespace isolaw::render {
 
 // UTF-8 text of at most `width` columns (at least 60 are used), without colours or control characters from the input.
-// For the usual laws it has at most 25 lines: the recommended law, how sure that is, the table of laws, warnings, and
-// the next command. `directory` is the results' directory as the user would type it.
+// For the usual laws it has at most 25 lines: the recommended law, the confidence, the table of laws, warnings, and the
+// next command. `directory` is the results' directory as the user would type it.
 std::string answer(Summary const& summary, std::string_view directory, int width = 80);
 std::string ranking(Summary const& summary, int width = 80);
-// Breaks `text` into lines of `width` columns that are indented by `indent`; the first one starts with `bullet`.
+// Breaks `text` into lines of `width` columns, indented by `indent`. The first line starts with `bullet`.
 std::string wrapped(std::string_view bullet, std::string_view text, int indent, int width);
 
 }  // namespace isolaw::render

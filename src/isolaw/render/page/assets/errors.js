@@ -1,4 +1,4 @@
-// Runs before all other scripts: it collects every error where the browser tests look for them.
+// This script runs first. It collects the errors of all others on the page, where the browser tests read them.
 document.body.dataset.errors = '';
 window.addEventListener('error', (event) => { document.body.dataset.errors += event.message + '\n'; });
 window.addEventListener('unhandledrejection', (event) => { document.body.dataset.errors += event.reason + '\n'; });

@@ -1,4 +1,4 @@
-// The page of an isolated building. Each file in building/ is a section; modules of both pages are in this folder.
+// The page of an isolated building. Each file in building/ is a section; other modules are shared with report.html.
 
 import { assumedSection } from './building/assumed.js';
 import { checksSection } from './building/checks.js';

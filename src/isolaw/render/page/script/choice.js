@@ -18,11 +18,11 @@ const reader = choices({
   purpose: FIRST,
   view: FIRST_VIEW,
   examined: examinedLaws[0]?.index ?? null, // the law in the section on determination
-  parameter: firstExamined(examinedLaws[0]), // index of a parameter of that law
+  parameter: firstExamined(examinedLaws[0]), // index of the parameter shown with that law
   lotLaw: lotLaws[0]?.index ?? null,
-  predicted: predictedByFit[1]?.index ?? null, // the second law, beside the law that predicts best
+  predicted: predictedByFit[1]?.index ?? null, // the law that predicts second best, since the best is shown anyway
   law: ranking[0]?.index ?? null, // the law in the section on parameters
-  order: { key: 'best OF\n-', down: false }, // in the table of laws on a device
+  order: { key: 'best OF\n-', down: false }, // how the table of laws on one device is sorted
 });
 
 export const chosen = reader.chosen;

@@ -1,4 +1,4 @@
-// The reader's choices on a page. Controls and figures follow them; each figure names the choices that it depends on.
+// The reader's choices on a page. Controls and figures follow them; each figure names the choices that change it.
 
 export function choices(first) {
   const chosen = first;

@@ -2,7 +2,7 @@ import { chosen } from './choice.js';
 import { headingOf, headingText, report, resultColumns } from './report.js';
 import { THIN, isNumber, printed, significant } from './text.js';
 
-// The properties that are followed over the cycles. Cycles name them by `key`; `stability` and rule sets use `name`.
+// The properties shown from cycle to cycle. A cycle names them by `key`, `stability` and rule sets by `name`.
 export const FOLLOWED = report.followed.map(({ name, key }) => {
   const heading = headingOf('cycles', key);
   const text = (value) => printed(value, heading) + THIN + heading.unit;
@@ -19,7 +19,7 @@ export const chosenBlocks = (device) =>
 export const amplitudeText = (block) =>
   counted(block).length > 0 ? '±' + significant(block.amplitude_mm, 3) + THIN + 'mm' : 'no complete cycle';
 
-// Such as "2, ±60 mm, 0.5 Hz, sine".
+// "2, ±60 mm, 0.5 Hz, sine"
 export function blockFacts(block) {
   return (
     block.number + ', ' + amplitudeText(block) +

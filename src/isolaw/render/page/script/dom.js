@@ -1,6 +1,6 @@
 import { typeset, unset } from './symbols.js';
 
-// Symbols are not typeset in commands and file names.
+// Inside these elements, which hold commands and file names, symbols are not typeset.
 const LITERAL = new Set(['code', 'pre', 'a', 'kbd']);
 
 const setIn = (tag) => (child) => (typeof child === 'string' && !LITERAL.has(tag) ? typeset(child) : [child]);
@@ -27,5 +27,5 @@ export function shortList(items, most, few, className = null) {
 
 export const isPrinting = () => 'printing' in document.documentElement.dataset;
 
-// The text, or nothing when printing: for text about controls, columns and downloads, which a printed page lacks.
+// Returns no text when printing. For text about controls, columns and downloads, which a printed page lacks.
 export const onScreen = (text) => (isPrinting() ? '' : text);

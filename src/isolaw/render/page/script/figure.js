@@ -1,6 +1,6 @@
-// Places a figure on the page, draws it, and draws it again. The figure's file has {id, title, width ('half', 'wide',
+// Places a figure on the page, draws it, and draws it again. A figure is an object {id, title, width ('half', 'wide',
 // 'narrow'), wanted, depends, caption, csv, controls, build or height and draw, clicked}. `depends` names the choices
-// that change it; `clicked` is called for a click on a point.
+// that change the figure; `clicked` is called for a click on a point.
 
 import { download } from './csv.js';
 import { element } from './dom.js';
@@ -9,7 +9,7 @@ import { typeset, unset } from './symbols.js';
 
 export const drawn = new Map(); // figure -> {node, body, caption, seen, stale}
 
-// Reserves room for a plot before it is drawn, so that nothing moves later.
+// Gives a plot its height before it is drawn, so that the page does not move later.
 export function reserve(figure) {
   const { body } = drawn.get(figure);
   const height = figure.height(body.clientWidth);
@@ -38,7 +38,7 @@ export function render(figure) {
   describe(place.body, [figure.title, figure.caption?.()].filter(Boolean).join('. '));
 }
 
-// For screen readers a plot is one picture, with its buttons beside it.
+// Screen readers take a plot as one picture. Its buttons stay outside that picture.
 function describe(body, text) {
   body.querySelectorAll('.main-svg').forEach((svg, i) => {
     if (i > 0) return svg.setAttribute('aria-hidden', 'true');

@@ -1,5 +1,5 @@
-const MARKER = 8, // pixels around a point that its marker covers
-  LETTERS = 16; // height of a label
+const MARKER = 8, // a point's marker reaches this many pixels from its centre
+  LETTERS = 16; // height of a label in pixels
 
 const meet = (a, b) => a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
 
@@ -13,9 +13,9 @@ function enters([x0, y0], [x1, y1], box) {
   return false;
 }
 
-// Returns the middles of the points' labels. A label is beside its point or, joined to it by a line, where there is
-// room. It lies inside the plot, on no point and no label, and if possible not on the stair through the points with the
-// indices `stair`, from left to right. points: [{x, y, width}] in pixels; `others` have no label.
+// Returns the centre of each point's label. A label is beside its point or, farther away, joined to it by a line.
+// Labels lie inside the plot, cover no point and no other label, and if possible do not cover the stair through the
+// points with the indices `stair`, from left to right. points: [{x, y, width}] in pixels; `others` have no label.
 export function labelPlaces(points, stair, width, height, others = []) {
   const markers = [...points, ...others].map(({ x, y }) => [x - MARKER, y - MARKER, x + MARKER, y + MARKER]);
   const steps = stair.slice(1).flatMap((to, k) => {
@@ -59,7 +59,7 @@ export function labelPlaces(points, stair, width, height, others = []) {
   return points.map(({ label }) => label);
 }
 
-// The nearest places to `wanted` for labels at least `gap` apart, between `low` and `high`; `wanted` must ascend.
+// The places nearest to `wanted` (ascending), between `low` and `high`, for labels that are at least `gap` apart.
 export function spread(wanted, gap, low, high) {
   const most = high - (wanted.length - 1) * gap;
   const groups = [];
@@ -74,7 +74,8 @@ export function spread(wanted, gap, low, high) {
   return groups.flatMap((group) => Array(group.size).fill(group.sum / group.size)).map((value, i) => value + i * gap);
 }
 
-// Numbers of the outermost peaks go to the right margin; others go up and left, where a hysteresis loop leaves room.
+// Places the numbers of cycles at their peaks: those of the outermost peaks in the right margin, others up and left of
+// the peak, where a hysteresis loop leaves room.
 export function peakLabels(labels, pixel, room, height) {
   const gap = 15,
     columns = [];

@@ -3,7 +3,7 @@ import { report } from './report.js';
 import { count, isNumber, mean } from './text.js';
 import { concerns, worstVerdict } from './verdicts.js';
 
-// Each has one verdict for all limits on its mean, or none if the rule set has no such limit.
+// The lot's quantities. Each gets one verdict for all limits on its mean, or none if the rule set has no such limit.
 export const lotQuantities = (report.assessment?.lot?.quantities ?? []).map(
   ({ mean_limits: limits, lambda_test: test, without, ...quantity }) => ({
     ...quantity,
@@ -18,7 +18,7 @@ export const lotQuantities = (report.assessment?.lot?.quantities ?? []).map(
   }),
 );
 
-// The assessed value (the mean over both sides), else the value from the vertical test or the reported cycle.
+// The assessed value (mean over both sides). Without an assessment: the value of the vertical test or reported cycle.
 export function deviceValue(device, quantity) {
   const own = device.assessments.filter((a) => concerns(a, quantity) && isNumber(a.value));
   if (own.length > 0)

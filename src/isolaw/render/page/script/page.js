@@ -1,5 +1,5 @@
 // cmake/join_modules.cmake joins these modules into one script. Each folder is a section and each file in it a figure.
-// The input's text reaches the document only through textContent, and plots only through plain().
+// Text from the input enters the document only through textContent, and plots only through plain().
 
 import { accuracySection } from './accuracy/section.js';
 import { certificateSection } from './certificate/section.js';
@@ -55,7 +55,7 @@ function buildPage() {
   });
 }
 
-// While runs are missing, the decision may still change.
+// While runs are missing, the recommendation may still change.
 const incomplete = () =>
   'Not complete: ' +
   [[report.missing_runs, 'run', 'runs'], [report.missing_analyses, 'analysis', 'analyses']]

@@ -2,14 +2,14 @@ import { data } from './data.js';
 import { inFigure } from './symbols.js';
 import { isNumber, plain, significant } from './text.js';
 
-// If there are more laws than colours, colours and symbols repeat, with open symbols and dashed keys.
+// If there are more laws than colours, colours and symbols repeat, with open symbols and dashed lines in the key.
 export const SYMBOLS = data.symbols;
 const COLOURS = SYMBOLS.length;
 export const colourOf = (law) => 'law-' + ((law.index % COLOURS) + 1);
 export const isAgain = (law) => law.index >= COLOURS;
 
 const DASHES = ['solid', 'dash', 'dashdot', 'dot', 'longdash', 'longdashdot', '6px,3px', '10px,3px,2px,3px'];
-export const NARROW = 620; // pixels; narrower windows are telephones
+export const NARROW = 620; // pixels; a narrower window is that of a telephone
 
 export function theme() {
   const style = getComputedStyle(document.documentElement);
@@ -22,7 +22,7 @@ export function theme() {
 }
 
 export const symbolOf = (law) => SYMBOLS[law.index % SYMBOLS.length] + (isAgain(law) ? '-open' : '');
-export const dashOf = (place) => DASHES[place % DASHES.length]; // in the order of the chosen laws, from solid
+export const dashOf = (place) => DASHES[place % DASHES.length]; // `place`: among the chosen laws; the first is solid
 export const LEGEND = { orientation: 'h', x: 0, y: 1.02, xanchor: 'left', yanchor: 'bottom', font: { size: 12 } };
 
 export function styled(layout, look) {
@@ -31,7 +31,7 @@ export function styled(layout, look) {
     tickfont: { size: 11.5 }, title: { standoff: 6 }, automargin: true, ticks: '',
   };
   const result = {
-    autosize: false, // the page gives every plot its size
+    autosize: false, // the page sets the size of every plot
     paper_bgcolor: 'rgba(0,0,0,0)',
     plot_bgcolor: 'rgba(0,0,0,0)',
     font: { family: look.font, size: 12.5, color: look.colour('ink') },
@@ -61,7 +61,7 @@ export function styled(layout, look) {
   return result;
 }
 
-// Names every button and no server: Plotly's default offers to upload the figure.
+// The list of buttons is complete, because Plotly's default has a button that uploads the figure to a server.
 export const PLOT_CONFIG = {
   displaylogo: false,
   displayModeBar: 'hover',
@@ -83,7 +83,7 @@ export function textWidth(look, text, size) {
   return pen.measureText(text).width;
 }
 
-// Categories of equal width. As many names are written below as there is room for.
+// An axis of categories of equal width, with at most `most` names below it.
 export function namedAxis(names, most) {
   const every = Math.ceil(names.length / most);
   const tickvals = names.map((_, i) => i).filter((i) => i % every === 0);

@@ -1,4 +1,4 @@
-// The purpose that the reader wants a law for. The first screen's chart, list, headline and ranking follow it.
+// The purposes that a reader may choose. The first screen's chart, list, headline and ranking follow the choice.
 
 import { doesNotPredict, laws, lawsByObjective, report } from './report.js';
 import { enumerate, fixed, isNumber, percentText, withUnit } from './text.js';
@@ -29,7 +29,7 @@ export const errorText = (error) =>
 
 const NAMED_AT_FIRST = 3;
 
-// Laws that are chosen at first: the laws of the first answer, without laws that do not predict.
+// The laws that the page shows at first: those of the first answer, without laws that do not predict.
 export const recommended = (() => {
   const purpose = PURPOSES.find(({ id }) => id === FIRST);
   const named = purpose?.recommendation?.law
@@ -47,7 +47,7 @@ export function answering(purpose, viewId) {
   return placedIn(view).filter((law) => view.onFront(law));
 }
 
-// The answer as a sentence. For robustness: the program's sentence in the view of the runs, else the laws on the front.
+// The answer as a sentence. Only the view of the runs has a sentence on robustness; others list the front's laws.
 export function answerOf(purpose, viewId) {
   if (purpose.recommendation) return purpose.answer;
   const view = viewOf(viewId);

@@ -4,7 +4,7 @@ import { atTheHead, printed } from './text.js';
 export const report = data;
 export const devices = report.devices.map((device, index) => ({ ...device, index }));
 
-// The data block has one array for each property. This returns one object for each parameter.
+// The data block has one array for each property. This function makes an object for each parameter from them.
 function rowsOf(columns) {
   const names = Object.keys(columns);
   return columns[names[0]].map((_, i) => Object.fromEntries(names.map((name) => [name, columns[name][i]])));
@@ -21,15 +21,15 @@ export const laws = report.laws.map((law, index) => {
 
 export const usable = devices.filter((device) => device.status === 'ok');
 export const drawable = usable.filter((device) => device.record.drawn > 0);
-export const tested = devices.filter((device) => device.raw?.samples > 0); // their raw records can be shown
-export const inspection = laws.length === 0; // only records, without identification
+export const tested = devices.filter((device) => device.raw?.samples > 0); // the page can show their raw records
+export const inspection = laws.length === 0; // true if only records were examined and no laws fitted
 export const ranking = report.findings.verdicts.map((verdict) => laws[verdict.law]);
 
 export const lawsByObjective = report.by_objective.map((index) => laws[index]);
 
 export const examinedLaws = lawsByObjective.filter((law) => law.devices.some((fit) => fit.determination !== null));
 export const lotLaws = lawsByObjective.filter((law) => law.lot !== null);
-// Whether the law misses the blocks that it was not fitted to.
+// True if the law misses the blocks that it was not fitted to.
 export const doesNotPredict = (law) => law.prediction_grade === 'poor' || law.prediction_grade === 'unusable';
 export const predictedLaws = lawsByObjective.filter((law) => law.predicted_objective !== null);
 export const predictedByFit = [...predictedLaws].sort((a, b) => a.predicted_objective - b.predicted_objective);
@@ -44,7 +44,7 @@ export function firstExamined(law) {
   return law ? (examinedPlaces(law)[0] ?? 0) : 0;
 }
 
-// The headings of results, and a function that returns an object's cells. A statistic or a range takes several cells.
+// The headings of results, and a function that returns an object's cells. A statistic or a range has several cells.
 export function resultColumns(kind, keys = Object.keys(report.headings[kind])) {
   const cell = (value) => (typeof value === 'boolean' ? (value ? 'yes' : 'no') : value);
   const cells = (value) => (value !== null && typeof value === 'object' ? Object.values(value) : [value]).map(cell);
@@ -71,7 +71,7 @@ export function numberColumn(kind, key, more = {}) {
   return { title: atTheHead(title), unit, number: true, text: (of) => printed(of[key], heading), ...more };
 }
 
-// A curve of the data block: value k is offset + step * (sum of the integers up to k).
+// Decodes a curve of the data block: value k is offset + step * (sum of the integers up to k).
 const decodedCurves = new WeakMap();
 
 export function curve(coded) {

@@ -3,8 +3,8 @@ import { buildFigure, drawn, redraw, redrawDependents, render, reserve } from '.
 import { joinTables, partTables } from './tables.js';
 import { typeset } from './symbols.js';
 
-// Sections in the order of the page: {id, title, short, figures, controls, adorn}. `opened` is called with a section
-// and its element before its figures exist. `onChoice` registers a listener for the reader's choices.
+// Builds the sections of a page: {id, title, short, figures, controls, adorn}. `opened` is called with a section and
+// its element before its figures exist. `onChoice` registers a listener for the reader's choices.
 export function showSections(sections, { onChoice, opened = () => {} }) {
   const observer = new IntersectionObserver(
     (entries) => {
@@ -40,7 +40,7 @@ export function showSections(sections, { onChoice, opened = () => {} }) {
   onChoice(redrawDependents);
   for (const figure of drawn.keys()) if (figure.draw) reserve(figure);
   markCurrentSection(main, contents);
-  // The section that the address names exists only now.
+  // The address may name a section. Only now does that section exist.
   if (location.hash) document.getElementById(location.hash.slice(1))?.scrollIntoView();
 }
 
@@ -61,7 +61,7 @@ function markCurrentSection(main, contents) {
 }
 
 export function followWindow({ beforePrint = () => {}, afterPrint = () => {} } = {}) {
-  // Prints with light colours, the width of paper, and all figures and tables, including those out of sight.
+  // For print, everything is drawn with light colours in the width of paper, including figures and tables out of sight.
   window.addEventListener('beforeprint', () => {
     document.documentElement.dataset.printing = '';
     redraw({ everything: true });
@@ -79,13 +79,13 @@ export function followWindow({ beforePrint = () => {}, afterPrint = () => {} } =
 
   window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => redraw());
 
-  // Plots follow the width of the page. Drawing them changes only its height, so this does not call itself.
+  // Plots are drawn again if the page's width changes. Drawing changes only the height, so this does not call itself.
   let drawnWidth = document.getElementById('report').clientWidth;
 
   new ResizeObserver(([entry]) => {
     const width = Math.round(entry.contentRect.width);
     if (width === drawnWidth) return;
     drawnWidth = width;
-    requestAnimationFrame(() => redraw()); // not at once, since drawing changes the height that is being observed
+    requestAnimationFrame(() => redraw()); // later, since drawing at once would change the observed height
   }).observe(document.getElementById('report'));
 }

@@ -1,9 +1,9 @@
 // Typesets symbols in text as letter and index; data.notation has both for each name. Words that can only be symbols
-// are found in any text. Other names of parameters may be plain words, so symbol() marks them.
+// are recognised in any text. Other names of parameters may be plain words, so symbol() marks them.
 
 import { data } from './data.js';
 
-const MARK = '\u2063'; // invisible if a text is shown without typesetting
+const MARK = '\u2063'; // an invisible character; text without typesetting may keep it
 const { words, parameters } = data.notation;
 
 export const symbol = (name) => (parameters[name] ? MARK + name + MARK : name);
@@ -11,7 +11,7 @@ export const symbol = (name) => (parameters[name] ? MARK + name + MARK : name);
 const escaped = Object.keys(words)
   .sort((a, b) => b.length - a.length)
   .map((word) => word.replace(/[^\w]/g, '\\$&'));
-// Symbols are not replaced inside a file name or another word. "1.6e+04" becomes a power of ten.
+// Leaves symbols inside a file name or another word alone. "1.6e+04" becomes a power of ten.
 const SET = new RegExp(
   MARK + '([^' + MARK + ']+)' + MARK + '|(?<![\\w./-])(' + escaped.join('|') + ')(?![\\w/-]|[.]\\w)|(?<=\\d)e([+-]\\d\\d)(?!\\w)',
   'g',

@@ -1,18 +1,18 @@
 import { element } from './dom.js';
 import { DASH, MINUS } from './text.js';
 
-const FEW_ROWS = 3; // fewer rows need no sorting
+const FEW_ROWS = 3; // a table of up to this many rows cannot be sorted
 
-// How each table was sorted, by label, so that a table that is built again keeps its order.
+// The order of each table, by its label. A table that is built again keeps its order.
 const orders = new Map();
 
-// Only the first row of a group shows a value. In the other rows screen readers read it, and sorted tables show it.
+// Only the first row of a group shows a value. Screen readers read it in the other rows too, and sorted tables show it.
 export const said = (first, node) => {
   if (!first) node.classList.add('again');
   return node;
 };
 
-// Smallest first, or largest first with `down`. Items without a value always come last.
+// Sorts from the smallest value, or from the largest with `down`. Items without a value always come last.
 export function sortedBy(items, valueOf, down) {
   const direction = down ? -1 : 1;
   const compare = (a, b) => (typeof a === 'number' && typeof b === 'number' ? a - b : String(a).localeCompare(String(b), 'en', { numeric: true }));
@@ -24,7 +24,7 @@ export function sortedBy(items, valueOf, down) {
 
 const POWERS = '\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079';
 
-// The number at the start of a text as the page writes it: "−1.20·10⁻³ kN", "> 1000 %".
+// Reads the number at the start of a text as the page writes it: "−1.20·10⁻³ kN", "> 1000 %".
 function numberIn(text) {
   const found = /^[\s>\u00b1+]*(-?\d+(?:\.\d+)?)(?:\u00b710(\u207b?)([\u2070\u00b9\u00b2\u00b3\u2074-\u2079]+))?/.exec(text.replace(MINUS, '-'));
   if (!found) return null;
@@ -32,7 +32,7 @@ function numberIn(text) {
   return Number(found[1]) * 10 ** (found[2] ? -power : power);
 }
 
-// The value that sorts a cell: its data-sort if it has one, else its text without small print.
+// The value by which a cell is sorted: its data-sort if it has one, otherwise its text without small print.
 function valueIn(cell, { number, size }) {
   if (!cell || cell.colSpan > 1) return null;
   const parts = [...cell.childNodes].filter((node) => node.nodeName !== 'SMALL');
@@ -43,7 +43,7 @@ function valueIn(cell, { number, size }) {
   return size && value !== null ? Math.abs(value) : value;
 }
 
-// The first press on a head sorts upwards, the second downwards, and the third restores the table's own order.
+// The first press on a heading sorts upwards, the second downwards, and the third restores the table's own order.
 function sortHeads(body, columns, heads, { label, order, follow, byItem }) {
   const written = [...body.rows],
     keys = columns.map(keyOf);
@@ -77,8 +77,8 @@ export function keyOf({ title, unit = '' }, place = 0, columns = [{ title, unit 
   return columns.findIndex((column) => name(column) === own) === place ? own : own + '\n' + place;
 }
 
-// columns: [{title, unit, number, pinned, by, size}]; rows: [{cells: [text or node], className, foot}]. `by` gives the
-// sort key of an item; `size` sorts by magnitude; `sorts`: false for rows in a fixed order; `follow` gets a new order.
+// columns: [{title, unit, number, pinned, by, size}]; rows: [{cells: [text or node], className, foot}]. `by` returns an
+// item's sort key; `size` sorts by magnitude; without `sorts` the order is fixed; `follow` is called with a new order.
 export function table(columns, rows, label, { sorts = rows.length > FEW_ROWS, order, follow, items = [] } = {}) {
   const align = (column) =>
     [
@@ -114,7 +114,7 @@ export function table(columns, rows, label, { sorts = rows.length > FEW_ROWS, or
     foot.length > 0 ? element('tfoot', {}, ...foot) : null,
   );
   if (sorts) sortHeads(body, columns, head, { label, order, follow, byItem: items });
-  // tabindex makes it focusable, so that the keyboard can scroll it.
+  // tabindex makes the table focusable, so that the keyboard can scroll it.
   return element('div', { class: rows.length > 60 ? 'scroll long' : 'scroll', tabindex: '0', role: 'region', 'aria-label': label }, whole);
 }
 
@@ -140,7 +140,7 @@ function rowOfColumns(row, places) {
   return copy;
 }
 
-// Paper does not scroll: the columns of a wider table are printed in parts, each part after the first column.
+// Paper does not scroll, so a table wider than the paper is printed in parts. Every part repeats the first column.
 export function partTables() {
   for (const whole of document.querySelectorAll('.scroll > table')) {
     const room = whole.parentNode.clientWidth;

@@ -48,13 +48,13 @@ export const printed = (value, { decimals, significant: digits }) =>
 
 export const capitalised = (text) => text[0].toUpperCase() + text.slice(1);
 
-// At the head of a column: a word gets a capital, a symbol stays as it is.
+// Capitalises a word at the head of a column. A symbol stays as it is.
 export const atTheHead = (title) =>
   /^[a-z]{4}/.test(title) ? capitalised(title) : title.replace(/-$/, MINUS);
 
 export const trimmed = (value) => typeset(String(Number(value.toPrecision(4))));
 
-// "N/m^3" -> "N/m³"
+// Writes "N/m^3" as "N/m³".
 export const unitText = (unit) =>
   (unit === '' || unit === '1' ? '-' : unit).replace(/\^\(?(-?\d+(?:\.\d+)?)\)?/g, (all, power) =>
     power.includes('.') ? all : superscript(power),
@@ -74,7 +74,7 @@ export const spanText = (values, digits, text = fixed) => {
   return low === high ? low : low + ' to ' + high;
 };
 
-// "0.15 to 0.2 kN/mm", with as many digits as the two numbers need to differ, at least three.
+// "0.15 to 0.2 kN/mm": at least three significant digits, and as many as the two numbers need to differ.
 export function rangeText([low, high], unit) {
   for (let digits = 3; digits < 7; ++digits)
     if (low === high || significant(low, digits) !== significant(high, digits))
@@ -106,7 +106,7 @@ export function enumerate(names, most = 5) {
 export const sentence = (text) => text.replace(/(\d) %/g, '$1' + THIN + '%');
 export const count = (number, noun) => number + ' ' + noun + (number === 1 ? '' : 's');
 
-// One factor 1000^n and one number of decimals for all numbers of a row, so that their decimal points line up. The
+// Gives all numbers of a row one factor 1000^n and one number of decimals, so that their decimal points line up. The
 // largest is printed with four significant digits. From 0.01 to 10,000 the factor is 1.
 export function rowFormat(values) {
   const largest = Math.max(0, ...values.filter(isNumber).map(Math.abs));

@@ -30,7 +30,7 @@ export const objectiveRelativeFigure = {
   draw: drawRelative,
 };
 
-// A converged search has only rounding as its standard deviation. Smaller values are drawn at this value.
+// The runs of a converged search differ only by rounding. Smaller standard deviations are drawn at this value.
 const LEAST_SPREAD = 1e-9;
 
 const spreadEntries = () =>

@@ -5,7 +5,7 @@ import { choose, chosen, laws, numberText, placeChooser, quantityOf, study, unit
 
 const KINDS = { draw: ['draw of the lot', 'circle'], lot: ['law of the lot', 'square'], lower: ['lower bound', 'triangle-down'], upper: ['upper bound', 'triangle-up'] };
 const kindOf = ({ is }) => (Object.hasOwn(KINDS, is) ? KINDS[is] : ['tested device', 'diamond']);
-const LEAST_CONTRAST = 0.05; // the least half range of the colours, as a share of the mean displacement
+const LEAST_CONTRAST = 0.05; // the colours span at least this share of the mean displacement to both sides
 const TWISTS = ['corner_over_centre', 'corner_mm', 'centre_mm', 'rotation_mrad', 'worst_energy_share'];
 
 export const planSection = {
@@ -93,7 +93,7 @@ function plan(look) {
   const { bearings, corners, centre } = study.plan;
   const moved = laws[chosen.law].bearings.displacement_mm,
     share = laws[chosen.law].bearings.energy_share;
-  // The colours span at least this range, so that differences of a percent look small.
+  // The colour range has a minimum, so that differences of a percent look small.
   const usual = mean(moved),
     most = Math.max(LEAST_CONTRAST * usual, ...moved.map((mm) => Math.abs(mm - usual)));
   const xs = corners.map(({ x_m: x }) => x),

@@ -20,11 +20,11 @@ export const spreadText = (std) => fixed(100 * std, std < 0.0995 ? 1 : 0) + '\u2
 
 const reader = choices({
   quantity: 'isolator_mm',
-  law: 0, // in the plan and under single motions
+  law: 0, // the law shown in the plan and under single motions
   motion: 0,
   bearing: 0, // the bearing whose loop is shown
   axis: 'x',
-  laws: new Set([0]), // in the histories
+  laws: new Set([0]), // the laws shown in the histories
 });
 export const chosen = reader.chosen;
 export const choose = reader.choose;

@@ -47,7 +47,7 @@ function draw(look) {
   };
 }
 
-// The spread between laws is known only for the displacement. It is a line, since it belongs to all laws together.
+// The scatter between laws is known only for the displacement. A line shows it, since it belongs to no single law.
 function betweenLaws(look) {
   if (study.law_std_ln === null || chosen.quantity !== 'isolator_mm') return {};
   const x = 100 * study.law_std_ln;

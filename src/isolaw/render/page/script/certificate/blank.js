@@ -1,6 +1,6 @@
 import { element } from '../dom.js';
 
-// A line to fill in on the page or on paper. The page does not save it.
+// A line to fill in on the page or on paper. The page does not save the entry.
 export function blank(label, text = '') {
   return element(
     'span',

@@ -29,13 +29,13 @@ const certificateProperties = () =>
         value: (device) => reportedCycle(device)?.[key],
       }));
 
-// Quantities in which a device is an outlier of the lot. Outliers among identified laws do not belong on a certificate.
+// The quantities in which a device is an outlier of the lot. A certificate does not mention outliers of fitted laws.
 const apart = (device) =>
   lotQuantities.length > 0
     ? report.assessment.lot.outliers.filter((outlier) => outlier.device === device.name).map((outlier) => outlier.quantity)
     : [];
 
-// Conditions under which a value would differ, such as friction of the rig. The caption explains each by a letter.
+// Conditions under which a value would differ, such as friction of the rig. The caption explains their letters.
 const conditions = [...new Set(devices.flatMap((device) => device.doubts.map(({ condition }) => condition)))];
 const letter = (condition) => String.fromCharCode(97 + conditions.indexOf(condition));
 const doubtsOf = (device, quantity) =>
@@ -60,7 +60,7 @@ function certificateCaption() {
 }
 
 function certificateColumns() {
-  // A fact that all devices share is written in the certificate's head.
+  // A fact that all devices share is in the certificate's head, so it needs no column.
   const known = (key) => new Set(devices.map((device) => device[key]).filter((value) => value !== null && value !== '')).size > 1;
   const given = (key) => devices.some((device) => device[key] !== null && device[key] !== '');
   return [

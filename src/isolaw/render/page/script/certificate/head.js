@@ -112,7 +112,7 @@ function limitSentences() {
     );
 }
 
-// The word of the verdict is always beside the sentence that gives its reasons.
+// Shows the word of the verdict beside the sentence with its reasons.
 function certificateResult() {
   const { word, sentence: said } = report.result;
   if (!word) return sentence(said) + '.';

@@ -10,16 +10,16 @@ export const certificateRemarksFigure = {
   build: () => element('ul', { class: 'sentences' }, ...certificateRemarks().map((text) => element('li', {}, sentence(text)))),
 };
 
-// The signer must know the records' doubts and corrections, and what the program was told instead of finding it.
+// The signer must know the doubts about the records, the corrections, and what the user told the program about them.
 function certificateRemarks() {
-  // With fewer than `fewest` devices their names are given in place of "all devices".
+  // "all devices" replaces the list of names if the lot has at least `fewest` devices.
   const withDevices = (textsOf, fewest) => {
     const all = (names) => names.length === devices.length && names.length >= fewest;
     const found = new Map();
     for (const device of devices) for (const text of textsOf(device)) found.set(text, [...(found.get(text) ?? []), device.name]);
     return [...found].map(([text, names]) => (all(names) ? 'all devices' : enumerate(names)) + ': ' + text);
   };
-  // Readings that an option or the lot file asked for. Corrections are listed separately.
+  // How records were read where an option or the lot file said so. Corrections are listed separately.
   const told = ({ recognised, corrections }) =>
     recognised.map(({ option, sentence }) => (option ? sentence : '')).filter((text) => text && !corrections.includes(text));
   return [

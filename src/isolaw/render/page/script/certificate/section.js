@@ -11,11 +11,11 @@ export const certificateSection = {
   title: 'Certificate',
   controls: certificateControls,
   adorn: mark,
-  // The signatures follow the values, so that both are on the same printed page.
+  // The signatures come right after the values, so that both are on one printed page.
   figures: [certificateHeadFigure, certificateDevicesFigure, certificateSignatureFigure, certificateRemarksFigure, certificateBoundsFigure, certificateRecordsFigure],
 };
 
-// A certificate that must not be signed carries a mark. As a background it repeats on every printed page.
+// A certificate that must not be signed carries a mark. As a background the mark repeats on every printed page.
 function mark(section) {
   const { mark: text, mark_is_red: red } = report.result;
   if (!text) return;

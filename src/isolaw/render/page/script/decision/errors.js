@@ -7,7 +7,7 @@ const COLOURS = { behind: 'measured', 'ruled out': 'paper' };
 const colourOf = (place) => COLOURS[place] ?? TONES[purposeOf(chosen.purpose).recommendation.sure];
 const shown = () => standingsOf(purposeOf(chosen.purpose)).filter(({ error }) => isNumber(error));
 
-// A law that runs away would flatten the others, so its bar is cut at this edge. Its number is not changed.
+// Returns where the chart ends. Longer bars are cut, since one huge error would make all other bars tiny.
 function edge(bars) {
   const taken = bars.filter(({ place }) => place !== 'ruled out').map(({ error }) => error);
   const all = bars.map(({ error }) => error),

@@ -97,7 +97,7 @@ function frontCaption() {
   );
 }
 
-// The published study's points, one for each law. Only the view of the runs has them.
+// The points of the published study, one for each law. The study has numbers only for the view of the runs.
 function publishedPoints(view) {
   if (view.id !== 'runs' || report.published === null) return [];
   return report.published.laws.filter(({ number }, i, all) => all.findIndex((one) => one.number === number) === i);

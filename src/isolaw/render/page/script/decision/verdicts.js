@@ -25,7 +25,7 @@ export const verdictsFigure = { id: 'verdicts', width: 'narrow', title: '', depe
 
 const ROLES = { taken: 'most accurate', ties: 'most accurate', behind: 'not ranked', 'ruled out': 'not adequate' };
 
-// Leaves out a reason about the prediction, since the badge beside the name says it.
+// A reason about the prediction is left out, since the badge beside the law's name gives it.
 const said = (place, reason, kind) =>
   reason ? (kind === 'out-prediction' ? '' : ', ' + sentence(reason)) : place === 'behind' ? '' : ', ' + place;
 

@@ -18,7 +18,7 @@ export function cellBeside(button, key) {
   }
 }
 
-// One cell is pressed, and the tabulator reaches it. The arrow keys lead to the others.
+// Marks the button of the chosen device and parameter as pressed. The Tab key reaches it; arrow keys reach the others.
 export function markChosenCell(body) {
   if (!body) return;
   for (const button of body.querySelectorAll('td button[tabindex="0"]')) {

@@ -48,7 +48,7 @@ function profileData() {
   };
 }
 
-// Logarithmic if the values span many powers of ten (also if all are negative), else with a factor as in tables.
+// The axis is logarithmic if the values have one sign and differ by a factor above 20. Otherwise it is linear.
 function parameterAxis({ name, unit }, values) {
   const sizes = values.map(Math.abs),
     largest = Math.max(...sizes),
@@ -62,7 +62,7 @@ function parameterAxis({ name, unit }, values) {
   const start = log && sign < 0 ? [...range].reverse() : range;
   return {
     of: (value) => value / factor,
-    share: (place) => ((log ? Math.log10(place) : place) - start[0]) / (start[1] - start[0]), // as a share of the width
+    share: (place) => ((log ? Math.log10(place) : place) - start[0]) / (start[1] - start[0]), // as a share of the axis
     layout: {
       title: inFigure(symbol(name)) + plain(' [' + scaled + unitText(unit) + ']'),
       type: log ? 'log' : 'linear',

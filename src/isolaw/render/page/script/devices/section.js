@@ -9,7 +9,7 @@ import { lotStabilityFigure } from './stability.js';
 import { lotStripsFigure } from './strips.js';
 import { verdictTableFigure } from './verdicts.js';
 
-// An inspection opens with its verdict and the strips. A single device needs only its own cycles and limits.
+// The page of an inspection begins with the verdict and the strips. One device needs only its own cycles and limits.
 const ofLot = [lotFigure, ...(inspection ? [] : [lotStripsFigure]), outliersFigure, verdictTableFigure, lotStabilityFigure];
 const alone = inspection && devices.length === 1;
 

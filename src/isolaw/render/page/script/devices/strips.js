@@ -98,7 +98,7 @@ function drawStrips(look, width) {
         layout.shapes.push({
           ...whole, type: 'line', x0: at, x1: at, line: { color: look.colour(colour), width: 1.4, dash },
         });
-    // The golden ratio spreads the points over the strip's height, so that neighbours in the list do not meet.
+    // Multiples of the golden ratio spread the points over the strip's height, so that neighbours do not touch.
     const height = new Map(points.map(({ device }, k) => [device, 1.3 * ((k * 0.618034) % 1) - 0.65]));
     for (const verdict of present) {
       const some = points.filter((point) => point.verdict === verdict);
@@ -165,8 +165,8 @@ function legendOfLines(look, rows) {
   return entries;
 }
 
-// Names of outliers and of devices outside their limits. A few names are beside their marks; more are spread above the
-// strip, right of its heading.
+// Names of outliers and of devices outside their limits. Up to three names are beside their marks. More names are
+// spread in a row above the strip, to the right of its heading.
 function outlierLabels(points, quantity, range, width, height) {
   const found = points.filter(({ device, verdict }) => verdict === 'fail' || outlierOf(device, quantity)).sort((a, b) => a.value - b.value);
   const few = 3;

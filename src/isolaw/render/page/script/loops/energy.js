@@ -17,7 +17,7 @@ export const energyFigure = {
   draw: drawEnergy,
 };
 
-// The area of the drawn loop between two times, which may lie between samples; null if the record does not reach them.
+// The area of the drawn loop from one time to another, also between samples; null if the record does not reach them.
 function energy({ t, x }, F, from, to) {
   const spare = 1.5 * (t[1] - t[0]);
   if (from < t[0] - spare || to > t[t.length - 1] + spare) return null;
@@ -59,7 +59,7 @@ function totalError(cycles, place) {
   return 100 * (cycles.reduce((sum, one) => sum + one.computed[place], 0) / measured - 1);
 }
 
-// The scale ends at twice the largest measured energy, so that a law that runs away does not flatten all others.
+// The axis ends at twice the largest measured energy, so that one law with huge forces does not flatten all others.
 const highest = (cycles) => 2 * Math.max(...cycles.map(({ measured }) => measured));
 const runsAway = (cycles, place) => cycles.some(({ computed }) => computed[place] > highest(cycles));
 
@@ -101,7 +101,7 @@ function drawEnergy(look, width) {
       },
       ...fits.map(({ law }, place) => ({
         name: plain(law.name), mode: 'markers', y: cycles.map(({ computed }) => computed[place]),
-        // Side by side, because bars at the same place would hide each other.
+        // Bars at the same place would hide one another, so they are side by side.
         x: x.map((value) => value + (0.5 * (place + 1)) / (fits.length + 1) - 0.25),
         marker: { color: look.law(law), symbol: symbolOf(law), size: 8, line: { color: look.colour('paper'), width: 1 } },
         customdata: cycles.map(

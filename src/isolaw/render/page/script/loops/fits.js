@@ -34,7 +34,7 @@ export const fitCurves = (look, fits, x, hover) =>
 export const isScored = (device, time) =>
   !device.scored || device.scored.some(({ from, to }) => time >= from && time <= to);
 
-// The scale of the record's forces, wider by half on both sides. A law that runs away is cut off.
+// The range of the measured forces, wider by half on both sides. A law with larger forces is cut off.
 export function forceRange(measured, computed) {
   const low = Math.min(...measured),
     high = Math.max(...measured),

@@ -77,7 +77,7 @@ function correlationTable() {
       }),
     ],
   }));
-  // A triangle must not be sorted.
+  // The table is a triangle, so its rows must not be sorted.
   const body = table(columns, rows, 'Correlation of the parameters of ' + law.name, { sorts: false });
   body.classList.add('marks');
   return body;

@@ -64,7 +64,7 @@ function panelsCaption() {
   );
 }
 
-// A minimum width of the range: runs that end in the same place differ only in digits that nobody reads.
+// Widens a range to at least `least`, since runs that end at the same value differ only in digits that nobody reads.
 function atLeast(least, [low, high]) {
   const more = Math.max(0, least - (high - low)) / 2;
   return [low - more, high + more];
@@ -89,7 +89,7 @@ function drawPanels(look, width) {
       { factor, exponent } = rowFormat(entries.map(({ row }) => row.mean));
     const values = entries.flatMap(({ row }) => [(row.mean - (row.std ?? 0)) / factor, (row.mean + (row.std ?? 0)) / factor]);
     const range = atLeast(0.02 * Math.abs(lot / factor), paddedRange([...values, lot / factor], 0.08));
-    // It falls from bottom to top if the mean is negative.
+    // The percentage falls from the bottom of the axis to the top if the mean is negative.
     const percent = (value) => (lot !== 0 ? 100 * ((value * factor) / lot - 1) : 0);
     layout['xaxis' + x] = {
       ...abscissa, domain: [left, left + wide], anchor: 'y' + y, tickfont: { size: 10.5 }, automargin: false,
@@ -99,7 +99,7 @@ function drawPanels(look, width) {
       layout['yaxis' + right] = {
         domain: [top - panel / inner, top], anchor: 'x' + x, overlaying: 'y' + y, side: 'right',
         range: range.map(percent), nticks: 5, ticksuffix: THIN + '%', showgrid: false, zeroline: false,
-        automargin: false, tickmode: 'auto', // its ticks need not match the left axis
+        automargin: false, tickmode: 'auto', // the ticks of this axis need not match those of the left axis
       };
     const { unit } = law.parameters[place];
     const scale = [exponent !== 0 ? '10' + superscript(exponent) : '', unit && unit !== '1' ? unitText(unit) : ''].filter(Boolean).join(' ');

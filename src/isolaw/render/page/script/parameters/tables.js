@@ -147,7 +147,7 @@ function parameterTables() {
         details.open = true;
         fill();
       }
-      // Paper does not scroll: a few devices each are printed below one another, or only the means of a large lot.
+      // Paper does not scroll: each printed table has only a few devices. For a large lot it has only the means.
       details.print = () => {
         const blocks = [];
         for (let first = 0; first < usable.length; first += DEVICES_PER_PRINTED_BLOCK)

@@ -49,7 +49,7 @@ function predicted() {
     const [from, to] = [axis.of(cycles[0].first), axis.of(cycles[cycles.length - 1].last)];
     return t.map((time, i) => (time >= from && time <= to ? i : -1)).filter((i) => i >= 0);
   });
-  // All blocks are one line, with a gap between blocks.
+  // All blocks form one line of the plot. The nulls make gaps between them.
   const of = (values) => inside.flatMap((places) => [...places.map((i) => values[i]), null]);
   return { device, blocks, fits: fits.map((one) => ({ ...one, force: of(one.force) })), t: of(t), x: of(x), F: of(F) };
 }

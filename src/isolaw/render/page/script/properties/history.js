@@ -9,7 +9,7 @@ export const cycleHistoryFigure = {
   id: 'cycle-history',
   title: 'Displacement history with blocks and cycles',
   depends: ['tested'],
-  // Not needed with a single block: the loops, coloured from first to last, show the same.
+  // An inspection with one block for each device needs no history: its loops, coloured by cycle, show as much.
   wanted: () => chosen.tested !== null && !(inspection && devices.every((device) => device.blocks.length === 1 || device.status !== 'ok')),
   caption: cycleHistoryCaption,
   csv: rawData,

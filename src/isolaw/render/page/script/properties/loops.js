@@ -78,7 +78,7 @@ function drawCycles(look, width) {
   const extent = (values) => values.reduce(([a, b], v) => [Math.min(a, v), Math.max(b, v)], [Infinity, -Infinity]);
   const [left, right] = extent(xs),
     [low, high] = extent(ys);
-  const tail = labels.length > 0 ? 52 : 0; // room for the numbers at the right
+  const tail = labels.length > 0 ? 52 : 0; // room for the cycles' numbers at the right
   const wide = right - left || 1,
     tall = high - low || 1;
   const xRange = [left - 0.04 * wide, right + 0.04 * wide + (tail / (plotWidth - tail)) * 1.08 * wide],

@@ -1,4 +1,4 @@
-// The colour of a cycle by its place between the first one, 0, and the last, 1.
+// Plotly's colour scale for cycles, from the first cycle of a block, 0, to the last, 1.
 export function cycleScale(look) {
   const stops = ['first', 'middle', 'last'].map((name) =>
     [1, 3, 5].map((i) => parseInt(look.colour('cycle-' + name).slice(i, i + 2), 16)),

@@ -21,7 +21,7 @@ export const stabilityFigure = {
 
 function stabilityCaption() {
   const device = devices[chosen.tested];
-  // A caption has room for a few blocks. If there are more, it describes the reported one.
+  // A caption has room for three blocks. If there are more, it describes only the block of the reported cycle.
   const blocks = chosenBlocks(device);
   const said = (blocks.length > 3 ? blocks.filter((block) => block.number === device.reported?.block) : blocks)
     .map((block) => {

@@ -89,7 +89,7 @@ function commandLine() {
   const button = element('button', { type: 'button', class: 'action screen' }, 'Copy');
   button.addEventListener('click', () => {
     getSelection().selectAllChildren(code);
-    // Without a secure context the browser cannot copy; the command remains selected for Ctrl-C.
+    // A browser copies only from a secure address. On others the command stays selected for Ctrl-C.
     navigator.clipboard?.writeText(report.command).then(() => (button.textContent = 'Copied'), () => {});
   });
   return element('div', { class: 'command-line' }, code, button);
