@@ -155,8 +155,7 @@ struct Located {
   double value = infinity;  // sum of weight * |residual|
 };
 
-// One descent: approach() finds a valley, settle() its floor, both first on the outline; polish() finds the last
-// digits.
+// One descent: approach() finds a valley and settle() its floor, on the outline if possible. polish() adds the digits.
 class Descent {
  public:
   Descent(DeviationProblem const& problem, std::span<double const> start, double rounding = 1.0)
