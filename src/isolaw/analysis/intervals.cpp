@@ -59,8 +59,7 @@ double density_at_zero(Vector const& residuals, Index fitted) {
 }
 
 // Computes H of intervals.hpp. The weight of a sample is the density of its residual at zero, estimated from
-// neighbouring samples. Its own residual would say nothing where the fit passes through the few samples that decide on
-// a parameter.
+// its neighbours. Its own residual would say nothing if few samples decide on a parameter, since the fit meets these.
 Matrix curvature(Sensitivity const& response) {
   Vector const size = local_size(response.residuals);
   double const density = density_at_zero(response.residuals.cwiseQuotient(size), response.jacobian.cols());

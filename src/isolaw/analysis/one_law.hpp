@@ -23,8 +23,7 @@ struct OneLaw {
 };
 
 // The parameters of least mean objective over the devices. Descents start from up to twelve of the devices' own optima
-// and from their median. optima[device] holds all parameters. nullopt if interrupted or if a force is not finite at all
-// starts.
+// and from their median. optima[device] holds all parameters. nullopt if interrupted or if no start has finite forces.
 std::optional<OneLaw> least_mean(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,
                                  std::span<std::vector<double> const> optima, Interrupted const& interrupted = {});
 
