@@ -30,17 +30,15 @@ struct BuildingInput {
   std::filesystem::path file = {};         // path of a building file; isolaw building --template writes one
   std::string text = {};                   // contents of a building file; if given, `file` is not read
   std::vector<GroundMotion> motions = {};  // if given, these replace the motions in the file
-  std::vector<std::pair<std::string, std::string>> settings =
-      {};  // replace keys of [building], for example {"draws", "200"}
+  std::vector<std::pair<std::string, std::string>> settings = {};  // replace keys of [building]: {"draws", "200"}
 };
 
 struct BuildingOptions {
   int jobs = 0;                                         // number of threads; 0 for one per core
   std::optional<std::filesystem::path> directory = {};  // for runs and reports; if empty, none are kept
   bool fresh = false;                                   // discards a study that the directory holds
-  std::function<void(std::size_t done, std::size_t total)> progress =
-      {};                                  // counts analyses; called by one thread at a time
-  std::function<bool()> interrupted = {};  // called between analyses, from any thread
+  std::function<void(std::size_t done, std::size_t total)> progress = {};  // in analyses; one thread at a time calls it
+  std::function<bool()> interrupted = {};                                  // called between analyses, from any thread
 };
 
 // The nominal building under one motion, by the implicit integrator. All vectors have one element per time step.
@@ -71,9 +69,8 @@ class Building {
   std::shared_ptr<StudiedBuilding const> study_;
 };
 
-// The directory gets the same files, byte by byte, as from the command with these settings, motions and campaign,
-// however many threads help. Throws Error for a wrong building, a law that was not analysed, or another study in the
-// directory.
+// The directory gets the same bytes as from the command with these settings, motions and campaign, however many threads
+// help. Throws Error for a wrong building, a law that was not analysed, or another study in the directory.
 Building study_building(BuildingInput const& input, campaign::Contents const& contents,
                         BuildingOptions const& options = {});
 
