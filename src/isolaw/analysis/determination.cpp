@@ -101,7 +101,7 @@ class Examination {
     return best_[k] <= fit::bound_tolerance || best_[k] >= 1.0 - fit::bound_tolerance;
   }
 
-  // Finds parameters without effect on the force. For the others, decomposes the effect of relative changes.
+  // Finds parameters without effect on the force, and the singular values for relative changes of the remaining ones.
   void look_around() {
     auto const response = sensitivity(problem_, best_);
     result_.evaluations += static_cast<int>(2 * free_.size() + 1);

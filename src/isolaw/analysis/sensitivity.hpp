@@ -11,7 +11,7 @@
 namespace isolaw::analysis {
 
 struct Sensitivity {
-  num::Vector residuals, weights;  // of the samples whose weight is above 0
+  num::Vector residuals, weights;  // only for samples with a weight above 0
   num::Matrix jacobian;            // samples x free parameters, by coordinates of the unit box
 };
 

@@ -16,9 +16,9 @@ struct FittedLaw {
   std::vector<double> parameters;  // in the law's order and units
   laws::Integration integration = laws::Integration::converged;
   laws::TurningPoints turning_points = laws::TurningPoints::as_sampled;
-  int refinement = 1;         // integration steps per sample that the fit used
-  double dead_band_mm = 0.0;  // FitRecord::dead_band_mm; for a lot the largest of all devices
-  study::Ranges ranges = {};  // of displacement and velocity, in the records that the law was fitted to
+  int refinement = 1;                          // integration steps per sample that the fit used
+  double dead_band_mm = 0.0;                   // FitRecord::dead_band_mm; for a lot the largest of all devices
+  study::Ranges ranges = {};                   // displacements and velocities in the records that the law was fitted to
   std::optional<fit::AsSprings> springs = {};  // the springs around the circle that were fitted to the same records
   std::string part = {};                       // the part of the tests that the law was fitted to; empty for all
 };

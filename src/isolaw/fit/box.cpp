@@ -223,7 +223,7 @@ laws::RecordScales scales_of(data::FitRecord const& record, laws::LawInfo const&
   for (double const value : at_zero) strength += std::abs(value) / static_cast<double>(at_zero.size());
   if (!(strength > 0.02 * force)) strength = 0.25 * force;  // no crossing of zero, or hardly any dissipation
 
-  double work = 0.0;  // over the samples that are not scored too, because a law's state accumulates work there as well
+  double work = 0.0;  // over all samples, scored or not, because a law's state accumulates all work
   for (std::size_t i = 1; i < x.size(); ++i) work += 0.5 * (f[i] + f[i - 1]) * (x[i] - x[i - 1]);
   if (!(work > 0.1 * force * disp)) work = force * disp;
 

@@ -36,7 +36,7 @@ Override parse_override(std::string_view text);
 struct SearchParameter {
   std::string name, unit;
   bool free = true;
-  double value = 0.0;                       // of a fixed parameter
+  double value = 0.0;                       // if the parameter is fixed
   std::optional<std::size_t> tied_to = {};  // index of the parameter whose value this one takes; it is then not free
   double lower = 0.0, upper = 0.0;
   laws::Scale scale = laws::Scale::linear;
@@ -54,10 +54,9 @@ struct SearchBox {
   void expand(std::span<double const> point, std::span<double> values) const;
 };
 
-// Returns the box with logarithmic scales for free intervals of one sign whose ends differ by a factor of at least
-// `wide_interval`, and for parameters for which the law asks for such a scale. On a linear scale, 90 % of a wide
-// interval is its last decade. A scale that ends at zero covers six decades; a scale that spans zero covers six on each
-// side.
+// Returns the box with logarithmic scales for free parameters whose interval does not span zero, if its ends differ by a
+// factor of `wide_interval` or more or the law asks for such a scale. On a linear scale, 90 % of a wide interval is its
+// last decade. A scale that ends at zero covers six decades; a scale that spans zero covers six on each side.
 inline constexpr double wide_interval = 100.0;
 SearchBox on_logarithmic_scales(SearchBox box, laws::LawEntry const& law);
 // A value counts as at the bound if its distance from the bound is at most this share of the interval on its scale.

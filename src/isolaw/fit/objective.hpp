@@ -92,7 +92,7 @@ class LawOnRecord {
 
   std::span<double const> residual_weights() const { return share_; }  // objective = sum of weight * |residual|
   std::size_t samples() const { return measured_.size(); }
-  double spread_kN() const { return spread_ * law().info.force.in_record_units; }  // of the measured force
+  double spread_kN() const { return spread_ * law().info.force.in_record_units; }  // std of measured force
 
   std::vector<double> force_kN(std::span<double const> parameters) const { return motion_.force_kN(parameters); }
 

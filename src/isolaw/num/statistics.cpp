@@ -12,7 +12,7 @@ constexpr double mad_to_std = 1.4826;  // standard deviation / MAD of a normal d
 
 struct Deviations {
   double mean = nan;
-  double sum_of_squares = nan;  // of the deviations from the mean
+  double sum_of_squares = nan;  // sum of (value - mean)^2
 };
 
 // Two-pass algorithm of Chan, Golub and LeVeque 1983: the sum of the deviations corrects the mean and the squares.

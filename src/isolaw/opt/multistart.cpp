@@ -49,10 +49,10 @@ constexpr double bold_share = 0.9, cautious_share = 0.1;
 // Trial steps in an iteration: one full block of candidates, since half a block costs as much (docs/performance.md).
 constexpr std::size_t tried = 8;
 constexpr double damping_ratio = 20.0;  // trial steps use 1/20, 1, 20 and 400 times the present damping
-constexpr double damping_rise = 1e4;    // factor if all trial steps failed; above 400, the largest of them
+constexpr double damping_rise = 1e4;    // factor if all trial steps failed; beyond the 400 just tried
 constexpr int rises = 4;                // attempts in an iteration; they raise usual_damping beyond most_damping
 constexpr double usual_damping = 1e-2;
-constexpr double most_damping = 1e8;                        // steps then follow the gradient and are very short
+constexpr double most_damping = 1e8;                        // steps damped this much follow the gradient and are short
 constexpr double least_carried = 1e-9, most_carried = 1e6;  // limits of the damping that the next iteration starts with
 constexpr double least_curvature = 1e-9;  // relative to the largest curvature; for coordinates without effect
 
@@ -66,14 +66,14 @@ constexpr std::ptrdiff_t part_when_agreed = 3;  // a third of the starts suffice
 // hit it. For law abe on a measured record, 8 of 300 searches missed the best point with 72 starts, 2 with 96 (logged).
 constexpr double close = 10.0;  // in hit tolerances
 constexpr double ragged = 0.5;
-constexpr std::ptrdiff_t more_when_ragged = 3;  // a third more starts
+constexpr std::ptrdiff_t more_when_ragged = 3;  // if ragged, a third more starts
 // With more parameters than this, hops find better valleys at a quarter of the cost of scattered starts (logged).
 constexpr std::size_t wide = 14;
 constexpr double more_when_wide = 2.5;  // factor on the starts, half of which are hops: 180 instead of 72
 // Gives up descents that are above this multiple of the best value after the approach. Settling gains less than half.
 constexpr double promising = 1.5;
 constexpr double least_power_of_hop = -1.5, most_power_of_hop = -0.3;  // 0.03 to 0.5 of the box, to leave a valley
-constexpr double least_power_of_last_hop = -2.0, most_power_of_last_hop = -0.5;  // 0.01 to 0.3, to stay in it
+constexpr double least_power_of_last_hop = -2.0, most_power_of_last_hop = -0.5;  // 0.01 to 0.3, to stay in a valley
 
 constexpr double sharp = 0.2;  // in hit tolerances; on a smooth floor half of the hits are this close
 // Number of best ends to polish on a ragged floor. With only one, 3 of 29 logged searches ended 0.1 % too high.
@@ -82,7 +82,7 @@ constexpr double near_enough = 2.0;       // in hit tolerances; ends farther fro
 constexpr double worth_polishing = 1.01;  // largest value after the approach, as a multiple of the best value
 constexpr int hops_in_vain = 10, most_last_hops = 40;  // largest number of hops in a row without gain, and of all hops
 constexpr double gain_of_last_hop = 0.1;               // in hit tolerances; smaller gains count as none
-constexpr double absolute_tolerance = 1e-9;            // of a hit, if the best value is zero
+constexpr double absolute_tolerance = 1e-9;            // tolerance of a hit if the best value is zero
 
 }  // namespace tuning
 

@@ -1,4 +1,4 @@
-// What an optimiser requires of the problem that it minimises, and the result of a search.
+// The interface of a problem that optimisers minimise, and the result of a search.
 #pragma once
 
 #include <cstddef>

@@ -142,7 +142,7 @@ std::optional<StepsNeeded> steps_needed(Subject const& subject, Form const& form
   if (!(energy > 0.0)) return std::nullopt;
   for (int steps = 20; 2 * steps <= finest; steps *= 2) {
     auto const [x, f] = replayed(steps);
-    // Both sums of work use the same points, because a sum over few points has an error of its own.
+    // The work of both replays is summed over the same points, because a sum over few points has an error of its own.
     std::vector<double> there;
     for (std::size_t i = 0; i < fine.f.size(); i += static_cast<std::size_t>(finest / steps))
       there.push_back(fine.f[i]);

@@ -45,8 +45,8 @@ struct StepsNeeded {
 std::optional<StepsNeeded> steps_needed(Subject const& subject, Form const& form);
 
 // Two springs at right angles, moved around a circle of the tested amplitude. `force` is their largest resultant / the
-// peak force of one spring along its axis. `energy` is their work in a turn / (pi/2 * the work of one spring in a
-// cycle). A coupled bearing of constant strength has 1 for both.
+// peak force of one spring along its axis. `energy` is their work in a turn / (pi/2 * the work of one spring in a cycle):
+// the divisor is the work of a coupled bearing of constant strength.
 struct TwoSprings {
   double force = 0.0, energy = 0.0;
 };

@@ -138,7 +138,7 @@ laws::Canonical canonical(laws::LawEntry const& law, std::span<double const> par
   return form;
 }
 
-// Tells why no OpenSees material has these limit curves; "" if one has them.
+// Tells why no OpenSees material has these limit curves; "" if a material has them.
 std::string no_material_of(laws::LawEntry const& law, laws::LimitCurvesForm const& v) {
   auto const &up = v.loading, &down = v.unloading;
   if (up.sigmoid != 0.0 || down.sigmoid != 0.0)

@@ -21,7 +21,7 @@ class Material {
   virtual double force(double disp) = 0;
 };
 
-// What exports write for the bearing's option -iter. OpenSees would otherwise stop after 25 iterations.
+// Values of the bearing's option -iter. Without the option OpenSees stops after 25 iterations.
 inline constexpr int bearing_iterations = 100;
 inline constexpr double bearing_tolerance = 1e-9;
 

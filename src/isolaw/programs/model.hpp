@@ -32,7 +32,7 @@ struct Model {
   std::string layout;  // path of the layout file
   std::vector<ModelBearing> bearings;
   double weight_kN = 0.0, x_mm = 0.0, y_mm = 0.0, gyration_mm = 0.0;  // weight that the isolators carry, and its centre
-  std::string weight_from, centre_from, gyration_from, K_v_from;      // where these values come from
+  std::string weight_from, centre_from, gyration_from, K_v_from;      // sources of weight, centre, gyration and K_v
   std::vector<data::GroundMotion> motions;                            // along x, and along y if there is a second
   double scale = 1.0;
   // draws[draw][bearing] are parameters of the law. If empty, the bounds are analysed.

@@ -1,4 +1,4 @@
-// What the Tcl and the Python text of a model have in common.
+// The content of a model that its Tcl script and its Python module share.
 #pragma once
 
 #include <string>
@@ -16,12 +16,12 @@ Realised const& form_of_model(Realisation const& realisation);
 // Adds a form for every bearing of every draw. If a substitute is exported, it is fitted to each draw. Throws Error for
 // the first bearing whose law the program cannot give. Returns the worst deviation of a form from its law.
 Deviation add_draws(Realisation& realisation, Subject const& subject);
-std::string drawn_variant(std::size_t draw, std::size_t bearing);  // both count from 1: "draw_3_12"
+std::string drawn_variant(std::size_t draw, std::size_t bearing);  // draw and bearing from 1: "draw_3_12"
 
 // The model's numbers, in the units of the exported file.
 struct ModelNumbers {
   bool coupled = false;
-  std::string function;  // of the script that makes an isolator: "bearing" or "material"
+  std::string function;  // makes an isolator in the script: "bearing" or "material"
   double gravity = 0.0, mass = 0.0, inertia = 0.0, x = 0.0, y = 0.0, weight = 0.0;
   struct One {
     std::string name;

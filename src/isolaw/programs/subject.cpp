@@ -19,7 +19,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// The motion of a device's record: its samples and, if turning points are interpolated, those too.
+// The motion of a device's record: its samples and, if `interpolated`, the turning points between samples.
 History history_of(campaign::Device const& device, laws::TurningPoints turning_points) {
   auto const& record = device.record;
   auto const path = turning_points == laws::TurningPoints::interpolated

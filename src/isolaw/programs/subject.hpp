@@ -1,4 +1,4 @@
-// What is exported: one law of a campaign with its parameters for a device or for the lot.
+// The subject of an export: one law of a campaign with its parameters for a device or for the lot.
 #pragma once
 
 #include <optional>
@@ -74,7 +74,7 @@ struct Subject {
   Bounds bounds;
   std::uint64_t seed = 1;
   int refinement = 1;
-  double dead_band_mm = 0.0;                               // of the record; for a lot the largest
+  double dead_band_mm = 0.0;                               // from the record; for a lot the largest
   std::optional<double> K_eff_kN_per_mm, damping_percent;  // measured values of the device, or the lot's mean
   double design_disp_mm = 0.0;                             // amplitude of the reported cycle
   std::vector<std::string> beyond;  // sentences about the law beyond the tests (away.hpp), in `units` of make_subject()

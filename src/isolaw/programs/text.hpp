@@ -1,4 +1,4 @@
-// What exported texts have in common: safe names, numbers, and the facts that every export states.
+// Helpers for exported texts: safe names, numbers, and the facts that every export states.
 #pragma once
 
 #include <string>
@@ -32,7 +32,7 @@ struct Fact {
 inline constexpr std::string_view export_licence = "MIT-0",
                                   export_licence_text =
                                       "use, change and pass on what isolaw wrote here as you like; no notice is needed";
-// What an export states about itself. `program` is the target's name as users know it.
+// The facts that an export states about itself. `program` is the target's name as users know it.
 std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, UnitSystem const& units,
                         std::string_view program, bool one_factor = false);
 std::vector<Fact> facts_of_the_law(Subject const& subject, UnitSystem const& units, std::string_view program,
