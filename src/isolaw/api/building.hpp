@@ -37,7 +37,7 @@ struct BuildingOptions {
   int jobs = 0;                                         // number of threads; 0 for one per core
   std::optional<std::filesystem::path> directory = {};  // for runs and reports; if empty, none are kept
   bool fresh = false;                                   // discards a study that the directory holds
-  std::function<void(std::size_t done, std::size_t total)> progress = {};  // in analyses; one thread at a time calls it
+  std::function<void(std::size_t done, std::size_t total)> progress = {};  // counts analyses; one caller at a time
   std::function<bool()> interrupted = {};                                  // called between analyses, from any thread
 };
 

@@ -44,7 +44,7 @@ struct StudiedBuilding {
   building::Layout layout;
 };
 
-// A quantity for each [law][draw][motion]. Throws Error for an unknown quantity.
+// The values of a quantity of building.json, as [law][draw][motion]. Throws Error for an unknown quantity.
 std::vector<double> peaks_of(StudiedBuilding const& studied, std::string_view quantity);
 // Computes the runs that the directory does not hold (all without a directory) and writes the reports. The files are
 // the same, byte by byte, as from the command, whatever the number of threads. Throws Error for a building that cannot

@@ -54,8 +54,8 @@ struct SearchBox {
   void expand(std::span<double const> point, std::span<double> values) const;
 };
 
-// Returns the box with logarithmic scales for free parameters whose interval does not span zero, if its ends differ by a
-// factor of `wide_interval` or more or the law asks for such a scale. On a linear scale, 90 % of a wide interval is its
+// Returns the box with logarithmic scales for free parameters whose interval does not span zero, if its ends differ by
+// a factor of `wide_interval` or more, or if the law asks for this. On a linear scale, 90 % of a wide interval is its
 // last decade. A scale that ends at zero covers six decades; a scale that spans zero covers six on each side.
 inline constexpr double wide_interval = 100.0;
 SearchBox on_logarithmic_scales(SearchBox box, laws::LawEntry const& law);

@@ -84,7 +84,7 @@ void check(std::vector<std::string> const& names, std::span<DeviceEstimate const
 
 struct Located {  // one device in transformed coordinates
   Vector at;
-  Matrix error;  // C_d of population.hpp
+  Matrix error;  // C_d, covariance of the fit's error
 };
 
 Located transformed(Population const& population, DeviceEstimate const& device) {

@@ -53,12 +53,12 @@ struct Population {
   std::vector<double> signs;  // sign of a logarithmic parameter, 1 or -1; 1 for others
   std::size_t devices = 0;
 
-  std::vector<double> mean;     // mu; empty if there are no devices
+  std::vector<double> mean;     // mu, the centre; empty if there are no devices
   std::vector<double> medians;  // mu transformed back to the units of the parameters
   // From here on, all members except `note` are empty if there are fewer than two devices.
-  SquareMatrix estimates;               // S
-  SquareMatrix uncertainty;             // C
-  SquareMatrix covariance;              // Sigma
+  SquareMatrix estimates;               // S, the covariance of the estimates
+  SquareMatrix uncertainty;             // C, the mean covariance of the fits' errors
+  SquareMatrix covariance;              // Sigma, the covariance between devices
   std::size_t directions = 0;           // rank of Sigma: number of directions with variance; at most devices - 1
   std::vector<Direction> undetermined;  // directions without variance, smallest ratio first
   std::vector<double> std;              // standard deviations from Sigma

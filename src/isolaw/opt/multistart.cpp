@@ -16,7 +16,7 @@
 namespace isolaw::opt {
 namespace {
 
-// Constants of the search. "(logged)": we recorded many descents and compared rules on the record (docs/performance.md,
+// Constants of the search. We logged many descents and chose the rules that did best on the log (docs/performance.md,
 // "The optimum"). Gains and distances between values are relative. Coordinates are in [0, 1].
 namespace tuning {
 
@@ -27,15 +27,15 @@ struct Stage {
   double least_gain = 0.0;   // the stage ends if it gains less over `patience` iterations at its last delta
   std::size_t patience = 4;  // several iterations, since one may gain little while a residual crosses zero
 };
-// Stops with delta at half the mean residual: the sum is still smooth, and the outline has the same valleys (logged).
+// Stops with delta at half the mean residual: the sum is still smooth, and few residuals suffice to find the valley.
 constexpr Stage approach{.smoothing = 0.5, .iterations = 25};
 // Stops at gains below the hit tolerance of 5e-4, since the end of a descent is only counted and not reported.
 constexpr Stage settle{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4};
-// Follows a descent on the outline, whose minimum is so close to that of all residuals that little remains to be done.
+// Follows a descent on fewer residuals (outline()), whose minimum is so close to the true one that little remains.
 constexpr Stage finish{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4, .patience = 3};
 // Stops when about four digits of the value are right. For sets of many descents, none of which is reported alone.
 constexpr Stage finish_briefly{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4, .patience = 2};
-constexpr double rounding_after_outline = 0.03;                // first delta after the outline, as a share of the value
+constexpr double rounding_after_outline = 0.03;  // delta after a descent on outline(), as a share of the value
 constexpr Stage polish{.smoothing = 0.003, .iterations = 60};  // for the digits that are reported
 
 constexpr double gain_worth_staying = 3e-3;  // a smaller gain makes the iteration lower delta, down to the stage's last
@@ -44,7 +44,7 @@ constexpr double fall_of_delta = 0.3;
 constexpr double noise_of_gain = 1e-6;  // error of one-sided differences; smaller gains count as none
 // With this step, curvature changes a slope by about 1e-6 and rounding by 1e-9, far less than what damping does.
 constexpr double difference_step = 1e-6;
-// Weights of the two curvatures for the bold steps. The true curvature alone would be zero if no residual is near zero.
+// Bold steps mix the true curvature with that of a parabola: the true one vanishes if no residual is near zero.
 constexpr double bold_share = 0.9, cautious_share = 0.1;
 // Trial steps in an iteration: one full block of candidates, since half a block costs as much (docs/performance.md).
 constexpr std::size_t tried = 8;
@@ -63,11 +63,11 @@ constexpr std::ptrdiff_t many_hits = 12;
 constexpr double agreeing = 0.4;                // share of hits among the scattered starts
 constexpr std::ptrdiff_t part_when_agreed = 3;  // a third of the starts suffices: 24 instead of 72
 // The valley's floor is ragged if half of the scattered starts end within ten hit tolerances of the best value, but few
-// hit it. For law abe on a measured record, 8 of 300 searches missed the best point with 72 starts, 2 with 96 (logged).
+// hit it. For law abe, 8 of 300 logged searches with 72 starts missed the best point, 2 with 96 starts.
 constexpr double close = 10.0;  // in hit tolerances
 constexpr double ragged = 0.5;
 constexpr std::ptrdiff_t more_when_ragged = 3;  // if ragged, a third more starts
-// With more parameters than this, hops find better valleys at a quarter of the cost of scattered starts (logged).
+// In more dimensions, hops found better valleys at a quarter of the cost of scattered starts in logged searches.
 constexpr std::size_t wide = 14;
 constexpr double more_when_wide = 2.5;  // factor on the starts, half of which are hops: 180 instead of 72
 // Gives up descents that are above this multiple of the best value after the approach. Settling gains less than half.
@@ -76,7 +76,7 @@ constexpr double least_power_of_hop = -1.5, most_power_of_hop = -0.3;  // 0.03 t
 constexpr double least_power_of_last_hop = -2.0, most_power_of_last_hop = -0.5;  // 0.01 to 0.3, to stay in a valley
 
 constexpr double sharp = 0.2;  // in hit tolerances; on a smooth floor half of the hits are this close
-// Number of best ends to polish on a ragged floor. With only one, 3 of 29 logged searches ended 0.1 % too high.
+// Number of best ends to polish if the hits scatter. With only one, 3 of 29 logged searches ended 0.1 % too high.
 constexpr std::size_t polished = 6;
 constexpr double near_enough = 2.0;       // in hit tolerances; ends farther from the best value are in other valleys
 constexpr double worth_polishing = 1.01;  // largest value after the approach, as a multiple of the best value
@@ -155,7 +155,7 @@ struct Located {
   double value = infinity;  // sum of weight * |residual|
 };
 
-// One descent: approach() finds a valley and settle() its floor, on the outline if possible. polish() adds the digits.
+// One descent. approach() finds a valley, settle() its floor; both use outline() if they can. polish() adds digits.
 class Descent {
  public:
   Descent(DeviationProblem const& problem, std::span<double const> start, double rounding = 1.0)
@@ -194,7 +194,7 @@ class Descent {
 
   void go(tuning::Stage const& stage) {
     using namespace tuning;
-    std::vector<double> values;  // after the iterations at the last delta
+    std::vector<double> values;  // the sum after each iteration at the stage's last delta
     for (int i = 0; i < stage.iterations; ++i) {
       auto const [before, after] = iterate();
       bool const moved = after < before;
@@ -264,7 +264,7 @@ class Descent {
     return result;
   }
 
-  std::pair<double, double> iterate() {  // smoothed sum before and after; equal if no step improved it
+  std::pair<double, double> iterate() {  // sum of sqrt(r^2 + delta^2) before and after; equal without gain
     using namespace tuning;
     auto const here = slopes();
     auto const stretch = [](std::size_t i) { return std::pow(damping_ratio, static_cast<double>(i / 2) - 1.0); };
@@ -337,7 +337,7 @@ Points latin_hypercube(std::size_t dimension, std::size_t count, num::Draws& dra
   return points;
 }
 
-// Adds normal steps to about half of the coordinates. The powers of ten limit the steps' standard deviation.
+// Adds normal steps to about half of the coordinates. Their standard deviation is a random power of ten.
 std::vector<double> disturbed(std::vector<double> x, double least_power, double most_power, num::Draws& draws) {
   double const size = std::pow(10.0, least_power + (most_power - least_power) * draws.uniform());
   for (double& coordinate : x)
@@ -426,8 +426,8 @@ class Search {
     write_cost(cost_, problem_, result_);
   }
 
-  // Threads run this before a descent is counted. It settles a descent that comes near the best value known so far.
-  // That value can only fall until the descent is counted, so that no settled end is missing then.
+  // Threads run this before a descent is counted. It settles descents that come near the best value known so far. The
+  // best value can only fall until the counting, so every descent that must be settled by then has been settled.
   FinishedDescent descent_from(std::span<double const> start) const {
     FinishedDescent result;
     Descent descent(problem_, start);

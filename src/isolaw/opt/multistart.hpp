@@ -34,7 +34,7 @@ struct MultistartOptions {
 };
 
 struct MultistartResult : SearchResult {
-  int starts = 0;  // descents made
+  int starts = 0;  // number of descents
   int hits = 0;    // number of descents that ended within the tolerance of the best value
 };
 

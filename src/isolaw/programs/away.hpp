@@ -20,7 +20,7 @@ using ForceOf = std::function<std::vector<double>(History const&)>;
 struct OtherCycle {
   double amplitude_share = 1.0, rate_share = 1.0;  // as shares of the tested amplitude and rate
   std::optional<double> energy, peak;
-  double largest() const;  // the larger magnitude of the two
+  double largest() const;  // the larger of |energy| and |peak|
 };
 // Compares cycles of a quarter, half, three quarters and all of the tested amplitude; for a rate-dependent law also one
 // at half the rate. A force that is NaN gives an infinite difference.
@@ -45,8 +45,8 @@ struct StepsNeeded {
 std::optional<StepsNeeded> steps_needed(Subject const& subject, Form const& form);
 
 // Two springs at right angles, moved around a circle of the tested amplitude. `force` is their largest resultant / the
-// peak force of one spring along its axis. `energy` is their work in a turn / (pi/2 * the work of one spring in a cycle):
-// the divisor is the work of a coupled bearing of constant strength.
+// peak force of one spring along its axis. `energy` is their work in a turn / (pi/2 * the work of one spring in a
+// cycle), where the divisor is the work of a coupled bearing of constant strength.
 struct TwoSprings {
   double force = 0.0, energy = 0.0;
 };

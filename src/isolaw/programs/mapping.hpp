@@ -41,7 +41,7 @@ struct Form {
 std::vector<Command> in_units(Form const& form, UnitSystem const& units);
 
 struct Mapping {
-  std::vector<Form> forms;  // the best first; empty if the program cannot express the law
+  std::vector<Form> forms;  // the form to use comes first; empty if the program cannot express the law
   std::string why;          // the reason if there is no form
 };
 

@@ -35,7 +35,7 @@ struct Model {
   std::string weight_from, centre_from, gyration_from, K_v_from;      // sources of weight, centre, gyration and K_v
   std::vector<data::GroundMotion> motions;                            // along x, and along y if there is a second
   double scale = 1.0;
-  // draws[draw][bearing] are parameters of the law. If empty, the bounds are analysed.
+  // Parameters of the law as draws[draw][bearing]. If empty, the analyses use the bounds of the law.
   std::vector<std::vector<std::vector<double>>> draws;
   std::uint64_t seed = 0;
   std::vector<std::string> draws_said;

@@ -50,7 +50,7 @@ inline constexpr int finer_steps = 16;
 struct Realisation {
   Fidelity fidelity = Fidelity::not_available;
   std::string explanation;      // a sentence on what is exact or why it is not
-  std::vector<Realised> forms;  // the best first
+  std::vector<Realised> forms;  // the form to use comes first
   std::string substitute;       // id of the law that was fitted instead of the subject's law; "" if none
   std::vector<double> substitute_parameters;
   std::vector<std::string> refused;         // forms that were tried, as "form: how its replay failed"

@@ -17,7 +17,7 @@
 
 namespace isolaw::programs {
 
-// A motion, point by point, and its forces. It begins at zero displacement, because programs do.
+// A motion, point by point, and its forces. It begins at zero displacement, because materials of programs do.
 struct History {
   std::string device;  // empty for the self-check's protocol
   std::vector<double> time_s, disp_mm, vel_mm_s;

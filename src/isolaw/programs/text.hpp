@@ -28,7 +28,7 @@ std::string briefly(double value);
 struct Fact {
   std::string label, text;
 };
-// isolaw is under MIT. An export contains source text of isolaw, which there needs no notice (LICENSES/MIT-0.txt).
+// isolaw is under MIT. The source text of isolaw inside an export needs no licence notice (LICENSES/MIT-0.txt).
 inline constexpr std::string_view export_licence = "MIT-0",
                                   export_licence_text =
                                       "use, change and pass on what isolaw wrote here as you like; no notice is needed";
