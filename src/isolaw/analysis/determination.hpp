@@ -35,7 +35,7 @@ struct ParameterDetermination {
   std::size_t parameter = 0;  // index among the law's parameters
   Verdict verdict = Verdict::determined;
   double lower = 0.0, upper = 0.0;              // the open range (see the top of this file), in the law's units
-  bool open_below = false, open_above = false;  // the range ends at the edge of the box and not at a risen objective
+  bool open_below = false, open_above = false;  // the range ends at the edge of the box, not at a visible rise
   Profile profile;
 };
 

@@ -223,7 +223,7 @@ template <class T>
   T const s = (m - L::all(1.0)) / (m + L::all(1.0));
   // base - base is NaN if base is not finite, else 0. GCC 12 with -fno-signed-zeros would turn base * 0 into 0.
   T const fraction = s * elementary::polynomial<T>(elementary::power_log2_terms, s * s) + (base - base);
-  // `rest` is computed from p again and not from `exponent`, so it has no rounding error of `exponent`.
+  // `rest` is computed from p and not from `exponent`, so that it lacks the rounding error of `exponent`.
   T const exponent = p * (whole + fraction);
   T const shifted = exponent + L::all(elementary::shifter);
   T const nearest = shifted - L::all(elementary::shifter);

@@ -34,7 +34,7 @@ struct GeneticOptions {             // campaign::setting_table() holds the limit
 SearchResult minimise_genetic(Problem const& problem, num::Stream const& stream, GeneticOptions const& options = {},
                               std::function<bool()> const& interrupted = {});
 
-// How the search with this history of best values ended. `interrupted` if such a search would have gone on.
+// Tells how the search with this history of best values ended: `interrupted` if it would otherwise have gone on.
 Outcome outcome_of(std::span<double const> history, GeneticOptions const& options);
 // Roulette weights exp(-pressure v / worst finite v) of the values v. Values that are not finite get 0. If the worst
 // value is 0, all finite values get 1. If some values are negative, all are measured from the smallest.

@@ -38,7 +38,7 @@ constexpr Stage finish_briefly{.smoothing = 0.01, .iterations = 80, .least_gain 
 constexpr double rounding_after_outline = 0.03;  // delta after a descent on outline(), as a share of the value
 constexpr Stage polish{.smoothing = 0.003, .iterations = 60};  // for the digits that are reported
 
-constexpr double gain_worth_staying = 3e-3;  // a smaller gain makes the iteration lower delta, down to the stage's last
+constexpr double gain_worth_staying = 3e-3;  // after a smaller gain delta falls, down to the stage's last value
 // About half a decade, so that a few steps lead from the minimum for one delta to the minimum for the next.
 constexpr double fall_of_delta = 0.3;
 constexpr double noise_of_gain = 1e-6;  // error of one-sided differences; smaller gains count as none

@@ -1,4 +1,4 @@
-// Writes the law as a Tcl script for OpenSees. Sourcing it adds nothing to a model; its self-check makes a model.
+// Writes the law as a Tcl script for OpenSees. Sourcing it adds nothing to a model. Its self-check has its own model.
 #include <fmt/format.h>
 
 #include <ranges>

@@ -19,7 +19,7 @@ struct ModelOptions {
   std::optional<std::string> layout, mass, gyration, axial, ground_motion, ground_motion_y;
   std::optional<double> ground_motion_dt;
   double scale = 1.0;
-  int draws = 0;  // draws of all bearings' parameters; 0: analyses of the bounds
+  int draws = 0;  // number of draws of the bearings' laws; 0: analyses of the bounds
 };
 std::vector<Option<ModelOptions>> const& model_table();
 

@@ -14,7 +14,7 @@ Realised& form_of_model(Realisation& realisation);
 Realised const& form_of_model(Realisation const& realisation);
 
 // Adds a form for every bearing of every draw. If a substitute is exported, it is fitted to each draw. Throws Error for
-// the first bearing whose law the program cannot give. Returns the worst deviation of a form from its law.
+// the first bearing whose law the program cannot express. Returns the worst deviation of a form from its law.
 Deviation add_draws(Realisation& realisation, Subject const& subject);
 std::string drawn_variant(std::size_t draw, std::size_t bearing);  // draw and bearing from 1: "draw_3_12"
 

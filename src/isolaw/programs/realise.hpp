@@ -22,7 +22,7 @@ enum class Fidelity {
 };
 std::string_view name(Fidelity fidelity);
 
-// How one force differs from another, the reference.
+// The differences of a force from a reference force.
 struct Deviation {
   double largest = 0.0;                 // in percent of the reference's peak force
   std::optional<double> at_s;           // time of the largest difference; empty without time
