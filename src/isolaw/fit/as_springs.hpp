@@ -12,7 +12,7 @@
 namespace isolaw::fit {
 
 struct AsSprings {
-  std::vector<double> parameters;  // for each spring, in the law's order and units
+  std::vector<double> parameters;  // used in every spring; in the law's order and units
   // Values of Eq. (27), averaged over the records: of the law; of springs with the law's parameters; with `parameters`.
   double law = 0.0, given = 0.0, fitted = 0.0;
 };

@@ -212,7 +212,7 @@ template <class T>
   return L::select(x < L::all(elementary::least_normal), L::all(elementary::not_a_number), finite);
 }
 
-// x|^p as 2^(p log2 |x|) for |p| up to 1e20. log2 |x| is kept in two parts, so that a large exponent loses no digits.
+// |x|^p as 2^(p log2 |x|) for |p| up to 1e20. log2 |x| is kept in two parts, so that a large exponent loses no digits.
 // 1e-290 is added to |x|, which is cheaper than a maximum and gives the same result at 0 and from 1e-274 on.
 template <class T>
 [[gnu::always_inline]] inline T fast_power(T const& x, T const& p) {

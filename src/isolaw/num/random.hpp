@@ -25,7 +25,7 @@ class Stream {
 };
 
 // A sequence of random numbers at the place (a, b) of a stream, for instance (generation, individual). Satisfies
-// UniformRandomBitGenerator. Distributions of its own give the same numbers with every standard library.
+// UniformRandomBitGenerator. uniform(), below() and normal() give the same numbers with every standard library.
 class Draws {
  public:
   using result_type = std::uint32_t;
