@@ -67,7 +67,8 @@ class LawOnRecord {
               laws::TurningPoints turning_points = laws::TurningPoints::as_sampled, int refinement = 1);
   LawOnRecord refined(int refinement) const;  // a copy with `refinement` steps from sample to sample
   // The law on the outline of the loop. Each sample has the weight of the samples that it stands for; the objective
-  // changes little. nullopt if more than 3/4 of the samples would remain or integration steps from sample to sample.
+  // changes little. nullopt if more than 3/4 of the samples would remain, or if samples are the steps of the
+  // integration.
   std::optional<LawOnRecord> outline() const;
   std::vector<double> on_outline(std::span<double const> shares) const;  // spreads all weights over the outline
 

@@ -1,4 +1,4 @@
-// Descriptive statistics. No function leaves a value out: if one value is not finite, the result is not finite.
+// Descriptive statistics. No function leaves a value out: a NaN makes a mean, a standard deviation or a median NaN.
 #pragma once
 
 #include <cstddef>
