@@ -29,7 +29,7 @@ Point with(Point point, std::size_t coordinate, double value) {
   return point;
 }
 
-// Computes the profiles from an optimum. If one finds a lower objective, everything starts again from that point.
+// Computes the profiles. If one of them finds a lower objective, all are computed again from the better point.
 class Examination {
  public:
   Examination(fit::LawOnRecord const& model, fit::SearchBox const& box, Point optimum, Interrupted const& interrupted)
@@ -68,7 +68,7 @@ class Examination {
     return result_;
   }
 
-  Determination nothing_determined() {  // for a law without a finite force at the given point
+  Determination nothing_determined() {  // the law has no finite force at the optimum
     for (auto const* p : free_)
       result_.parameters.push_back({.parameter = index_of(*p),
                                     .verdict = Verdict::undetermined,
@@ -84,8 +84,8 @@ class Examination {
     return static_cast<std::size_t>(&p - box_.parameters.data());
   }
 
-  // The root mean square change of the force, relative to its standard deviation, that raises the objective by `rise_`.
-  // It assumes that the residuals have a two-sided exponential distribution with the objective as their mean magnitude.
+  // The change of the force (root mean square / standard deviation of the force) that raises the objective by `rise_`,
+  // if the residuals have a two-sided exponential distribution whose mean magnitude is the objective.
   double visible_change() const { return std::max(std::sqrt(2.0 * best_value_ * rise_), rise_); }
 
   double value_at(Point const& point, int& evaluations) const {
@@ -101,7 +101,7 @@ class Examination {
     return best_[k] <= fit::bound_tolerance || best_[k] >= 1.0 - fit::bound_tolerance;
   }
 
-  // Finds the parameters without effect, and the singular values and directions for relative changes of the others.
+  // Finds parameters without effect on the force, and the singular values for relative changes of the remaining ones.
   void look_around() {
     auto const response = sensitivity(problem_, best_);
     result_.evaluations += static_cast<int>(2 * free_.size() + 1);
@@ -131,12 +131,12 @@ class Examination {
     }
   }
 
-  // Whether a change of the parameters by half would be visible if the law were linear.
+  // True if a relative change of the parameters by 50 % would change the force of a linear law visibly.
   bool is_seen(double force_change) const { return weakly_determined_within * force_change >= visible_change(); }
 
-  // Adds a direction as a trade-off if its force change is not visible. alone[i] is the force change by parameter i
-  // alone. The trade-off names at least two parameters: all with at least a tenth of the largest change, or with at
-  // least a tenth of the largest force change.
+  // Adds a direction of parameter changes to the trade-offs if it does not change the force visibly. The trade-off
+  // names at least two parameters: those with at least a tenth of the largest change, or with at least a tenth of the
+  // largest force change. alone[i] is the force change if only parameter i changes.
   void add_direction(Vector const& direction, double singular_value, std::vector<std::size_t> const& acting,
                      Vector const& alone) {
     constexpr double takes_part = 0.1;
@@ -169,7 +169,7 @@ class Examination {
     result_.trade_offs.push_back(std::move(found));
   }
 
-  // Estimates to first order how far coordinate k can go while the others make up for it, and how they follow it.
+  // Estimates how far coordinate k can move before the force changes visibly, and how the other coordinates follow.
   std::pair<double, Vector> first_order(std::size_t k) const {
     auto const column = static_cast<Index>(k);
     Matrix others(weighted_.rows(), weighted_.cols() - 1);
@@ -186,11 +186,11 @@ class Examination {
   }
 
   struct Side {
-    std::vector<std::pair<double, double>> points;  // coordinate and objective, from the optimum outwards
-    double end = 0.0;                               // coordinate where the rise is reached, or the edge of the box
-    bool open = false;                              // the rise is not reached inside the box
+    std::vector<std::pair<double, double>> points;  // coordinate and objective at each point, from the optimum outwards
+    double end = 0.0;   // coordinate where the objective has risen by rise_, or the edge of the box
+    bool open = false;  // the objective does not rise by rise_ inside the box
   };
-  struct Sides {  // both sides of a parameter's profile; the first lower objective found ends them
+  struct Sides {  // the profile of a parameter below and above the optimum; ends early at a lower objective
     Side below = {}, above = {};
     int evaluations = 0;
     Point lower_at = {};
@@ -199,7 +199,7 @@ class Examination {
     bool found_lower() const { return !lower_at.empty(); }
   };
 
-  // Returns false if a profile found a lower objective; the profiles after it are then not used.
+  // Returns false if a profile found a lower objective. The profiles of later parameters are then discarded.
   bool profile_all(bool may_restart) {
     std::vector<Sides> sides(free_.size());
     WorkAhead profiles(sides.size(), [&](std::size_t k) { sides[k] = profiled(k, may_restart); });
@@ -227,7 +227,7 @@ class Examination {
 
   Side profile_side(std::size_t k, double sign, double reach, Vector const& follow, bool may_restart,
                     Sides& sides) const {
-    constexpr double rises_shown = 4.0;  // times the rise, so that a figure shows more than the open range
+    constexpr double rises_shown = 4.0;  // in multiples of rise_, so that a figure shows more than the open range
     double const room = sign > 0.0 ? 1.0 - best_[k] : best_[k];
     Side side;
     double distance = 0.0, step = 0.5 * reach;
@@ -264,7 +264,7 @@ class Examination {
     return side;
   }
 
-  // Fits the other coordinates again, from `others`, with coordinate k held at u; returns them and the objective.
+  // Holds coordinate k at u and fits the others again, starting from `others`. Returns them and the objective.
   std::pair<Point, double> refitted(std::size_t k, double u, Point const& others, int& evaluations) const {
     Held const held(problem_, k, u);
     if (others.empty()) return {Point(), value_at({u}, evaluations)};
@@ -273,7 +273,7 @@ class Examination {
     return {std::move(found.best), found.best_value};
   }
 
-  // Finds where the rise is reached. Between two points it interpolates the root of the rise, which is nearly linear.
+  // Finds where the objective has risen by rise_. The square root of the rise, which is nearly linear, is interpolated.
   void find_end(Side& side, std::size_t k, double sign) const {
     double before_u = best_[k], before = 0.0;
     for (auto const& [u, value] : side.points) {
@@ -326,7 +326,7 @@ class Examination {
   Point best_;
   double best_value_ = 0.0;
   double rise_ = 0.0;
-  Matrix weighted_;  // the Jacobian by coordinates, each row times the root of its weight
+  Matrix weighted_;  // Jacobian by coordinates of the unit box; rows times root of the weight
   Determination result_;
 };
 

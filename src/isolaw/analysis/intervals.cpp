@@ -25,8 +25,8 @@ double quantile(std::vector<double> sorted, double probability) {
   return std::lerp(sorted[below], sorted[above], at - static_cast<double>(below));
 }
 
-// Mean size of the residuals around each sample, over an eighth of the record, since the misfit differs along it. A
-// narrower window would single out the samples that the fit passes through. The result is at least a tenth of the mean.
+// Mean size of the residuals around each sample, since the misfit varies along the record. The window is an eighth of
+// the record: a narrower one would stress samples that the fit happens to meet. At least a tenth of the overall mean.
 Vector local_size(Vector const& residuals) {
   constexpr double rounding = 1e-12;
   Index const n = residuals.size(), half = std::max<Index>(1, n / 16);
@@ -39,8 +39,8 @@ Vector local_size(Vector const& residuals) {
   return sizes;
 }
 
-// The density at zero of residuals of about unit size, by a Gaussian kernel. A fit by least absolute residuals passes
-// through as many samples as it has parameters, whatever their errors; these samples are left out.
+// Probability density at zero of residuals scaled to unit size, by a Gaussian kernel. It leaves out the smallest ones:
+// a fit by least absolute residuals meets as many samples exactly as it has parameters, whatever their errors.
 double density_at_zero(Vector const& residuals, Index fitted) {
   std::vector<double> sizes;
   for (double const r : residuals) sizes.push_back(std::abs(r));
@@ -49,7 +49,7 @@ double density_at_zero(Vector const& residuals, Index fitted) {
   auto const count = static_cast<double>(sizes.size());
   double squares = 0.0;
   for (double const size : sizes) squares += size * size;
-  // Half of a normal distribution lies within 0.6745 standard deviations. least_spread is for a record without errors.
+  // Half of a normal distribution lies within 0.6745 standard deviations. least_spread serves a record without errors.
   constexpr double least_spread = 1e-3;
   double const spread = std::max(std::min(quantile(sizes, 0.5) / 0.6745, std::sqrt(squares / count)), least_spread);
   double const width = 1.06 * spread * std::pow(count, -0.2);
@@ -58,8 +58,8 @@ double density_at_zero(Vector const& residuals, Index fitted) {
   return sum / (count * width * std::sqrt(2.0 * std::numbers::pi));
 }
 
-// Computes H. Each sample's weight is the density of its residual at zero, estimated from the samples around it. Its
-// own residual would say nothing if a few samples decide on a parameter, since the fit passes through them.
+// Computes H of intervals.hpp. The weight of a sample is the density of its residual at zero, estimated from
+// its neighbours. Its own residual would say nothing if few samples decide on a parameter, since the fit meets these.
 Matrix curvature(Sensitivity const& response) {
   Vector const size = local_size(response.residuals);
   double const density = density_at_zero(response.residuals.cwiseQuotient(size), response.jacobian.cols());
@@ -67,8 +67,8 @@ Matrix curvature(Sensitivity const& response) {
   return num::weighted_gram(response.jacobian, weights);
 }
 
-// The factor n / (n - p) on the variance, since fitting makes residuals smaller and less correlated than the errors. n
-// is the number of independent samples that the record is worth. At most 4, which doubles the intervals.
+// The factor n / (n - p) on the variance: fitting makes residuals smaller and less correlated than the errors are. n is
+// the number of independent samples that the record is worth. Limited to 4, which doubles the intervals.
 double freedom_lost(std::size_t samples, std::size_t fitted, std::vector<double> const& correlation) {
   double total = -1.0;
   for (double const c : correlation) total += 2.0 * c;
@@ -76,8 +76,8 @@ double freedom_lost(std::size_t samples, std::size_t fitted, std::vector<double>
   return independent / std::max(independent - static_cast<double>(fitted), 0.25 * independent);
 }
 
-// Computes V, the variance of the sum of weight * sign * derivatives. The correlation of two signs depends only on
-// their distance. Rejected: the products of signs themselves, which are zero if a few samples decide on a parameter.
+// Computes V of intervals.hpp, the variance of the sum of weight * sign * derivatives. The correlation of two signs is
+// taken from their distance. The actual products of signs would add up to zero if a few samples decide on a parameter.
 Matrix variance_of_score(Sensitivity const& response, std::vector<double> const& correlation) {
   Matrix const rows = response.weights.asDiagonal() * response.jacobian;
   Matrix sum = num::transposed_product(rows, rows);
@@ -88,16 +88,16 @@ Matrix variance_of_score(Sensitivity const& response, std::vector<double> const&
         num::transposed_product(rows.topRows(rows.rows() - lag), rows.bottomRows(rows.rows() - lag));
     sum += correlation[k] * (products + products.transpose());
   }
-  // With the tapered correlations a direction may get a variance below zero; it is set to zero.
+  // Because the correlations are tapered, a direction may have a variance below zero. It is then set to zero.
   Matrix const scaled = size.cwiseInverse().asDiagonal() * sum * size.cwiseInverse().asDiagonal();
   auto const eigen = num::symmetric_eigen(scaled);
   Matrix const axes = size.asDiagonal() * eigen.vectors;
   return num::product_of_transposed(axes, eigen.values.cwiseMax(0.0), axes);
 }
 
-constexpr double variance_over_box = 1.0 / 12.0;  // a uniform distribution over the unit interval
+constexpr double variance_over_box = 1.0 / 12.0;  // variance of a uniform distribution over [0, 1]
 
-// H^-1 V H^-1 in coordinates of the unit box. No direction gets more variance than a uniform distribution over the box.
+// H^-1 V H^-1 in coordinates of the unit box. A direction's variance is at most that of a uniform distribution.
 Matrix covariance_in_box(Matrix const& H, Matrix const& V) {
   auto const [values, axes] = num::symmetric_eigen(H);
   double const least = 1e-10 * std::max(values.cwiseAbs().maxCoeff(), 1e-300);
@@ -115,7 +115,7 @@ Matrix covariance_in_box(Matrix const& H, Matrix const& V) {
   return undetermined + num::product(num::product(half, V), half);
 }
 
-// The weights of one replicate: blocks are drawn until they have as many samples as there are scored ones.
+// Weights of one bootstrap replicate. Blocks of samples are drawn until they have as many samples as the record.
 std::vector<double> drawn(std::span<double const> weights, std::size_t samples, std::size_t block, num::Draws& draws) {
   std::vector<double> count(samples, 0.0);
   for (std::size_t filled = 0; filled < samples; filled += block) {
@@ -143,7 +143,7 @@ Serial serial(std::span<double const> series, double mean) {
   double const size = static_cast<double>(n), variance = covariance(0);
   constexpr double rounding = 1e-20;
   if (n < 12 || !(variance > rounding * mean * mean)) return result;
-  // `last` becomes the last lag before `in_a_row` lags whose correlation is no larger than for independent values.
+  // Finds `last`, the largest lag with a significant correlation. The search stops after `in_a_row` insignificant lags.
   auto const in_a_row = static_cast<std::size_t>(std::max(5.0, std::sqrt(std::log10(size))));
   auto const most = static_cast<std::size_t>(std::ceil(std::sqrt(size))) + in_a_row;
   double const threshold = 2.0 * std::sqrt(std::log10(size) / size);
@@ -171,7 +171,7 @@ Serial serial(std::span<double const> series, double mean) {
 std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox const& box,
                                    std::span<double const> optimum, num::Stream const& stream,
                                    IntervalOptions const& options, Interrupted const& interrupted) {
-  auto inner = box;  // in `inner`, parameters at a bound are fixed at it
+  auto inner = box;  // the box with every parameter that is at a bound fixed there
   for (std::size_t i = 0; i < box.parameters.size(); ++i) {
     auto& p = inner.parameters[i];
     if (fit::at_bound(p, optimum[i]) == fit::AtBound::no) continue;
@@ -190,7 +190,7 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
   auto const response = n > 0 ? sensitivity(problem, start) : Sensitivity();
   if (n > 0) result.evaluations += static_cast<int>(2 * n + 1);
   if (!response.residuals.allFinite()) {
-    start.assign(n, 0.5);  // the law has no force at the optimum: the intervals are the whole box
+    start.assign(n, 0.5);  // without a force at the optimum the intervals are the whole box
     covariance.diagonal().setConstant(variance_over_box);
   } else if (n > 0) {
     Vector const signs = response.residuals.array().sign();
@@ -228,7 +228,7 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
     if (!inner.parameters[i].free) {
       if (options.replicates > 0) found.bootstrap_lower = found.bootstrap_upper = optimum[i];
     } else {
-      auto const k = inside.size();  // index among the free ones of `inner`
+      auto const k = inside.size();  // index among the free parameters of `inner`
       double const reach = z * std::sqrt(covariance(static_cast<Index>(k), static_cast<Index>(k)));
       found.linear_lower = p.at(start[k] - reach);
       found.linear_upper = p.at(start[k] + reach);

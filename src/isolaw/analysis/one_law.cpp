@@ -36,7 +36,7 @@ std::vector<double> equal_shares(std::size_t devices) {
   return std::vector<double>(devices, 1.0 / static_cast<double>(devices));
 }
 
-// The median of each coordinate; for an even count the upper of the two middle values, not their mean.
+// The median of each coordinate. If the number of points is even, it is the larger of the two middle values.
 std::vector<double> median_point(std::span<std::vector<double> const> points) {
   std::vector<double> medians(points.front().size());
   std::vector<double> values(points.size());
@@ -48,7 +48,7 @@ std::vector<double> median_point(std::span<std::vector<double> const> points) {
   return medians;
 }
 
-// The law of all devices, and the optima of other devices that have the least mean over all devices but this one.
+// The starts are the parameters fitted to all devices and the three optima that suit the devices besides `device` best.
 std::vector<std::vector<double>> starts_without(Joint const& problem, fit::SearchBox const& box,
                                                 std::span<double const> parameters_of_all,
                                                 std::span<std::vector<double> const> optima, std::size_t device) {
@@ -130,7 +130,7 @@ std::optional<LeastWorst> least_worst(std::span<fit::LawOnRecord const* const> m
     for (std::size_t d = 0; d < shares.size(); ++d)
       sum += shares[d] *= std::exp(pull * (current.objectives[d] / current.worst - 1.0));
     for (double& share : shares) share /= sum;
-    // A small share remains, so that a device that has lost its weight can win it back.
+    // Keeps a small share for every device, so that a device that was fitted well can gain weight again.
     for (double& share : shares) share = 0.999 * share + 0.001 / static_cast<double>(shares.size());
     Joint const problem(models, box, shares);
     auto const found = opt::descend(problem, box.contract(current.parameters), 0.3);

@@ -1,4 +1,4 @@
-// Fits one parameter vector of a law to all devices of a lot, and computes how well it fits each of them.
+// Fits one set of parameters of a law to all devices of a lot and computes its objective on each device.
 #pragma once
 
 #include <cstddef>
@@ -11,37 +11,37 @@
 
 namespace isolaw::analysis {
 
-// The smallest box that contains the boxes of all devices. A scale that differs between devices becomes linear. Throws
-// Error unless all devices have the same parameters free and the others fixed or tied alike.
+// The smallest box that contains all given boxes. A parameter whose scale differs between devices gets a linear scale.
+// Throws Error unless all boxes have the same free parameters and fix or tie the other parameters in the same way.
 fit::SearchBox common_box(std::span<fit::SearchBox const* const> boxes);
 
 struct OneLaw {
-  std::vector<double> parameters;  // all of the law's
+  std::vector<double> parameters;  // all parameters of the law
   std::vector<double> objectives;  // one for each device
-  double mean = 0.0, worst = 0.0;  // over the objectives
-  int evaluations = 0;             // counted for each device's record
+  double mean = 0.0, worst = 0.0;  // mean and largest value of `objectives`
+  int evaluations = 0;             // each evaluation counts once for every device
 };
 
-// The law with the least mean objective, by descents from the devices' own optima (at most a dozen, evenly chosen) and
-// their median. optima[device] holds all parameters. nullopt if interrupted or no start has finite forces everywhere.
+// The parameters of least mean objective over the devices. Descents start from up to twelve of the devices' own optima
+// and from their median. optima[device] holds all parameters. nullopt if interrupted or if no start has finite forces.
 std::optional<OneLaw> least_mean(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,
                                  std::span<std::vector<double> const> optima, Interrupted const& interrupted = {});
 
-// The parameters that make the worst device as good as possible. The search starts from the parameters of least mean
-// and moves weight towards the worst device, until the weighted mean comes close to that device's objective. The least
-// weighted mean is a lower bound: no parameters bring the worst device below it, if it is the global minimum.
+// The parameters with the smallest objective on the worst device. The search starts from the parameters of least mean.
+// It gives the worst device more weight until the weighted mean is near this device's objective. A least weighted mean
+// is a lower bound: if the descent found its global minimum, no parameters bring the worst device below it.
 struct LeastWorst {
   OneLaw law;
-  double bound = 0.0;  // the largest weighted mean found, hence a lower bound for the worst device
+  double bound = 0.0;  // the largest of the least weighted means: a lower bound for the worst device
 };
 std::optional<LeastWorst> least_worst(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,
                                       OneLaw const& mean, Interrupted const& interrupted = {});
 
-// The law of least mean over all devices but one, judged on the device left out, as if that had not been tested.
-// Descents start from the law of all devices and from the optima of other devices that suit those devices best.
+// The parameters of least mean over all devices but one, tried on that device as if it had not been tested. Descents
+// start from the parameters for all devices and from the other devices' optima that suit those devices best.
 struct LeftOut {
   std::vector<double> parameters;
-  double objective = 0.0;  // on the device left out
+  double objective = 0.0;  // on the device that was left out
   int evaluations = 0;
 };
 std::optional<LeftOut> leave_out(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,

@@ -1,4 +1,4 @@
-// Minimisation problems derived from others: with other weights, with one coordinate held, or for several records.
+// Problems derived from others: with other weights, with one coordinate held at a value, or for several records.
 #pragma once
 
 #include <cstddef>
@@ -12,10 +12,10 @@
 
 namespace isolaw::analysis {
 
-// Called between the parts of long work, which is given up once it returns true.
+// Long computations call this between their parts and give up if it returns true.
 using Interrupted = std::function<bool()>;
 
-class Reweighted final : public opt::DeviationProblem {  // the same residuals with other weights, which must sum to 1
+class Reweighted final : public opt::DeviationProblem {  // a problem with other weights, whose sum must be 1
  public:
   Reweighted(opt::DeviationProblem const& base, std::vector<double> weights);
   std::size_t dimension() const override { return base_.dimension(); }
@@ -36,7 +36,7 @@ class Reweighted final : public opt::DeviationProblem {  // the same residuals w
   std::unique_ptr<Reweighted> outline_;
 };
 
-class Held final : public opt::DeviationProblem {  // the problem in the other coordinates while one is held at a value
+class Held final : public opt::DeviationProblem {  // a problem with one coordinate held at a value
  public:
   Held(opt::DeviationProblem const& base, std::size_t coordinate, double value);
   std::size_t dimension() const override { return base_.dimension() - 1; }
@@ -56,8 +56,8 @@ class Held final : public opt::DeviationProblem {  // the problem in the other c
   std::unique_ptr<Held> outline_;
 };
 
-// One parameter vector for several records; the value is the weighted mean of their objectives. `shares` sum to 1, and
-// a record whose share is 0 is not computed. There is an outline if each of the records has one.
+// One set of parameters for several records. The value is the mean of their objectives with the weights `shares`, whose
+// sum is 1. A record of share 0 is not computed. There is an outline if every record has one.
 class Joint final : public opt::DeviationProblem {
  public:
   Joint(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box, std::span<double const> shares);
@@ -74,9 +74,9 @@ class Joint final : public opt::DeviationProblem {
   void add(fit::LawOnRecord const& model, double share);
 
   fit::SearchBox const& box_;
-  std::vector<fit::LawOnRecord const*> models_;  // the records with a share above 0
+  std::vector<fit::LawOnRecord const*> models_;  // records whose share is above 0
   std::vector<double> weights_;
-  std::vector<fit::LawOnRecord> fewer_;  // the models' outlines, to which outline_ refers
+  std::vector<fit::LawOnRecord> fewer_;  // outlines of the models; outline_ refers to them
   std::unique_ptr<Joint> outline_;
 };
 

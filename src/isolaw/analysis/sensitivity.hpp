@@ -1,4 +1,4 @@
-// The derivatives of the residuals at an optimum by the free parameters. Internal to this module.
+// Derivatives of the residuals with respect to the free parameters, at an optimum. Used only inside this module.
 #pragma once
 
 #include <span>
@@ -11,14 +11,14 @@
 namespace isolaw::analysis {
 
 struct Sensitivity {
-  num::Vector residuals, weights;  // for the samples with a weight above 0
-  num::Matrix jacobian;            // samples x free parameters: derivatives by coordinates of the unit box
+  num::Vector residuals, weights;  // only for samples with a weight above 0
+  num::Matrix jacobian;            // samples x free parameters, by coordinates of the unit box
 };
 
-// By central differences inside the box. A column is zero if a neighbour has no finite force.
+// Uses central differences inside the box. The column of a parameter is zero if one of its differences is not finite.
 Sensitivity sensitivity(opt::DeviationProblem const& problem, std::span<double const> point);
 double slope(fit::SearchParameter const& parameter, double coordinate);  // d value / d coordinate of the unit box
-// Relative changes of a parameter are divided by this size: |value|. If the box spans zero or the value is 0, it is at
+// The divisor for relative changes of a parameter: |value|. If the box spans zero or the value is 0, the divisor is at
 // least a hundredth of the box's width.
 double natural_size(fit::SearchParameter const& parameter, double value);
 

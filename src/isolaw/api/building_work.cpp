@@ -16,7 +16,7 @@
 namespace isolaw {
 namespace {
 
-// The measures of every draw, row by row as in NumPy: [law][draw][motion][measure].
+// Measures of all draws as [law][draw][motion][measure], row by row as in NumPy.
 std::vector<double> measured_of_draws(building::Study const& study, building::RunStore const& store,
                                       std::size_t measures) {
   auto const cases = building::cases_of(study.file.settings);

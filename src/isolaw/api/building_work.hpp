@@ -1,4 +1,4 @@
-// A building on devices from a campaign's lot, for the command, Python and api/building.hpp. Not public: needs Eigen.
+// A building on devices from a lot, as studied by the command, Python and api/building.hpp. Not public: needs Eigen.
 #pragma once
 
 #include <cstddef>
@@ -17,19 +17,19 @@
 namespace isolaw {
 
 inline constexpr char const* building_store_name = "building.sqlite";
-// Puts a building (building::read_building, building::building_of) on bearings of a campaign's lot. A building without
-// a law takes the recommended one. `where` names the campaign in messages. Throws Error for a law not analysed.
+// Makes the study of a building file and a campaign. If the file names no law, the recommended law is taken. `where`
+// names the campaign in messages. Throws Error for a law that was not analysed.
 building::Study building_study(building::BuildingFile file, campaign::Contents const& contents,
                                std::string const& where = "the campaign");
-// The study's model. Called before anything is written. Throws Error for a building or a lot that cannot be analysed.
+// Builds the model of a study before anything is written. Throws Error if the building or the lot cannot be analysed.
 building::Model possible(building::Study const& study);
 
 struct BuildingWork {
-  int jobs = 0;                                         // threads; 0: one per core
-  std::optional<std::filesystem::path> directory = {};  // for runs and reports; empty: none are kept
-  bool fresh = false;                                   // start over if the directory holds a study
-  std::optional<campaign::Part> part = {};              // compute only this share of the runs; needs a directory
-  std::vector<building::StudyProperty> properties_of_part = {};  // stored with a part, for the answers of the whole
+  int jobs = 0;                                         // number of threads; 0 for one per core
+  std::optional<std::filesystem::path> directory = {};  // for runs and reports; if empty, none are kept
+  bool fresh = false;                                   // discards a study that the directory holds
+  std::optional<campaign::Part> part = {};              // computes only this share of the runs; needs a directory
+  std::vector<building::StudyProperty> properties_of_part = {};  // stored with a part; needed when parts are merged
   std::function<void(building::RunProgress const&)> progress = {};
   std::function<bool()> interrupted = {};
 };
@@ -37,17 +37,17 @@ struct BuildingWork {
 struct StudiedBuilding {
   building::Study study;
   bool complete = false;                     // false after an interruption
-  std::size_t runs = 0;                      // in the store
-  std::optional<building::Answers> answers;  // of a complete study that is not a part
-  // Rows of building::Layout::count() measures for the draws: [law][draw][motion]. NaN if a run gave none.
+  std::size_t runs = 0;                      // number of runs in the store
+  std::optional<building::Answers> answers;  // empty for a part and for an incomplete study
+  // building::Layout::count() measures for each [law][draw][motion]. NaN if the run gave no finite numbers.
   std::vector<double> measured;
   building::Layout layout;
 };
 
-// A quantity of every draw: [law][draw][motion]. Throws Error for an unknown quantity.
+// The values of a quantity of building.json, as [law][draw][motion]. Throws Error for an unknown quantity.
 std::vector<double> peaks_of(StudiedBuilding const& studied, std::string_view quantity);
-// Computes the runs that the directory does not hold yet (without a directory: all) and writes its reports. Store and
-// reports have the same bytes as the program's, whatever the number of threads. Throws Error for a building that cannot
+// Computes the runs that the directory does not hold (all without a directory) and writes the reports. The files are
+// the same, byte by byte, as from the command, whatever the number of threads. Throws Error for a building that cannot
 // be analysed, for another study in the directory, and for a part without a directory.
 StudiedBuilding study_building(building::Study study, BuildingWork const& options = {});
 

@@ -1,4 +1,4 @@
-// One call that fits laws to records and finishes with a campaign and its reports.
+// Fits laws to records in one call and returns a campaign; a directory also gets its reports.
 #pragma once
 
 #include <filesystem>
@@ -15,27 +15,27 @@ namespace isolaw {
 
 struct CalibrateOptions {
   campaign::RunOptions run = {};                        // threads, progress, interruption
-  std::optional<std::filesystem::path> directory = {};  // for store and reports; empty: none are kept
-  bool fresh = false;                                   // start over if the directory holds a campaign
-  std::string title = {};                               // the lot's title in its reports
-  campaign::Acceptance acceptance = {};                 // rule set and design values for the tests, see load_rules()
-  std::optional<campaign::Part> part = {};              // compute only this share, for merge(); needs a directory
+  std::optional<std::filesystem::path> directory = {};  // for store and reports; if empty, none are kept
+  bool fresh = false;                                   // discards a campaign that the directory holds
+  std::string title = {};                               // title of the lot in the reports
+  campaign::Acceptance acceptance = {};     // rule set and design values that the tests are judged by; see load_rules()
+  std::optional<campaign::Part> part = {};  // computes only this share of the runs, for merge(); needs a directory
 };
 
-struct Calibrated : campaign::Contents {  // with the differences from the directory's campaign before
+struct Calibrated : campaign::Contents {  // a campaign, and what a continued campaign added
   Continued continued = {};
 };
 
-// Loads the text of the named rule set unless it is loaded, and checks it and the design values. Throws Error.
+// Reads the named rule set if its text is empty. Throws Error if the rule set or the design values are wrong.
 void load_rules(campaign::Acceptance& acceptance);
-// Computes the missing runs and analyses of the store's campaign, whose contents are given, and writes its reports
-// beside the store, but none for a part. Returns the contents as read from the store, incomplete after an interruption.
+// Computes the runs and analyses that the store of this campaign does not hold, and writes the reports beside the store
+// (no reports for a part). Returns the contents as another program would read them; incomplete after an interruption.
 campaign::Contents finish_campaign(campaign::Contents contents, std::filesystem::path const& store,
                                    campaign::RunOptions const& options);
-// Fits `settings.laws` (the usual laws if empty) to every record, as `isolaw calibrate` does: the same settings,
-// records, names and seed give the same numbers, whatever the number of threads. After an interruption complete() is
-// false; the same call continues a campaign that has a directory. Throws Error for empty or repeated names, wrong
-// settings, no usable record, an unusable directory, and a part without a directory.
+// Fits `settings.laws` (the usual laws if empty) to every record, as the command `isolaw calibrate` does. The same
+// settings, records, names and seed give the same numbers, whatever the number of threads. After an interruption
+// complete() is false; with a directory, the same call continues the campaign. Throws Error for empty or repeated
+// names, wrong settings, no usable record, an unusable directory, and a part without a directory.
 Calibrated calibrate(std::vector<campaign::NamedRecord> records, campaign::Settings const& settings,
                      CalibrateOptions const& options = {});
 

@@ -20,7 +20,7 @@
 namespace isolaw {
 namespace {
 
-// Two builds may give different numbers, so only the build that began a campaign may continue it.
+// Lets only the build that began a campaign continue it, since two builds may give different numbers.
 void require_own(std::filesystem::path const& file, std::vector<campaign::Maker> const& makers) {
   auto const me = campaign::this_maker();
   if (std::ranges::all_of(makers, [&](auto const& maker) { return same_build(maker, me); })) return;
@@ -73,7 +73,7 @@ DirectoryLock::~DirectoryLock() {
 
 Continued open_or_create(std::filesystem::path const& file, campaign::Contents& contents, bool fresh,
                          LeftOut vertical) {
-  // A kill between the two steps loses only reports, which can be made again. Reports of another campaign never remain.
+  // Removes the old reports, then replaces the store. A kill between the two steps loses only reports of the old store.
   auto const create = [&] {
     campaign::Store::create(file, contents, [&] { render::remove_outputs(file.parent_path()); });
   };
@@ -82,9 +82,9 @@ Continued open_or_create(std::filesystem::path const& file, campaign::Contents& 
     return {};
   }
   campaign::Store::remove_unfinished(file);
-  // If an earlier process was killed, this undoes its unfinished writing and keeps the rest.
+  // Undoes what a killed process had begun to write and keeps the rest.
   if (!campaign::Store::is_plain(file)) campaign::Store::open(file).finish();
-  // A merge will read this part, and would take a file that was cut off within a page for a whole one.
+  // isolaw merge will read this part and would not notice that a page of the file is cut off.
   if (contents.part)
     if (auto const faults = campaign::Store::integrity(file); !faults.empty())
       campaign::sqlite::refuse_damaged(file.string(), faults.front());

@@ -1,4 +1,4 @@
-// The directory of a campaign: making it, locking it against other programs, and opening or beginning its store.
+// Makes and locks the directory of a campaign, and opens or creates the campaign's store in it.
 #pragma once
 
 #include <filesystem>
@@ -11,9 +11,9 @@ namespace isolaw {
 
 inline constexpr char const* store_name = "campaign.sqlite";
 
-void make_directory(std::filesystem::path const& directory);  // with its parents; throws Error
+void make_directory(std::filesystem::path const& directory);  // also makes its parents; throws Error
 
-class TemporaryDirectory {  // removed by the destructor; the constructor throws Error
+class TemporaryDirectory {  // the destructor removes it; the constructor throws Error
  public:
   TemporaryDirectory();
   TemporaryDirectory(TemporaryDirectory const&) = delete;
@@ -25,7 +25,7 @@ class TemporaryDirectory {  // removed by the destructor; the constructor throws
   std::filesystem::path path_;
 };
 
-class DirectoryLock {  // lets one process at a time work in a directory; released when the process ends, even by a kill
+class DirectoryLock {  // keeps other processes out of a directory until the object or the process ends
  public:
   explicit DirectoryLock(std::filesystem::path const& directory);  // throws Error if another process holds it
   DirectoryLock(DirectoryLock const&) = delete;
@@ -36,18 +36,18 @@ class DirectoryLock {  // lets one process at a time work in a directory; releas
   int descriptor_;
 };
 
-struct Continued {                 // how a continued campaign differs from the one that the directory held
-  std::vector<std::string> added;  // "2 devices", ...
-  std::string released;            // the rule set of the stored campaign, if the continued one has none
-  // "D01 (v.csv)" for devices whose compression test was not given again: it was kept, or the lot file dropped it.
+struct Continued {                 // how a campaign differs from the stored one that it continues
+  std::vector<std::string> added;  // for example "2 devices"
+  std::string released;            // rule set of the stored campaign if the new one has none
+  // Compression tests that are only in the store, kept or dropped, as "D01 (v.csv)" with the device's name.
   std::vector<std::string> kept_vertical, dropped_vertical;
 };
 
-// A stored compression test that is not given again stays if only records are named, and goes if a lot file omits it.
+// A compression test that is only in the store stays if the user names records, and goes if a lot file leaves it out.
 enum class LeftOut { stays, is_gone };
 
-// Copies the results of the store's campaign into `contents`. The campaign must have the same settings and inputs, and
-// the same or fewer devices, laws and runs, or Error is thrown. Starts anew if there is no store or `fresh` is true.
+// Copies the results in the store into `contents`. Throws Error if the stored settings or inputs differ; `contents` may
+// have more devices, laws and runs. Makes a new store if there is none or if `fresh` is true.
 Continued open_or_create(std::filesystem::path const& file, campaign::Contents& contents, bool fresh,
                          LeftOut vertical = LeftOut::stays);
 

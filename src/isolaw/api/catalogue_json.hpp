@@ -8,6 +8,6 @@
 namespace isolaw {
 
 std::string law_json(laws::LawEntry const& law);
-std::string catalogue_json();  // a list of all laws
+std::string catalogue_json();  // a JSON list with one object for each law
 
 }  // namespace isolaw

@@ -1,4 +1,4 @@
-// A law as a campaign fitted it, from the contents of the campaign's store.
+// Finds a law as it was fitted in a campaign.
 #pragma once
 
 #include <optional>
@@ -16,16 +16,16 @@ struct FittedLaw {
   std::vector<double> parameters;  // in the law's order and units
   laws::Integration integration = laws::Integration::converged;
   laws::TurningPoints turning_points = laws::TurningPoints::as_sampled;
-  int refinement = 1;                          // integration steps per sample in the fit
-  double dead_band_mm = 0.0;                   // FitRecord::dead_band_mm; for a lot the largest of its devices
-  study::Ranges ranges = {};                   // displacements and velocities of the records that it was fitted to
-  std::optional<fit::AsSprings> springs = {};  // the fit as springs to the same records, if there is one
-  std::string part = {};                       // the part of the tests that it was fitted to; empty: all
+  int refinement = 1;                          // integration steps per sample that the fit used
+  double dead_band_mm = 0.0;                   // FitRecord::dead_band_mm; for a lot the largest of all devices
+  study::Ranges ranges = {};                   // displacements and velocities in the records that the law was fitted to
+  std::optional<fit::AsSprings> springs = {};  // the springs around the circle that were fitted to the same records
+  std::string part = {};                       // the part of the tests that the law was fitted to; empty for all
 };
 
 using campaign::whole_lot;
 
-// The law of a device, from its best run, or of the lot if `device` is `whole_lot`. Throws Error if there is none.
+// Returns the law of a device, from its best run, or of the lot if `device` is `whole_lot`. Throws Error without a fit.
 FittedLaw fitted_law(campaign::Contents const& contents, std::string_view law, std::string_view device);
 
 }  // namespace isolaw

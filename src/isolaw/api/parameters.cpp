@@ -61,7 +61,7 @@ std::vector<NamedValue> read_toml(std::string const& text, std::string const& fi
 std::vector<NamedValue> read_json(std::string const& text, std::string const& file, laws::LawEntry const& law) {
   using Event = Json::parse_event_t;
   std::vector<Complaint> complaints;
-  std::vector<std::set<std::string>> open;  // names seen in every object that is open
+  std::vector<std::set<std::string>> open;  // for each JSON object being read, the names seen in it
   auto const watch = [&](int, Event event, Json& parsed) {
     if (event == Event::object_start) open.emplace_back();
     if (event == Event::object_end) open.pop_back();

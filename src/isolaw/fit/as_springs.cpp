@@ -12,12 +12,12 @@
 namespace isolaw::fit {
 namespace {
 
-struct Share {  // one spring, or two mirrored ones, with the factor of its force in the test's direction
+struct Share {  // one spring or two mirrored springs; `force` is their share of the force along the test
   LawOnMotion law;
   double force;
 };
 
-// The springs around the circle that represent one device, on its record. The test moves along spring 0.
+// One device as springs around the circle, moved by its record. The record's motion is along spring 0.
 class SpringsOnRecord {
  public:
   SpringsOnRecord(laws::LawEntry const& law, data::FitRecord const& record, int refinement)
@@ -28,8 +28,8 @@ class SpringsOnRecord {
     auto const [force_share, way_share] = laws::spring_shares(count);
     for (int i = 0; i < count; ++i) {
       double const along = std::cos(std::numbers::pi * i / count);
-      if (2 * i == count) continue;  // this spring is across the motion
-      // With an odd law, spring count - i gives the same force in the test's direction as spring i: it is not computed.
+      if (2 * i == count) continue;  // this spring is at right angles to the motion
+      // For an odd law, spring count - i gives the same force along the test as spring i, so spring i counts twice.
       bool const mirrored = law.info.traits.odd && i > 0;
       if (mirrored && 2 * i > count) break;
       auto motion = record;
@@ -43,7 +43,7 @@ class SpringsOnRecord {
 
   std::size_t size() const { return measured_.size(); }
   std::span<double const> weights() const { return model_.residual_weights(); }
-  double objective_of_law(std::span<double const> parameters) const {  // Eq. (27) of the law itself, without springs
+  double objective_of_law(std::span<double const> parameters) const {  // Eq. (27) for the law itself
     std::vector<double> work;
     return model_.objective(parameters, work);
   }
@@ -64,7 +64,7 @@ class SpringsOnRecord {
   double spread_ = 1.0;
 };
 
-// Finds one set of parameters for springs on all records; minimises the mean of Eq. (27) over the records.
+// Finds the springs' parameters that minimise the mean of Eq. (27) over all records.
 class SpringsProblem final : public opt::DeviationProblem {
  public:
   SpringsProblem(laws::LawEntry const& law, std::span<data::FitRecord const* const> records, SearchBox const& box,

@@ -1,5 +1,5 @@
-// Fits a law in the form of springs around the circle, as it is used in two directions (laws/springs.hpp). With the
-// law's own parameters springs keep its stiffness and strength along one direction but not its knee.
+// Fits a law as springs around the circle, the form that motions in two directions use (laws/springs.hpp). Springs with
+// the law's own parameters keep its stiffness and strength along one direction, but not the shape of its knee.
 #pragma once
 
 #include <span>
@@ -12,14 +12,14 @@
 namespace isolaw::fit {
 
 struct AsSprings {
-  std::vector<double> parameters;  // the springs', in the law's order and units
-  // Eq. (27), or its mean over the records: for the law, springs with its parameters, and springs with `parameters`.
+  std::vector<double> parameters;  // used in every spring; in the law's order and units
+  // Values of Eq. (27), averaged over the records: of the law; of springs with the law's parameters; with `parameters`.
   double law = 0.0, given = 0.0, fitted = 0.0;
 };
 
-// Descends once from the law's `parameters` inside their box, on the record that they were fitted to. The motion is in
-// the first spring's direction; integration is converged, reversals are at samples, with `refinement` steps a sample.
-// Returns `parameters` themselves if the descent does not improve on them or springs with them have no finite force.
+// Fits springs to the record by one descent from `parameters`, which were fitted to this record by the law itself,
+// inside the same box. The record's motion is along the first spring. Integration is converged, with `refinement` steps
+// a sample. Returns `parameters` unchanged if the descent finds nothing better or if such springs have no finite force.
 AsSprings fitted_as_springs(laws::LawEntry const& law, data::FitRecord const& record, SearchBox const& box,
                             std::vector<double> parameters, int refinement = 1);
 AsSprings fitted_as_springs(laws::LawEntry const& law, std::span<data::FitRecord const* const> records,

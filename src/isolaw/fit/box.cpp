@@ -12,7 +12,7 @@
 namespace isolaw::fit {
 namespace {
 
-// A logarithmic scale that ends at zero covers six decades, then goes linearly to zero; across zero, on both sides.
+// Six decades, as a natural logarithm: what a logarithmic scale that ends at zero or spans zero covers on each side.
 constexpr double decades_from_zero = 6.0 * 2.302585092994046;
 
 struct AcrossZero {  // value = linear_size sinh(c), c from asinh(lower / linear_size) to asinh(upper / linear_size)
@@ -32,7 +32,7 @@ std::optional<double> parse_number(std::string_view text) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-// The forces where the displacement passes through zero, by linear interpolation; a start at zero does not count.
+// The forces at the record's zero crossings, by linear interpolation. A first sample at zero is no crossing.
 std::vector<double> forces_at_zero(data::FitRecord const& record) {
   auto const &x = record.disp_mm, &f = record.force_kN;
   std::vector<double> forces;
@@ -61,7 +61,7 @@ std::string limits_text(laws::Interval const& limits, std::string_view unit) {
   auto const in_unit = [&](double value) {
     return unit == "1" ? fmt::format("{}", value) : fmt::format("{} {}", value, unit);
   };
-  // laws::positive starts at the smallest positive number, which means "above zero".
+  // laws::positive begins at the smallest positive number, which stands for "above zero".
   bool const above = limits.lower == laws::positive.lower, from = above || std::isfinite(limits.lower);
   bool const to = std::isfinite(limits.upper);
   if (!from && !to) return unit == "1" ? std::string("any number") : fmt::format("any number of {}", unit);
@@ -223,7 +223,7 @@ laws::RecordScales scales_of(data::FitRecord const& record, laws::LawInfo const&
   for (double const value : at_zero) strength += std::abs(value) / static_cast<double>(at_zero.size());
   if (!(strength > 0.02 * force)) strength = 0.25 * force;  // no crossing of zero, or hardly any dissipation
 
-  double work = 0.0;  // over the whole history, scored or not, since a law's state accumulates it
+  double work = 0.0;  // over all samples, scored or not, because a law's state accumulates all work
   for (std::size_t i = 1; i < x.size(); ++i) work += 0.5 * (f[i] + f[i - 1]) * (x[i] - x[i - 1]);
   if (!(work > 0.1 * force * disp)) work = force * disp;
 
@@ -259,7 +259,7 @@ SearchBox make_box(laws::LawEntry const& law, BoxKind kind, laws::RecordScales c
         parameter.lower = change->interval->lower;
         parameter.upper = change->interval->upper;
         parameter.value = parameter.lower;
-        // An interval that touches or spans zero has no plain logarithmic scale and is searched linearly.
+        // An interval that touches or spans zero has no logarithm of its ends. It is searched linearly.
         if (parameter.lower * parameter.upper <= 0.0) parameter.scale = laws::Scale::linear;
       }
     }

@@ -1,4 +1,4 @@
-// The search box of a law on one device: which parameters are free, between which values, and on which scale.
+// The search box of a law for one device: which parameters are free, in which intervals and on which scales.
 #pragma once
 
 #include <optional>
@@ -13,62 +13,61 @@
 namespace isolaw::fit {
 
 enum class BoxKind {
-  published,  // Table 4 of Cucuzza et al. 2025; we supply two bounds that the table lacks. Always linear.
-  scaled,     // called "auto" by the user: follows from the size of the record
+  published,  // Table 4 of Cucuzza et al. 2025, always linear; two bounds that it lacks are ours
+  scaled,     // "auto" in the user interface: computed from the sizes in the record
 };
 
-struct Override {  // the option --set law.parameter=value|lo:hi|free|other parameter
+struct Override {  // the option --set law.parameter=value|lower:upper|free|other parameter
   std::string law;
   std::string parameter;
-  std::optional<laws::Interval> interval;  // equal ends fix the parameter; nullopt: free in its box, or tied
-  std::string tied_to = {};                // the parameter of the same law whose value it takes; empty if not tied
+  std::optional<laws::Interval> interval;  // equal ends fix the parameter; nullopt: free in its usual interval, or tied
+  std::string tied_to = {};                // name of the parameter whose value this parameter takes; empty if not tied
 
   std::string text() const;  // as the user would type it
 };
 
 Override const* last_override(std::span<Override const> overrides, laws::LawEntry const& law,
                               std::string_view parameter);
-std::string limits_text(laws::Interval const& limits, std::string_view unit);  // "above 0 kN/mm"
-// Throws Error if the text has another form, the law or parameter is unknown, lower >= upper, the values leave the
-// physical limits, or the parameter is tied to itself or to a parameter of another unit.
+std::string limits_text(laws::Interval const& limits, std::string_view unit);  // for example "above 0 kN/mm"
+// Throws Error if the text has another form, the law or the parameter is unknown, lower >= upper, a value is outside
+// the physical limits, or the parameter is tied to itself or to a parameter of another unit.
 Override parse_override(std::string_view text);
 
 struct SearchParameter {
   std::string name, unit;
   bool free = true;
   double value = 0.0;                       // if the parameter is fixed
-  std::optional<std::size_t> tied_to = {};  // index of the parameter whose value it takes, in which case it is not free
+  std::optional<std::size_t> tied_to = {};  // index of the parameter whose value this one takes; it is then not free
   double lower = 0.0, upper = 0.0;
   laws::Scale scale = laws::Scale::linear;
-  // Maps the unit interval to values of the parameter, and back; both clamp to the interval.
+  // at() maps [0, 1] to the parameter's interval and coordinate() maps back. Values outside are clamped.
   double at(double unit_coordinate) const;
   double coordinate(double value_) const;
 };
 
 struct SearchBox {
   std::vector<SearchParameter> parameters;  // all parameters of the law, in its order
-  // The point of the free parameters' unit box for these values of all parameters, clamped into the box.
+  // The point in the unit box of the free parameters that belongs to `values`, clamped into the box.
   std::vector<double> contract(std::span<double const> values) const;
 
   std::size_t free_count() const;
   void expand(std::span<double const> point, std::span<double> values) const;
 };
 
-// The same box with logarithmic scales for two kinds of free intervals of one sign: if the ends differ by a factor of
-// `wide_interval` or more, and, even if the interval ends at zero, if the law asks for such a scale. On a linear scale
-// a parameter that matters by its order of magnitude would be sought in the last decade only. A scale that ends at zero
-// covers six decades, a scale across zero covers six on each side.
+// Returns the box with logarithmic scales for free parameters whose interval does not span zero, if its ends differ by
+// a factor of `wide_interval` or more, or if the law asks for this. On a linear scale, 90 % of a wide interval is its
+// last decade. A scale that ends at zero covers six decades; a scale that spans zero covers six on each side.
 inline constexpr double wide_interval = 100.0;
 SearchBox on_logarithmic_scales(SearchBox box, laws::LawEntry const& law);
-// A best value this close to an edge, as a share of the interval on the search scale, counts as at the bound.
+// A value counts as at the bound if its distance from the bound is at most this share of the interval on its scale.
 inline constexpr double bound_tolerance = 1e-3;
 enum class AtBound { no, lower, upper };
-std::string_view name(AtBound bound);  // "", "lower", "upper"
+std::string_view name(AtBound bound);  // for `no`, `lower` and `upper`: "", "lower", "upper"
 AtBound at_bound(SearchParameter const& parameter, double value);
 // Typical sizes of a record's quantities, in the units of the law. Throws Error for a record without samples.
 laws::RecordScales scales_of(data::FitRecord const& record, laws::LawInfo const& law);
-// `published` uses the scaled interval for parameters that the paper lacks. Throws Error for a parameter tied to a
-// parameter that is itself tied.
+// Makes the box for a law. Where the paper has no interval for a parameter, `published` uses the scaled one. Throws
+// Error if a parameter is tied to a parameter that is tied itself.
 SearchBox make_box(laws::LawEntry const& law, BoxKind kind, laws::RecordScales const& scales,
                    std::span<Override const> overrides);
 

@@ -1,5 +1,5 @@
-// Computes a law under a motion in two directions. A law has several two-dimensional forms, and tests in one direction
-// cannot tell which is right, so this also computes how far they differ.
+// Computes a law under a motion in two directions. A law can be extended to two directions in several ways, and tests
+// in one direction cannot tell which is right. This file therefore also computes how far the extensions differ.
 #pragma once
 
 #include <string_view>
@@ -10,7 +10,7 @@
 
 namespace isolaw::fit {
 
-// An isolator's motion from rest at the origin, straight to the first sample. Without time there are no velocities.
+// A motion from rest at the origin, straight to the first sample. Velocities are empty for a motion without times.
 struct PlaneMotion {
   std::vector<double> time_s;
   std::vector<laws::plane::Vector<double>> disp_mm, vel_mm_s;
@@ -19,8 +19,8 @@ struct PlaneMotion {
 struct LawInPlane {
   laws::LawEntry const* law;
   std::vector<double> parameters;
-  double dead_band_mm = 0.0;  // for springs only
-  int refinement = 1;         // steps per sample, for springs only; coupled forms need no substeps
+  double dead_band_mm = 0.0;  // used by springs only
+  int refinement = 1;         // steps per sample for springs; the coupled extension needs no smaller steps
 
   laws::InPlane form(laws::Bidirectional how, laws::plane::Softening softening) const;
 };
@@ -28,18 +28,18 @@ struct LawInPlane {
 std::vector<laws::plane::Vector<double>> force_kN(laws::LawEntry const& law, laws::InPlane in_plane,
                                                   PlaneMotion const& motion);
 
-// Results on the second turn of a figure of eight, x = size_mm sin p, y = size_mm / 2 sin 2p, with 200 samples a turn.
+// Results of the second turn of a figure of eight: x = size_mm sin p, y = size_mm / 2 sin 2p, 200 samples per turn.
 struct OnAnEight {
-  std::string_view rule;  // the two-dimensional form: "coupled", "springs", ...
+  std::string_view rule;  // the extension to two directions: "coupled", "springs", ...
   double peak_kN, work_kN_mm;
 };
-// One result per form of the law: coupled, with either rule of softening, and springs. A turn takes `duration_s`.
+// One result for each extension that the law has: coupled, with either rule of softening, and springs.
 std::vector<OnAnEight> on_a_figure_of_eight(LawInPlane const& law, double size_mm, double duration_s);
-struct Spread {  // the largest differences between the forms, relative to the first
+struct Spread {  // largest differences between the extensions, relative to the first one
   double peak = 0.0, work = 0.0;
 };
 Spread spread_of(std::vector<OnAnEight> const& rules);
-// The work of springs divided by the law's own, in the second cycle along one direction. The law needs an online form.
+// Energy of the law as springs / energy of the law's online form, in the second cycle of a motion along one direction.
 double work_of_springs_on_a_line(LawInPlane const& law, double size_mm, double duration_s);
 
 }  // namespace isolaw::fit

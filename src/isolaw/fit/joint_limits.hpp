@@ -1,5 +1,5 @@
-// Checks overrides and search boxes against limits that concern several parameters of a law together (laws/law.hpp). A
-// box that is partly outside such a limit is searched unchanged.
+// Checks overrides and search boxes against joint limits: limits on several parameters of a law together
+// (laws/law.hpp). A box that meets a limit only in a part is searched as a whole.
 #pragma once
 
 #include <span>
@@ -8,9 +8,9 @@
 
 namespace isolaw::fit {
 
-// Throws Error if no point of the box meets one of the law's joint limits; the message names the overrides concerned.
+// Throws Error if no point of the box meets one of the law's joint limits. The message names the overrides responsible.
 void require_joint_limits(laws::LawEntry const& law, SearchBox const& box, std::span<Override const> overrides);
-// The same before a record is known: parameters without an override may take any value within their physical limits.
+// Checks overrides when no record is known yet: a parameter without override may have any physically possible value.
 void require_joint_limits(laws::LawEntry const& law, std::span<Override const> overrides);
 
 }  // namespace isolaw::fit

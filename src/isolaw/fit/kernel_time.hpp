@@ -1,15 +1,15 @@
-// Measures the time that threads spend in the laws' code, for a campaign's profile.
+// Measures how long threads compute laws, for the profile of a campaign.
 #pragma once
 
 #include <chrono>
 
 namespace isolaw::fit {
 
-// Elapsed time of the calling thread in the laws' code [s]; the caller may reset it.
+// Time that the calling thread has spent in the laws' kernels [s]. The caller may reset it to zero.
 inline thread_local double kernel_time_s = 0.0;
 
-// Adds the time for which the object lives to kernel_time_s. It reads the steady clock, which takes about 40 ns; the
-// processor-time clock takes thirty times as long.
+// Adds the lifetime of the object to kernel_time_s. Reading the steady clock takes about 40 ns; reading the clock of
+// processor time takes thirty times as long.
 class KernelTimer {
  public:
   KernelTimer() = default;

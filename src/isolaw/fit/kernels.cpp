@@ -1,6 +1,6 @@
-// Compiles the laws for batches of candidates, once for every instruction set. ISOLAW_KERNELS, such as kernels_avx2, is
-// the only object that other files may use. Every function that is not inlined must have the instruction set in its
-// name. A function that takes batches has it; tests/kernels checks this.
+// Compiles the laws for batches of candidates, once for every instruction set. ISOLAW_KERNELS (for example
+// kernels_avx2) is the only object that other files may use. A function that is not inlined must have the instruction
+// set in its name. Functions with a batch among their template arguments do; tests/kernels checks this.
 #include "isolaw/fit/kernels.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace isolaw::fit {
 namespace {
 
-// T is a template parameter so that the function's name contains the instruction set.
+// T is a template parameter so that the name of the compiled function contains the instruction set.
 template <class Law, std::size_t W, class T>
 laws::ParamsOf<Law, T> load(double const* parameters, std::size_t block = W) {
   laws::ParamsOf<Law, T> params;
@@ -34,13 +34,13 @@ void sums(double const* parameters, std::size_t block, KernelRecord const& recor
   sum.store(out);
 }
 
-// Laws that keep many values in registers, so that eight vectors at once cost more than twice four vectors.
+// True for laws that need so many registers that eight vectors at once take more than twice as long as four vectors.
 template <class Law>
 inline constexpr bool crowded = requires {
   Law::crowded;
 };
 
-// Computes a wide block in parts if it needs more registers than there are.
+// Computes a wide block in parts if all of it at once would need more registers than the processor has.
 template <class Law, std::size_t Block, class T = num::Batch<Block>>
 void objectives(double const* parameters, KernelRecord const& record, laws::Integration integration, double* out) {
   constexpr auto part = Block > 8 * num::vector_lanes ? narrow_block

@@ -1,4 +1,4 @@
-// Access to the laws' kernels: code that computes a block of candidates at once, compiled once per instruction set.
+// The laws' kernels compute a block of candidates at once. They are compiled once for each instruction set.
 #pragma once
 
 #include <cstddef>
@@ -15,24 +15,24 @@ using num::InstructionSet;
 using num::name;
 using num::parse_instruction_set;
 
-struct KernelRecord {  // a record in the law's units; see LawOnRecord
+struct KernelRecord {  // a record in the law's units, with the weights of LawOnRecord
   laws::Path const& path;
   std::span<double const> measured, weight;
 };
 
-// `parameters` holds the first parameter's values for every candidate of the block, then the second's, and so on.
+// The functions for one law. `parameters` holds the first parameter of all candidates, then the second parameter, ...
 struct Kernel {
-  // For each candidate the sum of |measured - computed| * weight; not finite if a force is not.
+  // Computes sum of |measured - computed| * weight for each candidate; not finite if one of its forces is not finite.
   using Objectives = void (*)(double const* parameters, KernelRecord const& record, laws::Integration integration,
                               double* objectives);
-  Objectives wide = nullptr, narrow = nullptr;  // for wide_block and narrow_block candidates
-  // (measured - computed) * scale: a row of `stride` values for each sample, with the candidates side by side.
+  Objectives wide = nullptr, narrow = nullptr;  // `wide` takes wide_block candidates, `narrow` takes narrow_block
+  // Computes (measured - computed) * scale: sample j of candidate i is rows[j * stride + i].
   using Residuals = void (*)(double const* parameters, laws::Path const& path, laws::Integration integration,
                              double const* measured, double scale, double* rows, std::size_t stride);
-  Residuals residuals = nullptr, narrow_residuals = nullptr;  // for residual_block and narrow_block candidates
+  Residuals residuals = nullptr, narrow_residuals = nullptr;  // for residual_block and for narrow_block candidates
 };
 inline constexpr std::size_t wide_block = 32, residual_block = 16, narrow_block = 8;
-// The kernel of the law with this index in the catalogue. There is none for InstructionSet::scalar.
+// Returns the kernel for the law with this index in the catalogue. InstructionSet::scalar has no kernels.
 Kernel kernel(InstructionSet set, std::size_t law);
 
 }  // namespace isolaw::fit

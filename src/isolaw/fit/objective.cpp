@@ -32,7 +32,7 @@ std::vector<double> at_samples(std::vector<double> const& values, std::span<std:
   return kept_values;
 }
 
-// Spreads the shares of all samples over the kept ones, as if values between two of them lay on the line through both.
+// Spreads the shares of all samples over the kept ones, as if dropped values lay on the line between kept neighbours.
 std::vector<double> shared_among(std::span<std::size_t const> kept, std::span<double const> shares) {
   std::vector<double> kept_shares(kept.size(), 0.0);
   for (std::size_t k = 0; k < kept.size(); ++k) {
@@ -48,7 +48,7 @@ std::vector<double> shared_among(std::span<std::size_t const> kept, std::span<do
   return kept_shares;
 }
 
-// Trapezoidal weights over the true time stamps, divided by the duration. Intervals between scored samples count.
+// Trapezoidal weights in time, divided by the duration. Only intervals between two scored samples count.
 struct TimeWeights {
   std::vector<double> weight;
   double duration = 0.0;
@@ -62,7 +62,7 @@ TimeWeights time_weights(data::FitRecord const& record) {
     result.weight[i] += 0.5 * (t[i] - t[i - 1]);
     result.duration += t[i] - t[i - 1];
   }
-  // The difference of the ends is exact; a sum of many small intervals is not.
+  // t.back() - t.front() is exact; a sum of many small intervals is not.
   if (record.scored.empty() && t.size() > 1) result.duration = t.back() - t.front();
   for (double& w : result.weight) w /= result.duration;
   return result;
@@ -76,7 +76,7 @@ std::vector<double> scored_values(data::FitRecord const& record, std::vector<dou
   return kept;
 }
 
-// Eq. (27) divides by duration and standard deviation: if either were only rounding error, any objective could result.
+// Refuses records without duration or with a constant force, for which Eq. (27) would give an arbitrary objective.
 void require_something_to_fit(laws::LawInfo const& law, data::FitRecord const& record) {
   auto const refuse = [&](std::string found, std::string allowed) {
     throw Error({.where = "law " + std::string(law.id), .found = std::move(found), .allowed = std::move(allowed)});
@@ -89,7 +89,7 @@ void require_something_to_fit(laws::LawInfo const& law, data::FitRecord const& r
   auto const scored = scored_values(record, record.force_kN);
   for (double const force : scored) largest = std::max(largest, std::abs(force));
   double const spread = num::population_std(scored);
-  // Below 1e-12 of the largest force the spread is the rounding of one number.
+  // A standard deviation below 1e-12 of the largest force is only rounding.
   if (!(spread > 1e-12 * largest && std::isfinite(spread)))
     refuse(fmt::format("the measured force has a standard deviation of {} kN about its mean, its largest size is {} kN",
                        spread, largest),
@@ -141,9 +141,9 @@ laws::Path LawOnMotion::path(int refinement) const {
 }
 
 std::vector<std::size_t> LawOnMotion::outline() const {
-  // Keeps more samples just after a reversal: the loop bends most there, and that decides which valley a descent finds.
-  // The gap between kept samples grows to a sixth of the distance from the reversal, at most 8. Keeping every third
-  // sample was tried and rejected: it halves the chance of finding abe's best valley.
+  // Keeps more samples just after a reversal, where the loop bends most, because the bend decides which valley a
+  // descent finds. The distance between kept samples grows to a sixth of the distance from the reversal, at most 8.
+  // Keeping every third sample halves the chance of finding the best valley of the law abe.
   constexpr std::size_t distance_per_gap = 6, widest_gap = 8;
   std::vector<std::size_t> samples;
   auto const reverses = [&](std::size_t i) {
@@ -245,7 +245,7 @@ void LawOnRecord::objectives(std::size_t count, std::function<void(std::size_t, 
     std::size_t const used = std::min(left, width);
     std::array<bool, wide_block> usable{};
     for (std::size_t lane = 0; lane < width; ++lane) {
-      candidate(lane < used ? first + lane : first, one);  // a block that is not full repeats its first candidate
+      candidate(lane < used ? first + lane : first, one);  // an incomplete block repeats its first candidate
       usable[lane] = std::ranges::all_of(one, [](double value) { return std::isfinite(value); });
       for (std::size_t p = 0; p < dimension; ++p) block[p * width + lane] = one[p];
     }

@@ -1,4 +1,4 @@
-// The record that speed is measured on: three cycles of +-208 mm at 0.5 Hz with the force of a bilinear loop.
+// The record of the speed measurements: three cycles of +-208 mm at 0.5 Hz with the force of a bilinear loop.
 #pragma once
 
 #include <algorithm>

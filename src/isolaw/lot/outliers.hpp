@@ -1,6 +1,6 @@
-// Finds devices that differ from their lot in a measured property, a parameter of a law or an error of its fit.
-// Source of the score: Iglewicz and Hoaglin 1993. The rules' lot view uses the same score (num::modified_scores) for
-// measured properties, but asks for at least five values, since a verdict depends on them.
+// Finds devices that differ from the other devices of their lot in a property: a measured value, a law's parameter or
+// the error of a fit. Source: the modified z-score of Iglewicz and Hoaglin 1993 (num::modified_scores). Rule sets use
+// this score for measured properties too, but ask for at least five values, since a verdict depends on them.
 #pragma once
 
 #include <cstddef>
@@ -11,21 +11,21 @@
 namespace isolaw::lot {
 
 struct Outlier {
-  std::size_t device = 0, property = 0;  // indices into `values`
+  std::size_t device = 0, property = 0;  // indices of values[property][device]
   double value = 0.0;
-  double median = 0.0;   // over the devices that have the property
-  double score = 0.0;    // modified z-score, negative below the median
-  double percent = 0.0;  // 100 (value - median) / |median|; infinite for a median of zero
+  double median = 0.0;   // over all devices that have this property
+  double score = 0.0;    // modified z-score; negative if the value is below the median
+  double percent = 0.0;  // 100 (value - median) / |median|; infinite if the median is zero
 };
 
-// With fewer values the median absolute deviation is no measure of scatter.
+// With fewer values the median absolute deviation does not tell how much they scatter.
 inline constexpr std::size_t fewest_for_outliers = 4;
-// The smallest standard deviation, as a share of |median|: the error of a property from one record.
+// The smallest standard deviation that is assumed, as a share of |median|: the error of a property from one record.
 inline constexpr double least_scatter = 0.005;
-// values[property][device] is NaN if the device lacks the property; messages use names[property]. A device is an
-// outlier if its modified z-score is beyond 3.5 among the devices that have the property, at least fewest_for_outliers.
-// Largest score first, equal scores by property, then device. Throws Error if there are not as many names as
-// properties, for rows of different lengths, and for infinite values.
+// values[property][device] is NaN if the device does not have the property. A device is an outlier if the size of its
+// modified z-score exceeds 3.5 and at least fewest_for_outliers devices have the property. The largest scores come
+// first, equal scores in the order of properties and devices. Messages use names[property]. Throws Error if there are
+// not as many names as properties, if rows differ in length, and for infinite values.
 std::vector<Outlier> find_outliers(std::span<std::string const> names, std::span<std::vector<double> const> values);
 
 }  // namespace isolaw::lot

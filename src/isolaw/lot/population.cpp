@@ -17,8 +17,8 @@ using num::Matrix;
 using num::Vector;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double rounding = 1e-13;  // an eigenvalue below this share of the largest is rounding error
-// A direction has variance if more than this share of it remains. If S = C, none remains in exact arithmetic.
+constexpr double rounding = 1e-13;  // eigenvalues below this share of the largest one are rounding errors
+// A direction has variance if 2 m - 1 exceeds this value. For S = C it is 0, but for rounding errors.
 constexpr double least_remainder = 1e-10;
 
 std::size_t as_size(Index i) {
@@ -82,9 +82,9 @@ void check(std::vector<std::string> const& names, std::span<DeviceEstimate const
   if (!complaints.empty()) throw Error(std::move(complaints));
 }
 
-struct Located {  // a device in transformed coordinates
+struct Located {  // one device in transformed coordinates
   Vector at;
-  Matrix error;  // C_d
+  Matrix error;  // C_d, covariance of the fit's error
 };
 
 Located transformed(Population const& population, DeviceEstimate const& device) {
@@ -111,12 +111,12 @@ std::vector<double> physical(Population const& population, Vector const& at) {
   return values;
 }
 
-Vector or_one(Vector v) {  // replaces 0 by 1, for a divisor
+Vector or_one(Vector v) {  // replaces 0 by 1, so that the result can be a divisor
   for (double& x : v) x = x > 0.0 ? x : 1.0;
   return v;
 }
 
-Matrix scaled(Matrix const& m, Vector const& factors) {  // by the factors of row and column
+Matrix scaled(Matrix const& m, Vector const& factors) {  // multiplies rows and columns by the factors
   return factors.asDiagonal() * m * factors.asDiagonal();
 }
 
@@ -127,9 +127,9 @@ std::vector<double> unit_direction(Vector v) {
   return plain(Vector(v[largest] < 0.0 ? -v : v));
 }
 
-// Computes Sigma from S x = lambda C x, solved as S x = m T x with T = S + C and m = lambda / (1 + lambda), which is
-// between 0 and 1, so that C and S may be singular or zero. lambda - 1 times C is 2 m - 1 times T. The diagonal of T
-// scales the coordinates, so units do not matter. Directions outside the range of T are left out: they have no scatter.
+// Computes Sigma from S x = lambda C x. We solve S x = m T x with T = S + C and m = lambda / (1 + lambda) instead: m is
+// between 0 and 1 even if C and S are singular or zero. (lambda - 1) C becomes (2 m - 1) T. Division by the diagonal of
+// T makes units irrelevant. Directions in which T is zero are left out, since they have no scatter.
 Matrix between_devices(Matrix const& S, Matrix const& C, Population& population) {
   Vector const scale = or_one((S + C).diagonal().cwiseMax(0.0).cwiseSqrt());
   Vector const shrink = scale.cwiseInverse();
@@ -160,7 +160,7 @@ Matrix between_devices(Matrix const& S, Matrix const& C, Population& population)
   return scaled(sigma, scale);
 }
 
-// The variance of each error if all other parameters were known, 1 / (C^-1)_ii; near zero if C is singular.
+// Variance of each parameter's error if all other parameters were known: 1 / (C^-1)_ii, near zero for a singular C.
 Vector alone(Matrix const& C) {
   Vector const scale = or_one(C.diagonal().cwiseMax(0.0).cwiseSqrt());
   auto const parts = num::symmetric_eigen(scaled(C, scale.cwiseInverse()));
@@ -168,8 +168,8 @@ Vector alone(Matrix const& C) {
   return num::apply(Matrix(parts.vectors.cwiseAbs2()), inverse).cwiseInverse().cwiseProduct(scale.cwiseAbs2());
 }
 
-// Sets the rows and columns of S to zero for those parameters in `undetermined` whose estimates scatter no more than
-// their error. estimate_population says why.
+// Sets the row and the column of S to zero for each of the parameters in `undetermined` whose estimates scatter no more
+// than their error. The comment on estimate_population gives the reason.
 void silence(Matrix& S, Matrix const& C, std::span<std::size_t const> undetermined) {
   Vector const error = alone(C);
   for (auto const parameter : undetermined) {
@@ -213,7 +213,7 @@ void describe(Matrix const& sigma, Population& population) {
   population.note = note_on_rank(population);
 }
 
-// The symmetric root of Sigma, computed from the correlations so that units do not matter.
+// The symmetric square root of Sigma. It is computed from the correlations, so that units are irrelevant.
 Matrix symmetric_root(Population const& population) {
   Matrix const sigma = matrix(population.covariance);
   Vector const spread = sigma.diagonal().cwiseMax(0.0).cwiseSqrt(), scale = or_one(spread);
@@ -284,7 +284,7 @@ Population estimate_population(std::vector<std::string> const& names, std::span<
   auto const n = static_cast<Index>(names.size());
   auto const count = static_cast<double>(devices.size());
   Vector const first = transformed(population, devices.front()).at;
-  Vector mean = first;  // adds differences from `first`, so that equal devices have exactly no scatter
+  Vector mean = first;  // sums differences from `first`, so that equal devices have exactly zero scatter
   for (auto const& device : located) mean += (device.at - first) / count;
   population.mean = plain(mean);
   population.medians = physical(population, mean);
@@ -302,7 +302,7 @@ Population estimate_population(std::vector<std::string> const& names, std::span<
   population.uncertainty = plain(C);
   silence(S, C, undetermined);
   Matrix sigma = between_devices(S, C, population);
-  // A variance that is only rounding error would give a parameter correlations.
+  // Sets variances to zero that are only rounding errors, since they would lead to correlations.
   for (Index i = 0; i < n; ++i)
     if (sigma(i, i) <= 1e-12 * (S(i, i) + C(i, i))) {
       sigma.row(i).setZero();
@@ -332,7 +332,7 @@ Sample sample(Population const& population, std::size_t count, num::Stream const
     if (!found) ++result.pulled_back;
     while (!found) {
       z *= 0.5;
-      // If a median lies on its limit, z is halved until it no longer moves that median.
+      // If a median is at its limit, z is halved until it no longer moves that parameter.
       values = z.norm() > 1e-12 ? physical(population, mean + num::apply(root, z)) : population.medians;
       found = inside(values, limits) || z.norm() <= 1e-12;
     }

@@ -1,8 +1,8 @@
-// The robustness index: how far a law's parameters hold for the whole lot (Cucuzza et al. 2025, sections 5 and 6,
-// Eqs. 28-31).
-// The input is a parameter's mean over the runs, one for each device. Differences are relative to the mean over the
-// devices. They are undefined if that mean is only rounding error (|mean| <= 1e-9 times the largest |value|) or if a
-// device's mean is not finite: the caller decides which devices take part.
+// The robustness index beta: how little a law's parameters differ between the devices of a lot (Cucuzza et al. 2025,
+// sections 5 and 6, Eqs. 28-31).
+// The input is, for each device, the mean of a parameter over the runs. Differences are relative to the mean over all
+// devices. They are undefined if that mean is only a rounding error (|mean| <= 1e-9 times the largest |value|) or if
+// the value of a device is not finite. The caller chooses the devices.
 #pragma once
 
 #include <optional>
@@ -12,19 +12,19 @@
 
 namespace isolaw::lot {
 
-// The difference of each device's mean from the mean over devices in percent, 100 (mu_d - mean) / mean as in Eq. (30);
-// positive if it is larger in magnitude. Empty if undefined.
+// Difference of each device from the mean over devices in percent, 100 (mu_d - mean) / mean, Eq. (30). Positive if the
+// device's value has the larger magnitude. Empty if differences are undefined.
 std::vector<double> percent_differences(std::span<double const> device_means);
-// Delta_n of one parameter, Eqs. (29)-(30): the largest |mu_d - mean| / |mean|. nullopt if undefined or for one device.
+// Delta_n of one parameter, Eqs. (29)-(30): the largest |mu_d - mean| / |mean|. nullopt for one device or if undefined.
 std::optional<double> largest_relative_difference(std::span<double const> device_means);
 
 struct Robustness {
-  std::optional<double> beta;  // Eq. (31); smaller is more robust
-  std::string note;            // why beta is undefined, for instance which parameters have a mean near zero
+  std::optional<double> beta;  // Eq. (31), the mean of Delta_n over the parameters; smaller is more robust
+  std::string note;            // why beta is undefined, for example the parameters whose mean is near zero
 };
 
-// names[n] and device_means[n][d] for the law's free parameters n and devices d. A single parameter without a Delta_n
-// leaves beta undefined: a mean over the others could not be compared between laws.
+// names[n] and device_means[n][d] belong to free parameter n and device d. beta is undefined if Delta_n of one
+// parameter is: a mean over the remaining parameters could not be compared between laws.
 Robustness robustness_index(std::vector<std::string> const& names,
                             std::vector<std::vector<double>> const& device_means);
 

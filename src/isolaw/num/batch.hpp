@@ -1,9 +1,9 @@
-// A batch of W doubles that behaves like one double. Each lane holds one candidate of a population; lanes never mix.
-// A batch consists of a few native vectors of the compiler (GCC and Clang, vector_size). A law's body thus runs in the
-// registers of the instruction set it is compiled for, and several independent vectors in flight hide each other's
-// latency. The names of the types contain the instruction set, so that objects compiled for different ones may be
-// linked into one program (fit/kernels.cpp), provided that every function that they share takes one of these types.
-// Lanes agree with the double path within rounding; exp, exp2, log2 and power come from elementary.hpp.
+// A batch of W doubles that behaves like one double. Each lane holds one candidate parameter set; lanes never mix. A
+// batch consists of a few of the compiler's native vectors (vector_size of GCC and Clang). A law's body therefore uses
+// the vector registers of the target processor, and the independent vectors hide each other's latency. The names of the
+// types contain the instruction set, so that objects compiled for different instruction sets can be linked into one
+// program (fit/kernels.cpp). This requires that every function that they share takes one of these types. A lane agrees
+// with the computation on plain doubles within rounding; elementary.hpp provides exp, exp2, log2 and power.
 #pragma once
 
 #include <array>
@@ -50,7 +50,7 @@ typedef double Vector __attribute__((vector_size(vector_lanes * 8)));
 typedef std::int64_t VectorMask __attribute__((vector_size(vector_lanes * 8)));
 typedef std::uint64_t VectorBits __attribute__((vector_size(vector_lanes * 8)));
 
-// K values visited by a constant index. The front end unrolls the loops, so that the values stay in registers.
+// An array of K vectors. each() passes every index to `f` as a constant, so that the values stay in registers.
 template <class V, std::size_t K>
 struct Pack {
   V part[K];
@@ -192,7 +192,7 @@ ISOLAW_INLINE Batch<W> power(Batch<W> const& x, Batch<W> const& p) {
 }
 ISOLAW_INLINE Vector sqrt_of(Vector const& a) {
 #if defined(__AVX512F__)
-  return _mm512_maskz_sqrt_pd(0xff, a);  // GCC 12 warns that the form without a mask uses an uninitialised value
+  return _mm512_maskz_sqrt_pd(0xff, a);  // GCC 12 warns that _mm512_sqrt_pd uses an uninitialised value
 #elif defined(__AVX__)
   return _mm256_sqrt_pd(a);
 #elif defined(__SSE2__)
@@ -231,7 +231,7 @@ ISOLAW_INLINE bool any(Mask<W> const& mask) {
   return bits != 0;
 #endif
 }
-// A condition that depends on the record alone is the same for all lanes.
+// Selects one batch for all lanes by a condition that does not depend on the candidates.
 template <std::size_t W>
 ISOLAW_INLINE Batch<W> select(bool condition, Batch<W> const& a, Batch<W> const& b) {
   return condition ? a : b;
@@ -245,8 +245,8 @@ ISOLAW_INLINE Batch<W> max(Batch<W> const& a, Batch<W> const& b) {
   return select(a < b, b, a);
 }
 
-// Keeps the product `a` out of a fused multiply-add. In a sum of two products the compiler may fuse either, depending
-// on what it inlined; a lane could then get other bits in a block of another width. This costs no instruction.
+// Returns `a` and keeps this product out of a fused multiply-add. In a sum of two products the compiler may fuse
+// either, so that a lane's last bits would depend on the batch's width. This costs no instruction.
 template <std::size_t W>
 ISOLAW_INLINE Batch<W> rounded(Batch<W> a) {
   a.each([&]([[maybe_unused]] std::size_t i) ISOLAW_LAMBDA {
@@ -270,7 +270,7 @@ ISOLAW_INLINE Vector gather(double const* base, VectorMask const& index) {
   return out;
 #endif
 }
-// The numbers of the lanes of vector number `part`, counted through the whole batch.
+// Returns the lane numbers of vector number `part`; they count from 0 through the whole batch.
 ISOLAW_INLINE VectorMask lane_numbers(std::size_t part) {
   VectorMask numbers;
   for (std::size_t i = 0; i < vector_lanes; ++i) numbers[i] = static_cast<std::int64_t>(part * vector_lanes + i);
@@ -300,8 +300,8 @@ ISOLAW_INLINE Batch<W> as_batch(double node) {
   return Batch<W>(node);
 }
 
-// Finds the cell of x among `cells` + 1 nodes. The first three halvings are replaced by comparisons with seven nodes
-// that are the same for all lanes, since one gather costs more than several comparisons.
+// Finds the cell of x among `cells` + 1 nodes by bisection. Comparisons with seven nodes, the same for all lanes,
+// replace the first three halvings, because one gather costs more than several comparisons.
 template <class Values, std::size_t W>
 ISOLAW_INLINE Indices<W> bisect(Values const& nodes, std::size_t cells, Batch<W> const& x) {
   Indices<W> first{Indices<W>::make([](std::size_t) ISOLAW_LAMBDA { return VectorMask{}; })};
@@ -314,7 +314,7 @@ ISOLAW_INLINE Indices<W> bisect(Values const& nodes, std::size_t cells, Batch<W>
         return first.part[i] + ((node.part[i] <= x.part[i]) & skip);
       })};
     }
-  // Only the last of the eight blocks may be longer. Searches of the others may pass the block's end: nodes exceed x.
+  // The last of the eight blocks may be longer. A search may pass the end of its own block: the nodes there exceed x.
   for (std::size_t length = cells - 7 * block; length > 1;) {
     std::size_t const half = length / 2;
     auto const step = static_cast<std::int64_t>(half);
@@ -337,8 +337,7 @@ ISOLAW_INLINE Indices<W> cell_of(std::array<double, Count> const& nodes, Batch<W
   return bisect(nodes, Count - 1, x);
 }
 
-// One round of a transposition: exchanges a bit of the rows' index with that bit of the lanes' index. This takes one
-// instruction per vector.
+// One round of a matrix transposition: swaps bit `Bit` of the row index with the same bit of the lane index.
 template <std::size_t Bit, std::size_t... Lane>
 ISOLAW_INLINE void exchange(std::array<Vector, vector_lanes>& rows, std::index_sequence<Lane...>) {
   for (std::size_t i = 0; i < vector_lanes; ++i) {

@@ -1,5 +1,5 @@
 // A number for forward-mode differentiation: a value and its derivatives with respect to N independent variables, after
-// Ceres' Jet. Comparisons and selections look at the value; at a kink the derivative belongs to the branch taken.
+// Ceres' Jet. Comparisons and selections use the value alone. At a kink the derivative is that of the selected branch.
 #pragma once
 
 #include <array>
@@ -17,9 +17,9 @@ struct Dual {
 
   Dual() = default;
   explicit Dual(double v) : value(v) {}
-  Dual(double v, std::size_t i) : value(v) { slope[i] = 1.0; }  // independent variable i
+  Dual(double v, std::size_t i) : value(v) { slope[i] = 1.0; }  // value of independent variable i
 
-  static Dual chain(Dual const& u, double f, double derivative) {  // f(u)
+  static Dual chain(Dual const& u, double f, double derivative) {  // f(u) by the chain rule
     Dual out(f);
     for (std::size_t i = 0; i < N; ++i) out.slope[i] = derivative * u.slope[i];
     return out;
@@ -64,7 +64,7 @@ template <std::size_t N>
 Dual<N> expm1(Dual<N> const& u) {
   return Dual<N>::chain(u, std::expm1(u.value), std::exp(u.value));
 }
-// The derivative at 0 is infinite; it is replaced by 0.
+// The derivative at 0 is infinite. We return 0 there.
 template <std::size_t N>
 Dual<N> fifth_root(Dual<N> const& u) {
   double const f = fifth_root(u.value);
@@ -101,7 +101,7 @@ std::size_t cell_of(std::array<Dual<N>, Count> const& nodes, Dual<N> const& x) {
   }
   return first;
 }
-// For nodes that do not depend on the candidate.
+// The nodes have no derivatives, since they do not depend on the candidate parameter set.
 template <std::size_t N, std::size_t Count>
 std::size_t cell_of(std::array<double, Count> const& nodes, Dual<N> const& x) {
   return cell_of(nodes, x.value);

@@ -28,7 +28,7 @@
 
 namespace isolaw::num {
 
-// The operations besides + - * / and comparisons, for native vectors. A type made of several vectors specialises this.
+// Operations on T besides + - * / and comparisons, here for native vectors. Types of several vectors specialise it.
 template <class T>
 struct Lanes {
   typedef std::uint64_t Bits __attribute__((vector_size(sizeof(T))));
@@ -56,7 +56,7 @@ struct Lanes<double> {
 #ifdef __FMA__
     return __builtin_fma(a, b, c);
 #else
-    return a * b + c;  // std::fma would be a call here
+    return a * b + c;  // std::fma would call a library function here
 #endif
   }
   [[gnu::always_inline]] static inline double select(bool condition, double a, double b) {
@@ -99,7 +99,7 @@ inline constexpr double fifth_root_guess = 0x1.7febced916873p+52;
 inline constexpr double log2_e = 0x1.71547652b82fep+0;
 inline constexpr double ln2_high = 0x1.62e42fee00000p-1;  // its product with an exponent is exact
 inline constexpr double ln2_low = 0x1.a39ef35793c76p-33;
-// Adding it to |x| < 2^51 rounds x to an integer; the sum's last bits hold that integer plus the bias of exponents.
+// x + shifter rounds |x| < 2^51 to an integer n. The last bits of the sum hold n + 1023; 1023 is the exponent's bias.
 inline constexpr double shifter = 0x1.8p52 + 1023.0;
 inline constexpr double lowest_exponent = -1022.5, highest_exponent = 1023.5;
 
@@ -122,7 +122,7 @@ template <class T, std::size_t Count>
   return horner<T>(terms, x, std::make_index_sequence<Count - 1>());
 }
 
-// mantissa * 2^n, with the integer n in `shifted`; +inf or 0 out of range. Rejected: clamping first (GCC branches).
+// mantissa * 2^n, with the integer n in `shifted`; +inf or 0 out of range. GCC would branch if x were clamped first.
 template <class T>
 [[gnu::always_inline]] inline T scale(T const& mantissa, T const& shifted, T const& exponent) {
   using L = Lanes<T>;
@@ -131,8 +131,8 @@ template <class T>
   return L::select(exponent >= L::all(highest_exponent), L::all(infinity), y);
 }
 
-// Splits a positive normal x into 2^whole m with m from sqrt(1/2) to sqrt(2). split() returns bits that hold both;
-// whole_of() and mantissa_of() extract them. One function would return a struct, which GCC 12 copies through memory.
+// Splits a positive normal x into 2^whole * m with m from sqrt(1/2) to sqrt(2). The result holds the bits of whole and
+// m; whole_of() and mantissa_of() extract them. GCC 12 would copy a struct of the two numbers through memory.
 template <class T>
 [[gnu::always_inline]] inline auto split(T const& x) {
   return Lanes<T>::bits(x) + (bits_of_one - bits_of_root_half);
@@ -188,7 +188,7 @@ template <class T>
   T const bits = L::from_bits((L::bits(x) >> 12) | 0x4330'0000'0000'0000U);
   T const y = L::from_bits(L::bits(L::multiply_add(bits, L::all(-0.2), L::all(elementary::fifth_root_guess))) << 12);
   T const square = y * y, root = x * (square * square), off = L::all(1.0) - root * y, off2 = off * off;
-  // Even and odd powers are summed apart, which halves the latency.
+  // The even and the odd powers are summed separately, which halves the latency.
   constexpr auto const& c = elementary::fifth_root_terms;
   T even = L::all(c[10]), odd = L::all(c[11]);
   for (int i = 8; i >= 0; i -= 2) {
@@ -204,7 +204,7 @@ template <class T>
   auto const split = elementary::split<T>(x);
   T const whole = elementary::whole_of<T>(split), m = elementary::mantissa_of<T>(split);
   T const f = m - L::all(1.0), s = f / (m + L::all(1.0));
-  // With 2 s = f - s f the leading term is f itself, which is exact, and not s, which is rounded twice.
+  // Since 2 s = f - s f, the leading term can be f, which is exact, instead of s, which is rounded twice.
   T const square = s * s;
   T const correction = L::multiply_add(-square, elementary::polynomial<T>(elementary::ln_terms, square), f);
   T const y = L::multiply_add(L::multiply_add(-s, correction, f), L::all(elementary::log2_e), whole);
@@ -213,7 +213,7 @@ template <class T>
 }
 
 // |x|^p as 2^(p log2 |x|) for |p| up to 1e20. log2 |x| is kept in two parts, so that a large exponent loses no digits.
-// A floor of 1e-290 is added to |x|. That is cheaper than a maximum and gives the same at 0 and from 1e-274 on.
+// 1e-290 is added to |x|, which is cheaper than a maximum and gives the same result at 0 and from 1e-274 on.
 template <class T>
 [[gnu::always_inline]] inline T fast_power(T const& x, T const& p) {
   using L = Lanes<T>;
@@ -221,9 +221,9 @@ template <class T>
   auto const split = elementary::split<T>(base);
   T const whole = elementary::whole_of<T>(split), m = elementary::mantissa_of<T>(split);
   T const s = (m - L::all(1.0)) / (m + L::all(1.0));
-  // base - base is NaN if base is not finite, else 0. Rejected: base * 0, which GCC 12 with -fno-signed-zeros makes 0.
+  // base - base is NaN if base is not finite, else 0. GCC 12 with -fno-signed-zeros would turn base * 0 into 0.
   T const fraction = s * elementary::polynomial<T>(elementary::power_log2_terms, s * s) + (base - base);
-  // `rest` is computed anew and so lacks the rounding error of `exponent`. The compiler can fuse it in one way only.
+  // `rest` is computed from p and not from `exponent`, so that it lacks the rounding error of `exponent`.
   T const exponent = p * (whole + fraction);
   T const shifted = exponent + L::all(elementary::shifter);
   T const nearest = shifted - L::all(elementary::shifter);

@@ -1,7 +1,7 @@
-// The error function erf(u) for doubles, derivative numbers and batches. Its error is below 4e-16, absolute, and for
-// |u| < 1/2 also relative. It is odd to the last bit and gives NaN for NaN.
-// Source: Cody 1969, the rational functions of his program calerf for |u| <= 0.46875 and up to 4. Departure: the second
-// one is used up to 6, where erf is 1 to the last bit. From 4 to 6 erfc needs only eight digits, which it provides.
+// The error function erf(u) for doubles, derivative numbers and batches. Its absolute error is below 4e-16; so is its
+// relative error for |u| < 1/2. It is exactly odd and gives NaN for NaN. Source: Cody 1969, the two rational functions
+// of his program calerf for |u| <= 0.46875 and for |u| up to 4. Departure: the second one serves up to |u| = 6, where
+// erf rounds to 1. From 4 to 6, erfc needs only the eight digits it provides.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace isolaw::num {
 
 namespace error_function {
 
-// Highest power first.
+// Coefficients of the numerators and denominators, highest power first.
 inline constexpr double inner_top[] = {1.85777706184603153e-1, 3.16112374387056560e0, 1.13864154151050156e2,
                                        3.77485237685302021e2, 3.20937758913846947e3};
 inline constexpr double inner_bottom[] = {1.0, 2.36012909523441209e1, 2.44024637934444173e2, 1.28261652607737228e3,
@@ -31,7 +31,7 @@ inline constexpr double outer_bottom[] = {1.0,
                                           3.43936767414372164e3,
                                           1.23033935480374942e3};
 
-// Always inlined, with its terms: a table would be a symbol of its own in code for one instruction set.
+// Inlined so that the coefficients are inlined with it. A table would be a symbol in the code of one instruction set.
 template <class T, std::size_t Count, std::size_t... I>
 [[gnu::always_inline]] inline T horner(double const (&terms)[Count], T const& x, std::index_sequence<I...>) {
   T sum(terms[0]);
@@ -48,7 +48,7 @@ template <class T, std::size_t Count>
 template <class T>
 T erf(T const& u) {
   using namespace error_function;
-  T const y = min(abs(u), T(6.0)), square = y * y;  // with the arguments in this order, min() keeps NaN
+  T const y = min(abs(u), T(6.0)), square = y * y;  // with this order of arguments min() returns NaN for NaN
   auto const inner = y < T(0.46875);
   T const top = select(inner, y * polynomial(inner_top, square), polynomial(outer_top, y));
   T const ratio = top / select(inner, polynomial(inner_bottom, square), polynomial(outer_bottom, y));

@@ -26,7 +26,7 @@ bool always() {
 }
 
 #if defined(ISOLAW_X86_KERNELS)
-// -march=x86-64-v3 and -v4 let a compiler use more than vector instructions, so all extensions of a level are checked.
+// For -march=x86-64-v3 and -v4, compilers use more than vector instructions, so all extensions of a level are checked.
 #if defined(ISOLAW_CPU_LEVELS)
 bool has_x86_64_v3() {
   return __builtin_cpu_supports("x86-64-v3") != 0;
@@ -35,8 +35,8 @@ bool has_x86_64_v4() {
   return __builtin_cpu_supports("x86-64-v4") != 0;
 }
 #else
-// A compiler that does not know the levels does not know lzcnt, movbe, f16c, cmpxchg16b and lahf by name either. Older
-// extensions are checked too, since a virtual machine may hide any of them.
+// A compiler that does not know these levels does not know lzcnt, movbe, f16c, cmpxchg16b and lahf by name either. We
+// check older extensions too, because a virtual machine may hide any of them.
 bool has_x86_64_v3() {
   unsigned a = 0, b = 0, basic = 0, extended = 0, d = 0;
   __get_cpuid(1, &a, &b, &basic, &d);
@@ -57,7 +57,7 @@ bool has_x86_64_v4() {
 #endif
 #endif
 
-// Slowest first.
+// From the slowest to the fastest.
 constexpr std::array candidates {
   Candidate{InstructionSet::scalar, "scalar", always},
 #if defined(ISOLAW_X86_KERNELS)

@@ -1,4 +1,4 @@
-// The choice of the instruction set for code that is compiled once for each: populations and sums over residuals.
+// Chooses the instruction set for code that is compiled once per instruction set: the laws, and sums over residuals.
 #pragma once
 
 #include <string_view>
@@ -6,15 +6,15 @@
 
 namespace isolaw::num {
 
-// `scalar` computes a law on plain doubles, one candidate at a time, the same on every machine; every reported number
-// comes from it. The others agree with it within rounding. avx2 and avx512 give the same bits; `portable` (called sse2
-// on x86) lacks the fused multiply-add and differs from them in the last bits.
+// `scalar` computes a law on plain doubles, one candidate at a time, with the same result on every machine. Every
+// reported number comes from `scalar`; the other sets agree with it within rounding. avx2 and avx512 give the same
+// bits. `portable` (called sse2 on x86) has no fused multiply-add and therefore gives other last bits.
 enum class InstructionSet { scalar, portable, avx2, avx512 };
 std::string_view name(InstructionSet set);
 
-std::vector<InstructionSet> available_instruction_sets();  // built into this program and run by this processor
-// The fastest available set, or the one that the environment variable ISOLAW_SIMD names, chosen at the first call.
-// Throws Error for an unknown name or a set that this processor cannot run.
+std::vector<InstructionSet> available_instruction_sets();  // compiled into this program and supported by this processor
+// Returns the fastest available set, or the set that the environment variable ISOLAW_SIMD names. The first call
+// chooses. Throws Error for an unknown name or a set that this processor cannot run.
 InstructionSet instruction_set();
 InstructionSet parse_instruction_set(std::string_view text);
 

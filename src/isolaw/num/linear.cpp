@@ -37,7 +37,7 @@ Symmetric symmetric_eigen(Matrix const& A) {
 }
 
 Singular singular_values(Matrix const& A) {
-  // BDCSVD is meant for many columns. Up to fifteen it calls JacobiSVD, and it takes four times as long to compile.
+  // Not BDCSVD: up to fifteen columns it only calls JacobiSVD, and it takes four times as long to compile.
   Eigen::JacobiSVD<Matrix> const svd(A, Eigen::ComputeThinV);
   return {svd.singularValues(), svd.matrixV()};
 }

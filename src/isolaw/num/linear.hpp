@@ -1,5 +1,5 @@
-// Linear algebra on Eigen's vectors and matrices. Products and decompositions take long to compile, so linear.cpp
-// compiles them once. That also fixes the order in which every product is summed.
+// Linear algebra on Eigen's vectors and matrices. Products and decompositions take long to compile, so only linear.cpp
+// compiles them. The order of summation in a product is therefore the same for all callers.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,18 +20,18 @@ Matrix product_of_transposed(Matrix const& A, Vector const& d, Matrix const& B);
 Matrix weighted_gram(Matrix const& J, Vector const& weights, double factor = 1.0);  // factor Jᵀ diag(weights) J
 
 struct Symmetric {
-  Vector values;   // ascending
-  Matrix vectors;  // columns, of unit length
+  Vector values;   // in ascending order
+  Matrix vectors;  // one eigenvector of unit length in each column
 };
 Symmetric symmetric_eigen(Matrix const& A);
 
 struct Singular {
-  Vector values;  // descending
-  Matrix right;   // columns: the right singular vectors
+  Vector values;  // in descending order
+  Matrix right;   // one right singular vector in each column
 };
 Singular singular_values(Matrix const& A);
 
-Vector least_squares(Matrix const& A, Vector const& b);    // the x of least norm among those minimising |A x - b|
-Vector solve_symmetric(Matrix const& A, Vector const& b);  // A x = b for a symmetric A
+Vector least_squares(Matrix const& A, Vector const& b);    // the shortest x that minimises |A x - b|
+Vector solve_symmetric(Matrix const& A, Vector const& b);  // the solution of A x = b for a symmetric A
 
 }  // namespace isolaw::num

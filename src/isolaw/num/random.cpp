@@ -29,7 +29,7 @@ std::array<std::uint32_t, 4> philox_4x32_10(std::array<std::uint32_t, 4> const& 
   return {words[0], words[1], words[2], words[3]};
 }
 
-// The child's key is a draw of the parent at the place where all bits of a and b are 1, which is reserved for this.
+// The key of the new stream is a random number of this stream at a = b = 0xffffffff, a place reserved for this purpose.
 Stream Stream::split(std::uint64_t part) const {
   auto const words = philox_4x32_10({low_word(part), high_word(part), 0xffffffffu, 0xffffffffu}, key_);
   return Stream(join(words[0], words[1]));
@@ -56,7 +56,7 @@ double Draws::uniform() {
   return static_cast<double>(bits64() >> 11) * 0x1p-53;
 }
 
-// Rejection sampling with the smallest mask that covers n - 1: unbiased for every n, fewer than two tries on average.
+// Draws as many bits as n - 1 has until they give a number below n. Unbiased, with fewer than two tries on average.
 std::size_t Draws::below(std::size_t n) {
   assert(n > 0);
   auto const width = std::bit_width(n - 1);
@@ -67,9 +67,9 @@ std::size_t Draws::below(std::size_t n) {
   }
 }
 
-// Box and Muller 1958, the cosine only: every draw takes the same four words, whatever was drawn before it.
+// Uses only the cosine of Box and Muller 1958. Each number then takes four words and no earlier number has to be kept.
 double Draws::normal() {
-  double const radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));  // 1 - u is never 0
+  double const radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));  // 1 - uniform() is never 0
   return radius * std::cos(2.0 * std::numbers::pi * uniform());
 }
 

@@ -1,5 +1,5 @@
-// Counter-based random numbers (Philox 4x32-10, Salmon et al. 2011, through Random123). A draw depends only on the
-// stream's key and the draw's coordinates, so threads, order and interruptions do not change it.
+// Counter-based random numbers (Philox 4x32-10, Salmon et al. 2011, through Random123). A number depends only on the
+// key of its stream and on its place in the stream, not on threads, order of computation or interruptions.
 #pragma once
 
 #include <array>
@@ -8,15 +8,15 @@
 
 namespace isolaw::num {
 
-// A bijection of 128-bit counters for each key; counter[0] and the low half of `key` are Random123's first words.
+// A one-to-one mapping of 128-bit counters for each key. The low words of counter and key are Random123's first words.
 std::array<std::uint32_t, 4> philox_4x32_10(std::array<std::uint32_t, 4> const& counter, std::uint64_t key);
 
-// A family of independent generators. The key identifies the user of the numbers (campaign seed, device, law, run).
+// A family of independent generators. The key says what the numbers are for: campaign seed, device, law, run.
 class Stream {
  public:
   Stream() = default;
   explicit Stream(std::uint64_t key) : key_(key) {}
-  // A stream for one part of a name, in order: Stream(seed).split(hash of device).split(hash of law).split(run).
+  // Derives a stream for one part of a name. Example: Stream(seed).split(hash of device).split(hash of law).split(run).
   Stream split(std::uint64_t part) const;
   std::uint64_t key() const { return key_; }
 
@@ -24,8 +24,8 @@ class Stream {
   std::uint64_t key_ = 0;
 };
 
-// Sequential draws at one place (a, b) of a stream, for instance (generation, individual). Satisfies
-// UniformRandomBitGenerator. It makes doubles and indices itself, since distributions of standard libraries differ.
+// A sequence of random numbers at the place (a, b) of a stream, for instance (generation, individual). Satisfies
+// UniformRandomBitGenerator. uniform(), below() and normal() give the same numbers with every standard library.
 class Draws {
  public:
   using result_type = std::uint32_t;
@@ -34,9 +34,9 @@ class Draws {
   static constexpr result_type max() { return 0xffffffffu; }
   result_type operator()();
 
-  double uniform();                  // [0, 1), 53 bits
-  std::size_t below(std::size_t n);  // 0 .. n-1, unbiased; n > 0
-  double normal();                   // mean 0, standard deviation 1
+  double uniform();                  // in [0, 1), with 53 random bits
+  std::size_t below(std::size_t n);  // an index from 0 to n - 1, unbiased; n > 0
+  double normal();                   // normal with mean 0 and standard deviation 1
 
  private:
   std::uint64_t bits64();

@@ -1,5 +1,5 @@
-// Sums over tables of residuals. Compiled once for every instruction set, each time with another name,
-// ISOLAW_ROW_KERNELS, for the only object that it defines; the rules of fit/kernels.cpp apply.
+// Sums over tables of residuals, compiled once per instruction set. Each compilation gives ISOLAW_ROW_KERNELS, the only
+// object defined here, another name. The rules at the top of fit/kernels.cpp hold here too.
 #include "isolaw/num/row_kernels.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ void sizes(RowTable const& table, std::size_t columns, double delta, double* val
   }
 }
 
-// The differences of some rows, plain and weighted; few enough rows to stay in the processor's cache.
+// Differences of `chunk` rows, without weight and with the two weights. A chunk stays in the processor's cache.
 constexpr std::size_t chunk = 32, tile = 4;
 struct Chunk {
   alignas(64) double difference[chunk * most_columns], cautious[chunk * most_columns], bold[chunk * most_columns];

@@ -1,5 +1,5 @@
-// Sums over tables of residuals, with a row for each residual and a column for each candidate. Besides the law itself,
-// these take most of a descent's time, so they are compiled once for every instruction set.
+// Sums over tables of residuals, with a row for each residual and a column for each candidate. Apart from the law
+// itself, these sums take most of a descent's time. They are therefore compiled once for every instruction set.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace isolaw::num {
 
-// Columns computed together. A table's stride is a multiple of it; columns after the last candidate may hold anything.
+// Columns computed together; a table's stride is a multiple of it. Columns after the last candidate may hold anything.
 inline constexpr std::size_t row_lanes = 8;
 constexpr std::size_t padded(std::size_t columns) {
   return (columns + row_lanes - 1) / row_lanes * row_lanes;
@@ -18,12 +18,12 @@ constexpr std::size_t padded(std::size_t columns) {
 struct RowTable {
   double const* values;
   std::size_t stride;
-  std::span<double const> weights;  // one for each row
+  std::span<double const> weights;  // one weight for each row
 };
 
-// The sums for a Newton step from column 0 of a table whose other columns are its neighbours. In each row r is the
-// value of column 0, size = sqrt(r^2 + delta^2), and a column's difference is its value minus r. A column that is not
-// finite makes all sums that it enters not finite.
+// The sums for a Newton step. Column 0 of the table holds the residuals at the present point, the other columns those
+// at neighbouring points. In each row, r is the value of column 0, size = sqrt(r^2 + delta^2), and the difference of a
+// column is its value minus r. A column that is not finite makes every sum that contains it not finite.
 struct NormalSums {
   double* gradient;         // [columns]: sum of weight * difference * r / size
   double *cautious, *bold;  // [columns][columns], lower triangle: sums of curvature * product of two differences
@@ -31,16 +31,16 @@ struct NormalSums {
 };
 
 struct RowKernels {
-  // values[c] = sum of weight * |r|, rounded[c] = sum of weight * sqrt(r^2 + delta^2) in column c. Both are padded.
+  // In column c, values[c] = sum of weight * |r| and rounded[c] = sum of weight * sqrt(r^2 + delta^2). Both are padded.
   void (*sizes)(RowTable const& table, std::size_t columns, double delta, double* values, double* rounded);
-  // For `cautious` the curvature is weight / size, from the parabola that touches `size` from above. For `bold` it is
-  // cautious_share times this plus bold_share times the true curvature, weight * delta^2 / size^3. The arrays of `sums`
-  // are for padded(columns) columns, at most most_columns.
+  // The curvature of `cautious` is weight / size: the parabola with this curvature touches `size` from above. The
+  // curvature of `bold` is cautious_share times weight / size plus bold_share times the true one, weight * delta^2 /
+  // size^3. The arrays of `sums` have room for padded(columns) columns; columns <= most_columns.
   void (*normal)(RowTable const& table, std::size_t columns, double delta, double cautious_share, double bold_share,
                  NormalSums const& sums);
 };
 inline constexpr std::size_t most_columns = 64;
 
-RowKernels const& row_kernels();  // for the instruction set in use; `scalar` uses the portable ones
+RowKernels const& row_kernels();  // for the chosen instruction set; `scalar` uses the kernels of `portable`
 
 }  // namespace isolaw::num

@@ -1,11 +1,11 @@
-// The operations that a law's step may use, here for plain doubles. Dual and Batch offer the same set, so one body runs
-// on all three. Laws call the names unqualified: law.hpp brings the double overloads in, ADL finds the others.
+// The operations that a law's step may use, here for plain doubles. Dual and Batch offer the same ones, so one body
+// serves all three. Laws call them unqualified: law.hpp makes the double overloads visible, ADL finds the others.
 //   abs exp exp2 log2 sqrt min max        as in <cmath>
 //   expm1(x), fifth_root(x)               e^x - 1 and, for x >= 0, x^(1/5)
 //   any(condition)                        whether it is true in any lane
-//   select(condition, a, b)               a where true, b elsewhere, lane by lane; both are evaluated
-//   rounded(x)                            x; in a sum of two products it marks the one that is rounded before the sum,
-//                                         so that the compiler may fuse only the other
+//   select(condition, a, b)               a where true, b elsewhere, lane by lane; a and b are always computed
+//   rounded(x)                            x; marks the one product in a sum of two that the compiler must round before
+//                                         the sum, so that it may fuse only the other product
 //   cell_of(nodes, x)                     index i of the cell nodes[i] <= x < nodes[i+1], clamped to 0 .. count-2
 //   at(values, index)                     values[index], lane by lane
 //   Rows8                                 a table of rows of eight values, read with an index from cell_of
@@ -32,7 +32,7 @@ inline double expm1(double x) {
   return std::expm1(x);
 }
 inline double fifth_root(double x) {
-  return fast_fifth_root(x);  // so that doubles and lanes use the same function
+  return fast_fifth_root(x);  // doubles and lanes use the same function, so they agree
 }
 inline bool any(bool condition) {
   return condition;
@@ -57,7 +57,7 @@ T const& rounded(T const& x) {
   return x;
 }
 
-// Bisection without branches: the number of rounds depends only on the size of the table.
+// Bisection without branches. The number of steps depends only on the size of the table.
 template <std::size_t Count>
 std::size_t cell_of(std::array<double, Count> const& nodes, double x) {
   static_assert(Count >= 2);
@@ -86,7 +86,7 @@ class Rows8 {
   std::array<std::array<T, 8>, Count> rows_;
 };
 
-// x^p for x >= 0 as 2^(p log2 x), without the special cases of pow. 0 counts as smallest_power_base.
+// x^p for x >= 0, computed as 2^(p log2 x) without the special cases of pow. x = 0 is replaced by smallest_power_base.
 inline constexpr double smallest_power_base = 1e-290;
 inline constexpr double log2_e = 1.44269504088896340736;
 template <class T>

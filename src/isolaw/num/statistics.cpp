@@ -8,14 +8,14 @@ namespace isolaw::num {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double mad_to_std = 1.4826;  // for a normal distribution
+constexpr double mad_to_std = 1.4826;  // standard deviation / MAD of a normal distribution
 
 struct Deviations {
   double mean = nan;
-  double sum_of_squares = nan;  // about the mean
+  double sum_of_squares = nan;  // sum of (value - mean)^2
 };
 
-// The corrected two-pass algorithm of Chan, Golub and LeVeque 1983: the sum of the deviations corrects both results.
+// Two-pass algorithm (Chan, Golub and LeVeque 1983): the sum of deviations corrects mean and sum of squares.
 Deviations deviations(std::span<double const> values) {
   if (values.empty()) return {};
   auto const n = static_cast<double>(values.size());
@@ -28,7 +28,7 @@ Deviations deviations(std::span<double const> values) {
     residual += d;
     squares += d * d;
   }
-  // By Cauchy's inequality the correction is at most `squares`; only rounding could make the difference negative.
+  // By Cauchy's inequality the difference is not negative, except for rounding errors.
   double const corrected = squares - residual * residual / n;
   return {first_mean + residual / n, corrected < 0.0 ? 0.0 : corrected};
 }

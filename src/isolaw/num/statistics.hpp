@@ -1,4 +1,4 @@
-// The method's descriptive statistics. None leaves a value out: a value that is not finite makes the result not finite.
+// Descriptive statistics. No function leaves a value out: a NaN makes a mean, a standard deviation or a median NaN.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,10 @@ namespace isolaw::num {
 struct Moments {
   std::size_t count = 0;
   double mean = 0.0;  // NaN when count is 0
-  double std = 0.0;   // divides by n - 1; 0 when count is 1, NaN when it is 0
+  double std = 0.0;   // with divisor n - 1; 0 when count is 1, NaN when count is 0
 };
 Moments moments(std::span<double const> values);
-// Standard deviation that divides by n; the objective is relative to it. NaN when there are no values.
+// Standard deviation with divisor n, as in the objective. NaN when there are no values.
 double population_std(std::span<double const> values);
 // The middle value, or the mean of the two middle ones. NaN when there are no values or one of them is NaN.
 double median(std::span<double const> values);
@@ -25,10 +25,10 @@ double median_over(Items const& items, Property property) {
   return median(values);
 }
 
-// The signed distance of each value from the median in standard deviations estimated from the median absolute deviation
-// (MAD): (x - median) / max(1.4826 MAD, least_scale * |median|). Outliers move neither median nor MAD. Source: Iglewicz
-// and Hoaglin 1993, as 0.6745 (x - median) / MAD; a value beyond outlying_score is an outlier. `least_scale` is the
-// relative error of a value, so that nearly equal values are no outliers. All scores are 0 if the divisor is 0.
+// Modified z-scores: (x - median) / max(1.4826 MAD, least_scale * |median|), where 1.4826 MAD (median absolute
+// deviation) estimates the standard deviation. Outliers move neither the median nor the MAD. Source: Iglewicz and
+// Hoaglin 1993, who call a value beyond outlying_score an outlier. `least_scale` is the relative error of a value: it
+// keeps nearly equal values from being outliers. If the divisor is 0, all scores are 0.
 struct ModifiedScores {
   double median = 0.0;
   std::vector<double> scores;

@@ -24,12 +24,12 @@ double root(Function&& function, double lower, double upper) {
   return 0.5 * (from + to);
 }
 
-// Half the width of the interval about `centre` that holds the share `coverage` of the standard normal distribution.
+// Half the width of the interval around `centre` that contains the share `coverage` of a standard normal distribution.
 double half_width(double centre, double coverage) {
   return root([&](double r) { return normal_share(centre - r, centre + r) - coverage; }, 0.0, std::abs(centre) + 40.0);
 }
 
-// The probability that a sample's standard deviation, with `freedom` degrees of freedom, is at least half / k.
+// Probability that k times the sample's standard deviation is at least `half`, for a standard normal population.
 double spread_is_enough(double freedom, double half, double k) {
   double const ratio = half / k;
   return boost::math::gamma_q(0.5 * freedom, 0.5 * freedom * ratio * ratio);
@@ -40,7 +40,7 @@ double spread_is_enough(double freedom, double half, double k) {
 double tolerance_factor(std::size_t count, double coverage, double confidence) {
   if (count < 2) return std::numeric_limits<double>::quiet_NaN();
   auto const n = static_cast<double>(count);
-  // Beyond nine standard deviations of the mean the integrand is below the rounding error of the integral.
+  // The integral ends nine standard deviations from the mean. Beyond them the integrand is below the rounding error.
   double const end = 9.0 / std::sqrt(n);
   auto const reached = [&](double k) {
     auto const integrand = [&](double mean) {

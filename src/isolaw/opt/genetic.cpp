@@ -12,7 +12,7 @@
 namespace isolaw::opt {
 namespace {
 
-double rank_key(double value) {  // failures, whatever their kind, rank behind all numbers
+double rank_key(double value) {  // all values that are not finite rank behind all numbers
   return std::isfinite(value) ? value : infinity;
 }
 
@@ -62,7 +62,7 @@ Population select(Population const& parents, Population const& children, std::si
   return next;
 }
 
-// Measures gains from the last improvement, not from one generation to the next, so that slow steady progress counts.
+// Measures gains from the last improvement, not between generations, so that slow steady progress is no stagnation.
 class Progress {
  public:
   explicit Progress(GeneticOptions const& options) : options_(options) {}
@@ -109,7 +109,7 @@ SearchResult minimise_genetic(Problem const& problem, num::Stream const& stream,
     result.outcome = outcome;
     return result;
   };
-  Population parents;  // empty at first, so that all of generation 1 survives
+  Population parents;  // empty in generation 1, so that its children all survive
   Progress progress(options);
   for (int generation = 1; generation <= options.generations; ++generation) {
     if (interrupted && interrupted()) return ended(Outcome::interrupted);
@@ -142,7 +142,7 @@ std::vector<double> roulette_weights(std::span<double const> values, double pres
     best = std::min(best, value);
     worst = std::max(worst, value);
   }
-  // All values are halved, so that the distance between two huge values of opposite sign stays finite.
+  // Half values are compared, so that the distance between two huge values of opposite sign stays finite.
   double const origin = std::min(0.0, 0.5 * best);
   double const range = 0.5 * worst - origin;
   std::vector<double> weights(values.size(), 0.0);
@@ -161,8 +161,8 @@ RouletteWheel::RouletteWheel(std::span<double const> weights) : cumulative_(weig
 std::size_t RouletteWheel::spin(num::Draws& draws) const {
   double const total = cumulative_.back();
   double const target = draws.uniform() * total;
-  // Finds the first sum above the target. An index of weight zero has the same sum as the one before it and is never
-  // found. If rounding lifts the target to the total, the index of the last positive weight is taken.
+  // Finds the first cumulative sum above the target, which never belongs to an index of weight zero. If rounding makes
+  // the target equal to the total, the last index of positive weight is taken.
   auto const found =
       target < total ? std::ranges::upper_bound(cumulative_, target) : std::ranges::lower_bound(cumulative_, total);
   return static_cast<std::size_t>(found - cumulative_.begin());
@@ -170,7 +170,7 @@ std::size_t RouletteWheel::spin(num::Draws& draws) const {
 
 Cuts draw_cuts(std::size_t dimension, num::Draws& draws) {
   assert(dimension >= 2);
-  for (;;) {  // in dimension 2, the worst case, 4 of 9 tries succeed
+  for (;;) {  // succeeds in 4 of 9 tries in the worst case, dimension 2
     auto const i = draws.below(dimension + 1), j = draws.below(dimension + 1);
     Cuts const cuts{std::min(i, j), std::max(i, j)};
     if (cuts.first != cuts.second && cuts.second - cuts.first != dimension) return cuts;

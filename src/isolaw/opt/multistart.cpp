@@ -16,73 +16,73 @@
 namespace isolaw::opt {
 namespace {
 
-// The constants of the search and their reasons. "Logged": chosen by playing rules back on logged descents (numbers in
-// docs/performance.md, "The optimum"). Gains and distances of values are relative; coordinates are the unit box's.
+// Constants of the search. We logged many descents and chose the rules that did best on the log (docs/performance.md,
+// "The optimum"). Gains and distances between values are relative. Coordinates are in [0, 1].
 namespace tuning {
 
-// A stage lowers delta to `smoothing` times the mean residual and ends if it gains little there or after `iterations`.
+// A stage lowers delta to `smoothing` times the mean residual. It ends at a small gain there or after `iterations`.
 struct Stage {
   double smoothing;
   int iterations;
-  double least_gain = 0.0;   // over `patience` iterations at the last delta; below it the stage ends
-  std::size_t patience = 4;  // more than one, since an iteration may gain little while a residual crosses zero
+  double least_gain = 0.0;   // the stage ends if it gains less over `patience` iterations at its last delta
+  std::size_t patience = 4;  // several iterations, since one may gain little while a residual crosses zero
 };
-// Stops at half the residuals' size: the corner is still rounded off, and the outline finds the same valley (logged).
+// Stops with delta at half the mean residual: the sum is still smooth, and few residuals suffice to find the valley.
 constexpr Stage approach{.smoothing = 0.5, .iterations = 25};
-// Goes only to the tolerance of a hit, 5e-4, since the end is only counted. The least gain is below this tolerance.
+// Stops at gains below the hit tolerance of 5e-4, since the end of a descent is only counted and not reported.
 constexpr Stage settle{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4};
-// Starts at the outline's minimum, which lies so close to the minimum for all residuals that little is left to do.
+// Follows a descent on fewer residuals (outline()), whose minimum is so close to the true one that little remains.
 constexpr Stage finish{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4, .patience = 3};
-// Ends when about four digits of the value are right, for many descents of which none is reported by itself.
+// Stops when about four digits of the value are right. For sets of many descents, none of which is reported alone.
 constexpr Stage finish_briefly{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4, .patience = 2};
-constexpr double rounding_after_outline = 0.03;  // delta after the outline's minimum, as a share of the value
+constexpr double rounding_after_outline = 0.03;  // delta after a descent on outline(), as a share of the value
 constexpr Stage polish{.smoothing = 0.003, .iterations = 60};  // for the digits that are reported
 
-constexpr double gain_worth_staying = 3e-3;  // after a smaller gain delta is lowered, unless it is the stage's last
-// About half a decade, so that the minimum for the next delta lies within a few steps of this one's.
+constexpr double gain_worth_staying = 3e-3;  // after a smaller gain delta falls, down to the stage's last value
+// About half a decade, so that a few steps lead from the minimum for one delta to the minimum for the next.
 constexpr double fall_of_delta = 0.3;
-constexpr double noise_of_gain = 1e-6;  // error of one-sided differences; a smaller gain counts as none
-// Over such a step, curvature changes the slope by some 1e-6 and rounding by 1e-9, far less than damping changes it.
+constexpr double noise_of_gain = 1e-6;  // error of one-sided differences; smaller gains count as none
+// With this step, curvature changes a slope by about 1e-6 and rounding by 1e-9, far less than what damping does.
 constexpr double difference_step = 1e-6;
-// Shares of the two curvatures in the bold steps. The true curvature alone would be zero if no residual is near zero.
+// Bold steps mix the true curvature with that of a parabola: the true one vanishes if no residual is near zero.
 constexpr double bold_share = 0.9, cautious_share = 0.1;
-// Trial steps of an iteration. They fill one block of candidates; half a block costs as much (docs/performance.md).
+// Trial steps in an iteration: one full block of candidates, since half a block costs as much (docs/performance.md).
 constexpr std::size_t tried = 8;
-constexpr double damping_ratio = 20.0;  // the trial steps use 1/20, 1, 20 and 400 times the present damping
-constexpr double damping_rise = 1e4;    // factor if all trial steps failed; it exceeds their largest, 400
-constexpr int rises = 4;                // attempts of an iteration; they raise the usual damping beyond most_damping
+constexpr double damping_ratio = 20.0;  // trial steps use 1/20, 1, 20 and 400 times the present damping
+constexpr double damping_rise = 1e4;    // factor if all trial steps failed; beyond the 400 just tried
+constexpr int rises = 4;                // attempts in an iteration; they raise usual_damping beyond most_damping
 constexpr double usual_damping = 1e-2;
-constexpr double most_damping = 1e8;                        // steps then follow the gradient and are very short
-constexpr double least_carried = 1e-9, most_carried = 1e6;  // for the next iteration; a few rises undo them
-constexpr double least_curvature = 1e-9;  // relative to the largest; for directions that change no residual
+constexpr double most_damping = 1e8;                        // steps damped this much follow the gradient and are short
+constexpr double least_carried = 1e-9, most_carried = 1e6;  // limits of the damping that the next iteration starts with
+constexpr double least_curvature = 1e-9;  // relative to the largest curvature; for coordinates without effect
 
-constexpr double one_valley = 0.75;  // with this share of hits among scattered ends another valley is unlikely
-// A search ends early if there are `many_hits` and their share among the scattered ends is `agreeing`. This rule missed
-// the best valley in 1 of 380 logged searches; a share of 0.3 of all ends missed it in 6.
+constexpr double one_valley = 0.75;  // with this share of hits among the scattered starts a better valley is unlikely
+// A search ends early after `many_hits`, if the share of hits among the scattered starts is at least `agreeing`. Of 380
+// logged searches this missed the best valley in 1. A share of 0.3 among all descents missed it in 6.
 constexpr std::ptrdiff_t many_hits = 12;
-constexpr double agreeing = 0.4;                // share of hits among the scattered ends
-constexpr std::ptrdiff_t part_when_agreed = 3;  // a third of the starts: 24 instead of 72
-// If half of the scattered ends are within ten tolerances of the best value but few hit it, the valley's floor is
-// ragged. On the measured bearing 8 of 300 searches of abe missed its best part with 72 starts, 2 with 96 (logged).
-constexpr double close = 10.0;  // tolerances of a hit
+constexpr double agreeing = 0.4;                // share of hits among the scattered starts
+constexpr std::ptrdiff_t part_when_agreed = 3;  // a third of the starts suffices: 24 instead of 72
+// The valley's floor is ragged if half of the scattered starts end within ten hit tolerances of the best value, but few
+// hit it. For law abe, 8 of 300 logged searches with 72 starts missed the best point, 2 with 96 starts.
+constexpr double close = 10.0;  // in hit tolerances
 constexpr double ragged = 0.5;
-constexpr std::ptrdiff_t more_when_ragged = 3;  // a third more starts
-// In more dimensions, hops find better valleys at a quarter of scattered starts' cost; both seldom do so (logged).
+constexpr std::ptrdiff_t more_when_ragged = 3;  // if ragged, a third more starts
+// In more dimensions, hops found better valleys at a quarter of the cost of scattered starts in logged searches.
 constexpr std::size_t wide = 14;
-constexpr double more_when_wide = 2.5;  // times the starts, half of them hops: 180 instead of 72
-// An approach that ends above this multiple of the best value is not settled: settling gains a few tenths, not half.
+constexpr double more_when_wide = 2.5;  // factor on the starts, half of which are hops: 180 instead of 72
+// Gives up descents that are above this multiple of the best value after the approach. Settling gains less than half.
 constexpr double promising = 1.5;
-constexpr double least_power_of_hop = -1.5, most_power_of_hop = -0.3;  // 0.03 to 0.5 of the box, to leave the valley
-constexpr double least_power_of_last_hop = -2.0, most_power_of_last_hop = -0.5;  // 0.01 to 0.3, to stay in it
+constexpr double least_power_of_hop = -1.5, most_power_of_hop = -0.3;  // 0.03 to 0.5 of the box, to leave a valley
+constexpr double least_power_of_last_hop = -2.0, most_power_of_last_hop = -0.5;  // 0.01 to 0.3, to stay in a valley
 
-constexpr double sharp = 0.2;  // tolerances of a hit; on a smooth floor, half of the hits are this close to the best
-// Ends polished on a ragged floor. Polishing only the best ended 0.1 % too high in 3 of 29 searches (logged).
+constexpr double sharp = 0.2;  // in hit tolerances; on a smooth floor half of the hits are this close
+// Number of best ends to polish if the hits scatter. With only one, 3 of 29 logged searches ended 0.1 % too high.
 constexpr std::size_t polished = 6;
-constexpr double near_enough = 2.0;       // in tolerances of a hit; ends farther away belong to another valley
-constexpr double worth_polishing = 1.01;  // largest value after the approach, as a multiple of the best
-constexpr int hops_in_vain = 10, most_last_hops = 40;  // hops in a row without gain, and hops in all
-constexpr double gain_of_last_hop = 0.1;               // tolerances of a hit; less counts as no gain
-constexpr double absolute_tolerance = 1e-9;            // for a best value of zero
+constexpr double near_enough = 2.0;       // in hit tolerances; ends farther from the best value are in other valleys
+constexpr double worth_polishing = 1.01;  // largest value after the approach, as a multiple of the best value
+constexpr int hops_in_vain = 10, most_last_hops = 40;  // largest number of hops in a row without gain, and of all hops
+constexpr double gain_of_last_hop = 0.1;               // in hit tolerances; smaller gains count as none
+constexpr double absolute_tolerance = 1e-9;            // tolerance of a hit if the best value is zero
 
 }  // namespace tuning
 
@@ -91,7 +91,7 @@ using num::Matrix;
 using num::Vector;
 
 struct Cost {
-  std::size_t computed = 0, failed = 0;  // residuals computed, and how many of them belong to failed points
+  std::size_t computed = 0, failed = 0;  // residuals computed in all, and for points without a finite value
   Cost& operator+=(Cost const& other) {
     computed += other.computed;
     failed += other.failed;
@@ -107,7 +107,7 @@ void write_cost(Cost const& cost, DeviationProblem const& problem, Found& result
   result.failed_evaluations = in_points(cost.failed);
 }
 
-class Counting {  // the problem or its outline, whichever is in use, and the cost so far
+class Counting {  // computes residuals of the problem or of its outline, and counts them
  public:
   explicit Counting(DeviationProblem const& problem) : problem_(&problem), whole_(problem) {}
 
@@ -117,7 +117,7 @@ class Counting {  // the problem or its outline, whichever is in use, and the co
 
   std::size_t dimension() const { return problem_->dimension(); }
 
-  // Sums of weight * |residual| and of weight * sqrt(residual^2 + delta^2) for each point; infinite for a failed point.
+  // Per point: sum of weight * |residual| and of weight * sqrt(residual^2 + delta^2). Infinite if the point failed.
   struct Sizes {
     std::vector<double> value, rounded;
   };
@@ -155,7 +155,7 @@ struct Located {
   double value = infinity;  // sum of weight * |residual|
 };
 
-// A descent: approach() finds the valley, by the outline if there is one, settle() its floor, polish() the last digits.
+// One descent. approach() finds a valley, settle() its floor; both use outline() if they can. polish() adds digits.
 class Descent {
  public:
   Descent(DeviationProblem const& problem, std::span<double const> start, double rounding = 1.0)
@@ -194,7 +194,7 @@ class Descent {
 
   void go(tuning::Stage const& stage) {
     using namespace tuning;
-    std::vector<double> values;  // at the last delta
+    std::vector<double> values;  // the sum after each iteration at the stage's last delta
     for (int i = 0; i < stage.iterations; ++i) {
       auto const [before, after] = iterate();
       bool const moved = after < before;
@@ -224,10 +224,10 @@ class Descent {
     if (here_.value < best_.value) best_ = here_;
   }
 
-  // Gradient and curvatures of the rounded sum at the present point, by one-sided differences into the box; zero along
-  // a coordinate whose neighbour has no value. The cautious curvature belongs to the parabola that touches the rounded
-  // absolute value at this point and lies above it elsewhere; its steps are too short. The bold curvature is nearly the
-  // true one, to which only residuals near zero contribute; its steps are too long.
+  // Gradient and curvatures of the sum of sqrt(residual^2 + delta^2), by one-sided differences; zero for a coordinate
+  // if the neighbouring point failed. The cautious curvature is that of the parabola that touches this function and is
+  // nowhere below it: its steps are too short. The bold curvature is nearly the function's own, to which only residuals
+  // near zero contribute: its steps are too long.
   struct Slopes {
     Vector gradient;
     Matrix cautious, bold;
@@ -264,7 +264,7 @@ class Descent {
     return result;
   }
 
-  std::pair<double, double> iterate() {  // the rounded sum before and after; equal if no step improved it
+  std::pair<double, double> iterate() {  // sum of sqrt(r^2 + delta^2) before and after; equal without gain
     using namespace tuning;
     auto const here = slopes();
     auto const stretch = [](std::size_t i) { return std::pow(damping_ratio, static_cast<double>(i / 2) - 1.0); };
@@ -286,7 +286,7 @@ class Descent {
     return {here.value, here.value};
   }
 
-  // The point after a damped Newton step in the box. A coordinate on an edge stays on it if the step leads outside.
+  // Computes a damped Newton step inside the box. Coordinates on an edge stay there if the gradient leads outside.
   void propose(Matrix const& H, Vector const& g, double damping, std::span<double> point) const {
     std::ranges::copy(here_.x, point.begin());
     std::vector<Index> free;
@@ -297,7 +297,7 @@ class Descent {
     }
     double const floor = tuning::least_curvature * H.diagonal().maxCoeff() + 1e-300;
     Vector moved = Vector::Zero(g.size());
-    // Coordinates whose step would cross an edge are held on it, and the others are computed again.
+    // Puts a coordinate whose step would leave the box on the edge and computes the steps of the others again.
     for (int pass = 0; pass < 3 && !free.empty(); ++pass) {
       Vector held = moved;
       held(free).setZero();
@@ -337,7 +337,7 @@ Points latin_hypercube(std::size_t dimension, std::size_t count, num::Draws& dra
   return points;
 }
 
-// Moves about half of the coordinates by normal lengths; their standard deviation lies between two powers of ten.
+// Adds normal steps to about half of the coordinates. Their standard deviation is a random power of ten.
 std::vector<double> disturbed(std::vector<double> x, double least_power, double most_power, num::Draws& draws) {
   double const size = std::pow(10.0, least_power + (most_power - least_power) * draws.uniform());
   for (double& coordinate : x)
@@ -398,8 +398,8 @@ class Search {
     return hits >= options_.hits && std::ssize(ends_) >= starts_for(hits, near);
   }
 
-  // The fewer descents end at the best value, the likelier it is that a better one was missed. Hops tend to return to
-  // the valley that they left, so only the ends of scattered starts count as evidence.
+  // Number of descents to make. It rises if few descents hit the best value, since a better one was then more likely
+  // missed. Only scattered starts count, because hops tend to return to the valley that they came from.
   std::ptrdiff_t starts_for(std::ptrdiff_t hits, double near) const {
     std::ptrdiff_t const least = options_.least_starts, starts = options_.starts;
     auto const scattered_hits = count(scattered_, near);
@@ -426,8 +426,8 @@ class Search {
     write_cost(cost_, problem_, result_);
   }
 
-  // May run before its turn, on another thread. It settles the descent if its value is near enough to the best value
-  // known then. That value can only fall until the descent's turn, so each descent that must be settled has been.
+  // Threads run this before a descent is counted. It settles descents that come near the best value known so far. The
+  // best value can only fall until the counting, so every descent that must be settled by then has been settled.
   FinishedDescent descent_from(std::span<double const> start) const {
     FinishedDescent result;
     Descent descent(problem_, start);
@@ -452,7 +452,7 @@ class Search {
     return end.value;
   }
 
-  // Polishes the best end. If the values of the hits scatter, the valley's floor is ragged: then the next best ends are
+  // Polishes the best end. If the values of the hits scatter, the valley's floor is ragged. The next best ends are then
   // polished too, and small hops follow until they gain nothing.
   void refine(std::function<bool()> const& interrupted) {
     auto const polish = [&](std::vector<double> const& start) {
@@ -498,8 +498,8 @@ class Search {
   num::Stream stream_;
   MultistartResult result_;
   Cost cost_;
-  std::atomic<double> best_so_far_ = infinity;   // result_.best_value, for threads that descend ahead
-  std::vector<double> ends_, scattered_;         // final values of all descents, and of those from scattered points
+  std::atomic<double> best_so_far_ = infinity;   // copy of result_.best_value for threads that work ahead
+  std::vector<double> ends_, scattered_;         // final values of all descents, and of the scattered starts
   std::vector<std::vector<double>> end_points_;  // final points of all descents
 };
 

@@ -6,7 +6,7 @@
 
 namespace isolaw::opt {
 
-// Compares every pair, which is simple and fast enough: the points are a handful of laws.
+// Compares all pairs, which is fast enough for a few laws.
 std::vector<bool> non_dominated(std::span<double const> a, std::span<double const> b) {
   assert(a.size() == b.size());
   auto const usable = [&](std::size_t i) { return std::isfinite(a[i]) && std::isfinite(b[i]); };

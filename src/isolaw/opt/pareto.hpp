@@ -1,4 +1,4 @@
-// The non-dominated points (Pareto front) of two objectives, both minimised.
+// Finds the points that no other point beats in two objectives (Pareto front). Both objectives are minimised.
 #pragma once
 
 #include <span>
@@ -6,8 +6,8 @@
 
 namespace isolaw::opt {
 
-// Element i is true if no other point is at least as small in both objectives and smaller in one. Equal points do not
-// dominate each other. A point with a value that is not finite is never on the front. a[i] and b[i] belong to point i.
+// Element i is true if no other point is at least as small in both objectives and smaller in one. a[i] and b[i] are the
+// objectives of point i. Equal points do not beat each other. Points with a value that is not finite are never true.
 std::vector<bool> non_dominated(std::span<double const> a, std::span<double const> b);
 
 }  // namespace isolaw::opt

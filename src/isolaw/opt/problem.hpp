@@ -1,4 +1,4 @@
-// The contract between an optimiser and the problem it minimises, and the result of a search.
+// The interface of a problem that optimisers minimise, and the result of a search.
 #pragma once
 
 #include <cstddef>
@@ -26,8 +26,8 @@ struct Points {
   }
 };
 
-// Minimisation over the unit box [0, 1]^dimension. The problem maps the box to its physical parameters, so that every
-// algorithm sees the same scales. evaluate() writes one value per point; +infinity marks a failed point.
+// Minimisation over the unit box [0, 1]^dimension. The problem maps the box to its physical parameters, so that all
+// algorithms see the same scales. evaluate() writes a value for each point, +infinity if it cannot be computed.
 class Problem {
  public:
   virtual ~Problem() = default;
@@ -35,31 +35,31 @@ class Problem {
   virtual void evaluate(Points const& points, std::span<double> values) const = 0;
 };
 
-// The value is sum of weights()[j] * |residual j|. A search that sees the residuals needs far fewer evaluations.
+// The value is the sum of weights()[j] * |residual j|. Searches that know the residuals need far fewer evaluations.
 class DeviationProblem : public Problem {
  public:
-  virtual std::span<double const> weights() const = 0;  // one for each residual, >= 0; their sum is 1
-  // Residual j of point i is values[i * weights().size() + j]. Not finite if the point failed.
+  virtual std::span<double const> weights() const = 0;  // one weight for each residual, >= 0, with sum 1
+  // Writes residual j of point i to values[i * weights().size() + j]; not finite if it cannot be computed.
   virtual void residuals(Points const& points, std::span<double> values) const = 0;
-  // The same with the points side by side: residual j of point i is rows[j * stride + i]. The stride is at least
-  // num::padded(points.size()); columns beyond the last point may hold any numbers.
+  // Writes the residuals side by side: residual j of point i is rows[j * stride + i]. `stride` is at least
+  // num::padded(points.size()); columns after the last point may hold any numbers.
   virtual void residual_rows(Points const& points, std::size_t stride, std::span<double> rows) const;
-  // The same problem with fewer residuals, good enough to find the right valley; null if there is no such problem.
+  // A version with fewer residuals that has the same valleys and is cheaper to search; null if there is none.
   virtual DeviationProblem const* outline() const { return nullptr; }
-  // Spreads weights of all residuals over the residuals of the outline. For a problem that has an outline.
+  // Spreads weights of all residuals over the outline's residuals. May be called only if there is an outline.
   virtual std::vector<double> on_outline(std::span<double const> weights) const;
 };
 
 struct Found {
-  std::vector<double> best;  // in the unit box; empty when no point was finite
+  std::vector<double> best;  // in the unit box; empty if no point had a finite value
   double best_value = std::numeric_limits<double>::infinity();
-  int evaluations = 0;         // points that were computed
-  int failed_evaluations = 0;  // how many of them had no finite value
+  int evaluations = 0;         // number of points computed
+  int failed_evaluations = 0;  // number of points without a finite value
 
   bool usable() const { return !best.empty(); }
 };
 
-// How a search ended; see genetic.hpp and multistart.hpp. After `interrupted`, `best` is the best point so far.
+// How a search ended; genetic.hpp and multistart.hpp explain it. After `interrupted`, `best` is the best point so far.
 enum class Outcome { confirmed, budget_spent, all_generations, stagnated, no_finite_value, interrupted };
 
 struct SearchResult : Found {

@@ -10,7 +10,7 @@
 namespace isolaw::programs {
 namespace {
 
-// "Kb+" becomes Kb_p.
+// Makes a C++ name from a parameter's name: "Kb+" becomes Kb_p.
 std::string member(std::string_view name) {
   std::string plain;
   for (char const c : name) plain += c == '+' ? std::string("_p") : c == '-' ? std::string("_m") : std::string(1, c);
@@ -49,8 +49,8 @@ std::string constants(Subject const& subject, UnitSystem const& units) {
   return text;
 }
 
-// The check's tolerance as a share of the peak force. Two exact flows agree within 1e-7, but unloading near a rest
-// (kappa near -1) magnifies errors.
+// Tolerance of the self-check as a share of the peak force. Two exact flows agree within 1e-7, but unloading near rest
+// (kappa near -1) magnifies rounding errors.
 double allowed(laws::LawInfo const& law) {
   return law.traits.exact_flow ? 1e-4 : 1e-6;
 }

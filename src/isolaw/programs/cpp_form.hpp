@@ -1,4 +1,4 @@
-// Shared by the exports in C++: the law in a namespace, as C++17 that needs only the standard library, and its check.
+// Texts for all exports in C++: the law in a namespace (C++17, standard library only) and its self-check.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace isolaw::programs {
 std::string cpp_facts(Subject const& subject, UnitSystem const& units, std::string_view program);
-// Returns the includes and the namespace identifier(subject). Throws Error for a law without a C++ form.
+// Returns the includes and the law in namespace identifier(subject). Throws Error if the law has no C++ form.
 std::string cpp_law(Subject const& subject, UnitSystem const& units);
-// A main() under ISOLAW_SELF_CHECK. It moves `material` along the protocol with trial(disp, velocity) and commit().
+// Returns a main() for ISOLAW_SELF_CHECK. It calls trial(disp, velocity) and commit() of `material` along the protocol.
 std::string cpp_check(Subject const& subject, UnitSystem const& units, std::string_view material);
 
 }  // namespace isolaw::programs

@@ -1,5 +1,5 @@
-// Writes the law itself for Abaqus/Standard, as a user element (UEL) in C++. It keeps all state in SVARS, so that
-// Abaqus may repeat an increment.
+// Writes the law for Abaqus/Standard as a user element (UEL) in C++. All state is in SVARS, so that Abaqus can repeat
+// an increment.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace isolaw::programs {
 namespace {
 
-// SVARS for the largest state without turning points, and for the turning points that remain after free vibration.
+// Numbers in SVARS for the largest state without turning points, and for those that remain after free vibration.
 constexpr int fixed_variables = 32, turning_variables = 1000;
 
 int variables_of(laws::LawEntry const& law) {

@@ -1,4 +1,4 @@
-// Writes the law itself as a material in a C++17 header that needs only the standard library.
+// Writes the law as a C++17 header that needs only the standard library.
 #include <fmt/format.h>
 
 #include <cctype>

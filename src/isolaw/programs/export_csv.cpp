@@ -1,4 +1,4 @@
-// Writes CSV for programs without a target of their own: the path of the self-check and the law's force along it.
+// Writes the self-check's displacements and the law's forces as CSV, for programs without a target of their own.
 #include <fmt/format.h>
 
 #include "isolaw/programs/exports.hpp"

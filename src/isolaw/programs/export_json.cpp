@@ -1,4 +1,4 @@
-// Writes everything that an export contains as JSON, for machines.
+// Writes as JSON what all other targets contain.
 #include "isolaw/base/json.hpp"
 #include "isolaw/programs/exports.hpp"
 #include "isolaw/programs/self_check.hpp"

@@ -1,4 +1,4 @@
-// Writes the law as a UniaxialMaterial in C++, after the headers of OpenSees 3.8.0 and its search for libraries.
+// Writes the law as a UniaxialMaterial in C++ that OpenSees 3.8.0 loads from a library.
 #include <fmt/format.h>
 
 #include <array>
@@ -13,7 +13,7 @@
 namespace isolaw::programs {
 namespace {
 
-// The factors that a script may name, as rows of a C++ table and as a list for readers.
+// The factors on the force that a script may name: rows of a C++ table, and a list for the file's comments.
 struct Variants {
   std::string table = "{\"nominal\", nominal}", names = "nominal";
 };

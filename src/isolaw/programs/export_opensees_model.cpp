@@ -1,4 +1,4 @@
-// Writes the law's Tcl script for OpenSees with a building on isolators of this law.
+// Writes the law's Tcl script for OpenSees, together with a building on isolators of this law.
 #include <fmt/format.h>
 
 #include "isolaw/base/words.hpp"

@@ -1,4 +1,4 @@
-// Writes the law as an OpenSeesPy module with the same functions as the Tcl export. Run as a program it checks itself.
+// Writes the law as an OpenSeesPy module with the functions of the Tcl script. Running the module does its self-check.
 #include <fmt/format.h>
 
 #include <ranges>
@@ -131,7 +131,7 @@ def self_check():
 )python";
   text += addition.procedures;
   text += "if __name__ == \"__main__\":\n";
-  // The text of the model has already imported sys.
+  // A script with a model has imported sys already.
   return text + (addition.dispatch.empty() ? "    import sys\n\n    sys.exit(0 if self_check() else 1)\n"
                                            : "    " + addition.dispatch);
 }

@@ -1,4 +1,4 @@
-// Writes the law's OpenSeesPy module with a building on isolators of this law, the same model as in Tcl.
+// Writes the law's OpenSeesPy module, together with a building on isolators of this law: the model of the Tcl script.
 #include <fmt/format.h>
 
 #include "isolaw/base/words.hpp"

@@ -1,8 +1,8 @@
-// Writes a page of values for programs whose input could not be tried: in their own symbols, and with the model's
-// error. The force laws come from the programs' manuals. SAP2000 and ETABS, Plastic (Wen): f = r k d + (1 - r) Fy z
-// with dz = (k / Fy) dd (1 - |z|^exp) where dd z > 0, else (k / Fy) dd: Bouc-Wen with beta = gamma. Rubber Isolator:
-// with exp = 2, coupled in its plane. MIDAS, Hysteretic System: Plastic (Wen) with two free shares PA + PB = 1.
-// SeismoStruct: the OpenSees bearing. Abaqus: connector elasticity with linear kinematic hardening.
+// Writes a page of input values for programs that we could not try. Each value has the program's own symbol; each law
+// has its error. The force laws come from the manuals. SAP2000 and ETABS, Plastic (Wen): f = r k d + (1 - r) Fy z with
+// dz = (k / Fy) dd (1 - |z|^exp) where dd z > 0, otherwise dz = (k / Fy) dd; this is Bouc-Wen with beta = gamma. Rubber
+// Isolator: the same law with exp = 2, coupled in its plane. MIDAS, Hysteretic System: Plastic (Wen) with free shares
+// PA + PB = 1. SeismoStruct: the bearing of OpenSees. Abaqus: connector elasticity with linear kinematic hardening.
 #include <fmt/format.h>
 
 #include <cctype>
@@ -20,8 +20,8 @@ using Corner = laws::BilinearForm;
 
 template <class Values>
 struct Set {
-  std::string how;      // "exact", or what was fitted and its error
-  bool is_near = true;  // false: far off the law
+  std::string how;      // "exact", or the fitted law and its error
+  bool is_near = true;  // false if the values are far off the law
   Values nominal;
   std::optional<Values> lower, upper;
 };
@@ -65,9 +65,9 @@ std::vector<double> parameters_of(Wen const& v) {
   return p;
 }
 
-constexpr double sharpest = 20.0;  // the exponent that represents a sharp corner
+constexpr double sharpest = 20.0;  // exponent that stands for a sharp corner
 
-// The Bouc-Wen law that replaces a bilinear loop.
+// Bouc-Wen values for a bilinear loop.
 Wen sharp(Corner const& v) {
   double const half = 0.5 * std::pow(v.uy, -sharpest);
   return {.alpha = v.K2 / v.K1, .Ke = v.K1, .beta = half, .gamma = half, .n = sharpest};
@@ -90,7 +90,7 @@ fit::Override tie_gamma() {
 using WenSet = std::optional<Set<Wen>>;
 using CornerSet = std::optional<Set<Corner>>;
 
-// Values of the Bouc-Wen law with beta = gamma and an exponent of 1 to 20.
+// Bouc-Wen values with beta = gamma and an exponent from 1 to 20, which Plastic (Wen) requires.
 WenSet plastic_wen(Subject const& subject) {
   if (auto const v = bilinear_values(*subject.law, subject.parameters)) {
     auto const s = sharp(*v);
@@ -150,7 +150,7 @@ class Page {
     text_ += "|---|---|---:|";
     text_ += std::string(subject_.bounds.lower ? "---:|" : "") + (subject_.bounds.upper ? "---:|" : "") + "---|\n";
   }
-  // `get` is a member or a function of a variant's values; it gives a number in kN^force mm^length.
+  // Adds a row of the table. `get` takes the number from the values of a variant, in kN^force mm^length.
   template <class Values, class Get>
   void row(std::string_view symbol, double force, double length, Set<Values> const& set, Get&& get,
            std::string_view note = {}) {

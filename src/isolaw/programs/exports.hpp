@@ -1,4 +1,4 @@
-// Writes the exported texts, with one function for each target. Each throws Error if the target cannot express the law.
+// Writes the exported texts, one function for each target. A function throws Error for a law that it cannot express.
 #pragma once
 
 #include <span>
@@ -14,31 +14,31 @@
 namespace isolaw::programs {
 
 struct Remarks {
-  std::vector<std::string> objections;  // why the form must not replace the law; refused unless asked for anyway
-  std::vector<std::string> cautions;    // warnings that the user sees with the export
+  std::vector<std::string> objections;  // reasons not to use the export, which is then only written if `anyway`
+  std::vector<std::string> cautions;    // warnings that are shown with the export
 };
 
 struct Target {
   std::string_view name;
   std::string (*write)(Subject const& subject, UnitSystem const& units, Remarks& remarks);
-  bool of_model = false;  // writes a whole building: the subject needs a Model
+  bool of_model = false;  // true if it writes a whole building and needs Subject::model
 };
 std::span<Target const> targets();
 std::vector<std::string_view> model_targets();     // names of the targets that write a whole building
-Target const& find_target(std::string_view name);  // throws Error that lists the targets
+Target const& find_target(std::string_view name);  // throws Error with a list of the targets
 
 struct Export {
   std::string text;
   std::vector<std::string> let_through, cautions;
 };
-// Throws Error for an unusable prediction or a substitute far off the law, unless `anyway`; `let_through` then says so.
+// Throws Error for an unusable prediction or a poor substitute. With `anyway`, the reasons go to `let_through`.
 Export write_export(Subject const& subject, Target const& target, UnitSystem const& units, bool anyway);
 
 std::string opensees_script(Subject const& subject, Realisation const& realisation, UnitSystem const& units,
                             ScriptAddition const& addition = {});
 std::string openseespy_script(Subject const& subject, Realisation const& realisation, UnitSystem const& units,
                               ScriptAddition const& addition = {});
-// Adds the subject's model to the law's script. The model's draws must already be forms of the realisation.
+// Write the law's script with the subject's model. add_draws() must have added the model's draws to the realisation.
 std::string opensees_model(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::string openseespy_model(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::string cpp_header(Subject const& subject, UnitSystem const& units);

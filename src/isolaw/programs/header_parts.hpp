@@ -1,4 +1,4 @@
-// Pieces of exported C++ headers: the embedded files of laws/online/.
+// The source texts in laws/online/ that exported C++ headers consist of.
 #pragma once
 
 #include <string_view>
@@ -6,11 +6,11 @@
 
 namespace isolaw::programs {
 
-// A law's pieces in order, to be written before header_material(); empty for a law without an online form.
+// The texts of one law, in the order in which they precede header_material(). Empty for a law without an online form.
 std::vector<std::string_view> header_parts(std::string_view law);
 std::string_view header_numbers();
 std::vector<std::string_view> header_material();
-// True if the law's state grows with the number of turning points that are still open.
+// True if the law stores its turning points, so that its state grows with their number.
 bool remembers_turning_points(std::string_view law);
 
 }  // namespace isolaw::programs

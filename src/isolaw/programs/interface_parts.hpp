@@ -1,4 +1,4 @@
-// The program's side of exported C++ (OpenSees, Abaqus): the files of interface/, with their @marks@ replaced.
+// The parts of exported C++ that OpenSees or Abaqus calls: the files in interface/, where values replace @marks@.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 namespace isolaw::programs {
 
 using Marks = std::span<std::pair<std::string_view, std::string> const>;
-// Throws std::logic_error for an unknown file or mark.
+// Returns a file with its marks replaced. Throws std::logic_error for an unknown file or mark.
 std::string interface_part(std::string_view file, Marks marks);
 
 }  // namespace isolaw::programs

@@ -19,8 +19,8 @@ namespace isolaw::programs {
 namespace {
 
 struct LayoutColumn {
-  std::vector<std::string_view> names;  // accepted headings; messages use the first
-  std::string units;                    // accepted units; "" for text
+  std::vector<std::string_view> names;  // accepted headings, of which messages use the first
+  std::string units;                    // accepted units; "" if the cells are texts
   std::optional<double> (*in_ours)(std::string_view unit);
   void (*set)(LayoutRow& place, double value);
   bool required = false, above_zero = false;
@@ -72,7 +72,7 @@ std::vector<LayoutColumn> const& layout_columns() {
   return known;
 }
 
-// Splits "load [kN]" and "load (kN)" into "load" and "kN".
+// Splits a heading such as "load [kN]" or "load (kN)" into "load" and "kN".
 std::pair<std::string_view, std::string_view> name_and_unit(std::string_view cell) {
   auto const open = cell.find_first_of("[(");
   if (open == std::string_view::npos) return {trimmed(cell), {}};
@@ -183,7 +183,7 @@ std::vector<LayoutRow> read_layout_text(std::string_view bytes, std::string cons
     return Error({.where = name, .found = "no bearings", .allowed = "a row for each, under " + columns_text()});
   };
   if (!header_line || below == 0) throw nothing();
-  // The header decides: a table of one or two bearings has too few rows for recognising the delimiter.
+  // Recognises the delimiter from the header alone, since a table may have only one or two rows.
   auto const& head = lines[*header_line];
   auto const has = [&](char c) { return head.find(c) != std::string_view::npos; };
   char const delimiter = has(';') ? ';' : has('\t') ? '\t' : has(',') ? ',' : ' ';

@@ -45,7 +45,7 @@ Form steel02(laws::MenegottoPintoForm const& v) {
                          {"cR2", v.cR2, 0, 0}}}}};
 }
 
-// This command takes gamma before beta, and its z is a length, so that both are in 1/length^n.
+// The command BoucWen takes gamma before beta. Its z is a length, so that beta and gamma are in 1/length^n.
 Form bouc_wen(laws::BoucWenForm const& v) {
   return {.id = "material",
           .title = "uniaxialMaterial BoucWen",
@@ -64,7 +64,7 @@ Form bouc_wen(laws::BoucWenForm const& v) {
                          {"maxIter", 100.0, 0, 0}}}}};
 }
 
-// This command takes beta before gamma, and its z has no dimension: 1 at the yield displacement, where it saturates.
+// The command BoucWenOriginal takes beta before gamma. Its z has no unit and saturates at 1, the yield displacement.
 Form bouc_wen_original(laws::BoucWenForm const& v) {
   double const uy = v.z_max(), scale = std::pow(uy, v.n);
   return {.id = "material_original",
@@ -102,7 +102,7 @@ Form bearing_bouc_wen(laws::BoucWenForm const& v) {
 
 std::vector<Form> bouc_wen_forms(laws::BoucWenForm const& v) {
   std::vector<Form> forms{bouc_wen(v), bouc_wen_original(v), bearing_bouc_wen(v)};
-  // With n < 1 the slope of |z|^n is infinite at 0, where Newton's iteration may fail.
+  // With n < 1, |z|^n has an infinite slope at z = 0, where Newton's iteration may fail.
   if (v.n < 1.0)
     for (auto& form : forms)
       form.condition +=
@@ -111,7 +111,7 @@ std::vector<Form> bouc_wen_forms(laws::BoucWenForm const& v) {
   return forms;
 }
 
-// The law's canonical form in kN and mm.
+// Returns the law's canonical form, converted to kN and mm.
 laws::Canonical canonical(laws::LawEntry const& law, std::span<double const> parameters) {
   double const F = law.info.force.in_record_units, L = law.info.length.in_record_units;
   auto form = law.canonical(parameters);
@@ -138,7 +138,7 @@ laws::Canonical canonical(laws::LawEntry const& law, std::span<double const> par
   return form;
 }
 
-// Why OpenSees has no material for these limit curves; "" if it has one.
+// Tells why no OpenSees material has these limit curves; "" if a material has them.
 std::string no_material_of(laws::LawEntry const& law, laws::LimitCurvesForm const& v) {
   auto const &up = v.loading, &down = v.unloading;
   if (up.sigmoid != 0.0 || down.sigmoid != 0.0)
@@ -161,8 +161,8 @@ std::string no_material_of(laws::LawEntry const& law, laws::LimitCurvesForm cons
   return {};
 }
 
-// The distance to the limit curve falls as f0 exp(-alpha travel). Returns the travel beyond which rounding may hide it
-// in the force. The displacement is `reach` times the travel: 1 from rest, 0.5 from one side to the other.
+// Returns the travel in one direction after which rounding may hide the distance of the force from its limit curve, f0
+// exp(-alpha travel). The displacement is `reach` * travel: 1 from rest, 0.5 from one side to the other.
 double longest_travel(laws::LimitCurve const& v, double reach) {
   constexpr double roundings = 16.0 * std::numeric_limits<double>::epsilon();
   double travel = 0.0;
@@ -176,13 +176,12 @@ double longest_travel(laws::LimitCurve const& v, double reach) {
   return travel;
 }
 
-// HystereticAsym refuses a curve that softens (beta1 < 0). The hysteretic force is linear in ka, kb and fo, so the law
-// is written as 1.1 times this force minus a material with 0.1 times this force and the curve.
+// HystereticAsym refuses a limit curve that softens (beta1 < 0). Its hysteretic force is linear in ka, kb and fo. The
+// law is therefore written as 1.1 times this force, minus a material of 0.1 times this force that hardens by the curve.
 constexpr double surplus = 0.1;
 
-// The hardening term of HystereticAsym has the coefficient 1, one unit of force in any unit system. The force is
-// therefore computed in units of the law's own coefficient, and a Multiplier scales it back, unless there is no
-// hardening.
+// The hardening term of HystereticAsym always has the coefficient 1, in whatever unit of force. If the law hardens, the
+// force is therefore computed in units of the law's coefficient and scaled back by a Multiplier.
 Form hysteretic_asym(laws::LimitCurve const& v) {
   Form form{.id = "material",
             .title = "uniaxialMaterial HystereticAsym",
@@ -193,7 +192,7 @@ Form hysteretic_asym(laws::LimitCurve const& v) {
             .longest_travel_mm = longest_travel(v, 1.0),
             .longest_swing_mm = longest_travel(v, 0.5),
             .since = "3.5.0"};
-  // Adds one HystereticAsym. Its curve is exp(b1 u) - 1 - b1 u times one unit of force.
+  // Adds a HystereticAsym command. The force of its hardening curve is exp(b1 u) - 1 - b1 u.
   auto const part = [&](double kb, double f0, double b1, double force_power) {
     form.commands.push_back({"HystereticAsym",
                              {{"ka", kb + 2.0 * v.alpha * f0, force_power, -1},
@@ -253,7 +252,7 @@ struct ToForms {
     v.beta1 *= scale.stiffness;
     Mapping mapping{.forms = {hysteretic_asym(v)}, .why = {}};
     if (v.beta1 != 0.0) return mapping;
-    // Without hardening the law is Bouc-Wen with n = 1, beta = alpha and gamma = 0, whose force never becomes NaN.
+    // Without hardening, the law is Bouc-Wen with n = 1, beta = alpha and gamma = 0, whose force never becomes NaN.
     for (auto& form : bouc_wen_forms(without_hardening(v))) {
       if (form.id == "material") form.id = "material_bouc_wen";
       mapping.forms.push_back(std::move(form));

@@ -17,7 +17,7 @@ double sign(double x) {
   return x < 0.0 ? -1.0 : 1.0;
 }
 
-// Arguments Fy E0 b. Elastic increments, limited by two lines of slope b E0.
+// Arguments: Fy E0 b. The force changes elastically and is limited by two lines of slope b E0.
 class Steel01 final : public Material {
  public:
   explicit Steel01(std::span<double const> a) : Fy_(a[0]), E0_(a[1]), b_(a[2]) {}
@@ -32,7 +32,7 @@ class Steel01 final : public Material {
   double Fy_, E0_, b_, x_ = 0.0, force_ = 0.0;
 };
 
-// Arguments Fy E0 b R0 cR1 cR2. A curve from each reversal (xr, fr) bends at the corner (x0, f0) into the asymptote.
+// Arguments: Fy E0 b R0 cR1 cR2. From each reversal (xr, fr) a curve bends at the corner (x0, f0) to an asymptote.
 class Steel02 final : public Material {
  public:
   explicit Steel02(std::span<double const> a)
@@ -64,7 +64,7 @@ class Steel02 final : public Material {
   double x_ = 0.0, f_ = 0.0, direction_ = 0.0, xr_ = 0.0, fr_ = 0.0, x0_ = 0.0, f0_ = 0.0, R_ = 0.0;
 };
 
-// Arguments kInit qd alpha1 alpha2 mu, in one direction. Adds an elastic-plastic part, a spring and a hardening spring.
+// Arguments: kInit qd alpha1 alpha2 mu; one direction. Sum of an elastic-plastic part, a spring and a hardening spring.
 class BearingPlasticity final : public Material {
  public:
   explicit BearingPlasticity(std::span<double const> a)
@@ -79,17 +79,17 @@ class BearingPlasticity final : public Material {
   double k_, qd_, alpha1_, alpha2_, mu_, plastic_ = 0.0;
 };
 
-// How a program finds z by Newton's rule. The defaults are the program's defaults.
+// Newton's rule for z, with the defaults of OpenSees.
 struct Iteration {
-  double tolerance = 1e-8;  // of the change of z
+  double tolerance = 1e-8;  // largest change of z in the last iteration
   int most = 20;            // the largest number of iterations
 };
 
-// Backward Euler: z = z0 + dx (A - |z|^n (gamma + beta sgn(dx z))). NaN if it does not converge, as in the program.
+// Backward Euler for dz = dx (A - |z|^n (gamma + beta sgn(dx z))). NaN if the iteration fails, as in OpenSees.
 double implicit_z(double z0, double dx, double A, double beta, double gamma, double n, double start,
                   Iteration const& iteration) {
   if (dx == 0.0) return z0;
-  constexpr double least = std::numeric_limits<double>::epsilon();  // replaces |z| = 0 in |z|^(n-1)
+  constexpr double least = std::numeric_limits<double>::epsilon();  // stands for |z| = 0 in |z|^(n-1)
   double z = start;
   for (int i = 0; i < iteration.most; ++i) {
     double const size = z == 0.0 ? least : std::abs(z), shape = gamma + beta * sign(dx * z);
@@ -102,7 +102,7 @@ double implicit_z(double z0, double dx, double A, double beta, double gamma, dou
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-// Arguments alpha ko n gamma beta Ao deltaA deltaNu deltaEta [tol maxIter]. z is a length.
+// Arguments: alpha ko n gamma beta Ao deltaA deltaNu deltaEta [tol maxIter]. z is a length.
 class BoucWen final : public Material {
  public:
   explicit BoucWen(std::span<double const> a) : alpha_(a[0]), k_(a[1]), n_(a[2]), gamma_(a[3]), beta_(a[4]), A_(a[5]) {
@@ -111,7 +111,7 @@ class BoucWen final : public Material {
       throw Error({.where = "BoucWen", .found = "deltaA, deltaNu or deltaEta", .allowed = "0: no degradation"});
   }
   double force(double x) override {
-    constexpr double start = 0.01;  // the program's start at every step, in any units
+    constexpr double start = 0.01;  // OpenSees starts each step at this z, in whatever units
     z_ = implicit_z(z_, x - x_, A_, beta_, gamma_, n_, start, iteration_);
     x_ = x;
     return alpha_ * k_ * x + (1.0 - alpha_) * k_ * z_;
@@ -122,7 +122,7 @@ class BoucWen final : public Material {
   Iteration iteration_;
 };
 
-// z has no dimension: it is 1 at the yield displacement uy.
+// The Bouc-Wen law with a z without unit, which is 1 at the yield displacement uy.
 class DimensionlessBoucWen final : public Material {
  public:
   struct Parameters {
@@ -141,7 +141,7 @@ class DimensionlessBoucWen final : public Material {
   double x_ = 0.0, z_ = 0.0;
 };
 
-// Both commands take alpha1 alpha2 mu eta beta gamma as their third to eighth arguments.
+// The third to eighth arguments of BoucWenOriginal and of the bearing are alpha1 alpha2 mu eta beta gamma.
 DimensionlessBoucWen::Parameters with_shape(double k, double uy, double qd, std::span<double const> a,
                                             Iteration const& iteration) {
   return {.k = k,
@@ -156,20 +156,20 @@ DimensionlessBoucWen::Parameters with_shape(double k, double uy, double qd, std:
           .iteration = iteration};
 }
 
-// Arguments E fy alphaL alphaNL mu eta beta gamma [tol maxIter].
+// Arguments of BoucWenOriginal: E fy alphaL alphaNL mu eta beta gamma [tol maxIter].
 DimensionlessBoucWen::Parameters bouc_wen_original(std::span<double const> a) {
   double const uy = a[1] / a[0], qd = a[1] - a[2] * a[0] * uy - a[3] * a[0] * std::pow(uy, a[4]);
   return with_shape(a[0], uy, qd, a,
                     a.size() > 9 ? Iteration{.tolerance = a[8], .most = static_cast<int>(a[9])} : Iteration{});
 }
 
-// Arguments kInit qd alpha1 alpha2 mu eta beta gamma.
+// Arguments of elastomericBearingBoucWen: kInit qd alpha1 alpha2 mu eta beta gamma.
 DimensionlessBoucWen::Parameters bearing_bouc_wen(std::span<double const> a) {
   return with_shape(a[0], a[1] / ((1.0 - a[2]) * a[0]), a[1], a,
                     {.tolerance = bearing_tolerance, .most = bearing_iterations});
 }
 
-// Arguments ka kb fo b1 b2 gamma. On a long branch, rounding makes the logarithm's argument negative and the force NaN.
+// Arguments: ka kb fo b1 b2 gamma. On a long path in one direction rounding can make the logarithm and the force NaN.
 class HystereticAsym final : public Material {
  public:
   explicit HystereticAsym(std::span<double const> a)
@@ -245,7 +245,7 @@ std::unique_ptr<Material> make_one(Command const& command, std::vector<std::uniq
 
 std::vector<Tags> tags_of(std::span<Command const> commands) {
   std::vector<Tags> all_tags;
-  std::vector<std::size_t> free;  // tags that no command has used yet
+  std::vector<std::size_t> free;  // tags of materials that no later command has taken
   for (std::size_t i = 0; i < commands.size(); ++i) {
     auto& tags = all_tags.emplace_back(Tags{.own = i + 1 == commands.size() ? 0 : i + 1, .inner = {}});
     auto const wanted = inner_count(commands[i].name);
@@ -277,7 +277,7 @@ std::string refused_by_program(std::span<Command const> commands) {
 
 std::unique_ptr<Material> make_material(std::span<Command const> commands) {
   auto const tags = tags_of(commands);
-  std::vector<std::unique_ptr<Material>> materials(commands.size());  // indexed by their own tag
+  std::vector<std::unique_ptr<Material>> materials(commands.size());  // index: the material's own tag
   for (std::size_t i = 0; i < commands.size(); ++i) {
     std::vector<std::unique_ptr<Material>> inner;
     for (auto const tag : tags[i].inner) inner.push_back(std::move(materials[tag]));

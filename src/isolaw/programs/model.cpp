@@ -20,7 +20,7 @@ Option<ModelOptions> words(std::string_view key, std::string help, std::optional
           [place](ModelOptions& to, Json const& value) { to.*place = text_in(value); }};
 }
 
-// Throws Error unless the value is above zero and `in_ours` accepts its unit.
+// Reads a quantity such as "8.5m". Throws Error unless it is above zero and `in_ours` knows its unit.
 double quantity(std::string const& text, std::string_view where, std::string_view allowed,
                 std::optional<double> (*in_ours)(std::string_view)) {
   auto const parts = number_and_unit(text);
@@ -45,7 +45,7 @@ void add_bearings(Model& model, std::vector<LayoutRow> const& places) {
         {.name = place.name, .x_mm = place.x_mm, .y_mm = place.y_mm, .angle_deg = place.angle_deg});
 }
 
-// Shares the carried weight in proportion to the layout's loads, or equally without loads.
+// Divides the carried weight among the bearings: in proportion to the layout's loads, or equally if it has none.
 void add_weight(Model& model, ModelOptions const& options, std::vector<LayoutRow> const& places) {
   bool const loads = places.front().load_kN.has_value();
   double sum = 0.0;
@@ -55,7 +55,7 @@ void add_weight(Model& model, ModelOptions const& options, std::vector<LayoutRow
                  .found = "is not given, and the layout has no column of loads",
                  .allowed = "the mass that the isolators carry, or its weight: 1200t, 12000kN",
                  .advice = "--mass 1200t, or a column 'load [kN]' in the layout"});
-  // The units t and kg are read as tonne-force and kilogram-force, so that a mass is converted to its weight.
+  // as_force reads t and kg as tonne-force and kilogram-force, so that a mass becomes its weight.
   model.weight_kN = options.mass ? quantity(*options.mass, "--mass",
                                             fmt::format("a number above 0 and a unit of mass or weight (t, kg, {})",
                                                         known_units(Dimension::force)),
@@ -83,7 +83,7 @@ void add_weight(Model& model, ModelOptions const& options, std::vector<LayoutRow
   auto const [low, high] = std::ranges::minmax(model.bearings, {}, &ModelBearing::y_mm);
   model.gyration_mm = std::hypot(right.x_mm - left.x_mm, high.y_mm - low.y_mm) / std::sqrt(12.0);
   model.gyration_from = "of a uniform rectangle around the bearings";
-  // One bearing spans no rectangle. The model does not let it turn, so any value will do.
+  // For a single bearing the rectangle is a point. Its slab cannot turn in the model, so any value will do.
   if (model.bearings.size() == 1) model.gyration_mm = 1000.0;
 }
 

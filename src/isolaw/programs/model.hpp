@@ -19,7 +19,7 @@ struct ModelOptions {
   std::optional<std::string> layout, mass, gyration, axial, ground_motion, ground_motion_y;
   std::optional<double> ground_motion_dt;
   double scale = 1.0;
-  int draws = 0;  // 0: analyses of the bounds
+  int draws = 0;  // number of draws of the bearings' laws; 0: analyses of the bounds
 };
 std::vector<Option<ModelOptions>> const& model_table();
 
@@ -31,20 +31,20 @@ struct ModelBearing {
 struct Model {
   std::string layout;  // path of the layout file
   std::vector<ModelBearing> bearings;
-  double weight_kN = 0.0, x_mm = 0.0, y_mm = 0.0, gyration_mm = 0.0;  // the carried weight and its centre
-  std::string weight_from, centre_from, gyration_from, K_v_from;      // sources, in words
-  std::vector<data::GroundMotion> motions;                            // along x, and along y if there are two
+  double weight_kN = 0.0, x_mm = 0.0, y_mm = 0.0, gyration_mm = 0.0;  // weight that the isolators carry, and its centre
+  std::string weight_from, centre_from, gyration_from, K_v_from;      // sources of weight, centre, gyration and K_v
+  std::vector<data::GroundMotion> motions;                            // along x, and along y if there is a second
   double scale = 1.0;
-  // Parameters of the law for each draw and bearing. If empty, the analyses are those of the bounds.
+  // Parameters of the law as draws[draw][bearing]. If empty, the analyses use the bounds of the law.
   std::vector<std::vector<std::vector<double>>> draws;
   std::uint64_t seed = 0;
   std::vector<std::string> draws_said;
 };
 
-// The most sets of parameters in one file; each set needs a material and a check.
+// Largest number of parameter sets in one file, since each needs a material and a check.
 inline constexpr int most_drawn_sets = 2000;
 
-// `device` is a name or "lot"; its compression tests may give K_v. Throws one Error that lists all faults.
+// `device` is a name or "lot". K_v may come from its compression tests. Throws one Error for all faults.
 Model make_model(ModelOptions const& options, campaign::Contents const& contents, study::Summary const& summary,
                  std::string_view law, std::string_view device, std::uint64_t seed);
 

@@ -1,4 +1,4 @@
-// Shared by the Tcl and the Python text of a model.
+// The content of a model that its Tcl script and its Python module share.
 #pragma once
 
 #include <string>
@@ -9,20 +9,19 @@
 
 namespace isolaw::programs {
 
-// Prefers a bearing element that couples both directions to springs.
+// The form that a model uses: a bearing element that couples both directions, if there is one.
 Realised& form_of_model(Realisation& realisation);
 Realised const& form_of_model(Realisation const& realisation);
 
-// Adds a variant for every bearing of every draw; a law that stands in for another is fitted to each draw. Throws Error
-// that names the first draw and bearing that the program cannot give. Returns the worst deviation of a form from its
-// law.
+// Adds a form for every bearing of every draw. If a substitute is exported, it is fitted to each draw. Throws Error for
+// the first bearing whose law the program cannot express. Returns the worst deviation of a form from its law.
 Deviation add_draws(Realisation& realisation, Subject const& subject);
-std::string drawn_variant(std::size_t draw, std::size_t bearing);  // both from 1: "draw_3_12"
+std::string drawn_variant(std::size_t draw, std::size_t bearing);  // draw and bearing from 1: "draw_3_12"
 
-// All numbers are in the units of the file.
+// The model's numbers, in the units of the exported file.
 struct ModelNumbers {
   bool coupled = false;
-  std::string function;  // "bearing", "material"
+  std::string function;  // makes an isolator in the script: "bearing" or "material"
   double gravity = 0.0, mass = 0.0, inertia = 0.0, x = 0.0, y = 0.0, weight = 0.0;
   struct One {
     std::string name;
@@ -30,12 +29,12 @@ struct ModelNumbers {
   };
   std::vector<One> bearings;
   double motion_step_s = 0.0;
-  int pieces = 1;  // analysis steps in one step of the motion
+  int pieces = 1;  // analysis steps per step of the motion
   std::vector<std::vector<double>> motions;
-  double tolerance = 0.0;          // of Newton's rule, for displacements
-  double tested = 0.0;             // largest tested displacement
-  std::vector<std::string> cases;  // "lower", "nominal", ...; "nominal", "draw_1", ...
-  bool held = false;               // held against turning, if there is only one bearing
+  double tolerance = 0.0;          // Newton's rule stops at displacement changes below this
+  double tested = 0.0;             // largest displacement in the tests
+  std::vector<std::string> cases;  // names of the analyses: "lower", "nominal", ... or "nominal", "draw_1", ...
+  bool held = false;               // a slab on one bearing is held against turning
 };
 ModelNumbers model_numbers(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::vector<std::string> model_cautions(Subject const& subject, UnitSystem const& units);

@@ -39,7 +39,7 @@ std::vector<double> every(std::span<double const> values, int step) {
   return kept;
 }
 
-// False for the start at zero displacement and for turning points between samples. A protocol has only samples.
+// False for points that were added between samples or before the first. In a protocol all points are samples.
 bool is_sample(History const& history, std::size_t i) {
   return history.measured_kN.empty() || std::isfinite(history.measured_kN[i]);
 }
@@ -85,7 +85,7 @@ double longest_step(History const& history) {
   return longest;
 }
 
-// Checks the self-check's path in every unit system: a program starts its iteration at the same number in all of them.
+// Replays the self-check in all unit systems, since Newton's rule of OpenSees starts at the same number in all of them.
 bool has_a_force(Form const& form, Subject const& subject) {
   return std::ranges::all_of(unit_systems, [&](UnitSystem const& units) {
     return std::ranges::all_of(replay_kN(form, units, subject.protocol.disp_mm),
@@ -119,7 +119,7 @@ Realised replayed(Form const& form, Subject const& subject) {
   return realised;
 }
 
-// If a form states its longest swing, that decides as well: whether the replay itself fails depends on rounding.
+// A stated longest swing is checked first, because it depends on rounding whether the replay itself fails.
 bool breaks_beyond_the_test(Form const& form, Subject const& subject, double travel_mm) {
   if (form.longest_swing_mm && *form.longest_swing_mm < overtravel * travel_mm) return true;
   for (auto const& history : subject.histories) {
@@ -131,7 +131,7 @@ bool breaks_beyond_the_test(Form const& form, Subject const& subject, double tra
   return false;
 }
 
-// Maps the law again with each bound's factors. The bound's form has the same id, or else the same place in the list.
+// Maps the law with each bound's factors. Takes the form of the same id or, without one, of the same place in the list.
 void add_bounds(Realised& realised, std::size_t index, laws::LawEntry const& law, std::span<double const> parameters,
                 Bounds const& bounds) {
   auto const form = [&](std::optional<BoundFactors> const& factors) -> std::optional<Form> {
@@ -145,7 +145,7 @@ void add_bounds(Realised& realised, std::size_t index, laws::LawEntry const& law
   realised.upper = form(bounds.upper);
 }
 
-// Laws that can replace the subject's law, the nearest first.
+// Substitutes for the subject's law, fitted to its force, the best fit first.
 std::vector<Substitute> stand_ins(Subject const& subject) {
   std::vector<Substitute> fitted;
   for (std::string_view const id : {corner_law, smooth_law})
@@ -288,12 +288,12 @@ std::string failure_of(Form const& form, Subject const& subject, Realised& reali
       found.largest, finer_steps, realised.finer->largest);
 }
 
-// Fits to the law's force, not to the measured force, because the export represents the law.
+// Fits to the law's force and not to the measured force, because the export represents the law.
 Substitute fit_substitute(Subject const& subject, std::string_view id, std::vector<fit::Override> const& asked) {
   auto const& history = subject.histories.front();
   data::FitRecord record;
   for (std::size_t i = 0; i < history.disp_mm.size(); ++i) {
-    // The step from zero displacement to the first sample takes no time, but a record's times must increase.
+    // A history may go from zero to the first sample in no time, but the times of a record must increase.
     if (!record.time_s.empty() && history.time_s[i] <= record.time_s.back()) record.time_s.back() -= 1e-9;
     record.time_s.push_back(history.time_s[i]);
     record.disp_mm.push_back(history.disp_mm[i]);

@@ -1,4 +1,4 @@
-// Text that one target adds to the script of another: a model is added to the script of its law.
+// Text that a target adds to another target's script. Targets with a model add it to the script of the law.
 #pragma once
 
 #include <string>
@@ -10,9 +10,9 @@ namespace isolaw::programs {
 
 struct ScriptAddition {
   std::vector<Fact> facts;
-  std::string usage;       // lines of comment
-  std::string procedures;  // belong to the namespace or the module
-  std::string dispatch;    // reads the program's arguments; in Tcl it follows the check
+  std::string usage;       // comment lines
+  std::string procedures;  // functions in the script's namespace or module
+  std::string dispatch;    // reads the arguments of the script; in Tcl it follows the self-check
 };
 
 }  // namespace isolaw::programs

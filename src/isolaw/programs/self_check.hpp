@@ -1,4 +1,4 @@
-// The self-check of every script: displacements, and at each the law's force and the force that the program must give.
+// Data of the self-check in every script: displacements, the law's forces and the forces that the program must give.
 #pragma once
 
 #include <string>
@@ -10,26 +10,26 @@
 namespace isolaw::programs {
 
 struct CheckedVariant {
-  std::string name;  // "nominal", "lower", "upper"
+  std::string name;  // "nominal", "lower", "upper", or a draw
   std::vector<Command> commands;
-  std::vector<Tags> tags;     // one for each command
+  std::vector<Tags> tags;     // one element for each command
   std::vector<double> force;  // the force that the program must give
 };
 
 struct CheckedForm {
   Form const* form = nullptr;
-  std::string function;  // name in the script: "material"
+  std::string function;  // name of the script's function: "material"
   bool is_element = false;
   double tolerance = 1e-6;  // as a share of the peak force
   std::vector<CheckedVariant> variants;
 };
 
 struct SelfCheck {
-  std::vector<double> disp, law;  // in the script's units
+  std::vector<double> disp, law;  // in the units of the script
   std::vector<CheckedForm> forms;
 };
 
-// Such as "uses the tag after the given one too"; "" if the form uses one tag.
+// For users: "uses the tag after the given one too". "" if the form needs one tag only.
 std::string tags_text(Form const& form);
 
 SelfCheck self_check(Subject const& subject, Realisation const& realisation, UnitSystem const& units);

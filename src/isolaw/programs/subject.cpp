@@ -19,7 +19,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// The samples and, if the law's motion turns between samples, the turning points.
+// The motion of a device's record: its samples and, if `interpolated`, the turning points between samples.
 History history_of(campaign::Device const& device, laws::TurningPoints turning_points) {
   auto const& record = device.record;
   auto const path = turning_points == laws::TurningPoints::interpolated
@@ -73,7 +73,7 @@ rules::LotQuantity const* quantity_of(study::Summary const& summary, rules::Quan
   return nullptr;
 }
 
-// The value that the bounds' factors multiply: the lot's mean, or a device's in the third counted cycle of its block.
+// The value that the bounds' factors refer to: the lot's mean or, for a device, that of its counting cycle.
 std::optional<double> own_value(study::Summary const& summary, Subject const& subject, rules::LotQuantity const& view) {
   if (subject.lot) return view.mean;
   auto const device = std::ranges::find(summary.devices, subject.device, &study::DeviceResult::name);
@@ -97,7 +97,7 @@ rules::Bound const* chosen_bound(rules::LotQuantity const& view) {
 }
 
 struct PropertyBounds {
-  std::optional<double> lower, upper;  // factors on the subject's own value
+  std::optional<double> lower, upper;  // factors on `own`
   double own = 0.0;
   std::string text;
 };
@@ -160,8 +160,8 @@ Bounds bounds_of(study::Summary const& summary, Subject const& subject, UnitSyst
     return spread_of_the_lot(summary, subject, units,
                              "rule set " + rules.id + " has no factors of K_d and Q_d for this lot");
   Bounds bounds;
-  // The factor on the whole force is the mean of the factors on stiffness and strength, weighted by the shares of K_d d
-  // and Q_d in the force at the design displacement d.
+  // The factor on the whole force at the design displacement d: K_d d and Q_d are the parts of the force there, and the
+  // factors on stiffness and strength are weighted by these parts.
   double const spring = K_d->own * subject.design_disp_mm, both = spring + Q_d->own;
   auto const factors = [&](std::optional<double> stiffness, std::optional<double> strength) {
     return stiffness && strength
@@ -223,7 +223,7 @@ void add_lot_parameters(Subject& subject, campaign::Contents const& contents, st
   std::ranges::stable_sort(subject.histories, std::ranges::greater{}, reach);
 }
 
-// If a record does not begin at zero, the law fitted to it may have no finite force between zero and the first sample.
+// A record may begin away from zero. The law may then have no finite force between zero and the record's first sample.
 void require_finite(Subject const& subject, std::string const& where) {
   auto const finite = [](History const& history) {
     return std::ranges::all_of(history.law_kN, [](double f) { return std::isfinite(f); });
@@ -272,7 +272,7 @@ History two_cycles(double first_mm, double second_mm, double frequency_Hz, int s
     double const phase = 2.0 * std::numbers::pi * i / steps_per_cycle;
     double const size = i <= steps_per_cycle ? first_mm : second_mm;
     history.time_s.push_back(i / (steps_per_cycle * frequency_Hz));
-    // sin of a multiple of pi is not exactly zero in floating point.
+    // std::sin gives no exact zero at multiples of pi.
     history.disp_mm.push_back(i % (steps_per_cycle / 2) == 0 ? 0.0 : size * std::sin(phase));
     history.vel_mm_s.push_back(size * omega * std::cos(phase));
   }
@@ -284,7 +284,7 @@ std::string plain_name(std::string_view name) {
   std::string plain;
   for (char const c : name) {
     bool const kept = static_cast<unsigned char>(c) < 128 && std::isalnum(static_cast<unsigned char>(c)) != 0;
-    // C++ reserves names with two underscores in a row.
+    // Names with two underscores in a row are reserved in C++.
     if (kept || (!plain.empty() && !plain.ends_with('_'))) plain += kept ? c : '_';
     if (plain.size() == longest) break;
   }

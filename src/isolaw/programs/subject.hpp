@@ -1,4 +1,4 @@
-// The subject of an export: one law of a campaign with the parameters of a device or of the lot.
+// The subject of an export: one law of a campaign with its parameters for a device or for the lot.
 #pragma once
 
 #include <optional>
@@ -17,18 +17,18 @@
 
 namespace isolaw::programs {
 
-// A motion, point by point, with its forces. The first point is at zero displacement, where programs start.
+// A motion, point by point, and its forces. It begins at zero displacement, because materials of programs do.
 struct History {
-  std::string device;  // empty: the protocol of the self-check
+  std::string device;  // empty for the self-check's protocol
   std::vector<double> time_s, disp_mm, vel_mm_s;
-  std::vector<double> measured_kN;  // empty for a protocol; NaN at points that are not samples
-  std::vector<double> law_kN;       // the law from the virgin state at the first point
-  bool timed = true;                // false: time_s counts samples
-  int refinement = 1;               // steps of the law in each interval
+  std::vector<double> measured_kN;  // empty for a protocol; NaN at points between samples
+  std::vector<double> law_kN;       // the law starts in its virgin state at the first point
+  bool timed = true;                // false if time_s only counts samples
+  int refinement = 1;               // steps of the law from point to point
   double dead_band_mm = 0.0;        // FitRecord::dead_band_mm
 };
 
-// Empty values are stated neither by the records nor by the lot file.
+// Ranges of the tests. A value is empty if neither records nor lot file state it.
 struct Tested : study::Range {
   std::optional<double> strain_percent;
   std::optional<double> lowest_Hz, highest_Hz;
@@ -37,14 +37,14 @@ struct Tested : study::Range {
 };
 
 struct Fitted : study::Range {
-  std::string part;  // "block 1", ...; empty: all blocks
+  std::string part;  // "block 1", ...; empty for all blocks
 };
 
-// Factors on the part of the force that grows with displacement (K_d) and on the hysteretic part (Q_d). They are equal
-// if only one is known.
+// Factors for a bound: on the part of the force that grows with displacement (K_d) and on the hysteretic part (Q_d).
+// They are equal if only one is known.
 struct BoundFactors {
   double stiffness = 1.0, strength = 1.0;
-  double overall = 1.0;  // on the whole force, for laws and programs that cannot separate the parts
+  double overall = 1.0;  // factor on the whole force, where the parts cannot be separated
   bool separate = false;
 };
 
@@ -54,18 +54,18 @@ struct Bounds {
 };
 
 struct Subject {
-  std::string version;  // version of the program that exports
-  std::string makers;   // versions and builds of isolaw that calibrated
+  std::string version;  // version of the exporting program
+  std::string makers;   // versions and builds that computed the campaign
   std::string title;
   laws::LawEntry const* law = nullptr;
   bool lot = false;
-  std::string device;  // the device's name; "lot" for the law of the lot
-  // Number of the device in the campaign, from 1, if another device has the same plain_name(); else 0.
+  std::string device;  // name of the device; "lot" for the lot
+  // Number of the device in the campaign, from 1, if plain_name() of another device is the same; otherwise 0.
   std::size_t number_among_alike = 0;
-  std::vector<double> parameters;  // in the law's units and order
-  // One history for a device; for a lot one for each device that takes part, the largest amplitude first.
+  std::vector<double> parameters;  // in the law's order and units
+  // For a device one history. For a lot one history for each of its devices, the one of largest amplitude first.
   std::vector<History> histories;
-  History protocol;           // two cycles, at half and at the whole tested amplitude
+  History protocol;           // two cycles: half and all of the tested amplitude
   double frequency_Hz = 0.0;  // frequency of the protocol
   std::optional<double> objective;
   Tested tested;
@@ -74,22 +74,22 @@ struct Subject {
   Bounds bounds;
   std::uint64_t seed = 1;
   int refinement = 1;
-  double dead_band_mm = 0.0;                               // from the device's record; for a lot the largest
-  std::optional<double> K_eff_kN_per_mm, damping_percent;  // measured: of the device, or the mean of the lot
+  double dead_band_mm = 0.0;                               // from the record; for a lot the largest
+  std::optional<double> K_eff_kN_per_mm, damping_percent;  // measured values of the device, or the lot's mean
   double design_disp_mm = 0.0;                             // amplitude of the reported cycle
-  std::vector<std::string> beyond;  // sentences about the law beyond the tests (away.hpp), in the units asked for
+  std::vector<std::string> beyond;  // sentences about the law beyond the tests (away.hpp), in `units` of make_subject()
   std::vector<std::string> notes;
-  std::optional<Model> model;  // empty unless the target writes a whole building
+  std::optional<Model> model;  // only for targets that write a whole building
 };
 
-// Two sine cycles from rest, without forces. The second begins at the middle point.
+// Two sine cycles from rest, without forces. The second cycle begins at the middle point.
 inline constexpr int protocol_steps = 80;
 History two_cycles(double first_mm, double second_mm, double frequency_Hz, int steps_per_cycle = protocol_steps);
 
-// A name that programs accept: at most 40 characters. One underscore replaces each run of other characters.
+// Makes a name that programs accept: letters and digits, at most 40 characters. A `_` replaces each run of others.
 std::string plain_name(std::string_view name);
 
-// Throws Error if the campaign lacks such a law, device or result. `units` are for Bounds::source and `beyond`.
+// Throws Error if the campaign has no such law, device or result. Bounds::source and `beyond` use `units`.
 Subject make_subject(campaign::Contents const& contents, study::Summary const& summary, std::string_view law,
                      std::string_view device, UnitSystem const& units = unit_systems[0]);
 

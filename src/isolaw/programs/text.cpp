@@ -13,7 +13,7 @@
 namespace isolaw::programs {
 namespace {
 
-// These characters begin a substitution or join lines in Tcl, Python or C++.
+// Characters that begin a substitution or join lines in Tcl, Python or C++.
 constexpr std::string_view acted_on = "\\\"`$[]{}";
 
 std::string replaced(std::string_view text, std::string_view unwanted) {
@@ -33,7 +33,7 @@ std::string range_of(std::optional<double> low, std::optional<double> high, std:
   return fmt::format("{:.4g} to {:.4g} {}", *low, *high, unit);
 }
 
-// Forms of the same equation agree up to rounding, and one fact covers them all.
+// True if two forms deviate equally. Forms of one equation differ only by rounding, and one fact suffices for all.
 bool same(Deviation const& a, Deviation const& b) {
   return std::abs(a.largest - b.largest) <= 1e-6 * a.largest + 1e-9;
 }
@@ -110,7 +110,7 @@ std::string identifier(Subject const& subject) {
 
 std::string exactly(double value) {
   auto text = fmt::format("{}", value);
-  // Scripts would read a whole number as an integer, and integers divide differently.
+  // Scripts would take 2 for an integer, which they divide differently, but not 2.0.
   if (text.find_first_of(".en") == std::string::npos) text += ".0";
   return text;
 }
@@ -118,7 +118,7 @@ std::string exactly(double value) {
 std::string argument_values(Command const& command, std::string_view separator) {
   std::string text;
   for (std::size_t i = 0; i < command.arguments.size(); ++i) {
-    // The programs read maxIter as an integer.
+    // maxIter must be written without a decimal point.
     bool const count = (i == 10 && command.name == "BoucWen") || (i == 9 && command.name == "BoucWenOriginal");
     text += separator;
     text += count ? fmt::format("{:.0f}", command.arguments[i]) : exactly(command.arguments[i]);
@@ -153,7 +153,7 @@ std::string parameter_text(laws::LawEntry const& law, std::span<double const> pa
 }
 
 std::string deviation_text(Deviation const& d) {
-  // An exact replay has no largest deviation.
+  // If the largest deviation is 0, there is no sample to name.
   auto const place = d.largest > 0.0 ? fmt::format(" (at {})", d.at_s ? fmt::format("{:.4g} s", *d.at_s)
                                                                       : fmt::format("sample {}", d.at_sample))
                                      : std::string();
@@ -292,7 +292,7 @@ std::vector<std::string> fact_lines(std::vector<Fact> const& facts) {
       if (cut > room) {
         cut = rest.rfind(' ', room);
         if (cut == std::string::npos || cut < room / 2) cut = room;
-        // A line is never cut inside a UTF-8 character.
+        // Moves the cut to the end of a UTF-8 character.
         while (cut < rest.size() && (static_cast<unsigned char>(rest[cut]) & 0xC0U) == 0x80U) ++cut;
       }
       lines.push_back((first ? "" : "    ") + rest.substr(0, cut));

@@ -1,4 +1,4 @@
-// Programs have no units: an export states its own, and converts every argument by its powers of force and length.
+// The unit systems of exports. Programs have no units: an export names its system and converts all values to it.
 #pragma once
 
 #include <array>
@@ -14,12 +14,12 @@
 namespace isolaw::programs {
 
 struct UnitSystem {
-  std::string_view id;  // "kN-mm"
+  std::string_view id;  // for example "kN-mm"
   Unit force, length;   // time is always in seconds
 
   double from_kN(double force_kN) const { return force_kN / force.in_record_units; }
   double from_mm(double disp_mm) const { return disp_mm / length.in_record_units; }
-  // A value in kN^force_power mm^length_power; powers need not be whole (1/mm^n).
+  // Converts a value in kN^force_power mm^length_power to this system. Powers need not be whole (1/mm^n).
   double convert(double value, double force_power, double length_power) const {
     if (force_power != 0.0) value *= std::pow(1.0 / force.in_record_units, force_power);
     if (length_power != 0.0) value *= std::pow(1.0 / length.in_record_units, length_power);
