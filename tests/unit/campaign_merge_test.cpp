@@ -8,8 +8,8 @@
 #include <map>
 
 #include "campaign_fixture.hpp"
-#include "isolaw/campaign/deal.hpp"
 #include "isolaw/campaign/maker.hpp"
+#include "isolaw/campaign/part_assignment.hpp"
 #include "isolaw/campaign/prepare.hpp"
 #include "isolaw/campaign/store.hpp"
 

@@ -13,8 +13,8 @@
 
 #include "isolaw/base/hash.hpp"
 #include "isolaw/campaign/analyse.hpp"
-#include "isolaw/campaign/deal.hpp"
 #include "isolaw/campaign/parallel.hpp"
+#include "isolaw/campaign/part_assignment.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/fit/objective.hpp"
 #include "isolaw/num/random.hpp"

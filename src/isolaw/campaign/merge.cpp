@@ -9,9 +9,9 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/words.hpp"
-#include "isolaw/campaign/deal.hpp"
 #include "isolaw/campaign/grow.hpp"
 #include "isolaw/campaign/maker.hpp"
+#include "isolaw/campaign/part_assignment.hpp"
 #include "isolaw/campaign/store.hpp"
 
 namespace isolaw::campaign {
