@@ -28,8 +28,7 @@ struct BuildingWork {
   int jobs = 0;                                         // threads; 0: one per core
   std::optional<std::filesystem::path> directory = {};  // for runs and reports; empty: none are kept
   bool fresh = false;                                   // start over if the directory holds a study
-  std::optional<campaign::Part> part = {};              // compute only this share of the runs; needs a directory
-  std::vector<building::StudyProperty> properties_of_part = {};  // stored with a part, for the answers of the whole
+  building::StudyPart part = {};                        // the share of the runs to compute; a part needs a directory
   std::function<void(building::RunProgress const&)> progress = {};
   std::function<bool()> interrupted = {};
 };
