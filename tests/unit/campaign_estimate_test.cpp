@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "isolaw/campaign/campaign.hpp"
-#include "isolaw/campaign/deal.hpp"
+#include "isolaw/campaign/part_assignment.hpp"
 #include "isolaw/campaign/prepare.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "unit/campaign_fixture.hpp"

@@ -9,8 +9,8 @@
 #include <map>
 
 #include "campaign_fixture.hpp"
-#include "isolaw/campaign/deal.hpp"
 #include "isolaw/campaign/maker.hpp"
+#include "isolaw/campaign/part_assignment.hpp"
 #include "isolaw/campaign/prepare.hpp"
 #include "isolaw/campaign/store.hpp"
 
@@ -99,14 +99,14 @@ TEST_F(MergeTest, AStoreInOrderIsTheSameFileHoweverItCameAbout) {
     for (std::size_t i = 0; i < runs.size(); ++i) store.add(runs[i * static_cast<std::size_t>(stride) % runs.size()]);
     ASSERT_TRUE(store.finish());
     auto const before = bytes_of(file);
-    Store::put_in_order(file);
+    campaign_store().put_in_order(file);
     auto const after = bytes_of(file);
     if (first.empty()) first = after;
     EXPECT_TRUE(after == first) << stride;
     EXPECT_FALSE(after == before);
     testing::expect_same(Store::read(file).runs, in_order);
-    EXPECT_EQ(Store::integrity(file), std::vector<std::string>{});
-    Store::put_in_order(file);  // the store is in order already, so nothing may change
+    EXPECT_EQ(sqlite::integrity(file), std::vector<std::string>{});
+    campaign_store().put_in_order(file);  // the store is in order already, so nothing may change
     EXPECT_TRUE(bytes_of(file) == first);
   }
 }

@@ -18,6 +18,7 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/hash.hpp"
 #include "isolaw/campaign/schema.hpp"
+#include "isolaw/campaign/setting_table.hpp"
 #include "not_finite.hpp"
 
 namespace isolaw::campaign {
@@ -418,7 +419,7 @@ TEST_F(StoreTest, RefusesWhatIsNotAStore) {
     auto const before = bytes_of(path);
     auto const said = refusal(path);
     EXPECT_NE(said.find(path.string()), std::string::npos) << said;
-    EXPECT_NE(said.find("not a campaign store"), std::string::npos) << path << ": " << said;
+    EXPECT_NE(said.find("store of isolaw"), std::string::npos) << path << ": " << said;
     EXPECT_EQ(said.find("free space"), std::string::npos) << path << ": " << said;
     EXPECT_EQ(bytes_of(path), before) << path << " was changed";
   }
@@ -438,17 +439,24 @@ TEST_F(StoreTest, RefusesAnotherSchemaAndChangesNothing) {
   }
 }
 
-// A store that lacks a setting cannot be read. Raise schema_version whenever this list changes.
-TEST(Schema, OfTheseSettingsIsTen) {
+TEST_F(StoreTest, AStoreWithoutASettingStandsForWhatItsRowSays) {
+  make();
+  sql(file(), "DELETE FROM setting WHERE key = 'bidirectional'");
+  auto const contents = Store::read(file());
+  EXPECT_FALSE(contents.settings.springs);
+  EXPECT_EQ(Store::foreign_rows(file(), contents), std::vector<std::string>{});
+  sql(file(), "DELETE FROM setting WHERE key = 'seed'");
+  auto const said = refusal(file());
+  EXPECT_NE(said.find("seed: is missing in the store"), std::string::npos) << said;
+}
+
+// A new setting says in its row what a store without it stands for. Stores of the schema have all the others.
+TEST(Schema, TenHasTheseSettingsInEveryStore) {
   std::set<std::string> keys;
-  for (auto const method : {Method::best, Method::genetic}) {
-    Settings settings;
-    settings.method = method;
-    for (auto const& [key, value] : to_pairs(settings)) keys.insert(key);
-  }
+  for (auto const& setting : setting_table())
+    if (setting.without.is_null()) keys.emplace(setting.key);
   EXPECT_EQ(schema_version, 10);
   EXPECT_EQ(keys, (std::set<std::string>{"analysis",
-                                         "bidirectional",
                                          "box",
                                          "center",
                                          "dead-band",

@@ -15,7 +15,7 @@ Values values_of(std::vector<std::pair<std::string, std::string>> const& given) 
   Values values;
   for (auto const& [key, text] : given) {
     auto const rows = building::settings_table();
-    auto const row = std::ranges::find(rows, key, &building::FileKey<building::Settings>::key);
+    auto const row = std::ranges::find(rows, key, &building::FileKey::key);
     values[key] = row == rows.end() ? Json(text) : value_of(row->kind, {text});
   }
   return values;

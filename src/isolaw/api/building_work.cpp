@@ -71,8 +71,9 @@ building::Model possible(building::Study const& study) {
 }
 
 StudiedBuilding study_building(building::Study study, BuildingWork const& options) {
-  if (options.part && !options.directory)
-    throw Error({.where = "part " + campaign::text(*options.part),
+  auto const& part = options.part.part;
+  if (part && !options.directory)
+    throw Error({.where = "part " + campaign::text(*part),
                  .found = "no directory",
                  .allowed = "a directory of its own for each part, from which they are merged"});
   auto const model = possible(study);
@@ -82,24 +83,22 @@ StudiedBuilding study_building(building::Study study, BuildingWork const& option
   make_directory(directory);
   DirectoryLock const lock(directory);
   auto const file = directory / building_store_name;
-  auto traits = building::properties_of(study);
-  traits.insert(traits.end(), options.properties_of_part.begin(), options.properties_of_part.end());
   render::remove_leftovers(directory);
   if (options.fresh) render::remove_building_outputs(directory);
-  std::optional<building::RunStore> store(std::in_place, file, traits, options.fresh);
+  std::optional<building::RunStore> store(std::in_place, file, building::properties_of(study), options.fresh,
+                                          options.part);
   auto const threads =
       options.jobs > 0 ? static_cast<std::size_t>(options.jobs) : std::max(1U, std::thread::hardware_concurrency());
   StudiedBuilding studied{.study = std::move(study), .answers = {}, .measured = {}, .layout = model.layout()};
-  studied.complete =
-      building::run_all(studied.study, *store, threads,
-                        {.progress = options.progress, .part = options.part, .interrupted = options.interrupted});
+  studied.complete = building::run_all(
+      studied.study, *store, threads, {.progress = options.progress, .part = part, .interrupted = options.interrupted});
   studied.runs = store->runs_there();
-  if (studied.complete && !options.part) {
+  if (studied.complete && !part) {
     studied.answers = building::answer(studied.study, *store);
     studied.measured = measured_of_draws(studied.study, *store, studied.layout.count());
   }
   store.reset();
-  building::RunStore::put_in_order(file);
+  building::building_store().put_in_order(file);
   if (studied.answers && options.directory) render::write_building_outputs(studied.study, *studied.answers, directory);
   return studied;
 }

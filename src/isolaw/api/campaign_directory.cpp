@@ -81,12 +81,12 @@ Continued open_or_create(std::filesystem::path const& file, campaign::Contents& 
     create();
     return {};
   }
-  campaign::Store::remove_unfinished(file);
+  campaign::sqlite::remove_unfinished(file);
   // Undoes what a killed process had begun to write and keeps the rest.
-  if (!campaign::Store::is_plain(file)) campaign::Store::open(file).finish();
+  campaign::campaign_store().fold_log(file);
   // isolaw merge will read this part and would not notice that a page of the file is cut off.
   if (contents.part)
-    if (auto const faults = campaign::Store::integrity(file); !faults.empty())
+    if (auto const faults = campaign::sqlite::integrity(file); !faults.empty())
       campaign::sqlite::refuse_damaged(file.string(), faults.front());
   auto stored = campaign::Store::read(file);
   auto const changed = campaign::obstacles(stored, contents);

@@ -174,10 +174,8 @@ int building(BuildingArguments const& a, std::vector<std::string> const& command
   auto const out = a.out.value_or(std::filesystem::path("out") / "building");
   possible(study);
   if (a.nominal) return nominal_alone(study, out);
-  BuildingWork options{.jobs = a.jobs.value_or(0), .directory = out, .fresh = a.fresh, .part = part};
-  if (part)
-    options.properties_of_part =
-        building::properties_of(*part, full_name(*a.file), full_name(*a.from), full_names(a.motions));
+  BuildingWork options{.jobs = a.jobs.value_or(0), .directory = out, .fresh = a.fresh};
+  if (part) options.part = {*part, full_name(*a.file), full_name(*a.from), full_names(a.motions)};
   bool const shown_to_somebody = isatty(STDERR_FILENO) != 0;
   auto const start = std::chrono::steady_clock::now();
   if (shown_to_somebody)
@@ -307,21 +305,18 @@ int merge_buildings(MergeArguments const& arguments) {
   tell_merged(merged, directory, building_store_name);
   if (merged.missing > 0) return exit_with_refusals;
   if (arguments.copy_only) return exit_done;
-  if (merged.part.empty()) {
+  if (!merged.part.part) {
     answers_that_are_there(directory, arguments.json);
     return exit_done;
   }
-  using Kind = building::StudyProperty::Kind;
-  BuildingArguments whole{.file = building::value_of(merged.part, Kind::part, "file"),
-                          .from = building::value_of(merged.part, Kind::part, "from"),
-                          .out = directory,
-                          .motions = {},
-                          .jobs = arguments.jobs,
-                          .part = {},
-                          .figures = arguments.figures,
-                          .json = arguments.json};
-  for (auto const& trait : merged.part)
-    if (trait.name == "motion") whole.motions.push_back(trait.value);
+  BuildingArguments const whole{.file = merged.part.building_file,
+                                .from = merged.part.campaign,
+                                .out = directory,
+                                .motions = merged.part.motions,
+                                .jobs = arguments.jobs,
+                                .part = {},
+                                .figures = arguments.figures,
+                                .json = arguments.json};
   return building(whole, {"isolaw", "merge", directory.string()});
 }
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "isolaw/campaign/merge.hpp"
+#include "isolaw/campaign/merge_stores.hpp"
 
 namespace isolaw::app {
 

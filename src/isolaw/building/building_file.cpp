@@ -19,252 +19,193 @@ namespace isolaw::building {
 namespace {
 
 constexpr double mm_in_m = 1e3;
-constexpr std::size_t most_bearings = 2000, most_floors = 100;
 
-// The tables of a building file in its units, with the template's values, which are the defaults except in [[motion]].
-struct BaseRow {
-  double mass_Mg = 700.0, gyration_m = 9.0, x_m = 0.0, y_m = 0.0;
+struct TableInfo {
+  std::string_view name, help;
+  std::size_t most = 0;  // of a list [[name]]; 0 for a table [name]
 };
-struct EqualFloors {
-  int count = 5;
-  double mass_Mg = 700.0, gyration_m = 9.0, period_x_s = 0.5, period_y_s = 0.5, rotation_ratio = 1.3;
-};
-struct FloorRow {
-  double mass_Mg = 700.0, gyration_m = 9.0, x_m = 0.0, y_m = 0.0;
-  double stiffness_x_kN_per_mm = 1200.0, stiffness_y_kN_per_mm = 1200.0, stiffness_rotation_GNm = 150.0;
-  double stiffness_at_x_m = 0.0, stiffness_at_y_m = 0.0;
-};
-struct GridRow {
-  int along = 7, across = 4;
-  double spacing_x_m = 6.0, spacing_y_m = 6.0;
-  std::string is = "draw";
-};
-struct BearingRow {
-  double x_m = 0.0, y_m = 0.0;
-  std::string is = "draw";
-};
-struct PlanRow {
-  double left_m = -20.0, right_m = 20.0, front_m = -11.0, back_m = 11.0;
-};
-struct MotionRow {
-  std::string x = "motion-1-x.csv", y = "motion-1-y.csv";
-  double scale = 0.5;
-  std::optional<double> step_s;
-};
-
-template <class Target>
-using TomlKey = FileKey<Target>;
-template <class Target>
-using TomlKeys = std::vector<TomlKey<Target>>;
-
-template <class Target, class Access>
-TomlKey<Target> real(std::string_view key, std::string help, Access place, Limits limits = {}, bool required = false) {
-  auto option = number<Target>(key, help, place, std::move(limits));
-  option.help = std::move(help);
-  return {std::move(option), required};
-}
-template <class Target>
-TomlKey<Target> text(std::string_view key, std::string help, std::string Target::*place, bool required = false) {
-  return {{{.key = key, .help = std::move(help)},
-           [place](Target const& from) -> Json { return from.*place; },
-           [place](Target& to, Json const& value) { to.*place = text_in(value); }},
-          required};
-}
+constexpr TableInfo settings_info{"building", "The analysis. Lengths in m, masses in Mg (t), times in s."},
+    base_info{"base", "The slab on the bearings. All coordinates in plan share one system of axes."},
+    floors_info{"floors", "Equal floors; or one [[floor]] for each, from the lowest up."},
+    floor_info{"floor", "One floor and the storey below it, instead of [floors].", 100},
+    grid_info{"grid", "Bearings on a regular grid; or one [[bearing]] for each."},
+    bearing_info{"bearing", "One bearing, instead of or besides [grid].", 2000},
+    plan_info{"plan",
+              "The edges of the slab. Its corners are where displacements are reported; no bearing may stand outside."},
+    motion_info{"motion", "One ground motion each; files relative to this one. isolaw building --motion replaces them.",
+                1000};
 
 Limits positive(double most = 1e9) {
   return {.least = 1e-9, .most = most, .words = "a number above 0"};
 }
 
-TomlKeys<Settings> const& settings_keys() {
-  static TomlKeys<Settings> const keys = [] {
-    TomlKeys<Settings> rows;
-    rows.push_back(text("title", "title of the report", &Settings::title));
-    rows.push_back({{{.key = "laws",
-                      .kind = Kind::list,
-                      .help = "laws to compare, by id; an empty list: the one that the campaign recommends"},
-                     [](Settings const& s) -> Json { return s.laws; },
-                     [](Settings& s, Json const& value) {
-                       s.laws.clear();
-                       for (auto const& law : value.is_array() ? value : Json::array({value}))
-                         s.laws.emplace_back(laws::find_law(text_in(law)).info.id);
-                     }},
-                    false});
-    rows.push_back(real<Settings>("draws",
-                                  "buildings to draw; each draws a device of its own for every bearing marked draw",
-                                  at(&Settings::draws), {.least = 1, .most = 1e6}));
-    rows.push_back(real<Settings>("populations",
-                                  "re-estimated lots, which show how uncertain a few tests leave the lot; 0: none",
-                                  at(&Settings::populations), {.least = 0, .most = 1e4}));
-    rows.push_back(real<Settings>("draws_of_each", "buildings to draw from each of these lots",
-                                  at(&Settings::draws_of_each), {.least = 2, .most = 1e4}));
-    rows.push_back(real<Settings>("seed", "seed of all draws", at(&Settings::seed), {.least = 0, .most = 2147483647}));
-    rows.push_back(real<Settings>("damping", "damping ratio of every mode of the superstructure on a fixed base",
-                                  at(&Settings::damping), {.least = 0.0, .most = 0.5}));
-    rows.push_back(real<Settings>("lower", "factor on the force of every bearing in the lower bound analysis",
-                                  at(&Settings::lower), {.least = 0.05, .most = 1.0}, true));
-    rows.push_back(real<Settings>("upper", "and in the upper bound analysis", at(&Settings::upper),
-                                  {.least = 1.0, .most = 20.0}, true));
-    rows.push_back(
-        real<Settings>("step_s", "longest integration step", at(&Settings::step_s), {.least = 1e-5, .most = 0.05}));
-    rows.push_back(real<Settings>(
-        "rest_s", "seconds to continue after the ground motion ends, before the residual displacement is read",
-        at(&Settings::rest_s), {.least = 0.0, .most = 120.0}));
-    return rows;
-  }();
+std::vector<FileKey> make_keys() {
+  using F = FileTables;
+  constexpr bool required = true;
+  constexpr std::string_view stands_help =
+      "draw: a device drawn from the lot; lot: the lot's law; lower, upper: that law times the factor above; or the name of a tested device";
+  Limits const within{.least = -1e4, .most = 1e4}, many{.least = 1, .most = 200};
+  std::vector<FileKey> keys;
+  std::string_view table;
+  auto const real = [&](std::string_view key, std::string_view help, auto place, Limits const& limits,
+                        bool is_required = false) {
+    auto option = number<F>(key, {}, place, limits);
+    option.help = help;
+    keys.push_back({std::move(option), table, is_required});
+  };
+  auto const text = [&](std::string_view key, std::string_view help, auto place, bool is_required = false) {
+    keys.push_back({{{.key = key, .help = std::string(help)},
+                     [place](F const& from) -> Json { return place(from); },
+                     [place](F& to, Json const& value) { place(to) = text_in(value); }},
+                    table,
+                    is_required});
+  };
+  auto const slab = [&](auto of) {
+    real("mass_Mg", "mass in Mg (t)", at(of, &Slab::mass_Mg), positive(), required);
+    real("gyration_m", "radius of gyration about the vertical axis", at(of, &Slab::gyration_m), positive(1e4),
+         required);
+  };
+  auto const centre = [&](auto of) {
+    real("x_m", "centre of mass in plan", at(of, &Slab::x_m), within);
+    real("y_m", "", at(of, &Slab::y_m), within);
+  };
+
+  table = settings_info.name;
+  auto const settings = [](auto member) { return at(&F::building, member); };
+  text("title", "title of the report", settings(&Settings::title));
+  keys.back().decides = false;
+  keys.push_back({{{.key = "laws",
+                    .kind = Kind::list,
+                    .help = "laws to compare, by id; an empty list: the one that the campaign recommends"},
+                   [](F const& f) -> Json { return f.building.laws; },
+                   [](F& f, Json const& value) {
+                     f.building.laws.clear();
+                     for (auto const& law : value.is_array() ? value : Json::array({value}))
+                       f.building.laws.emplace_back(laws::find_law(text_in(law)).info.id);
+                   }},
+                  table});
+  keys.back().decides = false;
+  real("draws", "buildings to draw; each draws a device of its own for every bearing marked draw",
+       settings(&Settings::draws), {.least = 1, .most = 1e6});
+  real("populations", "re-estimated lots, which show how uncertain a few tests leave the lot; 0: none",
+       settings(&Settings::populations), {.least = 0, .most = 1e4});
+  real("draws_of_each", "buildings to draw from each of these lots", settings(&Settings::draws_of_each),
+       {.least = 2, .most = 1e4});
+  real("seed", "seed of all draws", settings(&Settings::seed), {.least = 0, .most = 2147483647});
+  real("damping", "damping ratio of every mode of the superstructure on a fixed base", settings(&Settings::damping),
+       {.least = 0.0, .most = 0.5});
+  real("lower", "factor on the force of every bearing in the lower bound analysis", settings(&Settings::lower),
+       {.least = 0.05, .most = 1.0}, required);
+  real("upper", "and in the upper bound analysis", settings(&Settings::upper), {.least = 1.0, .most = 20.0}, required);
+  real("step_s", "longest integration step", settings(&Settings::step_s), {.least = 1e-5, .most = 0.05});
+  real("rest_s", "seconds to continue after the ground motion ends, before the residual displacement is read",
+       settings(&Settings::rest_s), {.least = 0.0, .most = 120.0});
+
+  table = base_info.name;
+  slab(&F::base);
+  centre(&F::base);
+
+  table = floors_info.name;
+  real("count", "floors above the base slab", at(&F::floors, &EqualFloors::count),
+       {.least = 0, .most = static_cast<double>(floor_info.most)}, required);
+  slab(&F::floors);
+  real("period_x_s", "first period on a fixed base", at(&F::floors, &EqualFloors::period_x_s), positive(100.0),
+       required);
+  real("period_y_s", "", at(&F::floors, &EqualFloors::period_y_s), positive(100.0), required);
+  real("rotation_ratio", "frequency of the first torsional mode over the lower of these two",
+       at(&F::floors, &EqualFloors::rotation_ratio), positive(100.0));
+
+  table = floor_info.name;
+  slab(&F::floor);
+  centre(&F::floor);
+  real("stiffness_x_kN_per_mm", "stiffness of the storey below it", at(&F::floor, &FloorRow::stiffness_x_kN_per_mm),
+       positive(1e12), required);
+  real("stiffness_y_kN_per_mm", "", at(&F::floor, &FloorRow::stiffness_y_kN_per_mm), positive(1e12), required);
+  real("stiffness_rotation_GNm", "torsional stiffness in GN m per radian, about its centre of stiffness",
+       at(&F::floor, &FloorRow::stiffness_rotation_GNm), positive(1e12), required);
+  real("stiffness_at_x_m", "centre of stiffness in plan", at(&F::floor, &FloorRow::stiffness_at_x_m), within);
+  real("stiffness_at_y_m", "", at(&F::floor, &FloorRow::stiffness_at_y_m), within);
+
+  table = grid_info.name;
+  real("along", "bearings along x, centred on the plan", at(&F::grid, &GridRow::along), many, required);
+  real("across", "and along y", at(&F::grid, &GridRow::across), many, required);
+  real("spacing_x_m", "", at(&F::grid, &GridRow::spacing_x_m), positive(1e3), required);
+  real("spacing_y_m", "", at(&F::grid, &GridRow::spacing_y_m), positive(1e3), required);
+  text("is", stands_help, at(&F::grid, &GridRow::is));
+
+  table = bearing_info.name;
+  real("x_m", "place in plan", at(&F::bearing, &BearingRow::x_m), within, required);
+  real("y_m", "", at(&F::bearing, &BearingRow::y_m), within, required);
+  text("is", stands_help, at(&F::bearing, &BearingRow::is));
+
+  table = plan_info.name;
+  real("left_m", "edges of the slab along x", at(&F::plan, &PlanRow::left_m), within, required);
+  real("right_m", "", at(&F::plan, &PlanRow::right_m), within, required);
+  real("front_m", "and along y", at(&F::plan, &PlanRow::front_m), within, required);
+  real("back_m", "", at(&F::plan, &PlanRow::back_m), within, required);
+
+  table = motion_info.name;
+  text("x", "file of the ground acceleration along x: AT2, or columns with units", at(&F::motion, &MotionRow::x),
+       required);
+  text("y", "and along y; leave out for a single component", at(&F::motion, &MotionRow::y));
+  real("scale", "factor on both accelerations", at(&F::motion, &MotionRow::scale), positive(1e3));
+  real("step_s", "seconds between samples, for files without time", at(&F::motion, &MotionRow::step_s), positive(10.0));
   return keys;
 }
 
-template <class Row>
-void slab_keys(TomlKeys<Row>& rows) {
-  rows.push_back(real<Row>("mass_Mg", "mass in Mg (t)", at(&Row::mass_Mg), positive(), true));
-  rows.push_back(
-      real<Row>("gyration_m", "radius of gyration about the vertical axis", at(&Row::gyration_m), positive(1e4), true));
-}
-template <class Row>
-void place_keys(TomlKeys<Row>& rows, std::string const& point) {
-  Limits const within{.least = -1e4, .most = 1e4};
-  rows.push_back(real<Row>("x_m", point + " in plan", at(&Row::x_m), within));
-  rows.push_back(real<Row>("y_m", "", at(&Row::y_m), within));
+std::span<FileKey const> keys_of(std::string_view table) {
+  static auto const keys = make_keys();
+  auto const first = std::ranges::find(keys, table, &FileKey::table);
+  return {first, std::find_if(first, keys.end(), [&](FileKey const& key) { return key.table != table; })};
 }
 
-TomlKeys<BaseRow> const& base_keys() {
-  static auto const keys = [] {
-    TomlKeys<BaseRow> rows;
-    slab_keys(rows);
-    place_keys(rows, "centre of mass");
-    return rows;
-  }();
-  return keys;
-}
-TomlKeys<EqualFloors> const& equal_floors_keys() {
-  static auto const keys = [] {
-    TomlKeys<EqualFloors> rows{real<EqualFloors>("count", "floors above the base slab", at(&EqualFloors::count),
-                                                 {.least = 0, .most = most_floors}, true)};
-    slab_keys(rows);
-    rows.push_back(real<EqualFloors>("period_x_s", "first period on a fixed base", at(&EqualFloors::period_x_s),
-                                     positive(100.0), true));
-    rows.push_back(real<EqualFloors>("period_y_s", "", at(&EqualFloors::period_y_s), positive(100.0), true));
-    rows.push_back(real<EqualFloors>("rotation_ratio",
-                                     "frequency of the first torsional mode over the lower of these two",
-                                     at(&EqualFloors::rotation_ratio), positive(100.0)));
-    return rows;
-  }();
-  return keys;
-}
-TomlKeys<FloorRow> const& floor_keys() {
-  static auto const keys = [] {
-    TomlKeys<FloorRow> rows;
-    slab_keys(rows);
-    place_keys(rows, "centre of mass");
-    Limits const within{.least = -1e4, .most = 1e4};
-    rows.push_back(real<FloorRow>("stiffness_x_kN_per_mm", "stiffness of the storey below it",
-                                  at(&FloorRow::stiffness_x_kN_per_mm), positive(1e12), true));
-    rows.push_back(
-        real<FloorRow>("stiffness_y_kN_per_mm", "", at(&FloorRow::stiffness_y_kN_per_mm), positive(1e12), true));
-    rows.push_back(real<FloorRow>("stiffness_rotation_GNm",
-                                  "torsional stiffness in GN m per radian, about its centre of stiffness",
-                                  at(&FloorRow::stiffness_rotation_GNm), positive(1e12), true));
-    rows.push_back(
-        real<FloorRow>("stiffness_at_x_m", "centre of stiffness in plan", at(&FloorRow::stiffness_at_x_m), within));
-    rows.push_back(real<FloorRow>("stiffness_at_y_m", "", at(&FloorRow::stiffness_at_y_m), within));
-    return rows;
-  }();
-  return keys;
-}
-constexpr std::string_view stands_help =
-    "draw: a device drawn from the lot; lot: the lot's law; lower, upper: that law times the factor above; or the name of a tested device";
-TomlKeys<GridRow> const& grid_keys() {
-  static auto const keys = [] {
-    Limits const many{.least = 1, .most = 200};
-    return TomlKeys<GridRow>{
-        real<GridRow>("along", "bearings along x, centred on the plan", at(&GridRow::along), many, true),
-        real<GridRow>("across", "and along y", at(&GridRow::across), many, true),
-        real<GridRow>("spacing_x_m", "", at(&GridRow::spacing_x_m), positive(1e3), true),
-        real<GridRow>("spacing_y_m", "", at(&GridRow::spacing_y_m), positive(1e3), true),
-        text("is", std::string(stands_help), &GridRow::is)};
-  }();
-  return keys;
-}
-TomlKeys<BearingRow> const& bearing_keys() {
-  static auto const keys = [] {
-    Limits const within{.least = -1e4, .most = 1e4};
-    return TomlKeys<BearingRow>{real<BearingRow>("x_m", "place in plan", at(&BearingRow::x_m), within, true),
-                                real<BearingRow>("y_m", "", at(&BearingRow::y_m), within, true),
-                                text("is", std::string(stands_help), &BearingRow::is)};
-  }();
-  return keys;
-}
-TomlKeys<PlanRow> const& plan_keys() {
-  static auto const keys = [] {
-    Limits const within{.least = -1e4, .most = 1e4};
-    return TomlKeys<PlanRow>{real<PlanRow>("left_m", "edges of the slab along x", at(&PlanRow::left_m), within, true),
-                             real<PlanRow>("right_m", "", at(&PlanRow::right_m), within, true),
-                             real<PlanRow>("front_m", "and along y", at(&PlanRow::front_m), within, true),
-                             real<PlanRow>("back_m", "", at(&PlanRow::back_m), within, true)};
-  }();
-  return keys;
-}
-TomlKeys<MotionRow> const& motion_keys() {
-  static auto const keys = TomlKeys<MotionRow>{
-      text("x", "file of the ground acceleration along x: AT2, or columns with units", &MotionRow::x, true),
-      text("y", "and along y; leave out for a single component", &MotionRow::y),
-      real<MotionRow>("scale", "factor on both accelerations", at(&MotionRow::scale), positive(1e3)),
-      real<MotionRow>("step_s", "seconds between samples, for files without time", at(&MotionRow::step_s),
-                      positive(10.0))};
-  return keys;
-}
+// Reads the tables of a file, one at a time, into one FileTables.
+class FileReader {
+ public:
+  FileReader(toml::table const& parsed, std::string const& file) : root(parsed, file, "", complaints), file_(file) {}
 
-struct TableInfo {
-  std::string_view name, help;
+  bool read(TableInfo const& info) {  // whether the table is there
+    auto const* table = root.table(info.name);
+    if (table != nullptr) read_row(*table, info);
+    return table != nullptr;
+  }
+  template <class Row>
+  std::vector<Row> read_list(TableInfo const& info, Row FileTables::*row) {
+    std::vector<Row> rows;
+    auto const* node = root.find(info.name);
+    if (node == nullptr) return rows;
+    auto const* list = node->as_array();
+    if (list == nullptr || list->size() > info.most || !list->is_homogeneous(toml::node_type::table)) {
+      root.complain(*node, fmt::format("'{}' is no list of tables", info.name),
+                    fmt::format("[[{}]], {} of them at most", info.name, info.most));
+      return rows;
+    }
+    for (auto const& item : *list) {
+      tables.*row = {};
+      read_row(*item.as_table(), info);
+      rows.push_back(tables.*row);
+    }
+    return rows;
+  }
+
+  FileTables tables = {};
+  std::vector<Complaint> complaints = {};
+  TomlTable root;
+
+ private:
+  void read_row(toml::table const& from, TableInfo const& info) {
+    TomlTable table(from, file_, fmt::format("[{}]", info.name), complaints);
+    for (auto const& key : keys_of(info.name)) {
+      table.json(key.key, [&](Json const& value) { key.set(tables, value); });
+      if (key.required && table.find(key.key) == nullptr)
+        table.complain(fmt::format("[{}] has no {}", info.name, key.key),
+                       key.limits ? key.limits->text() : std::string("a value"));
+    }
+    table.refuse_unknown();
+  }
+
+  std::string const& file_;
 };
-constexpr TableInfo settings_info{"building", "The analysis. Lengths in m, masses in Mg (t), times in s."},
-    base_info{"base", "The slab on the bearings. All coordinates in plan share one system of axes."},
-    floors_info{"floors", "Equal floors; or one [[floor]] for each, from the lowest up."},
-    floor_info{"floor", "One floor and the storey below it, instead of [floors]."},
-    grid_info{"grid", "Bearings on a regular grid; or one [[bearing]] for each."},
-    bearing_info{"bearing", "One bearing, instead of or besides [grid]."},
-    plan_info{"plan",
-              "The edges of the slab. Its corners are where displacements are reported; no bearing may stand outside."},
-    motion_info{"motion",
-                "One ground motion each; files relative to this one. isolaw building --motion replaces them."};
-
-template <class Row>
-void read_row(toml::table const& from, std::string const& file, TableInfo const& info, TomlKeys<Row> const& keys,
-              Row& row, std::vector<Complaint>& complaints) {
-  TomlTable table(from, file, fmt::format("[{}]", info.name), complaints);
-  for (auto const& key : keys) {
-    table.json(key.key, [&](Json const& value) { key.set(row, value); });
-    if (key.required && table.find(key.key) == nullptr)
-      table.complain(fmt::format("[{}] has no {}", info.name, key.key),
-                     key.limits ? key.limits->text() : std::string("a value"));
-  }
-  table.refuse_unknown();
-}
-
-template <class Row>
-std::optional<Row> read_table(TomlTable& root, std::string const& file, TableInfo const& info,
-                              TomlKeys<Row> const& keys, Row row, std::vector<Complaint>& complaints) {
-  auto const* table = root.table(info.name);
-  if (table == nullptr) return std::nullopt;
-  read_row(*table, file, info, keys, row, complaints);
-  return row;
-}
-
-template <class Row>
-std::vector<Row> read_tables(TomlTable& root, std::string const& file, TableInfo const& info, TomlKeys<Row> const& keys,
-                             Row const& usual, std::size_t most, std::vector<Complaint>& complaints) {
-  std::vector<Row> rows;
-  auto const* node = root.find(info.name);
-  if (node == nullptr) return rows;
-  auto const* list = node->as_array();
-  if (list == nullptr || list->size() > most || !list->is_homogeneous(toml::node_type::table)) {
-    root.complain(*node, fmt::format("'{}' is no list of tables", info.name),
-                  fmt::format("[[{}]], {} of them at most", info.name, most));
-    return rows;
-  }
-  for (auto const& item : *list) read_row(*item.as_table(), file, info, keys, rows.emplace_back(usual), complaints);
-  return rows;
-}
 
 BearingPlace place_of(double x_m, double y_m, std::string const& is) {
   BearingPlace bearing{.at = {x_m * mm_in_m, y_m * mm_in_m}, .stands = Stands::device, .device = is};
@@ -325,10 +266,7 @@ toml::array array_of(Json const& value, int depth) {
 
 MotionRow row_of(std::string const& files) {
   auto const comma = files.find(',');
-  return {.x = files.substr(0, comma),
-          .y = comma == std::string::npos ? "" : files.substr(comma + 1),
-          .scale = 1.0,
-          .step_s = {}};
+  return {.x = files.substr(0, comma), .y = comma == std::string::npos ? "" : files.substr(comma + 1)};
 }
 
 void write_value(std::string& out, Json const& value) {
@@ -342,15 +280,13 @@ void write_value(std::string& out, Json const& value) {
   out += ']';
 }
 
-template <class Row>
-void write_table(std::string& out, TableInfo const& info, TomlKeys<Row> const& keys, Row const& row, bool list,
-                 bool in_use) {
+void write_table(std::string& out, TableInfo const& info, FileTables const& tables, bool in_use = true) {
   std::string_view const off = in_use ? "" : "# ";
-  out += fmt::format("\n# {}\n{}{}{}{}\n", info.help, off, list ? "[[" : "[", info.name, list ? "]]" : "]");
-  for (auto const& key : keys) {
-    auto const value = key.get(row);
-    bool const given = !value.is_null() && in_use;
-    out += fmt::format("{}{} = ", given ? "" : "# ", key.key);
+  auto const [open, close] = info.most > 0 ? std::pair("[[", "]]") : std::pair("[", "]");
+  out += fmt::format("\n# {}\n{}{}{}{}\n", info.help, off, open, info.name, close);
+  for (auto const& key : keys_of(info.name)) {
+    auto const value = key.get(tables);
+    out += fmt::format("{}{} = ", value.is_null() || !in_use ? "# " : "", key.key);
     if (value.is_null())
       out += "0.01";
     else
@@ -395,28 +331,26 @@ bool BuildingFile::along_x_alone() const {
 std::string building_template(int motions) {
   std::string out =
       "# A building on isolators for `isolaw building`. Lines that start with # are explanations or not in use.\n";
-  Settings settings;
-  settings.title = "Five floors on 28 bearings";
-  settings.lower = 0.9;
-  settings.upper = 1.1;
-  write_table(out, settings_info, settings_keys(), settings, false, true);
-  write_table(out, base_info, base_keys(), BaseRow{}, false, true);
-  write_table(out, floors_info, equal_floors_keys(), EqualFloors{}, false, true);
-  write_table(out, floor_info, floor_keys(), FloorRow{}, true, false);
-  write_table(out, grid_info, grid_keys(), GridRow{}, false, true);
-  write_table(out, bearing_info, bearing_keys(), BearingRow{}, true, false);
-  write_table(out, plan_info, plan_keys(), PlanRow{}, false, true);
+  FileTables tables;
+  tables.building.title = "Five floors on 28 bearings";
+  tables.building.lower = 0.9;
+  tables.building.upper = 1.1;
+  tables.motion.scale = 0.5;
+  for (auto const& info : {settings_info, base_info, floors_info}) write_table(out, info, tables);
+  write_table(out, floor_info, tables, false);
+  write_table(out, grid_info, tables);
+  write_table(out, bearing_info, tables, false);
+  write_table(out, plan_info, tables);
   for (int i = 1; i <= motions; ++i) {
-    MotionRow motion;
-    motion.x = fmt::format("motion-{}-x.csv", i);
-    motion.y = fmt::format("motion-{}-y.csv", i);
-    write_table(out, motion_info, motion_keys(), motion, true, true);
+    tables.motion.x = fmt::format("motion-{}-x.csv", i);
+    tables.motion.y = fmt::format("motion-{}-y.csv", i);
+    write_table(out, motion_info, tables);
   }
   return out;
 }
 
-std::span<FileKey<Settings> const> settings_table() {
-  return settings_keys();
+std::span<FileKey const> settings_table() {
+  return keys_of(settings_info.name);
 }
 
 Motion read_motion(std::string const& files) {
@@ -465,62 +399,66 @@ BuildingFile read_parsed(toml::table parsed, std::string const& name, std::files
       if (settings != nullptr)
         insert_toml(value, 0, [&, name = key](auto node) { settings->insert_or_assign(name, std::move(node)); });
   }
-  std::vector<Complaint> complaints;
-  TomlTable root(parsed, name, "", complaints);
+  FileReader reader(parsed, name);
+  auto& root = reader.root;
+  auto& complaints = reader.complaints;
+  auto const& tables = reader.tables;
+  auto const& equal = tables.floors;
+  auto const& grid = tables.grid;
+  auto const& plan = tables.plan;
   BuildingFile file{.file = name, .settings = {}, .frame = {}, .bearings = {}, .plan_mm = {}, .motions = {}};
-  auto const settings = read_table(root, name, settings_info, settings_keys(), Settings{}, complaints);
-  auto const base = read_table(root, name, base_info, base_keys(), BaseRow{}, complaints);
-  auto const equal = read_table(root, name, floors_info, equal_floors_keys(), EqualFloors{}, complaints);
-  auto const floors = read_tables(root, name, floor_info, floor_keys(), FloorRow{}, most_floors, complaints);
-  auto const grid = read_table(root, name, grid_info, grid_keys(), GridRow{}, complaints);
-  auto const bearings = read_tables(root, name, bearing_info, bearing_keys(), BearingRow{}, most_bearings, complaints);
-  auto const plan = read_table(root, name, plan_info, plan_keys(), PlanRow{}, complaints);
-  auto rows = read_tables(root, name, motion_info, motion_keys(),
-                          MotionRow{.x = {}, .y = {}, .scale = 1.0, .step_s = {}}, 1000, complaints);
+  bool const has_settings = reader.read(settings_info), has_base = reader.read(base_info),
+             has_floors = reader.read(floors_info);
+  auto const floors = reader.read_list(floor_info, &FileTables::floor);
+  bool const has_grid = reader.read(grid_info);
+  auto const bearings = reader.read_list(bearing_info, &FileTables::bearing);
+  bool const has_plan = reader.read(plan_info);
+  auto const motions = reader.read_list(motion_info, &FileTables::motion);
   root.refuse_unknown();
   auto const lacks = [&](TableInfo const& info, std::string const& allowed) {
     root.complain(fmt::format("no [{}]", info.name), allowed, "isolaw building --template");
   };
-  if (!settings) lacks(settings_info, "what is asked, with the bounds' factors");
-  if (!base) lacks(base_info, "the slab on the bearings");
-  if (equal && !floors.empty()) root.complain("[floors] and [[floor]]", "one of them");
-  if (!grid && bearings.empty())
+  if (!has_settings) lacks(settings_info, "what is asked, with the bounds' factors");
+  if (!has_base) lacks(base_info, "the slab on the bearings");
+  if (has_floors && !floors.empty()) root.complain("[floors] and [[floor]]", "one of them");
+  if (!has_grid && bearings.empty())
     root.complain("no bearings", "[grid], or [[bearing]] with their places", "isolaw building --template");
 
-  if (settings) file.settings = *settings;
-  if (base)
-    file.frame.base = {.mass_Mg = base->mass_Mg,
-                       .gyration_mm = base->gyration_m * mm_in_m,
-                       .centre = {base->x_m * mm_in_m, base->y_m * mm_in_m}};
+  auto const diaphragm = [](Slab const& slab) {
+    return Diaphragm{.mass_Mg = slab.mass_Mg,
+                     .gyration_mm = slab.gyration_m * mm_in_m,
+                     .centre = {slab.x_m * mm_in_m, slab.y_m * mm_in_m}};
+  };
+  if (has_settings) file.settings = tables.building;
+  if (has_base) file.frame.base = diaphragm(tables.base);
   file.frame.damping = {file.settings.damping};
-  if (equal)
-    file.frame.floors = equal_floors(
-        static_cast<std::size_t>(equal->count),
-        {.mass_Mg = equal->mass_Mg, .gyration_mm = equal->gyration_m * mm_in_m, .centre = file.frame.base.centre},
-        equal->period_x_s, equal->period_y_s, equal->rotation_ratio);
-  for (auto const& floor : floors)
+  if (has_floors) {
+    auto slab = diaphragm(equal);
+    slab.centre = file.frame.base.centre;
+    file.frame.floors = equal_floors(static_cast<std::size_t>(equal.count), slab, equal.period_x_s, equal.period_y_s,
+                                     equal.rotation_ratio);
+  }
+  for (auto const& row : floors)
     file.frame.floors.push_back(
-        {.below = storey(floor.stiffness_x_kN_per_mm, floor.stiffness_y_kN_per_mm, floor.stiffness_rotation_GNm * 1e9,
-                         {floor.stiffness_at_x_m * mm_in_m, floor.stiffness_at_y_m * mm_in_m}),
-         .slab = {.mass_Mg = floor.mass_Mg,
-                  .gyration_mm = floor.gyration_m * mm_in_m,
-                  .centre = {floor.x_m * mm_in_m, floor.y_m * mm_in_m}}});
+        {.below = storey(row.stiffness_x_kN_per_mm, row.stiffness_y_kN_per_mm, row.stiffness_rotation_GNm * 1e9,
+                         {row.stiffness_at_x_m * mm_in_m, row.stiffness_at_y_m * mm_in_m}),
+         .slab = diaphragm(row)});
   double middle_x = 0.0, middle_y = 0.0;
-  if (plan) {
-    if (!(plan->left_m < plan->right_m) || !(plan->front_m < plan->back_m))
+  if (has_plan) {
+    if (!(plan.left_m < plan.right_m) || !(plan.front_m < plan.back_m))
       root.complain(*root.find(plan_info.name), "edges in the wrong order", "left_m < right_m, front_m < back_m");
     file.plan_mm =
-        std::array{plan->left_m * mm_in_m, plan->right_m * mm_in_m, plan->front_m * mm_in_m, plan->back_m * mm_in_m};
-    middle_x = 0.5 * (plan->left_m + plan->right_m), middle_y = 0.5 * (plan->front_m + plan->back_m);
+        std::array{plan.left_m * mm_in_m, plan.right_m * mm_in_m, plan.front_m * mm_in_m, plan.back_m * mm_in_m};
+    middle_x = 0.5 * (plan.left_m + plan.right_m), middle_y = 0.5 * (plan.front_m + plan.back_m);
   }
-  if (grid)
-    for (int i = 0; i < grid->along; ++i)
-      for (int j = 0; j < grid->across; ++j)
-        file.bearings.push_back(place_of(middle_x + (i - 0.5 * (grid->along - 1)) * grid->spacing_x_m,
-                                         middle_y + (j - 0.5 * (grid->across - 1)) * grid->spacing_y_m, grid->is));
+  if (has_grid)
+    for (int i = 0; i < grid.along; ++i)
+      for (int j = 0; j < grid.across; ++j)
+        file.bearings.push_back(place_of(middle_x + (i - 0.5 * (grid.along - 1)) * grid.spacing_x_m,
+                                         middle_y + (j - 0.5 * (grid.across - 1)) * grid.spacing_y_m, grid.is));
   for (auto const& b : bearings) file.bearings.push_back(place_of(b.x_m, b.y_m, b.is));
-  if (file.bearings.size() > most_bearings)
-    root.complain(fmt::format("{} bearings", file.bearings.size()), fmt::format("{} at most", most_bearings));
+  if (file.bearings.size() > bearing_info.most)
+    root.complain(fmt::format("{} bearings", file.bearings.size()), fmt::format("{} at most", bearing_info.most));
   if (file.plan_mm)
     for (std::size_t i = 0; i < file.bearings.size(); ++i) {
       auto const [x, y] = file.bearings[i].at;
@@ -541,10 +479,10 @@ BuildingFile read_parsed(toml::table parsed, std::string const& name, std::files
       complaints.insert(complaints.end(), error.complaints().begin(), error.complaints().end());
     }
   };
-  for (auto const& motion : in_place.motions) take([&] { return (require_sound(motion), motion); });
+  for (auto const& given : in_place.motions) take([&] { return (require_sound(given), given); });
   if (in_place.motions.empty())
-    for (auto const& row : rows) take([&] { return motion_of(folder, row); });
-  if (in_place.motions.empty() && rows.empty())
+    for (auto const& row : motions) take([&] { return motion_of(folder, row); });
+  if (in_place.motions.empty() && motions.empty())
     root.complain("no motions", "[[motion]], or --motion FILES", "isolaw building --template");
   throw_complaints(std::move(complaints), name);
   return file;

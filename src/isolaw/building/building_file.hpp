@@ -50,12 +50,55 @@ struct BuildingFile {
   bool along_x_alone() const;
 };
 
-// A key in a table of the file. The keys of [building] are Python keywords too. A required key has no default.
-template <class Target>
-struct FileKey : Option<Target> {
-  bool required = false;
+// The tables of a building file in its units; of a list, the table that is read or written. What has no default has the
+// template's value, except for the files of motions.
+struct Slab {
+  double mass_Mg = 700.0, gyration_m = 9.0, x_m = 0.0, y_m = 0.0;
 };
-std::span<FileKey<Settings> const> settings_table();
+struct EqualFloors : Slab {
+  int count = 5;
+  double period_x_s = 0.5, period_y_s = 0.5, rotation_ratio = 1.3;
+};
+struct FloorRow : Slab {
+  double stiffness_x_kN_per_mm = 1200.0, stiffness_y_kN_per_mm = 1200.0, stiffness_rotation_GNm = 150.0;
+  double stiffness_at_x_m = 0.0, stiffness_at_y_m = 0.0;
+};
+struct GridRow {
+  int along = 7, across = 4;
+  double spacing_x_m = 6.0, spacing_y_m = 6.0;
+  std::string is = "draw";
+};
+struct BearingRow {
+  double x_m = 0.0, y_m = 0.0;
+  std::string is = "draw";
+};
+struct PlanRow {
+  double left_m = -20.0, right_m = 20.0, front_m = -11.0, back_m = 11.0;
+};
+struct MotionRow {
+  std::string x, y;
+  double scale = 1.0;
+  std::optional<double> step_s = {};
+};
+struct FileTables {
+  Settings building = {};
+  Slab base = {};
+  EqualFloors floors = {};
+  FloorRow floor = {};
+  GridRow grid = {};
+  BearingRow bearing = {};
+  PlanRow plan = {};
+  MotionRow motion = {};
+};
+
+// A key of a building file: one row of a table from which files are read, checked and written. The keys of [building]
+// are Python keywords too.
+struct FileKey : Option<FileTables> {
+  std::string_view table;
+  bool required = false;  // has no default
+  bool decides = true;    // of [building]: the numbers of a run depend on its value, which a store of runs keeps
+};
+std::span<FileKey const> settings_table();  // the keys of [building]
 
 struct ReplacedKeys {
   std::vector<Motion> motions = {};  // if there are any, they replace all motions

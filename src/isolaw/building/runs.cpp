@@ -17,10 +17,11 @@
 #include "isolaw/base/words.hpp"
 #include "isolaw/campaign/maker.hpp"
 #include "isolaw/campaign/parallel.hpp"
-#include "isolaw/campaign/sqlite.hpp"
+#include "isolaw/campaign/setting_table.hpp"
 
 namespace isolaw::building {
 
+using campaign::StoreKind;
 using campaign::sqlite::Connection;
 using campaign::sqlite::Statement;
 using campaign::sqlite::Transaction;
@@ -29,54 +30,49 @@ extern char const* const sources_hash;  // from the build (CMakeLists.txt)
 
 namespace {
 
-using Kind = StudyProperty::Kind;
 using Path = std::filesystem::path;
 
-// Names of Kind in the store, in the order of Kind.
-constexpr std::array<std::string_view, 6> kinds{"setting", "building", "motion", "law", "maker", "part"};
-
-void create_run_tables(Connection const& db) {
-  db.execute("CREATE TABLE study (kind TEXT NOT NULL, name TEXT NOT NULL, value TEXT NOT NULL)");
-  db.execute(
-      "CREATE TABLE runs (law INTEGER, motion INTEGER, place INTEGER, measured BLOB, PRIMARY KEY (law, motion, place)) WITHOUT ROWID");
+campaign::Maker building_maker() {
+  auto maker = campaign::this_maker();
+  maker.build = sources_hash;
+  return maker;
 }
 
-template <class Read>
-auto read_as_study(Path const& file, Read&& read) {
-  try {
-    return read();
-  } catch (Error const& error) {
-    throw Error({.where = file.generic_string(),
-                 .found = "no store of building runs, or a damaged one: " + error.complaints().front().found,
-                 .allowed = "building.sqlite of isolaw building",
-                 .advice = campaign::sqlite::advice_on_damaged});
-  }
-}
-
-void require_sound(Path const& file, std::string const& again) {
-  auto const faults = read_as_study(file, [&] { return campaign::sqlite::integrity(file); });
-  if (!faults.empty())
-    throw Error({.where = file.generic_string(),
-                 .found = "is damaged: " + faults.front(),
-                 .allowed = "stores as isolaw left them",
-                 .advice = "copying it once more, or " + again});
-}
-
-std::vector<StudyProperty> read_properties(Connection const& db, Path const& file) {
-  return read_as_study(file, [&] {
-    std::vector<StudyProperty> properties;
-    Statement select(db, "SELECT kind, name, value FROM study ORDER BY rowid");
-    while (select.row()) {
-      std::string kind;
-      auto& property = properties.emplace_back();
-      select.read(kind, property.name, property.value);
-      auto const place = std::ranges::find(kinds, kind);
-      if (place == kinds.end()) throw Error({.found = "a trait of kind " + in_quotes(kind)});
-      property.kind = static_cast<Kind>(place - kinds.begin());
+void create(Path const& file, std::vector<StudyProperty> const& properties, StudyPart const& part,
+            std::function<void()> const& before_replacing = {}) {
+  auto const fill = [&](Connection const& db) {
+    Transaction transaction(db);
+    building_store().begin(db, {building_maker()}, part.part);
+    if (part.part) {
+      campaign::write_meta(db, "file", part.building_file);
+      campaign::write_meta(db, "from", part.campaign);
+      campaign::write_meta(db, "motions", Json(part.motions).dump());
     }
-    if (properties.empty()) throw Error({.found = "it does not say what its runs are of"});
-    return properties;
-  });
+    Statement insert(db, "INSERT INTO study VALUES (?, ?, ?)");
+    for (auto const& [kind, name, value] : properties)
+      insert.bind(std::string_view(kind), std::string_view(name), std::string_view(value)).insert();
+    transaction.commit();
+  };
+  StoreKind::create(file, fill, before_replacing);
+}
+
+StudyPart read_study_part(Connection const& db) {
+  StudyPart part{.part = campaign::read_part(db)};
+  if (!part.part) return part;
+  part.building_file = campaign::meta(db, "file");
+  part.campaign = campaign::meta(db, "from");
+  part.motions = Json::parse(campaign::meta(db, "motions")).get<std::vector<std::string>>();
+  return part;
+}
+
+std::vector<StudyProperty> read_properties(Connection const& db) {
+  std::vector<StudyProperty> properties;
+  Statement select(db, "SELECT kind, name, value FROM study ORDER BY rowid");
+  while (select.row()) {
+    auto& property = properties.emplace_back();
+    select.read(property.kind, property.name, property.value);
+  }
+  return properties;
 }
 
 std::size_t runs_in(Connection const& db) {
@@ -86,101 +82,115 @@ std::size_t runs_in(Connection const& db) {
   return count;
 }
 
-std::vector<StudyProperty> without(std::vector<StudyProperty> properties, Kind kind) {
-  std::erase_if(properties, [&](StudyProperty const& property) { return property.kind == kind; });
+std::vector<StudyProperty> of_kind(std::vector<StudyProperty> properties, std::string_view kind) {
+  std::erase_if(properties, [&](StudyProperty const& property) { return property.kind != kind; });
   return properties;
 }
 
-std::vector<StudyProperty> of_kind(std::span<StudyProperty const> properties, Kind kind) {
-  std::vector<StudyProperty> found;
-  std::ranges::copy_if(properties, std::back_inserter(found),
-                       [&](StudyProperty const& property) { return property.kind == kind; });
+// A text for each difference, such as "seed: 1 there, 2 now".
+std::vector<std::string> differences_of(std::vector<StudyProperty> const& there, std::vector<StudyProperty> const& now,
+                                        campaign::Sides const& sides = {}) {
+  std::vector<std::string> found;
+  for (auto const& [kind, other] :
+       std::initializer_list<std::pair<std::string_view, std::string_view>>{{"setting", ""},
+                                                                            {"building", "another building: "},
+                                                                            {"motion", "other values of motion "},
+                                                                            {"law", "another lot of "}}) {
+    auto const a = of_kind(there, kind), b = of_kind(now, kind);
+    auto const differ = [&](std::string const& what, std::string const& one, std::string const& another) {
+      if (one != another) found.push_back(fmt::format("{}{} {}, {} {}", what, one, sides.one, another, sides.other));
+      return one != another;
+    };
+    if (differ("", counted(a.size(), kind), counted(b.size(), kind))) continue;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      auto const name = printable(a[i].name);
+      if (differ(fmt::format("{} {}: ", kind, i + 1), name, printable(b[i].name)) || a[i].value == b[i].value) continue;
+      if (other.empty())
+        differ(name + ": ", printable(a[i].value), printable(b[i].value));
+      else
+        found.push_back(fmt::format("{}{}", other, name));
+    }
+  }
   return found;
 }
 
-// Two builds may give different numbers, and two instruction sets differ in the last digits.
-void require_same_maker(Path const& file, std::span<StudyProperty const> there, campaign::Maker const& now,
-                        std::string const& again) {
-  auto const maker = maker_of(there);
-  if (!campaign::same_build(maker, now))
-    throw Error({.where = file.generic_string(),
-                 .found = fmt::format("computed by isolaw {}; this is {}, whose numbers may differ",
-                                      campaign::text(maker), campaign::text(now)),
-                 .allowed = "runs of one build in a study",
-                 .advice = "the isolaw that computed it (isolaw --version tells its build), or " + again});
-  if (maker.instruction_set != now.instruction_set)
-    throw Error({.where = file.generic_string(),
-                 .found = fmt::format("computed with instruction set {}; this is {}", maker.instruction_set,
-                                      now.instruction_set),
-                 .allowed = "runs of one instruction set in a study",
-                 .advice = fmt::format("ISOLAW_SIMD={}, or {}", maker.instruction_set, again)});
+Connection opened(Path const& file, std::vector<StudyProperty> const& properties, bool fresh, StudyPart const& part) {
+  if (fresh || !std::filesystem::exists(file)) {
+    create(file, properties, part);
+    return building_store().to_write(file);
+  }
+  campaign::sqlite::remove_unfinished(file);
+  auto db = building_store().to_write(file);
+  StoreKind::as_ours(file, [&] {
+    auto const held = campaign::read_part(db);
+    // A merge will read this part, and would take a file that was cut off within a page for a whole one.
+    if (held) campaign::require_sound(file, "--fresh to start over");
+    auto different = differences_of(read_properties(db), properties);
+    auto const named = [](std::optional<campaign::Part> const& which) {
+      return which ? "part " + campaign::text(*which) : "all of it";
+    };
+    if (held != part.part) different.push_back(fmt::format("{} there, {} now", named(held), named(part.part)));
+    if (!different.empty())
+      throw Error({.where = file.string(),
+                   .found = "the runs of another building, of other settings or of another campaign: " +
+                            joined(different, "; "),
+                   .allowed = "the same, which is continued",
+                   .advice = "--fresh to start over, or another --out"});
+    // Two builds may give different numbers, and two instruction sets differ in the last digits.
+    auto const me = building_maker();
+    for (auto const& maker : campaign::read_makers(db))
+      if (!same_build(maker, me) || maker.instruction_set != me.instruction_set)
+        throw Error(
+            {.where = file.string(),
+             .found = fmt::format("computed by isolaw {} with instruction set {}; this is {} with {}", text(maker),
+                                  maker.instruction_set, text(me), me.instruction_set),
+             .allowed = "runs of one build and instruction set in a study",
+             .advice = fmt::format(
+                 "the isolaw that computed it (isolaw --version tells its build), with ISOLAW_SIMD={}; --fresh to start over, or another --out",
+                 maker.instruction_set)});
+  });
+  return db;
 }
 
-campaign::Maker building_maker() {
-  auto maker = campaign::this_maker();
-  maker.build = sources_hash;
-  return maker;
-}
-
-std::string of_part(std::optional<campaign::Part> const& part) {
-  return part ? "part " + campaign::text(*part) : "all of it";
+// The runs that a store is to hold, and how many measures each has.
+struct Expected {
+  std::vector<StudyProperty> laws, motions;
+  std::vector<Case> cases;
+  std::size_t measures = 0;
+  Blocks blocks() const { return {laws.size(), motions.size(), cases.size()}; }
+};
+Expected expected_runs(Connection const& db) {
+  auto const properties = read_properties(db);
+  auto const value = [&](std::string_view kind, std::string_view name) {
+    for (auto const& property : properties)
+      if (property.kind == kind && property.name == name) return Json::parse(property.value);
+    throw Error({.found = fmt::format("no value of {}", name)});
+  };
+  FileTables tables;
+  for (auto const& key : settings_table())
+    if (key.decides) key.set(tables, value("setting", key.key));
+  return {.laws = of_kind(properties, "law"),
+          .motions = of_kind(properties, "motion"),
+          .cases = cases_of(tables.building),
+          .measures = value("building", "measures").get<std::size_t>()};
 }
 
 }  // namespace
 
-campaign::Maker maker_of(std::span<StudyProperty const> properties) {
-  return {.version = value_of(properties, Kind::maker, "version"),
-          .build = value_of(properties, Kind::maker, "build"),
-          .instruction_set = value_of(properties, Kind::maker, "instruction_set")};
-}
-
-std::optional<campaign::Part> part_of(std::span<StudyProperty const> properties) {
-  auto const text = value_of(properties, Kind::part, "part");
-  return text.empty() ? std::nullopt : std::optional(campaign::parse_part(text));
-}
-
-std::string value_of(std::span<StudyProperty const> properties, Kind kind, std::string_view name) {
-  auto const found = std::ranges::find_if(
-      properties, [&](StudyProperty const& property) { return property.kind == kind && property.name == name; });
-  return found == properties.end() ? std::string() : found->value;
-}
-
-std::vector<StudyProperty> properties_of(campaign::Part const& part, std::string const& building_file,
-                                         std::string const& campaign, std::vector<std::string> const& motions) {
-  std::vector<StudyProperty> properties{
-      {Kind::part, "part", campaign::text(part)}, {Kind::part, "file", building_file}, {Kind::part, "from", campaign}};
-  for (auto const& motion : motions) properties.push_back({Kind::part, "motion", motion});
-  return properties;
-}
-
-std::vector<std::string> differences(std::span<StudyProperty const> there, std::span<StudyProperty const> now,
-                                     campaign::Sides const& sides) {
-  std::vector<std::string> found;
-  for (auto const kind : {Kind::setting, Kind::building, Kind::motion, Kind::law}) {
-    auto const a = of_kind(there, kind), b = of_kind(now, kind);
-    auto const word = kinds[static_cast<std::size_t>(kind)];
-    if (a.size() != b.size()) {
-      found.push_back(
-          fmt::format("{} {}, {} {}", counted(a.size(), word), sides.one, counted(b.size(), word), sides.other));
-      continue;
-    }
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      auto const name = printable(a[i].name), was = printable(a[i].value), is = printable(b[i].value);
-      if (a[i].name != b[i].name)
-        found.push_back(
-            fmt::format("{} {}: {} {}, {} {}", word, i + 1, name, sides.one, printable(b[i].name), sides.other));
-      else if (a[i].value == b[i].value)
-        continue;
-      else if (kind == Kind::setting)
-        found.push_back(fmt::format("{}: {} {}, {} {}", name, was, sides.one, is, sides.other));
-      else
-        found.push_back((kind == Kind::law      ? "another lot of "
-                         : kind == Kind::motion ? "other values of motion "
-                                                : "another building: ") +
-                        name);
-    }
-  }
-  return found;
+StoreKind const& building_store() {
+  static StoreKind const kind({.store = "store of building runs",
+                               .file = "building.sqlite of isolaw building",
+                               .whole = "study",
+                               .same = "the same building, motions, lot and settings",
+                               .command = "isolaw building",
+                               .input = "BUILDING.toml",
+                               .once_more = "compute it again",
+                               .advice = "--fresh, which starts over a study of an older isolaw"},
+                              1, R"sql(
+CREATE TABLE study (kind TEXT NOT NULL, name TEXT NOT NULL, value TEXT NOT NULL);
+CREATE TABLE runs (law INTEGER, motion INTEGER, place INTEGER, measured BLOB, PRIMARY KEY (law, motion, place)) WITHOUT ROWID;
+)sql");
+  return kind;
 }
 
 Blocks::Block Blocks::at(std::size_t number) const {
@@ -197,61 +207,15 @@ std::size_t Blocks::blocks_per_motion() const {
   return (cases_ + size - 1) / size;
 }
 
-struct RunStore::Handle {
-  Connection db;
-};
-
-RunStore::RunStore(std::filesystem::path const& file, std::vector<StudyProperty> const& properties, bool fresh) {
-  campaign::sqlite::remove_unfinished(file);
-  campaign::sqlite::require_plain(file);
-  if (fresh || !std::filesystem::exists(file)) {
-    create(file, properties);
-    handle_ = std::make_unique<Handle>(Handle{Connection::to_write(file)});
-    return;
-  }
-  handle_ = std::make_unique<Handle>(Handle{Connection::to_write(file)});
-  auto const found = read_properties(handle_->db, file);
-  // A merge will read this part, and would take a file that was cut off within a page for a whole one.
-  if (part_of(found)) require_sound(file, "--fresh to start over");
-  if (found == properties) return;
-  auto different = differences(found, properties);
-  if (auto const a = part_of(found), b = part_of(properties); a != b)
-    different.push_back(fmt::format("{} there, {} now", of_part(a), of_part(b)));
-  if (!different.empty())
-    throw Error(
-        {.where = file.generic_string(),
-         .found = "the runs of another building, of other settings or of another campaign: " + joined(different, "; "),
-         .allowed = "the same, which is continued",
-         .advice = "--fresh to start over, or another --out"});
-  // From here only the maker can differ, or a part's paths, which are allowed to differ.
-  require_same_maker(file, found, maker_of(properties), "--fresh to start over, or another --out");
-}
-
-void RunStore::create(Path const& file, std::vector<StudyProperty> const& properties) {
-  auto const aside = campaign::sqlite::unfinished(file);
-  {
-    auto const db = Connection::create(aside);
-    Transaction transaction(db);
-    create_run_tables(db);
-    Statement insert(db, "INSERT INTO study VALUES (?, ?, ?)");
-    for (auto const& property : properties)
-      insert
-          .bind(kinds.at(static_cast<std::size_t>(property.kind)), std::string_view(property.name),
-                std::string_view(property.value))
-          .insert();
-    transaction.commit();
-  }
-  campaign::sqlite::move_into_place(aside, file);
-}
-
-RunStore::~RunStore() = default;
+RunStore::RunStore(Path const& file, std::vector<StudyProperty> const& properties, bool fresh, StudyPart const& part)
+    : db_(opened(file, properties, fresh, part)) {}
 
 std::size_t RunStore::runs_there() const {
-  return runs_in(handle_->db);
+  return runs_in(db_);
 }
 
 bool RunStore::is_there(Blocks::Block const& block) const {
-  Statement select(handle_->db, "SELECT count(*) FROM runs WHERE law = ? AND motion = ? AND place >= ? AND place < ?");
+  Statement select(db_, "SELECT count(*) FROM runs WHERE law = ? AND motion = ? AND place >= ? AND place < ?");
   select.bind(block.law, block.motion, block.from, block.to);
   std::size_t count = 0;
   if (select.row()) select.read(count);
@@ -259,11 +223,10 @@ bool RunStore::is_there(Blocks::Block const& block) const {
 }
 
 void RunStore::add(std::vector<Row> const& rows) {
-  auto const& db = handle_->db;
-  Transaction transaction(db);
+  Transaction transaction(db_);
   {
     // A merge in another program may have stored a part of the block already; its rows stay.
-    Statement insert(db, "INSERT OR IGNORE INTO runs VALUES (?, ?, ?, ?)");
+    Statement insert(db_, "INSERT OR IGNORE INTO runs VALUES (?, ?, ?, ?)");
     for (auto const& row : rows) insert.bind(row.law, row.motion, row.place, row.measured).insert();
   }
   transaction.commit();
@@ -271,7 +234,7 @@ void RunStore::add(std::vector<Row> const& rows) {
 
 void RunStore::each(std::size_t law, std::size_t motion,
                     std::function<void(std::size_t, std::vector<double> const&)> const& take) const {
-  Statement select(handle_->db, "SELECT place, measured FROM runs WHERE law = ? AND motion = ? ORDER BY place");
+  Statement select(db_, "SELECT place, measured FROM runs WHERE law = ? AND motion = ? ORDER BY place");
   select.bind(law, motion);
   while (select.row()) {
     std::size_t place = 0;
@@ -279,10 +242,6 @@ void RunStore::each(std::size_t law, std::size_t motion,
     select.read(place, measured);
     take(place, measured);
   }
-}
-
-void RunStore::put_in_order(std::filesystem::path const& file) {
-  campaign::sqlite::put_in_order(file, create_run_tables);
 }
 
 std::vector<StudyProperty> properties_of(Study const& study) {
@@ -296,22 +255,12 @@ std::vector<StudyProperty> properties_of(Study const& study) {
   auto const add_matrix = [&](lot::SquareMatrix const& rows) {
     for (auto const& row : rows) add_all(row);
   };
-  auto const hashed = [&](Kind kind, std::string const& name) {
+  auto const hashed = [&](std::string const& kind, std::string const& name) {
     properties.push_back({kind, name, sha256(std::exchange(content, {}))});
   };
-  auto const& s = study.file.settings;
-  auto const setting = [&](char const* name, auto value) {
-    properties.push_back({Kind::setting, name, fmt::format("{}", value)});
-  };
-  setting("draws", s.draws);
-  setting("populations", s.populations);
-  setting("draws_of_each", s.draws_of_each);
-  setting("seed", s.seed);
-  setting("damping", s.damping);
-  setting("lower", s.lower);
-  setting("upper", s.upper);
-  setting("step_s", s.step_s);
-  setting("rest_s", s.rest_s);
+  FileTables const tables{.building = study.file.settings};
+  for (auto const& key : settings_table())
+    if (key.decides) properties.push_back({"setting", std::string(key.key), text_of(key.get(tables))});
   auto const slab = [&](Diaphragm const& d) { add(d.mass_Mg, d.gyration_mm, d.centre.x_mm, d.centre.y_mm); };
   slab(study.file.frame.base);
   for (auto const& floor : study.file.frame.floors) {
@@ -319,17 +268,17 @@ std::vector<StudyProperty> properties_of(Study const& study) {
     add(floor.below.centre.x_mm, floor.below.centre.y_mm);
     for (Eigen::Index i = 0; i < 9; ++i) add(floor.below.stiffness(i / 3, i % 3));
   }
-  hashed(Kind::building, "structure");
+  hashed("building", "structure");
   for (auto const& b : study.file.bearings) add(b.at.x_mm, b.at.y_mm, static_cast<int>(b.stands), b.device);
   if (study.file.plan_mm) add_all(*study.file.plan_mm);
-  hashed(Kind::building, "plan");
+  hashed("building", "plan");
   auto const measures = Layout{study.file.frame.floors.size(), study.file.bearings.size()}.count();
-  properties.push_back({Kind::building, "measures", std::to_string(measures)});
+  properties.push_back({"building", "measures", std::to_string(measures)});
   for (auto const& m : study.file.motions) {
     add(m.step_s);
     add_all(m.x_mm_s2);
     add_all(m.y_mm_s2);
-    hashed(Kind::motion, m.name);
+    hashed("motion", m.name);
   }
   for (auto const& law : study.laws) {
     auto const& p = law.population;
@@ -348,12 +297,8 @@ std::vector<StudyProperty> properties_of(Study const& study) {
       add(name);
       add_all(values);
     }
-    hashed(Kind::law, law.law);
+    hashed("law", law.law);
   }
-  auto const maker = building_maker();
-  properties.push_back({Kind::maker, "version", maker.version});
-  properties.push_back({Kind::maker, "build", maker.build});
-  properties.push_back({Kind::maker, "instruction_set", maker.instruction_set});
   return properties;
 }
 
@@ -471,45 +416,53 @@ bool run_all(Study const& study, RunStore& store, std::size_t threads, RunAllOpt
 
 namespace {
 
-Blocks blocks_of(std::span<StudyProperty const> properties, std::vector<Case>& cases, Path const& file) {
-  auto const whole = [&](std::string_view name) {
-    auto const number = number_in<int>(value_of(properties, Kind::setting, name));
-    constexpr int most = 100'000'000;
-    if (!number || *number < 0 || *number > most)
-      throw Error({.where = file.generic_string(),
-                   .found = fmt::format("no number of its setting {}", name),
-                   .allowed = "building.sqlite of isolaw building",
-                   .advice = campaign::sqlite::advice_on_damaged});
-    return *number;
-  };
-  Settings settings;
-  settings.draws = whole("draws");
-  settings.populations = whole("populations");
-  settings.draws_of_each = whole("draws_of_each");
-  cases = cases_of(settings);
-  return {of_kind(properties, Kind::law).size(), of_kind(properties, Kind::motion).size(), cases.size()};
-}
+class StudyMerge : public campaign::Merge {
+ public:
+  explicit StudyMerge(std::function<void(MissingRun const&)> const& missing)
+      : Merge(building_store(), building_maker()), missing_(missing) {}
+  StudyPart part = {};  // the first of them
 
-void take_runs(Connection const& db, Path const& file, campaign::Merged& merged, std::array<std::size_t, 3> const& most,
-               std::string const& measures) {
-  auto const theirs = Connection::to_read(file);
-  auto const refuse = [&](RunStore::Row const& row, std::string_view what, std::string_view allowed) {
-    throw Error(
-        {.where = file.generic_string(),
-         .found = fmt::format("run {} of law {} under motion {} {}", row.place + 1, row.law + 1, row.motion + 1, what),
-         .allowed = std::string(allowed),
-         .advice = "the part that is not sound again: isolaw building ... --part K/N --fresh"});
-  };
-  Transaction transaction(db);
-  {
+ private:
+  std::vector<std::string> differences(Path const& first, Path const& file) override {
+    auto const properties = building_store().read(file, read_properties);
+    if (first == file) first_ = properties;
+    return differences_of(first_, properties, {.one = "in " + first.string(), .other = "in " + file.string()});
+  }
+
+  void create(Path const& file, Path const& /*first*/, std::function<void()> const& before_replacing) override {
+    building::create(file, first_, {}, before_replacing);
+  }
+
+  void copy_runs(Path const& to, std::vector<Path> const& parts, campaign::Merged& merged) override {
+    auto const db = building_store().to_write(to);
+    auto const expected = expected_runs(db);
+    for (auto const& file : parts) {
+      auto const theirs = building_store().to_read(file);
+      StoreKind::as_ours(file, [&] {
+        if (!part.part) part = read_study_part(theirs);
+        take_runs(db, theirs, file, expected, merged);
+      });
+    }
+  }
+
+  static void take_runs(Connection const& db, Connection const& theirs, Path const& file, Expected const& expected,
+                        campaign::Merged& merged) {
+    auto const refuse = [&](RunStore::Row const& row, std::string_view what, std::string_view allowed) {
+      throw Error({.where = file.string(),
+                   .found = fmt::format("run {} of law {} under motion {} {}", row.place + 1, row.law + 1,
+                                        row.motion + 1, what),
+                   .allowed = std::string(allowed),
+                   .advice = "the part that is not sound again: isolaw building ... --part K/N --fresh"});
+    };
+    Transaction transaction(db);
     Statement insert(db, "INSERT OR IGNORE INTO runs VALUES (?, ?, ?, ?)");
     Statement same(db, "SELECT 1 FROM runs WHERE law = ? AND motion = ? AND place = ? AND measured = ?");
     Statement select(theirs, "SELECT law, motion, place, measured FROM runs ORDER BY law, motion, place");
     while (select.row()) {
       RunStore::Row row;
       select.read(row.law, row.motion, row.place, row.measured);
-      if (row.law >= most[0] || row.motion >= most[1] || row.place >= most[2] ||
-          std::to_string(row.measured.size()) != measures)
+      if (row.law >= expected.laws.size() || row.motion >= expected.motions.size() ||
+          row.place >= expected.cases.size() || row.measured.size() != expected.measures)
         refuse(row, "does not belong to this study", "runs as isolaw building makes them");
       if (insert.bind(row.law, row.motion, row.place, row.measured).insert()) {
         ++merged.added;
@@ -519,131 +472,50 @@ void take_runs(Connection const& db, Path const& file, campaign::Merged& merged,
       if (!same.again(row.law, row.motion, row.place, row.measured).row())
         refuse(row, "is another one than that which is there already", "one result of a run, whoever computed it");
     }
+    transaction.commit();
   }
-  transaction.commit();
-}
 
-constexpr char const* again_as_part = "isolaw building ... --part K/N --fresh, which computes it again";
-
-// False also for a file that is not a store, which a merge may replace.
-bool has_every_run(Path const& file) {
-  try {
-    auto const db = Connection::to_read(file);
-    std::vector<Case> cases;
-    return runs_in(db) == blocks_of(read_properties(db, file), cases, file).runs();
-  } catch (Error const&) {
-    return false;
+  void tell_missing(Path const& file, campaign::Merged& merged) override {
+    building_store().read(file, [&](Connection const& db) {
+      auto const [laws, motions, cases, measures] = expected_runs(db);
+      Blocks const blocks(laws.size(), motions.size(), cases.size());
+      Statement there(db, "SELECT 1 FROM runs WHERE law = ? AND motion = ? AND place = ?");
+      for (std::size_t number = 0; number < blocks.count(); ++number) {
+        auto const block = blocks.at(number);
+        int const of_part = merged.parts > 0 ? Blocks::part_of(number, merged.parts) : 0;
+        for (auto place = block.from; place < block.to; ++place) {
+          if (there.again(block.law, block.motion, place).row()) continue;
+          ++merged.missing;
+          ++merged.missing_of[of_part];
+          if (missing_)
+            missing_({.law = laws[block.law].name,
+                      .motion = motions[block.motion].name,
+                      .analysis = text(cases[place]),
+                      .part = of_part});
+        }
+      }
+    });
   }
-}
-std::optional<campaign::Part> part_in(Path const& file) {
-  try {
-    return part_of(read_properties(Connection::to_read(file), file));
-  } catch (Error const&) {
-    return std::nullopt;
-  }
-}
 
-// A merge must not replace a part, which may be the only copy of its runs.
-void refuse_part(Path const& out, std::optional<campaign::Part> const& part) {
-  if (part)
-    throw Error({.where = out.generic_string(),
-                 .found = fmt::format("is part {} itself", campaign::text(*part)),
-                 .allowed = "a directory of its own for the whole study",
-                 .advice = "another directory"});
-}
+  bool has_every_run(Path const& file) override {
+    return building_store().read(file,
+                                 [](Connection const& db) { return runs_in(db) == expected_runs(db).blocks().runs(); });
+  }
+
+  void complete(Path const& file, std::vector<Path> const& /*whole*/, campaign::Merged& /*merged*/) override {
+    building_store().put_in_order(file);
+  }
+
+  std::function<void(MissingRun const&)> const& missing_;
+  std::vector<StudyProperty> first_;
+};
 
 }  // namespace
 
 MergedStudy merge(Path const& out, std::vector<Path> const& parts, MergeOptions const& options) {
-  auto const maker = building_maker();
-  MergedStudy merged;
-  std::optional<std::pair<Path, std::vector<StudyProperty>>> first;
-  auto const examine = [&](Path const& file) {
-    require_sound(file, again_as_part);
-    auto const properties = read_properties(Connection::to_read(file), file);
-    require_same_maker(file, properties, maker, again_as_part);
-    if (!first) first.emplace(file, without(properties, Kind::part));
-    if (without(properties, Kind::part) != first->second)
-      throw Error({.where = file.generic_string(),
-                   .found = fmt::format("of another study than {}: {}", first->first.generic_string(),
-                                        joined(differences(first->second, properties,
-                                                           {.one = "in " + first->first.generic_string(),
-                                                            .other = "in " + file.generic_string()}),
-                                               "; ")),
-                   .allowed = "parts of one study: the same building, motions, lot and settings",
-                   .advice = "leaving it out, or --part again with the command of the others"});
-    auto const part = read_as_study(file, [&] { return part_of(properties); });
-    if (part && merged.parts != 0 && merged.parts != part->of)
-      throw Error({.where = file.generic_string(),
-                   .found = fmt::format("is part {}; another is one of {}", campaign::text(*part), merged.parts),
-                   .allowed = "parts of one deal",
-                   .advice = "merging those of each deal into the same directory, one after the other"});
-    if (part) merged.parts = part->of;
-    if (part && merged.part.empty()) merged.part = of_kind(properties, Kind::part);
-    return part;
-  };
-  std::vector<Path> files;
-  for (auto const& part : parts) {
-    if (std::filesystem::exists(part))
-      files.push_back(part);
-    else
-      merged.absent.push_back(part.string());
-  }
-  bool const exists = std::filesystem::exists(out), continues = exists && !options.fresh,
-             replaces = exists && options.fresh;
-  if (replaces) {
-    campaign::refuse_absent(out, merged.absent);
-    refuse_part(out, part_in(out));
-  }
-  campaign::sqlite::remove_unfinished(out);
-  if (continues) {
-    if (!campaign::sqlite::is_plain(out))
-      Connection::to_write(out).try_execute("SELECT 1 FROM sqlite_master");  // rolls back what a kill left open
-    refuse_part(out, examine(out));
-  }
-  for (auto const& file : files) examine(file);
-  if (!first)
-    throw Error({.where = parts.empty() ? out.generic_string() : parts.front().generic_string(),
-                 .found = "no part is there",
-                 .allowed = "directories of isolaw building BUILDING.toml --part K/N --out DIR"});
-  std::vector<Case> cases;
-  auto const blocks = blocks_of(first->second, cases, first->first);
-  auto const laws = of_kind(first->second, Kind::law), motions = of_kind(first->second, Kind::motion);
-  // The old store stays until everything that replaces it was checked and copied.
-  auto const target = replaces ? campaign::sqlite::unfinished(out) : out;
-  std::optional<campaign::sqlite::Unfinished> unfinished;
-  if (replaces) unfinished.emplace(out);
-  if (!continues) {
-    if (!replaces && options.before_replacing) options.before_replacing();
-    RunStore::create(target, first->second);
-  }
-  {
-    auto const db = Connection::to_write(target);
-    for (auto const& file : files)
-      take_runs(db, file, merged, {laws.size(), motions.size(), cases.size()},
-                value_of(first->second, Kind::building, "measures"));
-    Statement there(db, "SELECT 1 FROM runs WHERE law = ? AND motion = ? AND place = ?");
-    for (std::size_t number = 0; number < blocks.count(); ++number) {
-      auto const block = blocks.at(number);
-      for (auto place = block.from; place < block.to; ++place) {
-        if (there.again(block.law, block.motion, place).row()) continue;
-        int const part = merged.parts > 0 ? Blocks::part_of(number, merged.parts) : 0;
-        ++merged.missing;
-        ++merged.missing_of[part];
-        if (options.missing)
-          options.missing({.law = laws[block.law].name,
-                           .motion = motions[block.motion].name,
-                           .analysis = text(cases[place]),
-                           .part = part});
-      }
-    }
-  }
-  if (merged.missing == 0) RunStore::put_in_order(target);
-  if (replaces) {
-    if (merged.missing > 0 && has_every_run(out)) campaign::refuse_to_replace_whole(out, merged);
-    if (options.before_replacing) options.before_replacing();
-    campaign::sqlite::move_into_place(target, out);
-  }
+  StudyMerge stores(options.missing);
+  MergedStudy merged{stores.run(out, parts, options.fresh, options.before_replacing), {}};
+  merged.part = std::move(stores.part);
   return merged;
 }
 

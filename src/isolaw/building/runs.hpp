@@ -5,18 +5,13 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <optional>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "isolaw/building/lanes.hpp"
 #include "isolaw/building/sources.hpp"
-#include "isolaw/campaign/contents.hpp"
-#include "isolaw/campaign/merge.hpp"
-#include "isolaw/campaign/setting_table.hpp"
+#include "isolaw/campaign/merge_stores.hpp"
 
 namespace isolaw::building {
 
@@ -25,25 +20,20 @@ struct Study {
   std::vector<LawSource> laws;
 };
 
-// One thing that the runs of a store depend on. A part of a study also has rows that say which part it is.
+// One thing that the runs of a store depend on.
 struct StudyProperty {
-  enum class Kind { setting, building, motion, law, maker, part };
-  Kind kind = Kind::setting;
-  std::string name, value;
+  std::string kind, name, value;  // kind: setting, building, motion or law
   bool operator==(StudyProperty const&) const = default;
 };
-// Everything that the numbers depend on: settings by value, inputs by hash, the program and its instruction set.
+// Everything that the numbers depend on besides the program and its instruction set: settings by value, inputs by hash.
 std::vector<StudyProperty> properties_of(Study const& study);
-// The rows of a part: its number, and the paths of the inputs that a merged study needs for its answers.
-std::vector<StudyProperty> properties_of(campaign::Part const& part, std::string const& building_file,
-                                         std::string const& campaign, std::vector<std::string> const& motions);
-// A text for each difference, such as "seed: 1 there, 2 now". Parts and makers are not compared.
-std::vector<std::string> differences(std::span<StudyProperty const> there, std::span<StudyProperty const> now,
-                                     campaign::Sides const& sides = {});
-campaign::Maker maker_of(std::span<StudyProperty const> properties);
-std::optional<campaign::Part> part_of(std::span<StudyProperty const> properties);
-std::string value_of(std::span<StudyProperty const> properties, StudyProperty::Kind kind,
-                     std::string_view name);  // empty if there is none
+
+// The part of a study, nullopt for all of it, and the paths of the inputs that the merged study needs for its answers.
+struct StudyPart {
+  std::optional<campaign::Part> part = {};
+  std::string building_file = {}, campaign = {};
+  std::vector<std::string> motions = {};
+};
 
 // Cuts the runs of a study into blocks, by law, motion and place in cases_of(). Threads and parts share the blocks.
 class Blocks {
@@ -67,14 +57,10 @@ class Blocks {
 
 class RunStore {
  public:
-  // Opens or creates the file. Throws Error if its runs have other properties, unless `fresh` starts it over.
-  RunStore(std::filesystem::path const& file, std::vector<StudyProperty> const& properties, bool fresh);
-  ~RunStore();
-  RunStore(RunStore const&) = delete;
-  RunStore& operator=(RunStore const&) = delete;
-
-  // Creates or replaces the file. If the program is killed meanwhile, the old or the new file remains, whole.
-  static void create(std::filesystem::path const& file, std::vector<StudyProperty> const& properties);
+  // Opens or creates the file. Throws Error if its runs have other properties or are another part of the study, unless
+  // `fresh` starts it over.
+  RunStore(std::filesystem::path const& file, std::vector<StudyProperty> const& properties, bool fresh,
+           StudyPart const& part = {});
 
   struct Row {
     std::size_t law = 0, motion = 0, place = 0;  // place: in cases_of()
@@ -85,29 +71,25 @@ class RunStore {
   void add(std::vector<Row> const& rows);
   void each(std::size_t law, std::size_t motion,
             std::function<void(std::size_t, std::vector<double> const&)> const& take) const;
-  // Rewrites a closed store in a fixed order, so that equal runs are equal files (campaign/sqlite.hpp).
-  static void put_in_order(std::filesystem::path const& file);
 
  private:
-  struct Handle;
-  std::unique_ptr<Handle> handle_;
+  campaign::sqlite::Connection db_;
 };
+campaign::StoreKind const& building_store();
 
 struct MissingRun {
   std::string law, motion, analysis;
   int part = 0;  // the part that should hold it; 0 if the number of parts is not known
 };
 struct MergedStudy : campaign::Merged {
-  std::vector<StudyProperty> part;  // the first part's rows of Kind::part
+  StudyPart part = {};  // the first of them
 };
 struct MergeOptions {
   std::function<void()> before_replacing = {};          // called when the study's outputs become outdated
   std::function<void(MissingRun const&)> missing = {};  // called for each missing run, in order
-  bool fresh = false;  // replaces `out`, after everything that takes its place was checked and copied
+  bool fresh = false;                                   // see campaign::Merge::run
 };
-// Adds the runs of the stores `parts` to the store `out`, as campaign::merge does; all are checked before the first is
-// copied. Throws Error for a store that is damaged or of another study, build or instruction set, for runs that
-// contradict each other, and if `out` is a part itself or would lose runs.
+// See campaign::Merge::run.
 MergedStudy merge(std::filesystem::path const& out, std::vector<std::filesystem::path> const& parts,
                   MergeOptions const& options = {});
 

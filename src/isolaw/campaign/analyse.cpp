@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "isolaw/base/hash.hpp"
-#include "isolaw/campaign/deal.hpp"
 #include "isolaw/campaign/parallel.hpp"
+#include "isolaw/campaign/part_assignment.hpp"
 #include "isolaw/laws/in_plane.hpp"
 #include "isolaw/laws/online.hpp"
 #include "isolaw/opt/multistart.hpp"

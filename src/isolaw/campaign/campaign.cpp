@@ -13,8 +13,8 @@
 
 #include "isolaw/base/hash.hpp"
 #include "isolaw/campaign/analyse.hpp"
-#include "isolaw/campaign/deal.hpp"
 #include "isolaw/campaign/parallel.hpp"
+#include "isolaw/campaign/part_assignment.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/fit/objective.hpp"
 #include "isolaw/num/random.hpp"
@@ -153,8 +153,8 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
     targets.push_back({place, &search, campaign.split(stable_hash(device.name)).split(stable_hash(search.law))});
   }
   auto const tasks = missing_runs(contents, targets);
-  if (tasks.empty() && contents.complete() && Store::is_plain(file)) {
-    Store::put_in_order(file);
+  if (tasks.empty() && contents.complete() && sqlite::is_plain(file)) {
+    campaign_store().put_in_order(file);
     return true;
   }
   std::optional<Store> opened = Store::open(file);
@@ -245,7 +245,7 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
   bool const complete = contents.complete();  // may be true although an interruption was asked for during the last run
   bool const plain = store.finish();  // also after an interruption, so that the next reader finds one plain file
   opened.reset();
-  if (complete && plain) Store::put_in_order(file);
+  if (complete && plain) campaign_store().put_in_order(file);
   own.lap(Phase::report);
   return complete;
 }

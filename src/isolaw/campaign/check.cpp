@@ -202,7 +202,7 @@ class Checker {
 Check check(std::filesystem::path const& file) {
   Check result;
   auto const contents = Store::read(file);
-  result.faults = Store::integrity(file);
+  result.faults = sqlite::integrity(file);
   std::ranges::move(Store::foreign_rows(file, contents), std::back_inserter(result.faults));
   result.devices = contents.devices.size();
   result.searches = contents.searches.size();

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "isolaw/campaign/deal.hpp"
+#include "isolaw/campaign/part_assignment.hpp"
 
 namespace isolaw::campaign {
 

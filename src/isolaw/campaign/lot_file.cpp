@@ -15,8 +15,8 @@
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/toml_reader.hpp"
 #include "isolaw/base/words.hpp"
-#include "isolaw/campaign/particulars.hpp"
 #include "isolaw/campaign/setting_table.hpp"
+#include "isolaw/campaign/stated_quantity.hpp"
 #include "isolaw/data/reading.hpp"
 #include "isolaw/data/time_stamp.hpp"
 

@@ -117,15 +117,6 @@ void write_searches(Connection const& db, Contents const& contents) {
   }
 }
 
-void read_makers(Connection const& db, Contents& contents) {
-  Statement row(db, "SELECT version, build, instruction_set FROM maker ORDER BY id");
-  while (row.row()) {
-    auto& maker = contents.makers.emplace_back();
-    row.read(maker.version, maker.build, maker.instruction_set);
-  }
-  if (contents.makers.empty()) throw Error({.found = "no word on the isolaw that made it"});
-}
-
 void read_settings(Connection const& db, Contents& contents) {
   std::vector<std::pair<std::string, std::string>> pairs;
   Statement setting(db, "SELECT key, json FROM setting ORDER BY position");
@@ -251,33 +242,23 @@ void read_descriptions(Connection const& db, Contents& contents) {
   a.rules_file = meta(db, "rules-file");
   a.design = meta(db, "design");
   if (auto const size = meta(db, "lot-size"); !size.empty()) a.lot_size = parse_lot_size(size);
-  if (auto const part = meta(db, "part"); !part.empty()) contents.part = parse_part(part);
+  contents.part = read_part(db);
 }
 
 }  // namespace
 
-void write_row(Connection const& db, std::size_t id, Maker const& maker) {
-  Statement row(db, "INSERT INTO maker VALUES (?, ?, ?, ?)");
-  row.bind(id, maker.version, maker.build, maker.instruction_set).insert();
-}
-
 void write_campaign(Connection const& db, Contents const& contents, std::vector<Maker> const& makers) {
-  Statement meta(db, "INSERT INTO meta VALUES (?, ?)");
-  meta.bind("schema", std::to_string(schema_version)).insert();
-  meta.bind("isolaw", makers.front().version).insert();
-  for (auto const& [key, value] : descriptions(contents)) meta.bind(key, value).insert();
-  meta.bind("part", contents.part ? text(*contents.part) : std::string()).insert();
+  campaign_store().begin(db, makers, contents.part);
+  for (auto const& [key, value] : descriptions(contents)) write_meta(db, key, value);
   Statement setting(db, "INSERT INTO setting VALUES (?, ?, ?)");
   std::size_t position = 0;
   for (auto const& [key, json] : to_pairs(contents.settings)) setting.bind(position++, key, json).insert();
-  for (std::size_t id = 0; id < makers.size(); ++id) write_row(db, id, makers[id]);
   write_devices(db, contents);
   write_searches(db, contents);
 }
 
 void write_descriptions(Connection const& db, Contents const& contents) {
-  Statement meta(db, "UPDATE meta SET value = ? WHERE key = ?");
-  for (auto const& [key, value] : descriptions(contents)) meta.bind(value, key).insert();
+  for (auto const& [key, value] : descriptions(contents)) write_meta(db, key, value);
   Statement analysis(db, "UPDATE setting SET json = ? WHERE key = 'analysis'");
   analysis.bind(contents.settings.analysis ? "\"full\"" : "\"none\"").insert();
   Statement device(
@@ -349,7 +330,7 @@ void write_row(Connection const& db, LeftOutAnalysis const& analysis) {
 Contents read_campaign(Connection const& db) {
   Contents contents;
   read_descriptions(db, contents);
-  read_makers(db, contents);
+  contents.makers = read_makers(db);
   read_settings(db, contents);
   read_devices(db, contents);
   read_searches(db, contents);

@@ -8,9 +8,9 @@
 
 namespace isolaw::campaign {
 
-// Writes what a campaign begins with: everything but runs and analyses. `makers` must not be empty.
+// Creates the tables and writes what a campaign begins with: everything but runs and analyses. `makers` must not be
+// empty.
 void write_campaign(sqlite::Connection const& db, Contents const& contents, std::vector<Maker> const& makers);
-void write_row(sqlite::Connection const& db, std::size_t id, Maker const& maker);
 void write_descriptions(sqlite::Connection const& db, Contents const& contents);  // see Store::describe
 void write_row(sqlite::Connection const& db, Run const& run);
 class RunWriter {  // many runs one after the other

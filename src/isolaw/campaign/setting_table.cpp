@@ -187,7 +187,10 @@ std::vector<Setting> make_settings() {
            "bidirectional",
            "springs: for building, also fit laws without a coupled two-dimensional form as springs; or none (default)",
            at(&S::springs), in_the_plane)
-           .under(Heading::analysis)},
+           .under(Heading::analysis),
+       {},
+       false,
+       "none"},
   };
 }
 

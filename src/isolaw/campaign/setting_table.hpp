@@ -13,6 +13,7 @@ namespace isolaw::campaign {
 struct Setting : Option<Settings> {
   std::optional<Method> of = {};  // the only method that has this setting; nullopt if all have it
   bool stored_only = false;       // a constant of its method, kept with the results; users cannot set it
+  Json without = {};  // the value that a store without it stands for; null: every store of the schema has it
 
   bool belongs_to(Method method) const { return !of || *of == method; }
   std::string where() const { return stored_only ? std::string(key) : Option::where(); }

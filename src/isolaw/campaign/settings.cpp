@@ -44,9 +44,10 @@ Settings settings_from_pairs(std::vector<std::pair<std::string, std::string>> co
   judge_each(setting_table(), [&](Setting const& setting) {
     if (!setting.belongs_to(settings.method)) return;
     auto const found = stored.find(setting.key);
-    if (found == stored.end()) throw Error({.where = {}, .found = "is missing in the store"});
+    auto const value = found == stored.end() ? setting.without : Json::parse(found->second);
+    if (value.is_null()) throw Error({.where = {}, .found = "is missing in the store"});
     // A number of runs left open is stored as 0, which set() would refuse.
-    if (auto const value = Json::parse(found->second); value != setting.get(settings)) setting.set(settings, value);
+    if (value != setting.get(settings)) setting.set(settings, value);
   });
   return settings;
 }

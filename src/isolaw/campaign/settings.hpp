@@ -41,7 +41,7 @@ struct Settings {
 };
 
 // Every setting of the method with its value as JSON text, in a fixed order, and the inverse, which throws Error if a
-// setting is missing or has a value that is not allowed.
+// setting is missing that a store must have (Setting::without), or has a value that is not allowed.
 std::vector<std::pair<std::string, std::string>> to_pairs(Settings const& settings);
 Settings settings_from_pairs(std::vector<std::pair<std::string, std::string>> const& pairs);
 

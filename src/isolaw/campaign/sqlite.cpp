@@ -21,7 +21,7 @@ static_assert(std::endian::native == std::endian::little, "series are stored as 
 
 [[noreturn]] void fail(sqlite3* db, std::string_view doing) {
   auto const* name = db == nullptr ? nullptr : sqlite3_db_filename(db, "main");
-  std::string const file = name == nullptr ? "campaign store" : name;
+  std::string const file = name == nullptr ? "store" : name;
   int const code = db == nullptr ? SQLITE_NOMEM : sqlite3_errcode(db) & 0xff;
   if (code == SQLITE_NOMEM) throw std::bad_alloc();
   if (code == SQLITE_NOTADB || code == SQLITE_CORRUPT) refuse_damaged(file, sqlite3_errmsg(db));
@@ -59,8 +59,8 @@ std::uintmax_t bytes_of_pages(Connection const& db) {
 
 void refuse_damaged(std::string file, std::string_view reason) {
   throw Error({.where = std::move(file),
-               .found = fmt::format("not a campaign store of isolaw, or a damaged one: {}", reason),
-               .allowed = "campaign.sqlite of a campaign",
+               .found = fmt::format("not a store of isolaw, or a damaged one: {}", reason),
+               .allowed = "campaign.sqlite or building.sqlite as isolaw left it",
                .advice = advice_on_damaged});
 }
 
@@ -75,7 +75,7 @@ void require_plain(std::filesystem::path const& file) {
     if (auto const kind = other_than_plain(file.string() + suffix))
       throw Error({.where = file.string() + suffix,
                    .found = "is " + *kind,
-                   .allowed = "campaign.sqlite of a campaign, a plain file",
+                   .allowed = "campaign.sqlite or building.sqlite, a plain file",
                    .advice = "another directory"});
 }
 
@@ -120,7 +120,7 @@ Connection Connection::to_read(std::filesystem::path const& file) {
 }
 
 Connection Connection::in_memory() {
-  return open(":memory:", SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, "campaign store");
+  return open(":memory:", SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, "store");
 }
 
 void Connection::execute(std::string const& sql) const {

@@ -1,4 +1,4 @@
-// SQLite's handles as objects that close themselves. Their error messages are about a campaign store.
+// SQLite's handles as objects that close themselves. Their error messages are about a store of isolaw.
 #pragma once
 
 #include <array>
@@ -128,8 +128,9 @@ class Unfinished {  // removes the unfinished new version of `file`; declare it 
 };
 // Replaces `file` by `whole`, which has no log and is not open. A complete file exists at any time. Throws Error.
 void move_into_place(std::filesystem::path const& whole, std::filesystem::path const& file);
-// See Store::put_in_order.
+// See StoreKind::put_in_order.
 void put_in_order(std::filesystem::path const& file, std::function<void(Connection const&)> const& create_tables);
-std::vector<std::string> integrity(std::filesystem::path const& file);  // see Store::integrity
+// The faults that SQLite finds in the file itself; empty if it is sound. Throws Error if it cannot be read at all.
+std::vector<std::string> integrity(std::filesystem::path const& file);
 
 }  // namespace isolaw::campaign::sqlite

@@ -8,27 +8,18 @@
 #include <vector>
 
 #include "isolaw/campaign/contents.hpp"
-#include "isolaw/campaign/sqlite.hpp"
+#include "isolaw/campaign/schema.hpp"
 
 namespace isolaw::campaign {
 
 class Store {
  public:
-  // Makes a store of `contents` with its results, and replaces a file of that name. If this fails or the program is
-  // killed, either the former or the new file exists and is complete. `before_replacing` is called when the new file is
-  // complete but does not have its name yet. Throws Error if `file` is not a plain file or cannot be written.
+  // Makes a store of `contents` with its results; see StoreKind::create.
   static Store create(std::filesystem::path const& file, Contents const& contents,
                       std::function<void()> const& before_replacing = {});
-  static void remove_unfinished(std::filesystem::path const& file);  // left by a killed create()
-  // Opens an existing store to add results. Throws Error if it is missing, not a plain file (a pipe could block), not a
-  // store, or of another schema, and for anything in what the campaign began with that isolaw would not write.
+  // Opens an existing store to add results. Throws Error as StoreKind::to_write, and for anything in what the campaign
+  // began with that isolaw would not write.
   static Store open(std::filesystem::path const& file);
-  // Whether the file has no write-ahead log beside it, so that a copy of it can be read anywhere.
-  static bool is_plain(std::filesystem::path const& file);
-  // Writes a store without a log again, with its rows in the order of their keys. Equal campaigns then give equal
-  // files, byte by byte, in whatever order and on however many machines their runs were computed. Does nothing if the
-  // rows are in order already, and keeps the old file if the new one cannot be written.
-  static void put_in_order(std::filesystem::path const& file);
   static Contents read(std::filesystem::path const& file);  // everything; the file is not changed; throws as open()
   // The beginning of a campaign, without its records' series and without results.
   static Contents read_beginning(std::filesystem::path const& file);
@@ -39,16 +30,13 @@ class Store {
   // Calls visit(device, law, number) for every run, in this order of keys.
   static void for_each_run(std::filesystem::path const& file,
                            std::function<void(std::size_t, std::string const&, int)> const& visit);
-  // The faults that SQLite finds in the file itself; empty if it is sound. Throws Error if it cannot be read at all.
-  static std::vector<std::string> integrity(std::filesystem::path const& file);
   // A sentence for each table with rows that this program would not write for `contents`, which read() returned. The
   // values of series are not compared, since read() takes them as they are.
   static std::vector<std::string> foreign_rows(std::filesystem::path const& file, Contents const& contents);
-  // Each is one transaction; not thread-safe. Stores nothing and throws std::logic_error if read() would refuse it.
-  void add(Run const& run);
-  void add(DeviceAnalysis const& analysis);
-  void add(LotAnalysis const& analysis);
-  void add(LeftOutAnalysis const& analysis);
+  // Adds a run or an analysis in one transaction; not thread-safe. Stores nothing and throws std::logic_error if read()
+  // would refuse it.
+  template <class Result>
+  void add(Result result);
   // Writes the title, the devices' facts and compression tests, the requirements for the tests, and whether to analyse.
   // No law depends on these, so they may change before a campaign is continued.
   void describe(Contents const& contents);
@@ -67,8 +55,6 @@ class Store {
  private:
   Store(sqlite::Connection db, Contents campaign) : db_(std::move(db)), campaign_(std::move(campaign)) {}
   std::size_t own_maker();  // index of this program among the makers; adds it if it is missing
-  template <class Result>
-  void add_result(Result result);
 
   sqlite::Connection db_;
   Contents campaign_;  // without series and results; results are checked against it before they are added

@@ -134,7 +134,7 @@ struct LawInfo {
   std::string_view note = "";  // how the source was read where it is incomplete, what the law was made for
   LawSet set = LawSet::further;
   // Time of one step of one candidate [0.01 ns], once measured by `isolaw bench` with 512-bit lanes. It orders runs by
-  // cost without a clock (campaign/deal.hpp) and need not be updated when the law's code changes.
+  // cost without a clock (campaign/part_assignment.hpp) and need not be updated when the law's code changes.
   unsigned step_cost = 500;
 };
 

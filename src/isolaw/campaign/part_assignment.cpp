@@ -1,4 +1,4 @@
-#include "isolaw/campaign/deal.hpp"
+#include "isolaw/campaign/part_assignment.hpp"
 
 #include <algorithm>
 #include <tuple>

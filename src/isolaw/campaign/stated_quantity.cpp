@@ -1,4 +1,4 @@
-#include "isolaw/campaign/particulars.hpp"
+#include "isolaw/campaign/stated_quantity.hpp"
 
 #include <algorithm>
 

@@ -1,0 +1,86 @@
+// What stores of campaigns and of building studies have in common: making, opening and checking a file, and the tables
+// that say which part of the whole it holds and who computed it.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isolaw/campaign/contents.hpp"
+#include "isolaw/campaign/sqlite.hpp"
+
+namespace isolaw::campaign {
+
+// Only stores of the present schema are read. Each kind has the tables meta and maker, and those in `tables`.
+class StoreKind {
+ public:
+  struct Words {                 // in messages
+    std::string_view store;      // "campaign store"
+    std::string_view file;       // "campaign.sqlite of a campaign"
+    std::string_view whole;      // "campaign"
+    std::string_view same;       // what its parts share: "the same lot, settings and records"
+    std::string_view command;    // "isolaw calibrate"
+    std::string_view input;      // "LOT"
+    std::string_view once_more;  // "calibrate again"
+    std::string_view advice;     // on a file that is no store of this kind
+  };
+  StoreKind(Words const& words, int schema, std::string tables);
+
+  Words const& words() const { return words_; }
+  // Creates the tables in an empty file and says in them who made it, and which part it is.
+  void begin(sqlite::Connection const& db, std::vector<Maker> const& makers, std::optional<Part> const& part) const;
+  // Makes a store by fill(), and replaces a file of that name. If this fails or the program is killed, either the former
+  // or the new file exists and is complete. `before_replacing` is called when the new file is complete but does not have
+  // its name yet. Throws Error if `file` is not a plain file or cannot be written.
+  static void create(std::filesystem::path const& file, std::function<void(sqlite::Connection const&)> const& fill,
+                     std::function<void()> const& before_replacing = {});
+  // Throw Error for a file that is missing, not a plain file (a pipe could block), not a store of this kind, or of
+  // another schema. Tables must be declared word by word like ours, since a view or a computed column could run without
+  // end or fill the memory and a trigger could change results.
+  sqlite::Connection to_read(std::filesystem::path const& file) const;
+  sqlite::Connection to_write(std::filesystem::path const& file) const;
+  // Folds in the log that a killed program left beside the file, or undoes what it had not finished.
+  void fold_log(std::filesystem::path const& file) const;
+  // Writes a store without a log again, with its rows in the order of their keys. Equal results then give equal files,
+  // byte by byte, in whatever order and on however many machines they were computed. Does nothing if the rows are in
+  // order already, and keeps the old file if the new one cannot be written.
+  void put_in_order(std::filesystem::path const& file) const;
+  // The result of read(). Throws Error as for a damaged store for rows that isolaw would not write.
+  template <class Read>
+  static auto as_ours(std::filesystem::path const& file, Read&& read) {
+    try {
+      return read();
+    } catch (...) {
+      refuse_unreadable(file);
+    }
+  }
+  template <class Read>
+  auto read(std::filesystem::path const& file, Read&& read) const {  // read(db)
+    auto const db = to_read(file);
+    return as_ours(file, [&] { return read(db); });
+  }
+
+ private:
+  using Declarations = std::map<std::string, std::string>;  // by name
+  static Declarations declarations(sqlite::Connection const& db);
+  [[noreturn]] static void refuse_unreadable(std::filesystem::path const& file);
+  void create_tables(sqlite::Connection const& db) const;
+  void require(sqlite::Connection const& db, std::filesystem::path const& file) const;
+
+  Words words_;
+  int schema_;
+  std::string tables_;
+  Declarations ours_;
+};
+
+std::string meta(sqlite::Connection const& db, std::string_view key);  // a value of the table meta; empty if none
+void write_meta(sqlite::Connection const& db, std::string_view key, std::string_view value);
+std::optional<Part> read_part(sqlite::Connection const& db);
+std::vector<Maker> read_makers(sqlite::Connection const& db);
+void write_row(sqlite::Connection const& db, std::size_t id, Maker const& maker);
+
+}  // namespace isolaw::campaign
