@@ -190,9 +190,10 @@ TEST(Bwbn, Values) {
   constexpr int steps = 1000;
   auto const params = laws::unpack<Bwbn, double>(joint);
   auto const fine_path = laws::make_path(through(path, steps), {});
-  auto state = Bwbn::start<double>(params, fine_path.steps.front(), laws::Integration::converged);
+  auto const constants = Bwbn::constants<double, double>(params);
+  Bwbn::State<double> state;
   for (std::size_t i = 0; i < fine_path.steps.size(); ++i) {
-    double const force = Bwbn::step<double>(params, state, fine_path.steps[i]);
+    double const force = Bwbn::step(params, constants, state, fine_path.steps[i]);
     if (i == 0 || i % steps != 0) continue;
     std::size_t const corner = i / steps - 1;
     // The tolerances are a little more than half a unit of the last digit that the source prints. Some values of e have

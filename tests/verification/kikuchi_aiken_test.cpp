@@ -33,11 +33,16 @@ struct CompoundResponse {
 };
 CompoundResponse of_compound(std::vector<double> const& strain) {
   auto const path = laws::make_path(strain, {});
-  CompoundLoops loops(path, 10.19171, 5.0);
+  auto const constants = laws::kikuchi_aiken::constants(10.19171, 5.0);
+  CompoundLoops loops;
+  loops.make_room(laws::Depth{path.deepest});
   CompoundResponse response;
-  for (std::size_t i = 0; i < path.steps.size(); ++i)
-    response.stress.push_back(loops.force(path.steps[i], path.memory[i], compound));
-  response.a = loops.a(), response.b = loops.b();
+  for (std::size_t i = 0; i < path.steps.size(); ++i) {
+    auto const& step = path.steps[i];
+    bool const moved = path.memory[i].peak > 0.0;
+    response.stress.push_back(moved ? loops.force(constants, step.x0, step.x1, path.memory[i], compound) : 0.0);
+  }
+  response.a = loops.a / num::log2_e, response.b = loops.b;
   return response;
 }
 

@@ -13,7 +13,6 @@
 #include "isolaw/campaign/parallel.hpp"
 #include "isolaw/campaign/part_assignment.hpp"
 #include "isolaw/laws/in_plane.hpp"
-#include "isolaw/laws/online.hpp"
 #include "isolaw/opt/multistart.hpp"
 
 namespace isolaw::campaign {
@@ -149,11 +148,11 @@ class Analysis {
   }
 
   // Fits the law as springs to these devices' records, if the settings ask for it and these parameters have no coupled
-  // form in two directions. Returns nullopt otherwise, and for a law without an online form.
+  // form in two directions. Returns nullopt otherwise.
   std::optional<fit::AsSprings> as_springs(std::string_view law, std::span<std::size_t const> devices,
                                            fit::SearchBox const& box, std::vector<double> const& parameters,
                                            int refinement) const {
-    if (!contents_.settings.springs || !laws::no_coupled_form(law, parameters) || !laws::has_online_form(law))
+    if (!contents_.settings.springs || !laws::no_coupled_form(law, parameters))
       return {};
     std::vector<data::FitRecord const*> records;
     for (auto const device : devices) records.push_back(&contents_.devices[device].record);

@@ -56,7 +56,7 @@ std::vector<OnAnEight> on_a_figure_of_eight(LawInPlane const& law, double size_m
     add(softens ? "coupled, softened by distance" : "coupled", Bidirectional::coupled, Softening::by_distance);
     if (softens) add("coupled, softened by axis", Bidirectional::coupled, Softening::by_axis);
   }
-  if (laws::has_online_form(law.law->info.id)) add("springs", Bidirectional::springs, Softening::by_distance);
+  add("springs", Bidirectional::springs, Softening::by_distance);
   return results;
 }
 

@@ -39,7 +39,7 @@ struct Spread {  // largest differences between the extensions, relative to the 
   double peak = 0.0, work = 0.0;
 };
 Spread spread_of(std::vector<OnAnEight> const& rules);
-// Energy of the law as springs / energy of the law's online form, in the second cycle of a motion along one direction.
+// Energy of the law as springs / energy of the law itself, in the second cycle of a motion along one direction.
 double work_of_springs_on_a_line(LawInPlane const& law, double size_mm, double duration_s);
 
 }  // namespace isolaw::fit

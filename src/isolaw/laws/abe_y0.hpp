@@ -4,7 +4,9 @@
 // between samples (saturating_flow.hpp); `paper`: one classical Runge-Kutta step per sample.
 #pragma once
 
-#include "isolaw/laws/abe.hpp"
+#include "isolaw/laws/abe_parts.hpp"
+#include "isolaw/laws/flow.hpp"
+#include "isolaw/laws/runge_kutta.hpp"
 
 namespace isolaw::laws {
 
@@ -50,46 +52,64 @@ struct AbeY0 {
 
   static Canonical canonical(Params<double> const&) { return abe_parts::beyond_programs; }
 
-  template <class T>
+  // [export struct AbeY0]
+  template <class N>
   struct State {
-    T u = T(0.0);  // F2 / Y0
-    T time = T(0.0);
-    abe_parts::Constants<T> constants;
-    SaturatingFlow<T> flow;
-  };
-
-  template <class T>
-  static State<T> start(Params<T> const& p, Step const& first, Integration integration) {
-    State<T> state;
-    state.constants = abe_parts::constants<T>(p, first);
-    if (integration == Integration::converged) state.flow.fit(p.n, T(1.0));
-    return state;
-  }
-
-  template <class T>
-  static T step(Params<T> const& p, State<T>& state, Step const& step) {
-    auto& c = state.constants;
-    if (step.length > 0.0) {
-      T const direction(step.direction);
-      if (step.reversal) state.time = state.flow.time_at(direction * state.u);
-      state.time += abe_parts::travel(p, c, abe_parts::Piece(step, step.x0, step.x1));
-      state.u = direction * state.flow.value_at(state.time);
-      if (step.peak1 > step.peak0) abe_parts::follow_peak(p, c, step.peak1);
+    N u = N(0.0);  // F2 / Y0
+    N time = N(0.0);
+    abe_parts::Softened<N> softened;
+    template <class Each>
+    void members(Each& each) {
+      each(u, time, softened);
     }
-    return abe_parts::elastic_force(p, c, step) + p.Y0 * state.u;
+  };
+  template <class T, class X>
+  struct Constants {
+    abe_parts::Constants<T> parts;
+    Flow<T, X, Reach::within_saturation> flow;
+  };
+  template <class T, class X>
+  static Constants<T, X> constants(Params<T> const& p) {
+    Constants<T, X> c;
+    c.parts = abe_parts::constants<T>(p);
+    c.flow.fit(p.n, T(1.0));
+    return c;
   }
 
+  template <class T, class X, class N>
+  static void start(Params<T> const& p, Constants<T, X> const& c, State<N>& state, StepOf<X> const& first) {
+    abe_parts::follow_peak(p, c.parts, state.softened, first.peak1);
+  }
+
+  template <class T, class X, class N>
+  static N step(Params<T> const& p, Constants<T, X> const& c, State<N>& state, StepOf<X> const& step) {
+    if (moves(step)) {
+      N const direction(step.direction);
+      if (step.reversal) state.time = c.flow.time_at(direction * state.u);
+      state.time += abe_parts::travel(p, c.parts, state.softened, step.length, step.peak0, step.peak1);
+      state.u = direction * c.flow.value_at(state.time);
+      if (grows(step.peak1 - step.peak0)) abe_parts::follow_peak(p, c.parts, state.softened, step.peak1);
+    }
+    return abe_parts::elastic_force(p, c.parts, state.softened, step) + p.Y0 * state.u;
+  }
+  // [end]
+
   template <class T>
-  static T step_paper(Params<T> const& p, State<T>& state, Step const& step) {
-    auto& c = state.constants;
+  static Constants<T, double> paper_constants(Params<T> const& p) {
+    Constants<T, double> c;
+    c.parts = abe_parts::constants<T>(p);
+    return c;
+  }
+  template <class T>
+  static T step_paper(Params<T> const& p, Constants<T, double> const& c, State<T>& state, Step const& step) {
     T const direction(step.direction);
     state.u = runge_kutta(state.u, step.dx, [&](double t, T const& u) {
       double const x = step.x0 + t * step.dx;
-      abe_parts::Point<T> const at{T(1.0), T(1.0), abe_parts::inverse_Ut_at(p, c, x, step.peak0)};
+      abe_parts::Point<T> const at{T(1.0), T(1.0), abe_parts::inverse_Ut_at(p, c.parts, state.softened, x, step.peak0)};
       return abe_parts::hysteretic_slope(u, at, p.n, direction);
     });
-    if (step.peak1 > step.peak0) abe_parts::follow_peak(p, c, step.peak1);
-    return abe_parts::elastic_force(p, c, step) + p.Y0 * state.u;
+    if (step.peak1 > step.peak0) abe_parts::follow_peak(p, c.parts, state.softened, step.peak1);
+    return abe_parts::elastic_force(p, c.parts, state.softened, step) + p.Y0 * state.u;
   }
 };
 

@@ -46,24 +46,33 @@ struct Bilinear {
       JointLimit<Params<double>>{"K1 >= K2", [](Params<double> const& p) { return p.K1 >= p.K2; }}};
   static Canonical canonical(Params<double> const& p) { return BilinearForm{p.K1, p.K2, p.xy}; }
 
-  template <class T>
+  // [export struct Bilinear]
+  // z is the force of an elastic-perfectly-plastic part of stiffness K1 - K2.
+  template <class N>
   struct State {
-    T z = T(0.0);  // force of the elastic-perfectly-plastic part
-    T strength = T(0.0);
+    N z = N(0.0);
+    template <class Each>
+    void members(Each& each) {
+      each(z);
+    }
   };
-
-  template <class T>
-  static State<T> start(Params<T> const& p, Step const&, Integration) {
-    return {.z = T(0.0), .strength = abs((p.K1 - p.K2) * p.xy)};
+  template <class T, class X>
+  struct Constants {
+    T strength;
+  };
+  template <class T, class X>
+  static Constants<T, X> constants(Params<T> const& p) {
+    return {abs((p.K1 - p.K2) * p.xy)};
   }
 
-  template <class T>
-  static T step(Params<T> const& p, State<T>& state, Step const& step) {
-    T const trial = state.z + (p.K1 - p.K2) * T(step.dx);
+  template <class T, class X, class N>
+  static N step(Params<T> const& p, Constants<T, X> const& c, State<N>& state, StepOf<X> const& step) {
+    N const trial = state.z + (p.K1 - p.K2) * N(step.dx);
     // min and max return their first argument if one of the two is NaN, so a NaN strength gives a NaN force.
-    state.z = min(state.strength, max(-state.strength, trial));
-    return p.K2 * T(step.x1) + state.z;
+    state.z = min(N(c.strength), max(N(-c.strength), trial));
+    return p.K2 * N(step.x1) + state.z;
   }
+  // [end]
 };
 
 }  // namespace isolaw::laws

@@ -8,10 +8,10 @@
 #include <limits>
 
 #include "isolaw/laws/canonical.hpp"
+#include "isolaw/laws/flow.hpp"
 #include "isolaw/laws/law.hpp"
 #include "isolaw/laws/limits.hpp"
 #include "isolaw/laws/runge_kutta.hpp"
-#include "isolaw/laws/saturating_flow.hpp"
 
 namespace isolaw::laws {
 
@@ -75,52 +75,66 @@ struct BoucWen {
     return BoucWenForm{r.alpha, r.Ke, r.beta, r.gamma, r.n};
   }
 
-  template <class T>
+  // [export struct BoucWen]
+  template <class N>
   struct State {
-    T z = T(0.0);
-    // For converged integration: u = z / z_max, and a unit of travel adds `rate` = A / z_max to the flow's time.
-    T time = T(0.0), z_max = T(0.0), rate = T(0.0);
-    SaturatingFlow<T> flow;
-  };
-
-  template <class T>
-  static State<T> start(Params<T> const& p, Step const&, Integration integration) {
-    State<T> state;
-    T const both = p.beta + p.gamma;
-    // With beta <= 0 or beta + gamma <= 0 the force has no bound, so the law gives NaN, even while z is finite.
-    state.z = select(min(p.beta, both) > T(0.0), T(0.0), T(std::numeric_limits<double>::quiet_NaN()));
-    if (integration == Integration::paper) return state;
-    state.z_max = exp2((log2(p.A) - log2(both)) / p.n);
-    state.rate = p.A / state.z_max;
-    state.flow.fit(p.n, (p.beta - p.gamma) / both);
-    return state;
-  }
-
-  template <class T>
-  static T step(Params<T> const& p, State<T>& state, Step const& step) {
-    if (step.length > 0.0) {
-      T const direction(step.direction);
-      if (step.reversal) state.time = state.flow.time_at(direction * state.z / state.z_max);
-      state.time += state.rate * T(step.length);
-      state.z = direction * state.z_max * state.flow.value_at(state.time);
+    N z = N(0.0), time = N(0.0);  // time: place on the curve of the flow
+    template <class Each>
+    void members(Each& each) {
+      each(z, time);
     }
-    return force(p, state.z, step.x1);
+  };
+  // u = z / z_max follows the flow, and a unit of travel adds `rate` to the flow's time.
+  template <class T, class X>
+  struct Constants {
+    T z_max, rate;
+    Flow<T, X, Reach::within_saturation> flow;
+  };
+  template <class T, class X>
+  static Constants<T, X> constants(Params<T> const& p) {
+    Constants<T, X> c;
+    T const both = p.beta + p.gamma;
+    c.z_max = exp2((log2(p.A) - log2(both)) / p.n);
+    c.rate = p.A / c.z_max;
+    c.flow.fit(p.n, (p.beta - p.gamma) / both);
+    return c;
+  }
+
+  template <class T, class X, class N>
+  static N step(Params<T> const& p, Constants<T, X> const& c, State<N>& state, StepOf<X> const& step) {
+    if (moves(step)) {
+      N const direction(step.direction);
+      if (step.reversal) state.time = c.flow.time_at(direction * state.z / c.z_max);
+      state.time += c.rate * N(step.length);
+      state.z = direction * c.z_max * c.flow.value_at(state.time);
+    }
+    return force(p, state.z, N(step.x1));
+  }
+  template <class T, class N>
+  static N force(Params<T> const& p, N const& z, N const& x) {
+    return rounded(p.alpha * p.Ke * x) + (T(1.0) - p.alpha) * p.Ke * z;
+  }
+  // [end]
+
+  // With beta <= 0 or beta + gamma <= 0 the force has no bound, so the law gives NaN, even while z is finite.
+  template <class T, class X, class N>
+  static void start(Params<T> const& p, Constants<T, X> const&, State<N>& state, StepOf<X> const&) {
+    T const nan(std::numeric_limits<double>::quiet_NaN());
+    state.z = select(min(p.beta, p.beta + p.gamma) > T(0.0), T(0.0), nan);
   }
 
   template <class T>
-  static T step_paper(Params<T> const& p, State<T>& state, Step const& step) {
+  static Constants<T, double> paper_constants(Params<T> const&) {
+    return {};
+  }
+  template <class T>
+  static T step_paper(Params<T> const& p, Constants<T, double> const&, State<T>& state, Step const& step) {
     T const direction(step.direction);
     state.z = runge_kutta(state.z, step.dx, [&](double, T const& z) {
       T const same = p.beta + p.gamma, opposite = p.gamma - p.beta;  // sgn(x' z) beta + gamma
       return p.A - power(abs(z), p.n) * select(direction * z < T(0.0), opposite, same);
     });
-    return force(p, state.z, step.x1);
-  }
-
- private:
-  template <class T>
-  static T force(Params<T> const& p, T const& z, double x) {
-    return rounded(p.alpha * p.Ke * T(x)) + (T(1.0) - p.alpha) * p.Ke * z;
+    return force(p, state.z, T(step.x1));
   }
 };
 

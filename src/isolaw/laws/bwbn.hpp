@@ -12,9 +12,9 @@
 #include <limits>
 
 #include "isolaw/laws/canonical.hpp"
+#include "isolaw/laws/flow.hpp"
 #include "isolaw/laws/law.hpp"
 #include "isolaw/laws/limits.hpp"
-#include "isolaw/laws/saturating_flow.hpp"
 
 namespace isolaw::laws {
 
@@ -96,66 +96,77 @@ struct Bwbn {
     return BoucWenForm{r.alpha, r.ko, r.beta, r.gamma, r.n};
   }
 
-  template <class T>
+  // [export struct Bwbn]
+  template <class N>
   struct State {
-    T z = T(0.0), e = T(0.0);
-    T strength = T(0.0);  // zu without degradation
-    T share = T(0.0);     // (1 - alpha) ko
-    SaturatingFlow<T> flow;
-  };
-
-  template <class T>
-  static State<T> start(Params<T> const& p, Step const&, Integration) {
-    State<T> state;
-    T const both = p.beta + p.gamma;
-    // With beta <= 0 or beta + gamma <= 0 the force has no bound, so the law gives NaN.
-    state.z = select(min(p.beta, both) > T(0.0), T(0.0), T(std::numeric_limits<double>::quiet_NaN()));
-    state.strength = exp2((log2(p.A) - log2(both)) / p.n);
-    state.share = (T(1.0) - p.alpha) * p.ko;
-    state.flow.fit(p.n, (p.beta - p.gamma) / both);
-    return state;
-  }
-
-  template <class T>
-  static T step(Params<T> const& p, State<T>& state, Step const& step) {
-    if (step.length > 0.0) {
-      // For an infinite displacement std::min gives its first argument, the most pieces that a finite one needs.
-      int const pieces = static_cast<int>(
-          std::ceil(std::min(2.0 * pieces_to_the_peak, pieces_to_the_peak * step.length / step.peak1)));
-      for (int i = 0; i < pieces; ++i) advance(p, state, step.direction, step.length / pieces);
+    N z = N(0.0), e = N(0.0);
+    template <class Each>
+    void members(Each& each) {
+      each(z, e);
     }
-    return rounded(p.alpha * p.ko * T(step.x1)) + state.share * state.z;
+  };
+  template <class T, class X>
+  struct Constants {
+    T strength;  // zu without degradation
+    T share;     // (1 - alpha) ko
+    Flow<T, X, Reach::within_saturation> flow;
+  };
+  template <class T, class X>
+  static Constants<T, X> constants(Params<T> const& p) {
+    Constants<T, X> c;
+    T const both = p.beta + p.gamma;
+    c.strength = exp2((log2(p.A) - log2(both)) / p.n);
+    c.share = (T(1.0) - p.alpha) * p.ko;
+    c.flow.fit(p.n, (p.beta - p.gamma) / both);
+    return c;
   }
 
- private:
-  static constexpr double pieces_to_the_peak = 50.0;
-  static constexpr double end_of_curve = 1.0 - 1e-12;  // about the largest u for which the flow still counts time
+  template <class T, class X, class N>
+  static N step(Params<T> const& p, Constants<T, X> const& c, State<N>& state, StepOf<X> const& step) {
+    if (moves(step)) {
+      // For an infinite displacement std::min gives its first argument, the most pieces that a finite one needs.
+      double const wanted = value_of(pieces_to_the_peak * step.length / step.peak1);
+      int const pieces = std::max(1, static_cast<int>(std::ceil(std::min(2.0 * pieces_to_the_peak, wanted))));
+      for (int i = 0; i < pieces; ++i) advance(p, c, state, N(step.direction), step.length / pieces);
+    }
+    return rounded(p.alpha * p.ko * N(step.x1)) + c.share * state.z;
+  }
 
-  template <class T>
-  static void advance(Params<T> const& p, State<T>& state, double towards, double way) {
-    T const direction(towards), length(way), half(0.5 * way), one(1.0), none(0.0), z = direction * state.z;
-    T const work = max(state.e + half * state.share * z, none);
-    T const zu = state.strength * exp2(-log2(one + p.dnu * work) / p.n), pace = p.A / zu;
+  static constexpr double pieces_to_the_peak = 50.0;
+
+  template <class T, class X, class N>
+  static void advance(Params<T> const& p, Constants<T, X> const& c, State<N>& state, N const& direction, X const& way) {
+    N const length(way), half(0.5 * way), one(1.0), none(0.0), z = direction * state.z;
+    N const work = max(state.e + half * c.share * z, none);
+    N const zu = c.strength * exp2(-log2(one + p.dnu * work) / p.n), pace = p.A / zu;
     // If the strength zu falls below z, z - zu decays as exp(-n t), the solution of u' = 1 - u^n near u = 1.
-    T const inside = min(z / zu, T(end_of_curve)), beyond = z / zu - inside;
-    T const begin = state.flow.time_at(inside);
+    N const inside = min(z / zu, N(c.flow.end_of_curve)), beyond = z / zu - inside;
+    N const begin = c.flow.time_at(inside);
     // The advance of the place on the curve per unit of travel, at the given z and e.
-    auto const speed = [&](T const& at, T const& e) -> T {
-      T const done = max(e, none), z1 = p.zs * (one - exp(-p.p * done));
-      T const z2 = (p.psi + p.dpsi * done) * (p.lambda + z1);
-      T const off = (at - p.q * zu) / max(z2, T(num::smallest_power_base));
+    auto const speed = [&](N const& at, N const& e) -> N {
+      N const done = max(e, none), z1 = p.zs * (one - exp(-p.p * done));
+      N const z2 = (p.psi + p.dpsi * done) * (p.lambda + z1);
+      N const off = (at - p.q * zu) / max(z2, N(smallest_power_base));
       return pace * (one - z1 * exp(-off * off)) / (one + p.deta * done);
     };
-    auto const value = [&](T const& time) -> T {
-      return rounded(zu * (state.flow.value_at(begin + rounded(time)) + rounded(beyond * exp(-p.n * time))));
+    auto const value = [&](N const& time) -> N {
+      return rounded(zu * (c.flow.value_at(begin + rounded(time)) + rounded(beyond * exp(-p.n * time))));
     };
-    T const speed1 = speed(z, state.e);
-    T const z_2 = value(half * speed1), speed2 = speed(z_2, state.e + half * state.share * z);
-    T const z_3 = value(half * speed2), speed3 = speed(z_3, state.e + half * state.share * z_2);
-    T const z_4 = value(length * speed3), speed4 = speed(z_4, state.e + length * state.share * z_3);
-    T const sixth(way / 6.0), two(2.0);
-    state.e += sixth * state.share * (z + two * (z_2 + z_3) + z_4);
+    N const speed1 = speed(z, state.e);
+    N const z_2 = value(half * speed1), speed2 = speed(z_2, state.e + half * c.share * z);
+    N const z_3 = value(half * speed2), speed3 = speed(z_3, state.e + half * c.share * z_2);
+    N const z_4 = value(length * speed3), speed4 = speed(z_4, state.e + length * c.share * z_3);
+    N const sixth(way / 6.0), two(2.0);
+    state.e += sixth * c.share * (z + two * (z_2 + z_3) + z_4);
     state.z = direction * value(sixth * (speed1 + two * (speed2 + speed3) + speed4));
+  }
+  // [end]
+
+  // With beta <= 0 or beta + gamma <= 0 the force has no bound, so the law gives NaN.
+  template <class T, class X, class N>
+  static void start(Params<T> const& p, Constants<T, X> const&, State<N>& state, StepOf<X> const&) {
+    T const nan(std::numeric_limits<double>::quiet_NaN());
+    state.z = select(min(p.beta, p.beta + p.gamma) > T(0.0), T(0.0), nan);
   }
 };
 

@@ -8,10 +8,11 @@
 #pragma once
 
 #include "isolaw/laws/canonical.hpp"
+#include "isolaw/laws/flow.hpp"
 #include "isolaw/laws/law.hpp"
 #include "isolaw/laws/limits.hpp"
-#include "isolaw/laws/saturating_flow.hpp"
-#include "isolaw/laws/scragging.hpp"
+#include "isolaw/laws/memory/softening.hpp"
+#include "isolaw/laws/reference.hpp"
 
 namespace isolaw::laws {
 
@@ -93,50 +94,70 @@ struct Gallardo {
         "elastic part that softens with the distance travelled, nor its strength that each turning point sets"};
   }
 
+  // [export struct Gallardo]
   // The factors of g, g^3 and g^5 on one side. km also multiplies the term of g.
-  template <class T>
+  template <class N>
   struct Side {
-    T linear, cubic, quintic, km = T(1.0);
+    N linear = N(0.0), cubic = N(0.0), quintic = N(0.0), km = N(1.0);
+    template <class Each>
+    void members(Each& each) {
+      each(linear, cubic, quintic, km);
+    }
   };
-
-  template <class T>
+  template <class N>
   struct State {
-    std::array<Side<T>, 2> sides;
-    T z = T(0.0);
-    T per_uy;
-    // In the direction of motion z is `strongest` times the flow's u before it passes 0, then `ahead` times u.
-    T strongest;                    // the largest strength that any branch can have
-    T here = T(1.0);                // strength of the branch that z was on at the last turn
-    T ahead = T(1.0);               // strength of the branch that z is on once it has passed 0
-    T from = T(0.0), way = T(0.0);  // travel past z = 0 at the last turn and now, in yield displacements
+    Side<N> sides[2];
+    N z = N(0.0);
+    N here = N(1.0);                // strength of the branch that z was on at the last turn
+    N ahead = N(1.0);               // strength of the branch that z is on once it has passed 0
+    N from = N(0.0), way = N(0.0);  // travel past z = 0 at the last turn and now, in yield displacements
     double turn_x = 0.0;
-    T zero;  // the flow's time at u = 0
-    SaturatingFlow<T> flow;
+    template <class Each>
+    void members(Each& each) {
+      each(sides[0], sides[1], z, here, ahead, from, way, turn_x);
+    }
   };
-
-  template <class T>
-  static State<T> start(Params<T> const& p, Path const&) {
-    State<T> state;
-    state.sides.fill({.linear = p.a1, .cubic = p.a2, .quintic = p.a3});
-    state.per_uy = T(1.0) / p.uy;
-    state.strongest = strength_at(p, p.phimax);
+  template <class X>
+  using Memory = Remembered<X, Softening<X>>;
+  // In the direction of motion z is `strongest` times the flow's u before it passes 0, then `ahead` times u.
+  template <class T, class X>
+  struct Constants {
+    T per_uy;
+    T strongest;  // the largest strength that any branch can have
+    Flow<T, X, Reach::within_saturation> flow;
+    T zero;  // the flow's time at u = 0
+  };
+  template <class T, class X>
+  static Constants<T, X> constants(Params<T> const& p) {
+    Constants<T, X> c;
+    c.per_uy = T(1.0) / p.uy;
+    c.strongest = strength_at(p, p.phimax);
     // With u = z / strongest, the slope in unloading is 1 + (2 B - 1) strongest^n |u|^n.
-    state.flow.fit(p.n, (T(2.0) * p.B - T(1.0)) / (T(1.0) - T(2.0) * p.phimax));
-    state.zero = state.flow.time_at(T(0.0));
-    return state;
+    c.flow.fit(p.n, (T(2.0) * p.B - T(1.0)) / (T(1.0) - T(2.0) * p.phimax));
+    c.zero = c.flow.time_at(T(0.0));
+    return c;
   }
 
-  template <class T>
-  static T step(Params<T> const& p, State<T>& state, Step const& step, Memory const& memory) {
-    if (memory.kept != Memory::none) turn(p, state, step.x0, memory.direction);
-    T const direction(memory.direction);
-    state.way = state.from + T(std::abs(step.x1 - state.turn_x)) * state.per_uy;
-    T const scale = select(state.way > T(0.0), state.ahead, state.strongest);
-    state.z = direction * scale * state.flow.value_at(state.zero + state.way / scale);
+  template <class T, class X, class N>
+  static void start(Params<T> const& p, Constants<T, X> const&, State<N>& state, StepOf<X> const&) {
+    for (Side<N>& side : state.sides) {
+      side.linear = p.a1;
+      side.cubic = p.a2;
+      side.quintic = p.a3;
+    }
+  }
+
+  template <class T, class X, class N, class PathMemory>
+  static N step(Params<T> const& p, Constants<T, X> const& c, State<N>& state, StepOf<X> const& step,
+                PathMemory const& memory) {
+    if (memory.turns) turn(p, c, state, value_of(step.x0), memory.direction);
+    N const direction(memory.direction);
+    state.way = state.from + N(memory.direction * (step.x1 - state.turn_x)) * c.per_uy;
+    N const scale = select(state.way > N(0.0), state.ahead, N(c.strongest));
+    state.z = direction * scale * c.flow.value_at(c.zero + state.way / scale);
     return rounded(p.fy * state.z) + elastic(p, state.sides[memory.side], step.x1, memory);
   }
 
- private:
   // The z at which dz/dx is 0.
   template <class T>
   static T strength_at(Params<T> const& p, T const& phi) {
@@ -144,32 +165,34 @@ struct Gallardo {
   }
 
   // The motion turns at x and goes on in `direction`.
-  template <class T>
-  static void turn(Params<T> const& p, State<T>& state, double x, double direction) {
-    T const none(0.0), z = T(direction) * state.z;
+  template <class T, class X, class N>
+  static void turn(Params<T> const& p, Constants<T, X> const& c, State<N>& state, double x, double direction) {
+    N const none(0.0), z = N(direction) * state.z;
     state.here = select(state.way > none, state.ahead, state.here);
-    T const phi = p.phimax * (T(1.0) - exp(-p.pphi * abs(T(x) - p.uy) * state.per_uy));
+    T const phi = p.phimax * (T(1.0) - exp(-p.pphi * abs(T(x) - p.uy) * c.per_uy));
     // If the motion turns before z has passed 0, z stays on its branch.
-    state.ahead = select(z > none, state.here, strength_at(p, phi));
-    T const scale = select(z > none, state.here, state.strongest);
-    state.from = scale * (state.flow.time_at(z / scale) - state.zero);
+    state.ahead = select(z > none, state.here, N(strength_at(p, phi)));
+    N const scale = select(z > none, state.here, N(c.strongest));
+    state.from = scale * (c.flow.time_at(z / scale) - c.zero);
     state.turn_x = x;
   }
 
-  template <class T>
-  static T elastic(Params<T> const& p, Side<T>& side, double x, Memory const& memory) {
+  template <class T, class X, class N, class PathMemory>
+  static N elastic(Params<T> const& p, Side<N>& side, X const& x, PathMemory const& memory) {
     constexpr double log2_reference = 6.64385618977472470;  // log2(reference_mm)
     if (memory.softens) {
-      T const G(memory.log2_softening - log2_reference), rate(-num::log2_e);
-      T const all = rate * p.fs1 * exp2(p.ps1 * G);
+      N const G(memory.log2_softening - log2_reference);
+      T const rate(-log2_e);
+      N const all = rate * p.fs1 * exp2(p.ps1 * G);
       side.linear = p.a1 * exp2(all);
       side.cubic = p.a2 * exp2(all + rate * p.fs2 * exp2(p.ps2 * G));
       side.quintic = p.a3 * exp2(all + rate * p.fs3 * exp2(p.ps3 * G));
     }
-    if (memory.returns) side.km = exp(-p.fm * exp2(p.pm * T(memory.log2_way_back - log2_reference)));
-    double const g = x / reference_mm, g2 = g * g;
-    return T(g) * (rounded(side.km * side.linear) + T(g2) * (T(g2) * side.quintic - side.cubic));
+    if (memory.returns) side.km = exp(-p.fm * exp2(p.pm * N(memory.log2_way_back - log2_reference)));
+    X const g = x / reference_mm, g2 = g * g;
+    return N(g) * (rounded(side.km * side.linear) + N(g2) * (N(g2) * side.quintic - side.cubic));
   }
+  // [end]
 };
 
 }  // namespace isolaw::laws

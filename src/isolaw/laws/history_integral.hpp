@@ -8,7 +8,8 @@
 #include "isolaw/laws/canonical.hpp"
 #include "isolaw/laws/law.hpp"
 #include "isolaw/laws/limits.hpp"
-#include "isolaw/laws/scragging.hpp"
+#include "isolaw/laws/memory/peaks.hpp"
+#include "isolaw/laws/reference.hpp"
 
 namespace isolaw::laws {
 
@@ -53,35 +54,52 @@ struct HistoryIntegral {
     return NoForm{"two memories and softening with the peak so far; fitted as vaiana without them"};
   }
 
-  template <class T>
+  // [export struct HistoryIntegral]
+  template <class N>
   struct State {
-    T slow = T(0.0), quick = T(0.0);          // q1, q2
-    T per_slow = T(0.0), per_quick = T(0.0);  // log2(e) / D and log2(e) / (u D)
-    T elastic = T(0.0);                       // K (M/100)^(g-1) / 100
+    N slow = N(0.0), quick = N(0.0);  // q1, q2
+    N elastic = N(0.0);               // K (M/100)^(g-1) / 100
+    template <class Each>
+    void members(Each& each) {
+      each(slow, quick, elastic);
+    }
   };
-
-  template <class T>
-  static State<T> start(Params<T> const& p, Path const&) {
-    T const tiny(num::smallest_power_base);
-    State<T> state;
-    state.per_slow = T(num::log2_e) / max(p.D, tiny);
-    state.per_quick = state.per_slow / max(p.u, tiny);
-    return state;
+  template <class X>
+  using Memory = Remembered<X, Peaks<X>>;
+  template <class T, class X>
+  struct Constants {
+    T per_slow, per_quick;  // log2(e) / D and log2(e) / (u D)
+  };
+  template <class T, class X>
+  static Constants<T, X> constants(Params<T> const& p) {
+    T const per_slow = T(log2_e) / max(p.D, T(smallest_power_base));
+    return {per_slow, per_slow / max(p.u, T(smallest_power_base))};
   }
 
-  template <class T>
-  static T step(Params<T> const& p, State<T>& state, Step const& step, Memory const& memory) {
-    // The first sample counts as a motion from 0. Its Step has no length, so the length comes from Memory.
-    double const way = memory.inside + (memory.peak - memory.peak0);
-    if (way > 0.0) {
-      T const towards(memory.direction), length(way);
-      state.slow = towards + (state.slow - towards) * exp2(-length * state.per_slow);
-      state.quick = towards + (state.quick - towards) * exp2(-length * state.per_quick);
+  template <class T, class X, class N, class PathMemory>
+  static N step(Params<T> const& p, Constants<T, X> const& c, State<N>& state, StepOf<X> const& step,
+                PathMemory const& memory) {
+    // The first sample counts as a motion from 0. Its step has no length, so the length comes from the memory.
+    X const way = memory.inside + (memory.peak - memory.peak0);
+    if (may_move(way)) {
+      N const towards(memory.direction), length(way);
+      state.slow = towards + (state.slow - towards) * exp2(-length * c.per_slow);
+      state.quick = towards + (state.quick - towards) * exp2(-length * c.per_quick);
     }
     if (memory.peak_grows)
-      state.elastic = p.K * T(1.0 / reference_mm) * power(T(memory.peak / reference_mm), p.g - T(1.0));
-    return rounded(state.elastic * T(step.x1)) + p.S * (state.slow + p.s * (state.quick - state.slow));
+      state.elastic = p.K * T(1.0 / reference_mm) * power(N(memory.peak / reference_mm), p.g - T(1.0));
+    // As the peak grows from 0 the slope of the force has no bound; the tangent is at most the slope at 0.01 mm.
+    auto const steepest = [&] { return p.K / T(reference_mm) * power(T(1e-4), p.g - T(1.0)); };
+    N const x(step.x1);
+    N force = rounded(state.elastic * x) + p.S * (state.slow + p.s * (state.quick - state.slow));
+    if (memory.peak > 0.0)
+      limit_slope(
+          force, [&] { return state.elastic * x; }, steepest);
+    else
+      force = force + slope_alone(step.x1, N(steepest()));
+    return force;
   }
+  // [end]
 };
 
 }  // namespace isolaw::laws

@@ -60,58 +60,72 @@ struct HwangWu {
                                   Interval{-2.925e-5, 0.0}, {-300.0, -1e-3, per_work}, Scale::logarithmic)},
   });
 
+  // [export struct HwangWu]
   // The force at one point of the path, in three terms: the exponentials of the work multiply the last two.
-  template <class T>
+  template <class N>
   struct Coefficients {
-    T elastic = T(0.0);    // (a1 + a2 x^2 + a3 x^4) x
-    T softening = T(0.0);  // a4 x / cosh^2(a5 v)
-    T damping = T(0.0);    // (a6 + a7 x^2) v / sqrt(a8^2 + v^2)
+    N elastic = N(0.0);    // (a1 + a2 x^2 + a3 x^4) x
+    N softening = N(0.0);  // a4 x / cosh^2(a5 v)
+    N damping = N(0.0);    // (a6 + a7 x^2) v / sqrt(a8^2 + v^2)
+    template <class Each>
+    void members(Each& each) {
+      each(elastic, softening, damping);
+    }
   };
-
-  template <class T>
+  template <class N>
   struct State {
-    T W = T(0.0);
-    T decay9 = T(0.0), decay10 = T(0.0);  // a9 and a10 times log2(e), for exp2
-    Coefficients<T> now;
+    N W = N(0.0);
+    Coefficients<N> now;
+    template <class Each>
+    void members(Each& each) {
+      each(W, now);
+    }
   };
-
-  template <class T>
-  static State<T> start(Params<T> const& p, Step const& first, Integration) {
-    return {.W = T(0.0),
-            .decay9 = T(num::log2_e) * p.a9,
-            .decay10 = T(num::log2_e) * p.a10,
-            .now = coefficients(p, first.x1, first.v1)};
+  template <class T, class X>
+  struct Constants {
+    T decay9, decay10;  // a9 and a10 times log2(e), for exp2
+  };
+  template <class T, class X>
+  static Constants<T, X> constants(Params<T> const& p) {
+    return {T(log2_e) * p.a9, T(log2_e) * p.a10};
   }
 
-  template <class T>
-  static T step(Params<T> const& p, State<T>& state, Step const& step) {
-    auto const before = state.now;
-    state.now = coefficients(p, step.x1, step.v1);
-    if (step.length > 0.0) {
-      auto const middle = coefficients(p, 0.5 * (step.x0 + step.x1), 0.5 * (step.v0 + step.v1));
-      state.W = runge_kutta(state.W, step.dx, [&](double t, T const& W) {
-        return force(state, t == 0.0 ? before : t == 1.0 ? state.now : middle, W);
+  template <class T, class X, class N>
+  static void start(Params<T> const& p, Constants<T, X> const&, State<N>& state, StepOf<X> const& first) {
+    coefficients(p, first.x1, first.v1, state.now);
+  }
+
+  template <class T, class X, class N>
+  static N step(Params<T> const& p, Constants<T, X> const& c, State<N>& state, StepOf<X> const& step) {
+    Coefficients<N> const before = state.now;
+    coefficients(p, step.x1, step.v1, state.now);
+    if (moves(step)) {
+      Coefficients<N> middle;
+      coefficients(p, 0.5 * (step.x0 + step.x1), 0.5 * (step.v0 + step.v1), middle);
+      state.W = runge_kutta(state.W, step.dx, [&](double t, N const& W) {
+        return force(c, t == 0.0 ? before : t == 1.0 ? state.now : middle, W);
       });
     }
-    return force(state, state.now, state.W);
+    return force(c, state.now, state.W);
   }
 
- private:
-  template <class T>
-  static Coefficients<T> coefficients(Params<T> const& p, double at_x, double at_v) {
-    T const x(at_x), v(at_v), x2(at_x * at_x);
-    Coefficients<T> c;
+  template <class T, class X, class N>
+  static void coefficients(Params<T> const& p, X const& at_x, X const& at_v, Coefficients<N>& c) {
+    N const x(at_x), v(at_v), x2(at_x * at_x);
     c.elastic = rounded((p.a1 + x2 * (p.a2 + x2 * p.a3)) * x);
     c.softening = p.a4 * x * sech_squared(p.a5 * v);
     // At rest, and at speeds whose square underflows, the damping force is 0, so that a8 = 0 does not give 0 / 0.
-    c.damping = at_v * at_v < smallest_square ? T(0.0) : (p.a6 + p.a7 * x2) * v / sqrt(rounded(p.a8 * p.a8) + v * v);
-    return c;
+    if (at_v * at_v < smallest_square)
+      c.damping = slope_alone(at_v, select(p.a8 > T(0.0), (p.a6 + p.a7 * x2) / p.a8, N(0.0)));
+    else
+      c.damping = (p.a6 + p.a7 * x2) * v / sqrt(rounded(p.a8 * p.a8) + v * v);
   }
 
-  template <class T>
-  static T force(State<T> const& state, Coefficients<T> const& c, T const& W) {
-    return c.elastic + c.softening * exp2(state.decay9 * W) + c.damping * (T(1.0) + exp2(state.decay10 * W));
+  template <class T, class X, class N>
+  static N force(Constants<T, X> const& k, Coefficients<N> const& c, N const& W) {
+    return c.elastic + c.softening * exp2(k.decay9 * W) + c.damping * (T(1.0) + exp2(k.decay10 * W));
   }
+  // [end]
 };
 
 }  // namespace isolaw::laws

@@ -56,30 +56,31 @@ struct Jankowski {
                                   Interval{0.0, 10.0}, {0.001, 5.0, velocity}, Scale::logarithmic)},
   });
 
-  template <class T>
-  struct State {};
+  // [export struct Jankowski]
+  template <class N>
+  struct State {  // the law has no memory
+    template <class Each>
+    void members(Each&) {}
+  };
 
-  template <class T>
-  static State<T> start(Params<T> const&, Step const&, Integration) {
-    return {};
-  }
-
-  template <class T>
-  static T step(Params<T> const& p, State<T>&, Step const& step) {
-    T const x(step.x1), v(step.v1), x2(step.x1 * step.x1);
+  template <class T, class X, class N>
+  static N step(Params<T> const& p, NoConstants const&, State<N>&, StepOf<X> const& step) {
+    N const x(step.x1), v(step.v1), x2(step.x1 * step.x1);
     // Nothing overflows in 1/cosh^2 u = 4 E / (1 + E)^2 and 1/cosh u = 2 e / (1 + e^2), with e = exp(-|u|) and E = e^2.
     // All terms share one denominator, since a division costs as much as an exponential.
-    T const one(1.0), two(2.0);
-    T const log2_e_v(num::log2_e * step.v1), log2_e_x(num::log2_e * step.x1);
-    T const E5 = exp2(-two * abs(p.a5 * log2_e_v)), e7 = exp2(-abs(p.a7 * log2_e_v)), e8 = exp2(-abs(p.a8 * log2_e_x));
-    T const square5 = (one + E5) * (one + E5), product78 = (one + e7 * e7) * (one + e8 * e8);
-    T const peaks = T(4.0) * (p.a4 * E5 * product78 + rounded(p.a6 * e7 * e8 * square5)), below = square5 * product78;
-    T const polynomial = p.a1 + x2 * (p.a2 + x2 * p.a3);
+    N const one(1.0), two(2.0);
+    N const log2_e_v(log2_e * step.v1), log2_e_x(log2_e * step.x1);
+    N const E5 = exp2(-two * abs(p.a5 * log2_e_v)), e7 = exp2(-abs(p.a7 * log2_e_v)), e8 = exp2(-abs(p.a8 * log2_e_x));
+    N const square5 = (one + E5) * (one + E5), product78 = (one + e7 * e7) * (one + e8 * e8);
+    N const peaks = N(4.0) * (p.a4 * E5 * product78 + rounded(p.a6 * e7 * e8 * square5)), below = square5 * product78;
+    N const polynomial = p.a1 + x2 * (p.a2 + x2 * p.a3), damping = p.a9 + p.a10 * x2;
     // At rest, and at speeds whose square underflows, there is no damping force: with a11 = 0 it would be v / 0.
-    if (step.v1 * step.v1 < smallest_square) return (polynomial + peaks / below) * x;
-    T const speed = sqrt(rounded(p.a11 * p.a11) + v * v);
-    return polynomial * x + (rounded(peaks * x * speed) + (p.a9 + p.a10 * x2) * v * below) / (below * speed);
+    if (step.v1 * step.v1 < smallest_square)
+      return (polynomial + peaks / below) * x + slope_alone(step.v1, select(p.a11 > T(0.0), damping / p.a11, N(0.0)));
+    N const speed = sqrt(rounded(p.a11 * p.a11) + v * v);
+    return polynomial * x + (rounded(peaks * x * speed) + damping * v * below) / (below * speed);
   }
+  // [end]
 };
 
 }  // namespace isolaw::laws

@@ -14,107 +14,129 @@
 #include "isolaw/laws/canonical.hpp"
 #include "isolaw/laws/law.hpp"
 #include "isolaw/laws/limits.hpp"
-#include "isolaw/laws/scragging.hpp"
+#include "isolaw/laws/memory/open_branches.hpp"
+#include "isolaw/laws/memory/peaks.hpp"
+#include "isolaw/laws/reference.hpp"
 
 namespace isolaw::laws {
 
 namespace kikuchi_aiken {
 
+// [export namespace kikuchi_aiken]
 // The functions of the peak: force, equivalent damping ratio, hysteretic share, and exponent of the hardening part.
-template <class T>
+template <class N>
 struct AtPeak {
-  T force, damping, share, exponent;
+  N force, damping, share, exponent;
 };
 
+// (1 - exp(-2a))/a: the share of the loop's parallelogram that the exponential branches cut off.
 template <class T>
-class Loops {
- public:
-  Loops() = default;
-  Loops(Path const& path, T const& largest_a, T const& c)
-      : turned_(path.deepest),
-        least_area_(area_left(max(largest_a, T(num::smallest_power_base)))),
-        c_(c * T(num::log2_e)),
-        twice_c2_(T(2.0) * c * c) {}
+inline T area_left(T const& a) {
+  return (T(1.0) - exp2(T(-2.0 * log2_e) * a)) / a;
+}
 
-  // The force at the end of a step; must be called at every step. at_peak(m) gives AtPeak for a peak m.
-  template <class Functions>
-  T force(Step const& step, Memory const& memory, Functions&& at_peak) {
-    if (memory.kept != Memory::none) turn(memory.kept, step.x0);
-    if (memory.peak <= 0.0) return T(0.0);
-    if (memory.peak_grows) grow(memory.peak, at_peak(memory.peak));
-    double const x = step.x1 / peak_, size = std::abs(x), side = x < 0.0 ? -1.0 : 1.0;
-    if (memory.branch == Memory::none) {
-      hysteretic_ = T(side) * strength_;
-    } else {
-      Turn const& from = turned_[memory.branch];
-      double const s = std::abs(step.x1 - from.x) / peak_;
-      hysteretic_ = from.force + T(memory.direction) * strength_ * from.scale * shape(s, memory.branch == 0, from.bump);
-    }
-    T const hardening = exp2(exponent_ * T(std::log2(std::max(size, num::smallest_power_base))));
-    return half_elastic_ * T(side) * (T(size) + hardening) + hysteretic_;
-  }
+template <class T>
+struct Constants {
+  T least_area, c, twice_c2;  // c is the parameter c times log2(e), for exp2
+};
+template <class T>
+inline Constants<T> constants(T const& largest_a, T const& c) {
+  return {area_left(max(largest_a, T(smallest_power_base))), c * T(log2_e), T(2.0) * c * c};
+}
 
-  T a() const { return a_ * T(1.0 / num::log2_e); }
-  T b() const { return b_; }
-
- private:
+template <class N>
+struct Loops {
   struct Turn {
     double x = 0.0;
     bool bump = false;  // whether the branch from this turn has the term of b
-    T force = T(0.0), scale = T(0.0);
-  };
-
-  // (1 - exp(-2a))/a: the share of the loop's parallelogram that the exponential branches cut off.
-  static T area_left(T const& a) { return (T(1.0) - exp2(T(-2.0 * num::log2_e) * a)) / a; }
-
-  void grow(double peak, AtPeak<T> const& now) {
-    peak_ = peak;
-    strength_ = now.share * now.force;
-    half_elastic_ = T(0.5) * (now.force - strength_);
-    exponent_ = now.exponent;
-    T const wanted = T(1.0) - T(0.5 * std::numbers::pi) * now.damping / now.share;
-    // A NaN is not lost: max returns its first argument if one of the two is NaN, and b_ is computed from `wanted` too.
-    T const area = max(least_area_, wanted);
-    // Newton's method for area a - 1 + exp(-2a) = 0, which is convex; five steps from 1/area suffice for any area <= 1.
-    T a = T(1.0) / area;
-    for (int i = 0; i < 5; ++i) {
-      T const e = exp2(T(-2.0 * num::log2_e) * a);
-      a = a - (area * a - T(1.0) + e) / (area - T(2.0) * e);
+    N force = N(0.0), scale = N(0.0);
+    template <class Each>
+    void members(Each& each) {
+      each(x, bump, force, scale);
     }
-    a_ = a * T(num::log2_e);
-    b_ = twice_c2_ * (area - wanted);
-    closing_ = T(0.0);
-    closing_ = T(2.0) - shape(2.0, true, true);
+  };
+  N hysteretic = N(0.0);
+  N strength = N(0.0), half_elastic = N(0.0), exponent = N(0.0);  // u Fm, (1 - u) Fm / 2, n
+  N a = N(0.0), b = N(0.0), closing = N(0.0);                     // a is the rate of the branches times log2(e)
+  std::vector<Turn> turned;
+  template <class Points>
+  void make_room(Points const& points) {
+    hold(turned, points);
+  }
+  template <class Each>
+  void members(Each& each) {
+    each(hysteretic, strength, half_elastic, exponent, a, b, closing, turned);
   }
 
-  T shape(double s, bool outer, bool bump) const {  // f(s) of a branch that has moved s peaks since its turn
-    T f = T(2.0) - T(2.0) * exp2(-a_ * T(s));
-    if (bump) f = f + b_ * T(s) * exp2(-c_ * T(s));
+  // The force at `at`, where a step from x0 ends, once there is a peak; must be called at every step. at_peak(m) gives
+  // AtPeak for a peak m.
+  template <class T, class X, class PathMemory, class Functions>
+  N force(Constants<T> const& c, X const& x0, X const& at, PathMemory const& memory, Functions&& at_peak) {
+    if (memory.turns) turn(c, memory.kept, value_of(x0), memory.peak0);
+    if (memory.peak_grows) grow(c, at_peak(memory.peak));
+    double const side = at < 0.0 ? -1.0 : 1.0;
+    X const size = side * at / memory.peak;
+    if (memory.branch == memory.none) {
+      hysteretic = N(side) * strength;
+    } else {
+      Turn const& from = turned[memory.branch];
+      X const s = memory.direction * (at - from.x) / memory.peak;
+      hysteretic =
+          from.force + N(memory.direction) * strength * from.scale * shape(c, s, memory.branch == 0, from.bump);
+    }
+    N hardening = exp2(exponent * N(log2(max(size, X(smallest_power_base)))));
+    use_secant_near_zero(hardening, size, [&] { return exponent; });
+    return half_elastic * N(side) * (N(size) + hardening) + hysteretic;
+  }
+
+  template <class T>
+  void grow(Constants<T> const& c, AtPeak<N> const& now) {
+    strength = now.share * now.force;
+    half_elastic = N(0.5) * (now.force - strength);
+    exponent = now.exponent;
+    N const wanted = N(1.0) - N(1.57079632679489661923) * now.damping / now.share;
+    // A NaN is not lost: max returns its first argument if one of the two is NaN, and b is computed from `wanted` too.
+    N const area = max(N(c.least_area), wanted);
+    // Newton's method for area a - 1 + exp(-2a) = 0, which is convex; five steps from 1/area suffice for any area <= 1.
+    N root = N(1.0) / area;
+    for (int i = 0; i < 5; ++i) {
+      N const e = exp2(N(-2.0 * log2_e) * root);
+      root = root - (area * root - N(1.0) + e) / (area - N(2.0) * e);
+    }
+    a = root * N(log2_e);
+    b = c.twice_c2 * (area - wanted);
+    closing = N(0.0);
+    closing = N(2.0) - shape(c, 2.0, true, true);
+  }
+
+  // f(s) of a branch that has moved s peaks since its turn.
+  template <class T, class X>
+  N shape(Constants<T> const& c, X const& s, bool outer, bool bump) const {
+    N f = N(2.0) - N(2.0) * exp2(-a * N(s));
+    if (bump) f = f + b * N(s) * exp2(-c.c * N(s));
     if (!outer) return f;
-    double const half2 = 0.25 * s * s, half4 = half2 * half2;
-    return f + closing_ * T(half4 * half4);
+    X const half2 = 0.25 * s * s, half4 = half2 * half2;
+    return f + closing * N(half4 * half4);
   }
 
   // An inner branch is scaled so that it returns to the point where the branch before it began. It has no term of b if
   // both turns are on the same side, or if the branch before it has none.
-  void turn(std::size_t place, double x) {
-    Turn& now = turned_[place];
-    now = {.x = x, .bump = true, .force = hysteretic_, .scale = T(1.0)};
+  template <class T, class X>
+  void turn(Constants<T> const& c, std::size_t place, double x, X const& peak) {
+    Turn& now = turned[place];
+    now.x = x;
+    now.bump = true;
+    now.force = hysteretic;
+    now.scale = N(1.0);
     if (place == 0) return;
-    Turn const& before = turned_[place - 1];
-    double const s = std::abs(x - before.x) / peak_;
+    Turn const& before = turned[place - 1];
+    X const s = abs(x - before.x) / peak;
     now.bump = before.bump && x * before.x <= 0.0;
     now.scale =
-        before.scale * shape(s, place == 1, before.bump) / max(shape(s, false, now.bump), T(num::smallest_power_base));
+        before.scale * shape(c, s, place == 1, before.bump) / max(shape(c, s, false, now.bump), N(smallest_power_base));
   }
-
-  double peak_ = 0.0;
-  T hysteretic_ = T(0.0);
-  T strength_ = T(0.0), half_elastic_ = T(0.0), exponent_ = T(0.0);  // u Fm, (1 - u) Fm / 2, n
-  T a_ = T(0.0), b_ = T(0.0), closing_ = T(0.0);                     // a_ is a log2(e), for exp2
-  std::vector<Turn> turned_;
-  T least_area_ = T(0.0), c_ = T(0.0), twice_c2_ = T(0.0);  // c_ is c log2(e), for exp2
 };
+// [end]
 
 }  // namespace kikuchi_aiken
 
@@ -174,28 +196,42 @@ struct KikuchiAiken {
     return NoForm{"functions of the peak: KikuchiAikenHDR has only the functions of its own compounds"};
   }
 
-  template <class T>
-  using State = kikuchi_aiken::Loops<T>;
-
-  template <class T>
-  static State<T> start(Params<T> const& p, Path const& path) {
-    return State<T>(path, p.amax, p.c);
+  // [export struct KikuchiAiken]
+  template <class N>
+  using State = kikuchi_aiken::Loops<N>;
+  template <class X>
+  using Memory = Remembered<X, OpenBranches, Peaks<X>>;
+  template <class T, class X>
+  using Constants = kikuchi_aiken::Constants<T>;
+  template <class T, class X>
+  static Constants<T, X> constants(Params<T> const& p) {
+    return kikuchi_aiken::constants(p.amax, p.c);
   }
 
-  template <class T>
-  static T step(Params<T> const& p, State<T>& state, Step const& step, Memory const& memory) {
-    return state.force(step, memory, [&](double m) -> kikuchi_aiken::AtPeak<T> {
-      T const one(1.0), zero(0.0), peak(m);
-      T const beyond = max(peak - p.xn, zero);
-      return {.force = p.G1 * power(T(m / reference_mm), one - p.p) * (one + p.s1 * beyond),
-              .damping = max(p.h0 + p.h1 * peak, zero),
-              .share = min(max(p.u0 + p.u1 * peak, T(least_share)), one),
-              .exponent = one + p.n1 * beyond};
-    });
+  template <class T, class X, class N, class PathMemory>
+  static N step(Params<T> const& p, kikuchi_aiken::Constants<T> const& c, kikuchi_aiken::Loops<N>& state,
+                StepOf<X> const& step, PathMemory const& memory) {
+    state.make_room(memory);
+    // As the peak grows from 0 the slope has no bound; the tangent is at most the secant at 0.01 mm.
+    auto const steepest = [&] { return p.G1 * power(T(1e-4), -p.p) / T(reference_mm); };
+    if (!(memory.peak > 0.0)) return slope_alone(step.x1, N(steepest()));
+    N force = state.force(c, step.x0, step.x1, memory, [&](X const& m) { return at_peak<N>(p, N(m)); });
+    if (memory.branch == memory.none)
+      limit_slope(
+          force, [&] { return force; }, steepest);
+    return force;
   }
 
- private:
+  template <class N, class T>
+  static kikuchi_aiken::AtPeak<N> at_peak(Params<T> const& p, N const& peak) {
+    T const one(1.0), zero(0.0);
+    N const beyond = max(peak - p.xn, N(zero));
+    return {p.G1 * power(N(peak / N(reference_mm)), one - p.p) * (one + p.s1 * beyond),
+            max(p.h0 + p.h1 * peak, N(zero)), min(max(p.u0 + p.u1 * peak, N(least_share)), N(one)),
+            one + p.n1 * beyond};
+  }
   static constexpr double least_share = 0.05;
+  // [end]
 };
 
 }  // namespace isolaw::laws

@@ -1,23 +1,38 @@
-// The contract of a law: what the law's file declares, the record as a path of steps, and how a law runs over this
-// path. A law is a struct with
-//   info                       LawInfo: id, name, title, source, units, traits, a note on how the source was read
-//   Params<T>                  its parameters, in the paper's symbols
-//   rows<T>                    one Row per parameter, in the order of reports: member, name, unit, meaning, limits, box
-//   State<T>                   its memory from sample to sample, and constants derived from the parameters
-//   start(params, first, how)  the virgin state at the first sample
-//   step(params, state, step)  advances the state over one step of the path, returns the force at its end
-//   A law that reads the path's Memory (traits.remembers) has start(params, path), step(params, state, step, memory).
+// The contract of a law. A law is one file: a struct that declares what the law is and how it takes one step, for every
+// use of it. A step is written once, for three kinds of numbers:
+//   T   the number of a parameter: double, a derivative number, or a batch of candidates (the lanes of a kernel)
+//   X   the number of the motion: double in a record, whose motion is known ahead, and Dual in a trial, whose motion is
+//       not (online/numbers.hpp). A Dual has two slopes, so that a trial knows its tangent.
+//   N   the number of a force: T in a record, Dual in a trial, where T is double
+// The struct has
+//   info                  LawInfo: id, name, title, source, units, traits, a note on how the source was read
+//   Params<T>             the parameters, in the paper's symbols
+//   rows<T>               one Row for each parameter, in the order of reports: member, name, unit, meaning, limits, box
+//   State<N>              what the law remembers from step to step; members(each) lists all of it, to save and load it
+//   step(params, constants, state, step)    advances the state over one step and returns the force at its end
 // and, where they apply,
-//   step_paper(...)            the same step by one classical Runge-Kutta step, if that differs
-//   crowded                    true: a step holds so many values at once that kernels compute fewer lanes
-//   joint_limits               one JointLimit for each condition between several parameters
-//   reduced(params)            for a law with a redundant parameter: parameters that give the same forces,
-//                              in which `redundant`, which trades off with `redundant_with`, is `redundant_value`
-//   canonical(params)          the law of analysis programs that equals this one (canonical.hpp)
-// T is double, a derivative number or a batch of candidates. step() neither allocates nor throws. A law with turning
-// points sizes its stack of them in start(), from Path::deepest. (The forms for motions that are not known ahead,
-// online.hpp, lack this depth: a turn may enlarge their stack and every trial copies it, and both allocate.) Branching
-// on the record (Step, Memory) is a plain `if`, branching on a candidate's values is a select.
+//   Constants<T, X>, constants<T, X>(params)      what follows from the parameters alone, computed once
+//   start(params, constants, state, step)         sets the state at the first sample, if it is not State's own values
+//   Memory<X>             if traits.remembers: which parts of the path's memory the law reads (memory/). Its step
+//                         gets them as a fifth argument. A State with a stack sizes it in make_room.
+//   paper_constants(params), step_paper(...)      the same step by one classical Runge-Kutta step, if that differs
+//   crowded               true: a step holds so many values at once that kernels compute fewer lanes
+//   joint_limits          one JointLimit for each condition between several parameters
+//   reduced(params)       for a law with a redundant parameter: parameters that give the same forces, in which
+//                         `redundant`, which trades off with `redundant_with`, is `redundant_value`
+//   canonical(params)     the law of analysis programs that equals this one (canonical.hpp)
+//
+// Four rules keep one step fast and right for all of them:
+//   - Branch with a plain `if` on the motion (X), and with `select` on anything that depends on a parameter (T, N).
+//   - Write N(step.x1) where a number of the motion meets parameters, and T(2.0) or N(2.0) for a literal.
+//   - min, max and select return their first argument if both are equal: put the one first whose slope is meant.
+//   - Use the functions below (moves, grows, slope_alone, limit_slope, ...) where a trial needs a slope although its value
+//     is that of rest. For a record they do nothing.
+// A step neither throws nor logs, and in a record it allocates nothing: kernels size stacks before the first step.
+//
+// Exported C++17 files are made from the lines of a law's file between `// [export struct NAME]` and `// [end]`, with
+// plain numbers in place of T, X and N (programs/header_parts.hpp). Between these marks there are State, Constants,
+// start, step, Memory and their helpers, without designated initialisers, concepts, template lambdas and paper steps.
 #pragma once
 
 #include <array>
@@ -25,6 +40,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "isolaw/base/units.hpp"
@@ -41,12 +57,14 @@ using num::exp2;
 using num::expm1;
 using num::fifth_root;
 using num::log2;
+using num::log2_e;
 using num::max;
 using num::min;
 using num::power;
 using num::rounded;
 using num::sech_squared;
 using num::select;
+using num::smallest_power_base;
 using num::sqrt;
 
 struct Interval {
@@ -141,7 +159,10 @@ struct LawInfo {
 enum class Integration { converged, paper };
 enum class TurningPoints { as_sampled, interpolated };  // whether the path turns only at samples, or also between them
 
-struct Step {                       // one step of the path, in the law's units; it depends on the record alone
+template <class X>
+struct StepOf;  // one step of a motion of numbers X, in the law's units
+template <>
+struct StepOf<double> {             // one step of the path; it depends on the record alone
   double x0, x1;                    // displacement before and after
   double v0, v1;                    // velocity before and after; 0 for a record without time
   double dx;                        // x1 - x0
@@ -152,29 +173,27 @@ struct Step {                       // one step of the path, in the law's units;
   double peak0, peak1;              // largest |x| up to the start and the end of the step
   double log2_abs_x0, log2_abs_x1;  // |x| counts as at least num::smallest_power_base
 };
+using Step = StepOf<double>;
 
-// The path's memory at the end of a step: turning points, and peak and travel of each side, x >= 0 and x < 0. It
-// depends on the displacement alone (memory.cpp). A first sample away from 0 counts as a motion from 0.
+// What the laws that remember read of the path at the end of a step (memory/ says how each part follows from the
+// displacement). A first sample away from 0 counts as a motion from 0.
 struct Memory {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::size_t kept = none;    // if the motion turned at the step's begin: stack index for the force there
-  std::size_t branch = none;  // stack index of the turning point that began the branch; none: on the skeleton
-  double branch_x = 0.0;      // displacement of that turning point
-  double direction = 0.0;     // +1, -1; 0 before the first motion
-  double peak0 = 0.0;         // largest |x| before the step
-  double peak = 0.0;          // largest |x| after the step
-  double inside = 0.0;        // the part of the step's length with |x| below peak0
-  double side_peak = 0.0;     // largest |x| on the side of x after the step; N, G and C are of this side too
-  double travel = 0.0;        // N: travel relative to the side's peak, forgotten as that peak grows
-  double virgin = 1.0;        // (1 + N)^(-1/3)
-  double log2_worn = 0.0;     // log2(1 + NT), NT the travel of both sides relative to the largest |x|
-  double pushed = 0.0;        // growth of the largest |x| at x > 0 minus its growth at x < 0
-  double softening = 0.0;     // G: half the travel outwards and four times the travel back, never beyond side_peak
-  double way_back = 0.0;      // C: travel towards 0
-  double log2_softening = 0.0, log2_way_back = 0.0;  // G and C count as at least num::smallest_power_base
-  std::size_t side = 0;                              // 0: x >= 0, 1: x < 0
-  bool softens = false, returns = false;             // G, C have changed since the last step that ended on this side
-  bool peak_grows = false, side_peak_grows = false;  // whether the peak grows in this step
+  bool turns;          // whether the motion turned at the begin of this step
+  std::size_t kept;    // if it turned: stack index for the force at that turning point
+  std::size_t branch;  // stack index of the turning point that began the branch; none: on the skeleton
+  double branch_x;     // displacement of that turning point
+  double direction;    // +1, -1; 0 before the first motion
+  double peak0, peak;  // largest |x| before and after the step
+  double inside;       // the part of the step's length with |x| below peak0
+  double side_peak;    // largest |x| on the side of x after the step; N, G and C are of this side too
+  double virgin;       // (1 + N)^(-1/3), N: travel relative to the side's peak, forgotten as that peak grows
+  double log2_worn;    // log2(1 + NT), NT the travel of both sides relative to the largest |x|
+  double pushed;       // growth of the largest |x| at x > 0 minus its growth at x < 0
+  double log2_softening, log2_way_back;  // G: half the travel outwards and four times the travel back; C: travel back
+  std::size_t side;                      // 0: x >= 0, 1: x < 0
+  bool softens, returns;                 // G, C have changed since the last step that ended on this side
+  bool peak_grows, side_peak_grows;      // whether the peak grows in this step
 };
 
 // The record as a piecewise linear path. The first step has no length; its end is the first sample.
@@ -215,44 +234,106 @@ inline constexpr auto members = [] {
   return pointers;
 }();
 
-template <class Law>
-concept HasPaperStep = requires(ParamsOf<Law, double> const& p, typename Law::template State<double>& s,
-                                Step const& k) {
-  Law::step_paper(p, s, k);
-};
-
-template <class Law, class T>
-auto first_state(ParamsOf<Law, T> const& params, Path const& path, Integration integration) {
-  if constexpr (Law::info.traits.remembers)
-    return Law::template start<T>(params, path);
-  else
-    return Law::template start<T>(params, path.steps.front(), integration);
+// The operations of a step that differ between a record, whose motion has no slopes, and a trial. Those of a trial are
+// in online/numbers.hpp and say more.
+inline bool moves(Step const& step) {
+  return step.length > 0.0;
 }
+inline bool grows(double growth) {
+  return growth > 0.0;
+}
+inline bool unmoved(double) {
+  return false;
+}
+inline bool reaches(double size, double peak) {
+  return size > peak;
+}
+inline bool may_move(double way) {
+  return way != 0.0;
+}
+inline bool changes(double before, double after) {
+  return before != after;
+}
+inline double value_of(double x) {
+  return x;
+}
+inline double log2_abs_x1(Step const& step) {
+  return step.log2_abs_x1;
+}
+template <class N>
+void limit_slope(N&, auto&&, auto&&) {}
+template <class N>
+void use_secant_near_zero(N&, double, auto&&) {}
+template <class N>
+N through(double, N const& value, auto&&) {
+  return value;
+}
+template <class N>
+N slope_alone(double, N const&) {
+  return N(0.0);
+}
+
+// The number of a force: that of the parameters in kernels, that of the motion in a trial.
+template <class T, class X>
+using NumberOf = std::conditional_t<std::is_same_v<X, double>, T, X>;
+
+struct NoConstants {};
+
+// Kernels size the stack of a law before the first step, for the most turning points that are remembered at once.
+struct Depth {
+  std::size_t depth;
+};
+template <class List>
+void hold(List&, Memory const&) {}
+
+template <class Law, class T, class X>
+auto constants_of(auto const& params) {
+  if constexpr (requires { Law::template constants<T, X>(params); })
+    return Law::template constants<T, X>(params);
+  else
+    return NoConstants();
+}
+
+template <class Law, class T, class X>
+auto first_state(auto const& params, auto const& constants, StepOf<X> const& first) {
+  typename Law::template State<NumberOf<T, X>> state;
+  if constexpr (requires { Law::start(params, constants, state, first); }) Law::start(params, constants, state, first);
+  return state;
+}
+
+template <class Law>
+concept HasPaperStep = requires(ParamsOf<Law, double> const& p) {
+  Law::paper_constants(p);
+};
 
 // Runs the law over the path and calls sink(i, force) for every sample i with its force, in the law's unit.
 template <class Law, class T, class Sink>
 void run(ParamsOf<Law, T> const& params, Path const& path, Integration integration, Sink&& sink) {
   if (path.steps.empty()) return;
-  auto state = first_state<Law, T>(params, path, integration);
-  auto const walk = [&](auto&& advance) {
+  auto const walk = [&](auto const& constants, auto&& advance) {
+    auto state = first_state<Law, T, double>(params, constants, path.steps.front());
+    if constexpr (requires { state.make_room(Depth()); }) state.make_room(Depth{path.deepest});
     std::size_t sample = 0;
     for (Step const& step : path.steps) {
-      T const force = advance(step);
+      T const force = advance(constants, state, step);
       if (step.sample) sink(sample++, force);
     }
   };
   if constexpr (HasPaperStep<Law>) {
     if (integration == Integration::paper) {
-      walk([&](Step const& step) { return Law::template step_paper<T>(params, state, step); });
+      walk(Law::paper_constants(params), [&](auto const& constants, auto& state, Step const& step) {
+        return Law::step_paper(params, constants, state, step);
+      });
       return;
     }
   }
-  if constexpr (Law::info.traits.remembers) {
-    auto memory = path.memory.begin();
-    walk([&](Step const& step) { return Law::template step<T>(params, state, step, *memory++); });
-  } else {
-    walk([&](Step const& step) { return Law::template step<T>(params, state, step); });
-  }
+  auto memory = path.memory.begin();
+  walk(constants_of<Law, T, double>(params), [&](auto const& constants, auto& state, Step const& step) {
+    if constexpr (Law::info.traits.remembers)
+      return Law::step(params, constants, state, step, *memory++);
+    else
+      return Law::step(params, constants, state, step);
+  });
 }
 
 template <class Law, class T>

@@ -5,29 +5,33 @@
 
 #include <vector>
 
-#include "isolaw/laws/law.hpp"
+#include "isolaw/laws/memory/open_branches.hpp"
 
 namespace isolaw::laws {
 
-template <class T>
-class MasingBranches {
- public:
-  MasingBranches() = default;
-  explicit MasingBranches(Path const& path) : turned_(path.deepest, T(0.0)) {}
+// [export]
+template <class N>
+struct MasingBranches {
+  N force = N(0.0);
+  std::vector<N> turned;  // forces at the turning points
 
-  // The force at the end of a step. skeleton(x) is the odd curve from the origin. Must be called at every step.
-  template <class Skeleton>
-  T force(Step const& step, Memory const& memory, Skeleton&& skeleton) {
-    if (memory.kept != Memory::none) turned_[memory.kept] = force_;
-    force_ = memory.branch == Memory::none
-                 ? skeleton(step.x1)
-                 : turned_[memory.branch] + T(2.0) * skeleton(0.5 * (step.x1 - memory.branch_x));
-    return force_;
+  // Moves to the end of a step and returns the force there. skeleton(x) is the odd curve from the origin.
+  template <class X, class PathMemory, class Skeleton>
+  N move(X const& x, PathMemory const& memory, Skeleton&& skeleton) {
+    if (memory.turns) turned[memory.kept] = force;
+    force = memory.branch == memory.none ? skeleton(x)
+                                         : turned[memory.branch] + N(2.0) * skeleton(X(0.5 * (x - memory.branch_x)));
+    return force;
   }
-
- private:
-  T force_ = T(0.0);
-  std::vector<T> turned_;  // force at the turning points
+  template <class Points>
+  void make_room(Points const& points) {
+    hold(turned, points);
+  }
+  template <class Each>
+  void members(Each& each) {
+    each(force, turned);
+  }
 };
+// [end]
 
 }  // namespace isolaw::laws

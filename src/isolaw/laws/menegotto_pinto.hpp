@@ -51,50 +51,56 @@ struct MenegottoPinto {
 
   static Canonical canonical(Params<double> const& p) { return MenegottoPintoForm{p.E, p.Fy, p.b, p.R0, p.cR1, p.cR2}; }
 
-  template <class T>
+  // [export struct MenegottoPinto]
+  template <class N>
   struct State {
-    T z = T(0.0);
-    T top = T(0.0), bottom = T(0.0);                           // E xm on either side
-    T turn_z = T(0.0), distance = T(0.0), sharpness = T(0.0);  // zr, D and R of the branch
+    N z = N(0.0);
+    N top = N(0.0), bottom = N(0.0);                           // E xm on either side
+    N turn_z = N(0.0), distance = N(0.0), sharpness = N(0.0);  // zr, D and R of the branch
     double turn_x = 0.0;
+    template <class Each>
+    void members(Each& each) {
+      each(z, top, bottom, turn_z, distance, sharpness, turn_x);
+    }
   };
 
-  template <class T>
-  static State<T> start(Params<T> const& p, Step const& first, Integration) {
-    T const elastic = p.E * T(first.x1);
-    return {.top = elastic + p.Fy, .bottom = elastic - p.Fy};
+  template <class T, class X, class N>
+  static void start(Params<T> const& p, NoConstants const&, State<N>& state, StepOf<X> const& first) {
+    N const elastic = p.E * N(first.x1);
+    state.top = elastic + p.Fy;
+    state.bottom = elastic - p.Fy;
   }
 
-  template <class T>
-  static T step(Params<T> const& p, State<T>& state, Step const& step) {
+  template <class T, class X, class N>
+  static N step(Params<T> const& p, NoConstants const&, State<N>& state, StepOf<X> const& step) {
     if (step.reversal) turn(p, state, step);
-    if (step.length > 0.0) {
-      T const travel = p.E * T(step.direction * (step.x1 - state.turn_x));
+    if (moves(step)) {
+      N const travel = p.E * N(step.direction * (step.x1 - state.turn_x));
       // min and max return their first argument if one of the two is NaN, so a NaN distance gives a NaN force.
-      T const less = min(state.distance, travel), more = max(state.distance, travel);
-      T const ratio = less / max(more, T(num::smallest_power_base));
-      T const rounding = exp2(-log2(T(1.0) + power(ratio, state.sharpness)) / state.sharpness);
-      state.z = state.turn_z + T(step.direction) * less * rounding;
+      N const less = min(state.distance, travel), more = max(state.distance, travel);
+      N const ratio = less / max(more, N(smallest_power_base));
+      N const rounding = exp2(-log2(T(1.0) + power(ratio, state.sharpness)) / state.sharpness);
+      state.z = state.turn_z + N(step.direction) * less * rounding;
     }
-    return rounded(p.b * p.E * T(step.x1)) + (T(1.0) - p.b) * state.z;
+    return rounded(p.b * p.E * N(step.x1)) + (T(1.0) - p.b) * state.z;
   }
 
- private:
-  template <class T>
-  static void turn(Params<T> const& p, State<T>& state, Step const& step) {
-    T const tiny(num::smallest_power_base), direction(step.direction), elastic = p.E * T(step.x0);
+  template <class T, class X, class N>
+  static void turn(Params<T> const& p, State<N>& state, StepOf<X> const& step) {
+    N const direction(step.direction), elastic = p.E * N(step.x0);
     bool const rising = step.direction > 0.0;
     if (rising)
       state.bottom = min(state.bottom, elastic);
     else
       state.top = max(state.top, elastic);
-    state.turn_x = step.x0;
+    state.turn_x = value_of(step.x0);
     state.turn_z = state.z;
-    state.distance = max(p.Fy - direction * state.z, T(0.0));
-    T const ahead = (rising ? state.top : state.bottom) - elastic;
-    T const excursion = abs(ahead - direction * state.distance) / max(p.Fy, tiny);
-    state.sharpness = p.R0 * (T(1.0) - p.cR1 * excursion / max(p.cR2 + excursion, tiny));
+    state.distance = max(p.Fy - direction * state.z, N(0.0));
+    N const ahead = (rising ? state.top : state.bottom) - elastic;
+    N const excursion = abs(ahead - direction * state.distance) / max(p.Fy, T(smallest_power_base));
+    state.sharpness = p.R0 * (T(1.0) - p.cR1 * excursion / max(p.cR2 + excursion, N(smallest_power_base)));
   }
+  // [end]
 };
 
 }  // namespace isolaw::laws

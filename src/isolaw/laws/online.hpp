@@ -1,5 +1,4 @@
-// A law for motions that are not known ahead: trials from the last committed state, with tangents. The library compiles
-// the same files that exports contain (online/*.inc); a test compares them with the laws.
+// A law for motions that are not known ahead: trials from the last committed state, with tangents.
 #pragma once
 
 #include <memory>
@@ -11,8 +10,8 @@ namespace isolaw::laws {
 class Online {  // starts virgin at 0, in the law's units and seconds; copies are independent of one another
  public:
   // `parameters` are in the law's order. `dead_band` [law's length] is the one used when the law was fitted; only laws
-  // with memory use it. Each trial is divided into `parts` equal steps. Throws Error for a law without a form in
-  // online/.
+  // with memory use it. Each trial is divided into `parts` equal steps. Throws Error for an unknown
+  // law.
   Online(std::string_view law, std::span<double const> parameters, double dead_band = 0.0, int parts = 1);
   ~Online();
   Online(Online const& other);
@@ -32,7 +31,5 @@ class Online {  // starts virgin at 0, in the law's units and seconds; copies ar
  private:
   std::unique_ptr<Form> form_;
 };
-
-bool has_online_form(std::string_view law);
 
 }  // namespace isolaw::laws

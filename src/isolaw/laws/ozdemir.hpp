@@ -9,12 +9,14 @@
 #pragma once
 
 #include "isolaw/laws/canonical.hpp"
+#include "isolaw/laws/flow.hpp"
 #include "isolaw/laws/law.hpp"
 #include "isolaw/laws/limits.hpp"
-#include "isolaw/laws/saturating_flow.hpp"
 #include "isolaw/num/error_function.hpp"
 
 namespace isolaw::laws {
+
+using num::erf;
 
 struct Ozdemir {
   static constexpr LawInfo info{
@@ -66,39 +68,41 @@ struct Ozdemir {
     };
   }
 
-  template <class T>
+  // [export struct Ozdemir]
+  template <class N>
   struct State {
-    T z = T(0.0);
-    T time = T(0.0), rate = T(0.0);  // time on the flow, and how much of it passes per unit of travel, K/Y
-    SaturatingFlow<T> flow;
-  };
-
-  template <class T>
-  static State<T> start(Params<T> const& p, Step const&, Integration) {
-    State<T> state;
-    state.rate = p.K / p.Y;
-    state.flow.fit(p.n, T(1.0));
-    return state;
-  }
-
-  template <class T>
-  static T step(Params<T> const& p, State<T>& state, Step const& step) {
-    if (step.length > 0.0) {
-      T const direction(step.direction);
-      if (step.reversal) state.time = state.flow.time_at(direction * state.z / p.Y);
-      state.time += state.rate * T(step.length);
-      state.z = direction * p.Y * state.flow.value_at(state.time);
+    N z = N(0.0), time = N(0.0);  // time: place on the curve of the flow
+    template <class Each>
+    void members(Each& each) {
+      each(z, time);
     }
-    return rounded(p.alpha * p.K * (T(step.x1) + ahead(p, step))) + state.z;
+  };
+  template <class T, class X>
+  struct Constants {
+    T rate;  // K/Y, the flow's time that a unit of travel takes
+    Flow<T, X, Reach::within_saturation> flow;
+  };
+  template <class T, class X>
+  static Constants<T, X> constants(Params<T> const& p) {
+    Constants<T, X> c;
+    c.rate = p.K / p.Y;
+    c.flow.fit(p.n, T(1.0));
+    return c;
   }
 
- private:
-  template <class T>
-  static T ahead(Params<T> const& p, Step const& step) {
+  template <class T, class X, class N>
+  static N step(Params<T> const& p, Constants<T, X> const& c, State<N>& state, StepOf<X> const& step) {
+    if (moves(step)) {
+      N const direction(step.direction);
+      if (step.reversal) state.time = c.flow.time_at(direction * state.z / p.Y);
+      state.time += c.rate * N(step.length);
+      state.z = direction * p.Y * c.flow.value_at(state.time);
+    }
     constexpr double log2_100 = 6.643856189774724;
-    if (step.x1 == 0.0) return T(0.0);
-    return p.fT * exp2(p.c * T(step.log2_abs_x1 - log2_100)) * num::erf(p.a * T(step.x1));
+    N const x(step.x1), ahead = p.fT * exp2(p.c * N(log2_abs_x1(step) - log2_100)) * erf(p.a * x);
+    return rounded(p.alpha * p.K * (x + ahead)) + state.z;
   }
+  // [end]
 };
 
 }  // namespace isolaw::laws

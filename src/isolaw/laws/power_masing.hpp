@@ -4,8 +4,6 @@
 // turning points and peaks of the displacement, which the record decides.
 #pragma once
 
-#include <utility>
-
 #include "isolaw/laws/law.hpp"
 #include "isolaw/laws/limits.hpp"
 #include "isolaw/laws/masing.hpp"
@@ -61,39 +59,52 @@ struct PowerMasing {
     return all;
   }
 
-  template <class T>
+  // [export struct PowerMasing]
+  template <class N>
   struct State {
-    MasingBranches<T> branches;
-    T per_strength = T(0.0);  // 1 / sk(M)
-    Scragging<T> scragging;
+    MasingBranches<N> branches;
+    N per_strength = N(0.0);  // 1 / sk(M)
+    Scragging<N> scragging;
+    template <class Points>
+    void make_room(Points const& points) {
+      branches.make_room(points);
+    }
+    template <class Each>
+    void members(Each& each) {
+      each(branches, per_strength, scragging);
+    }
   };
+  template <class X>
+  using Memory = Remembered<X, OpenBranches, Peaks<X>, Sides<X>>;
 
-  template <class T>
-  static State<T> start(Params<T> const&, Path const& path) {
-    return {.branches = MasingBranches<T>(path), .per_strength = T(0.0), .scragging = {}};
-  }
-
-  template <class T>
-  static T step(Params<T> const& p, State<T>& state, Step const& step, Memory const& memory) {
+  template <class T, class X, class N, class PathMemory>
+  static N step(Params<T> const& p, NoConstants const&, State<N>& state, StepOf<X> const& step,
+                PathMemory const& memory) {
     auto const [hysteretic, elastic] = forces(p, state, step, memory);
     return hysteretic + elastic;
   }
 
   // The hysteretic force Fh and the elastic force beside it. Must be called at every step.
-  template <class T>
-  static std::pair<T, T> forces(Params<T> const& p, State<T>& state, Step const& step, Memory const& memory) {
-    if (memory.peak <= 0.0) return {T(0.0), T(0.0)};
-    T const Fh = state.branches.force(step, memory, [&](double x) { return skeleton(p, x); });
-    if (memory.peak_grows) state.per_strength = T(1.0) / max(skeleton(p, memory.peak), T(num::smallest_power_base));
-    T const share = min(T(1.0), max(T(-1.0), Fh * state.per_strength));
-    return {Fh, state.scragging.force(p, step, memory, share)};
+  template <class N>
+  struct Forces {
+    N hysteretic, elastic;
+  };
+  template <class T, class X, class N, class PathMemory>
+  static Forces<N> forces(Params<T> const& p, State<N>& state, StepOf<X> const& step, PathMemory const& memory) {
+    state.make_room(memory);
+    N const Fh = state.branches.move(step.x1, memory, [&](X const& x) { return skeleton(p, x); });
+    if (memory.peak_grows) state.per_strength = T(1.0) / max(N(skeleton(p, memory.peak)), N(smallest_power_base));
+    // min and max return their first argument if the two are equal, so a share of exactly 1 keeps its slope.
+    N const share = min(max(Fh * state.per_strength, N(-1.0)), N(1.0));
+    return {Fh, state.scragging.force(p, step.x1, memory, share, p.U)};
   }
 
- private:
-  template <class T>
-  static T skeleton(Params<T> const& p, double x) {
-    return p.Y * T(x / reference_mm) * power((p.U + T(std::abs(x))) * T(1.0 / reference_mm), p.g - T(1.0));
+  template <class T, class X>
+  static auto skeleton(Params<T> const& p, X const& x) {
+    return p.Y * NumberOf<T, X>(x / reference_mm) *
+           power((p.U + NumberOf<T, X>(abs(x))) * T(1.0 / reference_mm), p.g - T(1.0));
   }
+  // [end]
 };
 
 }  // namespace isolaw::laws

@@ -36,10 +36,13 @@ struct PowerMasingViscous : PowerMasing {
        parameter("c", "kN s/mm", "viscous damping", not_negative, std::nullopt, {0.0, 0.3, force_per_velocity})},
   }));
 
-  template <class T>
-  static T step(Params<T> const& p, State<T>& state, Step const& step, Memory const& memory) {
-    return PowerMasing::step<T>(p, state, step, memory) + p.c * T(step.v1);
+  // [export struct PowerMasingViscous : PowerMasing]
+  template <class T, class X, class N, class PathMemory>
+  static N step(Params<T> const& p, NoConstants const& c, State<N>& state, StepOf<X> const& step,
+                PathMemory const& memory) {
+    return PowerMasing::step(p, c, state, step, memory) + p.c * N(step.v1);
   }
+  // [end]
 };
 
 }  // namespace isolaw::laws

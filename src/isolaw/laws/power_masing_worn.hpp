@@ -6,6 +6,7 @@
 
 #include "isolaw/laws/law.hpp"
 #include "isolaw/laws/limits.hpp"
+#include "isolaw/laws/memory/wear.hpp"
 #include "isolaw/laws/power_masing.hpp"
 
 namespace isolaw::laws {
@@ -46,11 +47,17 @@ struct PowerMasingWorn : PowerMasing {
     return all;
   }();
 
-  template <class T>
-  static T step(Params<T> const& p, State<T>& state, Step const& step, Memory const& memory) {
-    auto const [hysteretic, elastic] = PowerMasing::forces<T>(p, state, step, memory);
-    return hysteretic * exp2(-p.r * T(memory.log2_worn)) + elastic + p.B * T(memory.pushed / reference_mm);
+  // [export struct PowerMasingWorn : PowerMasing]
+  template <class X>
+  using Memory = Remembered<X, OpenBranches, Wear<X>, Sides<X>>;
+
+  template <class T, class X, class N, class PathMemory>
+  static N step(Params<T> const& p, NoConstants const&, State<N>& state, StepOf<X> const& step,
+                PathMemory const& memory) {
+    auto const [hysteretic, elastic] = forces(p, state, step, memory);
+    return hysteretic * exp2(-p.r * N(memory.log2_worn)) + elastic + p.B * N(memory.pushed / reference_mm);
   }
+  // [end]
 };
 
 }  // namespace isolaw::laws

@@ -10,6 +10,8 @@
 
 namespace isolaw::laws {
 
+using std::log;
+
 struct PowerScragging {
   static constexpr LawInfo info{
       .id = "power-scragging",
@@ -59,51 +61,57 @@ struct PowerScragging {
       },
   });
 
-  template <class T>
+  // [export struct PowerScragging]
+  template <class N>
   struct State {
-    T slow = T(0.0), quick = T(0.0);  // w1, w2
-    T strength = T(0.0);              // Y (M/100)^g
-    T per_length = T(0.0);            // log2(e) / (U (M/100)^h)
-    Scragging<T> scragging;
-  };
-
-  template <class T>
-  static State<T> start(Params<T> const&, Path const&) {
-    return {};
-  }
-
-  template <class T>
-  static T step(Params<T> const& p, State<T>& state, Step const& step, Memory const& memory) {
-    if (memory.peak <= 0.0) return T(0.0);
-    T way = T(memory.inside) * state.per_length;
-    if (memory.peak_grows) {
-      way = way + T(num::log2_e) * growth(p, memory);
-      state.strength = p.Y * power(T(memory.peak / reference_mm), p.g);
-      T const memory_length = p.U * power(T(memory.peak / reference_mm), p.h);
-      state.per_length = T(num::log2_e) / max(memory_length, T(num::smallest_power_base));
+    N slow = N(0.0), quick = N(0.0);  // w1, w2
+    N strength = N(0.0);              // Y (M/100)^g
+    N per_length = N(0.0);            // log2(e) / (U (M/100)^h)
+    Scragging<N> scragging;
+    template <class Each>
+    void members(Each& each) {
+      each(slow, quick, strength, per_length, scragging);
     }
-    T const towards(memory.direction);
+  };
+  template <class X>
+  using Memory = Remembered<X, Peaks<X>, Sides<X>>;
+
+  template <class T, class X, class N, class PathMemory>
+  static N step(Params<T> const& p, NoConstants const&, State<N>& state, StepOf<X> const& step,
+                PathMemory const& memory) {
+    T const rounding = T(0.01) * p.U;
+    if (!(memory.peak > 0.0)) return state.scragging.force(p, step.x1, memory, N(0.0), rounding);
+    N way = N(memory.inside) * state.per_length;
+    if (memory.peak_grows) {
+      way = way + T(log2_e) * growth(p, memory.peak0, memory.peak);
+      state.strength = p.Y * power(N(memory.peak / reference_mm), p.g);
+      N const memory_length = p.U * power(N(memory.peak / reference_mm), p.h);
+      state.per_length = T(log2_e) / max(memory_length, N(smallest_power_base));
+    }
+    N const towards(memory.direction);
     state.slow = towards + (state.slow - towards) * exp2(-way);
     state.quick = towards + (state.quick - towards) * exp2(-way / p.u);
-    T const share = state.slow + p.s * (state.quick - state.slow);
-    return state.strength * share + state.scragging.force(p, step, memory, share);
+    N const share = state.slow + p.s * (state.quick - state.slow);
+    return state.strength * share + state.scragging.force(p, step.x1, memory, share, rounding);
   }
 
- private:
   // The part of the step in which M grows, in lengths of the slow memory: the integral of dM / (U (M/100)^h).
-  template <class T>
-  static T growth(Params<T> const& p, Memory const& memory) {
-    T const a = T(1.0) - p.h, after = power(T(memory.peak / reference_mm), a), lengths = T(reference_mm) / p.U;
+  template <class T, class X>
+  static NumberOf<T, X> growth(Params<T> const& p, X const& peak0, X const& peak) {
+    using N = NumberOf<T, X>;
+    T const a = T(1.0) - p.h, lengths = T(reference_mm) / p.U;
+    N const after = power(N(peak / reference_mm), a);
     // From 0 with h >= 1 the integral has no bound; 1e3 lengths make the memory forget everything before.
-    if (memory.peak0 <= 0.0) return select(a > T(0.0), lengths * after / max(a, T(1e-300)), T(1e3));
-    double const ratio = std::log(memory.peak / memory.peak0);
-    T const before = power(T(memory.peak0 / reference_mm), a), small = a * T(ratio);
+    if (!(peak0 > 0.0)) return select(a > T(0.0), lengths * after / max(a, T(1e-300)), N(1e3));
+    X const ratio = log(peak / peak0);
+    N const before = power(N(peak0 / reference_mm), a), small = a * N(ratio);
     // Near h = 1 the difference of the powers loses its digits, but its series is exact to 1e-14.
-    T const series =
-        T(ratio) * before *
-        (T(1.0) + small * (T(1.0 / 2) + small * (T(1.0 / 6) + small * (T(1.0 / 24) + small * T(1.0 / 120)))));
-    return lengths * select(abs(small) < T(0.005), series, (after - before) / select(abs(a) < T(1e-300), T(1.0), a));
+    N const series =
+        N(ratio) * before *
+        (N(1.0) + small * (N(1.0 / 2) + small * (N(1.0 / 6) + small * (N(1.0 / 24) + small * N(1.0 / 120)))));
+    return lengths * select(abs(small) < N(0.005), series, (after - before) / select(abs(a) < T(1e-300), T(1.0), a));
   }
+  // [end]
 };
 
 }  // namespace isolaw::laws

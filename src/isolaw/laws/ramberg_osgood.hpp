@@ -51,38 +51,53 @@ struct RambergOsgood {
     return p;
   }
 
-  template <class T>
+  // [export struct RambergOsgood]
+  template <class N>
   struct State {
-    MasingBranches<T> branches;
-    T per_yield = T(0.0);  // K/Fy
-    T root = T(0.0);       // a^(-1/r)
+    MasingBranches<N> branches;
+    template <class Points>
+    void make_room(Points const& points) {
+      branches.make_room(points);
+    }
+    template <class Each>
+    void members(Each& each) {
+      each(branches);
+    }
   };
-
-  template <class T>
-  static State<T> start(Params<T> const& p, Path const& path) {
-    return {.branches = MasingBranches<T>(path), .per_yield = p.K / p.Fy, .root = power(p.a, T(-1.0) / p.r)};
+  template <class X>
+  using Memory = Remembered<X, OpenBranches>;
+  template <class T, class X>
+  struct Constants {
+    T per_yield, root;  // K/Fy, a^(-1/r)
+  };
+  template <class T, class X>
+  static Constants<T, X> constants(Params<T> const& p) {
+    return {p.K / p.Fy, power(p.a, T(-1.0) / p.r)};
   }
 
-  template <class T>
-  static T step(Params<T> const& p, State<T>& state, Step const& step, Memory const& memory) {
-    return p.K2 * T(step.x1) + state.branches.force(step, memory, [&](double x) { return skeleton(p, state, x); });
+  template <class T, class X, class N, class PathMemory>
+  static N step(Params<T> const& p, Constants<T, X> const& c, State<N>& state, StepOf<X> const& step,
+                PathMemory const& memory) {
+    state.make_room(memory);
+    return p.K2 * N(step.x1) + state.branches.move(step.x1, memory, [&](X const& x) { return skeleton(p, c, x); });
   }
 
- private:
   // Solves f + a f^r = u. The left side is convex, so Newton's method approaches the root from above. It starts at the
   // smaller f at which one term alone equals u, at most twice the root, and six steps leave only rounding.
-  template <class T>
-  static T skeleton(Params<T> const& p, State<T> const& state, double x) {
-    if (x == 0.0) return T(0.0);
-    T const u = T(std::abs(x)) * state.per_yield;
-    T f = min(u, state.root * power(u, T(1.0) / p.r));
+  template <class T, class X>
+  static NumberOf<T, X> skeleton(Params<T> const& p, Constants<T, X> const& c, X const& at) {
+    double const x = value_of(at);
+    T const u = T(std::abs(x)) * c.per_yield;
+    T f = min(u, c.root * power(u, T(1.0) / p.r));
     for (int i = 0; i < 6; ++i) {
       T const steep = p.a * power(f, p.r - T(1.0));
       // max returns its first argument if one of the two is NaN, so a NaN is not lost.
       f = max(f - (f * (T(1.0) + steep) - u) / (T(1.0) + p.r * steep), T(0.0));
     }
-    return T(x < 0.0 ? -1.0 : 1.0) * p.Fy * f;
+    T const force = T(x < 0.0 ? -1.0 : 1.0) * p.Fy * f;
+    return through(at, force, [&] { return p.K / (T(1.0) + p.a * p.r * power(f, p.r - T(1.0))); });
   }
+  // [end]
 };
 
 }  // namespace isolaw::laws

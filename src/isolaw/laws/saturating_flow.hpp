@@ -73,6 +73,7 @@ class SaturatingFlow {
   using Coefficients = std::array<T, flow_parts::terms>;
 
  public:
+  static constexpr double end_of_curve = 1.0 - 1e-12;  // about the largest u for which the flow still counts time
   // Needs n > 0 and kappa > -1; kappa = 1 for Reach::beyond_saturation. Other values give results that are not finite.
   void fit(T const& n, T const& kappa);
   // time_at gives the time at which the curve has the value u, value_at the value at a time: value_at(time_at(u) +
@@ -90,7 +91,7 @@ class SaturatingFlow {
   struct Advance {
     T u, rate0, rate1, ratio;
   };
-  Advance advance(T const& u, T const& travel);
+  Advance advance(T const& u, T const& travel) const;
 
  private:
   // One side of u = 0: |u| = x G(2 x^(1/5) - 1), x = w H(2 w^(1/5) - 1) with w = |u| / largest_u; x is 1 at largest_u.
@@ -154,8 +155,9 @@ class SaturatingFlow {
   T n_;
   T first_time_, first_rate_;  // time and rate of unloading at u = -1; before that the rate is constant
   T outside_;                  // 1 in lanes that need the table
-  bool bends_ = false, tabulated_ = false;
-  TabulatedFlow<T, reach> table_;  // filled if a lane needs it
+  bool bends_ = false;
+  mutable bool tabulated_ = false;
+  mutable TabulatedFlow<T, reach> table_;  // filled if a lane needs it
   T kappa_, table_zero_;
 };
 
@@ -322,7 +324,7 @@ T SaturatingFlow<T, reach>::time_at(T const& u, Mask const& below) const {
 }
 
 template <class T, Reach reach>
-auto SaturatingFlow<T, reach>::advance(T const& u, T const& travel) -> Advance {
+auto SaturatingFlow<T, reach>::advance(T const& u, T const& travel) const -> Advance {
   static_assert(beyond);
   T const one(1.0), zero(0.0), size = abs(u), w = min(size, T(largest_u));
   T const less = expm1(-(n_ * travel));

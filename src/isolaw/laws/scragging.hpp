@@ -5,34 +5,39 @@
 
 #include "isolaw/laws/law.hpp"
 #include "isolaw/laws/limits.hpp"
+#include "isolaw/laws/memory/sides.hpp"
+#include "isolaw/laws/reference.hpp"
 
 namespace isolaw::laws {
 
-inline constexpr double reference_mm = 100.0;
-// The record's largest force, scaled to 100 mm with the power 0.4 of the amplitude, about that of high damping rubber.
-inline double force_at_reference(RecordScales const& s) {
-  return s.force * std::pow(reference_mm / s.disp, 0.4);
-}
+// [export]
+template <class N>
+struct Scragging {
+  N elastic[2] = {N(0.0), N(0.0)};  // K (m/100)^(g-1) of each side
 
-template <class T>
-class Scragging {
- public:
   // (x/100) (K (m/100)^(g-1) + w H (m/100) (|x|/m)^6 + w^2 C (1 + N)^(-1/3)) with w = (1 + sgn(x) share)/2. `share` is
-  // the hysteretic force over its strength, -1 to 1. Must be called at every step.
-  template <class Params>
-  T force(Params const& p, Step const& step, Memory const& memory, T const& share) {
-    double const x = step.x1 / reference_mm, m = memory.side_peak / reference_mm;
-    if (x == 0.0) return T(0.0);
-    auto& elastic = elastic_[memory.side];
-    if (memory.side_peak_grows) elastic = p.K * power(T(m), p.g - T(1.0));
-    T const w = T(0.5) + T(x > 0.0 ? 0.5 : -0.5) * share;
-    double const ratio = x / m, cubed = ratio * ratio * ratio;
-    return T(x) * (elastic + w * (p.H * T(m * cubed * cubed) + w * p.C * T(memory.virgin)));
+  // the hysteretic force over its strength, -1 to 1. Must be called at every step. When the motion first enters a side,
+  // the slope of |x|^g has no bound; the tangent has at most the slope at the displacement `rounding`.
+  template <class T, class X, class PathMemory, class Params>
+  N force(Params const& p, X const& at, PathMemory const& memory, N const& share, T const& rounding) {
+    auto const steepest = [&] { return p.K * power(rounding / T(reference_mm), p.g - T(1.0)) / T(reference_mm); };
+    if (!(memory.side_peak > 0.0)) return slope_alone(at, N(steepest()));
+    X const x = at / reference_mm, m = memory.side_peak / reference_mm;
+    N& now = elastic[memory.side];
+    if (memory.side_peak_grows) now = p.K * power(N(m), p.g - T(1.0));
+    N const w = N(0.5) + N(memory.side == 0 ? 0.5 : -0.5) * share;
+    X const ratio = x / m, cubed = ratio * ratio * ratio;
+    N all = N(x) * (now + w * (p.H * N(m * cubed * cubed) + w * p.C * N(memory.virgin)));
+    limit_slope(
+        all, [&] { return N(x) * now; }, steepest);
+    return all;
   }
-
- private:
-  std::array<T, 2> elastic_ = {};  // K (m/100)^(g-1) of each side
+  template <class Each>
+  void members(Each& each) {
+    each(elastic[0], elastic[1]);
+  }
 };
+// [end]
 
 // The parameter table's rows for g, K, H and C, for the laws that share these parameters.
 template <class T, class Params>

@@ -16,8 +16,10 @@
 
 namespace isolaw::laws {
 
+// [export]
 // Whether |u| can exceed 1, as it does where the saturation value itself shrinks (abe).
 enum class Reach { within_saturation, beyond_saturation };
+// [end]
 
 namespace tabulated_flow_parts {
 

@@ -80,43 +80,43 @@ struct Vaiana {
                            .unloading = {p.Kb_m, p.f0_m, p.alpha_m, p.beta1_m, p.beta2_m, p.gamma1_m}};
   }
 
-  template <class T>
+  // [export struct Vaiana]
+  template <class N>
   struct State {
-    T f = T(0.0);
-    T limit = T(0.0);  // the limit curve of the current direction at the last sample
+    N f = N(0.0);
+    N limit = N(0.0);  // the limit curve of the current direction at the last sample
+    template <class Each>
+    void members(Each& each) {
+      each(f, limit);
+    }
   };
 
-  template <class T>
-  static State<T> start(Params<T> const&, Step const&, Integration) {
-    return {};
-  }
-
-  template <class T>
-  static T step(Params<T> const& p, State<T>& state, Step const& step) {
-    if (step.length == 0.0) return state.f;
+  template <class T, class X, class N>
+  static N step(Params<T> const& p, NoConstants const&, State<N>& state, StepOf<X> const& step) {
+    if (!moves(step)) return state.f;
     bool const loading = step.direction > 0.0;
-    if (step.reversal) state.limit = limit_curve(p, loading, step.x0);
-    T const next = limit_curve(p, loading, step.x1);
-    T const decay = exp(-(loading ? p.alpha_p : p.alpha_m) * T(step.length));
+    if (step.reversal) state.limit = limit_curve(p, loading, N(step.x0));
+    N const next = limit_curve(p, loading, N(step.x1));
+    N const decay = exp(-(loading ? p.alpha_p : p.alpha_m) * N(step.length));
     state.f = next - (state.limit - state.f) * decay;
     state.limit = next;
     return state.f;
   }
 
- private:
   // cu(x) of Eq. (6) for loading, cl(x) for unloading.
-  template <class T>
-  static T limit_curve(Params<T> const& p, bool loading, double at_x) {
-    T const x(at_x), one(1.0);
+  template <class T, class N>
+  static N limit_curve(Params<T> const& p, bool loading, N const& x) {
     auto const curve = [&](T const& Kb, T const& offset, T const& beta1, T const& beta2, T const& gamma1,
-                           T const& gamma2, T const& gamma3) {
-      T const hardening = beta1 * (exp(beta2 * x) - one);
-      T const sigmoid = T(4.0) * gamma1 / (one + exp(-gamma2 * (x - gamma3))) - T(2.0) * gamma1;
+                           T const& gamma2, T const& gamma3) -> N {
+      T const one(1.0);
+      N const hardening = beta1 * (exp(beta2 * x) - one);
+      N const sigmoid = T(4.0) * gamma1 / (one + exp(-gamma2 * (x - gamma3))) - T(2.0) * gamma1;
       return hardening + sigmoid + Kb * x + offset;
     };
     return loading ? curve(p.Kb_p, p.f0_p, p.beta1_p, p.beta2_p, p.gamma1_p, p.gamma2_p, p.gamma3_p)
                    : curve(p.Kb_m, -p.f0_m, p.beta1_m, p.beta2_m, p.gamma1_m, p.gamma2_m, p.gamma3_m);
   }
+  // [end]
 };
 
 }  // namespace isolaw::laws

@@ -58,18 +58,15 @@ double allowed(laws::LawInfo const& law) {
 }  // namespace
 
 std::string cpp_law(Subject const& subject, UnitSystem const& units) {
-  auto const parts = header_parts(subject.law->info.id);
-  if (parts.empty())
+  auto const code = law_in_cpp(subject.law->info.id);
+  if (code.empty())
     throw Error({.where = "law " + std::string(subject.law->info.id),
                  .found = "no C++ form of it",
                  .allowed = "another target"});
   auto const space = identifier(subject);
   std::string text = fmt::format(
       "#include <algorithm>\n#include <cmath>\n#include <cstddef>\n#include <vector>\n\nnamespace {} {{\n\n", space);
-  text += parameters_struct(subject) + "\n" + constants(subject, units) + "\n";
-  text += std::string(header_numbers()) + "\n";
-  for (auto const part : parts) text += std::string(part) + "\n";
-  for (auto const part : header_material()) text += std::string(part) + "\n";
+  text += parameters_struct(subject) + "\n" + constants(subject, units) + "\n" + code;
   return text + fmt::format("}}  // namespace {}\n", space);
 }
 

@@ -17,7 +17,7 @@ namespace isolaw::programs {
 namespace {
 
 // Numbers in SVARS for the largest state without turning points, and for those that remain after free vibration.
-constexpr int fixed_variables = 32, turning_variables = 1000;
+constexpr int fixed_variables = 64, turning_variables = 1000;
 
 int variables_of(laws::LawEntry const& law) {
   return fixed_variables + (remembers_turning_points(law.info.id) ? turning_variables : 0);

@@ -67,28 +67,28 @@ struct Trilinear {
   static constexpr std::array joint_limits{
       JointLimit<Params<double>>{"x1 <= x2", [](Params<double> const& p) { return p.x1 <= p.x2; }}};
 
-  template <class T>
+  // [export struct Trilinear]
+  template <class N>
   struct State {
-    T z1 = T(0.0), z2 = T(0.0);
+    N z1 = N(0.0), z2 = N(0.0);
+    template <class Each>
+    void members(Each& each) {
+      each(z1, z2);
+    }
   };
 
-  template <class T>
-  static State<T> start(Params<T> const&, Step const&, Integration) {
-    return {};
+  template <class T, class X, class N>
+  static N step(Params<T> const& p, NoConstants const&, State<N>& state, StepOf<X> const& step) {
+    state.z1 = within(N(p.k1 * p.x1), state.z1 + p.k1 * N(step.dx));
+    state.z2 = within(N(p.k2 * p.x2), state.z2 + p.k2 * N(step.dx));
+    return p.K * N(step.x1) + state.z1 + state.z2;
   }
 
-  template <class T>
-  static T step(Params<T> const& p, State<T>& state, Step const& step) {
-    state.z1 = within(p.k1 * p.x1, state.z1 + p.k1 * T(step.dx));
-    state.z2 = within(p.k2 * p.x2, state.z2 + p.k2 * T(step.dx));
-    return p.K * T(step.x1) + state.z1 + state.z2;
-  }
-
- private:
-  template <class T>
-  static T within(T const& strength, T const& trial) {
+  template <class N>
+  static N within(N const& strength, N const& trial) {
     return min(strength, max(-strength, trial));
   }
+  // [end]
 };
 
 }  // namespace isolaw::laws

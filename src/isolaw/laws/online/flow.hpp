@@ -1,32 +1,55 @@
+// The exact flow of the hysteretic laws between two reversals, for a motion that is not known ahead. A table takes half
+// the time of the polynomials of saturating_flow.hpp there, since one trial cannot share their fixed cost with others.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "isolaw/laws/online/numbers.hpp"
+#include "isolaw/laws/tabulated_flow.hpp"
+
+namespace isolaw::laws::online {
+
+// [export]
 // The exact curve u(t) of a hysteretic variable between two reversals over the travel t, tabulated once:
 //     du/dt = 1 - |u|^n for u >= 0, 1 + kappa |u|^n for u < 0
 // Nodes are graded geometrically towards 0 and towards saturation. Lobatto quadrature gives the times between nodes,
 // and quintics the values. With `beyond`, u may start above 1 and falls to 1.
+template <Reach reach>
 class Flow {
+  static constexpr bool beyond = reach == Reach::beyond_saturation;
+
  public:
-  Flow(double n, double kappa, bool beyond) : beyond_(beyond), n_(n), kappa_(kappa) {
+  static constexpr double end_of_curve = 0.9999998874648379;  // the last u whose time is in the table
+
+  void fit(double n, double kappa) {
+    n_ = n;
+    kappa_ = kappa;
     make_nodes();
     tabulate();
   }
 
-  template <class T>
-  T time_at(T const& u) const {
+  template <class Value>
+  Value time_at(Value const& u) const {
     return place_of(u).time();
   }
-  template <class T>
-  T value_at(T const& time) const {
-    return value_of_key(place_at(time).key() + first_rate_ * min(time, T(0.0)));
+  template <class Value>
+  Value value_at(Value const& time) const {
+    return value_of_key(place_at(time).key() + first_rate_ * min(time, Value(0.0)));
   }
   struct Advance {
-    Dual u, rate0, rate1;
+    Dual u, rate0, rate1, ratio;
   };
   Advance advance(Dual const& u, Dual const& travel) const {
     auto const start = place_of(u);
     Dual time = start.time() + travel;
-    if (beyond_ && !(u > Dual(1.0))) time = min(time, Dual(time_[rising_ - 1] * just_below_one));
+    if (beyond && !(u > Dual(1.0))) time = min(time, Dual(time_[rising_ - 1] * just_below_one));
     auto const end = place_at(time);
     Dual const sign = u > Dual(1.0) ? -1.0 : 1.0;
-    return {value_of_key(end.key() + first_rate_ * min(time, Dual(0.0))), sign * start.rate(), sign * end.rate()};
+    Dual const rate0 = sign * start.rate(), rate1 = sign * end.rate();
+    return {value_of_key(end.key() + first_rate_ * min(time, Dual(0.0))), rate0, rate1,
+            max(0.0, min(rate1 / rate0, 1.0))};
   }
 
  private:
@@ -43,30 +66,27 @@ class Flow {
   struct Cell {
     double begin, duration, c[6];
   };
-  template <class T>
+  template <class Value>
   struct Place {
     Cell const* cell;
-    T t, before;
+    Value t, before;
 
-    T time() const { return T(cell->begin) + t + before; }
-    T key() const { return value(t); }
-    T rate() const { return slope(t); }
-    T value(T const& s) const {
+    Value time() const { return Value(cell->begin) + t + before; }
+    Value key() const { return value(t); }
+    Value rate() const { return slope(t); }
+    Value value(Value const& s) const {
       auto const* c = cell->c;
-      return T(c[0]) + s * (T(c[1]) + s * (T(c[2]) + s * (T(c[3]) + s * (T(c[4]) + s * T(c[5])))));
+      return Value(c[0]) +
+             s * (Value(c[1]) + s * (Value(c[2]) + s * (Value(c[3]) + s * (Value(c[4]) + s * Value(c[5])))));
     }
-    T slope(T const& s) const {
+    Value slope(Value const& s) const {
       auto const* c = cell->c;
-      return T(c[1]) +
-             s * (T(2.0 * c[2]) + s * (T(3.0 * c[3]) + s * (T(4.0 * c[4]) + s * T(5.0 * c[5]))));
+      return Value(c[1]) +
+             s * (Value(2.0 * c[2]) + s * (Value(3.0 * c[3]) + s * (Value(4.0 * c[4]) + s * Value(5.0 * c[5]))));
     }
-    T inside(T const& s) const { return max(T(0.0), min(s, T(cell->duration))); }
+    Value inside(Value const& s) const { return max(Value(0.0), min(s, Value(cell->duration))); }
   };
 
-  static double min(double a, double b) { return b < a ? b : a; }
-  static double max(double a, double b) { return a < b ? b : a; }
-  static Dual min(Dual const& a, Dual const& b) { return b < a ? b : a; }
-  static Dual max(Dual const& a, Dual const& b) { return a < b ? b : a; }
   static double plain(double x) { return x; }
   static double plain(Dual const& x) { return x.v; }
 
@@ -97,20 +117,20 @@ class Flow {
       log2_abs_u_.push_back(node.log2_abs_u);
       Point const a = grading(w + inner * h), b = grading(w + (1.0 - inner) * h), end = grading(w + h);
       lobatto_.push_back({{a.log2_abs_u, b.log2_abs_u},
-                          {spacing / 12.0 * node.slope, spacing * 5.0 / 12.0 * a.slope,
-                           spacing * 5.0 / 12.0 * b.slope, spacing / 12.0 * end.slope}});
+                          {spacing / 12.0 * node.slope, spacing * 5.0 / 12.0 * a.slope, spacing * 5.0 / 12.0 * b.slope,
+                           spacing / 12.0 * end.slope}});
     }
   }
 
   void make_nodes() {
-    if (beyond_)
+    if (beyond)
       append(below_zero, reach_w, smallest_w);
     else
       append(above_minus_one, unloading_w, smallest_w);
     negative_ = key_.size();
     append(below_one, smallest_w, largest_w);
     rising_ = key_.size();
-    if (beyond_) append(above_one, reach_w, -largest_w);
+    if (beyond) append(above_one, reach_w, -largest_w);
   }
 
   double rate_of(std::size_t i, double power_n) const {
@@ -158,42 +178,45 @@ class Flow {
     return static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, std::min(above - 1, last)));
   }
 
-  template <class T>
-  Place<T> place_at(T const& time) const {
-    Place<T> made{&cells_[cell_of(time_, plain(time))], T(0.0), T(0.0)};
-    made.t = made.inside(time - T(made.cell->begin));
+  template <class Value>
+  Place<Value> place_at(Value const& time) const {
+    Place<Value> made{&cells_[cell_of(time_, plain(time))], Value(0.0), Value(0.0)};
+    made.t = made.inside(time - Value(made.cell->begin));
     return made;
   }
 
-  template <class T>
-  Place<T> place_of(T const& u) const {
+  template <class Value>
+  Place<Value> place_of(Value const& u) const {
     double const lowest = key_.front();
-    T key = u;
-    if (beyond_)
-      key = u > T(1.0) ? max(T(falling_origin) - u, T(key_[rising_])) : min(u, T(key_[rising_ - 1] * just_below_one));
-    T const inside = min(max(key, T(lowest)), T(beyond_ ? key_.back() : key_[rising_ - 1]));
+    Value key = u;
+    if (beyond)
+      key = u > Value(1.0) ? max(Value(falling_origin) - u, Value(key_[rising_]))
+                           : min(u, Value(key_[rising_ - 1] * just_below_one));
+    Value const inside = min(max(key, Value(lowest)), Value(beyond ? key_.back() : key_[rising_ - 1]));
     auto const index = cell_of(key_, plain(inside));
-    Place<T> made{&cells_[index], T(0.0), T(0.0)};
+    Place<Value> made{&cells_[index], Value(0.0), Value(0.0)};
     auto const* c = made.cell->c;
     double const rise = key_[index + 1] - key_[index], m0 = rise / c[1];
-    double const m1 = rise / plain(made.slope(T(made.cell->duration)));
-    T const r = (inside - T(c[0])) / T(rise), left = T(1.0) - r;
-    made.t = made.inside(r * (T(m0) * left * left + r * (T(made.cell->duration) * (T(3.0) - T(2.0) * r) - T(m1) * left)));
-    for (int i = 0; i < 2; ++i)
-      made.t = made.inside(made.t - (made.value(made.t) - inside) / made.slope(made.t));
-    made.before = min(key - T(lowest), T(0.0)) / T(first_rate_);
+    double const m1 = rise / plain(made.slope(Value(made.cell->duration)));
+    Value const r = (inside - Value(c[0])) / Value(rise), left = Value(1.0) - r;
+    made.t = made.inside(r * (Value(m0) * left * left +
+                              r * (Value(made.cell->duration) * (Value(3.0) - Value(2.0) * r) - Value(m1) * left)));
+    for (int i = 0; i < 2; ++i) made.t = made.inside(made.t - (made.value(made.t) - inside) / made.slope(made.t));
+    made.before = min(key - Value(lowest), Value(0.0)) / Value(first_rate_);
     return made;
   }
 
-  template <class T>
-  T value_of_key(T const& key) const {
-    return beyond_ && key > T(1.0) ? T(falling_origin) - key : key;
+  template <class Value>
+  Value value_of_key(Value const& key) const {
+    return beyond && key > Value(1.0) ? Value(falling_origin) - key : key;
   }
 
-  bool beyond_;
-  double n_, kappa_, first_rate_ = 0.0;
+  double n_ = 0.0, kappa_ = 0.0, first_rate_ = 0.0;
   std::size_t negative_ = 0, rising_ = 0;
   std::vector<double> key_, abs_u_, log2_abs_u_, time_;
   std::vector<Lobatto> lobatto_;
   std::vector<Cell> cells_;
 };
+// [end]
+
+}  // namespace isolaw::laws::online

@@ -1,0 +1,29 @@
+// The motion without movements of less than a dead band.
+#pragma once
+
+#include "isolaw/laws/online/numbers.hpp"
+
+namespace isolaw::laws {
+
+// [export]
+// Follows x without movements of less than `dead_band` to either side: after a turn of x the result rests while x moves
+// two bands, and catches up while x moves another four.
+template <class X>
+struct Followed {
+  X behind = 0.0, lead = 0.0;  // a point that x pulls along, and how far ahead of it the followed motion is
+
+  X move(X const& x, double dead_band) {
+    X const before = behind;
+    behind = max(x - dead_band, min(x + dead_band, behind));
+    X const most = 0.5 * abs(behind - before);
+    lead += max(-most, min(most, (behind > before ? dead_band : -dead_band) - lead));
+    return dead_band > 0.0 ? behind + lead : x;  // without a band the sum is x, but with a wrong slope at rest
+  }
+  template <class Each>
+  void members(Each& each) {
+    each(behind, lead);
+  }
+};
+// [end]
+
+}  // namespace isolaw::laws

@@ -1,0 +1,35 @@
+// What a law remembers of its path, in parts. A law lists the parts that it reads:
+//     template <class X> using Memory = Remembered<X, OpenBranches, Peaks<X>>;
+// In kernels the parts walk over the record once, before any candidate (memory.cpp); in a trial they follow the motion.
+#pragma once
+
+#include "isolaw/laws/online/numbers.hpp"
+
+namespace isolaw::laws {
+
+// [export]
+template <class X, class... Parts>
+struct Remembered : Parts... {
+  double direction = 0.0;  // +1 or -1; 0 before the first motion
+  double moved = 0.0;      // direction of the last motion
+  std::size_t side = 0;    // 0: x >= 0, 1: x < 0
+  bool turns = false;      // whether the motion turned at the begin of this step
+
+  // Moves from x0 to x1. `otherwise` is the direction that a trial takes at rest, if there was no motion before.
+  void move(X const& x0, X const& x1, double otherwise) {
+    double const before = moved;
+    if (x1 < x0 || x1 > x0) moved = x1 > x0 ? 1.0 : -1.0;
+    direction = moved != 0.0 ? moved : otherwise;
+    turns = before != 0.0 && before != moved;
+    side = x1 < 0.0 || (x1 == 0.0 && direction < 0.0) ? 1 : 0;
+    (Parts::move(x0, x1, before, direction), ...);
+  }
+  template <class Each>
+  void members(Each& each) {
+    each(moved);
+    (Parts::members(each), ...);
+  }
+};
+// [end]
+
+}  // namespace isolaw::laws

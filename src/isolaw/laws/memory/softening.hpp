@@ -1,0 +1,87 @@
+// The softening of each side by travel outwards and back, and its travel back.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "isolaw/laws/memory/sides.hpp"
+
+namespace isolaw::laws {
+
+inline double log2_of_travel(double travel) {
+  return std::log2(std::max(travel, smallest_power_base));
+}
+
+// [export]
+// A power of a travel has no bounded slope where the travel begins; it is taken at no less than 1e-3.
+inline Dual log2_of_travel(Dual const& travel) {
+  return chain(travel, std::log2(max(travel.v, smallest_power_base)), log2_e / max(travel.v, 1e-3));
+}
+
+template <class X>
+struct Softening {
+  // G: half the travel outwards and four times the travel back, never beyond the side's peak. C: travel towards 0.
+  struct Amounts {
+    X G = 0.0, C = 0.0;
+    template <class Each>
+    void members(Each& each) {
+      each(G, C);
+    }
+  };
+  // A run is a motion in one direction on a side. It is summed from its start, in however many steps.
+  struct SofteningSide {
+    Amounts now, reported, at_start;
+    X peak = 0.0, start = 0.0, peak_at_start = 0.0;
+    bool goes_out = true;
+    template <class Each>
+    void members(Each& each) {
+      each(now, reported, at_start, peak, start, peak_at_start, goes_out);
+    }
+
+    void move(X const& from, X const& to, bool outwards) {
+      if (outwards != goes_out) {
+        goes_out = outwards;
+        start = from;
+        peak_at_start = peak;
+        at_start = now;
+      }
+      if (outwards) {
+        X const inside = min(to, peak_at_start) - start, beyond = max(X(0.0), to - peak_at_start);
+        now.G = min(at_start.G + 0.5 * inside, peak_at_start) + 0.5 * beyond;
+        if (reaches(to, peak)) peak = to;
+      } else {
+        now.C = at_start.C + (start - to);
+        now.G = min(at_start.G + 4.0 * (start - to), peak_at_start);
+      }
+    }
+  };
+  SofteningSide softening_sides[2];
+  X log2_softening = 0.0, log2_way_back = 0.0;  // log2 of G and C on the side of x
+  bool softens = false, returns = false;        // G, C have changed since the last step that ended on this side
+
+  void move(X const& x0, X const& x1, double, double direction) {
+    bool const left = x1 < 0.0 || (x1 == 0.0 && direction < 0.0);
+    if ((x0 < 0.0 && x1 > 0.0) || (x0 > 0.0 && x1 < 0.0)) {
+      softening_sides[left ? 0 : 1].move(abs(x0), X(0.0), false);
+      softening_sides[left ? 1 : 0].move(X(0.0), left ? -x1 : x1, true);
+    } else if (!may_move(x1 - x0)) {
+    } else if (x0 < 0.0 || x1 < 0.0 || (x0 == 0.0 && left)) {
+      softening_sides[1].move(-x0, -x1, direction < 0.0);
+    } else {
+      softening_sides[0].move(x0, x1, direction > 0.0);
+    }
+    auto& side = softening_sides[left ? 1 : 0];
+    softens = changes(side.reported.G, side.now.G);
+    returns = changes(side.reported.C, side.now.C);
+    side.reported = side.now;
+    log2_softening = log2_of_travel(side.now.G);
+    log2_way_back = log2_of_travel(side.now.C);
+  }
+  template <class Each>
+  void members(Each& each) {
+    each(softening_sides[0], softening_sides[1]);
+  }
+};
+// [end]
+
+}  // namespace isolaw::laws

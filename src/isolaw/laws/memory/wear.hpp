@@ -1,0 +1,32 @@
+// The travel of both sides, and how far the peak grew more to one side than to the other.
+#pragma once
+
+#include "isolaw/laws/memory/sides.hpp"
+
+namespace isolaw::laws {
+
+// [export]
+template <class X>
+struct Wear : Peaks<X> {
+  X worn = 0.0;       // travel of both sides relative to the largest |x|, forgotten as that grows
+  X pushed = 0.0;     // growth of the largest |x| at x > 0 minus its growth at x < 0
+  X log2_worn = 0.0;  // log2(1 + worn)
+
+  void move(X const& x0, X const& x1, double before, double direction) {
+    Peaks<X>::move(x0, x1, before, direction);
+    if (this->peak0 > 0.0) worn += this->inside / this->peak0;
+    if (this->peak_grows) {
+      worn = travel_as_the_peak_grows(worn, this->peak0, this->peak);
+      pushed += direction * (this->peak - this->peak0);
+    }
+    log2_worn = log2(1.0 + worn);
+  }
+  template <class Each>
+  void members(Each& each) {
+    Peaks<X>::members(each);
+    each(worn, pushed);
+  }
+};
+// [end]
+
+}  // namespace isolaw::laws

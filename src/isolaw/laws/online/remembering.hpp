@@ -1,0 +1,49 @@
+// How a law with a memory follows a motion that is not known ahead.
+#pragma once
+
+#include "isolaw/laws/memory/followed.hpp"
+#include "isolaw/laws/memory/remembered.hpp"
+
+namespace isolaw::laws {
+
+// The parameters of a law, and the dead band of the record that it was fitted to, which only laws that remember use.
+template <class Law>
+struct ParametersWithBand : ParamsOf<Law, double> {
+  double dead_band = 0.0;
+};
+
+template <class Law>
+struct Remembering {
+  using Parameters = ParametersWithBand<Law>;
+  using LawConstants = decltype(constants_of<Law, double, Dual>(Parameters()));
+  using OwnState = typename Law::template State<Dual>;
+  using Memory = typename Law::template Memory<Dual>;
+  using Step = StepOf<Dual>;
+
+  // [export]
+  // The state of the law, and the followed motion with what the law remembers of it.
+  struct LawState {
+    OwnState law;
+    Followed<Dual> follower;
+    Dual x;
+    Memory memory;
+    template <class Each>
+    void members(Each& each) {
+      each(law, follower, x, memory);
+    }
+  };
+
+  static Dual law_force(Parameters const& p, LawConstants const& c, LawState& state, Step step) {
+    step.x0 = state.x;
+    step.x1 = state.follower.move(step.x1, p.dead_band);
+    state.x = step.x1;
+    state.memory.move(step.x0, step.x1, step.direction);
+    step.dx = step.x1 - step.x0;
+    step.direction = state.memory.direction;
+    step.length = step.direction * step.dx;
+    return Law::step(p, c, state.law, step, state.memory);
+  }
+  // [end]
+};
+
+}  // namespace isolaw::laws

@@ -1,0 +1,16 @@
+// The displacement at which laws state forces that follow a power of the amplitude.
+#pragma once
+
+#include "isolaw/laws/law.hpp"
+
+namespace isolaw::laws {
+
+// [export]
+inline constexpr double reference_mm = 100.0;
+// [end]
+// The record's largest force, scaled to 100 mm with the power 0.4 of the amplitude, about that of high damping rubber.
+inline double force_at_reference(RecordScales const& s) {
+  return s.force * std::pow(reference_mm / s.disp, 0.4);
+}
+
+}  // namespace isolaw::laws
