@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -11,10 +10,8 @@
 #include "isolaw/api/building_work.hpp"
 #include "isolaw/api/campaign_directory.hpp"
 #include "isolaw/api/merge.hpp"
-#include "isolaw/app/building.hpp"
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/interruption.hpp"
-#include "isolaw/app/merge.hpp"
 #include "isolaw/app/report.hpp"
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
@@ -315,9 +312,7 @@ int merge_buildings(MergeArguments const& arguments) {
   BuildingArguments whole{.file = building::value_of(merged.part, Kind::part, "file"),
                           .from = building::value_of(merged.part, Kind::part, "from"),
                           .out = directory,
-                          .motions = {},
                           .jobs = arguments.jobs,
-                          .part = {},
                           .figures = arguments.figures,
                           .json = arguments.json};
   for (auto const& trait : merged.part)
