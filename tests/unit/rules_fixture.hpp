@@ -15,18 +15,20 @@
 namespace isolaw::rules::testing {
 
 // A cycle of ±100 mm and ±120 kN, which is K_eff 1.2 kN/mm, with the energy of 15 % damping.
-inline CycleValues cycle(int number, double force_factor = 1.0) {
+inline data::Cycle cycle(int number, double force_factor = 1.0) {
   double const energy = 0.15 * 2.0 * 3.14159265358979323846 * 1.2 * 1e4;  // xi 2 pi K D^2
-  return {.number = number,
-          .d_plus_mm = 100.0,
-          .d_minus_mm = -100.0,
-          .F_plus_kN = 120.0 * force_factor,
-          .F_minus_kN = -120.0 * force_factor,
-          .K_eff_kN_per_mm = 1.2 * force_factor,
-          .damping_percent = 15.0,
-          .energy_kN_mm = energy * force_factor,
-          .Q_d_kN = 30.0 * force_factor,
-          .K_d_kN_per_mm = 0.9 * force_factor};
+  data::Cycle cycle;
+  cycle.number = number;
+  cycle.d_plus_mm = 100.0;
+  cycle.d_minus_mm = -100.0;
+  cycle.F_plus_kN = 120.0 * force_factor;
+  cycle.F_minus_kN = -120.0 * force_factor;
+  cycle.K_eff_kN_per_mm = 1.2 * force_factor;
+  cycle.damping_percent = 15.0;
+  cycle.energy_kN_mm = energy * force_factor;
+  cycle.Q_d_kN = 30.0 * force_factor;
+  cycle.K_d_kN_per_mm = 0.9 * force_factor;
+  return cycle;
 }
 
 // Cycles 1 to `count` at 0.5 Hz. The forces of the third cycle are multiplied by `third`.

@@ -22,7 +22,6 @@
 #include "isolaw/app/part_script.hpp"
 #include "isolaw/app/say.hpp"
 #include "isolaw/app/usage.hpp"
-#include "isolaw/app/version_text.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/json.hpp"
 #include "isolaw/base/printable.hpp"

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -11,10 +10,8 @@
 #include "isolaw/api/building_work.hpp"
 #include "isolaw/api/campaign_directory.hpp"
 #include "isolaw/api/merge.hpp"
-#include "isolaw/app/building.hpp"
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/interruption.hpp"
-#include "isolaw/app/merge.hpp"
 #include "isolaw/app/report.hpp"
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"

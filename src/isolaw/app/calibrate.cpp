@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "isolaw/api/campaign_directory.hpp"
@@ -17,15 +15,6 @@
 #include "isolaw/study/build_summary.hpp"
 
 namespace isolaw::app {
-namespace {
-
-void warn_of_idle_overrides(campaign::Settings const& settings) {
-  for (auto const& change : settings.overrides)
-    if (std::ranges::find(settings.laws, change.law) == settings.laws.end())
-      say("--set {}: has no effect, {} is not among the laws of this campaign\n", change.text(), change.law);
-}
-
-}  // namespace
 
 int calibrate(CalibrateArguments const& arguments, std::vector<std::string> const& command_line) {
   CampaignWork work(command_line);
@@ -35,7 +24,9 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
   auto const part = arguments.part ? std::optional(campaign::parse_part(*arguments.part)) : std::nullopt;
   if (part && arguments.json)
     throw Error({.where = "--json", .found = "a part has no summary", .advice = "isolaw merge ... --json"});
-  warn_of_idle_overrides(lot.settings);
+  for (auto const& change : lot.settings.overrides)
+    if (std::ranges::find(lot.settings.laws, change.law) == lot.settings.laws.end())
+      say("--set {}: has no effect, {} is not among the laws of this campaign\n", change.text(), change.law);
   auto contents = campaign::prepare(lot);
   contents.part = part;
   for (auto const& device : contents.devices)

@@ -22,11 +22,6 @@
 #include "isolaw/study/build_summary.hpp"
 
 namespace isolaw::app {
-namespace {
-
-using Clock = std::chrono::steady_clock;
-
-}  // namespace
 
 CampaignWork::CampaignWork(std::vector<std::string> const& command_line)
     : command_(to_continue(command_line)),

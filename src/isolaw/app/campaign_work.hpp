@@ -29,8 +29,10 @@ class CampaignWork {
   int finish(campaign::Contents& contents, HowToWork const& how);
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   std::string command_;
-  std::chrono::steady_clock::time_point start_;
+  Clock::time_point start_;
   double cpu_at_start_s_;
   std::time_t started_at_;
   campaign::Profile profile_;

@@ -8,6 +8,10 @@
 
 #include "isolaw/base/option.hpp"
 
+namespace isolaw::building {
+struct Study;
+}
+
 namespace isolaw::app {
 
 inline constexpr int exit_done = 0, exit_with_refusals = 1, exit_wrong_usage = 2, exit_internal = 3;
@@ -116,14 +120,16 @@ int simulate(SimulateArguments const& arguments);
 
 struct BuildingArguments {
   // `file`: BUILDING.toml; `from`: a campaign's directory; `out`: the directory for the results.
-  std::optional<std::filesystem::path> file, from, out;
-  std::vector<std::string> motions;  // "x.AT2" or "x.AT2,y.AT2"; they replace the file's motions
-  std::optional<int> jobs;
-  std::optional<std::string> part;  // such as "3/40"
+  std::optional<std::filesystem::path> file, from, out = {};
+  std::vector<std::string> motions = {};  // "x.AT2" or "x.AT2,y.AT2"; they replace the file's motions
+  std::optional<int> jobs = {};
+  std::optional<std::string> part = {};  // such as "3/40"
   std::string figures = "lot";
   bool print_template = false, fresh = false, arrange = false, nominal = false, json = false;
 };
 int building(BuildingArguments const& arguments, std::vector<std::string> const& command_line);
+// Reads the study. Throws Error if no file or campaign is given. One Error lists all faults in them.
+building::Study building_study(BuildingArguments const& arguments);
 void write_example_building(std::filesystem::path const& directory);
 
 int list_rules(std::string const& name, bool json);

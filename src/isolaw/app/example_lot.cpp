@@ -42,7 +42,7 @@ std::vector<double> force_of(std::string_view law_id, std::size_t device, std::v
         place != law.parameters.end())  // abe-y0 lacks the printed p
       parameters[static_cast<std::size_t>(place - law.parameters.begin())] = parameter.mean[device];
 
-  data::FitRecord const motion{.time_s = {}, .disp_mm = disp_mm, .vel_mm_s = vel_mm_s, .force_kN = {}, .cleaning = {}};
+  data::FitRecord const motion{.time_s = {}, .disp_mm = disp_mm, .vel_mm_s = vel_mm_s};
   return fit::LawOnMotion(law, motion, laws::Integration::converged).force_kN(parameters);
 }
 

@@ -57,8 +57,7 @@ int list_keywords(std::vector<std::string> const& which, std::vector<std::string
   for (auto const* words : {&which, &but})
     for (auto const& word : *words)
       if (!is_in(known, word))
-        complaints.push_back(
-            {.where = word, .found = "no such table or keyword", .allowed = joined(known), .advice = {}});
+        complaints.push_back({.where = word, .found = "no such table or keyword", .allowed = joined(known)});
   if (!complaints.empty()) throw Error(std::move(complaints));
   for (auto const& line : lines) fmt::print("{}\n", line);
   return exit_done;

@@ -1,5 +1,3 @@
-#include "isolaw/app/merge.hpp"
-
 #include <fmt/format.h>
 
 #include <optional>
@@ -8,6 +6,7 @@
 #include "isolaw/api/merge.hpp"
 #include "isolaw/app/campaign_work.hpp"
 #include "isolaw/app/commands.hpp"
+#include "isolaw/app/report.hpp"
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/words.hpp"

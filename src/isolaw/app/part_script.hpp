@@ -17,12 +17,12 @@ struct PartNeeds {
 };
 
 struct PartScript {
-  std::string program;              // a path, or a name that the shell finds
-  std::filesystem::path directory;  // the directory in which the script runs
-  std::string command, store;       // the isolaw command that computes a part, and the file that it writes
-  std::vector<std::string> words;   // options and input of that command, without --part, --out and --jobs
-  std::vector<std::string> merge;   // options of isolaw merge
-  std::string title;                // the lot's title, for the first comment of the script
+  std::string program;                  // a path, or a name that the shell finds
+  std::filesystem::path directory;      // the directory in which the script runs
+  std::string command, store;           // the isolaw command that computes a part, and the file that it writes
+  std::vector<std::string> words;       // options and input of that command, without --part, --out and --jobs
+  std::vector<std::string> merge = {};  // options of isolaw merge
+  std::string title;                    // the lot's title, for the first comment of the script
   std::filesystem::path out;
   int parts = 1, jobs = 1;
   std::string instruction_set;  // all parts use the same one on every machine

@@ -7,7 +7,6 @@
 
 #include "isolaw/api/building_work.hpp"
 #include "isolaw/api/campaign_directory.hpp"
-#include "isolaw/app/building.hpp"
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/lot_of.hpp"
 #include "isolaw/app/part_script.hpp"
@@ -77,12 +76,7 @@ void require_used(PartsArguments const& arguments) {
 
 // Makes the script for a building study. To estimate the times it computes one block of runs for each law.
 std::string script_of_building(PartsArguments const& arguments, std::string const& program) {
-  auto const study = building_study({.file = arguments.lot,
-                                     .from = arguments.campaign,
-                                     .out = {},
-                                     .motions = arguments.motions,
-                                     .jobs = {},
-                                     .part = {}});
+  auto const study = building_study({.file = arguments.lot, .from = arguments.campaign, .motions = arguments.motions});
   building::Runs const runs(study);
   auto const& blocks = runs.blocks();
   auto const of_law = blocks.count() / study.laws.size();
@@ -104,7 +98,6 @@ std::string script_of_building(PartsArguments const& arguments, std::string cons
                                     .command = "building",
                                     .store = building_store_name,
                                     .words = words,
-                                    .merge = {},
                                     .title = title.empty() ? arguments.lot.stem().string() : title,
                                     .out = arguments.calibrate.out.value_or(std::filesystem::path("out") / "building"),
                                     .parts = arguments.count,

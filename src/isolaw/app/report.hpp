@@ -1,10 +1,11 @@
-// Prints the results for `report`, `calibrate` and `check`.
+// Prints the results for `report`, `calibrate`, `check`, `merge` and `building`.
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <string_view>
 
+#include "isolaw/campaign/merge_stores.hpp"
 #include "isolaw/render/figures/figures.hpp"
 #include "isolaw/study/summary.hpp"
 
@@ -25,5 +26,8 @@ void print(study::Summary const& summary, std::filesystem::path const& directory
 int exit_code(study::Summary const& summary);
 
 std::string what_is_missing(study::Summary const& summary);
+
+// Tells what the merge of a campaign or of a building study did.
+void tell_merged(campaign::Merged const& merged, std::filesystem::path const& directory, std::string const& store);
 
 }  // namespace isolaw::app

@@ -1,7 +1,6 @@
-#include "isolaw/app/version_text.hpp"
-
 #include <fmt/format.h>
 
+#include "isolaw/app/app.hpp"
 #include "isolaw/campaign/maker.hpp"
 
 namespace isolaw::app {

@@ -33,7 +33,7 @@ std::size_t utf8_length(std::string_view bytes) {
                                                            : 0;
   if (length == 0 || length > bytes.size()) return 0;
   for (std::size_t i = 1; i < length; ++i)
-    if ((static_cast<unsigned char>(bytes[i]) & 0xC0) != 0x80) return 0;
+    if (!continues_character(bytes[i])) return 0;
   return length;
 }
 
@@ -78,7 +78,7 @@ std::string in_quotes(std::string_view text) {
   auto clean = printable(text);
   if (clean.size() > readable) {
     auto end = readable;
-    while (end > 0 && (static_cast<unsigned char>(clean[end]) & 0xC0) == 0x80) --end;
+    while (end > 0 && continues_character(clean[end])) --end;
     clean = clean.substr(0, end) + "...";
   }
   return "'" + clean + "'";

@@ -1,6 +1,7 @@
 // Makes text from other people's files safe to show: control characters could move the cursor, forge or reorder lines.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -9,6 +10,12 @@ namespace isolaw {
 
 // The length of the UTF-8 sequence at the start of `bytes`, which must not be empty; 0 if the sequence is invalid.
 std::size_t utf8_length(std::string_view bytes);
+constexpr bool continues_character(char byte) {  // true for the second and later bytes of a character
+  return (static_cast<unsigned char>(byte) & 0xC0) == 0x80;
+}
+constexpr std::size_t character_count(std::string_view utf8) {
+  return utf8.size() - static_cast<std::size_t>(std::ranges::count_if(utf8, continues_character));
+}
 // True if the text is UTF-8 without control characters, line or paragraph separators and direction marks.
 bool is_printable(std::string_view text);
 // Spells out unprintable characters: \n, \x1b, \u202e. With `keep_lines`, line breaks stay.

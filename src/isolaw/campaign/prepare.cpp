@@ -56,11 +56,30 @@ std::string hash_of_files(DeviceInput const& input) {
   return hashes;
 }
 
-Device prepare_device(DeviceInput const& input, data::CleanOptions const& cleaning) {
+void refuse_device(Device& device, std::string why) {  // keeps only the file name and the hash
+  device.refusal = std::move(why);
+  data::TestRecord nothing;
+  nothing.file = device.file;
+  nothing.sha256 = device.raw.sha256;
+  device.raw = std::move(nothing);
+  device.record = {};
+}
+
+// A signal that cannot be true is no basis for a law, even if one fits it well. An inspection shows it all the same.
+enum class FalseSignals { shown, refused };
+
+void clean(Device& device, data::CleanOptions const& cleaning, FalseSignals false_signals) {
+  auto const properties = data::cyclic_properties(device.raw);
+  device.record = data::clean(device.raw, properties, cleaning);
+  if (properties.is_false && false_signals == FalseSignals::refused)
+    refuse_device(device, wording::reasons(properties.refusal));
+}
+
+Device prepare_device(DeviceInput const& input, data::CleanOptions const& cleaning, FalseSignals false_signals) {
   Device device{.name = input.name, .file = input.shown_file, .info = input.info};
   try {
     device.raw = read_history(input);
-    device.record = data::clean(device.raw, cleaning);
+    clean(device, cleaning, false_signals);
     show_files(device.raw.recognised, input.directory);
     show_files(device.raw.warnings, input.directory);
   } catch (Error const& error) {
@@ -114,15 +133,6 @@ void check_names(std::vector<NamedRecord> const& records) {
   if (!complaints.empty()) throw Error(std::move(complaints));
 }
 
-void refuse_device(Device& device, std::string why) {  // keeps only the file name and the hash
-  device.refusal = std::move(why);
-  data::TestRecord nothing;
-  nothing.file = device.file;
-  nothing.sha256 = device.raw.sha256;
-  device.raw = std::move(nothing);
-  device.record = {};
-}
-
 Device cleaned(NamedRecord&& given, data::CleanOptions const& cleaning) {
   Device device{.name = std::move(given.name),
                 .file = given.record.file,
@@ -130,22 +140,21 @@ Device cleaned(NamedRecord&& given, data::CleanOptions const& cleaning) {
                 .raw = std::move(given.record)};
   device.vertical = prepare_vertical(given.vertical, {});
   try {
-    device.record = data::clean(device.raw, cleaning);
+    clean(device, cleaning, FalseSignals::refused);
   } catch (Error const& error) {
     refuse_device(device, error.what());
   }
   return device;
 }
 
-// A signal that cannot be true is no basis for a law, even if one fits it well.
-void refuse_false_signals(Device& device) {
-  if (!device.usable()) return;
-  auto const properties = data::cyclic_properties(device.raw);
-  if (properties.is_false) refuse_device(device, wording::reasons(properties.refusal));
+Contents with_devices(Lot const& lot, FalseSignals false_signals) {
+  auto contents = without_devices(lot.title, lot.acceptance, lot.settings);
+  for (auto const& input : lot.devices)
+    contents.devices.push_back(prepare_device(input, contents.settings.clean, false_signals));
+  return contents;
 }
 
 Contents with_searches(Contents contents, std::vector<std::string> const& laws) {
-  for (auto& device : contents.devices) refuse_false_signals(device);
   contents.settings.laws = laws.empty() ? parse_laws(usual_laws) : laws;
   contents.settings.validate();
   // validate() does not check this, so that stores with settings outside the limits can still be read.
@@ -192,13 +201,11 @@ data::VerticalTest prepare_vertical(VerticalInput const& given, std::filesystem:
 }
 
 Contents prepare_devices(Lot const& lot) {
-  auto contents = without_devices(lot.title, lot.acceptance, lot.settings);
-  for (auto const& input : lot.devices) contents.devices.push_back(prepare_device(input, contents.settings.clean));
-  return contents;
+  return with_devices(lot, FalseSignals::shown);
 }
 
 Contents prepare(Lot const& lot) {
-  return with_searches(prepare_devices(lot), lot.settings.laws);
+  return with_searches(with_devices(lot, FalseSignals::refused), lot.settings.laws);
 }
 
 Contents prepare(std::vector<NamedRecord> records, Settings const& settings, std::string const& title) {

@@ -11,7 +11,6 @@
 #include "isolaw/base/words.hpp"
 #include "isolaw/data/error_budget.hpp"
 #include "isolaw/data/holds.hpp"
-#include "isolaw/data/properties.hpp"
 #include "isolaw/data/record_parts.hpp"
 #include "isolaw/data/time_stamp.hpp"
 
@@ -204,8 +203,7 @@ void check_channel(std::string const& file, RawChannel const& raw, std::span<std
   if (raw.channel != Channel::load) check_constant(file, raw, complaints);  // a press may hold the load constant
 }
 
-void check_physics(TestRecord const& record, std::string const& exchange_advice, std::vector<Complaint>& complaints) {
-  auto const properties = cyclic_properties(record);
+void check_physics(TestRecord const& record, Properties const& properties, std::string const& exchange_advice) {
   auto const cycles = properties.complete();
   if (cycles.empty() || !properties.faults.empty()) return;  // a faulty signal is already reported
   auto const loop = measure_loop(record, cycles);
@@ -218,18 +216,16 @@ void check_physics(TestRecord const& record, std::string const& exchange_advice,
   std::string const flip = record.layout.flip_force ? "leave --flip-force out" : "--flip-force";
   std::string const allowed = "a device that dissipates energy and resists displacement: both positive";
   if (loop.correlation > significant_correlation)
-    complaints.push_back({record.file, "force and displacement seem swapped: " + values, allowed, exchange_advice});
-  else if (loop.correlation < -significant_correlation)
-    complaints.push_back({record.file, "the force's sign is flipped: " + values, allowed, flip});
-  else
-    complaints.push_back({record.file, "the force's sign is flipped, or force and displacement are swapped: " + values,
-                          allowed, flip + " or " + exchange_advice});
+    throw Error({record.file, "force and displacement seem swapped: " + values, allowed, exchange_advice});
+  if (loop.correlation < -significant_correlation)
+    throw Error({record.file, "the force's sign is flipped: " + values, allowed, flip});
+  throw Error({record.file, "the force's sign is flipped, or force and displacement are swapped: " + values, allowed,
+               flip + " or " + exchange_advice});
 }
 
-void add_warnings(TestRecord& record) {
+void add_warnings(TestRecord& record, Properties const& properties) {
   auto& warnings = record.warnings;
   warn_about_magnitude(record);
-  auto const properties = cyclic_properties(record);
   // If a signal is faulty, all other warnings may be wrong and are left out.
   if (!properties.faults.empty()) return append(warnings, properties.refusal);
   auto const [least, largest] = std::ranges::minmax(record.disp_mm);

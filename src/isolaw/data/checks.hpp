@@ -9,7 +9,7 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/data/columns.hpp"
-#include "isolaw/data/record.hpp"
+#include "isolaw/data/properties.hpp"
 
 namespace isolaw::data {
 class Findings {
@@ -37,9 +37,10 @@ struct RawChannel {
 
 void check_channel(std::string const& file, RawChannel const& raw, std::span<std::size_t const> lines,
                    std::vector<Complaint>& complaints);
-// `exchange_advice` tells the user how to exchange the columns of displacement and force.
-void check_physics(TestRecord const& record, std::string const& exchange_advice, std::vector<Complaint>& complaints);
+// Throws Error if force and displacement seem to be exchanged, or the force's sign to be flipped. `exchange_advice` tells
+// the user how to exchange the columns.
+void check_physics(TestRecord const& record, Properties const& properties, std::string const& exchange_advice);
 
-void add_warnings(TestRecord& record);
+void add_warnings(TestRecord& record, Properties const& properties);
 
 }  // namespace isolaw::data

@@ -8,11 +8,9 @@
 #include <cstddef>
 #include <numeric>
 #include <span>
-#include <string>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/data/error_budget.hpp"
-#include "isolaw/data/properties.hpp"
 
 namespace isolaw::data {
 namespace {
@@ -175,13 +173,16 @@ std::vector<double> central_difference(std::vector<double> const& time_s, std::v
 }
 
 FitRecord clean(TestRecord const& raw, CleanOptions const& options) {
+  return clean(raw, cyclic_properties(raw), options);
+}
+
+FitRecord clean(TestRecord const& raw, Properties const& properties, CleanOptions const& options) {
   if (raw.size() == 0)
     throw Error({.where = raw.file, .found = "a record of 0 samples", .allowed = "a record with samples"});
   FitRecord record;
   record.disp_mm = raw.disp_mm;
   record.force_kN = raw.force_kN;
   record.time_s = raw.has_time() ? raw.time_s : sample_numbers(raw.size());
-  auto const properties = cyclic_properties(raw);
   if (options.center) center(record, properties);
   refuse_wide_window(options.smooth, properties);
   if (options.smooth > 1) {

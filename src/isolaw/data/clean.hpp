@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "isolaw/data/record.hpp"
+#include "isolaw/data/properties.hpp"
 #include "isolaw/data/selection.hpp"
 
 namespace isolaw::data {
@@ -29,6 +29,7 @@ std::vector<double> central_difference(std::vector<double> const& time_s, std::v
 // velocity; 5. keep every k-th sample. Velocity comes before step 5, because more samples make it more exact. A record
 // without a complete cycle keeps all samples. Throws Error for a record without samples.
 FitRecord clean(TestRecord const& raw, CleanOptions const& options);
+FitRecord clean(TestRecord const& raw, Properties const& properties, CleanOptions const& options);
 
 // Three standard deviations of the noise of displacement, which one sample in 400 exceeds. 0 without noise.
 double dead_band_of(std::vector<double> const& disp_mm);

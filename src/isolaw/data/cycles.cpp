@@ -27,12 +27,6 @@ constexpr double as_large = 0.05;         // times the amplitude; amplitudes tha
 constexpr double least_regular_share = 0.8;
 constexpr auto not_cyclic_cycle = "the record is not cyclic";
 
-double half_range(std::span<double const> x) {
-  if (x.empty()) return 0.0;
-  auto const [least, largest] = std::ranges::minmax(x);
-  return largest / 2.0 - least / 2.0;
-}
-
 // The first sample, then the turning points between swings of `least` mm or more.
 std::vector<std::size_t> extremes(std::span<double const> x, double least) {
   std::vector<std::size_t> found;
@@ -304,6 +298,12 @@ double noise_deviation(std::span<double const> x) {
   auto const middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
   std::ranges::nth_element(sizes, middle);
   return *middle / (0.6745 * std::sqrt(70.0));
+}
+
+double half_range(std::span<double const> values) {
+  if (values.empty()) return 0.0;
+  auto const [least, largest] = std::ranges::minmax(values);
+  return largest / 2.0 - least / 2.0;
 }
 
 double value_at(std::span<double const> values, double index) {

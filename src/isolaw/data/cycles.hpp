@@ -58,5 +58,6 @@ PeakPositions peak_positions(std::span<double const> disp_mm, double first, doub
 // Standard deviation of white noise in a signal of 20 or more samples per cycle; 0 for fewer than 16 samples in all.
 double noise_deviation(std::span<double const> values);
 double value_at(std::span<double const> values, double index);
+double half_range(std::span<double const> values);  // half the difference of the extremes; 0 without values
 
 }  // namespace isolaw::data

@@ -1,7 +1,5 @@
 #include "isolaw/data/error_budget.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -117,9 +115,7 @@ class Assessment {
   // After the first, cycles of one amplitude change little. One that differs shows a dropout at its peak, or a slip.
   void unlike_their_neighbours() {
     for (auto const& block : properties_.blocks) {
-      std::vector<Cycle const*> cycles;
-      for (auto const& each : block.cycles)
-        if (each.counts()) cycles.push_back(&each);
+      auto cycles = block.counted();
       if (cycles.size() < 3) continue;
       cycles.erase(cycles.begin());  // the first cycle, in which rubber scrags
       Cycle const* oddest = nullptr;

@@ -111,6 +111,12 @@ StillTime still_time(std::span<double const> disp_mm, std::span<double const> ti
   return still;
 }
 
+double usual_interval(std::span<double const> time_s) {
+  std::vector<double> intervals;
+  for (std::size_t i = 1; i < time_s.size(); ++i) intervals.push_back(time_s[i] - time_s[i - 1]);
+  return num::median(intervals);
+}
+
 std::vector<Gap> time_gaps(std::span<double const> x, std::span<double const> time_s) {
   constexpr std::size_t fewest = 16;
   if (time_s.size() < fewest) return {};

@@ -23,6 +23,7 @@ struct StillTime {
 // `noise` is the standard deviation of disp_mm in mm. If it is too large, no holds are found. O(n log n) at worst.
 StillTime still_time(std::span<double const> disp_mm, std::span<double const> time_s, Piece const& piece, double noise);
 
+double usual_interval(std::span<double const> time_s);  // the median
 // If samples are more than this many usual intervals apart, what a channel did between them is unknown.
 inline constexpr double most_intervals = 5.0;
 

@@ -28,13 +28,12 @@ namespace isolaw::data {
 namespace {
 
 TestRecord finished(TestRecord record, ReadOptions const& options, std::string const& advice) {
-  std::vector<Complaint> complaints;
   repair(record, options.corrections);
   record.faults = signal_faults(record.disp_mm, record.force_kN, record.time_s);
   correct(record, options.corrections);
-  check_physics(record, advice, complaints);
-  if (!complaints.empty()) throw Error(std::move(complaints));
-  add_warnings(record);
+  auto const properties = cyclic_properties(record);
+  check_physics(record, properties, advice);
+  add_warnings(record, properties);
   return record;
 }
 
@@ -210,11 +209,7 @@ TestRecord record_of_values(std::string const& name, Values values) {
       decision(FindingKind::rows_read, fmt::format("{} samples given as values, in mm, kN and s", samples)));
   for (auto& channel : channels) values_of(record, channel.channel) = std::move(channel.values);
   if (record.force_kN.empty()) return record;
-  record.faults = signal_faults(record.disp_mm, record.force_kN, record.time_s);
-  check_physics(record, "displacement and force the other way round", complaints);
-  if (!complaints.empty()) throw Error(std::move(complaints));
-  add_warnings(record);
-  return record;
+  return finished(std::move(record), {}, "displacement and force the other way round");
 }
 
 void continue_with(TestRecord& history, TestRecord const& next, std::string const& label) {

@@ -77,11 +77,11 @@ struct FitRecord {
   std::vector<double> time_s;
   std::vector<double> disp_mm;
   std::vector<double> vel_mm_s;
-  std::vector<double> force_kN;
+  std::vector<double> force_kN = {};
   std::vector<double> scored = {};  // 1 if the objective counts a sample, 0 if a law only runs through it; empty: all 1
   std::vector<double> block = {};   // block of each sample if some blocks are predicted, else empty
   double dead_band_mm = 0.0;        // laws that remember turning points ignore smaller reversals
-  std::vector<Finding> cleaning;    // each step of cleaning, with its numbers
+  std::vector<Finding> cleaning = {};  // each step of cleaning, with its numbers
 
   bool has_time() const { return !vel_mm_s.empty(); }
   bool is_scored(std::size_t i) const { return scored.empty() || scored[i] != 0.0; }

@@ -10,7 +10,6 @@
 #include "isolaw/base/words.hpp"
 #include "isolaw/data/columns.hpp"
 #include "isolaw/data/holds.hpp"
-#include "isolaw/num/statistics.hpp"
 
 namespace isolaw::data {
 namespace {
@@ -31,12 +30,6 @@ std::vector<double> at_times(std::vector<double> const& at, std::vector<double> 
     interpolated.push_back(values[k] + share * (values[k + 1] - values[k]));
   }
   return interpolated;
-}
-
-double usual_interval(std::vector<double> const& time_s) {
-  std::vector<double> intervals;
-  for (std::size_t i = 1; i < time_s.size(); ++i) intervals.push_back(time_s[i] - time_s[i - 1]);
-  return num::median(intervals);
 }
 
 double mean_interval(std::vector<double> const& time_s) {

@@ -5,21 +5,16 @@
 #include <numbers>
 
 #include "isolaw/data/cycles.hpp"
+#include "isolaw/data/holds.hpp"
 #include "isolaw/num/statistics.hpp"
 
 namespace isolaw::data {
 namespace {
 
-double half_range_of(std::span<double const> x) {
-  if (x.empty()) return 0.0;
-  auto const [least, largest] = std::ranges::minmax(x);
-  return largest / 2.0 - least / 2.0;
-}
-
 Signal signal_of(std::span<double const> values, std::vector<Spike> const& off) {
   Signal signal{.x = {values.begin(), values.end()}};
   for (auto const& spike : off) signal.x[spike.at] = spike.expected;
-  signal.half_range = half_range_of(signal.x);
+  signal.half_range = half_range(signal.x);
   signal.quantum = smallest_step(signal.x, 2.0 * signal.half_range);
   signal.noise = noise_deviation(signal.x);
   return signal;
@@ -40,10 +35,7 @@ SignalPair::SignalPair(std::span<double const> disp_mm, std::span<double const> 
   if (!moves()) return;
   turns = reversals(disp.x).at;
   half_cycle = turns.size() < 3 ? size() : median_distance(turns);
-  if (time.empty()) return;
-  std::vector<double> intervals;
-  for (std::size_t i = 1; i < time.size(); ++i) intervals.push_back(time[i] - time[i - 1]);
-  interval = num::median(std::move(intervals));
+  if (!time.empty()) interval = usual_interval(time);
 }
 
 bool SignalPair::moves() const {

@@ -181,7 +181,6 @@ void refuse_faults(VerticalTest const& test, Compression const& compression) {
         {.where = test.file,
          .found =
              fmt::format("{} is {} at{} {}", fault.channel, said_of(fault.kind), kept, sample_text(fault.samples, {})),
-         .allowed = {},
          .advice = "another test, the part of the file that was not disturbed (rows), or K_v as stated"});
   }
   if (!complaints.empty()) throw Error(std::move(complaints));
@@ -207,8 +206,7 @@ LoadRange parse_loads(std::string_view text) {
   auto const low = number_in<double>(trimmed(text.substr(0, colon)));
   auto const high = colon == std::string_view::npos ? std::nullopt : number_in<double>(trimmed(text.substr(colon + 1)));
   if (low && high && std::isfinite(*high) && *low >= 0.0 && *high > *low) return {*low, *high};
-  throw Error({.where = {},
-               .found = in_quotes(text),
+  throw Error({.found = in_quotes(text),
                .allowed = "LOW:HIGH, two vertical loads in kN of which the first is smaller",
                .advice = "loads = \"300:1000\""});
 }

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <iterator>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "isolaw/data/cycles.hpp"

@@ -283,7 +283,7 @@ class RowWriter {
   }
   static std::size_t last_character(std::string_view line) {
     auto at = line.size() - 1;
-    while (at > 0 && (static_cast<unsigned char>(line[at]) & 0xC0) == 0x80) --at;
+    while (at > 0 && continues_character(line[at])) --at;
     return at;
   }
 

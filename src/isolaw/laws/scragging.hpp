@@ -21,8 +21,8 @@ struct Scragging {
   template <class T, class X, class PathMemory, class Params>
   N force(Params const& p, X const& at, PathMemory const& memory, N const& share, T const& rounding) {
     auto const steepest = [&] { return p.K * power(rounding / T(reference_mm), p.g - T(1.0)) / T(reference_mm); };
-    if (!(memory.side_peak > 0.0)) return slope_alone(at, N(steepest()));
     X const x = at / reference_mm, m = memory.side_peak / reference_mm;
+    if (!(m > 0.0)) return slope_alone(at, N(steepest()));
     N& now = elastic[memory.side];
     if (memory.side_peak_grows) now = p.K * power(N(m), p.g - T(1.0));
     N const w = N(0.5) + N(memory.side == 0 ? 0.5 : -0.5) * share;

@@ -15,10 +15,6 @@ Matrix product(MatrixView const& A, MatrixView const& B) {
   return A * B;
 }
 
-Vector apply_transposed(MatrixView const& A, VectorView const& v) {
-  return A.transpose() * v;
-}
-
 Matrix transposed_product(MatrixView const& A, MatrixView const& B) {
   return A.transpose() * B;
 }

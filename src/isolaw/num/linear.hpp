@@ -14,7 +14,6 @@ using VectorView = Eigen::Ref<Vector const>;
 
 Vector apply(MatrixView const& A, VectorView const& v);
 Matrix product(MatrixView const& A, MatrixView const& B);
-Vector apply_transposed(MatrixView const& A, VectorView const& v);                  // Aᵀ v
 Matrix transposed_product(MatrixView const& A, MatrixView const& B);                // Aᵀ B
 Matrix product_of_transposed(Matrix const& A, Vector const& d, Matrix const& B);    // A diag(d) Bᵀ
 Matrix weighted_gram(Matrix const& J, Vector const& weights, double factor = 1.0);  // factor Jᵀ diag(weights) J

@@ -2,7 +2,6 @@
 // an increment.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
@@ -19,16 +18,13 @@ namespace {
 // Numbers in SVARS for the largest state without turning points, and for those that remain after free vibration.
 constexpr int fixed_variables = 64, turning_variables = 1000;
 
-int variables_of(laws::LawEntry const& law) {
-  return fixed_variables + (remembers_turning_points(law.info.id) ? turning_variables : 0);
-}
-
 }  // namespace
 
 std::string abaqus_element(Subject const& subject, UnitSystem const& units) {
   auto const name = identifier(subject);
   bool const steady = subject.law->info.traits.rate_independent;
-  auto const variables = variables_of(*subject.law);
+  bool const turns = remembers_turning_points(subject.law->info.id);
+  int const variables = fixed_variables + (turns ? turning_variables : 0);
   std::array<std::pair<std::string_view, std::string>, 3> const marks{
       {{"name", name}, {"law", std::string(subject.law->info.id)}, {"variables", std::to_string(variables)}}};
   std::string factors = "1.0 as fitted";
@@ -53,7 +49,7 @@ std::string abaqus_element(Subject const& subject, UnitSystem const& units) {
              "// {4}\n"
              "// To check: c++ -std=c++17 -DISOLAW_SELF_CHECK -x c++ this-file -o check && ./check\n\n",
              name, variables, factors,
-             remembers_turning_points(subject.law->info.id)
+             turns
                  ? "// VARIABLES= holds what the law remembers of its turning points; it stops with a message where more are needed.\n"
                  : "",
              steady

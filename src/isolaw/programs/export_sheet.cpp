@@ -5,12 +5,12 @@
 // PA + PB = 1. SeismoStruct: the bearing of OpenSees. Abaqus: connector elasticity with linear kinematic hardening.
 #include <fmt/format.h>
 
-#include <cctype>
 #include <cmath>
 #include <functional>
 
 #include "isolaw/programs/exports.hpp"
 #include "isolaw/programs/text.hpp"
+#include "isolaw/wording/words.hpp"
 
 namespace isolaw::programs {
 namespace {
@@ -230,23 +230,18 @@ void csi(Page& page, Subject const& subject, WenSet const& wen, WenSet const& ru
       "\n**High Damping Rubber Isolator**: not available. Its control strains and strengths were not compared with this law; use one of the links above.");
 }
 
-std::string capitalised(std::string text) {
-  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text;
-}
-
 void others(Page& page, WenSet const& wen, CornerSet const& corner) {
   if (wen) {
     page.heading("MIDAS, general link, Hysteretic System");
     page.line(fmt::format(
         "{}. PA + PB = 1; which of the two multiplies the sign was not verified: where they differ, compare one loop before use, and see whether the program takes a negative one.\n",
-        capitalised(wen->how)));
+        wording::capitalised(wen->how)));
     wen_rows(page, *wen, "STIFF", "YSTR", "PYS_RATIO", "YEXP");
     page.row("PA or PB", 0, 0, *wen, share_of_beta, "beta / (beta + gamma), the one with the sign");
     page.row(
         "PB or PA", 0, 0, *wen, [](auto const& v) { return 1.0 - share_of_beta(v); }, "gamma / (beta + gamma)");
     page.heading("SeismoStruct, elastomeric bearing (Bouc-Wen)");
-    page.line(fmt::format("{}. Arguments as in OpenSees elastomericBearingBoucWen.\n", capitalised(wen->how)));
+    page.line(fmt::format("{}. Arguments as in OpenSees elastomericBearingBoucWen.\n", wording::capitalised(wen->how)));
     page.values_header();
     page.row("kInit", 1, -1, *wen, &Wen::Ke);
     page.row(
@@ -262,7 +257,7 @@ void others(Page& page, WenSet const& wen, CornerSet const& corner) {
   if (corner) {
     page.heading("Abaqus, connector elasticity and plasticity");
     page.line(fmt::format("{}. Kinematic hardening, linear: force at yield against plastic motion.\n",
-                          capitalised(corner->how)));
+                          wording::capitalised(corner->how)));
     page.values_header();
     page.row("elasticity", 1, -1, *corner, &Corner::K1);
     page.row("yield force at plastic motion 0", 1, 0, *corner, [](auto const& v) { return v.K1 * v.uy; });

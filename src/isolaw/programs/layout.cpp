@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <numbers>
-#include <ranges>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/units.hpp"
@@ -29,12 +27,6 @@ struct LayoutColumn {
 std::optional<double> of(Dimension dimension, std::string_view text) {
   auto const unit = parse_unit(text);
   return unit && unit->dimension == dimension ? std::optional(unit->in_record_units) : std::nullopt;
-}
-std::optional<double> length_in_mm(std::string_view text) {
-  return of(Dimension::length, text);
-}
-std::optional<double> force_in_kN(std::string_view text) {
-  return of(Dimension::force, text);
 }
 std::optional<double> angle_in_deg(std::string_view text) {
   auto const small = lower(trimmed(text));
@@ -80,9 +72,8 @@ std::pair<std::string_view, std::string_view> name_and_unit(std::string_view cel
   return {trimmed(cell.substr(0, open)), trimmed(inside.substr(0, inside.find_first_of("])")))};
 }
 
-std::string columns_text() {
-  return "columns x and y, and where they are known name, load, K_v and angle, with their units: 'name, x [m], y [m], load [kN]'";
-}
+std::string const columns_text =
+    "columns x and y, and where they are known name, load, K_v and angle, with their units: 'name, x [m], y [m], load [kN]'";
 
 struct FoundColumn {
   LayoutColumn const* column = nullptr;
@@ -101,7 +92,7 @@ std::vector<FoundColumn> found_columns(std::vector<std::string_view> const& head
     auto const column = std::ranges::find_if(known, named);
     if (column == known.end()) {
       complaints.push_back(
-          {.where = where, .found = fmt::format("column {}", data::in_quotes(cell)), .allowed = columns_text()});
+          {.where = where, .found = fmt::format("column {}", data::in_quotes(cell)), .allowed = columns_text});
       columns.push_back({});
       continue;
     }
@@ -124,7 +115,7 @@ std::vector<FoundColumn> found_columns(std::vector<std::string_view> const& head
   for (auto const& column : layout_columns())
     if (column.required && std::ranges::find(columns, &column, &FoundColumn::column) == columns.end())
       complaints.push_back(
-          {.where = where, .found = fmt::format("no column {}", column.names.front()), .allowed = columns_text()});
+          {.where = where, .found = fmt::format("no column {}", column.names.front()), .allowed = columns_text});
   return columns;
 }
 
@@ -156,6 +147,14 @@ std::optional<std::pair<double, std::string_view>> number_and_unit(std::string_v
   return std::pair(value, trimmed(text.substr(static_cast<std::size_t>(end - text.data()))));
 }
 
+std::optional<double> length_in_mm(std::string_view unit) {
+  return of(Dimension::length, unit);
+}
+
+std::optional<double> force_in_kN(std::string_view unit) {
+  return of(Dimension::force, unit);
+}
+
 std::optional<double> parse_stiffness(std::string_view unit) {
   auto const slash = unit.find('/');
   if (slash == std::string_view::npos) return std::nullopt;
@@ -180,7 +179,7 @@ std::vector<LayoutRow> read_layout_text(std::string_view bytes, std::string cons
       header_line = i;
   }
   auto const nothing = [&] {
-    return Error({.where = name, .found = "no bearings", .allowed = "a row for each, under " + columns_text()});
+    return Error({.where = name, .found = "no bearings", .allowed = "a row for each, under " + columns_text});
   };
   if (!header_line || below == 0) throw nothing();
   // Recognises the delimiter from the header alone, since a table may have only one or two rows.

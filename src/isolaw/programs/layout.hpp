@@ -26,7 +26,9 @@ std::vector<LayoutRow> read_layout_text(std::string_view bytes, std::string cons
 
 // Splits "2400 kN" into 2400 and "kN". Returns nullopt if the text does not begin with a finite number.
 std::optional<std::pair<double, std::string_view>> number_and_unit(std::string_view text);
-// Returns a unit of stiffness in kN/mm: 0.001 for "kN/m".
+// A unit of length in mm, of force in kN, of stiffness in kN/mm: 0.001 for "kN/m". nullopt for any other text.
+std::optional<double> length_in_mm(std::string_view unit);
+std::optional<double> force_in_kN(std::string_view unit);
 std::optional<double> parse_stiffness(std::string_view unit);
 
 }  // namespace isolaw::programs

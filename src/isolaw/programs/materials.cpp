@@ -144,16 +144,7 @@ class DimensionlessBoucWen final : public Material {
 // The third to eighth arguments of BoucWenOriginal and of the bearing are alpha1 alpha2 mu eta beta gamma.
 DimensionlessBoucWen::Parameters with_shape(double k, double uy, double qd, std::span<double const> a,
                                             Iteration const& iteration) {
-  return {.k = k,
-          .uy = uy,
-          .qd = qd,
-          .alpha1 = a[2],
-          .alpha2 = a[3],
-          .mu = a[4],
-          .eta = a[5],
-          .beta = a[6],
-          .gamma = a[7],
-          .iteration = iteration};
+  return {k, uy, qd, a[2], a[3], a[4], a[5], a[6], a[7], iteration};
 }
 
 // Arguments of BoucWenOriginal: E fy alphaL alphaNL mu eta beta gamma [tol maxIter].

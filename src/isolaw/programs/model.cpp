@@ -30,21 +30,6 @@ double quantity(std::string const& text, std::string_view where, std::string_vie
   return parts->first * *unit;
 }
 
-std::optional<double> as_force(std::string_view text) {
-  auto const unit = parse_unit(text);
-  return unit && unit->dimension == Dimension::force ? std::optional(unit->in_record_units) : std::nullopt;
-}
-std::optional<double> as_length(std::string_view text) {
-  auto const unit = parse_unit(text);
-  return unit && unit->dimension == Dimension::length ? std::optional(unit->in_record_units) : std::nullopt;
-}
-
-void add_bearings(Model& model, std::vector<LayoutRow> const& places) {
-  for (auto const& place : places)
-    model.bearings.push_back(
-        {.name = place.name, .x_mm = place.x_mm, .y_mm = place.y_mm, .angle_deg = place.angle_deg});
-}
-
 // Divides the carried weight among the bearings: in proportion to the layout's loads, or equally if it has none.
 void add_weight(Model& model, ModelOptions const& options, std::vector<LayoutRow> const& places) {
   bool const loads = places.front().load_kN.has_value();
@@ -55,11 +40,11 @@ void add_weight(Model& model, ModelOptions const& options, std::vector<LayoutRow
                  .found = "is not given, and the layout has no column of loads",
                  .allowed = "the mass that the isolators carry, or its weight: 1200t, 12000kN",
                  .advice = "--mass 1200t, or a column 'load [kN]' in the layout"});
-  // as_force reads t and kg as tonne-force and kilogram-force, so that a mass becomes its weight.
+  // Here t and kg are read as tonne-force and kilogram-force, so that a mass becomes its weight.
   model.weight_kN = options.mass ? quantity(*options.mass, "--mass",
                                             fmt::format("a number above 0 and a unit of mass or weight (t, kg, {})",
                                                         known_units(Dimension::force)),
-                                            as_force)
+                                            force_in_kN)
                                  : sum;
   model.weight_from = options.mass ? fmt::format("--mass {}{}", *options.mass,
                                                  loads ? ", shared as the layout's loads" : ", shared equally")
@@ -75,7 +60,7 @@ void add_weight(Model& model, ModelOptions const& options, std::vector<LayoutRow
   if (options.gyration) {
     model.gyration_mm =
         quantity(*options.gyration, "--gyration",
-                 "a length above 0 with its unit: 8.5m (" + known_units(Dimension::length) + ")", as_length);
+                 "a length above 0 with its unit: 8.5m (" + known_units(Dimension::length) + ")", length_in_mm);
     model.gyration_from = "--gyration";
     return;
   }
@@ -201,7 +186,9 @@ Model make_model(ModelOptions const& options, campaign::Contents const& contents
   auto const places = read_layout(*options.layout);
   Model model;
   model.layout = *options.layout;
-  add_bearings(model, places);
+  for (auto const& place : places)
+    model.bearings.push_back(
+        {.name = place.name, .x_mm = place.x_mm, .y_mm = place.y_mm, .angle_deg = place.angle_deg});
   bool const lot = !contents.device_or_lot(device);
   auto const collect = [&](auto const& add) {
     try {

@@ -94,15 +94,7 @@ bool has_a_force(Form const& form, Subject const& subject) {
 }
 
 Realised replayed(Form const& form, Subject const& subject) {
-  Realised realised{.nominal = form,
-                    .lower = {},
-                    .upper = {},
-                    .draws = {},
-                    .from_law = {},
-                    .finer = {},
-                    .from_measured = {},
-                    .other_cycles = {},
-                    .steps = {}};
+  Realised realised{.nominal = form};
   for (auto const& history : subject.histories) {
     auto const force = replay_kN(form, record_units, history.disp_mm);
     keep_worst(realised.from_law, deviation(history, force, history.law_kN));

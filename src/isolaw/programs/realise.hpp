@@ -35,14 +35,14 @@ Deviation deviation(History const& history, std::span<double const> force_kN, st
 void keep_worst(Deviation& worst, Deviation const& other);
 struct Realised {
   Form nominal;
-  std::optional<Form> lower, upper;
+  std::optional<Form> lower = {}, upper = {};
   std::vector<std::pair<std::string, Form>> draws =
-      {};                                  // for sampled bearings, named by drawn_variant() (model_text.hpp)
-  Deviation from_law;                      // the worst over all histories, at the records' steps
-  std::optional<Deviation> finer;          // at steps finer_steps times smaller; only for small_steps
-  std::optional<Deviation> from_measured;  // deviation from the measured force
-  std::vector<OtherCycle> other_cycles;    // only for a substitute
-  std::optional<StepsNeeded> steps;        // only for small_steps; empty if no tried number was enough
+      {};                                       // for sampled bearings, named by drawn_variant() (model_text.hpp)
+  Deviation from_law = {};                      // the worst over all histories, at the records' steps
+  std::optional<Deviation> finer = {};          // at steps finer_steps times smaller; only for small_steps
+  std::optional<Deviation> from_measured = {};  // deviation from the measured force
+  std::vector<OtherCycle> other_cycles = {};    // only for a substitute
+  std::optional<StepsNeeded> steps = {};        // only for small_steps; empty if no tried number was enough
   double longest_travel_mm = 0.0, longest_step_mm = 0.0;  // in the records: in one direction, and between samples
 };
 inline constexpr int finer_steps = 16;

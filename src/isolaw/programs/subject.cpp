@@ -296,9 +296,7 @@ std::vector<double> law_force(laws::LawEntry const& law, std::span<double const>
   data::FitRecord const motion{.time_s = history.time_s,
                                .disp_mm = history.disp_mm,
                                .vel_mm_s = history.vel_mm_s,
-                               .force_kN = {},
-                               .dead_band_mm = history.dead_band_mm,
-                               .cleaning = {}};
+                               .dead_band_mm = history.dead_band_mm};
   return fit::LawOnMotion(law, motion, laws::Integration::converged, laws::TurningPoints::as_sampled,
                           history.refinement)
       .force_kN(parameters);

@@ -293,7 +293,7 @@ std::vector<std::string> fact_lines(std::vector<Fact> const& facts) {
         cut = rest.rfind(' ', room);
         if (cut == std::string::npos || cut < room / 2) cut = room;
         // Moves the cut to the end of a UTF-8 character.
-        while (cut < rest.size() && (static_cast<unsigned char>(rest[cut]) & 0xC0U) == 0x80U) ++cut;
+        while (cut < rest.size() && continues_character(rest[cut])) ++cut;
       }
       lines.push_back((first ? "" : "    ") + rest.substr(0, cut));
       rest.erase(0, cut);

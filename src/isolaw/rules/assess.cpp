@@ -60,7 +60,7 @@ std::optional<double> measured(StabilityLimit const& limit, BlockValues const& b
   double first = 0.0, lowest = 0.0, highest = 0.0;
   for (int number = limit.first; number <= limit.last; ++number) {
     auto const* cycle = block.find(number);
-    double const value = cycle == nullptr ? 0.0 : cycle->of(limit.quantity);
+    double const value = cycle == nullptr ? 0.0 : peak_to_peak(*cycle, limit.quantity);
     if (!std::isfinite(value) || value <= 0.0) return std::nullopt;
     if (number == limit.first) first = lowest = highest = value;
     lowest = std::min(lowest, value);
@@ -133,11 +133,6 @@ std::vector<std::string> unmet_of_pair(RuleSet rules, LoadPair const& loads, Des
   auto unmet = unmet_conditions(rules, loads.largest, design);
   for (auto& text : unmet_conditions(rules, loads.smallest, design)) unmet.push_back(std::move(text));
   return unmet;
-}
-
-bool has_limit(RuleSet const& rules, Quantity quantity) {
-  return std::ranges::any_of(
-      rules.limits, [&](Limit const& limit) { return limit.quantity == quantity && limit.scope == Scope::each; });
 }
 
 }  // namespace
@@ -246,7 +241,9 @@ std::vector<Assessment> assess(RuleSet const& rules, BlockValues const& block, D
   for (auto const quantity : without_limit) {
     // K_v is always listed, so that a missing compression test is seen.
     bool const asked = design.of(quantity) || quantity == Quantity::K_v;
-    if (has_limit(rules, quantity) || !asked) continue;
+    bool const limited = std::ranges::any_of(
+        rules.limits, [&](Limit const& limit) { return limit.quantity == quantity && limit.scope == Scope::each; });
+    if (limited || !asked) continue;
     for (auto const& derived : derive(rules, quantity, block)) {
       auto result = compared(derived, quantity, design);
       if (result.deviation_percent) result.deviation = deviation_text(*result.deviation_percent, {}, {});

@@ -23,12 +23,12 @@ std::optional<TestFactors> test_factors(Quantity quantity, BlockValues const& bl
   for (int number = 1; number <= 3; ++number) {
     auto const* cycle = block.find(number);
     if (cycle == nullptr) return std::nullopt;
-    mean += cycle->of(quantity) / 3.0;
+    mean += peak_to_peak(*cycle, quantity) / 3.0;
   }
   TestFactors factors{.min = std::numeric_limits<double>::infinity(), .max = 0.0};
   for (auto const& cycle : block.cycles) {
-    double const factor = cycle.of(quantity) / mean;
-    if (!(cycle.of(quantity) > 0.0) || !std::isfinite(factor)) return std::nullopt;
+    double const value = peak_to_peak(cycle, quantity), factor = value / mean;
+    if (!(value > 0.0) || !std::isfinite(factor)) return std::nullopt;
     if (factor > factors.max) factors.max = factor, factors.max_cycle = cycle.number;
     if (factor <= factors.min) factors.min = factor, factors.min_cycle = cycle.number;
   }

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -17,23 +16,23 @@
 namespace isolaw::rules {
 namespace {
 
-double stiffness(CycleValues const& cycle, Side side) {
+double stiffness(data::Cycle const& cycle, Side side) {
   if (side == Side::positive) return cycle.F_plus_kN / cycle.d_plus_mm;
   if (side == Side::negative) return cycle.F_minus_kN / cycle.d_minus_mm;
   return cycle.K_eff_kN_per_mm;
 }
 
 // Damping in percent: E/(2 pi F d) for one side, on which force and displacement have the same sign.
-double damping(CycleValues const& cycle, Side side) {
+double damping(data::Cycle const& cycle, Side side) {
   if (side == Side::both) return cycle.damping_percent;
   double const work = side == Side::positive ? cycle.F_plus_kN * cycle.d_plus_mm : cycle.F_minus_kN * cycle.d_minus_mm;
   return 100.0 * cycle.energy_kN_mm / (2.0 * std::numbers::pi * work);
 }
 
-double value_of(CycleValues const& cycle, Quantity quantity, Side side) {
+double value_of(data::Cycle const& cycle, Quantity quantity, Side side) {
   if (quantity == Quantity::K_eff) return stiffness(cycle, side);
   if (quantity == Quantity::damping) return damping(cycle, side);
-  return cycle.of(quantity);
+  return peak_to_peak(cycle, quantity);
 }
 
 bool is_per_side(RuleSet const& rules, Quantity quantity) {
@@ -110,25 +109,6 @@ bool is_near_any(double value, std::vector<double> const& wanted, double toleran
   return std::ranges::any_of(wanted, [&](double w) { return is_near(value, w, tolerance_percent); });
 }
 
-struct DesignName {
-  std::string_view name;
-  std::optional<double> Design::*member;
-};
-constexpr std::array<DesignName, 9> design_names{{{"K_eff", &Design::K_eff_kN_per_mm},
-                                                  {"damping", &Design::damping_percent},
-                                                  {"energy", &Design::energy_kN_mm},
-                                                  {"Q_d", &Design::Q_d_kN},
-                                                  {"K_d", &Design::K_d_kN_per_mm},
-                                                  {"K_v", &Design::K_v_kN_per_mm},
-                                                  {"disp", &Design::disp_mm},
-                                                  {"frequency", &Design::frequency_Hz},
-                                                  {"load", &Design::load_kN}}};
-
-std::optional<double> positive_number(std::string_view text) {
-  auto const value = number_in<double>(text);
-  return value && std::isfinite(*value) && *value > 0.0 ? value : std::nullopt;
-}
-
 void take_design_value(std::string_view part, Design& design, std::vector<Complaint>& complaints) {
   constexpr std::string_view form =
       "K_eff=..., K_d=..., K_v=... in kN/mm, damping=... in percent, energy=... in kN mm, Q_d=..., load=... in kN, disp=... in mm, frequency=... in Hz";
@@ -141,24 +121,25 @@ void take_design_value(std::string_view part, Design& design, std::vector<Compla
   if (equals == std::string_view::npos) return complain(fmt::format("{} has no '='", in_quotes(part)), form);
   if (known == design_names.end()) return complain(fmt::format("unknown design value {}", in_quotes(key)), form);
   auto const text = trimmed(part.substr(equals + 1));
-  auto const value = positive_number(text);
-  if (!value) return complain(fmt::format("{}={}", key, in_quotes(text)), "a positive number");
+  auto const value = number_in<double>(text);
+  if (!value || !std::isfinite(*value) || !(*value > 0.0))
+    return complain(fmt::format("{}={}", key, in_quotes(text)), "a positive number");
   if (design.*(known->member)) return complain(fmt::format("{} is given twice", key), "each design value once");
   design.*(known->member) = *value;
 }
 
 }  // namespace
 
-double CycleValues::of(Quantity quantity) const {
+double peak_to_peak(data::Cycle const& cycle, Quantity quantity) {
   // In the order of the enumerators of Quantity, without K_v.
-  static constexpr std::array members{&CycleValues::K_eff_kN_per_mm, &CycleValues::damping_percent,
-                                      &CycleValues::energy_kN_mm, &CycleValues::Q_d_kN, &CycleValues::K_d_kN_per_mm};
+  static constexpr std::array members{&data::Cycle::K_eff_kN_per_mm, &data::Cycle::damping_percent,
+                                      &data::Cycle::energy_kN_mm, &data::Cycle::Q_d_kN, &data::Cycle::K_d_kN_per_mm};
   auto const place = static_cast<std::size_t>(quantity);
-  return place < members.size() ? this->*members[place] : std::numeric_limits<double>::quiet_NaN();
+  return place < members.size() ? cycle.*members[place] : std::numeric_limits<double>::quiet_NaN();
 }
 
-CycleValues const* BlockValues::find(int cycle) const {
-  auto const found = std::ranges::find(cycles, cycle, &CycleValues::number);
+data::Cycle const* BlockValues::find(int cycle) const {
+  auto const found = std::ranges::find(cycles, cycle, &data::Cycle::number);
   return found == cycles.end() ? nullptr : &*found;
 }
 
@@ -200,7 +181,6 @@ std::vector<DerivedValue> derive(RuleSet const& rules, Quantity quantity, BlockV
       values.push_back({.label = label + extreme,
                         .side = side,
                         .formula = fmt::format("{}, {}{}", formula, how, cycles),
-                        .value = {},
                         .reason = missing});
       if (missing.empty()) set_value(values.back(), reduce(rules, quantity, side, block).*member);
     };

@@ -1,26 +1,18 @@
 // The input of rules: values of the counted cycles of one block, and the design values to compare them with.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "isolaw/data/properties.hpp"
 #include "isolaw/rules/rule_set.hpp"
 
 namespace isolaw::rules {
 
-struct CycleValues {
-  int number = 0;                            // number among the counted cycles of its block, from 1
-  double d_plus_mm = 0.0, d_minus_mm = 0.0;  // largest and smallest displacement
-  double F_plus_kN = 0.0, F_minus_kN = 0.0;  // force at these displacements
-  double K_eff_kN_per_mm = 0.0;              // peak to peak
-  double damping_percent = 0.0;              // computed with the peak-to-peak stiffness
-  double energy_kN_mm = 0.0;
-  double Q_d_kN = 0.0, K_d_kN_per_mm = 0.0;
-
-  double of(Quantity quantity) const;  // peak to peak; NaN for K_v
-};
+double peak_to_peak(data::Cycle const& cycle, Quantity quantity);  // NaN for K_v
 
 struct VerticalValue {  // from the device's compression test
   std::optional<double> K_v_kN_per_mm;
@@ -31,11 +23,11 @@ struct VerticalValue {  // from the device's compression test
 struct BlockValues {
   int number = 0;  // number of the block in its record, from 1
   double amplitude_mm = 0.0;
-  std::optional<double> frequency_Hz, shear_strain_percent, load_mean_kN;
-  std::vector<CycleValues> cycles;  // the counted cycles, in order
-  VerticalValue vertical = {};      // K_v of the device, the same for every block
+  std::optional<double> frequency_Hz = {}, shear_strain_percent = {}, load_mean_kN = {};
+  std::vector<data::Cycle> cycles = {};  // the counted cycles, in order
+  VerticalValue vertical = {};           // K_v of the device, the same for every block
 
-  CycleValues const* find(int cycle) const;
+  data::Cycle const* find(int cycle) const;
 };
 
 struct Design {  // design values of the devices; all are positive
@@ -46,6 +38,20 @@ struct Design {  // design values of the devices; all are positive
 
   std::optional<double> of(Quantity quantity) const;
 };
+
+struct DesignName {
+  std::string_view name, unit;
+  std::optional<double> Design::*member;
+};
+inline constexpr std::array<DesignName, 9> design_names{{{"K_eff", "kN/mm", &Design::K_eff_kN_per_mm},
+                                                         {"damping", "%", &Design::damping_percent},
+                                                         {"energy", "kN mm", &Design::energy_kN_mm},
+                                                         {"Q_d", "kN", &Design::Q_d_kN},
+                                                         {"K_d", "kN/mm", &Design::K_d_kN_per_mm},
+                                                         {"K_v", "kN/mm", &Design::K_v_kN_per_mm},
+                                                         {"disp", "mm", &Design::disp_mm},
+                                                         {"frequency", "Hz", &Design::frequency_Hz},
+                                                         {"load", "kN", &Design::load_kN}}};
 
 // Parses "K_eff=1.2,damping=15,disp=150": K_eff, K_d, K_v in kN/mm, damping in percent, energy in kN mm, Q_d and load
 // in kN, disp in mm, frequency in Hz. Throws Error for unknown or repeated names and for values that are not positive.
@@ -58,8 +64,8 @@ std::string_view name(Side side);              // "both", "positive", "negative"
 struct DerivedValue {
   std::string label;  // "K_eff, positive side"
   Side side = Side::both;
-  std::string formula;          // "F+/d+, cycle 3"
-  std::optional<double> value;  // nullopt if `reason` is not empty
+  std::string formula;               // "F+/d+, cycle 3"
+  std::optional<double> value = {};  // nullopt if `reason` is not empty
   std::string reason;
 };
 std::vector<DerivedValue> derive(RuleSet const& rules, Quantity quantity, BlockValues const& block);

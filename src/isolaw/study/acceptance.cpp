@@ -11,29 +11,14 @@
 namespace isolaw::study {
 namespace {
 
-rules::CycleValues values_of(data::Cycle const& cycle) {
-  return {.number = cycle.number,
-          .d_plus_mm = cycle.d_plus_mm,
-          .d_minus_mm = cycle.d_minus_mm,
-          .F_plus_kN = cycle.F_plus_kN,
-          .F_minus_kN = cycle.F_minus_kN,
-          .K_eff_kN_per_mm = cycle.K_eff_kN_per_mm,
-          .damping_percent = cycle.damping_percent,
-          .energy_kN_mm = cycle.energy_kN_mm,
-          .Q_d_kN = cycle.Q_d_kN,
-          .K_d_kN_per_mm = cycle.K_d_kN_per_mm};
-}
-
 rules::BlockValues values_of(data::Block const& block, AssessedTest const& test) {
   rules::BlockValues values{.number = block.number,
                             .amplitude_mm = block.amplitude_mm,
                             .frequency_Hz = block.frequency_Hz,
-                            .shear_strain_percent = std::nullopt,
                             .load_mean_kN = mean_load_kN(block),
-                            .cycles = {},
                             .vertical = test.vertical};
   if (test.rubber_thickness_mm) values.shear_strain_percent = 100.0 * block.amplitude_mm / *test.rubber_thickness_mm;
-  for (auto const* cycle : block.counted()) values.cycles.push_back(values_of(*cycle));
+  for (auto const* cycle : block.counted()) values.cycles.push_back(*cycle);
   return values;
 }
 
@@ -104,18 +89,8 @@ bool lot_failed(LotAcceptance const& acceptance) {
 
 std::vector<DesignValue> design_values(rules::Design const& design) {
   std::vector<DesignValue> values;
-  auto const add = [&](char const* name, std::optional<double> value, char const* unit) {
-    if (value) values.push_back({name, *value, unit});
-  };
-  add("K_eff", design.K_eff_kN_per_mm, "kN/mm");
-  add("damping", design.damping_percent, "%");
-  add("energy", design.energy_kN_mm, "kN mm");
-  add("Q_d", design.Q_d_kN, "kN");
-  add("K_d", design.K_d_kN_per_mm, "kN/mm");
-  add("K_v", design.K_v_kN_per_mm, "kN/mm");
-  add("disp", design.disp_mm, "mm");
-  add("frequency", design.frequency_Hz, "Hz");
-  add("load", design.load_kN, "kN");
+  for (auto const& [name, unit, member] : rules::design_names)
+    if (auto const value = design.*member) values.push_back({std::string(name), *value, std::string(unit)});
   return values;
 }
 

@@ -404,10 +404,8 @@ void add_lot_analysis(LawResult& law, campaign::Contents const& contents) {
                    .worst_parameters = lot->worst.law.parameters,
                    .mean = lot->mean.mean,
                    .worst = lot->mean.worst,
-                   .worst_device = {},
                    .least_worst = lot->worst.law.worst,
-                   .least_worst_bound = lot->worst.bound,
-                   .at_bound = {}};
+                   .least_worst_bound = lot->worst.bound};
     for (std::size_t i = 0; i < lot->devices.size(); ++i) {
       auto const fit = on_device(lot->devices[i]);
       fit->lot_objective = lot->mean.objectives[i];

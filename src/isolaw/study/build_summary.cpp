@@ -1,7 +1,5 @@
 #include "isolaw/study/build_summary.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
 #include <span>

@@ -39,14 +39,8 @@ building::LawSource source_of(campaign::Contents const& contents, Summary const&
   auto const law = std::ranges::find(summary.laws, law_id, &LawResult::id);
   if (law == summary.laws.end())
     throw Error({.where = where, .found = "the law is not in this campaign", .allowed = "one of its laws"});
-  building::LawSource source{.law = std::string(law_id),
-                             .lot = {},
-                             .devices = {},
-                             .population = {},
-                             .place = {},
-                             .median = {},
-                             .limits = {},
-                             .tested_mm = 0.0};
+  building::LawSource source;
+  source.law = law_id;
   for (std::size_t d = 0; d < contents.devices.size(); ++d)
     if (auto const* analysis = contents.analysis_of(d, law_id); analysis != nullptr) {
       for (double const x : contents.devices[d].record.disp_mm)

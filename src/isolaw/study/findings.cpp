@@ -190,6 +190,20 @@ std::vector<Finding> headline(Summary const& summary, std::vector<std::size_t> c
   return {beside_others(summary, FindingKind::headline_nearest, nearest), *inadequacy(nearest)};
 }
 
+// Groups of two or more devices of which each is the same as the first of its group.
+template <class Counts, class Same>
+std::vector<std::vector<DeviceResult const*>> groups_of_devices(Summary const& summary, Counts counts, Same same) {
+  std::vector<std::vector<DeviceResult const*>> groups;
+  for (auto const& device : summary.devices) {
+    if (!counts(device)) continue;
+    auto found = std::ranges::find_if(groups, [&](auto const& group) { return same(*group.front(), device); });
+    if (found == groups.end()) found = groups.insert(groups.end(), {{}});
+    found->push_back(&device);
+  }
+  std::erase_if(groups, [](auto const& group) { return group.size() < 2; });
+  return groups;
+}
+
 std::string note_on_beta(Summary const& summary) {
   if (std::ranges::any_of(summary.laws, [](auto const& law) { return law.beta.has_value(); })) return {};
   for (auto const& law : summary.laws)
@@ -277,39 +291,21 @@ std::optional<double> largest_displacement(Summary const& summary, LawResult con
 }
 
 std::vector<std::vector<DeviceResult const*>> devices_of_one_record(Summary const& summary) {
-  std::vector<std::vector<DeviceResult const*>> groups;
-  for (auto const& device : summary.devices) {
-    if (device.raw.size() == 0 && device.sha256.empty()) continue;
-    auto const same = [&](auto const& group) {
-      auto const& other = *group.front();
-      bool const samples =
-          device.raw.size() > 0 && other.raw.disp_mm == device.raw.disp_mm && other.raw.force_kN == device.raw.force_kN;
-      bool const refused = other.raw.size() == 0 && device.raw.size() == 0;
-      return samples || (refused && other.sha256 == device.sha256);
-    };
-    auto found = std::ranges::find_if(groups, same);
-    if (found == groups.end()) found = groups.insert(groups.end(), {{}});
-    found->push_back(&device);
-  }
-  std::erase_if(groups, [](auto const& group) { return group.size() < 2; });
-  return groups;
+  return groups_of_devices(
+      summary, [](DeviceResult const& device) { return device.raw.size() > 0 || !device.sha256.empty(); },
+      [](DeviceResult const& one, DeviceResult const& other) {
+        if (one.raw.size() == 0 && other.raw.size() == 0) return one.sha256 == other.sha256;
+        return one.raw.disp_mm == other.raw.disp_mm && one.raw.force_kN == other.raw.force_kN;
+      });
 }
 
 std::vector<std::vector<DeviceResult const*>> devices_of_one_compression(Summary const& summary) {
-  std::vector<std::vector<DeviceResult const*>> groups;
-  for (auto const& device : summary.devices) {
-    auto const& test = device.vertical_test;
-    if (test.load_kN.empty()) continue;
-    auto const same = [&](auto const& group) {
-      auto const& other = group.front()->vertical_test;
-      return other.load_kN == test.load_kN && other.disp_mm == test.disp_mm;
-    };
-    auto found = std::ranges::find_if(groups, same);
-    if (found == groups.end()) found = groups.insert(groups.end(), {{}});
-    found->push_back(&device);
-  }
-  std::erase_if(groups, [](auto const& group) { return group.size() < 2; });
-  return groups;
+  return groups_of_devices(
+      summary, [](DeviceResult const& device) { return !device.vertical_test.load_kN.empty(); },
+      [](DeviceResult const& one, DeviceResult const& other) {
+        auto const &test = one.vertical_test, &other_test = other.vertical_test;
+        return test.load_kN == other_test.load_kN && test.disp_mm == other_test.disp_mm;
+      });
 }
 
 std::vector<std::size_t> by_objective(Summary const& summary) {

@@ -14,15 +14,12 @@ std::vector<Level> levels_of(DeviceResult const& device) {
     if (cycle == nullptr) continue;
     Level level{.block = block.number,
                 .amplitude_mm = block.amplitude_mm,
-                .strain_percent = {},
                 .frequency_Hz = block.frequency_Hz,
                 .N_mean_kN = mean_load_kN(block),
                 .cycle = cycle->number,
                 .K_eff_kN_per_mm = cycle->K_eff_kN_per_mm,
                 .damping_percent = cycle->damping_percent,
                 .energy_kN_mm = cycle->energy_kN_mm,
-                .K_eff_ratio = {},
-                .damping_ratio = {},
                 .reference = block.number == device.acceptance.block};
     if (device.rubber_thickness_mm) level.strain_percent = 100.0 * block.amplitude_mm / *device.rubber_thickness_mm;
     if (reference != nullptr) {

@@ -12,11 +12,11 @@ namespace isolaw::study {
 struct Level {
   int block = 0;
   double amplitude_mm = 0.0;
-  std::optional<double> strain_percent, frequency_Hz, N_mean_kN;
+  std::optional<double> strain_percent = {}, frequency_Hz, N_mean_kN;
   int cycle = 0;  // the third counted cycle, or the last if there are fewer
   double K_eff_kN_per_mm = 0.0, damping_percent = 0.0, energy_kN_mm = 0.0;
-  std::optional<double> K_eff_ratio, damping_ratio;  // relative to the block that is assessed
-  bool reference = false;                            // true for the block that is assessed
+  std::optional<double> K_eff_ratio = {}, damping_ratio = {};  // relative to the block that is assessed
+  bool reference = false;                                      // true for the block that is assessed
 };
 
 std::vector<Level> levels_of(DeviceResult const& device);

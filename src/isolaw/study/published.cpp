@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <utility>
 
 #include "isolaw/base/words.hpp"
 #include "isolaw/lot/robustness.hpp"

@@ -17,12 +17,12 @@ using Names = std::vector<std::string>;
 
 struct Known {
   double error = 0.0;
-  std::vector<std::pair<std::string_view, double>> of_devices;
+  std::vector<std::pair<std::string_view, double>> of_devices = {};
 };
 
 template <class ErrorOn>
 Known over_devices(LawResult const& law, double error, ErrorOn error_on) {
-  Known known{.error = error, .of_devices = {}};
+  Known known{.error = error};
   for (auto const& fit : law.devices)
     if (auto const value = error_on(fit)) known.of_devices.emplace_back(fit.device, *value);
   return known;

@@ -102,9 +102,9 @@ inline std::string_view fit_status(DeviceFit const& fit) {
 struct LotLaw {
   std::vector<double> parameters, worst_parameters;
   double mean = 0.0, worst = 0.0;  // mean and largest objective with `parameters`
-  std::string worst_device;
+  std::string worst_device = {};
   double least_worst = 0.0, least_worst_bound = 0.0;  // `worst_parameters`: largest objective, and its lower limit
-  std::vector<std::pair<std::string, fit::AtBound>> at_bound;  // entries of `parameters` that lie at a bound
+  std::vector<std::pair<std::string, fit::AtBound>> at_bound = {};  // entries of `parameters` that lie at a bound
 };
 
 // How well a law predicts blocks that it was not fitted to. docs/decision.md has the limits.

@@ -1,7 +1,5 @@
 #include "isolaw/wording/table.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <iterator>

@@ -17,11 +17,11 @@ struct DevicePoint {
 };
 
 struct DevicePanel {
-  std::string title;       // written above the panel; may be empty
-  std::string name, unit;  // name and unit of the quantity
-  MaybeNumber reference;   // mean over the devices; percentages are differences from it
-  std::size_t law = 0;     // the law's place in the summary
-  std::vector<DevicePoint> points;
+  std::string title = {};      // written above the panel; may be empty
+  std::string name, unit;      // name and unit of the quantity
+  MaybeNumber reference = {};  // mean over the devices; percentages are differences from it
+  std::size_t law = 0;         // the law's place in the summary
+  std::vector<DevicePoint> points = {};
 };
 
 MaybeNumber percent_of(MaybeNumber const& value, MaybeNumber const& reference);

@@ -15,12 +15,7 @@ MaybeFigure parameters_figure(Summary const& summary, LawResult const& law) {
   std::vector<DevicePanel> panels;
   for (std::size_t n = 0; n < parameters.size(); ++n) {
     if (!parameters[n].free) continue;
-    DevicePanel panel{.title = {},
-                      .name = parameters[n].name,
-                      .unit = parameters[n].unit,
-                      .reference = {},
-                      .law = place,
-                      .points = {}};
+    DevicePanel panel{.name = parameters[n].name, .unit = parameters[n].unit, .law = place};
     std::vector<double> means;
     for (auto const& device : devices) {
       DevicePoint point{device, {}, {}};

@@ -37,15 +37,14 @@ PropertyLimits limits_of(Summary const& summary, rules::Quantity quantity) {
 struct PropertyPanel {
   std::string name, label, unit;
   PropertyLimits limits;
-  std::vector<std::vector<double>> values;  // [device][one value or two sides]
+  std::vector<std::vector<double>> values = {};  // [device][one value or two sides]
 };
 
 PropertyPanel property_panel(Summary const& summary, rules::Quantity quantity, std::string label) {
   PropertyPanel panel{.name = std::string(rules::name(quantity)),
                       .label = std::move(label),
                       .unit = std::string(rules::unit(quantity)),
-                      .limits = limits_of(summary, quantity),
-                      .values = {}};
+                      .limits = limits_of(summary, quantity)};
   for (auto const& device : summary.devices)
     if (device.status == "ok") panel.values.push_back(property_values(device, quantity));
   return panel;

@@ -14,11 +14,6 @@ namespace {
 
 constexpr double mm_per_inch = 25.4, svg_px_per_inch = 96.0, font_pt = 7.0, pt_per_inch = 72.0;
 
-std::size_t letters(std::string_view text) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
-
 double nice_step(double length, int steps) {
   double const raw = length / steps, power = std::pow(10.0, std::floor(std::log10(raw)));
   for (double const factor : {1.0, 2.0, 5.0})
@@ -128,7 +123,7 @@ std::string marked_style(std::size_t law) {
 std::string shortened(std::string_view text, double width_mm) {
   auto clean = printable(text);
   auto const most = static_cast<std::size_t>(width_mm / letter_mm);
-  if (letters(clean) <= most) return clean;
+  if (character_count(clean) <= most) return clean;
   std::size_t end = 0;
   for (std::size_t count = 0; count + 1 < most; ++count) end += utf8_length(std::string_view(clean).substr(end));
   return clean.substr(0, end) + "…";
@@ -178,7 +173,7 @@ Scale scale_for(Range const& range, std::string_view name, std::string_view unit
 DeviceAxis::DeviceAxis(std::vector<std::string> const& devices, double axis_mm) : count(devices.size()) {
   constexpr double upright_mm = 2.9, longest_upright_mm = 22.0;
   std::size_t longest = 0;
-  for (auto const& device : devices) longest = std::max(longest, letters(printable(device)));
+  for (auto const& device : devices) longest = std::max(longest, character_count(printable(device)));
   double const room = axis_mm / static_cast<double>(std::max<std::size_t>(1, count));
   double const wide = letter_mm * static_cast<double>(longest);
   bool const fits_flat = wide + letter_mm <= room;

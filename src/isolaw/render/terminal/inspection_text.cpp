@@ -78,7 +78,6 @@ void print_block(std::string& text, DeviceResult const& device, data::Block cons
       "energy", "damping", "Q_d", "K_d", loads ? "         N" : "");
   add(text, "  {:>5} {:>9} {:>9} {:>9} {:>9} {:>10} {:>8} {:>9} {:>9}{}\n", "", "mm", "kN/mm", "kN/mm", "kN/mm",
       "kN mm", "%", "kN", "kN/mm", loads ? "        kN" : "");
-  auto const& reported = device.properties.reported;
   for (auto const& c : block.cycles) {
     int const stiffness = decimals_for(std::abs(c.K_eff_kN_per_mm));
     add(text, "  {:>5} {:>9.2f} {:>9.{}f} {:>9} {:>9} {:>10} {:>8} {:>9} {:>9.{}f}",
@@ -86,7 +85,7 @@ void print_block(std::string& text, DeviceResult const& device, data::Block cons
         number(c.K_plus(), stiffness), number(c.K_minus(), stiffness), number_text(c.energy_kN_mm),
         number(c.damping(), 2), number_text(c.Q_d_kN), c.K_d_kN_per_mm, stiffness);
     if (loads) add(text, " {:>9}", number(c.N_mean_kN, 1));
-    if (reported && c.counts() && reported->block == c.block && reported->number == c.number) text += "  reported";
+    if (device.properties.is_reported(c)) text += "  reported";
     if (!c.counts()) add(text, "  not counted: {}", c.not_counted);
     text += '\n';
   }

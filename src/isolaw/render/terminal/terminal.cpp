@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "isolaw/base/number_text.hpp"
+#include "isolaw/base/printable.hpp"
 #include "isolaw/laws/catalogue.hpp"
 #include "isolaw/study/findings.hpp"
 #include "isolaw/wording/table.hpp"
@@ -17,10 +18,9 @@
 namespace isolaw::render {
 namespace {
 
-// Counts code points. A letter of the scripts that occur in names of devices and laws takes one column.
+// A letter of the scripts that occur in names of devices and laws takes one column.
 int columns(std::string_view text) {
-  return static_cast<int>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
+  return static_cast<int>(character_count(text));
 }
 
 // Removes control characters. Names come from files, and their control characters must not reach the terminal.
