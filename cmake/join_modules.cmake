@@ -125,4 +125,7 @@ while(files)
   endif()
   set(files ${waiting})
 endwhile()
+# A backslash keeps "<!--" and "</script" from ending the <script> element that holds the script. They occur only in
+# strings and regular expressions, which ignore it.
+string(REGEX REPLACE "<(!--|/[sS][cC])" "<\\\\\\1" script "${script}")
 file(WRITE "${OUTPUT}" "${script}})();\n")

@@ -13,3 +13,8 @@ if(NOT EXISTS "${ISOLAW_PLOTLY}")
 globalThis.Plotly = new Proxy({}, { get: () => async () => {} });
 ")
 endif()
+# Inside a page these sequences would end the script.
+file(READ "${ISOLAW_PLOTTING_SCRIPT}" plotting)
+if(plotting MATCHES "<!--|</[sS][cC]")
+  message(FATAL_ERROR "${ISOLAW_PLOTTING_SCRIPT} cannot be inlined: it contains <!-- or </script")
+endif()

@@ -7,13 +7,14 @@
 // and scripts with the same hashes as those of the sample reports.
 import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
-import { cpSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { cpSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 const here = dirname(fileURLToPath(import.meta.url)),
-  root = dirname(here);
+  root = dirname(here),
+  reports = 'src/isolaw/render/page';
 const options = { cmake: ['cmake'], report: [], 'engine-html': [] };
 for (let i = 2; i < process.argv.length; i += 2) (options[process.argv[i].slice(2)] ??= []).push(process.argv[i + 1]);
 const one = (name) => options[name]?.at(-1);
@@ -21,30 +22,31 @@ const one = (name) => options[name]?.at(-1);
 // Returns the texts of all scripts that a browser runs. A <script> with an attribute `type` holds only data here.
 const scriptsOf = (html) => [...html.matchAll(/<script(?![^>]*\btype=)[^>]*>([\s\S]*?)<\/script>/g)].map(([, script]) => script);
 const hash = (script) => "'sha256-" + createHash('sha256').update(script, 'utf8').digest('base64') + "'";
-// Escapes the only sequences that can end or change a <script>. render/page/html.cpp escapes the same sequences in
-// reports.
-const inline = (script) => script.replace(/<(?=!--|\/s)/gi, '<\\');
 
+// Joins the modules of the page, of the engine and of the reports, from which the page imports some.
 function joined() {
   const folder = mkdtempSync(join(tmpdir(), 'isolaw-page-'));
+  const copy = (from, to) => cpSync(from, join(folder, to), { recursive: true, filter: (file) => statSync(file).isDirectory() || file.endsWith('.js') });
   try {
-    for (const file of readdirSync(here)) if (file.endsWith('.js')) cpSync(join(here, file), join(folder, file));
-    mkdirSync(join(folder, 'engine'));
-    for (const file of readdirSync(one('engine'))) if (file.endsWith('.js')) cpSync(join(one('engine'), file), join(folder, 'engine', file));
+    copy(here, 'page');
+    rmSync(join(folder, 'page/engine'), { recursive: true });
+    copy(one('engine'), 'page/engine');
+    copy(join(root, reports, 'script'), reports + '/script');
+    const entries = ['page/main.js', reports + '/script/page.js', reports + '/script/building.js'];
     const output = join(folder, 'joined');
-    execFileSync(one('cmake'), ['-D', 'FOLDER=' + folder, '-D', 'ENTRY=main.js', '-D', 'OUTPUT=' + output, '-P', join(root, 'cmake/join_modules.cmake')], { stdio: ['ignore', 'ignore', 'inherit'] });
+    execFileSync(one('cmake'), ['-D', 'FOLDER=' + folder, '-D', 'ENTRY=' + entries[0], '-D', 'ENTRIES=' + entries, '-D', 'OUTPUT=' + output, '-P', join(root, 'cmake/join_modules.cmake')], { stdio: ['ignore', 'ignore', 'inherit'] });
     return readFileSync(output, 'utf8');
   } finally {
     rmSync(folder, { recursive: true });
   }
 }
 
-const asset = (name) => readFileSync(join(root, 'src/isolaw/render/page/assets', name), 'utf8');
+const asset = (name) => readFileSync(join(root, reports, 'assets', name), 'utf8');
 const contents = {
   errors: asset('errors.js'),
   style: asset('page.css') + readFileSync(join(here, 'style.css'), 'utf8'),
   engine: options['engine-html'].map((file) => readFileSync(file, 'utf8')).join('\n'),
-  script: inline(joined()),
+  script: joined(),
   policy: '{{policy}}',
 };
 const page = readFileSync(join(here, 'index.html'), 'utf8').replace(/\{\{(\w+)\}\}/g, (_, name) => contents[name]);

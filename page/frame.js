@@ -2,7 +2,7 @@
 // The page's security policy also holds in it.
 
 import { button, element } from './dom.js';
-import { download } from './download.js';
+import { download } from '../src/isolaw/render/page/script/download.js';
 import { text } from './text.js';
 
 const addresses = new Set();

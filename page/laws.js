@@ -2,10 +2,9 @@
 
 import { button, element, fill, place, visible } from './dom.js';
 import { complaintsOf, engine, fileOf } from './engine_use.js';
-import { fileName } from './download.js';
 import { choiceField, textField } from './fields.js';
 import { reportFrame } from './frame.js';
-import { lotFiles, lotPath, lotTables, present, resultsDoubt, setCampaign, titleOfAll } from './lot.js';
+import { lotFiles, lotName, lotPath, lotTables, present, resultsDoubt, setCampaign } from './lot.js';
 import { problemList, readable } from './records.js';
 import { changed, state } from './state.js';
 import { text } from './text.js';
@@ -205,7 +204,7 @@ export function drawLaws(use) {
       changed();
       place('laws-title').focus();
     }, { class: 'action', id: 'change' });
-    const { tools, frame } = reportFrame('report-frame', text.reportFrame, page, fileName(titleOfAll() || text.untitled) + '-report.html', [
+    const { tools, frame } = reportFrame('report-frame', text.reportFrame, page, lotName() + '-report.html', [
       (doubt || state.cancelled) &&
         element('div', { class: 'told' }, doubt && element('p', { class: 'care', id: 'laws-doubt' }, doubt), state.cancelled && element('p', { role: 'status', id: 'laws-said' }, text.cancelled)),
       button(text.toSave, () => show('save'), { class: doubt ? 'action' : 'action main', id: 'to-save' }),

@@ -151,6 +151,12 @@ export const titleOfAll = () => {
   return (typeof own === 'string' && own) || state.inspection?.title || state.campaign?.summary.title || state.title;
 };
 
+// Turns a title into a file name that every file system accepts.
+export const fileName = (title) =>
+  title.normalize('NFKC').replace(/[^\p{L}\p{N}._-]+/gu, '-').replace(/^[-.]+|[-.]+$/g, '').slice(0, 80) || 'isolaw';
+
+export const lotName = () => fileName(titleOfAll() || text.untitled);
+
 // The lot file may name a record with '\\', with other capitals or in another folder. This finds the dropped record
 // that is meant.
 function rename(named) {

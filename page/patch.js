@@ -1,15 +1,6 @@
 // Redraws a view by changing only the elements that differ. The focus, open details and the scroll position stay as
 // they were, and a button does not vanish under the pointer.
 
-const handlers = new WeakMap(); // element -> Map of event -> function
-
-export function listen(node, event, handler) {
-  const own = handlers.get(node) ?? new Map();
-  handlers.set(node, own);
-  if (!own.has(event)) node.addEventListener(event, (told) => own.get(event)?.(told));
-  own.set(event, handler);
-}
-
 // A frame is always replaced by a new element. If only its address changed, the browser would add a step to its
 // history.
 const alike = (old, next) =>
@@ -25,8 +16,7 @@ function patch(old, next) {
   // Only the user opens and closes <details> elements, so their attribute `open` stays as it is.
   for (const { name } of [...old.attributes]) if (name !== 'open' && !next.hasAttribute(name)) old.removeAttribute(name);
   for (const { name, value } of [...next.attributes]) if (name !== 'open' && old.getAttribute(name) !== value) old.setAttribute(name, value);
-  for (const [event] of handlers.get(old) ?? []) handlers.get(old).set(event, null);
-  for (const [event, handler] of handlers.get(next) ?? []) listen(old, event, handler);
+  Object.assign(old, { onclick: next.onclick, onchange: next.onchange }); // the views use no other events
   patchChildren(old, next);
   if (isText && !isTyped && old.value !== next.value) old.value = next.value;
   if (old.nodeName === 'SELECT' && old.value !== next.value) old.value = next.value;

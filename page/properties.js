@@ -2,9 +2,8 @@
 
 import { button, element, fill, place, visible } from './dom.js';
 import { fileOf } from './engine_use.js';
-import { fileName } from './download.js';
 import { reportFrame } from './frame.js';
-import { titleOfAll } from './lot.js';
+import { lotName } from './lot.js';
 import { state } from './state.js';
 import { text } from './text.js';
 
@@ -23,7 +22,7 @@ export function drawProperties({ show }) {
   const { word, sentence } = state.inspection.result ?? {};
   // The report in the frame gives the reasons of a verdict. If there is no verdict, this line gives the reason.
   const verdict = element('p', { class: 'verdict-line' }, word ? element('b', { class: 'word ' + (TONES[word] ?? '') }, word) : visible(sentence ?? text.noVerdict));
-  const { tools, frame } = reportFrame('inspection-frame', text.inspectionFrame, page, fileName(titleOfAll() || text.untitled) + '-inspection.html', [
+  const { tools, frame } = reportFrame('inspection-frame', text.inspectionFrame, page, lotName() + '-inspection.html', [
     verdict,
     !state.inspection.assessment?.rule_set &&
       button(

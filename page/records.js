@@ -2,6 +2,7 @@
 
 import { button, element, fill, place, sign, visible } from './dom.js';
 import { deviceForm } from './device_form.js';
+import { DASH, isNumber, trimmed } from '../src/isolaw/render/page/script/text.js';
 import { asComplaints } from './engine_use.js';
 import { lotForm } from './lot_form.js';
 import { lotDevices, lotTables, namedFiles } from './lot.js';
@@ -18,7 +19,7 @@ const leftOut = (place) => {
 
 const CHANNELS = ['time', 'disp', 'force', 'load'];
 
-const number = (value, digits) => (typeof value === 'number' ? String(Number(value.toPrecision(digits))).replace('-', '\u2212') : '\u2013');
+const number = (value, digits) => (isNumber(value) ? trimmed(value, digits) : DASH);
 
 // Shows complaints of the program. `own` is the file whose name stands above the list; complaints about it do not
 // repeat the name.

@@ -2,10 +2,10 @@
 
 import { button, element, fill, place, visible } from './dom.js';
 import { asBytes, complaintsOf, fileOf, run } from './engine_use.js';
-import { download, fileName } from './download.js';
+import { download } from '../src/isolaw/render/page/script/download.js';
 import { choiceField, flagField } from './fields.js';
 import { problemList } from './records.js';
-import { markerFile, outdated, resultsDoubt, titleOfAll } from './lot.js';
+import { fileName, lotName, markerFile, outdated, resultsDoubt } from './lot.js';
 import { state } from './state.js';
 import { text } from './text.js';
 import { writeZip } from './zip.js';
@@ -14,8 +14,6 @@ const TYPES = { html: 'text/html', json: 'application/json', toml: 'application/
 let said = []; // messages about the last export
 let exportsOf = null; // the campaign to which `said` belongs
 const chosen = { law: null, device: null, to: 'opensees-cpp', units: 'kN-mm', anyway: false };
-
-const name = () => fileName(titleOfAll() || text.untitled);
 
 // Returns the files of a whole saved campaign: the lot file, the records, the results below out/ as the command line
 // names them, and finished work of a cancelled campaign.
@@ -28,7 +26,7 @@ const wholeFiles = () => [
 ];
 
 const saveWhole = async () => {
-  download(name() + '.isolaw.zip', await writeZip(wholeFiles()), TYPES.zip);
+  download(lotName() + '.isolaw.zip', await writeZip(wholeFiles()), TYPES.zip);
   state.saved = true;
 };
 
@@ -39,7 +37,7 @@ async function saveTables() {
     ...under(state.campaign?.files ?? [], 'out/tables/').map(({ path, bytes }) => ({ path: path.slice('out/'.length), bytes })),
     ...under(state.inspectionFiles, 'tables/').map(({ path, bytes }) => ({ path: 'inspection/' + path, bytes })),
   ];
-  download(name() + '-tables.zip', await writeZip(tables), TYPES.zip);
+  download(lotName() + '-tables.zip', await writeZip(tables), TYPES.zip);
 }
 
 function singles() {
@@ -52,7 +50,7 @@ function singles() {
     ['inspection.json', fileOf(state.inspectionFiles, 'inspection.json')],
   ].filter(([, bytes]) => bytes);
   const ofResults = (file) => /^(report|summary|tables)/.test(file) && outdated();
-  const rows = all.map(([file, bytes]) => ({ file, old: ofResults(file), press: () => download(file === 'lot.toml' ? file : name() + '-' + file, bytes, TYPES[file.split('.').pop()]), size: text.size(bytes.length) }));
+  const rows = all.map(([file, bytes]) => ({ file, old: ofResults(file), press: () => download(file === 'lot.toml' ? file : lotName() + '-' + file, bytes, TYPES[file.split('.').pop()]), size: text.size(bytes.length) }));
   if (all.length > 0) rows.push({ file: 'tables.zip', old: ofResults('tables.zip'), press: saveTables, size: '' });
   return rows;
 }
@@ -113,7 +111,7 @@ export function drawSave({ busy, show }) {
       { class: 'card', 'aria-labelledby': 'whole-title' },
       element('h3', { id: 'whole-title' }, text.whole),
       element('p', { class: 'fine' }, (state.campaign ? text.wholeWhy : text.wholeEarly) + (state.parts.length > 0 ? ' ' + text.wholeParts : '')),
-      element('p', { class: 'next' }, button(text.download(name() + '.isolaw.zip'), () => busy(text.save, saveWhole), { class: 'action main', id: 'save-whole' })),
+      element('p', { class: 'next' }, button(text.download(lotName() + '.isolaw.zip'), () => busy(text.save, saveWhole), { class: 'action main', id: 'save-whole' })),
     ),
     element(
       'section',

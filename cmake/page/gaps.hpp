@@ -1,6 +1,7 @@
 // Defines parts of C++20 that the program uses and emscripten's libc++ 13 lacks. The option -include puts this file
 // before every source of the page. Range algorithms call the algorithms for iterators. Views compute all elements at
-// once instead of one by one; no code of the program depends on the difference.
+// once instead of one by one; no code of the program depends on the difference. With libc++ 16 all but std::from_chars
+// can go, and with libc++ 20 (emscripten 4) the whole file.
 #pragma once
 
 #ifdef __cplusplus
@@ -163,12 +164,12 @@ struct min_max_result {
   T min, max;
 };
 
-namespace page {
+inline namespace page_objects {
 
 // The standard makes range algorithms function objects, which argument-dependent lookup does not find. These are
 // function objects too.
 #define ISOLAW_RANGES_TEST(name)                                           \
-  struct name##_of {                                                       \
+  inline constexpr struct name##_of {                                      \
     template <input_range R, class F, class P = identity>                  \
     constexpr auto operator()(R&& r, F f, P p = {}) const {                \
       return std::name(ranges::begin(r), ranges::end(r), [&](auto&& v) -> bool { return invoke(f, invoke(p, v)); }); \
@@ -177,7 +178,7 @@ namespace page {
     constexpr auto operator()(I a, I b, F f, P p = {}) const {             \
       return std::name(a, b, [&](auto&& v) -> bool { return invoke(f, invoke(p, v)); }); \
     }                                                                      \
-  };
+  } name{};
 ISOLAW_RANGES_TEST(any_of)
 ISOLAW_RANGES_TEST(all_of)
 ISOLAW_RANGES_TEST(none_of)
@@ -188,7 +189,7 @@ ISOLAW_RANGES_TEST(find_if_not)
 
 // Algorithms that compare two elements, after a projection of each.
 #define ISOLAW_RANGES_ORDER(name)                                          \
-  struct name##_of {                                                       \
+  inline constexpr struct name##_of {                                      \
     template <forward_range R, class C = less, class P = identity>         \
     constexpr auto operator()(R&& r, C c = {}, P p = {}) const {           \
       return std::name(ranges::begin(r), ranges::end(r),                   \
@@ -199,7 +200,7 @@ ISOLAW_RANGES_TEST(find_if_not)
       return std::name(first, last,                                        \
                        [&](auto&& a, auto&& b) -> bool { return invoke(c, invoke(p, a), invoke(p, b)); }); \
     }                                                                      \
-  };
+  } name{};
 ISOLAW_RANGES_ORDER(sort)
 ISOLAW_RANGES_ORDER(stable_sort)
 ISOLAW_RANGES_ORDER(min_element)
@@ -208,7 +209,7 @@ ISOLAW_RANGES_ORDER(minmax_element)
 ISOLAW_RANGES_ORDER(is_sorted)
 #undef ISOLAW_RANGES_ORDER
 
-struct find_of {
+inline constexpr struct find_of {
   template <input_range R, class T, class P = identity>
   constexpr auto operator()(R&& r, T const& value, P p = {}) const {
     return std::find_if(ranges::begin(r), ranges::end(r), [&](auto&& v) -> bool { return invoke(p, v) == value; });
@@ -217,21 +218,21 @@ struct find_of {
   constexpr auto operator()(I first, I last, T const& value, P p = {}) const {
     return std::find_if(first, last, [&](auto&& v) -> bool { return invoke(p, v) == value; });
   }
-};
-struct count_of {
+} find{};
+inline constexpr struct count_of {
   template <input_range R, class T, class P = identity>
   constexpr auto operator()(R&& r, T const& value, P p = {}) const {
     return std::count_if(ranges::begin(r), ranges::end(r), [&](auto&& v) -> bool { return invoke(p, v) == value; });
   }
-};
-struct adjacent_find_of {
+} count{};
+inline constexpr struct adjacent_find_of {
   template <forward_range R, class C = equal_to, class P = identity>
   constexpr auto operator()(R&& r, C c = {}, P p = {}) const {
     return std::adjacent_find(ranges::begin(r), ranges::end(r),
                               [&](auto&& a, auto&& b) -> bool { return invoke(c, invoke(p, a), invoke(p, b)); });
   }
-};
-struct equal_of {
+} adjacent_find{};
+inline constexpr struct equal_of {
   template <input_range R, input_range S, class C = equal_to, class P = identity, class Q = identity>
   constexpr bool operator()(R&& r, S&& s, C c = {}, P p = {}, Q q = {}) const {
     auto a = ranges::begin(r);
@@ -240,157 +241,120 @@ struct equal_of {
       if (!invoke(c, invoke(p, *a), invoke(q, *b))) return false;
     return a == ranges::end(r) && b == ranges::end(s);
   }
-};
-struct for_each_of {
+} equal{};
+inline constexpr struct for_each_of {
   template <input_range R, class F, class P = identity>
   constexpr void operator()(R&& r, F f, P p = {}) const {
     for (auto&& v : r) invoke(f, invoke(p, std::forward<decltype(v)>(v)));
   }
-};
-struct copy_of {
+} for_each{};
+inline constexpr struct copy_of {
   template <input_range R, class O>
   constexpr auto operator()(R&& r, O out) const {
     auto const made = std::copy(ranges::begin(r), ranges::end(r), out);
     return in_out_result<decltype(ranges::end(r)), O>{ranges::end(r), made};
   }
-};
-struct copy_if_of {
+} copy{};
+inline constexpr struct copy_if_of {
   template <input_range R, class O, class F, class P = identity>
   constexpr void operator()(R&& r, O out, F f, P p = {}) const {
     std::copy_if(ranges::begin(r), ranges::end(r), out, [&](auto&& v) -> bool { return invoke(f, invoke(p, v)); });
   }
-};
-struct move_of {
+} copy_if{};
+inline constexpr struct move_of {
   template <input_range R, class O>
   constexpr auto operator()(R&& r, O out) const {
     auto const made = std::move(ranges::begin(r), ranges::end(r), out);
     return in_out_result<decltype(ranges::end(r)), O>{ranges::end(r), made};
   }
-};
-struct replace_of {
+} move{};
+inline constexpr struct replace_of {
   template <forward_range R, class T>
   constexpr void operator()(R&& r, T const& from, T const& to) const {
     std::replace(ranges::begin(r), ranges::end(r), from, to);
   }
-};
-struct fill_of {
+} replace{};
+inline constexpr struct fill_of {
   template <forward_range R, class T>
   constexpr void operator()(R&& r, T const& value) const {
     std::fill(ranges::begin(r), ranges::end(r), value);
   }
-};
-struct reverse_of {
+} fill{};
+inline constexpr struct reverse_of {
   template <bidirectional_range R>
   constexpr void operator()(R&& r) const {
     std::reverse(ranges::begin(r), ranges::end(r));
   }
-};
-struct swap_ranges_of {
+} reverse{};
+inline constexpr struct swap_ranges_of {
   template <forward_range R, forward_range S>
   constexpr void operator()(R&& r, S&& s) const {
     auto b = ranges::begin(s);
     for (auto a = ranges::begin(r); a != ranges::end(r) && b != ranges::end(s); ++a, ++b) std::iter_swap(a, b);
   }
-};
-struct nth_element_of {
+} swap_ranges{};
+inline constexpr struct nth_element_of {
   template <random_access_range R, class C = less, class P = identity>
   constexpr void operator()(R&& r, iterator_t<R> at, C c = {}, P p = {}) const {
     std::nth_element(ranges::begin(r), at, ranges::end(r),
                      [&](auto&& a, auto&& b) -> bool { return invoke(c, invoke(p, a), invoke(p, b)); });
   }
-};
-struct lower_bound_of {
+} nth_element{};
+inline constexpr struct lower_bound_of {
   template <forward_range R, class T, class C = less, class P = identity>
   constexpr auto operator()(R&& r, T const& value, C c = {}, P p = {}) const {
     return std::partition_point(ranges::begin(r), ranges::end(r),
                                 [&](auto&& v) -> bool { return invoke(c, invoke(p, v), value); });
   }
-};
-struct upper_bound_of {
+} lower_bound{};
+inline constexpr struct upper_bound_of {
   template <forward_range R, class T, class C = less, class P = identity>
   constexpr auto operator()(R&& r, T const& value, C c = {}, P p = {}) const {
     return std::partition_point(ranges::begin(r), ranges::end(r),
                                 [&](auto&& v) -> bool { return !invoke(c, value, invoke(p, v)); });
   }
-};
-struct equal_range_of {
+} upper_bound{};
+inline constexpr struct equal_range_of {
   template <forward_range R, class T, class C = less, class P = identity>
   constexpr auto operator()(R&& r, T const& value, C c = {}, P p = {}) const {
-    return std::pair(lower_bound_of()(r, value, c, p), upper_bound_of()(r, value, c, p));
+    return std::pair(ranges::lower_bound(r, value, c, p), ranges::upper_bound(r, value, c, p));
   }
-};
-struct set_symmetric_difference_of {
+} equal_range{};
+inline constexpr struct set_symmetric_difference_of {
   template <input_range R, input_range S, class O>
   constexpr void operator()(R&& r, S&& s, O out) const {
     std::set_symmetric_difference(ranges::begin(r), ranges::end(r), ranges::begin(s), ranges::end(s), out);
   }
-};
+} set_symmetric_difference{};
 
 #define ISOLAW_RANGES_EXTREME(name, element)                               \
-  struct name##_of {                                                       \
+  inline constexpr struct name##_of {                                      \
     template <input_range R, class C = less, class P = identity>           \
     constexpr range_value_t<R> operator()(R&& r, C c = {}, P p = {}) const { \
-      return *element##_of()(r, c, p);                                     \
+      return *ranges::element(r, c, p);                                     \
     }                                                                      \
     template <class T, class C = less, class P = identity>                 \
     constexpr T operator()(initializer_list<T> r, C c = {}, P p = {}) const { \
-      return *element##_of()(r, c, p);                                     \
+      return *ranges::element(r, c, p);                                     \
     }                                                                      \
-  };
+  } name{};
 ISOLAW_RANGES_EXTREME(min, min_element)
 ISOLAW_RANGES_EXTREME(max, max_element)
 #undef ISOLAW_RANGES_EXTREME
-struct minmax_of {
+inline constexpr struct minmax_of {
   template <input_range R, class C = less, class P = identity>
   constexpr min_max_result<range_value_t<R>> operator()(R&& r, C c = {}, P p = {}) const {
-    auto const [low, high] = minmax_element_of()(r, c, p);
+    auto const [low, high] = ranges::minmax_element(r, c, p);
     return {*low, *high};
   }
   template <class T, class C = less, class P = identity>
   constexpr min_max_result<T> operator()(initializer_list<T> r, C c = {}, P p = {}) const {
-    auto const [low, high] = minmax_element_of()(r, c, p);
+    auto const [low, high] = ranges::minmax_element(r, c, p);
     return {*low, *high};
   }
-};
+} minmax{};
 
-}  // namespace page
-
-#define ISOLAW_RANGES(name) inline constexpr page::name##_of name{};
-inline namespace page_objects {
-ISOLAW_RANGES(any_of)
-ISOLAW_RANGES(all_of)
-ISOLAW_RANGES(none_of)
-ISOLAW_RANGES(count_if)
-ISOLAW_RANGES(find_if)
-ISOLAW_RANGES(find_if_not)
-ISOLAW_RANGES(sort)
-ISOLAW_RANGES(stable_sort)
-ISOLAW_RANGES(min_element)
-ISOLAW_RANGES(max_element)
-ISOLAW_RANGES(minmax_element)
-ISOLAW_RANGES(is_sorted)
-ISOLAW_RANGES(find)
-ISOLAW_RANGES(count)
-ISOLAW_RANGES(adjacent_find)
-ISOLAW_RANGES(equal)
-ISOLAW_RANGES(for_each)
-ISOLAW_RANGES(copy)
-ISOLAW_RANGES(copy_if)
-ISOLAW_RANGES(move)
-ISOLAW_RANGES(replace)
-ISOLAW_RANGES(fill)
-ISOLAW_RANGES(reverse)
-ISOLAW_RANGES(swap_ranges)
-ISOLAW_RANGES(nth_element)
-ISOLAW_RANGES(lower_bound)
-ISOLAW_RANGES(upper_bound)
-ISOLAW_RANGES(equal_range)
-ISOLAW_RANGES(set_symmetric_difference)
-ISOLAW_RANGES(min)
-ISOLAW_RANGES(max)
-ISOLAW_RANGES(minmax)
 }  // namespace page_objects
-#undef ISOLAW_RANGES
 
 namespace page {
 

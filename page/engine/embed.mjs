@@ -10,9 +10,8 @@ const here = dirname(fileURLToPath(import.meta.url));
 const options = {};
 for (let i = 2; i < process.argv.length; i += 2) options[process.argv[i].slice(2)] = process.argv[i + 1];
 
-// Escapes the sequences that can end or change a <script>. They occur only in JavaScript strings, where the backslash
-// changes nothing.
-const inline = (script) => script.replace(/<(?=!--|\/?script)/gi, '<\\');
+// Does what cmake/join_modules.cmake does to scripts that it joins.
+const inline = (script) => script.replace(/<(?=!--|\/sc)/gi, '<\\');
 const versions = new Map(
   readFileSync(join(options.libraries, 'versions'), 'utf8')
     .trim()

@@ -41,6 +41,22 @@ class JsonWriter {
   JsonWriter& member(std::string_view name, T const& content) {
     return key(name).value(content);
   }
+  // An object whose members `write` writes, an array for each of whose items `write` writes a value, and one of objects.
+  template <class Write>
+  JsonWriter& object(Write const& write) {
+    begin_object(), write();
+    return end_object();
+  }
+  template <class Items, class Write>
+  JsonWriter& array(Items const& items, Write const& write) {
+    begin_array();
+    for (auto const& item : items) write(item);
+    return end_array();
+  }
+  template <class Items, class Write>
+  JsonWriter& objects(Items const& items, Write const& write) {
+    return array(items, [&](auto const& item) { object([&] { write(item); }); });
+  }
 
   std::string take();  // returns the document and empties the writer
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "isolaw/base/json.hpp"
-#include "isolaw/render/figures/figure_script.hpp"
 
 namespace isolaw::render {
 namespace {
@@ -72,28 +71,38 @@ void write_block(DataTable& table, DevicePanel const& panel) {
   table.end_block();
 }
 
+Figure figure_over_devices(std::string const& name, std::string const& about, std::vector<std::string> const& devices,
+                           std::size_t panels, PanelsOverDevices layout, DrawPanel const& draw) {
+  DeviceAxis const axis(devices, grid_of(panels, 0.0, layout.margins, layout.columns).panel_width_mm());
+  layout.margins.bottom += axis.label_mm;
+  auto const grid = grid_of(panels, layout.height_mm, layout.margins, layout.columns);
+  DataTable table;
+  table.comment(about);
+  Script script(name, about, grid.width_mm, grid.height_mm());
+  if (!layout.setting.empty()) script.line("{}", layout.setting);
+  script.line("set multiplot");
+  for (std::size_t i = 0; i < panels; ++i) {
+    script.place(grid, i);
+    draw(table, script, i, axis);
+  }
+  script.line("unset multiplot");
+  return Figure{name, table.take(), script.take()};
+}
+
 MaybeFigure panels_figure(std::string const& name, std::string const& about, std::vector<DevicePanel> const& panels) {
   if (panels.empty()) return std::nullopt;
   auto const& points = panels.front().points;
   std::vector<std::string> devices;
   for (auto const& point : points) devices.push_back(point.device);
-  Margins margins{.left = 14.5, .right = 13.0, .bottom = 0.0, .top = 5.0};
-  int const columns = devices.size() <= 16 ? 3 : devices.size() <= 80 ? 2 : 1;
-  DeviceAxis const axis(devices, grid_of(panels.size(), 0.0, margins, columns).panel_width_mm());
-  margins.bottom = 7.5 + axis.label_mm;
-  auto const grid = grid_of(panels.size(), 30.0, margins, columns);
-
-  DataTable table;
-  table.comment(about);
-  Script script(name, about, grid.width_mm, grid.height_mm());
-  script.line("set multiplot");
-  for (std::size_t i = 0; i < panels.size(); ++i) {
-    write_block(table, panels[i]);
-    script.place(grid, i);
-    draw_panel(script, name + ".dat", i, panels[i], axis);
-  }
-  script.line("unset multiplot");
-  return Figure{name, table.take(), script.take()};
+  return figure_over_devices(name, about, devices, panels.size(),
+                             {.margins = {.left = 14.5, .right = 13.0, .bottom = 7.5, .top = 5.0},
+                              .columns = devices.size() <= 16   ? 3
+                                         : devices.size() <= 80 ? 2
+                                                                : 1},
+                             [&](DataTable& table, Script& script, std::size_t i, DeviceAxis const& axis) {
+                               write_block(table, panels[i]);
+                               draw_panel(script, name + ".dat", i, panels[i], axis);
+                             });
 }
 
 }  // namespace isolaw::render

@@ -1,9 +1,11 @@
 // Panels that each show one quantity over the devices of the lot, with error bars and the difference from the mean.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "isolaw/render/figures/figure_script.hpp"
 #include "isolaw/render/figures/figures_of.hpp"
 #include "isolaw/render/figures/gnuplot.hpp"
 #include "isolaw/study/findings.hpp"
@@ -27,6 +29,17 @@ struct DevicePanel {
 MaybeNumber percent_of(MaybeNumber const& value, MaybeNumber const& reference);
 bool has_values(DevicePanel const& panel);
 void write_block(DataTable& table, DevicePanel const& panel);
+
+struct PanelsOverDevices {
+  double height_mm = 30.0;
+  Margins margins;  // the bottom one without the names of the devices
+  int columns = 3;
+  std::string setting = {};  // a line of the script before the panels
+};
+using DrawPanel = std::function<void(DataTable&, Script&, std::size_t panel, DeviceAxis const&)>;
+// A figure of panels whose axes are devices. `draw` writes the data of a panel and draws it at its place.
+Figure figure_over_devices(std::string const& name, std::string const& about, std::vector<std::string> const& devices,
+                           std::size_t panels, PanelsOverDevices layout, DrawPanel const& draw);
 
 MaybeFigure panels_figure(std::string const& name, std::string const& about, std::vector<DevicePanel> const& panels);
 

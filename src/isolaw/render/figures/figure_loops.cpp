@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "isolaw/base/words.hpp"
 #include "isolaw/render/figures/figure_script.hpp"
@@ -91,15 +90,6 @@ void draw_head(Script& script, Grid const& grid, std::string const& device, std:
   script.line("unset key; unset label 1; set border 31 lw 0.8; set tics scale 0.6");
 }
 
-// The distance of ticks: one, two or five times a power of ten. About four ticks fit on a narrow panel.
-double tick_step(double span) {
-  constexpr double most = 4.0;
-  double const power = std::pow(10.0, std::floor(std::log10(span / most)));
-  for (double const step : {power, 2.0 * power, 5.0 * power})
-    if (step * most >= span) return step;
-  return 10.0 * power;
-}
-
 std::string loops_script(std::string const& name, std::string const& about, DeviceResult const& device,
                          std::vector<LoopPanel> const& panels) {
   auto grid = grid_of(panels.size(), 32.0, {.left = 13.0, .right = 3.0, .bottom = 9.0, .top = 5.0});
@@ -119,7 +109,7 @@ std::string loops_script(std::string const& name, std::string const& about, Devi
   draw_head(script, grid, device.name, panels.front().law);
   script.line("set xrange [{}:{}]; set yrange [{}:{}]", number(disp.low), number(disp.high), number(force.low),
               number(force.high));
-  if (disp.high > disp.low) script.line("set xtics {}", number(tick_step(disp.high - disp.low)));
+  if (disp.high > disp.low) script.line("set xtics {}", number(nice_step(disp.high - disp.low, 4)));
   script.line("set xlabel 'Displacement (mm)' offset 0,raise; set ylabel 'Force (kN)' offset inward,0");
   for (std::size_t i = 0; i < panels.size(); ++i) {
     script.place(grid, i);

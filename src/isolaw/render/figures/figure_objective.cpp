@@ -1,8 +1,6 @@
 #include <algorithm>
 
-#include "isolaw/base/words.hpp"
 #include "isolaw/render/figures/device_panels.hpp"
-#include "isolaw/render/figures/figure_script.hpp"
 #include "isolaw/study/spoken.hpp"
 
 namespace isolaw::render {
@@ -73,11 +71,9 @@ std::string objective_script(std::string const& name, std::string const& about, 
                   .panel_height_mm = 34.0,
                   .margins = {.left = 16.0, .right = 3.0, .bottom = 9.5, .top = 2.5}};
   Script script(name, about, grid.width_mm, grid.height_mm());
-  std::vector<std::string> tics;
-  for (auto const& law : laws) tics.push_back(fmt::format("{} {}", law_tic(law.title), tics.size() + 1));
-  script.line("set xrange [0.5:{}.5]; set xtics scale 0 noenhanced ({})", laws.size(), joined(tics));
-  for (std::size_t i = 1; i < laws.size(); ++i)
-    script.line("set arrow from first {0}.5,graph 0 to first {0}.5,graph 1 nohead ls {1} dt 3 lw 0.5", i, grey);
+  std::vector<std::string> names;
+  for (auto const& law : laws) names.push_back(law.title);
+  draw_law_axis(script, names);
   script.line("set multiplot");
   std::size_t panel = 0;
   script.place(grid, panel++);

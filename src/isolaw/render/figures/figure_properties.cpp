@@ -2,7 +2,6 @@
 #include <array>
 
 #include "isolaw/render/figures/device_panels.hpp"
-#include "isolaw/render/figures/figure_script.hpp"
 
 namespace isolaw::render {
 namespace {
@@ -102,23 +101,16 @@ MaybeFigure properties_figure(Summary const& summary) {
   std::string const name = "properties";
   std::string const about = "effective stiffness and equivalent viscous damping of every device";
   auto const devices = device_names(summary);
-  Margins margins{.left = 14.0, .right = 3.0, .bottom = 0.0, .top = 9.0};
-  DeviceAxis const axis(devices, grid_of(panels.size(), 0.0, margins).panel_width_mm());
-  margins.bottom = 7.5 + axis.label_mm;
-  auto const grid = grid_of(panels.size(), 42.0, margins);
-  DataTable table;
-  table.comment(about);
-  Script script(name, about, grid.width_mm, grid.height_mm());
-  script.line(
-      "set key at graph 0,1.02 left bottom horizontal Left reverse samplen 1.6 width (kind eq 'svg' ? -1.5 : 1)");
-  script.line("set multiplot");
-  for (std::size_t i = 0; i < panels.size(); ++i) {
-    write_block(table, panels[i], devices);
-    script.place(grid, i);
-    draw_panel(script, name + ".dat", i, panels[i], axis);
-  }
-  script.line("unset multiplot");
-  return Figure{name, table.take(), script.take()};
+  return figure_over_devices(
+      name, about, devices, panels.size(),
+      {.height_mm = 42.0,
+       .margins = {.left = 14.0, .right = 3.0, .bottom = 7.5, .top = 9.0},
+       .setting =
+           "set key at graph 0,1.02 left bottom horizontal Left reverse samplen 1.6 width (kind eq 'svg' ? -1.5 : 1)"},
+      [&](DataTable& table, Script& script, std::size_t i, DeviceAxis const& axis) {
+        write_block(table, panels[i], devices);
+        draw_panel(script, name + ".dat", i, panels[i], axis);
+      });
 }
 
 }  // namespace isolaw::render

@@ -6,7 +6,6 @@
 #include "isolaw/laws/catalogue.hpp"
 #include "isolaw/num/statistics.hpp"
 #include "isolaw/render/figures/device_panels.hpp"
-#include "isolaw/render/figures/figure_script.hpp"
 #include "isolaw/study/published.hpp"
 #include "isolaw/study/table_a5.hpp"
 
@@ -187,13 +186,9 @@ MaybeFigure published_objective_figure(Summary const& summary) {
                   .margins = {.left = 16.0, .right = 3.0, .bottom = 9.5, .top = 2.5},
                   .head_mm = 4.0};
   Script script(name, about, grid.width_mm, grid.height_mm());
-  std::vector<std::string> tics;
-  for (auto const& law : laws)
-    tics.push_back(
-        fmt::format("{} {}", law_tic(fmt::format("{} {}", law.number, laws::called(law.law))), tics.size() + 1));
-  script.line("set xrange [0.5:{}.5]; set xtics scale 0 noenhanced ({})", laws.size(), joined(tics));
-  for (std::size_t i = 1; i < laws.size(); ++i)
-    script.line("set arrow from first {0}.5,graph 0 to first {0}.5,graph 1 nohead ls {1} dt 3 lw 0.5", i, grey);
+  std::vector<std::string> names;
+  for (auto const& law : laws) names.push_back(fmt::format("{} {}", law.number, laws::called(law.law)));
+  draw_law_axis(script, names);
   script.line("set multiplot");
   script.place(grid, 0);
   script.line("set key at graph 0,1.02 left bottom horizontal Left reverse samplen 1");
@@ -230,24 +225,15 @@ MaybeFigure published_parameters_figure(Summary const& summary, LawResult const&
   for (auto const& spread : panels.front().here) places.push_back(spread.device);
   places.emplace_back();
   for (auto const& spread : panels.front().printed) places.push_back(spread.device);
-  Margins margins{.left = 13.5, .right = 12.0, .bottom = 0.0, .top = 5.0};
-  int const columns = places.size() <= 32 ? 2 : 1;
-  DeviceAxis const axis(places, grid_of(panels.size(), 0.0, margins, columns).panel_width_mm());
-  margins.bottom = 7.5 + axis.label_mm;
-  auto const grid = grid_of(panels.size(), 30.0, margins, columns);
-
-  DataTable table;
-  table.comment(about);
-  Script script(name, about, grid.width_mm, grid.height_mm());
-  script.line("set multiplot");
-  for (std::size_t i = 0; i < panels.size(); ++i) {
-    write_spreads(table, panels[i].name + ", here", panels[i].here);
-    write_spreads(table, panels[i].name + ", published", panels[i].printed);
-    script.place(grid, i);
-    draw_beside(script, name + ".dat", i, panels[i], axis);
-  }
-  script.line("unset multiplot");
-  return Figure{name, table.take(), script.take()};
+  return figure_over_devices(name, about, places, panels.size(),
+                             {.height_mm = 30.0,
+                              .margins = {.left = 13.5, .right = 12.0, .bottom = 7.5, .top = 5.0},
+                              .columns = places.size() <= 32 ? 2 : 1},
+                             [&](DataTable& table, Script& script, std::size_t i, DeviceAxis const& axis) {
+                               write_spreads(table, panels[i].name + ", here", panels[i].here);
+                               write_spreads(table, panels[i].name + ", published", panels[i].printed);
+                               draw_beside(script, name + ".dat", i, panels[i], axis);
+                             });
 }
 
 }  // namespace isolaw::render

@@ -14,13 +14,6 @@ namespace {
 
 constexpr double mm_per_inch = 25.4, svg_px_per_inch = 96.0, font_pt = 7.0, pt_per_inch = 72.0;
 
-double nice_step(double length, int steps) {
-  double const raw = length / steps, power = std::pow(10.0, std::floor(std::log10(raw)));
-  for (double const factor : {1.0, 2.0, 5.0})
-    if (factor * power >= raw) return factor * power;
-  return 10.0 * power;
-}
-
 std::string log_tics(Range const& range) {
   std::vector<double> values;
   int const first = static_cast<int>(std::floor(std::log10(range.low)));
@@ -63,6 +56,13 @@ Grid grid_of(std::size_t panels, double panel_height_mm, Margins const& margins,
           .width_mm = count == 1 && most_columns > 1 ? single_column_mm : double_column_mm,
           .panel_height_mm = panel_height_mm,
           .margins = margins};
+}
+
+double nice_step(double length, int steps) {
+  double const raw = length / steps, power = std::pow(10.0, std::floor(std::log10(raw)));
+  for (double const factor : {1.0, 2.0, 5.0})
+    if (factor * power >= raw) return factor * power;
+  return 10.0 * power;
 }
 
 Script::Script(std::string_view name, std::string_view about, double width_mm, double height_mm)
@@ -192,6 +192,14 @@ void DeviceAxis::draw(Script& script) const {
   auto const step = std::max<std::size_t>(1, static_cast<std::size_t>(nice_step(static_cast<double>(count), 8)));
   script.line("set xtics norotate nomirror autofreq {},{},{}", step == 1 ? 1 : step, step, count);
   script.line("set xlabel 'Device, number' offset 0,raise");
+}
+
+void draw_law_axis(Script& script, std::vector<std::string> const& laws) {
+  std::vector<std::string> tics;
+  for (auto const& law : laws) tics.push_back(fmt::format("{} {}", law_tic(law), tics.size() + 1));
+  script.line("set xrange [0.5:{}.5]; set xtics scale 0 noenhanced ({})", laws.size(), joined(tics));
+  for (std::size_t i = 1; i < laws.size(); ++i)
+    script.line("set arrow from first {0}.5,graph 0 to first {0}.5,graph 1 nohead ls {1} dt 3 lw 0.5", i, grey);
 }
 
 void set_log_axis(Script& script, Range const& range) {

@@ -44,6 +44,8 @@ struct Grid {
   double height_mm() const { return head_mm + rows * row_mm(); }
 };
 
+// The distance of ticks: one, two or five times a power of ten, so that at most `steps` fit into the length.
+double nice_step(double length, int steps);
 // A single panel is as wide as one column of a printed page; several panels share two columns.
 Grid grid_of(std::size_t panels, double panel_height_mm, Margins const& margins, int most_columns = 3);
 
@@ -95,6 +97,8 @@ struct Scale {
 Scale scale_for(Range const& range, std::string_view name, std::string_view unit);
 // A law's name below an axis, as a quoted string. The part in brackets goes to a second line.
 std::string law_tic(std::string name);
+// An axis with an interval around a whole number for each law.
+void draw_law_axis(Script& script, std::vector<std::string> const& laws);
 // Makes the y axis logarithmic. Tics are at the decades, or closer together if the axis spans only a few decades.
 void set_log_axis(Script& script, Range const& range);
 

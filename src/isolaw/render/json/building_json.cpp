@@ -35,7 +35,7 @@ class BuildingWriter {
     motions();
     quantities();
     number("law_std_ln", answers_.law_std_ln);
-    each("laws", answers_.laws, [&](building::LawAnswer const& law) {
+    out_.key("laws").objects(answers_.laws, [&](building::LawAnswer const& law) {
       write_results(out_, answer_results, law, digits_, [&](std::string_view key) { nested(law, key); });
     });
   }
@@ -45,35 +45,26 @@ class BuildingWriter {
   void number(std::string_view key, std::optional<double> const& value) {
     write_value(out_.key(key), value ? Value(*value) : Value(), rounding());
   }
-  template <class Items, class Write>
-  void each(std::string_view key, Items const& items, Write const& write) {
-    out_.key(key).begin_array();
-    for (auto const& item : items) {
-      out_.begin_object();
-      write(item);
-      out_.end_object();
-    }
-    out_.end_array();
-  }
   void point(building::Point const& at) {
     number("x_m", at.x_mm / mm_per_m);
     number("y_m", at.y_mm / mm_per_m);
   }
 
   void plan() {
-    out_.key("plan").begin_object();
-    each("bearings", study_.file.bearings, [&](building::BearingPlace const& place) {
-      point(place.at);
-      out_.member("is", place.stands == building::Stands::device ? std::string_view(place.device) : name(place.stands));
-    });
-    each("corners", answers_.corners, [&](building::Point const& at) { point(at); });
-    out_.key("centre").begin_object();
-    point(study_.file.frame.base.centre);
-    out_.end_object().end_object();
+    out_.key("plan")
+        .begin_object()
+        .key("bearings")
+        .objects(study_.file.bearings, [&](building::BearingPlace const& place) {
+          point(place.at);
+          out_.member("is",
+                      place.stands == building::Stands::device ? std::string_view(place.device) : name(place.stands));
+        });
+    out_.key("corners").objects(answers_.corners, [&](building::Point const& at) { point(at); });
+    out_.key("centre").object([&] { point(study_.file.frame.base.centre); }).end_object();
   }
 
   void motions() {
-    each("motions", study_.file.motions, [&](building::Motion const& m) {
+    out_.key("motions").objects(study_.file.motions, [&](building::Motion const& m) {
       double peak = 0.0;
       for (std::size_t i = 0; i < m.x_mm_s2.size(); ++i)
         peak = std::max(peak, std::hypot(m.x_mm_s2[i], m.y_mm_s2.empty() ? 0.0 : m.y_mm_s2[i]));
@@ -85,7 +76,7 @@ class BuildingWriter {
   }
 
   void quantities() {
-    each("quantities", building::quantities(), [&](building::Quantity const& row) {
+    out_.key("quantities").objects(building::quantities(), [&](building::Quantity const& row) {
       out_.member("key", row.key).member("title", row.title).member("unit", row.unit).member("meaning", row.meaning);
       out_.key("uncovered");
       row.uncovered.empty() ? out_.null() : out_.value(row.uncovered);
@@ -98,41 +89,29 @@ class BuildingWriter {
 
   void distribution(building::Distribution const& d) {
     write_results(out_, distribution_results, d, digits_, [&](std::string_view key) {
-      if (key == "histogram") {
-        out_.begin_object();
+      std::size_t motion = 0;
+      if (key != "histogram")
+        return void(out_.objects(d.by_motion, [&](auto const& of) {
+          number("nominal", d.nominal_by_motion[motion++]);
+          fractiles(of);
+        }));
+      out_.object([&] {
         number("from", d.histogram.from), number("width", d.histogram.width);
-        out_.key("counts").begin_array();
-        for (auto const count : d.histogram.counts) out_.value(count);
-        out_.end_array().end_object();
-        return;
-      }
-      out_.begin_array();
-      for (std::size_t m = 0; m < d.by_motion.size(); ++m) {
-        out_.begin_object();
-        number("nominal", d.nominal_by_motion[m]);
-        fractiles(d.by_motion[m]);
-        out_.end_object();
-      }
-      out_.end_array();
+        out_.key("counts").array(d.histogram.counts, [&](auto count) { out_.value(count); });
+      });
     });
   }
 
   void coverage(building::LawAnswer const& law) {
-    out_.begin_object();
     if (!law.coverage.empty()) write_results(out_, coverage_results, law.coverage.front(), digits_);
-    out_.key("of").begin_object();
-    for (std::size_t i = 0; i < law.coverage.size(); ++i) {
-      out_.key(law.coverage[i].quantity).begin_object();
-      write_results(out_, coverage_results, law.coverage[i], digits_);
-      out_.end_object();
-    }
-    out_.end_object().end_object();
+    out_.key("of").object([&] {
+      for (auto const& of : law.coverage)
+        out_.key(of.quantity).object([&] { write_results(out_, coverage_results, of, digits_); });
+    });
   }
 
   void histories(building::LawAnswer const& law) {
-    out_.begin_array();
-    for (auto const& history : law.histories) {
-      out_.begin_object();
+    out_.objects(law.histories, [&](building::NominalHistory const& history) {
       write_results(out_, history_results, history, digits_, [&](std::string_view key) {
         out_.line(key == "x_mm"         ? history.x_mm
                   : key == "y_mm"       ? history.y_mm
@@ -140,9 +119,7 @@ class BuildingWriter {
                                         : history.shear_y_kN,
                   history_digits);
       });
-      out_.end_object();
-    }
-    out_.end_array();
+    });
   }
 
   void loops(building::BearingLoops const& curves) {
@@ -162,28 +139,14 @@ class BuildingWriter {
   }
 
   void nested(building::LawAnswer const& law, std::string_view key) {
-    if (key == "coverage") return coverage(law);
     if (key == "histories") return histories(law);
-    if (key == "checked") {
-      out_.begin_array();
-      for (auto const& checked : law.checked) {
-        out_.begin_object();
-        write_results(out_, checked_results, checked, digits_);
-        out_.end_object();
-      }
-      out_.end_array();
-      return;
-    }
-    if (key == "doubts") {
-      out_.value(wording::sentences(law.doubts, wording::with_building));
-      return;
-    }
+    if (key == "checked") return write_rows(out_, checked_results, law.checked, digits_);
+    if (key == "doubts") return void(out_.value(wording::sentences(law.doubts, wording::with_building)));
     out_.begin_object();
+    if (key == "coverage") coverage(law);
     if (key == "floor_spectra") {
       out_.key("periods_s").line(building::spectrum_periods_s(), spectrum_digits);
-      out_.key("floors_g").begin_array();
-      for (auto const& floor : law.floor_spectra_g) out_.line(floor, spectrum_digits);
-      out_.end_array();
+      out_.key("floors_g").array(law.floor_spectra_g, [&](auto const& floor) { out_.line(floor, spectrum_digits); });
     }
     if (key == "loops") loops(law.loops);
     if (key == "peak_mm") fractiles(law.distributions.front().fractiles);
@@ -192,11 +155,8 @@ class BuildingWriter {
       out_.key("energy_share").line(law.bearing_energy_share, history_digits);
     }
     if (key == "quantities")
-      for (std::size_t q = 0; q < law.distributions.size(); ++q) {
-        out_.key(building::quantities()[q].key).begin_object();
-        distribution(law.distributions[q]);
-        out_.end_object();
-      }
+      for (std::size_t q = 0; q < law.distributions.size(); ++q)
+        out_.key(building::quantities()[q].key).object([&] { distribution(law.distributions[q]); });
     out_.end_object();
   }
 
@@ -224,9 +184,7 @@ std::vector<std::string> building_warnings(building::Answers const& answers) {
 
 std::string building_json(building::Study const& study, building::Answers const& answers) {
   JsonWriter out(JsonWriter::Layout::indented);
-  out.begin_object();
-  write_building(out, study, answers, Digits::all);
-  out.end_object();
+  out.object([&] { write_building(out, study, answers, Digits::all); });
   return out.take();
 }
 

@@ -17,32 +17,24 @@ namespace {
 
 constexpr int inspection_schema = 1;
 
-void write_effects(JsonWriter& out, std::vector<data::Effect> const& effects) {
-  out.key("effects").begin_array();
-  for (auto const& effect : effects) {
-    out.begin_object();
-    write_results(out, effect_results, effect, Digits::shown);
-    out.end_object();
-  }
-  out.end_array();
-}
-
 void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const& device,
                   std::vector<Finding> const& findings) {
   write_members(out, "name", device.name, "file", device.file, "sha256", device.sha256, "status", device.status,
                 "message", device.message, "samples", device.raw.size());
   write_complaints(out.key("complaints"), device.complaints);
-  out.key("columns").begin_object();
-  for (auto const& [channel, column] : device.raw.layout.columns) out.member(data::name(channel), column);
-  out.end_object().key("units").begin_object();
-  for (auto const& [channel, unit] : device.raw.layout.units) out.member(data::name(channel), unit);
-  out.end_object();
+  auto const write_channels = [&](std::string_view key, auto const& of) {
+    out.key(key).object([&] {
+      for (auto const& [channel, text] : of) out.member(data::name(channel), text);
+    });
+  };
+  write_channels("columns", device.raw.layout.columns);
+  write_channels("units", device.raw.layout.units);
   // sheet and test are null if the file has only one.
   write_members(out, "sheet", device.raw.layout.sheet, "test", device.raw.layout.test, "recognised",
                 wording::remarks(device.raw.recognised), "warnings", wording::remarks(findings));
   write_findings(out, "findings", findings, wording::anywhere);
   write_properties(out, lot, device);
-  write_effects(out, device.effects);
+  write_rows(out.key("effects"), effect_results, device.effects, Digits::shown);
 }
 
 }  // namespace
@@ -53,16 +45,13 @@ std::string inspection_json(Summary const& summary) {
   out.member("schema", inspection_schema).member("isolaw", summary.version);
   write_verdict(out, overall_verdict(summary));
   auto const device_findings = device_warnings(summary);
+  std::size_t place = 0;
   if (summary.devices.size() == 1) {
     write_device(out, summary.acceptance, summary.devices.front(), device_findings.front());
   } else {
-    out.member("title", summary.title).key("devices").begin_array();
-    for (std::size_t i = 0; i < summary.devices.size(); ++i) {
-      out.begin_object();
-      write_device(out, summary.acceptance, summary.devices[i], device_findings[i]);
-      out.end_object();
-    }
-    out.end_array();
+    out.member("title", summary.title).key("devices").objects(summary.devices, [&](auto const& device) {
+      write_device(out, summary.acceptance, device, device_findings[place++]);
+    });
     write_findings(out, "warnings", warnings(summary));
   }
   out.key("assessment");

@@ -38,58 +38,31 @@ void write_value(JsonWriter& out, Value const& value, std::optional<int> digits)
 }
 
 void write_values(JsonWriter& out, std::span<double const> values, std::optional<int> digits) {
-  out.begin_array();
-  for (double const value : values) write_value(out, value, digits);
-  out.end_array();
+  out.array(values, [&](double value) { write_value(out, value, digits); });
 }
 
 void write_profile(JsonWriter& out, ParameterAnalysis const& analysis, std::optional<int> digits) {
-  out.begin_object();
-  write_values(out.key("value"), analysis.profile_value, digits);
-  write_values(out.key("objective"), analysis.profile_objective, digits);
-  out.end_object();
+  out.object([&] {
+    write_values(out.key("value"), analysis.profile_value, digits);
+    write_values(out.key("objective"), analysis.profile_objective, digits);
+  });
 }
 
-void write_intervals(JsonWriter& out, DeviceFit const& fit) {
-  out.begin_object();
-  write_results(out, interval_results, fit, Digits::all);
-  out.end_object();
-}
-
-void write_blocks(JsonWriter& out, std::vector<BlockScore> const& blocks, Digits digits) {
-  out.begin_array();
-  for (auto const& score : blocks) {
-    out.begin_object();
-    write_results(out, score_results, score, digits);
-    out.end_object();
-  }
-  out.end_array();
-}
-
-void write_outliers(JsonWriter& out, std::vector<OutlyingDevice> const& outliers, Digits digits) {
-  out.begin_array();
-  for (auto const& outlier : outliers) {
-    out.begin_object();
-    write_results(out, outlier_results, outlier, digits);
-    out.end_object();
-  }
-  out.end_array();
+void write_settings(JsonWriter& out, study::Summary const& summary) {
+  out.key("settings").object([&] {
+    for (auto const& setting : summary.settings) out.key(setting.key).json(setting.json);
+  });
 }
 
 void write_recommendations(JsonWriter& out, study::Summary const& summary,
                            std::vector<study::Recommendation> const& recommendations) {
   auto const write_reasons = [&](std::string_view key, std::vector<Finding> const& findings) {
-    out.key(key).begin_array();
-    for (auto const& finding : findings)
-      out.begin_object()
-          .member("kind", wording::row(finding.kind).key)
-          .member("sentence", wording::sentence(finding))
-          .end_object();
-    out.end_array();
+    out.key(key).objects(findings, [&](Finding const& finding) {
+      out.member("kind", wording::row(finding.kind).key).member("sentence", wording::sentence(finding));
+    });
   };
-  out.key("recommendations").begin_array();
-  for (auto const& each : recommendations) {
-    out.begin_object().member("purpose", study::name(each.purpose)).key("law");
+  out.key("recommendations").objects(recommendations, [&](study::Recommendation const& each) {
+    out.member("purpose", study::name(each.purpose)).key("law");
     each.law ? out.value(summary.laws[*each.law].id) : out.null();
     out.member("sure", study::name(each.sure)).member("error", each.error);
     out.member("why", wording::paragraph(each.why));
@@ -97,22 +70,19 @@ void write_recommendations(JsonWriter& out, study::Summary const& summary,
     write_reasons("weak", each.weak);
     out.member("would_decide", wording::paragraph(each.surer, "; "));
     write_reasons("surer", each.surer);
-    out.member("measure", each.measure).key("ties").begin_array();
-    for (auto const law : each.ties) out.value(summary.laws[law].id);
-    out.end_array().key("standings").begin_array();
-    for (auto const& standing : each.standings) {
-      out.begin_object().member("law", summary.laws[standing.law].id).member("place", study::name(standing.place));
+    out.member("measure", each.measure);
+    out.key("ties").array(each.ties, [&](auto law) { out.value(summary.laws[law].id); });
+    out.key("standings").objects(each.standings, [&](auto const& standing) {
+      out.member("law", summary.laws[standing.law].id).member("place", study::name(standing.place));
       out.member("error", standing.error);
       out.member("reason", standing.reason ? wording::remark(*standing.reason) : std::string());
       out.member("reason_kind", standing.reason ? wording::row(standing.reason->kind).key : std::string_view());
-      out.end_object();
-    }
-    out.end_array().member("answer", wording::sentence(each.answer)).member("title", each.title);
+    });
+    out.member("answer", wording::sentence(each.answer)).member("title", each.title);
     out.member("valid", each.valid_mm ? fmt::format("up to {} mm", number_text(*each.valid_mm, 3)) : std::string());
     out.member("valid_mm", each.valid_mm);
-    out.member("programs", each.programs ? wording::sentence(*each.programs) : std::string()).end_object();
-  }
-  out.end_array();
+    out.member("programs", each.programs ? wording::sentence(*each.programs) : std::string());
+  });
 }
 
 void write_published(JsonWriter& out, study::Summary const& summary, Digits digits) {
@@ -122,53 +92,35 @@ void write_published(JsonWriter& out, study::Summary const& summary, Digits digi
     out.null();
     return;
   }
-  auto const rows = [&](std::string_view key, auto const& results, auto const& all) {
-    out.key(key).begin_array();
-    for (auto const& each : all) {
-      out.begin_object();
-      write_results(out, results, each, digits);
-      out.end_object();
-    }
-    out.end_array();
-  };
   out.begin_object().member("source", comparison->source).member("verdict", comparison->verdict);
-  rows("laws", study::published_law_results, comparison->laws);
-  rows("statements", study::published_statement_results, comparison->statements);
+  write_rows(out.key("laws"), study::published_law_results, comparison->laws, digits);
+  write_rows(out.key("statements"), study::published_statement_results, comparison->statements, digits);
   out.end_object();
 }
 
 void write_findings(JsonWriter& out, std::string_view key, std::vector<Finding> const& findings, unsigned place) {
   auto const write_list = [&](std::string_view name, auto const& values) {
-    if (values.empty()) return;
-    out.key(name).begin_array();
-    for (auto const& value : values) out.value(value);
-    out.end_array();
+    if (!values.empty()) out.key(name).array(values, [&](auto const& value) { out.value(value); });
   };
-  out.key(key).begin_array();
-  for (auto const& group : wording::grouped(findings, place)) {
+  out.key(key).objects(wording::grouped(findings, place), [&](auto const& group) {
     auto const& row = wording::row(group.front().kind);
-    out.begin_object().member("kind", row.key).member("topic", row.topic);
+    out.member("kind", row.key).member("topic", row.topic);
     out.member("severity", wording::name(row.severity)).member("sentence", wording::sentence(group));
     out.member("certificate", (row.appears & wording::on_certificate) != 0)
         .member("action", row.action)
         .member("law", group.front().law);
     out.member("other_laws", group.front().other_laws);
     out.member("devices", wording::devices_of(group)).member("parameters", wording::parameters_of(group));
-    out.key("blocks").begin_array();
-    for (int const block : wording::blocks_of(group)) out.value(block);
-    out.end_array().key("each").begin_array();
-    for (auto const& finding : group) {
-      out.begin_object();
+    out.key("blocks").array(wording::blocks_of(group), [&](int block) { out.value(block); });
+    out.key("each").objects(group, [&](Finding const& finding) {
       write_list("devices", finding.devices);
       write_list("parameters", finding.parameters);
       write_list("blocks", finding.blocks);
-      out.key("numbers").begin_object();
-      for (auto const& number : finding.numbers) out.member(number.name, number.value);
-      out.end_object().end_object();
-    }
-    out.end_array().end_object();
-  }
-  out.end_array();
+      out.key("numbers").object([&] {
+        for (auto const& number : finding.numbers) out.member(number.name, number.value);
+      });
+    });
+  });
 }
 
 }  // namespace isolaw::render

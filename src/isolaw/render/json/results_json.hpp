@@ -49,10 +49,14 @@ void write_results(JsonWriter& out, Result<Object> const (&rows)[count], Object 
   write_results(out, rows, object, digits, [](std::string_view) {});
 }
 
+// Writes an array with an object of these rows for each item.
+template <class Object, std::size_t count, class Items>
+void write_rows(JsonWriter& out, Result<Object> const (&rows)[count], Items const& items, Digits digits) {
+  out.objects(items, [&](Object const& item) { write_results(out, rows, item, digits); });
+}
+
 void write_profile(JsonWriter& out, ParameterAnalysis const& analysis, std::optional<int> digits = std::nullopt);
-void write_intervals(JsonWriter& out, DeviceFit const& fit);
-void write_blocks(JsonWriter& out, std::vector<BlockScore> const& blocks, Digits digits);
-void write_outliers(JsonWriter& out, std::vector<OutlyingDevice> const& outliers, Digits digits);
+void write_settings(JsonWriter& out, study::Summary const& summary);
 void write_recommendations(JsonWriter& out, study::Summary const& summary,
                            std::vector<study::Recommendation> const& recommendations);
 // Writes "published", the comparison with the published study; null if the campaign has too few of the study's laws.

@@ -23,18 +23,12 @@ double shown(double seconds) {
 
 std::string profile_json(campaign::Profile const& profile) {
   JsonWriter out;
-  out.begin_array();
-  for (auto const phase : campaign::phases) {
+  out.objects(campaign::phases, [&](auto phase) {
     auto const& cost = profile[phase];
-    out.begin_object()
-        .member("phase", std::string(campaign::name(phase)))
-        .member("cpu_seconds", shown(cost.cpu_s))
-        .member("wall_seconds", shown(cost.wall_s))
-        .member("kernel_seconds", shown(cost.kernel_s))
-        .member("evaluations", cost.evaluations)
-        .end_object();
-  }
-  out.end_array();
+    out.member("phase", campaign::name(phase)).member("cpu_seconds", shown(cost.cpu_s));
+    out.member("wall_seconds", shown(cost.wall_s)).member("kernel_seconds", shown(cost.kernel_s));
+    out.member("evaluations", cost.evaluations);
+  });
   return out.take();
 }
 

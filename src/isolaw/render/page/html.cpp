@@ -13,20 +13,6 @@
 namespace isolaw::render {
 namespace {
 
-// Adds a backslash to "<!--" and "</script", which would end a <script>. Strings and regular expressions ignore it.
-std::string inline_script(std::string_view script) {
-  std::string safe;
-  safe.reserve(script.size());
-  for (std::size_t i = 0; i < script.size(); ++i) {
-    safe += script[i];
-    if (script[i] != '<') continue;
-    if (script.substr(i + 1, 3) == "!--") safe += '\\';
-    if (script.size() - i > 7 && script[i + 1] == '/' && (script[i + 2] | 0x20) == 's' && (script[i + 3] | 0x20) == 'c')
-      safe += '\\';
-  }
-  return safe;
-}
-
 std::string html_escaped(std::string_view text) {
   constexpr std::string_view signs = "&<>\"'";
   constexpr std::string_view escaped[]{"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"};
@@ -58,15 +44,16 @@ std::string law_colours() {
 }
 
 std::string page_of(std::string_view title, std::string_view asked, std::string_view data, std::string_view script) {
+  auto const file = [](std::string_view name) { return std::string(embedded_text(page_files(), name)); };
   std::map<std::string_view, std::string> const contents{
       {"title", html_escaped(title)},
-      {"style", std::string(embedded_text(page_files(), "page.css"))},
+      {"style", file("page.css")},
       {"law_colours", law_colours()},
-      {"errors", std::string(embedded_text(page_files(), "errors.js"))},
-      {"plotly", inline_script(embedded_text(page_files(), "plotly-basic.min.js"))},
+      {"errors", file("errors.js")},
+      {"plotly", file("plotly-basic.min.js")},
       {"asked", script_safe(asked)},
       {"data", script_safe(data)},
-      {"script", inline_script(embedded_text(page_files(), script))},
+      {"script", file(script)},
   };
   // Goes through the template only once, so that a placeholder's name inside an inserted text is not replaced.
   std::string_view rest = embedded_text(page_files(), "page.html");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "isolaw/analysis/determination.hpp"
 #include "isolaw/base/symbol.hpp"
@@ -45,14 +46,12 @@ void write_curve(JsonWriter& out, std::string_view key, std::vector<double> cons
   double const step = upper > lower ? (upper - lower) / curve_levels : 1.0;
   out.key(key).begin_object();
   write_members(out, "o", lower, "s", step);
-  out.key("d").begin_array();
   int before = 0;
-  for (std::size_t const i : samples) {
+  out.key("d").array(samples, [&](std::size_t i) {
     int const level = std::isfinite(values[i]) ? static_cast<int>(std::lround((values[i] - lower) / step)) : before;
-    out.value(level - before);
-    before = level;
-  }
-  out.end_array().end_object();
+    out.value(level - std::exchange(before, level));
+  });
+  out.end_object();
 }
 
 // Divides about two million points among all curves, so that a page of 160 devices stays small.
@@ -76,30 +75,21 @@ void write_curves(JsonWriter& out, Record const& record, std::vector<std::size_t
 // Point k of the curve is the raw sample min(k stride, samples - 1).
 void write_raw(JsonWriter& out, data::TestRecord const& raw, std::size_t most) {
   auto const drawn = drawn_samples(raw.size(), most);
-  out.key("raw").begin_object();
-  write_members(out, "samples", raw.size(), "stride", stride_of(drawn));
-  write_curves(out, raw, drawn);
-  out.end_object();
+  out.key("raw").object([&] {
+    write_members(out, "samples", raw.size(), "stride", stride_of(drawn));
+    write_curves(out, raw, drawn);
+  });
 }
 
 // The time ranges that the laws were fitted to; null if that is the whole record.
 void write_scored(JsonWriter& out, data::FitRecord const& record) {
   out.key("scored");
-  if (record.scored.empty()) {
-    out.null();
-    return;
-  }
+  if (record.scored.empty()) return void(out.null());
   out.begin_array();
-  for (std::size_t i = 0; i < record.size();) {
+  for (std::size_t i = 0; i < record.size(); ++i) {
     auto const first = i;
     while (i < record.size() && record.is_scored(i)) ++i;
-    if (i > first) {
-      out.begin_object();
-      write_members(out, "from", record.time_s[first], "to", record.time_s[i - 1]);
-      out.end_object();
-    } else {
-      ++i;
-    }
+    if (i > first) out.object([&] { write_members(out, "from", record.time_s[first], "to", record.time_s[i - 1]); });
   }
   out.end_array();
 }
@@ -107,27 +97,22 @@ void write_scored(JsonWriter& out, data::FitRecord const& record) {
 void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const& device,
                   std::vector<Finding> const& findings, std::vector<std::size_t> const& drawn, std::size_t most) {
   auto const& record = device.record;
-  out.begin_object();
   write_members(out, "name", device.name, "file", device.file, "sha256", device.sha256, "status", device.status,
                 "message", device.message, "serial", device.serial, "lot", device.lot, "test_date", device.test_date);
   out.member("temperature_C", device.temperature_C).member("rubber_thickness_mm", device.rubber_thickness_mm);
   out.member("rubber_area_mm2", device.rubber_area_mm2);
   write_properties(out, lot, device);
   write_raw(out, device.raw, most);
-  out.key("recognised").begin_array();
-  for (auto const& finding : device.raw.recognised)
-    out.begin_object()
-        .member("sentence", wording::remark(finding))
-        .member("option", finding.word("option"))
-        .end_object();
-  out.end_array();
+  out.key("recognised").objects(device.raw.recognised, [&](Finding const& finding) {
+    out.member("sentence", wording::remark(finding)).member("option", finding.word("option"));
+  });
   write_members(out, "warnings", wording::remarks(findings), "cleaning", wording::remarks(record.cleaning));
   write_findings(out, "findings", findings, wording::anywhere);
   write_scored(out, record);
-  out.key("record").begin_object();
-  write_members(out, "samples", record.size(), "drawn", drawn.size(), "has_time", record.has_time());
-  write_curves(out, record, drawn);
-  out.end_object().end_object();
+  out.key("record").object([&] {
+    write_members(out, "samples", record.size(), "drawn", drawn.size(), "has_time", record.has_time());
+    write_curves(out, record, drawn);
+  });
 }
 
 // A parameter has the same values of these results on every device, so they are written once for each law.
@@ -135,14 +120,9 @@ constexpr auto of_the_law = columns(parameter_results, {"unit", "free", "paper_n
 
 // Writes one array for each property, so that a fit repeats neither names of properties nor of parameters.
 void write_parameter_columns(JsonWriter& out, std::vector<ParameterFit> const& parameters) {
-  out.begin_object();
-  for (auto const& row : parameter_results) {
-    if (std::ranges::find(of_the_law, row.key, &Result<ParameterFit>::key) != of_the_law.end()) continue;
-    out.key(row.key).begin_array();
-    for (auto const& parameter : parameters) write_value(out, row.of(parameter), row.digits);
-    out.end_array();
-  }
-  out.end_object();
+  for (auto const& row : parameter_results)
+    if (std::ranges::find(of_the_law, row.key, &Result<ParameterFit>::key) == of_the_law.end())
+      out.key(row.key).array(parameters, [&](auto const& one) { write_value(out, row.of(one), row.digits); });
 }
 
 void write_examined(JsonWriter& out, Result<ParameterAnalysis> const& row,
@@ -157,17 +137,11 @@ void write_examined(JsonWriter& out, Result<ParameterAnalysis> const& row,
 // Writes one array for each property, with null for a parameter that was not examined. Writes null without an analysis.
 void write_determination(JsonWriter& out, DeviceFit const& fit) {
   out.key("determination");
-  if (!fit.optimum) {
-    out.null();
-    return;
-  }
-  out.begin_object();
-  for (auto const& row : analysis_results) {
-    out.key(row.key).begin_array();
-    for (auto const& parameter : fit.parameters) write_examined(out, row, parameter.analysis);
-    out.end_array();
-  }
-  out.end_object();
+  if (!fit.optimum) return void(out.null());
+  out.object([&] {
+    for (auto const& row : analysis_results)
+      out.key(row.key).array(fit.parameters, [&](auto const& one) { write_examined(out, row, one.analysis); });
+  });
 }
 
 // Writes the best objective after each generation or start as least, median and largest log10 over the runs. A run that
@@ -181,10 +155,7 @@ void write_convergence(JsonWriter& out, DeviceFit const& fit) {
     steps = std::max(steps, history.size());
   }
   out.key("convergence");
-  if (runs.empty() || steps < 2) {
-    out.null();
-    return;
-  }
+  if (runs.empty() || steps < 2) return void(out.null());
   std::vector<double> lowest, median, highest;
   for (std::size_t i = 0; i < steps; ++i) {
     std::vector<double> values;
@@ -195,23 +166,22 @@ void write_convergence(JsonWriter& out, DeviceFit const& fit) {
     highest.push_back(std::log10(most));
   }
   auto const drawn = drawn_samples(steps, convergence_points);
-  out.begin_object();
-  write_members(out, "steps", steps, "stride", stride_of(drawn), "runs", runs.size());
-  write_curve(out, "lowest", lowest, drawn);
-  write_curve(out, "median", median, drawn);
-  write_curve(out, "highest", highest, drawn);
-  out.end_object();
+  out.object([&] {
+    write_members(out, "steps", steps, "stride", stride_of(drawn), "runs", runs.size());
+    write_curve(out, "lowest", lowest, drawn);
+    write_curve(out, "median", median, drawn);
+    write_curve(out, "highest", highest, drawn);
+  });
 }
 
 void write_fit(JsonWriter& out, DeviceFit const& fit, int device, std::vector<std::size_t> const& drawn) {
-  out.begin_object().member("device", device);
+  out.member("device", device);
   write_results(out, fit_results, fit, Digits::shown, [&](std::string_view key) {
-    if (key == "parameters")
+    if (key == "blocks") return write_rows(out, score_results, fit.blocks, Digits::shown);
+    out.object([&] {
+      if (key == "intervals") return write_results(out, interval_results, fit, Digits::all);
       write_parameter_columns(out, fit.parameters);
-    else if (key == "intervals")
-      write_intervals(out, fit);
-    else
-      write_blocks(out, fit.blocks, Digits::shown);
+    });
   });
   write_determination(out, fit);
   write_convergence(out, fit);
@@ -219,29 +189,27 @@ void write_fit(JsonWriter& out, DeviceFit const& fit, int device, std::vector<st
     write_curve(out, "force_kN", fit.force_kN, drawn);
   else
     out.key("force_kN").null();
-  out.end_object();
 }
 
 void write_lot_law(JsonWriter& out, LotLaw const& lot) {
-  out.begin_object();
   write_results(out, lot_law_results, lot, Digits::shown, [&](std::string_view key) {
     write_values(out, key == "parameters" ? lot.parameters : lot.worst_parameters, shown_digits);
   });
-  out.key("at_bound").begin_array();
-  for (auto const& [parameter, side] : lot.at_bound)
-    out.begin_object().member("parameter", parameter).member("side", name(side)).end_object();
-  out.end_array().end_object();
+  out.key("at_bound").objects(lot.at_bound, [&](auto const& bound) {
+    auto const& [parameter, side] = bound;
+    out.member("parameter", parameter).member("side", name(side));
+  });
 }
 
 // Covariances are left out, since the page draws only correlations.
 void write_population(JsonWriter& out, lot::Population const& population) {
-  out.begin_object().member("devices", std::uint64_t{population.devices}).member("parameters", population.names);
+  out.member("devices", std::uint64_t{population.devices}).member("parameters", population.names);
   write_values(out.key("medians"), population.medians, shown_digits);
   write_values(out.key("relative_std"), population.relative_std, profile_digits);
-  out.key("correlation").begin_array();
-  for (auto const& row : population.correlation) write_values(out, row, profile_digits);
-  out.end_array();
-  out.member("note", population.note).end_object();
+  out.key("correlation").array(population.correlation, [&](auto const& row) {
+    write_values(out, row, profile_digits);
+  });
+  out.member("note", population.note);
 }
 
 void write_fits(JsonWriter& out, Summary const& summary, LawResult const& law,
@@ -251,73 +219,56 @@ void write_fits(JsonWriter& out, Summary const& summary, LawResult const& law,
     auto const found = std::ranges::find(summary.devices, fit.device, &DeviceResult::name);
     if (found == summary.devices.end()) continue;
     auto const index = static_cast<std::size_t>(found - summary.devices.begin());
-    write_fit(out, fit, static_cast<int>(index), drawn[index]);
+    out.object([&] { write_fit(out, fit, static_cast<int>(index), drawn[index]); });
   }
   out.end_array();
 }
 
 void write_law(JsonWriter& out, Summary const& summary, LawResult const& law,
                std::vector<std::vector<std::size_t>> const& drawn) {
-  out.begin_object();
   write_results(out, law_results, law, Digits::shown, [&](std::string_view key) {
     if (key == "devices")
       write_fits(out, summary, law, drawn);
     else if (key == "lot" && law.lot)
-      write_lot_law(out, *law.lot);
+      out.object([&] { write_lot_law(out, *law.lot); });
     else if (key == "population" && law.population)
-      write_population(out, *law.population);
+      out.object([&] { write_population(out, *law.population); });
     else
       out.null();
   });
   write_members(out, "K_eff_error_percent", mean_magnitude(law, &DeviceFit::K_eff_error_percent),
                 "energy_error_percent", mean_magnitude(law, &DeviceFit::energy_error_percent));
-  out.key("parameters").begin_array();
-  auto const& parameters = parameters_of(law);
-  for (std::size_t n = 0; n < parameters.size(); ++n) {
-    out.begin_object();
-    out.member("name", parameters[n].name);
-    for (auto const& row : of_the_law) write_value(out.key(row.key), row.of(parameters[n]), row.digits);
-    write_members(out, "delta", largest_difference(law, n));
-    out.end_object();
-  }
-  out.end_array().end_object();
+  std::size_t n = 0;
+  out.key("parameters").objects(parameters_of(law), [&](ParameterFit const& parameter) {
+    out.member("name", parameter.name);
+    for (auto const& row : of_the_law) write_value(out.key(row.key), row.of(parameter), row.digits);
+    write_members(out, "delta", largest_difference(law, n++));
+  });
 }
 
 void write_conclusions(JsonWriter& out, Summary const& summary) {
   auto const found = findings(summary);
-  out.key("findings").begin_object();
   write_recommendations(out, summary, found.recommendations);
   out.member("headline", wording::paragraph(found.headline)).member("beta_note", found.beta_note);
-  out.key("verdicts").begin_array();
-  for (auto const& verdict : found.verdicts) {
-    out.begin_object();
+  out.key("verdicts").objects(found.verdicts, [&](auto const& verdict) {
     write_members(out, "law", verdict.law, "role", verdict.role, "sentence",
                   wording::paragraph(verdict.findings, " ", false), "dominated_by", verdict.dominated_by);
-    out.end_object();
-  }
-  out.end_array();
+  });
   write_findings(out, "warnings", found.warnings);
   write_findings(out, "converged", found.converged, wording::anywhere);
-  out.end_object();
 }
 
 void write_shown(JsonWriter& out, Summary const& summary) {
-  out.key("by_objective").begin_array();
-  for (auto const law : by_objective(summary))
+  out.key("by_objective").array(by_objective(summary), [&](std::size_t law) {
     if (summary.laws[law].objective.mean) out.value(std::uint64_t{law});
-  out.end_array().key("typical_device");
-  if (auto const device = typical_device(summary))
-    out.value(std::uint64_t{*device});
-  else
-    out.null();
-  out.key("stands").begin_object();
-  for (auto const view : front_views) {
-    std::vector<std::string> standing;
-    for (auto const& point : front_points(summary, view))
-      if (point.stands) standing.push_back(point.law);
-    out.member(key(view), standing);
-  }
-  out.end_object();
+  });
+  write_members(out, "typical_device", typical_device(summary));
+  out.key("stands").object([&] {
+    for (auto const view : front_views)
+      out.key(key(view)).array(front_points(summary, view), [&](auto const& point) {
+        if (point.stands) out.value(point.law);
+      });
+  });
 }
 
 // The limits that decide the words of verdicts. The page states these numbers.
@@ -336,14 +287,11 @@ void write_headings(JsonWriter& out, std::string_view kind, Result<Of> const (&r
   out.key(kind).begin_object();
   for (auto const& row : rows) {
     if (row.heading.empty()) continue;
-    out.key(row.key).begin_array();
-    for (auto const& [title, unit] : study::headings(row)) {
-      out.begin_object().member("title", title).member("unit", unit);
+    out.key(row.key).objects(study::headings(row), [&](auto const& heading) {
+      out.member("title", heading.title).member("unit", heading.unit);
       if (row.printed.decimals) out.member("decimals", *row.printed.decimals);
       if (row.printed.significant) out.member("significant", *row.printed.significant);
-      out.end_object();
-    }
-    out.end_array();
+    });
   }
   out.end_object();
 }
@@ -369,11 +317,10 @@ void write_all_headings(JsonWriter& out) {
   write_headings(out, "test_factors", test_factor_results);
   write_headings(out, "lot_outliers", lot_outlier_results);
   write_headings(out, "factors", factor_results);
-  out.end_object().key("followed").begin_array();
-  for (auto const& [name, key, property] : followed_properties) {
-    out.begin_object().member("name", name).member("key", key).end_object();
-  }
-  out.end_array();
+  out.end_object().key("followed").objects(followed_properties, [&](auto const& followed) {
+    auto const& [name, key, property] = followed;
+    out.member("name", name).member("key", key);
+  });
 }
 
 Notation notation_of(Summary const& summary) {
@@ -390,9 +337,7 @@ Notation notation_of(Summary const& summary) {
 }  // namespace
 
 void write_notation(JsonWriter& out, Notation const& of) {
-  out.key("symbols").begin_array();
-  for (auto const& look : law_looks) out.value(look.symbol);
-  out.end_array();
+  out.key("symbols").array(law_looks, [&](auto const& look) { out.value(look.symbol); });
   // True for a name such as "a10", unless a device has the same name.
   auto const is_no_other_word = [&](std::string_view name) {
     return name.size() > 1 && std::ranges::any_of(name, is_digit) && !of.devices.contains(name);
@@ -427,12 +372,10 @@ std::string page_data_json(Summary const& summary) {
   write_members(out, "isolaw", campaign::text(std::span(summary.makers)), "title", summary.title, "seed", seed, "runs",
                 summary.runs, "missing_runs", summary.missing_runs(), "missing_analyses", summary.missing_analyses(),
                 "command", command_again(summary), "takes_lot_file", takes_lot_file(summary));
-  out.key("settings").begin_object();
-  for (auto const& setting : summary.settings) out.key(setting.key).json(setting.json);
-  out.end_object();
-  write_conclusions(out, summary);
+  write_settings(out, summary);
+  out.key("findings").object([&] { write_conclusions(out, summary); });
   write_shown(out, summary);
-  write_outliers(out.key("outliers"), summary.outliers, Digits::shown);
+  write_rows(out.key("outliers"), outlier_results, summary.outliers, Digits::shown);
   write_published(out, summary, Digits::shown);
   write_thresholds(out);
   write_all_headings(out);
@@ -441,13 +384,12 @@ std::string page_data_json(Summary const& summary) {
   out.key("assessment");
   write_acceptance(out, summary.acceptance);
   auto const of_devices = device_warnings(summary);
-  out.key("devices").begin_array();
-  for (std::size_t i = 0; i < summary.devices.size(); ++i)
-    write_device(out, summary.acceptance, summary.devices[i], of_devices[i], drawn[i], most);
-  out.end_array();
-  out.key("laws").begin_array();
-  for (auto const& law : summary.laws) write_law(out, summary, law, drawn);
-  out.end_array();
+  std::size_t i = 0;
+  out.key("devices").objects(summary.devices, [&](DeviceResult const& device) {
+    write_device(out, summary.acceptance, device, of_devices[i], drawn[i], most);
+    ++i;
+  });
+  out.key("laws").objects(summary.laws, [&](LawResult const& law) { write_law(out, summary, law, drawn); });
   out.end_object();
   return out.take();
 }

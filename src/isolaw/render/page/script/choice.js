@@ -1,40 +1,46 @@
-import { choices } from './choices.js';
-import {
-  devices, drawable, examinedLaws, firstExamined, lotLaws, predictedByFit, ranking, report, tested,
-} from './report.js';
-import { FIRST, recommended } from './purposes.js';
-import { FIRST_VIEW } from './views.js';
+// The reader's choices on a page, and controls for them. Figures follow them; each figure names the choices that change it.
 
-const shownFirst = (among) => among.find((device) => device.index === report.typical_device) ?? among[0];
+import { button, element } from './dom.js';
+import { colourOf, isAgain } from './plotting.js';
 
-const reader = choices({
-  device: shownFirst(drawable)?.index ?? null,
-  tested:
-    (tested.find(({ verdict }) => verdict === 'fail') ?? shownFirst(tested.filter((device) => device.blocks.length > 0)) ?? tested[0])?.index ??
-    null,
-  block: 'all',
-  laws: new Set(recommended.map((law) => law.index)),
-  grouping: 'law',
-  purpose: FIRST,
-  view: FIRST_VIEW,
-  examined: examinedLaws[0]?.index ?? null, // the law in the section on determination
-  parameter: firstExamined(examinedLaws[0]), // index of the parameter shown with that law
-  lotLaw: lotLaws[0]?.index ?? null,
-  predicted: predictedByFit[1]?.index ?? null, // the law that predicts second best, since the best is shown anyway
-  law: ranking[0]?.index ?? null, // the law in the section on parameters
-  order: { key: 'best OF\n-', down: false }, // how the table of laws on one device is sorted
-});
+export const chosen = {};
+const followers = [];
+export const onChoice = (follow) => followers.push(follow);
 
-export const chosen = reader.chosen;
-export const onChoice = reader.onChoice;
-export const choose = reader.choose;
+export function choose(changes) {
+  Object.assign(chosen, changes);
+  for (const follow of followers) follow(changes);
+}
 
-// All sections show the same device. A section that cannot show it keeps its previous device.
-export function chooseDevice(index, changes = {}) {
-  if (drawable.some((device) => device.index === index)) changes.device = index;
-  if (tested.some((device) => device.index === index)) {
-    changes.tested = index;
-    if (!devices[index].blocks.some((block) => block.number === chosen.block)) changes.block = 'all';
-  }
-  choose(changes);
+// A drop-down list of `options`, [value, text], for the choice `key`. `follow` is called with the chosen value.
+export function chooser(id, title, options, key, follow = (value) => choose({ [key]: value })) {
+  const option = ([value, text]) => element('option', { value, selected: value === chosen[key] }, text);
+  const select = element('select', { id, change: () => follow(select.value) }, options.map(option));
+  onChoice(() => (select.value = chosen[key]));
+  return element('label', {}, title, select);
+}
+
+// Buttons for `options`, [value, title]. That of the choice `key` is pressed.
+export function choiceButtons(key, options, attributes) {
+  const buttons = options.map(([value, title]) => button(title, () => choose({ [key]: value }), { value }));
+  const follow = () => {
+    for (const one of buttons) one.setAttribute('aria-pressed', String(one.value === chosen[key]));
+  };
+  onChoice(follow);
+  follow();
+  return element('div', { class: 'choice', role: 'group', ...attributes }, buttons);
+}
+
+// Boxes for the choice `laws`, a set of indices.
+export function lawBoxes(among) {
+  const box = ({ index }) => {
+    const change = ({ currentTarget }) => {
+      currentTarget.checked ? chosen.laws.add(index) : chosen.laws.delete(index);
+      choose({ laws: chosen.laws });
+    };
+    return element('input', { type: 'checkbox', value: index, checked: chosen.laws.has(index), change });
+  };
+  const key = (law) => element('span', { class: isAgain(law) ? 'key again' : 'key', style: `border-color: var(--${colourOf(law)})` });
+  const boxes = among.map((law) => element('label', {}, box(law), key(law), law.name));
+  return element('fieldset', {}, element('legend', {}, 'Laws'), boxes);
 }

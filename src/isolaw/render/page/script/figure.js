@@ -2,8 +2,8 @@
 // 'narrow'), wanted, depends, caption, csv, controls, build or height and draw, clicked}. `depends` names the choices
 // that change the figure; `clicked` is called for a click on a point.
 
-import { download } from './csv.js';
-import { element } from './dom.js';
+import { button, element } from './dom.js';
+import { csvText, download } from './download.js';
 import { PLOT_CONFIG, styled, theme } from './plotting.js';
 import { typeset, unset } from './symbols.js';
 
@@ -50,13 +50,8 @@ function describe(body, text) {
 export function buildFigure(figure, observer) {
   const head = figure.title === '' ? null : element('div', { class: 'figure-head' }, element('h3', {}, figure.title));
   if (head && figure.csv) {
-    const button = element(
-      'button',
-      { type: 'button', class: 'csv', 'aria-label': 'Download the data of \u201c' + figure.title + '\u201d as CSV' },
-      'CSV',
-    );
-    button.addEventListener('click', () => download('isolaw-' + figure.id + '.csv', figure.csv()));
-    head.append(button);
+    const save = () => download('isolaw-' + figure.id + '.csv', csvText(figure.csv()), 'text/csv;charset=utf-8');
+    head.append(button('CSV', save, { class: 'csv', 'aria-label': 'Download the data of \u201c' + figure.title + '\u201d as CSV' }));
   }
   const controls = figure.controls ? element('div', { class: 'controls' }, ...figure.controls()) : null;
   const body = element('div', figure.draw ? { class: 'plot' } : {});

@@ -1,11 +1,6 @@
-import { element } from './dom.js';
-import { colourOf, isAgain } from './plotting.js';
+import { element, strong } from './dom.js';
 import { doesNotPredict, laws, report } from './report.js';
 import { enumerate } from './text.js';
-
-export function lawKey(law) {
-  return element('span', { class: isAgain(law) ? 'key again' : 'key', style: `border-color: var(--${colourOf(law)})` });
-}
 
 // A badge beside the name of a recommended law that does not predict.
 function predictionBadge(law, name = '') {
@@ -23,7 +18,7 @@ export const lawName = (law) =>
   element(
     'span',
     {},
-    element('b', { class: 'strong' }, law.name),
+    strong(law.name),
     ...(doesNotPredict(law) ? [' ', predictionBadge(law)] : []),
   );
 

@@ -1,28 +1,74 @@
 // cmake/join_modules.cmake joins these modules into one script. Each folder is a section and each file in it a figure.
 // Text from the input enters the document only through textContent, and plots only through plain().
 
-import { accuracySection } from './accuracy/section.js';
+import { objectiveDevicesFigure } from './accuracy/objectives.js';
+import { objectiveRelativeFigure, objectiveSpreadFigure } from './accuracy/spread.js';
 import { certificateSection } from './certificate/section.js';
-import { onChoice } from './choice.js';
-import { decisionSection } from './decision/section.js';
-import { determinationSection } from './determination/section.js';
-import { devicesSection } from './devices/section.js';
+import { chosen, onChoice } from './choice.js';
+import { lawChooser } from './choosers.js';
+import { answerFigure } from './decision/answer.js';
+import { frontFigure } from './decision/front.js';
+import { rankingFigure } from './decision/ranking.js';
+import { convergedFigure, verdictsFigure } from './decision/verdicts.js';
+import { determinedFigure } from './determination/determined.js';
+import { profileFigure } from './determination/profile.js';
+import { tradeOffsFigure } from './determination/trade_offs.js';
+import { factorsFigure } from './devices/factors.js';
+import { lotFigure } from './devices/lot_table.js';
+import { outliersFigure } from './devices/outliers.js';
+import { testPropertiesFigure } from './devices/properties.js';
+import { ruleSetFigure } from './devices/rule_set.js';
+import { lotStabilityFigure } from './devices/stability.js';
+import { lotStripsFigure } from './devices/strips.js';
+import { verdictTableFigure } from './devices/verdicts.js';
 import { element } from './dom.js';
 import { loopsSection } from './loops/section.js';
-import { oneLawSection } from './one_law/section.js';
-import { parametersSection } from './parameters/section.js';
+import { lotCorrelationFigure } from './one_law/correlation.js';
+import { lotLawsFigure } from './one_law/cost.js';
+import { lotDevicesFigure } from './one_law/devices.js';
+import { lotOutliersFigure } from './one_law/outliers.js';
+import { lotParametersFigure } from './one_law/parameters.js';
+import { convergenceFigure } from './parameters/convergence.js';
+import { parameterPanelsFigure } from './parameters/panels.js';
+import { parameterTablesFigure } from './parameters/tables.js';
 import { predictionSection } from './prediction/section.js';
+import { assessmentsFigure } from './properties/assessments.js';
 import { propertiesSection } from './properties/section.js';
 import { provenanceSection } from './provenance/section.js';
-import { publishedSection } from './published/section.js';
-import { devices, inspection, laws, report, usable } from './report.js';
+import { publishedLawsFigure } from './published/laws.js';
+import { publishedVerdictFigure, statementsFigure } from './published/statements.js';
+import { devices, inspection, laws, ranking, report, usable } from './report.js';
 import { followWindow, showSections } from './shell.js';
 import { count } from './text.js';
-import { verdictSection } from './verdict/section.js';
+import { verdictFigure } from './verdict/band.js';
 import { WORDS } from './verdicts.js';
+
+// The page of an inspection begins with the verdict and the strips. One device needs only its own cycles and limits.
+const alone = inspection && devices.length === 1;
+const ofLot = [lotFigure, ...(inspection ? [] : [lotStripsFigure]), outliersFigure, verdictTableFigure, lotStabilityFigure];
 const SECTIONS = [
-  verdictSection, decisionSection, accuracySection, loopsSection, parametersSection, determinationSection, oneLawSection,
-  predictionSection, publishedSection, propertiesSection, devicesSection, certificateSection, provenanceSection,
+  { id: 'verdict', title: 'Verdict', figures: inspection ? [verdictFigure, alone ? assessmentsFigure : lotStripsFigure] : [] },
+  { id: 'decision', title: 'The decision', laws: true, figures: [answerFigure, frontFigure, verdictsFigure, rankingFigure, convergedFigure] },
+  { id: 'objective', title: 'Accuracy', laws: true, figures: [objectiveDevicesFigure, objectiveSpreadFigure, objectiveRelativeFigure] },
+  loopsSection,
+  {
+    id: 'parameters', title: 'Parameters', laws: true, controls: () => (chosen.law === null ? [] : [lawChooser('law', ranking)]),
+    figures: [parameterPanelsFigure, convergenceFigure, parameterTablesFigure],
+  },
+  { id: 'determination', title: 'What the tests determine', laws: true, figures: [determinedFigure, profileFigure, tradeOffsFigure] },
+  {
+    id: 'one-law', title: 'One law for the lot', short: 'One law', laws: true,
+    figures: [lotLawsFigure, lotDevicesFigure, lotParametersFigure, lotCorrelationFigure, lotOutliersFigure],
+  },
+  predictionSection,
+  { id: 'published', title: 'The published study', short: 'Published', laws: true, figures: [publishedVerdictFigure, statementsFigure, publishedLawsFigure] },
+  propertiesSection,
+  {
+    id: 'devices', title: 'Lot and devices',
+    figures: [...(inspection ? [] : [verdictFigure]), ruleSetFigure, ...(alone ? [] : ofLot), factorsFigure, ...(alone ? [] : [testPropertiesFigure])],
+  },
+  certificateSection,
+  provenanceSection,
 ];
 
 function buildPage() {

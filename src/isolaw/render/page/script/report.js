@@ -54,13 +54,14 @@ export function resultColumns(kind, keys = Object.keys(report.headings[kind])) {
   };
 }
 
-export function fitData(keys, among = laws, fitsOf = (law) => law.devices) {
-  const { columns, cells } = resultColumns('fits', keys);
-  return {
-    columns: ['law', 'device', ...columns],
-    rows: among.flatMap((law) => fitsOf(law).map((fit) => [law.id, devices[fit.device].name, ...cells(fit)])),
-  };
+// The data of a table. `rows` has the leading cells of each row and, last, the object with the other results.
+export function resultData(kind, rows, lead = [], keys = undefined) {
+  const { columns, cells } = resultColumns(kind, keys);
+  return { columns: [...lead, ...columns], rows: rows.map((row) => [...row.slice(0, -1), ...cells(row.at(-1))]) };
 }
+
+export const fitData = (keys, among = laws, fitsOf = (law) => law.devices) =>
+  resultData('fits', among.flatMap((law) => fitsOf(law).map((fit) => [law.id, devices[fit.device].name, fit])), ['law', 'device'], keys);
 
 export const headingText = ({ title, unit }) => title + (unit ? ' [' + unit + ']' : '');
 export const headingOf = (kind, key) => report.headings[kind][key][0];

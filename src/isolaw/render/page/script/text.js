@@ -52,7 +52,7 @@ export const capitalised = (text) => text[0].toUpperCase() + text.slice(1);
 export const atTheHead = (title) =>
   /^[a-z]{4}/.test(title) ? capitalised(title) : title.replace(/-$/, MINUS);
 
-export const trimmed = (value) => typeset(String(Number(value.toPrecision(4))));
+export const trimmed = (value, digits = 4) => typeset(String(Number(value.toPrecision(digits))));
 
 // Writes "N/m^3" as "N/m³".
 export const unitText = (unit) =>

@@ -1,6 +1,6 @@
 import { element } from './dom.js';
 import { ROUND, icon } from './icons.js';
-import { report, resultColumns } from './report.js';
+import { report, resultData } from './report.js';
 
 export const isVerified = () => Boolean(report.assessment?.rule_set?.verified_by);
 
@@ -33,10 +33,5 @@ export function verdictBadge(verdict, text = verdict) {
   return element('span', { class: 'verdict ' + known.tone }, icon(...shapes), text);
 }
 
-export function assessmentData(among) {
-  const { columns, cells } = resultColumns('assessments');
-  return {
-    columns: ['device', ...columns],
-    rows: among.flatMap((device) => device.assessments.map((a) => [device.name, ...cells(a)])),
-  };
-}
+export const assessmentData = (among) =>
+  resultData('assessments', among.flatMap((device) => device.assessments.map((a) => [device.name, a])), ['device']);

@@ -1,5 +1,4 @@
-import { choose, chosen } from '../choice.js';
-import { chooser } from '../controls.js';
+import { chooser, chosen } from '../choice.js';
 import { namedAxis, symbolOf } from '../plotting.js';
 import { fitData, laws, lawsByObjective, usable } from '../report.js';
 import { fixed, isNumber, mean, objectiveText, plain, short } from '../text.js';
@@ -9,9 +8,7 @@ export const objectiveDevicesFigure = {
   title: 'Objective per law and device',
   depends: ['grouping'],
   wanted: () => lawsByObjective.length > 0,
-  controls: () => [
-    chooser('grouping', 'Group by', [['law', 'law'], ['device', 'device']], chosen.grouping, (grouping) => choose({ grouping })),
-  ],
+  controls: () => [chooser('grouping', 'Group by', [['law', 'law'], ['device', 'device']], 'grouping')],
   caption: () => {
     const best = lawsByObjective[0],
       worst = lawsByObjective[lawsByObjective.length - 1];

@@ -1,4 +1,4 @@
-import { element, termList } from '../dom.js';
+import { sentences, termList } from '../dom.js';
 import { fixed, sentence, significant } from '../text.js';
 import { grouped, laws, study } from './study.js';
 
@@ -19,7 +19,7 @@ export const assumedSection = {
   title: 'What was assumed',
   short: 'Assumed',
   figures: [
-    { id: 'assumed', title: 'The model', width: 'wide', build: () => element('ul', { class: 'sentences' }, ...study.assumed.map((text) => element('li', {}, sentence(text)))) },
+    { id: 'assumed', title: 'The model', width: 'wide', build: () => sentences(study.assumed.map(sentence)) },
     {
       id: 'settings',
       title: 'Building and motions',

@@ -1,7 +1,8 @@
+import { choose, chosen, lawBoxes } from '../choice.js';
 import { element } from '../dom.js';
 import { LEGEND, dashOf } from '../plotting.js';
 import { plain } from '../text.js';
-import { chosen, choose, laws, lawKey, placeChooser, study } from './study.js';
+import { laws, placeChooser, study } from './study.js';
 
 const shown = () => laws.filter((law) => chosen.laws.has(law.index));
 const of = (law) => law.histories[chosen.motion];
@@ -89,23 +90,13 @@ export const historySection = {
 const largest = (law) => of(law).x_mm.reduce((most, x, i) => Math.max(most, Math.hypot(x, of(law).y_mm[i])), 0);
 
 function controls() {
-  const boxes = laws.map((law) => {
-    const box = element('input', { type: 'checkbox', value: law.index, checked: chosen.laws.has(law.index) });
-    box.addEventListener('change', () => {
-      box.checked ? chosen.laws.add(law.index) : chosen.laws.delete(law.index);
-      choose({ laws: chosen.laws });
-    });
-    return element('label', {}, box, lawKey(law), law.name);
-  });
-  const axes = ['x', 'y'].map((axis) => {
-    const button = element('input', { type: 'radio', name: 'axis', value: axis, checked: chosen.axis === axis });
-    button.addEventListener('change', () => choose({ axis }));
-    return element('label', {}, button, axis);
-  });
+  const axes = ['x', 'y'].map((axis) =>
+    element('label', {}, element('input', { type: 'radio', name: 'axis', value: axis, checked: chosen.axis === axis, change: () => choose({ axis }) }), axis),
+  );
   return [
     placeChooser('motion', 'Motion', study.motions.map(({ name }) => name), 'motion'),
-    element('fieldset', {}, element('legend', {}, 'Along'), ...axes),
-    ...(laws.length > 1 ? [element('fieldset', {}, element('legend', {}, 'Laws'), ...boxes)] : []),
+    element('fieldset', {}, element('legend', {}, 'Along'), axes),
+    ...(laws.length > 1 ? [lawBoxes(laws)] : []),
   ];
 }
 

@@ -1,8 +1,9 @@
+import { chosen } from '../choice.js';
 import { symbolOf } from '../plotting.js';
 import { tableOf } from '../tables.js';
 import { DASH, fixed, isNumber, plain } from '../text.js';
 import { spanOf } from './histogram.js';
-import { axisTitle, chosen, laws, quantityChooser, quantityOf, spreadText, study } from './study.js';
+import { axisTitle, laws, quantityChooser, quantityOf, spreadText, study } from './study.js';
 
 export const lawsSection = {
   id: 'laws',

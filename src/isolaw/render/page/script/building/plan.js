@@ -1,7 +1,8 @@
+import { choose, chosen } from '../choice.js';
 import { tableOf } from '../tables.js';
 import { atTheHead, mean, plain, rangeText, unitText } from '../text.js';
 import { LEGEND } from '../plotting.js';
-import { choose, chosen, laws, numberText, placeChooser, quantityOf, study, unitOf } from './study.js';
+import { laws, numberText, placeChooser, quantityOf, study, unitOf } from './study.js';
 
 const KINDS = { draw: ['draw of the lot', 'circle'], lot: ['law of the lot', 'square'], lower: ['lower bound', 'triangle-down'], upper: ['upper bound', 'triangle-up'] };
 const kindOf = ({ is }) => (Object.hasOwn(KINDS, is) ? KINDS[is] : ['tested device', 'diamond']);

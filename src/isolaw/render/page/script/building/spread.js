@@ -1,8 +1,9 @@
+import { chosen } from '../choice.js';
 import { LEGEND, namedAxis, panelHeading, symbolOf } from '../plotting.js';
 import { tableOf } from '../tables.js';
 import { atTheHead, plain, short } from '../text.js';
 import { bars, bounds, histogramData, spanOf } from './histogram.js';
-import { axisTitle, chosen, first, grouped, isCovered, laws, numberText, quantityChooser, quantityOf, spreadText, study } from './study.js';
+import { axisTitle, first, grouped, isCovered, laws, numberText, quantityChooser, quantityOf, spreadText, study } from './study.js';
 
 const ROW = 150; // height in pixels for each law
 const quantity = () => quantityOf(chosen.quantity);

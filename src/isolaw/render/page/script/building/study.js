@@ -1,8 +1,5 @@
-import { choices } from '../choices.js';
-import { chooser } from '../controls.js';
+import { choose, chooser, chosen } from '../choice.js';
 import { data } from '../data.js';
-import { element } from '../dom.js';
-import { colourOf, isAgain } from '../plotting.js';
 import { atTheHead, fixed, significant, unitText, withUnit } from '../text.js';
 
 export const study = data;
@@ -18,7 +15,7 @@ export const isCovered = (key) => key in first.coverage.of;
 
 export const spreadText = (std) => fixed(100 * std, std < 0.0995 ? 1 : 0) + '\u202f%';
 
-const reader = choices({
+Object.assign(chosen, {
   quantity: 'isolator_mm',
   law: 0, // the law shown in the plan and under single motions
   motion: 0,
@@ -26,25 +23,9 @@ const reader = choices({
   axis: 'x',
   laws: new Set([0]), // the laws shown in the histories
 });
-export const chosen = reader.chosen;
-export const choose = reader.choose;
-export const onChoice = reader.onChoice;
-
-function follower(label, key) {
-  onChoice(() => (label.lastChild.value = chosen[key]));
-  return label;
-}
 export const quantityChooser = (id) =>
-  follower(
-    chooser(id, 'Quantity', study.quantities.map(({ key, title }) => [key, atTheHead(title)]), chosen.quantity, (quantity) =>
-      choose({ quantity }),
-    ),
-    'quantity',
-  );
+  chooser(id, 'Quantity', study.quantities.map(({ key, title }) => [key, atTheHead(title)]), 'quantity');
 export const placeChooser = (id, title, names, key) =>
-  follower(chooser(id, title, names.map((name, i) => [i, name]), chosen[key], (place) => choose({ [key]: Number(place) })), key);
-
-export const lawKey = (law) =>
-  element('span', { class: isAgain(law) ? 'key again' : 'key', style: `border-color: var(--${colourOf(law)})` });
+  chooser(id, title, names.map((name, i) => [i, name]), key, (place) => choose({ [key]: Number(place) }));
 
 export const numberText = (value) => significant(value, 3);

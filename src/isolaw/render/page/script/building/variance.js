@@ -1,6 +1,7 @@
+import { chosen } from '../choice.js';
 import { LEGEND } from '../plotting.js';
 import { atTheHead, plain } from '../text.js';
-import { chosen, first, laws, quantityChooser, quantityOf, spreadText, study } from './study.js';
+import { first, laws, quantityChooser, quantityOf, spreadText, study } from './study.js';
 
 const parts = () => [
   { key: 'motion_std_ln', name: 'motions', colour: 'muted' },

@@ -1,10 +1,5 @@
 import { element } from '../dom.js';
 
 // A line to fill in on the page or on paper. The page does not save the entry.
-export function blank(label, text = '') {
-  return element(
-    'span',
-    { class: 'blank', contenteditable: 'plaintext-only', role: 'textbox', spellcheck: 'false', 'aria-label': label },
-    text,
-  );
-}
+export const blank = (label, more = {}) =>
+  element('span', { class: 'blank', contenteditable: 'plaintext-only', role: 'textbox', spellcheck: 'false', 'aria-label': label, ...more });

@@ -1,4 +1,4 @@
-import { element } from '../dom.js';
+import { element, strong } from '../dom.js';
 import { lotQuantities } from '../lot.js';
 import { report } from '../report.js';
 import { said, tableOf } from '../tables.js';
@@ -61,7 +61,7 @@ function boundsTable() {
   const bounds = boundRows();
   const first = (i) => i === 0 || bounds[i - 1].property !== bounds[i].property;
   const columns = [
-    { title: 'Property', pinned: true, cell: (b, i) => said(first(i), element('b', { class: 'strong' }, b.property)) },
+    { title: 'Property', pinned: true, cell: (b, i) => said(first(i), strong(b.property)) },
     { title: 'Unit', tight: true, cell: (b, i) => said(first(i), element('span', {}, unitText(b.unit))) },
     { title: 'Design value', number: true, cell: (b, i) => said(first(i), element('span', {}, significant(b.nominal, 4))) },
     { title: 'Mean of the lot', number: true, cell: (b, i) => said(first(i), element('span', {}, significant(b.mean, 4))) },

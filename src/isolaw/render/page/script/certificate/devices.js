@@ -1,5 +1,5 @@
 import { reportedBlock, reportedCycle } from '../cycles.js';
-import { element } from '../dom.js';
+import { element, strong } from '../dom.js';
 import { deviceValue, lotQuantities } from '../lot.js';
 import { devices, headingOf, report } from '../report.js';
 import { tableOf } from '../tables.js';
@@ -104,7 +104,7 @@ function certificateTable() {
     );
   const hash = ({ sha256 }) => element('span', { class: 'hash', title: sha256 }, sha256.slice(0, 8));
   const columns = [
-    { title: 'Device', pinned: true, cell: (device) => element('b', { class: 'strong' }, device.name) },
+    { title: 'Device', pinned: true, cell: (device) => strong(device.name) },
     ...certificateColumns(),
     ...(sameAmplitude ? [] : [{ title: 'Amplitude', unit: 'mm', number: true, cell: (device) => fixed(reportedBlock(device)?.amplitude_mm, 1) }]),
     ...(sameFrequency ? [] : [{ title: 'Frequency', unit: 'Hz', number: true, cell: (device) => significant(reportedBlock(device)?.frequency_Hz, 2) }]),

@@ -41,7 +41,7 @@ function certificateHead() {
   const facts = [
     ['Laboratory', blank('Laboratory')],
     ['Client, project', blank('Client, project')],
-    ['Certificate no.', numberBlank()],
+    ['Certificate no.', blank('Certificate number', { input: echoNumber })],
     ['Test', 'cyclic shear of ' + count(devices.filter((device) => !device.copy_of).length, 'device') + (compressed > 0 ? ', compression of ' + compressed : '') + (isNumber(lot?.size) ? ' of a lot of ' + lot.size : '')],
     ...(lots.length > 0 ? [['Lot', enumerate(lots)]] : []),
     [
@@ -86,12 +86,8 @@ function certificateHead() {
   );
 }
 
-function numberBlank() {
-  const line = blank('Certificate number');
-  line.addEventListener('input', () => {
-    for (const echo of document.querySelectorAll('.certificate-number')) echo.textContent = line.textContent;
-  });
-  return line;
+function echoNumber({ currentTarget }) {
+  for (const echo of document.querySelectorAll('.certificate-number')) echo.textContent = currentTarget.textContent;
 }
 
 function limitSentences() {

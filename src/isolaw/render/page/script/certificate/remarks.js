@@ -1,4 +1,4 @@
-import { element } from '../dom.js';
+import { sentences } from '../dom.js';
 import { devices, report } from '../report.js';
 import { enumerate, sentence } from '../text.js';
 
@@ -7,7 +7,7 @@ export const certificateRemarksFigure = {
   title: 'Remarks',
   long: true,
   wanted: () => certificateRemarks().length > 0,
-  build: () => element('ul', { class: 'sentences' }, ...certificateRemarks().map((text) => element('li', {}, sentence(text)))),
+  build: () => sentences(certificateRemarks().map(sentence)),
 };
 
 // The signer must know the doubts about the records, the corrections, and what the user told the program about them.

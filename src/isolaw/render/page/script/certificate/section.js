@@ -1,4 +1,4 @@
-import { element } from '../dom.js';
+import { button, element } from '../dom.js';
 import { report } from '../report.js';
 import { certificateBoundsFigure } from './bounds.js';
 import { certificateDevicesFigure } from './devices.js';
@@ -29,11 +29,10 @@ function mark(section) {
 }
 
 function certificateControls() {
-  const button = element('button', { type: 'button', class: 'action' }, 'Print the certificate alone');
-  button.addEventListener('click', () => {
+  const print = () => {
     document.documentElement.dataset.only = 'certificate';
     window.print();
-  });
+  };
   window.addEventListener('afterprint', () => delete document.documentElement.dataset.only);
-  return [button, element('span', { class: 'muted' }, 'The lines below can be filled in here before printing.')];
+  return [button('Print the certificate alone', print, { class: 'action' }), element('span', { class: 'muted' }, 'The lines below can be filled in here before printing.')];
 }

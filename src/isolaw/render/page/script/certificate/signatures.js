@@ -1,4 +1,4 @@
-import { element } from '../dom.js';
+import { element, strong } from '../dom.js';
 import { devices, report } from '../report.js';
 import { tableOf } from '../tables.js';
 import { count } from '../text.js';
@@ -53,7 +53,7 @@ function signatureBlock() {
 function recordsTable() {
   const compressed = devices.some((device) => device.vertical?.file);
   const columns = [
-    { title: 'Device', pinned: true, cell: (device) => element('b', { class: 'strong' }, device.name) },
+    { title: 'Device', pinned: true, cell: (device) => strong(device.name) },
     { title: 'File', cell: (device) => device.file },
     { title: 'SHA-256', cell: (device) => element('td', { class: 'hash whole' }, device.sha256) },
     ...(compressed

@@ -1,4 +1,4 @@
-import { choose, chosen, onChoice } from '../choice.js';
+import { choiceButtons, chosen } from '../choice.js';
 import { element } from '../dom.js';
 import { withBadges } from '../laws.js';
 import { PURPOSES, TONES, answerOf, answering, numbersOf, purposeOf } from '../purposes.js';
@@ -35,18 +35,8 @@ function reasons({ law, why, reasons: all, weak }) {
 }
 
 function purposeControl() {
-  const buttons = PURPOSES.map(({ id, title }) => {
-    const button = element('button', { type: 'button', value: id }, title);
-    button.addEventListener('click', () => choose({ purpose: id }));
-    return button;
-  });
-  const follow = () => {
-    for (const button of buttons) button.setAttribute('aria-pressed', String(button.value === chosen.purpose));
-  };
-  onChoice(follow);
-  follow();
   return [
     element('span', { id: 'purpose-label' }, 'Which law'),
-    element('div', { class: 'choice', role: 'group', 'aria-labelledby': 'purpose-label' }, ...buttons),
+    choiceButtons('purpose', PURPOSES.map(({ id, title }) => [id, title]), { 'aria-labelledby': 'purpose-label' }),
   ];
 }

@@ -1,5 +1,4 @@
-import { choose, chosen, onChoice } from '../choice.js';
-import { element } from '../dom.js';
+import { choiceButtons, chosen, onChoice } from '../choice.js';
 import { labelPlaces } from '../labels.js';
 import { isInadequate, nameOf, predictionNote } from '../laws.js';
 import { NARROW, paddedRange, textWidth } from '../plotting.js';
@@ -46,16 +45,8 @@ const stands = (view, law) => report.stands[view.id].includes(law.id);
 const shownView = () => VIEWS.find((view) => view.id === chosen.view);
 
 function viewControl() {
-  const buttons = VIEWS.map((view) => {
-    const button = element('button', { type: 'button', value: view.id }, view.title);
-    button.addEventListener('click', () => choose({ view: view.id }));
-    return button;
-  });
-  const group = element('div', { class: 'choice', role: 'group', 'aria-label': 'View' }, ...buttons);
-  const follow = () => {
-    for (const button of buttons) button.setAttribute('aria-pressed', String(button.value === chosen.view));
-    group.hidden = !ofRobustness();
-  };
+  const group = choiceButtons('view', VIEWS.map(({ id, title }) => [id, title]), { 'aria-label': 'View' });
+  const follow = () => (group.hidden = !ofRobustness());
   onChoice(follow);
   follow();
   return [group];

@@ -1,5 +1,5 @@
 import { chosen } from '../choice.js';
-import { element, shortList } from '../dom.js';
+import { element, sentences, shortList } from '../dom.js';
 import { marker, roleTone } from '../icons.js';
 import { isInadequate, lawName, lawOf, withBadges } from '../laws.js';
 import { TONES, errorText, placedIn, purposeOf, standingsOf, viewOf } from '../purposes.js';
@@ -12,11 +12,9 @@ export const convergedFigure = {
   title: 'Without the optimiser\u2019s noise, and for an untested device',
   wanted: () => report.findings.converged.length > 0,
   build: () =>
-    element(
-      'ul',
-      { class: 'sentences' },
-      ...report.findings.converged.map(({ kind, sentence: text, other_laws: others }) =>
-        element('li', {}, ...withBadges(sentence(text), kind === 'converged-front' ? others.map(lawOf) : [])),
+    sentences(
+      report.findings.converged.map(({ kind, sentence: text, other_laws: others }) =>
+        withBadges(sentence(text), kind === 'converged-front' ? others.map(lawOf) : []),
       ),
     ),
 };

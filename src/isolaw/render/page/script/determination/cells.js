@@ -1,4 +1,5 @@
-import { chooseDevice, chosen, onChoice } from '../choice.js';
+import { chosen, onChoice } from '../choice.js';
+import { chooseDevice } from '../choosers.js';
 
 export function chooseCell(button) {
   if (button) chooseDevice(Number(button.dataset.device), { parameter: Number(button.dataset.parameter) });

@@ -1,9 +1,9 @@
 import { chosen } from '../choice.js';
 import { lawChooser } from '../choosers.js';
-import { element, onScreen } from '../dom.js';
+import { button, element, onScreen } from '../dom.js';
 import { ROUND, icon } from '../icons.js';
 import {
-  devices, examinedLaws, examinedPlaces, firstExamined, laws, report, resultColumns, usable,
+  devices, examinedLaws, examinedPlaces, firstExamined, laws, report, resultData, usable,
 } from '../report.js';
 import { symbol } from '../symbols.js';
 import { table } from '../tables.js';
@@ -18,7 +18,7 @@ export const determinedFigure = {
   long: true,
   depends: ['examined'],
   wanted: () => examinedLaws.length > 0,
-  controls: () => [lawChooser('examined', examinedLaws, (law) => ({ parameter: firstExamined(law) }))],
+  controls: () => [lawChooser('examined', examinedLaws, { changes: (law) => ({ parameter: firstExamined(law) }) })],
   caption: determinedCaption,
   csv: determinedData,
   build: determinedTable,
@@ -64,20 +64,14 @@ function determinedCaption() {
 }
 
 function determinedData() {
-  const { columns, cells } = resultColumns('determination');
-  return {
-    columns: ['law', 'device', 'parameter', 'unit', ...columns],
-    rows: examinedLaws.flatMap((law) =>
-      law.devices.flatMap((fit) =>
-        examinedPlaces(law)
-          .filter((place) => fit.determination?.[place])
-          .map((place) => [
-            law.id, devices[fit.device].name, law.parameters[place].name, law.parameters[place].unit,
-            ...cells(fit.determination[place]),
-          ]),
-      ),
+  const rows = examinedLaws.flatMap((law) =>
+    law.devices.flatMap((fit) =>
+      examinedPlaces(law)
+        .filter((place) => fit.determination?.[place])
+        .map((place) => [law.id, devices[fit.device].name, law.parameters[place].name, law.parameters[place].unit, fit.determination[place]]),
     ),
-  };
+  );
+  return resultData('determination', rows, ['law', 'device', 'parameter', 'unit']);
 }
 
 function determinedTable() {
@@ -97,20 +91,9 @@ function determinedTable() {
     const text =
       symbol(one.parameter.name) +
       ' on ' + devices[fit.device].name + ': ' + one.verdict + ', ' + rangeText(one.open, one.parameter.unit);
-    const button = element(
-      'button',
-      {
-        type: 'button',
-        class: DETERMINATIONS[one.verdict].tone,
-        tabindex: '-1',
-        title: text,
-        'aria-label': text,
-        'data-device': fit.device,
-        'data-parameter': place,
-      },
-      determinationMark(one.verdict),
-    );
-    return element('td', { class: 'mark', 'data-sort': one.verdict }, button);
+    const attributes = { class: DETERMINATIONS[one.verdict].tone, tabindex: '-1', title: text, 'aria-label': text, 'data-device': fit.device, 'data-parameter': place };
+    const mark = button(determinationMark(one.verdict), (event) => chooseCell(event.currentTarget), attributes);
+    return element('td', { class: 'mark', 'data-sort': one.verdict }, mark);
   };
   const shares = places.map((place) => {
     const verdicts = fits.map((fit) => fit.determination[place]?.identifiability).filter(Boolean);
@@ -141,7 +124,6 @@ function determinedTable() {
   );
   body.classList.add('marks');
   body.classList.toggle('upright', places.length > 12);
-  body.addEventListener('click', (event) => chooseCell(event.target.closest('td button')));
   body.addEventListener('keydown', (event) => {
     const next = cellBeside(event.target.closest('td button'), event.key);
     if (!next) return;

@@ -1,5 +1,5 @@
 import { chosen } from '../choice.js';
-import { element } from '../dom.js';
+import { element, empty, sentences } from '../dom.js';
 import { devices, examinedLaws, laws } from '../report.js';
 import { count, isNumber, percentText, sentence } from '../text.js';
 
@@ -27,7 +27,7 @@ function tradeOffs() {
   const law = laws[chosen.examined],
     fit = law.fitOn.get(chosen.device);
   const name = devices[chosen.device].name;
-  if (!fit?.determination) return element('p', { class: 'empty' }, law.name + ' on ' + name + ' was not examined.');
+  if (!fit?.determination) return empty(law.name + ' on ' + name + ' was not examined.');
   return element(
     'div',
     { class: 'prose' },
@@ -37,7 +37,7 @@ function tradeOffs() {
           'div',
           {},
           element('p', {}, 'The loops of ' + law.name + ' on ' + name + ':'),
-          element('ul', { class: 'sentences' }, ...fit.trade_offs.map((text) => element('li', {}, sentence(text)))),
+          sentences(fit.trade_offs.map(sentence)),
         ),
     law.reduced_form
       ? element(

@@ -1,6 +1,6 @@
-import { element } from '../dom.js';
+import { element, strong } from '../dom.js';
 import { lotQuantities } from '../lot.js';
-import { report, resultColumns } from '../report.js';
+import { report, resultData } from '../report.js';
 import { said, tableOf } from '../tables.js';
 import { DASH, fixed, isNumber, significant, unitText } from '../text.js';
 
@@ -10,7 +10,7 @@ export const factorsFigure = {
   long: true,
   wanted: () => (report.assessment?.lot?.factors.length ?? 0) > 0,
   caption: factorCaption,
-  csv: factorData,
+  csv: () => resultData('factors', report.assessment.lot.factors.map((factor) => [factor])),
   build: factorTable,
 };
 
@@ -38,7 +38,7 @@ function factorTable() {
   const note = (factor) =>
     element('td', { class: 'note text' }, [factor.note, factor.no_lower_bound].filter(Boolean).join('; '));
   const columns = [
-    { title: 'Property', pinned: true, cell: (factor, i) => said(first(i), element('b', { class: 'strong' }, factor.property)) },
+    { title: 'Property', pinned: true, cell: (factor, i) => said(first(i), strong(factor.property)) },
     { title: 'Source', tight: true, cell: (factor) => factor.source },
     { title: 'Spread of', tight: true, cell: ({ spread }) => spreads[spread] },
     { title: '\u03bb min', number: true, cell: (factor) => fixed(factor.lambda_min, 3) },
@@ -49,9 +49,4 @@ function factorTable() {
     { title: 'Note', cell: note },
   ];
   return tableOf(columns, factors, 'Property modification factors', { className: (_, i) => (first(i) ? 'group' : null) });
-}
-
-function factorData() {
-  const { columns, cells } = resultColumns('factors');
-  return { columns, rows: report.assessment.lot.factors.map(cells) };
 }

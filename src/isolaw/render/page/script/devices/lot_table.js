@@ -1,4 +1,4 @@
-import { element } from '../dom.js';
+import { element, strong } from '../dom.js';
 import { lotQuantities } from '../lot.js';
 import { devices, report, resultColumns } from '../report.js';
 import { tableOf } from '../tables.js';
@@ -44,7 +44,7 @@ function lotTable() {
     isNumber(high) ? (isNumber(low) ? significant(low, 3) + ' \u2013 ' : 'to ') + significant(high, 3) : DASH;
   const below = (text) => (text ? element('small', {}, text) : null);
   const property = (q) =>
-    element('span', {}, element('b', { class: 'strong' }, q.quantity), q.unit ? ' ' + unitText(q.unit) : '');
+    element('span', {}, strong(q.quantity), q.unit ? ' ' + unitText(q.unit) : '');
   const verdict = (q) =>
     element('td', { class: 'reasoned' }, q.verdict ? verdictBadge(q.verdict) : DASH, below(q.reason));
   const deviations = (q) =>

@@ -1,6 +1,6 @@
-import { element } from '../dom.js';
+import { element, strong } from '../dom.js';
 import { lotQuantities } from '../lot.js';
-import { report, resultColumns } from '../report.js';
+import { report, resultData } from '../report.js';
 import { tableOf } from '../tables.js';
 import { withUnit } from '../text.js';
 
@@ -8,16 +8,13 @@ export const outliersFigure = {
   id: 'outliers',
   title: 'Outliers',
   wanted: () => lotQuantities.length > 0 && report.assessment.lot.outliers.length > 0,
-  csv: () => {
-    const { columns, cells } = resultColumns('lot_outliers');
-    return { columns, rows: report.assessment.lot.outliers.map(cells) };
-  },
+  csv: () => resultData('lot_outliers', report.assessment.lot.outliers.map((outlier) => [outlier])),
   build: outlierTable,
 };
 
 function outlierTable() {
   const columns = [
-    { title: 'Device', pinned: true, cell: (outlier) => element('b', { class: 'strong' }, outlier.device) },
+    { title: 'Device', pinned: true, cell: (outlier) => strong(outlier.device) },
     { title: 'Property', cell: (outlier) => outlier.quantity },
     { title: 'Value', number: true, cell: (outlier) => withUnit(outlier.value, outlier.unit) },
     { title: 'Why', cell: (outlier) => element('td', { class: 'note text' }, outlier.why) },

@@ -1,5 +1,5 @@
 import { counted, countedCycles, cycleData, isReported, noCycles, reportedCycle } from '../cycles.js';
-import { element, onScreen } from '../dom.js';
+import { element, onScreen, strong } from '../dom.js';
 import { devices, headingOf, numberColumn } from '../report.js';
 import { said, table } from '../tables.js';
 import { DASH, THIN, count, fixed, isNumber, significant, spanText } from '../text.js';
@@ -60,7 +60,7 @@ function propertiesTable() {
       .filter(Boolean)
       .join('; ');
     const lead = (first) => [
-      said(first, element('b', { class: 'strong' }, device.name)),
+      said(first, strong(device.name)),
       ...facts.map((fact) => said(first, element('span', {}, fact.text(device)))),
     ];
     const blocks = device.blocks.filter((block) => counted(block).length > 0);

@@ -1,5 +1,5 @@
 import { noCycles } from '../cycles.js';
-import { element, onScreen } from '../dom.js';
+import { element, onScreen, strong } from '../dom.js';
 import { devices } from '../report.js';
 import { table } from '../tables.js';
 import { DASH, deviation, isNumber, limitText, withUnit } from '../text.js';
@@ -31,7 +31,7 @@ function verdictTable() {
   const failing = (device) => device.assessments.some((a) => a.verdict === 'fail');
   const rows = [...devices.filter(failing), ...devices.filter((device) => !failing(device))].map((device) => {
     const own = new Map(device.assessments.map((a) => [key(a), a]));
-    const name = element('b', { class: 'strong' }, device.name);
+    const name = strong(device.name);
     if (own.size === 0) {
       const why = device.status !== 'ok' ? 'refused: ' + device.message : noCycles(device);
       return { cells: [name, element('td', { class: 'note text', colspan: quantities.length }, why)] };

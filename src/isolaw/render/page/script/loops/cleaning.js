@@ -23,35 +23,35 @@ function cleaningCaption() {
   );
 }
 
-function cleaningData() {
+function series() {
   const device = devices[chosen.device],
     axis = rawTime(device),
-    measured = record(device),
+    { t, x } = record(device),
     raw = curve(device.raw.disp_mm);
+  return { axis, recorded: { x: raw.map((_, k) => axis.of(rawIndex(device.raw, k))), y: raw }, cleaned: { x: t, y: x } };
+}
+
+function cleaningData() {
+  const { axis, recorded, cleaned } = series();
+  const rows = (name, { x, y }) => y.map((value, k) => [name, x[k], value]);
   return {
     columns: ['series', axis.timed ? 'time [s]' : 'sample', 'displacement [mm]'],
-    rows: [
-      ...raw.map((x, k) => ['as recorded', axis.of(rawIndex(device.raw, k)), x]),
-      ...measured.x.map((x, k) => ['after cleaning', measured.t[k], x]),
-    ],
+    rows: [...rows('as recorded', recorded), ...rows('after cleaning', cleaned)],
   };
 }
 
 function drawCleaning(look) {
-  const device = devices[chosen.device],
-    axis = rawTime(device),
-    measured = record(device),
-    raw = curve(device.raw.disp_mm);
+  const { axis, recorded, cleaned } = series();
   const hover = axis.timed ? '%{x:.3f} s, %{y:.2f} mm' : 'sample %{x}, %{y:.2f} mm';
   return {
     traces: [
       {
-        name: 'as recorded', mode: 'lines', x: raw.map((_, k) => axis.of(rawIndex(device.raw, k))), y: raw,
+        name: 'as recorded', mode: 'lines', ...recorded,
         line: { color: look.colour('measured'), width: 3 }, opacity: 0.7,
         hovertemplate: hover + '<extra>as recorded</extra>',
       },
       {
-        name: 'after cleaning', mode: 'lines', x: measured.t, y: measured.x,
+        name: 'after cleaning', mode: 'lines', ...cleaned,
         line: { color: look.colour('accent'), width: 1.2 }, hovertemplate: hover + '<extra>after cleaning</extra>',
       },
     ],

@@ -2,9 +2,8 @@ import { chosen } from '../choice.js';
 import { counted, noCycles } from '../cycles.js';
 import { emptyPlot, namedAxis, symbolOf } from '../plotting.js';
 import { rawTime } from '../raw.js';
-import { devices } from '../report.js';
 import { THIN, enumerate, fixed, isNumber, plain, signed } from '../text.js';
-import { LOOP_HEIGHT, chosenLaws, fitsOn, record } from './fits.js';
+import { LOOP_HEIGHT, shownLoops } from './fits.js';
 
 export const energyFigure = {
   id: 'loop-energy',
@@ -40,10 +39,8 @@ function energy({ t, x }, F, from, to) {
 }
 
 function energies() {
-  const device = devices[chosen.device],
-    curves = record(device),
-    time = rawTime(device);
-  const fits = fitsOn(device, chosenLaws());
+  const { device, measured: curves, fits } = shownLoops();
+  const time = rawTime(device);
   const cycles = device.blocks
     .flatMap((block) => counted(block).map((cycle) => ({ block, cycle })))
     .map(({ block, cycle }) => {

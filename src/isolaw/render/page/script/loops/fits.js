@@ -1,4 +1,3 @@
-
 import { chosen } from '../choice.js';
 import { dashOf, paddedRange } from '../plotting.js';
 import { curve, devices, ranking } from '../report.js';
@@ -43,28 +42,27 @@ export function forceRange(measured, computed) {
   return paddedRange(all.map((force) => Math.min(Math.max(force, low - spare), high + spare)), 0.06);
 }
 
-export function cutOff(among) {
+// The chosen device, its record, the fits of laws to it, and the range of forces to draw.
+export function shownLoops(among = chosenLaws()) {
   const device = devices[chosen.device],
-    { F } = record(device);
-  const fits = fitsOn(device, among),
-    [low, high] = forceRange(F, fits.map(({ force }) => force));
+    measured = record(device),
+    fits = fitsOn(device, among);
+  return { device, measured, fits, range: forceRange(measured.F, fits.map(({ force }) => force)) };
+}
+
+export function cutOff(among) {
+  const { fits, range: [low, high] } = shownLoops(among);
   const away = fits.filter(({ force }) => force.some((f) => f < low || f > high));
   if (away.length === 0) return '';
   const largest = ({ law, force }) => law.name + ' to ' + significant(Math.max(...force.map(Math.abs)), 2) + THIN + 'kN';
   return ' Off the scale: ' + enumerate(away.map(largest)) + '.';
 }
 
-export function loopData(among = chosenLaws()) {
-  const device = devices[chosen.device],
-    measured = record(device),
-    fits = fitsOn(device, among);
+export function loopData(among) {
+  const { device, measured, fits } = shownLoops(among);
+  const forces = ['measured', ...fits.map(({ law }) => law.name)].map((name) => name + ' force [kN]');
   return {
-    columns: [
-      device.record.has_time ? 'time [s]' : 'sample',
-      'displacement [mm]',
-      'measured force [kN]',
-      ...fits.map(({ law }) => law.name + ' force [kN]'),
-    ],
+    columns: [device.record.has_time ? 'time [s]' : 'sample', 'displacement [mm]', ...forces],
     rows: measured.x.map((x, i) => [measured.t[i], x, measured.F[i], ...fits.map(({ force }) => force[i])]),
   };
 }

@@ -1,8 +1,7 @@
 import { chosen } from '../choice.js';
 import { dashOf } from '../plotting.js';
-import { devices } from '../report.js';
 import { THIN, plain, significant } from '../text.js';
-import { LOOP_HEIGHT, chosenLaws, fitCurves, fitsOn, forceRange, isScored, loopData, measuredCurve, record } from './fits.js';
+import { LOOP_HEIGHT, fitCurves, isScored, loopData, measuredCurve, shownLoops } from './fits.js';
 
 export const historyFigure = {
   id: 'history',
@@ -11,17 +10,16 @@ export const historyFigure = {
   depends: ['device', 'laws'],
   wanted: () => chosen.device !== null,
   caption: historyCaption,
-  csv: loopData,
+  csv: () => loopData(),
   height: () => LOOP_HEIGHT,
   draw: drawHistory,
 };
 
 function historyCaption() {
-  const device = devices[chosen.device],
-    measured = record(device);
+  const { device, measured, fits } = shownLoops();
   const peak = Math.max(...measured.F.map(Math.abs));
   const scored = measured.t.map((t) => isScored(device, t));
-  const worst = fitsOn(device, chosenLaws()).map(
+  const worst = fits.map(
     ({ law, force }) =>
       law.name + ' ' +
       significant(Math.max(...force.map((f, i) => (scored[i] ? Math.abs(measured.F[i] - f) : 0))), 3) + THIN + 'kN',
@@ -35,11 +33,6 @@ function historyCaption() {
   );
 }
 
-const scoredShape = (look, x0, x1) => ({
-  type: 'rect', layer: 'below', yref: 'paper', x0, x1, y0: 0, y1: 1, line: { width: 0 },
-  fillcolor: look.colour('scored'),
-});
-
 function residualAxis(measured, fits) {
   const most = 0.75 * (Math.max(...measured) - Math.min(...measured) || 1);
   const away = fits.some(({ force }) => force.some((f, i) => Math.abs(measured[i] - f) > most));
@@ -47,9 +40,7 @@ function residualAxis(measured, fits) {
 }
 
 function drawHistory(look) {
-  const device = devices[chosen.device],
-    measured = record(device);
-  const fits = fitsOn(device, chosenLaws());
+  const { device, measured, fits, range } = shownLoops();
   return {
     traces: [
       measuredCurve(look, measured.t, measured.F, '%{y:.1f} kN'),
@@ -63,9 +54,11 @@ function drawHistory(look) {
     layout: {
       showlegend: true,
       hovermode: 'x unified',
-      shapes: (device.scored ?? []).map(({ from, to }) => scoredShape(look, from, to)),
+      shapes: (device.scored ?? []).map(({ from, to }) => ({
+        type: 'rect', layer: 'below', yref: 'paper', x0: from, x1: to, y0: 0, y1: 1, line: { width: 0 }, fillcolor: look.colour('scored'),
+      })),
       xaxis: { title: device.record.has_time ? 'time [s]' : 'sample', anchor: 'y2' },
-      yaxis: { title: 'force [kN]', domain: [0.38, 1], range: forceRange(measured.F, fits.map(({ force }) => force)) },
+      yaxis: { title: 'force [kN]', domain: [0.38, 1], range },
       yaxis2: { title: 'residual [kN]', domain: [0, 0.3], ...residualAxis(measured.F, fits) },
     },
   };

@@ -1,8 +1,7 @@
 import { chosen } from '../choice.js';
 import { onScreen } from '../dom.js';
-import { devices } from '../report.js';
 import { THIN, fixed, signed } from '../text.js';
-import { LOOP_HEIGHT, chosenLaws, cutOff, fitCurves, fitsOn, forceRange, isScored, loopData, measuredCurve, record } from './fits.js';
+import { LOOP_HEIGHT, chosenLaws, cutOff, fitCurves, isScored, loopData, measuredCurve, shownLoops } from './fits.js';
 
 export const loopFigure = {
   id: 'loop',
@@ -11,23 +10,22 @@ export const loopFigure = {
   depends: ['device', 'laws'],
   wanted: () => chosen.device !== null,
   caption: loopCaption,
-  csv: loopData,
+  csv: () => loopData(),
   height: () => LOOP_HEIGHT,
   draw: drawLoop,
 };
 
 function loopCaption() {
-  const device = devices[chosen.device];
+  const { device, fits } = shownLoops();
   const missing = chosenLaws().filter((law) => !law.fitOn.get(device.index)?.force_kN);
-  const said = fitsOn(device, chosenLaws()).map(
+  const said = fits.map(
     ({ law, fit }) =>
       law.name + ': OF ' + fixed(fit.objective.best, 4) +
       ', effective stiffness ' + signed(fit.K_eff_error_percent, 1) + THIN + '%, energy ' +
       signed(fit.energy_error_percent, 1) + THIN + '%, damping ' + signed(fit.damping_error_percent, 1) + THIN + '%',
   );
-  const partly = device.scored
-    ? ' Solid: used for the fit. Dotted: run through, not scored.'
-    : '';
+  const why = (law) => (law.fitOn.get(device.index)?.message ? ' (' + law.fitOn.get(device.index).message + ')' : '');
+  const partly = device.scored ? ' Solid: used for the fit. Dotted: run through, not scored.' : '';
   const thinned =
     device.record.drawn < device.record.samples
       ? ' Drawn: ' + device.record.drawn + ' of ' + device.record.samples + ' samples.'
@@ -35,14 +33,7 @@ function loopCaption() {
   return (
     device.name + ', measured (grey) and best fits. ' + said.join('; ') +
     (said.length > 0 ? '.' : onScreen('Choose a law above.')) +
-    missing
-      .map(
-        (law) =>
-          ' ' + law.name + ' has no fit' +
-          (law.fitOn.get(device.index)?.message ? ' (' + law.fitOn.get(device.index).message + ')' : '') + '.',
-      )
-      .join('') +
-    partly + cutOff(chosenLaws()) + thinned
+    missing.map((law) => ' ' + law.name + ' has no fit' + why(law) + '.').join('') + partly + cutOff(chosenLaws()) + thinned
   );
 }
 
@@ -55,29 +46,23 @@ function parted(values, inside) {
 }
 
 function drawLoop(look) {
-  const device = devices[chosen.device],
-    measured = record(device);
+  const { device, measured, fits, range } = shownLoops();
   const hover = '%{x:.1f} mm, %{y:.1f} kN';
-  const fits = fitsOn(device, chosenLaws());
   const halves = parted(measured.F, measured.t.map((t) => isScored(device, t)));
   return {
     traces: [
-      ...(device.scored
-        ? [
-            {
-              name: 'measured, not scored', mode: 'lines', x: measured.x, y: halves.outside,
-              line: { color: look.colour('measured'), width: 1.6, dash: 'dot' },
-              hovertemplate: hover + '<extra>measured, not scored</extra>',
-            },
-          ]
-        : []),
+      ...[device.scored && {
+        name: 'measured, not scored', mode: 'lines', x: measured.x, y: halves.outside,
+        line: { color: look.colour('measured'), width: 1.6, dash: 'dot' },
+        hovertemplate: hover + '<extra>measured, not scored</extra>',
+      }].filter(Boolean),
       measuredCurve(look, measured.x, halves.inside, hover),
       ...fitCurves(look, fits, measured.x, hover),
     ],
     layout: {
       showlegend: true,
       xaxis: { title: 'displacement [mm]' },
-      yaxis: { title: 'force [kN]', range: forceRange(measured.F, fits.map(({ force }) => force)) },
+      yaxis: { title: 'force [kN]', range },
     },
   };
 }

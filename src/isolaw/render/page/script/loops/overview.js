@@ -2,7 +2,7 @@ import { chosen } from '../choice.js';
 import { panelHeading } from '../plotting.js';
 import { devices, laws } from '../report.js';
 import { fixed, plain } from '../text.js';
-import { cutOff, fitsOn, forceRange, loopData, record } from './fits.js';
+import { cutOff, loopData, shownLoops } from './fits.js';
 import { inOrder, orderText } from './table.js';
 
 export const loopOverviewFigure = {
@@ -14,7 +14,7 @@ export const loopOverviewFigure = {
     'Best fit of each law (coloured) and measured loop of ' + devices[chosen.device].name +
     ' (grey), all to one scale, ' + orderText() + '.' + cutOff(laws),
   csv: () => loopData(laws),
-  height: (width) => overviewGrid(fitsOn(devices[chosen.device], laws).length, width).height,
+  height: (width) => overviewGrid(shownLoops(laws).fits.length, width).height,
   draw: drawOverview,
 };
 
@@ -33,12 +33,10 @@ function overviewGrid(panels, width) {
 }
 
 function drawOverview(look, width) {
-  const device = devices[chosen.device],
-    measured = record(device);
-  const fits = inOrder(fitsOn(device, laws));
+  const { measured, fits: all, range } = shownLoops(laws);
+  const fits = inOrder(all);
   const { columns, wide, panel, heading, between, height } = overviewGrid(fits.length, width);
   const plotHeight = height - OVERVIEW_MARGIN.t - OVERVIEW_MARGIN.b;
-  const [low, high] = forceRange(measured.F, fits.map(({ force }) => force));
   const layout = { margin: OVERVIEW_MARGIN, annotations: [] };
   const traces = [];
   fits.forEach(({ law, fit, force }, i) => {
@@ -56,7 +54,7 @@ function drawOverview(look, width) {
       matches: i > 0 ? 'x' : undefined, showticklabels: lowest,
     };
     layout['yaxis' + suffix] = {
-      domain: [top - h, top], anchor: 'x' + suffix, nticks: 5, range: [low, high], title: column === 0 ? 'kN' : '',
+      domain: [top - h, top], anchor: 'x' + suffix, nticks: 5, range, title: column === 0 ? 'kN' : '',
       matches: i > 0 ? 'y' : undefined, showticklabels: column === 0,
     };
     layout.annotations.push(panelHeading(look, left, top, '<b>' + plain(law.name) + '</b>  OF ' + fixed(fit.objective.best, 4)));

@@ -1,4 +1,4 @@
-import { element } from '../dom.js';
+import { element, empty } from '../dom.js';
 import { lotLaws } from '../report.js';
 import { symbol } from '../symbols.js';
 import { table } from '../tables.js';
@@ -53,7 +53,7 @@ function correlationTable() {
   const law = ofLot();
   const { parameters = [], correlation = [], note = '' } = law.population ?? {};
   if (correlation.length === 0)
-    return element('p', { class: 'empty' }, note || 'No correlation was estimated for ' + law.name + '.');
+    return empty(note || 'No correlation was estimated for ' + law.name + '.');
   const columns = [
     { title: 'Parameter', pinned: true, tight: true },
     ...parameters.slice(0, -1).map((name) => ({ title: element('span', {}, symbol(name)), full: symbol(name), mark: true })),

@@ -1,4 +1,4 @@
-import { element } from '../dom.js';
+import { element, strong } from '../dom.js';
 import { devices, laws, ranking, resultColumns, usable } from '../report.js';
 import { symbol } from '../symbols.js';
 import { table } from '../tables.js';
@@ -59,7 +59,7 @@ function parameterTable(law, shown) {
 
   const objective = {
     cells: [
-      element('b', { class: 'strong' }, 'OF'),
+      strong('OF'),
       '-',
       '',
       fixed(law.objective.mean, 4),
@@ -142,7 +142,7 @@ function parameterTables() {
       const fill = () => {
         if (details.open && !body.firstChild) body.append(parameterTable(law, usable));
       };
-      details.addEventListener('toggle', fill);
+      details.ontoggle = fill;
       if (place === 0) {
         details.open = true;
         fill();

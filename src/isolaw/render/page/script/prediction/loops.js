@@ -1,11 +1,10 @@
-import { choose, chosen } from '../choice.js';
-import { deviceChooser } from '../choosers.js';
-import { chooser } from '../controls.js';
+import { chosen } from '../choice.js';
+import { deviceChooser, lawChooser } from '../choosers.js';
 import { blockText } from '../cycles.js';
-import { forceRange, record } from '../loops/fits.js';
+import { fitsOn, forceRange, record } from '../loops/fits.js';
 import { NARROW, emptyPlot, panelHeading } from '../plotting.js';
 import { rawTime } from '../raw.js';
-import { curve, devices, drawable, laws, predictedByFit } from '../report.js';
+import { devices, drawable, laws, predictedByFit } from '../report.js';
 import { THIN, enumerate, fixed, mean, plain, significant } from '../text.js';
 
 const PANEL_HEIGHT = 300;
@@ -18,11 +17,7 @@ export const predictedLoopsFigure = {
   controls: () => [
     deviceChooser('predicted-device', drawable, 'device'),
     ...(predictedByFit.length > 1
-      ? [
-          chooser('predicted-law', 'Beside ' + predictedByFit[0].name, predictedByFit.slice(1).map((law) => [law.index, law.name]), chosen.predicted, (index) =>
-            choose({ predicted: Number(index) }),
-          ),
-        ]
+      ? [lawChooser('predicted', predictedByFit.slice(1), { id: 'predicted-law', title: 'Beside ' + predictedByFit[0].name })]
       : []),
   ],
   caption: predictedCaption,
@@ -40,10 +35,7 @@ function predicted() {
   const device = devices[chosen.device];
   const { t, x, F } = record(device),
     axis = rawTime(device);
-  const fits = [predictedByFit[0], laws[chosen.predicted]]
-    .filter(Boolean)
-    .map((law) => ({ law, fit: law.fitOn.get(device.index), force: curve(law.fitOn.get(device.index)?.force_kN) }))
-    .filter(({ force }) => force);
+  const fits = fitsOn(device, [predictedByFit[0], laws[chosen.predicted]].filter(Boolean));
   const blocks = keptBlocks(device);
   const inside = blocks.map(({ cycles }) => {
     const [from, to] = [axis.of(cycles[0].first), axis.of(cycles[cycles.length - 1].last)];

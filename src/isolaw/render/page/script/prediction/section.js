@@ -1,4 +1,4 @@
-import { element } from '../dom.js';
+import { element, strong } from '../dom.js';
 import { devices, predictedByFit, predictedLaws, report, resultColumns } from '../report.js';
 import { tableOf } from '../tables.js';
 import { DASH, THIN, enumerate, fixed, mean, short, significant } from '../text.js';
@@ -86,7 +86,7 @@ function predictionTable() {
   const ratio = (law) =>
     law.fitted_objective > 0 ? significant(law.predicted_objective / law.fitted_objective, 2) : DASH;
   const columns = [
-    { title: 'Law', pinned: true, tight: true, cell: (law) => element('b', { class: 'strong' }, law.name) },
+    { title: 'Law', pinned: true, tight: true, cell: (law) => strong(law.name) },
     { title: 'Prediction', tight: true, cell: verdict },
     ...blocks.map((block) => ({
       title: 'Block ' + block.block,

@@ -1,5 +1,5 @@
 import { chosen } from '../choice.js';
-import { element } from '../dom.js';
+import { element, empty, strong } from '../dom.js';
 import { devices } from '../report.js';
 import { tableOf } from '../tables.js';
 import { DASH, deviation, isNumber, limitText, withUnit } from '../text.js';
@@ -23,15 +23,11 @@ export const assessmentsFigure = {
 function assessmentTable() {
   const device = devices[chosen.tested];
   if (device.assessments.length === 0)
-    return element(
-      'p',
-      { class: 'empty' },
-      device.name + ' was not assessed' + (device.properties_refusal ? ': ' + device.properties_refusal : '.'),
-    );
+    return empty(device.name + ' was not assessed' + (device.properties_refusal ? ': ' + device.properties_refusal : '.'));
   const verdict = (a) =>
     element('td', { class: 'reasoned' }, verdictBadge(a.verdict), a.reason ? element('small', {}, a.reason) : null);
   const columns = [
-    { title: 'Quantity', pinned: true, cell: (a) => element('b', { class: 'strong' }, a.quantity) },
+    { title: 'Quantity', pinned: true, cell: (a) => strong(a.quantity) },
     { title: 'Verdict', cell: verdict },
     { title: 'Block', number: true, cell: (a) => (isNumber(a.block) && a.block > 0 ? String(a.block) : DASH) },
     { title: 'Value', number: true, cell: (a) => withUnit(a.value, a.unit) },

@@ -1,6 +1,6 @@
 import { chosen } from '../choice.js';
 import { element } from '../dom.js';
-import { devices, numberColumn, resultColumns } from '../report.js';
+import { devices, numberColumn, resultData } from '../report.js';
 import { tableOf } from '../tables.js';
 
 const levels = () => devices[chosen.tested]?.levels ?? [];
@@ -14,7 +14,7 @@ export const levelsFigure = {
   caption: () =>
     'The third counted cycle of each block, and its ratio to the reference block' +
     (levels().some(({ reference }) => reference) ? ' (' + levels().find(({ reference }) => reference).block + ')' : '') + '.',
-  csv: levelsData,
+  csv: () => resultData('levels', devices.flatMap((device) => (device.levels ?? []).map((level) => [device.name, level])), ['device']),
   build: levelsTable,
 };
 
@@ -31,10 +31,3 @@ function levelsTable() {
   return tableOf(columns, levels(), 'Levels of the test');
 }
 
-function levelsData() {
-  const { columns, cells } = resultColumns('levels');
-  return {
-    columns: ['device', ...columns],
-    rows: devices.flatMap((device) => (device.levels ?? []).map((level) => [device.name, ...cells(level)])),
-  };
-}

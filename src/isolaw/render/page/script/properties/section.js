@@ -2,7 +2,7 @@ import { choose, chosen, onChoice } from '../choice.js';
 import { deviceChooser } from '../choosers.js';
 import { blockText } from '../cycles.js';
 import { takeCare } from '../decision/verdicts.js';
-import { element } from '../dom.js';
+import { element, empty } from '../dom.js';
 import { devices, inspection, report, tested } from '../report.js';
 import { assessmentsFigure } from './assessments.js';
 import { cycleHistoryFigure } from './history.js';
@@ -26,13 +26,11 @@ export const propertiesSection = {
 };
 
 function propertyControls() {
-  const select = element('select', { id: 'block' });
+  const select = element('select', { id: 'block', change: () => choose({ block: select.value === 'all' ? 'all' : Number(select.value) }) });
   const fill = () => {
     const blocks = devices[chosen.tested]?.blocks ?? [];
-    select.replaceChildren(
-      element('option', { value: 'all' }, 'all'),
-      ...blocks.map((block) => element('option', { value: block.number }, blockText(block))),
-    );
+    const options = [['all', 'all'], ...blocks.map((block) => [block.number, blockText(block)])];
+    select.replaceChildren(...options.map(([value, text]) => element('option', { value }, text)));
     select.value = chosen.block;
     select.disabled = blocks.length < 2;
   };
@@ -43,9 +41,8 @@ function propertyControls() {
     shown = chosen.tested;
     select.value = chosen.block;
   });
-  select.addEventListener('change', () => choose({ block: select.value === 'all' ? 'all' : Number(select.value) }));
   if (inspection && tested.length === 1 && tested[0].blocks.length < 2) return [];
   return tested.length === 0
-    ? [element('p', { class: 'empty' }, 'No record could be read.')]
+    ? [empty('No record could be read.')]
     : [deviceChooser('tested', tested, 'tested'), element('label', {}, 'Block', select)];
 }

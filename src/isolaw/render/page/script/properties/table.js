@@ -1,6 +1,6 @@
 import { chosen } from '../choice.js';
 import { blockFacts, cycleData, isReported, noCycles } from '../cycles.js';
-import { element, onScreen } from '../dom.js';
+import { element, empty, onScreen } from '../dom.js';
 import { devices, numberColumn } from '../report.js';
 import { said, table } from '../tables.js';
 import { DASH, isNumber } from '../text.js';
@@ -35,7 +35,7 @@ function cycleTableCaption() {
 function cycleTable() {
   const device = devices[chosen.tested];
   const all = device.blocks.flatMap((block) => block.cycles.map((cycle) => ({ block, cycle })));
-  if (all.length === 0) return element('p', { class: 'empty' }, 'No cycles: ' + noCycles(device));
+  if (all.length === 0) return empty('No cycles: ' + noCycles(device));
   const shown = SHOWN.filter((key) => all.some(({ cycle }) => isNumber(cycle[key]))).map((key) =>
     numberColumn('cycles', key),
   );

@@ -1,4 +1,4 @@
-import { element, termList } from '../dom.js';
+import { button, element, strong, termList } from '../dom.js';
 import { devices, inspection, laws, report } from '../report.js';
 import { tableOf } from '../tables.js';
 import { count, isNumber, short } from '../text.js';
@@ -76,7 +76,7 @@ function filesTable() {
   const hash = ({ sha256 }) => element('span', { class: 'hash', title: sha256 }, short(sha256, 17));
   const status = (device) => (device.status === 'ok' ? 'used' : element('span', { class: 'poor' }, 'refused'));
   const columns = [
-    { title: 'Device', pinned: true, cell: (device) => element('b', { class: 'strong' }, device.name) },
+    { title: 'Device', pinned: true, cell: (device) => strong(device.name) },
     { title: 'File', cell: (device) => device.file },
     { title: 'SHA-256', cell: hash },
     { title: 'Status', cell: status },
@@ -86,13 +86,12 @@ function filesTable() {
 
 function commandLine() {
   const code = element('code', { class: 'command', tabindex: '0' }, report.command);
-  const button = element('button', { type: 'button', class: 'action screen' }, 'Copy');
-  button.addEventListener('click', () => {
+  const copy = ({ currentTarget: pressed }) => {
     getSelection().selectAllChildren(code);
     // A browser copies only from a secure address. On others the command stays selected for Ctrl-C.
-    navigator.clipboard?.writeText(report.command).then(() => (button.textContent = 'Copied'), () => {});
-  });
-  return element('div', { class: 'command-line' }, code, button);
+    navigator.clipboard?.writeText(report.command).then(() => (pressed.textContent = 'Copied'), () => {});
+  };
+  return element('div', { class: 'command-line' }, code, button('Copy', copy, { class: 'action screen' }));
 }
 
 function stepsList() {

@@ -1,6 +1,6 @@
-import { element } from '../dom.js';
+import { element, sentences, strong } from '../dom.js';
 import { nameOf } from '../laws.js';
-import { laws, report, resultColumns } from '../report.js';
+import { laws, report, resultData } from '../report.js';
 import { tableOf } from '../tables.js';
 import { DASH, fixed, sentence, significant } from '../text.js';
 
@@ -11,10 +11,7 @@ export const publishedLawsFigure = {
   caption: () =>
     'Published: the study\u2019s own ten devices, 20 runs of a genetic algorithm each, objectives printed to two digits. \u03c3, runs: standard deviation of OF over the runs, mean over the devices; ' +
     'the genetic algorithm, as the study describes it, scatters more than its table says. Front: only these laws are compared.',
-  csv: () => {
-    const { columns, cells } = resultColumns('published_laws');
-    return { columns, rows: report.published.laws.map(cells) };
-  },
+  csv: () => resultData('published_laws', report.published.laws.map((law) => [law])),
   build: () => element('div', {}, lawTable(), readings()),
 };
 
@@ -26,7 +23,7 @@ function lawTable() {
   const frontHere = (law) => (law.beta === null || !law.compared ? DASH : law.on_front ? 'yes' : 'no');
   const columns = [
     { title: 'No.', tight: true, cell: (law) => String(law.number) },
-    { title: 'Law', tight: true, cell: (law) => element('b', { class: 'strong' }, nameOf(law.law)) },
+    { title: 'Law', tight: true, cell: (law) => strong(nameOf(law.law)) },
     ...pair('mean OF', 'objective', (value) => fixed(value, 4)),
     ...pair('\u03c3, runs', 'std_over_runs', (value) => significant(value, 2)),
     ...pair('\u03c3, devices', 'std_over_devices', (value) => significant(value, 2)),
@@ -39,9 +36,9 @@ function lawTable() {
 function readings() {
   const notes = report.published.laws.flatMap(({ law: id }) =>
     (laws.find((law) => law.id === id)?.notes ?? []).map((note) =>
-      element('li', {}, element('b', {}, id), ': ' + sentence(note)),
+      [element('b', {}, id), ': ' + sentence(note)],
     ),
   );
   if (notes.length === 0) return null;
-  return element('details', {}, element('summary', {}, 'How its laws are read'), element('ul', { class: 'sentences' }, ...notes));
+  return element('details', {}, element('summary', {}, 'How its laws are read'), sentences(notes));
 }

@@ -1,8 +1,8 @@
 import { element } from '../dom.js';
-import { report, resultColumns } from '../report.js';
+import { report, resultData } from '../report.js';
 import { tableOf } from '../tables.js';
 
-export const verdictFigure = {
+export const publishedVerdictFigure = {
   id: 'published-verdict',
   title: '',
   wanted: () => report.published !== null,
@@ -14,10 +14,7 @@ export const statementsFigure = {
   title: 'What the study says, and what is found here',
   wanted: () => report.published !== null,
   caption: () => 'Statements of ' + report.published.source + ', in our words, tested only by the mean objective over the runs and \u03b2.',
-  csv: () => {
-    const { columns, cells } = resultColumns('published_statements');
-    return { columns, rows: report.published.statements.map(cells) };
-  },
+  csv: () => resultData('published_statements', report.published.statements.map((statement) => [statement])),
   build: statementTable,
 };
 

@@ -1,0 +1,15 @@
+// Creates elements of the HTML document, also for the page of the program (page/). A text becomes text and is never read
+// as HTML. An attribute whose value is a function is called at the event of that name.
+
+const isThere = (value) => value !== null && value !== undefined && value !== false;
+
+// `set` turns a text into the children of an element with a tag, and `unset` a text into the value of an attribute.
+export const elementsWith = (set, unset) => (tag, attributes = {}, ...children) => {
+  const node = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (typeof value === 'function') node['on' + name] = value;
+    else if (isThere(value)) node.setAttribute(name, value === true ? '' : unset(String(value)));
+  }
+  node.append(...children.flat(Infinity).filter(isThere).flatMap((child) => (typeof child === 'string' ? set(child, tag) : [child])));
+  return node;
+};
