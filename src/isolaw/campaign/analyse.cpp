@@ -152,8 +152,7 @@ class Analysis {
   std::optional<fit::AsSprings> as_springs(std::string_view law, std::span<std::size_t const> devices,
                                            fit::SearchBox const& box, std::vector<double> const& parameters,
                                            int refinement) const {
-    if (!contents_.settings.springs || !laws::no_coupled_form(law, parameters))
-      return {};
+    if (!contents_.settings.springs || !laws::no_coupled_form(law, parameters)) return {};
     std::vector<data::FitRecord const*> records;
     for (auto const device : devices) records.push_back(&contents_.devices[device].record);
     return fit::fitted_as_springs(laws::find_law(law), records, box, parameters, refinement);

@@ -4,9 +4,9 @@
 
 #include "isolaw/laws/law.hpp"
 #include "isolaw/laws/memory/followed.hpp"
+#include "isolaw/laws/memory/open_branches.hpp"
 #include "isolaw/laws/memory/remembered.hpp"
 #include "isolaw/laws/memory/softening.hpp"
-#include "isolaw/laws/memory/open_branches.hpp"
 #include "isolaw/laws/memory/wear.hpp"
 
 namespace isolaw::laws {

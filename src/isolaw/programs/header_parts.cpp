@@ -64,7 +64,7 @@ std::string template_head(std::string_view line) {
     auto const name = argument.substr(argument.find(' ') + 1);
     if (!is_a_number(name) && name != "Params") kept += (kept.empty() ? "" : ", ") + std::string(argument);
   }
-  return kept.empty() ? "" : std::string(line.size() - head.size(), ' ') + "template <" + kept + ">\n";
+  return kept.empty() ? "" : fmt::format("{:{}}template <{}>\n", "", line.size() - head.size(), kept);
 }
 bool is_template_head(std::string_view line) {
   line = without_indent(line);
