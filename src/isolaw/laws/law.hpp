@@ -26,8 +26,8 @@
 //   - Branch with a plain `if` on the motion (X), and with `select` on anything that depends on a parameter (T, N).
 //   - Write N(step.x1) where a number of the motion meets parameters, and T(2.0) or N(2.0) for a literal.
 //   - min, max and select return their first argument if both are equal: put the one first whose slope is meant.
-//   - Use the functions below (moves, grows, slope_alone, limit_slope, ...) where a trial needs a slope although its value
-//     is that of rest. For a record they do nothing.
+//   - Use the functions below (moves, grows, slope_alone, limit_slope, ...) where a trial needs a slope that its value
+//     alone does not give. For a record they do nothing.
 // A step neither throws nor logs, and in a record it allocates nothing: kernels size stacks before the first step.
 //
 // Exported C++17 files are made from the lines of a law's file between `// [export struct NAME]` and `// [end]`, with
