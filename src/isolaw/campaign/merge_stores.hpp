@@ -1,5 +1,5 @@
-// Merges the parts of a campaign or of a building study into one store, after checking that what they are parts of, build
-// and instruction set are the same.
+// Merges the parts of a campaign or of a building study into one store. Checks first that all are parts of the same work,
+// of one build and one instruction set.
 #pragma once
 
 #include <cstddef>

@@ -37,8 +37,8 @@ struct RawChannel {
 
 void check_channel(std::string const& file, RawChannel const& raw, std::span<std::size_t const> lines,
                    std::vector<Complaint>& complaints);
-// Throws Error if force and displacement seem to be exchanged, or the force's sign to be flipped. `exchange_advice` tells
-// the user how to exchange the columns.
+// Throws Error if force and displacement seem to be exchanged, or the force's sign to be flipped. `exchange_advice`
+// tells the user how to exchange the columns.
 void check_physics(TestRecord const& record, Properties const& properties, std::string const& exchange_advice);
 
 void add_warnings(TestRecord& record, Properties const& properties);

@@ -1,6 +1,6 @@
 // The C++17 code of a law for exported files, made from the law's own file.
 //
-// The lines of a file of laws/ between `// [export]` and `// [end]` are exported. `// [export struct Bilinear]` encloses
+// Lines of a file of laws/ between `// [export]` and `// [end]` are exported. `// [export struct Bilinear]` encloses
 // them in that struct. In these lines T is the number of a parameter, X that of the motion and N that of a force. The
 // export drops these three from the heads of templates and writes double, Dual and Dual for them. The marked lines of
 // the files that a law's file includes come before its own, and functions that nothing calls are left out.
