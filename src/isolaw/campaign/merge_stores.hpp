@@ -1,5 +1,5 @@
-// Merges the parts of a campaign or of a building study into one store. Checks first that all are parts of the same work,
-// of one build and one instruction set.
+// Merges the parts of a campaign or of a building study into one store. Before that it checks that all are parts of the
+// same work, by one build and one instruction set.
 #pragma once
 
 #include <cstddef>
