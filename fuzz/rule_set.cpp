@@ -14,17 +14,19 @@ rules::BlockValues block() {
                             .shear_strain_percent = 100.0,
                             .load_mean_kN = 1000.0,
                             .cycles = {}};
-  for (int number = 1; number <= 11; ++number)
-    values.cycles.push_back({.number = number,
-                             .d_plus_mm = 100.0,
-                             .d_minus_mm = -100.0,
-                             .F_plus_kN = 120.0,
-                             .F_minus_kN = -115.0,
-                             .K_eff_kN_per_mm = 1.175,
-                             .damping_percent = 15.0,
-                             .energy_kN_mm = 11074.0,
-                             .Q_d_kN = 30.0,
-                             .K_d_kN_per_mm = 0.875});
+  for (int number = 1; number <= 11; ++number) {
+    data::Cycle& cycle = values.cycles.emplace_back();
+    cycle.number = number;
+    cycle.d_plus_mm = 100.0;
+    cycle.d_minus_mm = -100.0;
+    cycle.F_plus_kN = 120.0;
+    cycle.F_minus_kN = -115.0;
+    cycle.K_eff_kN_per_mm = 1.175;
+    cycle.damping_percent = 15.0;
+    cycle.energy_kN_mm = 11074.0;
+    cycle.Q_d_kN = 30.0;
+    cycle.K_d_kN_per_mm = 0.875;
+  }
   return values;
 }
 

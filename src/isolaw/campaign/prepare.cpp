@@ -181,7 +181,8 @@ fit::SearchBox search_box(laws::LawEntry const& law, data::FitRecord const& reco
   return settings.method == Method::best ? fit::on_logarithmic_scales(std::move(box), law) : box;
 }
 
-// A test that fails is kept with its reason, since the device can be identified without it.
+// If the compression test cannot be read or gives no stiffness, the reason is kept in `refusal` and nothing is thrown,
+// since laws can be fitted to the device without this test.
 data::VerticalTest prepare_vertical(VerticalInput const& given, std::filesystem::path const& directory) {
   data::VerticalTest test;
   if (given.stated_kN_per_mm) test.stated_kN_per_mm = given.stated_kN_per_mm;

@@ -164,7 +164,8 @@ struct Gallardo {
     return exp2(-log2(T(1.0) - T(2.0) * phi) / p.n);
   }
 
-  // The motion turns at x and goes on in `direction`.
+  // Must be called when the motion turns at x and goes on in `direction`. Sets the strength of the branch ahead, and the
+  // place on the flow's curve from which z goes on.
   template <class T, class X, class N>
   static void turn(Params<T> const& p, Constants<T, X> const& c, State<N>& state, double x, double direction) {
     N const none(0.0), z = N(direction) * state.z;

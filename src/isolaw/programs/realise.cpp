@@ -137,7 +137,8 @@ void add_bounds(Realised& realised, std::size_t index, laws::LawEntry const& law
   realised.upper = form(bounds.upper);
 }
 
-// Substitutes for the subject's law, fitted to its force, the best fit first.
+// Fits the bilinear and the Bouc-Wen law to the force that the law to be exported computes. The better fit comes first.
+// A law that cannot be fitted is left out.
 std::vector<Substitute> stand_ins(Subject const& subject) {
   std::vector<Substitute> fitted;
   for (std::string_view const id : {corner_law, smooth_law})

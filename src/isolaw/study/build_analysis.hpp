@@ -31,7 +31,9 @@ void add_lot_analysis(LawResult& law, campaign::Contents const& contents);
 using Coordinate = std::optional<double> (*)(LawResult const&);
 std::vector<bool> front_of(std::vector<LawResult> const& laws, Coordinate robust, Coordinate accurate);
 void mark_front(std::vector<LawResult>& laws, Coordinate robust, Coordinate accurate, bool LawResult::*on_front);
-// Adds the fronts without the optimiser's noise, and the outlying devices. Must be called after all laws are filled in.
+// Marks the laws on two fronts whose accuracy does not vary from run to run, because it is the least objective that the
+// analyses found. Then adds the outlying devices. Does nothing while runs or analyses are missing. Must be called after
+// all laws are filled in.
 void add_converged_views(Summary& summary);
 
 }  // namespace isolaw::study

@@ -12,10 +12,19 @@ inline double log2_of_travel(double travel) {
   return std::log2(std::max(travel, smallest_power_base));
 }
 
+inline double log2_of_softening(double G) {
+  return log2_of_travel(G);
+}
+
 // [export]
 // A power of a travel has no bounded slope where the travel begins; it is taken at no less than 1e-3.
 inline Dual log2_of_travel(Dual const& travel) {
   return chain(travel, std::log2(max(travel.v, smallest_power_base)), log2_e / max(travel.v, 1e-3));
+}
+// When the motion enters a side, G is 0 and the force is 0 for every G. The slope uses a small G, as it changes fastest
+// at 0.
+inline Dual log2_of_softening(Dual const& G) {
+  return log2_of_travel(G.v > 0.0 ? G : Dual(1e-2));
 }
 
 template <class X>
@@ -74,7 +83,7 @@ struct Softening {
     softens = changes(side.reported.G, side.now.G);
     returns = changes(side.reported.C, side.now.C);
     side.reported = side.now;
-    log2_softening = log2_of_travel(side.now.G);
+    log2_softening = log2_of_softening(side.now.G);
     log2_way_back = log2_of_travel(side.now.C);
   }
   template <class Each>

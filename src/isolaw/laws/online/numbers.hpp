@@ -67,7 +67,7 @@ inline Dual sech_squared(Dual const& u) {
   return 4.0 * e / ((1.0 + e) * (1.0 + e));
 }
 
-// 0, with the derivatives that a term of this slope by `variable` has where it vanishes.
+// The number 0 with `slope` as its derivative by `variable`, for a term that is 0 here and still counts in the tangent.
 inline Dual slope_alone(Dual const& variable, Dual const& slope) { return chain(variable, 0.0, slope.v); }
 
 // Counts the derivative of `part` by the displacement in that of `result` with at most `steepest` in size.
