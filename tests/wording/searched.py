@@ -24,7 +24,8 @@ SCRIPT = re.compile(
 ALLOWED = {
     ("src/isolaw/data/exporter.cpp", "Raw Data"),  # written by the program that recorded the file
     ("src/isolaw/data/mat_table.cpp", "table or object"),  # a class of MATLAB variables
-    ("src/isolaw/programs/header_parts.cpp", "struct TurningPoints"),  # C++ code of an exported header
+    ("src/isolaw/programs/header_parts.cpp", "struct OpenBranches"),  # C++ code of an exported header
+    ("src/isolaw/programs/header_parts.cpp", "using std::"),  # C++ code of an exported header
     ("src/isolaw/render/page/script/certificate/verdict.js", "not assessed"),  # value of an enumeration
     ("src/isolaw/render/page/script/decision/errors.js", "ruled out"),  # value of an enumeration
     ("src/isolaw/render/page/script/icons.js", "not adequate"),  # value of an enumeration
