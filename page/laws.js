@@ -129,8 +129,8 @@ async function identify({ fail }) {
   try {
     const parts = state.parts.length > 0 ? state.parts : store?.length > 0 ? store : undefined;
     let result = await ask(parts);
-    // Without a summary the earlier campaign could not be continued, because it had other settings. So a new one is
-    // started.
+    // The program writes no summary if it refuses to continue the earlier campaign, as it does when settings have changed.
+    // Then everything is computed anew.
     if (parts && !fileOf(result.files, 'out/summary.json')) result = await ask(undefined);
     if (state.lots !== lots) return;
     state.parts = [];

@@ -1,6 +1,6 @@
-// Compares a campaign with the published study. If the campaign has the study's own numbers, every value must be the
-// printed one and every statement be judged as by the printed table. Other numbers, fewer laws or another reading of a
-// law change the result.
+// A campaign is compared with the published study: its numbers with those of Table A.5, and which of the study's
+// statements hold in it. A campaign made of the table's numbers must give these numbers back, and the same statements
+// must hold in it as in the table. Further cases have other numbers, missing laws, or law 5 read in its other way.
 #include "isolaw/study/published.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-// power-masing with a hysteretic force that wears with travel, and with a force that remains from the side on which the
-// largest displacement grew. These two terms describe the remaining differences between the two sides of a record, and
-// between its first and last cycles.
+// power-masing with two more terms. The hysteretic force decreases with the distance travelled. And each growth of the
+// largest |x| leaves a lasting force in proportion to it, positive for a growth at x > 0 and negative for one at x < 0.
+// The terms describe differences between the first and last cycles of a record, and between its two sides.
 // Source: this project; docs/league.md lists the candidates. Units kN, mm. Step: exact, as in power-masing.
 #pragma once
 
