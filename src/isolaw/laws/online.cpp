@@ -24,7 +24,8 @@ class FormOf final : public Online::Form {
 
  public:
   FormOf(typename Motion::Parameters const& parameters, int parts)
-      : law_(std::make_shared<Fixed const>(parameters, constants_of<Law, double, Dual>(parameters))), parts_(parts) {
+      : law_(std::make_shared<Fixed const>(Fixed{parameters, constants_of<Law, double, Dual>(parameters)})),
+        parts_(parts) {
     committed_.law = Motion::first_state(law_->parameters, law_->constants);
   }
 
