@@ -275,7 +275,7 @@ TEST_P(Faults, RepeatedSamplesChangeNothing) {
 
 // All sampling rates from 10 Hz on have samples at the extremes of this sine, so the path between the extremes is the
 // same at every rate. Laws that depend on the path alone must agree to rounding, and abe within its integration error.
-// Of the laws that depend on velocity, jankowski is algebraic and hwang-wu interpolates the velocity between samples.
+// jankowski uses the velocity at the sample alone; hwang-wu interpolates it between samples.
 TEST_P(Faults, TheSamplingRateDoesNotMatterFrom10To10000Hz) {
   constexpr double slowest_Hz = 10.0;
   std::vector<double> largest(3, 0.0);

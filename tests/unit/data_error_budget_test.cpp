@@ -271,7 +271,7 @@ TEST(ErrorBudget, ARecordWithoutCyclesHasItsTimeAssessedOnly) {
 
 // --- how often the force is called late ---
 
-// Of the noisy records of 2 to 20 cycles, how many have an estimate of the delay, and how many of these are called
+// Counts the noisy records of 2 to 20 cycles that have an estimate of the delay, and those among them that are called
 // late. The devices do not depend on rate. `late_rad` is the true delay of the force as a phase.
 struct SkewCount {
   int estimated = 0, late = 0;

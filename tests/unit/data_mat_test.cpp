@@ -212,7 +212,7 @@ TEST_P(Matlab, NoArrays) {
       "FILE: no arrays of numbers; variables Kx (1 x 1 double, no channel), note (1 x 10 char); allowed: real vectors or matrices of 3 rows or more, at the top or in structs one level deep; try: save time, displacement and force as vectors, or export them as CSV");
 }
 
-// Of a file that is cut off, isolaw reads the complete part or refuses the file. A wrong byte must not end the program.
+// If a file is cut off, isolaw reads its complete part or refuses the file. A wrong byte must not end the program.
 TEST_P(Matlab, DamagedFilesEndInAMessage) {
   auto const sound = mat_of([](MatWriter& w) { w.all(named).structure("test", {named}); });
   auto const step =

@@ -1,5 +1,5 @@
-// What stores of campaigns and of building studies have in common: making, opening and checking a file, and the tables
-// that say which part of the whole it holds and who computed it.
+// Stores of campaigns and of building studies share this code. It makes, opens and checks a file, and keeps the tables
+// that say which part of the whole the file holds and which build computed it.
 #pragma once
 
 #include <filesystem>

@@ -175,7 +175,7 @@ struct StepOf<double> {             // one step of the path; it depends on the r
 };
 using Step = StepOf<double>;
 
-// What the laws that remember read of the path at the end of a step (memory/ says how each part follows from the
+// The laws that remember read this from the path at the end of a step (memory/ says how each part follows from the
 // displacement). A first sample away from 0 counts as a motion from 0.
 struct Memory {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);

@@ -1,4 +1,4 @@
-// What a law remembers of its path, in parts. A law lists the parts that it reads:
+// A law remembers its path in parts, and lists the parts that it reads:
 //     template <class X> using Memory = Remembered<X, OpenBranches, Peaks<X>>;
 // In kernels the parts walk over the record once, before any candidate (memory.cpp); in a trial they follow the motion.
 #pragma once
