@@ -6,7 +6,7 @@
 
 #include "harness.hpp"
 #include "isolaw/data/clean.hpp"
-#include "isolaw/data/properties.hpp"
+#include "isolaw/data/properties/properties.hpp"
 #include "isolaw/data/read.hpp"
 #include "isolaw/wording/table.hpp"
 

@@ -1,7 +1,8 @@
 # A module may include only modules to the left of it here: base <- num <- {laws, opt, data} <- wording <- fit <-
 # analysis <- {campaign, lot, rules} <- building <- study <- {render, programs} <- api <- app
 # Modules in one pair of braces must not include one another. The folders of render must not either, but all of them may
-# include `json`.
+# include `json`. The folders of data are ordered too: files <- channels <- cycles <- signals <- properties, and none of
+# them includes a file that lies in data itself, such as data/read.hpp.
 # Usage: cmake -DSOURCE=src/isolaw -P direction.cmake
 get_filename_component(SOURCE "${SOURCE}" ABSOLUTE)
 set(rank_base 0)
@@ -23,6 +24,8 @@ endforeach()
 set(rank_api 10)
 set(rank_app 11)
 
+set(folders_of_data files channels cycles signals properties)
+
 set(breaches "")
 file(GLOB_RECURSE files RELATIVE ${SOURCE} ${SOURCE}/*.hpp ${SOURCE}/*.cpp)
 foreach(file ${files})
@@ -32,12 +35,24 @@ foreach(file ${files})
     continue()
   endif()
   string(REGEX MATCH "^render/[a-z]+/" renderer ${file})
+  string(REGEX MATCH "^data/([a-z]+)/" folder ${file})
+  list(FIND folders_of_data "${CMAKE_MATCH_1}" folder_rank)
+  if(folder AND folder_rank EQUAL -1)
+    list(APPEND breaches "${file}: this folder has no rank; give it one in tests/layers/direction.cmake")
+  endif()
   file(STRINGS ${SOURCE}/${file} includes REGEX "#include \"isolaw/")
   foreach(line ${includes})
     string(REGEX REPLACE ".*\"isolaw/([a-z]+)/.*" "\\1" included "${line}")
     if(included STREQUAL module)
       if(renderer AND NOT line MATCHES "\"isolaw/render/(json/|results\\.hpp)" AND NOT line MATCHES "\"isolaw/${renderer}")
         list(APPEND breaches "${file}: a renderer knows its own folder, json and results.hpp: ${line}")
+      endif()
+      if(folder)
+        string(REGEX MATCH "\"isolaw/data/([a-z]+)/" inner "${line}")
+        list(FIND folders_of_data "${CMAKE_MATCH_1}" included_rank)
+        if(NOT inner OR included_rank GREATER folder_rank)
+          list(APPEND breaches "${file}: includes a higher part of data: ${line}")
+        endif()
       endif()
       continue()
     endif()

@@ -1,8 +1,8 @@
 // Channels and units, recognised in the names that laboratories write or given by options. If a channel or unit cannot
 // be known, isolaw asks for it and does not guess.
 #include "data_fixture.hpp"
-#include "isolaw/data/column_names.hpp"
-#include "isolaw/data/columns.hpp"
+#include "isolaw/data/channels/columns.hpp"
+#include "isolaw/data/files/column_names.hpp"
 #include "refusal.hpp"
 
 namespace isolaw::data::testing {

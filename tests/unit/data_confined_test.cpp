@@ -1,6 +1,6 @@
 // Runs a function in a process of its own. Its results come back, and every way in which the process can end gives an
 // outcome.
-#include "isolaw/data/confined.hpp"
+#include "isolaw/data/files/confined.hpp"
 
 #include <gtest/gtest.h>
 

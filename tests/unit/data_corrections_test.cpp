@@ -7,7 +7,7 @@
 
 #include "finding_text.hpp"
 #include "isolaw/base/error.hpp"
-#include "isolaw/data/corrections.hpp"
+#include "isolaw/data/signals/corrections.hpp"
 #include "motions.hpp"
 #include "refusal.hpp"
 

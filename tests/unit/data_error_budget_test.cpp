@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "finding_text.hpp"
-#include "isolaw/data/error_budget.hpp"
-#include "isolaw/data/skew.hpp"
+#include "isolaw/data/properties/error_budget.hpp"
+#include "isolaw/data/properties/skew.hpp"
 #include "motions.hpp"
 #include "signals.hpp"
 

@@ -3,7 +3,7 @@
 #include <cstdlib>
 
 #include "data_writers.hpp"
-#include "isolaw/data/properties.hpp"
+#include "isolaw/data/properties/properties.hpp"
 
 #ifndef ISOLAW_DATA_DIR
 #define ISOLAW_DATA_DIR "absent"

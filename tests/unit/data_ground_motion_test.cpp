@@ -1,6 +1,6 @@
 // Ground accelerations as databases and programs write them, and files that isolaw refuses because it would have to
 // guess.
-#include "isolaw/data/ground_motion.hpp"
+#include "isolaw/data/channels/ground_motion.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

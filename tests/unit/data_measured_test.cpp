@@ -7,8 +7,8 @@
 
 #include "data_fixture.hpp"
 #include "isolaw/data/clean.hpp"
-#include "isolaw/data/properties.hpp"
-#include "isolaw/data/signal_faults.hpp"
+#include "isolaw/data/properties/properties.hpp"
+#include "isolaw/data/signals/signal_faults.hpp"
 
 #ifndef ISOLAW_DATA_DIR
 #define ISOLAW_DATA_DIR "absent"

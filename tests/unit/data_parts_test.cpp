@@ -2,7 +2,7 @@
 // channels in two files.
 #include "data_fixture.hpp"
 #include "isolaw/base/hash.hpp"
-#include "isolaw/data/time_stamp.hpp"
+#include "isolaw/data/files/time_stamp.hpp"
 
 namespace isolaw::data::testing {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "finding_text.hpp"
-#include "isolaw/data/properties.hpp"
+#include "isolaw/data/properties/properties.hpp"
 
 namespace isolaw::data {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "data_fixture.hpp"
 #include "isolaw/base/units.hpp"
-#include "isolaw/data/text.hpp"
+#include "isolaw/data/files/text.hpp"
 #include "refusal.hpp"
 
 namespace isolaw::data::testing {

@@ -1,5 +1,5 @@
 // The choice of blocks and cycles by which laws are scored.
-#include "isolaw/data/selection.hpp"
+#include "isolaw/data/cycles/selection.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "finding_text.hpp"
-#include "isolaw/data/holds.hpp"
-#include "isolaw/data/signal_faults.hpp"
+#include "isolaw/data/cycles/holds.hpp"
+#include "isolaw/data/signals/signal_faults.hpp"
 #include "motions.hpp"
 #include "signals.hpp"
 

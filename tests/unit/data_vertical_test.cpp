@@ -1,13 +1,13 @@
 // Vertical stiffness of compression tests made by formulas, and tests that are refused because isolaw would have to
 // guess.
-#include "isolaw/data/vertical.hpp"
+#include "isolaw/data/properties/vertical.hpp"
 
 #include <cmath>
 #include <functional>
 #include <numbers>
 
 #include "data_fixture.hpp"
-#include "isolaw/data/vertical_signals.hpp"
+#include "isolaw/data/signals/vertical_signals.hpp"
 #include "refusal.hpp"
 #include "signals.hpp"
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "data_fixture.hpp"
-#include "isolaw/data/text.hpp"
+#include "isolaw/data/files/text.hpp"
 
 namespace isolaw::data::testing {
 

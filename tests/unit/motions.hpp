@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "isolaw/data/properties.hpp"
+#include "isolaw/data/properties/properties.hpp"
 
 namespace isolaw::data::testing {
 

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "isolaw/data/properties.hpp"
+#include "isolaw/data/properties/properties.hpp"
 
 namespace isolaw::data::testing {
 

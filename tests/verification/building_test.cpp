@@ -20,7 +20,7 @@
 #include "isolaw/building/lanes.hpp"
 #include "isolaw/building/structure.hpp"
 #include "isolaw/building/synthetic_motion.hpp"
-#include "isolaw/data/ground_motion.hpp"
+#include "isolaw/data/channels/ground_motion.hpp"
 #include "isolaw/num/random.hpp"
 #include "unit/building_fixture.hpp"
 #include "unit/building_whole.hpp"

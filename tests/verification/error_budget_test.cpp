@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "isolaw/data/error_budget.hpp"
+#include "isolaw/data/properties/error_budget.hpp"
 
 namespace isolaw::data {
 namespace {

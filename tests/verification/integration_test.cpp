@@ -16,7 +16,7 @@
 
 #include "isolaw/app/example_lot.hpp"
 #include "isolaw/data/clean.hpp"
-#include "isolaw/data/properties.hpp"
+#include "isolaw/data/properties/properties.hpp"
 #include "isolaw/data/read.hpp"
 #include "isolaw/fit/objective.hpp"
 #include "isolaw/num/random.hpp"

@@ -22,8 +22,8 @@ SCRIPT = re.compile(
 # The allowed literals are words of foreign files, names of JSON members and values of enumerations. None is a sentence
 # of the program.
 ALLOWED = {
-    ("src/isolaw/data/exporter.cpp", "Raw Data"),  # written by the program that recorded the file
-    ("src/isolaw/data/mat_table.cpp", "table or object"),  # a class of MATLAB variables
+    ("src/isolaw/data/files/exporter.cpp", "Raw Data"),  # written by the program that recorded the file
+    ("src/isolaw/data/files/mat_table.cpp", "table or object"),  # a class of MATLAB variables
     ("src/isolaw/programs/header_parts.cpp", "struct OpenBranches"),  # C++ code of an exported header
     ("src/isolaw/programs/header_parts.cpp", "using std::"),  # C++ code of an exported header
     ("src/isolaw/render/page/script/certificate/verdict.js", "not assessed"),  # value of an enumeration

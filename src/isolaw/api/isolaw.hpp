@@ -23,7 +23,7 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/data/clean.hpp"
-#include "isolaw/data/properties.hpp"
+#include "isolaw/data/properties/properties.hpp"
 #include "isolaw/data/read.hpp"
 #include "isolaw/fit/objective.hpp"
 #include "isolaw/laws/catalogue.hpp"

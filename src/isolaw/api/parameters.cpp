@@ -14,8 +14,8 @@
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/toml_reader.hpp"
 #include "isolaw/base/words.hpp"
-#include "isolaw/data/dialect.hpp"
-#include "isolaw/data/text.hpp"
+#include "isolaw/data/files/dialect.hpp"
+#include "isolaw/data/files/text.hpp"
 #include "isolaw/fit/box.hpp"
 
 namespace isolaw {

@@ -22,7 +22,7 @@
 #include "isolaw/building/answers.hpp"
 #include "isolaw/building/synthetic_motion.hpp"
 #include "isolaw/campaign/store.hpp"
-#include "isolaw/data/ground_motion.hpp"
+#include "isolaw/data/channels/ground_motion.hpp"
 #include "isolaw/render/figures/building_figures.hpp"
 #include "isolaw/render/json/building_json.hpp"
 #include "isolaw/render/tables/tables.hpp"

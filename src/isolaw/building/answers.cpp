@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "isolaw/base/words.hpp"
-#include "isolaw/data/ground_motion.hpp"
+#include "isolaw/data/channels/ground_motion.hpp"
 #include "isolaw/laws/catalogue.hpp"
 #include "isolaw/num/statistics.hpp"
 #include "isolaw/wording/table.hpp"

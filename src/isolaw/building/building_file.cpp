@@ -12,7 +12,7 @@
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/toml_reader.hpp"
 #include "isolaw/base/words.hpp"
-#include "isolaw/data/ground_motion.hpp"
+#include "isolaw/data/channels/ground_motion.hpp"
 #include "isolaw/laws/catalogue.hpp"
 
 namespace isolaw::building {

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "isolaw/base/error.hpp"
-#include "isolaw/data/ground_motion.hpp"
+#include "isolaw/data/channels/ground_motion.hpp"
 
 namespace isolaw::building {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "isolaw/data/ground_motion.hpp"
+#include "isolaw/data/channels/ground_motion.hpp"
 #include "isolaw/num/random.hpp"
 
 namespace isolaw::building {

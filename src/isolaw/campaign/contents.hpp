@@ -12,8 +12,8 @@
 #include "isolaw/analysis/one_law.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/campaign/settings.hpp"
-#include "isolaw/data/record.hpp"
-#include "isolaw/data/vertical.hpp"
+#include "isolaw/data/channels/record.hpp"
+#include "isolaw/data/properties/vertical.hpp"
 #include "isolaw/fit/as_springs.hpp"
 #include "isolaw/fit/box.hpp"
 

@@ -17,8 +17,8 @@
 #include "isolaw/base/words.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/campaign/stated_quantity.hpp"
+#include "isolaw/data/files/time_stamp.hpp"
 #include "isolaw/data/reading.hpp"
-#include "isolaw/data/time_stamp.hpp"
 
 namespace isolaw::campaign {
 namespace {

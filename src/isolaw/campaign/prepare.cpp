@@ -11,8 +11,8 @@
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/data/clean.hpp"
-#include "isolaw/data/properties.hpp"
-#include "isolaw/data/text.hpp"
+#include "isolaw/data/files/text.hpp"
+#include "isolaw/data/properties/properties.hpp"
 #include "isolaw/fit/joint_limits.hpp"
 #include "isolaw/wording/table.hpp"
 

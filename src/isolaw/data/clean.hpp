@@ -3,8 +3,9 @@
 
 #include <optional>
 
-#include "isolaw/data/properties.hpp"
-#include "isolaw/data/selection.hpp"
+#include "isolaw/data/cycles/selection.hpp"
+#include "isolaw/data/properties/properties.hpp"
+#include "isolaw/data/signals/smoothing.hpp"
 
 namespace isolaw::data {
 
@@ -16,13 +17,6 @@ struct CleanOptions {
   std::optional<double> dead_band_mm = {};     // see FitRecord::dead_band_mm; nullopt = three deviations of the noise
   Selection scored = {};                       // blocks and cycles that the objective counts
 };
-
-// The odd window shrinks symmetrically at both ends of `values`. The cost does not depend on the window.
-std::vector<double> moving_average(std::vector<double> const& values, int window);
-
-// Derivative of the parabola through three neighbouring samples, in units of `values` per second. It is exact for
-// quadratics on uneven spacing, also at the ends, where the parabola is one-sided. time_s must increase.
-std::vector<double> central_difference(std::vector<double> const& time_s, std::vector<double> const& values);
 
 // Steps: 1. subtract (max + min) / 2 of the raw reported cycle; 2. moving average over `smooth` samples; 3. if a cycle
 // has at least twice the samples asked for, moving average over the odd number k or k + 1, where k = floor(ratio); 4.

@@ -12,17 +12,20 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/hash.hpp"
 #include "isolaw/base/words.hpp"
+#include "isolaw/data/channels/columns.hpp"
+#include "isolaw/data/channels/joined_files.hpp"
+#include "isolaw/data/channels/record_parts.hpp"
+#include "isolaw/data/channels/table_channels.hpp"
+#include "isolaw/data/channels/tests_in_file.hpp"
+#include "isolaw/data/channels/value_checks.hpp"
 #include "isolaw/data/checks.hpp"
-#include "isolaw/data/columns.hpp"
-#include "isolaw/data/dialect.hpp"
-#include "isolaw/data/joined_files.hpp"
-#include "isolaw/data/mat_table.hpp"
-#include "isolaw/data/record_parts.hpp"
-#include "isolaw/data/table.hpp"
-#include "isolaw/data/table_channels.hpp"
-#include "isolaw/data/tests_in_file.hpp"
-#include "isolaw/data/text.hpp"
-#include "isolaw/data/workbook.hpp"
+#include "isolaw/data/files/dialect.hpp"
+#include "isolaw/data/files/mat_table.hpp"
+#include "isolaw/data/files/table.hpp"
+#include "isolaw/data/files/text.hpp"
+#include "isolaw/data/files/workbook.hpp"
+#include "isolaw/data/signals/corrections.hpp"
+#include "isolaw/data/signals/signal_faults.hpp"
 
 namespace isolaw::data {
 namespace {
@@ -90,44 +93,6 @@ constexpr std::string_view displacement_needed =
 
 }  // namespace
 
-bool is_record_name(std::string_view file) {
-  auto const small = lower(file);
-  return std::ranges::any_of(record_extensions, [&](auto ending) { return small.ends_with(ending); });
-}
-
-std::optional<FileColumn> file_column(std::string_view text) {
-  for (auto at = text.find(':'); at != std::string_view::npos; at = text.find(':', at + 1)) {
-    auto const file = trimmed(text.substr(0, at)), column = trimmed(text.substr(at + 1));
-    if (is_record_name(file) && !column.empty()) return FileColumn{std::string(file), std::string(column)};
-  }
-  return std::nullopt;
-}
-
-RowRange parse_rows(std::string_view text) {
-  auto const colon = text.find(':');
-  auto const first = trimmed(text.substr(0, colon));
-  auto const last = colon == std::string_view::npos ? std::string_view{} : trimmed(text.substr(colon + 1));
-  RowRange range;
-  auto const from = first.empty() ? std::optional<std::size_t>(1) : number_in<std::size_t>(first);
-  auto const to = last.empty() ? std::optional<std::size_t>() : number_in<std::size_t>(last);
-  bool const good = colon != std::string_view::npos && from && *from >= 1 && *from <= most_lines &&
-                    (last.empty() || (to && *to >= *from && *to <= most_lines)) && !(first.empty() && last.empty());
-  if (!good)
-    throw Error(
-        Complaint{.where = "--rows",
-                  .found = in_quotes(text),
-                  .allowed = "A:B, rows of numbers counted from 1 below the header; A: to the end, :B from the start",
-                  .advice = "--rows 101:700"});
-  range.first = *from;
-  range.last = to;
-  return range;
-}
-
-std::string rows_text(RowRange const& range) {
-  auto const last = range.last ? std::to_string(*range.last) : std::string();
-  return range.first == 1 && range.last ? ":" + last : fmt::format("{}:{}", range.first, last);
-}
-
 TestRecord read_record(std::filesystem::path const& file, ReadOptions const& options) {
   auto own = options;
   if (auto const others = other_files(file, own); !others.empty()) {
@@ -167,8 +132,25 @@ TestRecord read_motion_text(std::string_view bytes, std::string const& name, Rea
   }
 }
 
-TestRecord read_compression(std::filesystem::path const& file, ReadOptions const& options) {
-  return read_tests(load_text(file), file.generic_string(), options, Wanted::compression());
+VerticalTest read_vertical(std::filesystem::path const& file, ReadOptions const& options,
+                           std::optional<LoadRange> const& loads) {
+  try {
+    auto record = read_tests(load_text(file), file.generic_string(), options, Wanted::compression());
+    VerticalTest test{.file = std::move(record.file), .sha256 = std::move(record.sha256)};
+    test.disp_mm = std::move(record.disp_mm);
+    test.load_kN = std::move(record.load_kN);
+    test.recognised = std::move(record.recognised);
+    for (auto& warning : record.warnings) test.recognised.push_back(std::move(warning));
+    test.loads = loads;
+    return test;
+  } catch (Error const& error) {
+    auto complaints = error.complaints();
+    // Options of the command line are for shear tests. For a compression test, the lot file has keys of the same names.
+    for (auto& complaint : complaints)
+      if (complaint.advice.find("--") != std::string::npos)
+        complaint.advice += ", as keys of the device's table 'vertical' in a lot file";
+    throw Error(std::move(complaints));
+  }
 }
 
 TestRecord record_of_values(std::string const& name, Values values) {
@@ -244,6 +226,35 @@ void continue_with(TestRecord& history, TestRecord const& next, std::string cons
     history.warnings.push_back(std::move(warning));
   }
   history.sha256 = sha256(history.sha256 + next.sha256);
+}
+
+std::vector<TestChoice> list_tests(std::filesystem::path const& file, ReadOptions const& options) {
+  auto const bytes = load_text(file);
+  auto const name = file.generic_string();
+  auto const tests = open_tests(bytes, name, options);
+  auto const asked = options.test ? std::optional(parse_test(*options.test)) : std::nullopt;
+  std::vector<TestChoice> choices;
+  auto const add = [&](Tests const& found) {
+    for (std::size_t i = 0; i < found.tables.size(); ++i) {
+      auto const& table = *found.tables[i];
+      auto const test = asked.value_or(std::to_string(i + 1));
+      if (test == std::to_string(i + 1) || (i == 0 && test == "all"))
+        choices.push_back({.sheet = found.sheet,
+                           .test = found.tables.size() == 1 ? std::nullopt : std::optional(test),
+                           .place = fmt::format("{}:{}", table.place(), table.start())});
+    }
+  };
+  if (options.sheet || tests.sheets.size() < 2 ||
+      (columns_are_told(options, Wanted::test()) && tests.tables.front()->header().by_name))
+    add(tests);
+  else
+    for (auto const& sheet : tests.sheets) {
+      auto of_sheet = options;
+      of_sheet.sheet = sheet;
+      add(open_tests(bytes, name, of_sheet));
+    }
+  if (!choices.empty()) choices.front().passed_over = tests.sheets_passed_over;
+  return choices;
 }
 
 }  // namespace isolaw::data

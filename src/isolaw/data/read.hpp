@@ -1,41 +1,16 @@
 // Reads test records of laboratories. What it cannot recognise it refuses, and says why.
 #pragma once
 
-#include <array>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "isolaw/data/record.hpp"
+#include "isolaw/data/channels/record.hpp"
+#include "isolaw/data/properties/vertical.hpp"
 
 namespace isolaw::data {
-
-std::string_view name(Channel channel);
-
-// Parses "time=1,disp=Displacement,force=3" (option --columns). The column "none" leaves out time or load, even if the
-// header names it. Throws Error on an unknown channel.
-std::map<Channel, std::string> parse_columns(std::string_view text);
-// Parses "disp=cm,force=tonf,time=s" (option --units); throws Error on an unknown unit.
-std::map<Channel, std::string> parse_units(std::string_view text);
-// Parses "all" or "2" (option --test); throws Error on anything else.
-std::string parse_test(std::string_view text);
-// Parses "101:700", "101:" and ":700" (option --rows); throws Error on anything else.
-RowRange parse_rows(std::string_view text);
-std::string rows_text(RowRange const& range);
-
-inline constexpr std::array<std::string_view, 9> record_extensions{".csv", ".tsv", ".txt",  ".dat", ".asc",
-                                                                   ".lvm", ".mat", ".xlsx", ".json"};
-bool is_record_name(std::string_view file);
-
-// A column in another file: "loadcell.csv:Force". file_column() returns nullopt if the text names no record's file.
-struct FileColumn {
-  std::string file, column;
-  std::string text() const { return file + ":" + column; }  // file_column() reads it back
-};
-std::optional<FileColumn> file_column(std::string_view text);
 
 // Reads a record from one file, or from several if options.columns names others. Throws one Error that holds every
 // problem found: file, columns, units, values, time, constant or exchanged channels, flipped sign, or several tests or
@@ -48,8 +23,10 @@ TestRecord read_record_text(std::string_view bytes, std::string const& name, Rea
 TestRecord read_motion(std::filesystem::path const& file, ReadOptions const& options = {});
 TestRecord read_motion_text(std::string_view bytes, std::string const& name, ReadOptions const& options = {});
 
-// Reads vertical displacement and load of a compression test, without time and force.
-TestRecord read_compression(std::filesystem::path const& file, ReadOptions const& options = {});
+// Reads vertical displacement and load of a compression test, without time and force. The stiffness is to be taken
+// within `loads`, or in the usual range if that is empty.
+VerticalTest read_vertical(std::filesystem::path const& file, ReadOptions const& options,
+                           std::optional<LoadRange> const& loads);
 
 // A record in mm, kN and s. Time and load may be empty; without force it is a displacement history. Throws Error.
 struct Values {

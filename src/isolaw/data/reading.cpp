@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "isolaw/base/words.hpp"
-#include "isolaw/data/dialect.hpp"
-#include "isolaw/data/time_stamp.hpp"
+#include "isolaw/data/files/dialect.hpp"
+#include "isolaw/data/files/time_stamp.hpp"
 
 namespace isolaw::data {
 namespace {

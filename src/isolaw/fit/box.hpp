@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "isolaw/data/record.hpp"
+#include "isolaw/data/channels/record.hpp"
 #include "isolaw/laws/catalogue.hpp"
 
 namespace isolaw::fit {

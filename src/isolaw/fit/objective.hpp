@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "isolaw/data/record.hpp"
+#include "isolaw/data/channels/record.hpp"
 #include "isolaw/fit/box.hpp"
 #include "isolaw/fit/kernels.hpp"
 #include "isolaw/laws/catalogue.hpp"

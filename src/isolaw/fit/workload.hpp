@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <numbers>
 
-#include "isolaw/data/record.hpp"
+#include "isolaw/data/channels/record.hpp"
 
 namespace isolaw::fit {
 

@@ -10,8 +10,8 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/units.hpp"
 #include "isolaw/base/words.hpp"
-#include "isolaw/data/dialect.hpp"
-#include "isolaw/data/text.hpp"
+#include "isolaw/data/files/dialect.hpp"
+#include "isolaw/data/files/text.hpp"
 
 namespace isolaw::programs {
 namespace {

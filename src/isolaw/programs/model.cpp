@@ -8,7 +8,7 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/units.hpp"
 #include "isolaw/base/words.hpp"
-#include "isolaw/data/text.hpp"
+#include "isolaw/data/files/text.hpp"
 #include "isolaw/study/draws.hpp"
 
 namespace isolaw::programs {

@@ -9,7 +9,7 @@
 
 #include "isolaw/base/option.hpp"
 #include "isolaw/campaign/contents.hpp"
-#include "isolaw/data/ground_motion.hpp"
+#include "isolaw/data/channels/ground_motion.hpp"
 #include "isolaw/programs/layout.hpp"
 #include "isolaw/study/summary.hpp"
 

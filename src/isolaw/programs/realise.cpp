@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "isolaw/base/hash.hpp"
-#include "isolaw/data/properties.hpp"
+#include "isolaw/data/properties/properties.hpp"
 #include "isolaw/fit/objective.hpp"
 #include "isolaw/opt/multistart.hpp"
 #include "isolaw/study/adequacy.hpp"

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "isolaw/data/properties.hpp"
+#include "isolaw/data/properties/properties.hpp"
 #include "isolaw/rules/rule_set.hpp"
 
 namespace isolaw::rules {

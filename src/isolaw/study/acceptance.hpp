@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "isolaw/data/properties.hpp"
+#include "isolaw/data/properties/properties.hpp"
 #include "isolaw/rules/assess.hpp"
 #include "isolaw/rules/lot_view.hpp"
 

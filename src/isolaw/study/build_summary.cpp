@@ -10,7 +10,7 @@
 #include "isolaw/base/number_text.hpp"
 #include "isolaw/base/version.hpp"
 #include "isolaw/campaign/maker.hpp"
-#include "isolaw/data/properties.hpp"
+#include "isolaw/data/properties/properties.hpp"
 #include "isolaw/fit/objective.hpp"
 #include "isolaw/lot/robustness.hpp"
 #include "isolaw/num/statistics.hpp"

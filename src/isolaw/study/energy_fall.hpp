@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "isolaw/data/properties.hpp"
-#include "isolaw/data/record.hpp"
+#include "isolaw/data/channels/record.hpp"
+#include "isolaw/data/properties/properties.hpp"
 #include "isolaw/study/summary.hpp"
 
 namespace isolaw::study {

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "isolaw/data/record.hpp"
+#include "isolaw/data/channels/record.hpp"
 
 namespace isolaw::study {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string_view>
 
-#include "isolaw/data/error_budget.hpp"
+#include "isolaw/data/properties/error_budget.hpp"
 #include "isolaw/wording/table.hpp"
 
 namespace isolaw::study {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "isolaw/base/version.hpp"
-#include "isolaw/data/ground_motion.hpp"
+#include "isolaw/data/channels/ground_motion.hpp"
 
 namespace isolaw::render {
 namespace {

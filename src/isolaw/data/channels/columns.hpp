@@ -1,0 +1,43 @@
+// Assigns columns to channels and units, by the user's options or else by the header. Complaints ask for the rest.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/base/units.hpp"
+#include "isolaw/data/channels/read_options.hpp"
+#include "isolaw/data/files/header.hpp"
+#include "isolaw/data/files/table.hpp"
+
+namespace isolaw::data {
+
+// The content to read: a test, only its displacement history, a compression test, or some channels of a test.
+struct Wanted {
+  bool time = true, disp = true, force = true, load = true;
+  bool part = false;      // this file has only some of the channels
+  bool vertical = false;  // a compression test: vertical displacement and load
+  static Wanted test() { return {}; }
+  static Wanted compression() { return {.time = false, .force = false, .vertical = true}; }
+  static Wanted motion() { return {.force = false, .load = false}; }
+  bool has(Channel channel) const {
+    return channel == Channel::time ? time : channel == Channel::disp ? disp : channel == Channel::force ? force : load;
+  }
+};
+
+struct Columns {
+  ChannelColumns channels;
+  std::vector<Complaint> complaints;
+  std::vector<Finding> recognised;
+  std::vector<Finding> warnings;
+};
+
+// `where` names the file, or its part, in messages; `count` is the number of columns. Problems become complaints.
+Columns recognise_columns(std::string const& where, Header const& header, std::size_t count, ReadOptions const& options,
+                          Wanted wanted = Wanted::test());
+
+}  // namespace isolaw::data

@@ -1,0 +1,19 @@
+// Reads a test whose channels are in several files, and brings them to the samples of the first, by time or by row.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "isolaw/data/channels/record_parts.hpp"
+
+namespace isolaw::data {
+
+// Removes from `options` the channels that are in other files. Returns these files, each with its own options.
+std::map<std::string, ReadOptions> other_files(std::filesystem::path const& file, ReadOptions& options);
+
+// Does not check the record's values. Throws Error if a file cannot be read, or if the files do not belong together.
+RecordPart read_joined(std::filesystem::path const& file, ReadOptions options,
+                       std::map<std::string, ReadOptions> const& others);
+
+}  // namespace isolaw::data

@@ -1,0 +1,63 @@
+// A test record in kN, mm and s: as measured (TestRecord), and as laws are fitted to it (FitRecord).
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "isolaw/base/finding.hpp"
+#include "isolaw/data/channels/read_options.hpp"
+
+namespace isolaw::data {
+
+enum class FaultKind { clipped, stuck, spike, rectified, dropout };
+
+// A signal that cannot be true. signals/signal_faults.hpp finds such faults.
+struct SignalFault {
+  FaultKind kind = FaultKind::clipped;
+  std::string channel;               // "displacement" or "force"
+  std::vector<std::size_t> samples;  // from 0, rising: each spike or peak, or the first sample of each plateau
+  Finding finding = {};              // numbers samples from 1; with times if the record has time
+};
+
+// Values as measured, in mm, kN and s. All channels are of one length, but `time_s` and `load_kN` may be empty.
+struct TestRecord {
+  std::string file;    // as the user named it, relative to the lot file
+  std::string sha256;  // hash of the file's bytes
+  std::vector<double> time_s;
+  std::vector<double> disp_mm;
+  std::vector<double> force_kN;
+  std::vector<double> load_kN;
+  // All choices made in reading. The same options read the file in the same manner again.
+  ReadOptions layout;
+  // Facts about the device, such as its serial number: the key in a lot file, and the text of the file.
+  std::vector<std::pair<std::string, std::string>> particulars;
+  std::vector<Finding> recognised;   // each choice made in reading, and why
+  std::vector<Finding> corrections;  // corrections made; also in `recognised`
+  std::vector<Finding> warnings;
+  std::vector<SignalFault> faults;  // faults of the measured signals, except repaired spikes; not stored
+
+  bool has_time() const { return !time_s.empty(); }
+  std::size_t size() const { return disp_mm.size(); }
+};
+
+// Without a time channel, `time_s` counts the samples and `vel_mm_s` is empty. Then only rate-independent laws apply.
+// Their objective does not depend on the time scale if sampling is uniform.
+struct FitRecord {
+  std::vector<double> time_s;
+  std::vector<double> disp_mm;
+  std::vector<double> vel_mm_s;
+  std::vector<double> force_kN = {};
+  std::vector<double> scored = {};  // 1 if the objective counts a sample, 0 if a law only runs through it; empty: all 1
+  std::vector<double> block = {};   // block of each sample if some blocks are predicted, else empty
+  double dead_band_mm = 0.0;        // laws that remember turning points ignore smaller reversals
+  std::vector<Finding> cleaning = {};  // each step of cleaning, with its numbers
+
+  bool has_time() const { return !vel_mm_s.empty(); }
+  bool is_scored(std::size_t i) const { return scored.empty() || scored[i] != 0.0; }
+  std::size_t size() const { return disp_mm.size(); }
+  double largest_scored(std::vector<double> const& values) const;
+};
+
+}  // namespace isolaw::data

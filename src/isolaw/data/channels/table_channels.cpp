@@ -1,0 +1,181 @@
+#include "isolaw/data/channels/table_channels.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string_view>
+#include <utility>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/base/words.hpp"
+#include "isolaw/data/channels/value_checks.hpp"
+#include "isolaw/data/files/text.hpp"
+
+namespace isolaw::data {
+namespace {
+
+void describe_part(Rows const& rows, RowRange const& range, std::vector<Finding>& recognised) {
+  if (range == RowRange{}) return;
+  recognised.push_back(decision(FindingKind::rows_read,
+                                fmt::format("rows {} to {} of {} are read (--rows {})", range.first,
+                                            range.last.value_or(rows.of), rows.of, rows_text(range)),
+                                "--rows"));
+}
+
+void describe_rows(Rows const& rows, Header const& header, TestRecord const& record, bool timed, bool of_header,
+                   std::vector<Finding>& recognised) {
+  auto const row = header.row;
+  recognised.push_back(
+      decision(FindingKind::rows_read, fmt::format("{}, {}s {} to {}", counted(rows.numbers.size(), "sample"), row,
+                                                   rows.numbers.front(), rows.numbers.back())));
+  if (rows.comments > 0)
+    recognised.push_back(decision(
+        FindingKind::rows_read, fmt::format("{} among the rows {} passed over", counted(rows.comments, "comment line"),
+                                            rows.comments == 1 ? "is" : "are")));
+  if (!timed) return;
+  if (!record.has_time()) {
+    recognised.push_back({.kind = FindingKind::no_time_column});
+    return;
+  }
+  double const mean = (record.time_s.back() - record.time_s.front()) / static_cast<double>(record.time_s.size() - 1);
+  auto const source = of_header            ? std::string("as the header of the file has it (Delta_X)")
+                      : record.layout.dt_s ? fmt::format("as asked for (--dt {})", *record.layout.dt_s)
+                                           : "on average over the time column";
+  recognised.push_back(decision(FindingKind::time_scale,
+                                fmt::format("sampling interval {:.6g} s ({:.6g} Hz), {}", mean, 1.0 / mean, source),
+                                record.layout.dt_s && !of_header ? "--dt" : ""));
+}
+
+// The time of a sample in a file without time. Zero is the file's first row, even if --rows leaves it out.
+double time_of_row(std::size_t sample, ReadOptions const& options) {
+  return static_cast<double>(sample + options.rows.value_or(RowRange{}).first - 1) * *options.dt_s;
+}
+
+std::optional<Span> cut_time(Rows& rows, Columns const& columns, ReadOptions const& options, std::string const& place,
+                             std::optional<FirstStamp> const& origin, std::vector<Complaint>& complaints,
+                             Wanted wanted) {
+  if (!options.from_s && !options.to_s) return Span{0, rows.numbers.size()};
+  std::vector<double> time_s;
+  for (auto const& raw : rows.channels)
+    if (raw.channel == Channel::time) {
+      time_s = raw.values;
+      for (auto& t : time_s) t *= columns.channels.at(Channel::time).unit->in_record_units;
+    }
+  if (origin && rows.origin_s && origin->dated == rows.dated)
+    for (auto& t : time_s) t += *rows.origin_s - origin->since_s;
+  if (time_s.empty() && options.dt_s)
+    for (std::size_t i = 0; i < rows.numbers.size(); ++i) time_s.push_back(time_of_row(i, options));
+  std::string_view const dashes = wanted.force || wanted.part ? "--" : "--motion-";
+  auto const of = rows.numbers.size();
+  auto const span = span_of_time(time_s, options, place, complaints, dashes);
+  if (!span) return span;
+  for (auto& raw : rows.channels) keep(*span, raw.values);
+  keep(*span, rows.numbers);
+  describe_span(*span, of, options, rows.recognised, dashes);
+  return span;
+}
+
+void check_range(Rows const& rows, RowRange const& range, std::vector<Complaint>& complaints) {
+  if (range.first <= rows.of && range.last.value_or(rows.of) <= rows.of) return;
+  complaints.push_back(
+      {"--rows",
+       fmt::format("'{}', but there {} {}", rows_text(range), rows.of == 1 ? "is" : "are", counted(rows.of, "row")),
+       fmt::format("1 to {}", rows.of),
+       {}});
+}
+
+void check_interval(std::string const& file, ReadOptions const& options, Header const& header, Columns const& columns,
+                    std::vector<Complaint>& complaints) {
+  if (!options.dt_s) return;
+  if (!(*options.dt_s >= 1e-9 && *options.dt_s <= 1e6))
+    complaints.push_back({"--dt", fmt::format("{}", *options.dt_s), "a positive number of seconds, 1e-9 to 1e6", {}});
+  if (auto const time = columns.channels.find(Channel::time); time != columns.channels.end())
+    complaints.push_back(
+        {file,
+         fmt::format("--dt {} is given, but {} is the time", *options.dt_s, column_text(time->second.index, header)),
+         "--dt for a file without a time column", "leave --dt out, or leave the column out with --columns time=none"});
+}
+
+ReadOptions resolved_layout(Columns const& columns, Header const& header, ReadOptions const& options,
+                            std::optional<std::string> const& sheet) {
+  ReadOptions layout = options;
+  layout.units.clear();
+  layout.sheet = sheet;
+  layout.test.reset();
+  for (auto const& [channel, column] : columns.channels) {
+    layout.columns[channel] = column_key(column.index, header);
+    if (column.unit) layout.units[channel] = column.unit->symbol;
+  }
+  return layout;
+}
+
+std::string exchange_advice(Columns const& columns, Header const& header) {
+  auto const& disp = columns.channels.at(Channel::disp);
+  auto const& force = columns.channels.at(Channel::force);
+  return fmt::format("--columns disp={},force={} --units disp={},force={}, with the units these columns have",
+                     option_key(force.index, header), option_key(disp.index, header), disp.unit->symbol,
+                     force.unit->symbol);
+}
+
+void store_channels(Rows& rows, Columns const& columns, std::size_t skipped, TestRecord& record) {
+  for (auto& raw : rows.channels) {
+    double const factor = columns.channels.at(raw.channel).unit->in_record_units;
+    for (double& value : raw.values) value *= factor;
+    values_of(record, raw.channel) = std::move(raw.values);
+  }
+  if (record.layout.dt_s)
+    for (std::size_t i = 0; i < rows.numbers.size(); ++i)
+      record.time_s.push_back(time_of_row(i + skipped, record.layout));
+  if (!record.layout.flip_force || record.force_kN.empty()) return;
+  for (double& value : record.force_kN) value = -value;
+  record.recognised.push_back({.kind = FindingKind::force_flipped, .words = {{"option", "--flip-force"}}});
+}
+
+}  // namespace
+
+RecordPart read_channels(Tests const& tests, Table const& table, TestRecord record, ReadOptions const& asked,
+                         Wanted wanted, std::optional<FirstStamp> const& origin) {
+  auto const& place = table.place();
+  auto const columns = recognise_columns(place, table.header(), table.columns(), asked, wanted);
+  auto options = asked;
+  bool const of_header = table.header().interval_s && !asked.dt_s && wanted.time &&
+                         !asked.columns.contains(Channel::time) && !columns.channels.contains(Channel::time);
+  if (of_header) options.dt_s = table.header().interval_s;
+  auto complaints = columns.complaints;
+  table.check(complaints);
+  check_interval(place, options, table.header(), columns, complaints);
+  auto const range = options.rows.value_or(RowRange{});
+  auto rows = table.read(
+      columns.channels, {.range = range, .skip_footer = options.skip_footer, .date_order = options.date_order}, complaints);
+  if (options.rows && complaints.empty()) check_range(rows, range, complaints);
+  std::size_t skipped = 0;
+  if (complaints.empty())
+    if (auto const span = cut_time(rows, columns, options, place, origin, complaints, wanted)) skipped = span->first;
+  if (rows.numbers.size() < least_samples && complaints.empty())
+    complaints.push_back({place, counted(rows.numbers.size(), "sample"), fmt::format("{} or more", least_samples), {}});
+  for (auto const& raw : rows.channels)
+    check_channel(table.place_of(columns.channels.at(raw.channel).index), raw, rows.numbers, complaints);
+  if (!complaints.empty()) throw Error(std::move(complaints));
+
+  RecordPart part{.record = std::move(record), .origin_s = rows.origin_s, .dated = rows.dated};
+  auto& part_record = part.record;
+  part_record.layout = resolved_layout(columns, table.header(), options, tests.sheet);
+  part_record.particulars = table.particulars();
+  for (auto const& each : tests.particulars)
+    if (std::ranges::find(part_record.particulars, each.first, &ParticularList::value_type::first) ==
+        part_record.particulars.end())
+      part_record.particulars.push_back(each);
+  append(part_record.recognised, tests.recognised);
+  append(part_record.recognised, table.recognised());
+  append(part_record.recognised, columns.recognised);
+  append(part_record.warnings, columns.warnings);
+  store_channels(rows, columns, skipped, part_record);
+  describe_part(rows, range, part_record.recognised);
+  append(part_record.recognised, rows.recognised);
+  describe_rows(rows, table.header(), part_record, wanted.time, of_header, part_record.recognised);
+  if (wanted.disp && wanted.force) part.exchange_advice = exchange_advice(columns, table.header());
+  return part;
+}
+
+}  // namespace isolaw::data

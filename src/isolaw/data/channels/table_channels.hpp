@@ -1,0 +1,22 @@
+// Makes a record's channels, in its units, from the columns of a table.
+#pragma once
+
+#include <optional>
+
+#include "isolaw/data/channels/columns.hpp"
+#include "isolaw/data/channels/record_parts.hpp"
+#include "isolaw/data/files/table.hpp"
+
+namespace isolaw::data {
+
+// The time stamp, in the first of several files, from which --from and --to count.
+struct FirstStamp {
+  double since_s = 0.0;
+  bool dated = false;
+};
+
+// `record` already holds the file's name and hash. Throws Error with every problem found.
+RecordPart read_channels(Tests const& tests, Table const& table, TestRecord record, ReadOptions const& options,
+                         Wanted wanted, std::optional<FirstStamp> const& origin = {});
+
+}  // namespace isolaw::data

@@ -1,0 +1,52 @@
+#include "isolaw/data/channels/time_gaps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include "isolaw/num/statistics.hpp"
+
+namespace isolaw::data {
+
+double usual_interval(std::span<double const> time_s) {
+  std::vector<double> intervals;
+  for (std::size_t i = 1; i < time_s.size(); ++i) intervals.push_back(time_s[i] - time_s[i - 1]);
+  return num::median(intervals);
+}
+
+std::vector<Gap> time_gaps(std::span<double const> x, std::span<double const> time_s) {
+  constexpr std::size_t fewest = 16;
+  if (time_s.size() < fewest) return {};
+  std::vector<double> intervals;
+  for (std::size_t i = 1; i < time_s.size(); ++i) intervals.push_back(time_s[i] - time_s[i - 1]);
+  double const longest = std::ranges::max(intervals);
+  double const interval = num::median(intervals);
+  if (!(longest > most_intervals * interval)) return {};
+  // Several long intervals in a row are no gap but a slower part of the test, with as many samples in a cycle.
+  auto const is_long = [&](std::size_t i) { return intervals[i] > most_intervals * interval; };
+  std::vector<Gap> gaps;
+  for (std::size_t i = 0; i + 1 < time_s.size(); ++i) {
+    double const length = intervals[i];
+    if (!is_long(i) || (i > 0 && is_long(i - 1)) || (i + 1 < intervals.size() && is_long(i + 1))) continue;
+    double const before = i > 0 ? std::abs(x[i] - x[i - 1]) : 0.0;
+    double const after = i + 2 < x.size() ? std::abs(x[i + 2] - x[i + 1]) : 0.0;
+    double const speed = std::max(before, after) / interval;
+    double const way = std::abs(x[i + 1] - x[i]);
+    // If nothing moves on either side, the device rested, and for as long as the clock says.
+    double const taken = speed > 0.0 ? std::clamp(way / speed, interval, length) : length;
+    gaps.push_back({.after = i, .length_s = length, .taken_s = taken});
+  }
+  return gaps;
+}
+
+std::vector<double> without_gaps(std::span<double const> time_s, std::vector<Gap> const& gaps) {
+  if (gaps.empty()) return {};
+  std::vector<double> time(time_s.begin(), time_s.end());
+  double cut = 0.0;
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    time[i] -= cut;
+    if (next < gaps.size() && gaps[next].after == i) cut += gaps[next].length_s - gaps[next].taken_s, ++next;
+  }
+  return time;
+}
+
+}  // namespace isolaw::data

@@ -1,0 +1,266 @@
+#include "isolaw/data/cycles/cycle_blocks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+#include "isolaw/num/statistics.hpp"
+
+namespace isolaw::data {
+namespace {
+
+constexpr double nominal = 0.05;          // fraction of the block's amplitude; a counted cycle differs by less
+constexpr double least_change = 0.05;     // fraction of the period; a larger change splits a block
+constexpr double clear_change = 0.20;     // fraction of the period; needed if only one cycle precedes the change
+constexpr double agreement = 0.25;        // fraction of the change; periods before and after it scatter by less
+constexpr std::size_t compared = 3;       // most cycles before a change that are compared
+constexpr double far_period = 1.4;        // ratio to the block's period; a cycle farther off does not count
+constexpr double build_up = 0.15;         // fraction of a run's amplitude; a lone cycle this close belongs to the run
+constexpr double symmetric = 0.05;        // largest unevenness of a lone cycle that makes a block of its own
+constexpr double lopsided = 0.25;         // fraction of the amplitude by which the middle of a regular cycle may move
+constexpr std::size_t sure_run = 3;       // cycles; a shorter run may have come about by chance
+constexpr std::size_t longest_taper = 2;  // cycles
+
+struct Run {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  double amplitude = 0.0;  // median of the cycles, as is the period
+  double period = 0.0;
+  std::size_t size() const { return end - begin; }
+};
+
+bool close(double value, double reference, double share) {
+  return std::abs(value - reference) <= share * reference;
+}
+
+std::vector<Run> runs_of_amplitude(std::vector<Shape> const& shapes) {
+  std::vector<Run> runs;
+  // A cycle joins if it is close to the mean of the run. A median would have to be found anew for every cycle.
+  double sum = 0.0;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    bool const joins =
+        !runs.empty() && close(shapes[i].amplitude(), sum / static_cast<double>(runs.back().size()), nominal);
+    if (!joins) {
+      runs.push_back({.begin = i, .end = i});
+      sum = 0.0;
+    }
+    sum += shapes[i].amplitude();
+    runs.back().end = i + 1;
+  }
+  return runs;
+}
+
+bool same_pace(double period, double other, double factor) {
+  return period <= factor * other && other <= factor * period;
+}
+
+// False if the device moves slowly at the start or end of the cycle.
+bool is_even(Shape const& shape) {
+  return same_pace(shape.rise_and_fall, shape.period + shape.still_time, far_period);
+}
+
+// Compares the periods of [begin, at) with two from `after` on. A single cycle in [begin, at) must differ by more.
+bool changes(std::vector<Shape> const& shapes, std::size_t begin, std::size_t at, std::size_t after) {
+  if (begin >= at) return false;
+  auto const period = [](Shape const& shape) { return shape.period; };
+  auto const before = std::span(shapes).subspan(begin, at - begin);
+  auto const [least, largest] = std::ranges::minmax(before, {}, period);
+  auto const [least_new, largest_new] = std::ranges::minmax(std::span(shapes).subspan(after, 2), {}, period);
+  double const old_period = least.period / 2.0 + largest.period / 2.0;
+  double const new_period = least_new.period / 2.0 + largest_new.period / 2.0;
+  double const change = std::abs(new_period - old_period);
+  double const limit = before.size() > 1 ? least_change : clear_change;
+  return change > limit * std::min(old_period, new_period) && largest.period - least.period <= agreement * change &&
+         largest_new.period - least_new.period <= agreement * change;
+}
+
+// Splits a run where its frequency changes. A new part starts at cycle i if the periods of i and i + 1 agree, the
+// periods of the cycles before agree, and the two groups differ. Cycle i - 1 may lead from one frequency to the other.
+// The first cycle of a part may start slowly, so it is compared only if it is the only one.
+std::vector<Run> split_by_frequency(std::vector<Shape> const& shapes, Run const& run) {
+  std::vector<Run> parts{{.begin = run.begin, .end = run.end}};
+  auto const split_at = [&](std::size_t i) {
+    parts.back().end = i;
+    parts.push_back({.begin = i, .end = run.end});
+  };
+  bool const pair_of_stages = run.size() == 2 && is_even(shapes[run.begin]) && is_even(shapes[run.begin + 1]) &&
+                              !same_pace(shapes[run.begin].period, shapes[run.begin + 1].period, far_period);
+  if (pair_of_stages) split_at(run.begin + 1);
+  for (auto i = run.begin + 2; i + 1 < run.end; ++i) {
+    auto const begin = parts.back().begin;
+    auto const count = i - begin;
+    if (count < 2) continue;
+    auto const recent = std::max(i - std::min(count, compared), begin + (count > 2 ? 1 : 0));
+    bool const clear = changes(shapes, recent, i, i) || (count > 2 && changes(shapes, recent, i - 1, i)) ||
+                       (count == 2 && changes(shapes, i - 1, i, i));
+    if (clear) split_at(i);
+  }
+  for (auto& part : parts) {
+    auto const cycles = std::span(shapes).subspan(part.begin, part.size());
+    part.amplitude = num::median_over(cycles, &Shape::amplitude);
+    part.period = num::median_over(cycles, &Shape::period);
+  }
+  return parts;
+}
+
+double middle(Shape const& shape) {
+  return shape.largest / 2.0 + shape.least / 2.0;
+}
+
+// Whether the middle of a cycle's extremes is close to its neighbour's. The middle may drift slowly, but not jump.
+bool stays(std::vector<Shape> const& shapes, Run const& run, std::size_t i) {
+  auto const neighbour = i > run.begin ? i - 1 : i + 1;
+  return std::abs(middle(shapes[i]) - middle(shapes[neighbour])) <= lopsided * shapes[i].amplitude();
+}
+
+// Marks cycles that grow into a run or fade out of it. A shaking table's signal starts and ends with such ramps.
+void mark_tapers(std::vector<Shape>& shapes, Run const& run) {
+  if (run.size() < sure_run) return;
+  for (std::size_t k = 0; k < longest_taper && run.begin > k; ++k) {
+    auto& shape = shapes[run.begin - k - 1];
+    if (shape.amplitude() >= shapes[run.begin - k].amplitude()) break;
+    shape.taper = true;
+  }
+  for (std::size_t k = 0; k < longest_taper && run.end + k < shapes.size(); ++k) {
+    auto& shape = shapes[run.end + k];
+    if (shape.amplitude() >= shapes[run.end + k - 1].amplitude()) break;
+    shape.taper = true;
+  }
+}
+
+void mark_regular(std::vector<Shape>& shapes, std::vector<Run> const& runs) {
+  for (auto const& run : runs) {
+    for (auto i = run.begin; i < run.end; ++i)
+      shapes[i].regular = run.size() > 1 ? stays(shapes, run, i) : shapes[i].unevenness <= symmetric;
+    mark_tapers(shapes, run);
+  }
+}
+
+struct Draft {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  Run core;
+};
+
+bool is_build_up(Run const& lone, Run const& run) {
+  return run.size() >= sure_run && close(lone.amplitude, run.amplitude, build_up) &&
+         same_pace(lone.period, run.period, far_period);
+}
+
+// A lone cycle joins a neighbouring run if it is uneven or builds up to that run, or lies between two similar runs.
+std::vector<Draft> drafts_of(std::vector<Shape> const& shapes, std::vector<Run> const& runs) {
+  std::vector<Draft> drafts;
+  std::size_t pending = 0;  // first lone cycle of those that lead to the next block
+  bool waiting = false;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    auto const& run = runs[r];
+    bool const lone = run.size() == 1;
+    // If the time jumps within a cycle, its peak may be missing. It then joins its neighbours, even lone cycles.
+    bool const has_gap = lone && shapes[run.begin].has_gap;
+    bool const between = lone && !drafts.empty() && !waiting && r + 1 < runs.size() &&
+                         (has_gap || (drafts.back().core.size() > 1 && runs[r + 1].size() > 1)) &&
+                         close(runs[r + 1].amplitude, drafts.back().core.amplitude, nominal) &&
+                         close(runs[r + 1].period, drafts.back().core.period, least_change);
+    if (between) {
+      auto& draft = drafts.back();
+      draft.end = runs[r + 1].end;
+      if (runs[r + 1].size() > draft.core.size()) draft.core = runs[r + 1];
+      ++r;
+      continue;
+    }
+    bool const leads = lone && r + 1 < runs.size() && is_build_up(run, runs[r + 1]);
+    bool const fades = lone && !drafts.empty() && !waiting && is_build_up(run, drafts.back().core);
+    if (lone && (leads || fades || shapes[run.begin].unevenness > symmetric)) {
+      double const before = drafts.empty() || waiting ? 0.0 : drafts.back().core.amplitude;
+      double const after = r + 1 < runs.size() ? runs[r + 1].amplitude : 0.0;
+      bool const joins_before =
+          before > 0.0 && (after == 0.0 || std::abs(run.amplitude - before) <= std::abs(run.amplitude - after));
+      if (joins_before) {
+        drafts.back().end = run.end;
+      } else if (!waiting) {
+        waiting = true;
+        pending = run.begin;
+      }
+      continue;
+    }
+    drafts.push_back({.begin = waiting ? pending : run.begin, .end = run.end, .core = run});
+    waiting = false;
+  }
+  if (waiting && !drafts.empty()) drafts.back().end = runs.back().end;
+  // If all cycles are uneven, they form one block with the run of largest amplitude as its core.
+  if (drafts.empty() && !runs.empty())
+    drafts.push_back({.begin = runs.front().begin,
+                      .end = runs.back().end,
+                      .core = *std::ranges::max_element(runs, {}, &Run::amplitude)});
+  return drafts;
+}
+
+std::string of_amplitude(Shape const& shape, double amplitude) {
+  double const deviation = 100.0 * (shape.amplitude() / amplitude - 1.0);
+  return fmt::format("its amplitude of {:.4g} mm is {:.1f} % {} the block's {:.4g} mm, more than {:.0f} %",
+                     shape.amplitude(), std::abs(deviation), deviation > 0.0 ? "above" : "below", amplitude,
+                     100.0 * nominal);
+}
+
+std::string of_period(Shape const& shape, double period, std::string_view unit) {
+  bool const slow = shape.period > period;
+  return fmt::format("its period of {:.4g} {} is {:.2f} times {} the block's {:.4g} {}, more than {}", shape.period,
+                     unit, slow ? shape.period / period : period / shape.period, slow ? "as long as" : "shorter than",
+                     period, unit, far_period);
+}
+
+// The median period of cycles that do not start or end slowly, or of all if all do. 0 if no cycle is close to it.
+double period_of(std::vector<Shape> const& shapes, std::vector<std::size_t> const& nominal_cycles) {
+  std::vector<double> even, all;
+  for (auto const i : nominal_cycles) {
+    all.push_back(shapes[i].period);
+    if (is_even(shapes[i])) even.push_back(shapes[i].period);
+  }
+  if (all.empty()) return 0.0;
+  double const period = num::median(even.empty() ? all : even);
+  bool const any = std::ranges::any_of(all, [&](double other) { return same_pace(other, period, far_period); });
+  return any ? period : 0.0;
+}
+
+}  // namespace
+
+std::vector<CycleCut> number_cycles(std::vector<Shape>& shapes, std::string_view unit) {
+  std::vector<Run> runs;
+  for (auto const& run : runs_of_amplitude(shapes))
+    for (auto const& part : split_by_frequency(shapes, run)) runs.push_back(part);
+  mark_regular(shapes, runs);
+  std::vector<CycleCut> cuts;
+  int block = 0;
+  for (auto const& draft : drafts_of(shapes, runs)) {
+    ++block;
+    int number = 0;
+    std::vector<std::size_t> nominal_cycles;
+    for (auto i = draft.begin; i < draft.end; ++i)
+      if (close(shapes[i].amplitude(), draft.core.amplitude, nominal)) nominal_cycles.push_back(i);
+    double const period = period_of(shapes, nominal_cycles);
+    for (auto i = draft.begin; i < draft.end; ++i) {
+      auto const& shape = shapes[i];
+      CycleCut cut = shape;
+      cut.block = block;
+      bool const builds_up = i < draft.core.begin && shape.amplitude() < draft.core.amplitude;
+      if (!close(shape.amplitude(), draft.core.amplitude, nominal))
+        cut.not_counted =
+            (shape.has_gap ? "the time jumps within it, its peak may be missing; those after it are numbered "
+                             "without it: "
+             : builds_up   ? "build-up: "
+                           : "") +
+            of_amplitude(shape, draft.core.amplitude);
+      else if (period > 0.0 && !same_pace(shape.period, period, far_period))
+        cut.not_counted = of_period(shape, period, unit);
+      else
+        cut.number = ++number;
+      cuts.push_back(std::move(cut));
+    }
+  }
+  return cuts;
+}
+
+}  // namespace isolaw::data

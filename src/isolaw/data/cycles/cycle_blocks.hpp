@@ -1,0 +1,31 @@
+// Groups cycles into blocks of one amplitude and one frequency, and decides which cycles of a block count.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "isolaw/data/cycles/cycles.hpp"
+
+namespace isolaw::data {
+
+struct Shape : CycleCut {
+  double least = 0.0;  // mm
+  double largest = 0.0;
+  double period = 0.0;         // from start to end in s or in samples, without holds and rests
+  double rise_and_fall = 0.0;  // twice the time between the two tips, with holds and rests; unit as period
+  double unevenness = 0.0;     // |middle - centre of the motion| over the amplitude
+  bool regular = false;        // number_cycles() sets it: repeats a neighbour's amplitude, or is symmetric
+  bool has_gap = false;        // the time jumps within the cycle
+  bool taper = false;          // number_cycles() sets it: grows into a run of cycles or fades out of one
+
+  double amplitude() const { return largest / 2.0 - least / 2.0; }
+};
+
+// A block is a run of cycles of one amplitude (within 5 %) and one frequency. A symmetric lone cycle is a block of its
+// own. A lone cycle joins a neighbouring block, but does not count, if it is uneven or within 15 % of the amplitude of
+// a run of three or more, as when a rig builds up its amplitude. A new frequency splits a block if it differs by 5 %
+// and lasts for two cycles; before and after it, periods scatter by less than a quarter of the change. A cycle does not
+// count if its period is off the block's by a factor of 1.4 or more. `unit` is the unit of periods in messages.
+std::vector<CycleCut> number_cycles(std::vector<Shape>& shapes, std::string_view unit);
+
+}  // namespace isolaw::data

@@ -1,0 +1,47 @@
+// A lobe is an excursion of the motion to one side of its centre; two lobes to opposite sides make a cycle. A lobe ends
+// where the motion crosses the centre, or comes back to it and turns there. A lobe after the start, a rest or a turn is
+// left out as a pre-load if the lobes after it are alike and it differs from them in reach (by 15 %) or in the time in
+// which it falls (by a factor of 1.5). A half cycle at the end of a stage is left out as well.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "isolaw/data/cycles/cycles.hpp"
+
+namespace isolaw::data {
+
+struct Lobe {
+  double first = 0.0;  // fractional sample indices
+  double last = 0.0;
+  std::size_t tip = 0;       // sample farthest from the centre
+  bool positive = false;     // on the positive side of the centre
+  double reach_mm = 0.0;     // distance of the tip from the centre
+  double fall = 0.0;         // time in which it falls from 90 to 10 % of the reach, in s or in samples
+  bool turns = false;        // it starts with a turn at the centre, or the record starts there at rest
+  bool rests = false;        // it starts after a rest
+  bool starts_open = false;  // the record starts within it
+  bool ends_open = false;    // the record ends within it
+  bool has_gap = false;      // the time jumps within it, so its tip may be missing
+};
+
+enum class Part {
+  cycle,       // two lobes
+  pre_load,    // a lobe before cycles that belongs to none of them
+  half,        // a single lobe, after which the motion starts anew
+  open_start,  // part of a cycle at the start of the record
+  open_end     // part of a cycle at the end of the record
+};
+
+struct Group {
+  Part part = Part::cycle;
+  std::size_t begin = 0;  // lobes [begin, end)
+  std::size_t end = 0;
+};
+
+std::vector<Lobe> lobes(std::span<double const> disp_mm, std::span<double const> time_s, Reversals const& motion,
+                        double centre_mm);
+std::vector<Group> group_lobes(std::vector<Lobe> const& lobes);
+
+}  // namespace isolaw::data

@@ -1,0 +1,20 @@
+// Reads tables of numbers in JSON (RFC 8259): an object of arrays {"time": [..], "disp": [..]}, an array of objects
+// [{"time": 0, "disp": 0}, ..], or an array of rows [[0, 0], ..], at the top or under a key. Names are keys, a first
+// row, or beside the rows ("columns": [..]); units are in names or beside ("units": {..}, "disp unit": "mm").
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "isolaw/data/files/table.hpp"
+
+namespace isolaw::data {
+
+// Whether the bytes begin as JSON does. False for "[Data]", with which text files may begin.
+bool is_json(std::string_view bytes);
+
+// `key`: a table's key or number from 1. Without it, reads the first table; Tests::sheets lists all. Throws Error.
+Tests json_tests(std::string_view bytes, std::string const& file, std::optional<std::string> const& key);
+
+}  // namespace isolaw::data

@@ -1,0 +1,49 @@
+// A table whose columns are arrays of numbers, as MATLAB variables or JSON arrays are.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "isolaw/data/files/table.hpp"
+#include "isolaw/data/files/time_stamp.hpp"
+
+namespace isolaw::data {
+
+struct NumberColumn {
+  std::string name = {};  // UTF-8
+  std::string unit = {};  // as written beside the column; may be empty
+  std::size_t length = 0;
+  std::vector<double> values = {};                    // may stay empty until a channel needs the column
+  std::map<std::size_t, std::string> odd_cells = {};  // text of the first few that are no number, by position from 0
+  std::vector<Stamp> stamps = {};                     // as many as values if the column holds time stamps, else none
+  bool datenum = false;                               // the numbers are days of MATLAB's calendar
+
+  StampKind kind() const;  // none if the stamps differ in kind
+};
+
+class NumberTable : public Table {
+ public:
+  // Messages call a row `row` ("row", "element"). `recognised` says how the table was found.
+  NumberTable(std::string place, std::vector<NumberColumn> columns, std::string_view row, std::string recognised,
+              std::string title = {});
+
+  std::vector<Finding> recognised() const override { return {decision(FindingKind::file_format, recognised_)}; }
+  Rows read(ChannelColumns const& columns, RowChoice const& choice, std::vector<Complaint>& complaints) const override;
+
+ protected:
+  virtual std::vector<double> values(std::size_t column) const { return list_[column].values; }
+
+  std::vector<NumberColumn> list_;
+
+ private:
+  void report_odd(std::size_t column, RawChannel const& raw, RowChoice const& choice,
+                  std::vector<Complaint>& complaints) const;
+  std::vector<Stamp> stamps_of(Column const& column, std::vector<Complaint>& complaints) const;
+  void check_lengths(ChannelColumns const& columns, std::vector<Complaint>& complaints) const;
+
+  std::string recognised_;
+};
+
+}  // namespace isolaw::data

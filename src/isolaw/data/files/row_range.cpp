@@ -1,0 +1,44 @@
+#include "isolaw/data/files/row_range.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include "isolaw/base/error.hpp"
+#include "isolaw/base/words.hpp"
+#include "isolaw/data/files/text.hpp"
+
+namespace isolaw::data {
+
+RowRange parse_rows(std::string_view text) {
+  auto const colon = text.find(':');
+  auto const first = trimmed(text.substr(0, colon));
+  auto const last = colon == std::string_view::npos ? std::string_view{} : trimmed(text.substr(colon + 1));
+  RowRange range;
+  auto const from = first.empty() ? std::optional<std::size_t>(1) : number_in<std::size_t>(first);
+  auto const to = last.empty() ? std::optional<std::size_t>() : number_in<std::size_t>(last);
+  bool const good = colon != std::string_view::npos && from && *from >= 1 && *from <= most_lines &&
+                    (last.empty() || (to && *to >= *from && *to <= most_lines)) && !(first.empty() && last.empty());
+  if (!good)
+    throw Error(
+        Complaint{.where = "--rows",
+                  .found = in_quotes(text),
+                  .allowed = "A:B, rows of numbers counted from 1 below the header; A: to the end, :B from the start",
+                  .advice = "--rows 101:700"});
+  range.first = *from;
+  range.last = to;
+  return range;
+}
+
+std::string rows_text(RowRange const& range) {
+  auto const last = range.last ? std::to_string(*range.last) : std::string();
+  return range.first == 1 && range.last ? ":" + last : fmt::format("{}:{}", range.first, last);
+}
+
+std::string without_row(RowRange const& range, std::size_t row, std::size_t of) {
+  auto const last = std::min(range.last.value_or(of), of);
+  auto const before = row - range.first, behind = last - row;
+  if (std::max(before, behind) < least_samples) return "export the record again";
+  if (before >= behind) return fmt::format("--rows {}:{}, the rows before it", range.first, row - 1);
+  return fmt::format("--rows {}, the rows behind it", rows_text({.first = row + 1, .last = range.last}));
+}
+
+}  // namespace isolaw::data

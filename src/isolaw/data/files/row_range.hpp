@@ -1,0 +1,27 @@
+// A range of rows of numbers, and the advice to read only a range of them.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace isolaw::data {
+
+// A range of rows of numbers, counted from 1 below the header without blank lines and comments.
+struct RowRange {
+  std::size_t first = 1;
+  std::optional<std::size_t> last;  // nullopt: up to the last row
+  bool operator==(RowRange const&) const = default;
+};
+
+// Parses "101:700", "101:" and ":700" (option --rows); throws Error on anything else.
+RowRange parse_rows(std::string_view text);
+std::string rows_text(RowRange const& range);
+
+inline constexpr std::size_t least_samples = 3;
+
+// Advice after a bad row: read the longer part of the `of` rows before or behind it, or export the record again.
+std::string without_row(RowRange const& range, std::size_t row, std::size_t of);
+
+}  // namespace isolaw::data

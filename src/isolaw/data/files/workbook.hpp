@@ -1,0 +1,17 @@
+// Reads Excel workbooks, .xlsx (ECMA-376 part 1, chapter 18). The value of a formula is the one that was saved. Dates
+// and times of day, stored as days, become text, since nobody would notice if days were read as seconds.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "isolaw/data/files/table.hpp"
+
+namespace isolaw::data {
+bool is_zip(std::string_view bytes);
+
+// `sheet` is a name or a number from 1. If it is empty, reads the first sheet with rows of numbers. Throws Error.
+Tests workbook_tests(std::string_view bytes, std::string const& file, std::optional<std::string> const& sheet);
+
+}  // namespace isolaw::data

@@ -1,0 +1,440 @@
+#include "isolaw/data/properties/error_budget.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <ranges>
+#include <utility>
+
+#include "isolaw/data/properties/skew.hpp"
+
+namespace isolaw::data {
+namespace {
+
+constexpr double wanted_samples = 100.0;
+constexpr double most_jitter = 1.0;         // percent of the mean interval
+constexpr double most_disp_offset = 5.0;    // percent of the amplitude
+constexpr double most_force_offset = 10.0;  // percent of the amplitude; true loops of elastomers are a little uneven
+constexpr double most_closure = 1.0;        // percent of 2 D, twice the amplitude
+constexpr double most_drift = 1.0;          // percent of twice the amplitude
+constexpr double most_v_max_error = 5.0;    // percent
+constexpr double assumed_friction = 0.005;  // times the vertical load; typical of well kept sliding or rolling guides
+constexpr double least_jump = 0.04;         // times the force's amplitude; a smaller jump may be the shape of a loop
+constexpr double most_friction_points = 1.0;
+constexpr double most_average_loss = 1.0;  // percent of the amplitude, at the test's frequency
+
+constexpr double most_noise_bias = 1.0;  // percent of the amplitude
+constexpr double unlike_between = 0.15,
+                 unlike_beside = 0.2;       // largest change of a peak force against two cycles; against one
+constexpr double most_noise_scatter = 2.0;  // percent of the effective stiffness
+
+struct Jump {
+  double force_kN = 0.0;
+  bool said = false;  // large enough to be reported as friction
+};
+
+double percent(double part, double whole) {
+  return 100.0 * part / whole;
+}
+class Assessment {
+ public:
+  Assessment(CycleView const& view, Properties const& properties) : view_(view), properties_(properties) {
+    if (properties.reported)
+      for (auto const& block : properties.blocks)
+        if (block.number == properties.reported->block) block_ = &block;
+  }
+
+  Budget of_all(int smooth) {
+    uneven_time();
+    if (block_ != nullptr) {
+      stages();
+      unlike_their_neighbours();
+      sampling();
+      noise();
+      rests();
+      auto const jump = jump_at_reversals();
+      skew(jump);
+      rig_friction();
+      moving_mass();
+      drift();
+      closure();
+      offsets();
+      velocity();
+      smoothing(smooth);
+    }
+    return std::move(budget_);
+  }
+
+ private:
+  Cycle const& cycle() const { return *properties_.reported; }
+
+  bool add(std::string effect, double value, std::string unit, std::optional<double> limit = {}) {
+    bool const exceeds = limit && std::abs(value) > *limit;
+    budget_.effects.push_back({std::move(effect), value, std::move(unit), limit, exceeds});
+    return exceeds;
+  }
+  void warn(FindingKind kind, std::vector<FindingNumber> numbers, std::vector<FindingWord> words = {}) {
+    budget_.warnings.push_back({.kind = kind, .numbers = std::move(numbers), .words = std::move(words)});
+  }
+  void note(FindingKind kind, std::vector<FindingNumber> numbers, std::vector<FindingWord> words = {}) {
+    budget_.notes.push_back({.kind = kind, .numbers = std::move(numbers), .words = std::move(words)});
+  }
+  static void locate(std::vector<Finding>& findings, Cycle const& at) {
+    findings.back().blocks = {at.block};
+    findings.back().numbers.push_back({"cycle", static_cast<double>(at.number)});
+  }
+
+  void uneven_time() {
+    auto const& time = view_.time_s;
+    if (time.size() < 3) return;
+    double const mean = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+    double least = mean;
+    double largest = mean;
+    for (std::size_t i = 1; i < time.size(); ++i) {
+      least = std::min(least, time[i] - time[i - 1]);
+      largest = std::max(largest, time[i] - time[i - 1]);
+    }
+    if (add("uneven time", percent(std::max(largest - mean, mean - least), mean), "%", most_jitter))
+      warn(FindingKind::time_uneven, {{"least_s", least}, {"largest_s", largest}, {"mean_s", mean}});
+  }
+
+  // Warns that a test has several amplitudes, because the reported cycle describes only one of them.
+  void stages() {
+    auto const counted = properties_.counted();
+    auto const by_amplitude = [](Cycle const* c) { return c->amplitude_mm; };
+    auto const [least, largest] = std::ranges::minmax(counted, {}, by_amplitude);
+    if (largest->amplitude_mm < 1.1 * least->amplitude_mm) return;
+    warn(FindingKind::several_amplitudes, {{"least_mm", least->amplitude_mm},
+                                           {"largest_mm", largest->amplitude_mm},
+                                           {"amplitude_mm", cycle().amplitude_mm}});
+    locate(budget_.warnings, cycle());
+  }
+
+  // After the first, cycles of one amplitude change little. One that differs shows a dropout at its peak, or a slip.
+  void unlike_their_neighbours() {
+    for (auto const& block : properties_.blocks) {
+      auto cycles = block.counted();
+      if (cycles.size() < 3) continue;
+      cycles.erase(cycles.begin());  // the first cycle, in which rubber scrags
+      Cycle const* oddest = nullptr;
+      double share = 1.0;  // peak force over the mean of the peaks in the neighbouring cycles
+      auto const distance = [](double of) {
+        return of > 0.0 ? std::abs(std::log(of)) : std::numeric_limits<double>::infinity();
+      };
+      for (std::size_t k = 0; k < cycles.size(); ++k)
+        for (auto const of : {&Cycle::F_plus_kN, &Cycle::F_minus_kN}) {
+          double neighbours = 0.0, count = 0.0;
+          for (auto const i : {k - 1, k + 1})
+            if (i < cycles.size()) neighbours += cycles[i]->*of, count += 1.0;
+          if (neighbours == 0.0) continue;
+          double const found = cycles[k]->*of / (neighbours / count);
+          if (!(std::abs(found - 1.0) > (count > 1.0 ? unlike_between : unlike_beside)) ||
+              distance(found) < distance(share))
+            continue;
+          oddest = cycles[k];
+          share = found;
+        }
+      if (oddest == nullptr) continue;
+      warn(FindingKind::cycle_unlike_neighbours, {{"percent", 100.0 * share}});
+      locate(budget_.warnings, *oddest);
+    }
+  }
+
+  void sampling() {
+    double const samples = *properties_.samples_per_cycle;
+    bool const few = std::round(10.0 * samples) / 10.0 < wanted_samples;  // rounded as it is printed
+    budget_.effects.push_back({"samples per cycle", samples, "", wanted_samples, few});
+    double const energy = energy_loss_percent(samples);
+    double const peak = peak_loss_percent(samples);
+    add("energy lost between samples", energy, "%");
+    add("peak missed between samples", peak, "%");
+    std::vector<FindingNumber> numbers{
+        {"samples", samples}, {"energy_percent", energy}, {"peak_percent", peak}, {"wanted", wanted_samples}};
+    few ? warn(FindingKind::samples_few, std::move(numbers)) : note(FindingKind::samples_per_cycle, std::move(numbers));
+  }
+
+  // Noise moves the extreme samples beyond the true extremes of the motion. The properties use raw values nevertheless.
+  void noise() {
+    double const disp = noise_deviation(view_.disp_mm);
+    double const force = noise_deviation(view_.force_kN);
+    double const amplitude = cycle().amplitude_mm;
+    double const force_amplitude = std::abs(cycle().F_plus_kN - cycle().F_minus_kN) / 2.0;
+    if (!(amplitude > 0.0 && force_amplitude > 0.0)) return;
+    double const beyond = percent(peak_gain_mm(disp, amplitude, *properties_.samples_per_cycle), amplitude);
+    // K_eff is a difference of two forces over a difference of two displacements, with four independent errors.
+    double const scatter = std::hypot(percent(force, force_amplitude), percent(disp, amplitude)) / std::numbers::sqrt2;
+    add("noise of displacement", percent(disp, amplitude), "%");
+    add("noise of force", percent(force, force_amplitude), "%");
+    bool const biased = add("extremes moved by noise", beyond, "%", most_noise_bias);
+    bool const scattered = add("scatter of stiffness by noise", scatter, "%", most_noise_scatter);
+    if (biased || scattered)
+      warn(FindingKind::noise, {{"disp_mm", disp},
+                                {"disp_percent", percent(disp, amplitude)},
+                                {"force_kN", force},
+                                {"force_percent", percent(force, force_amplitude)},
+                                {"beyond_percent", beyond},
+                                {"scatter_percent", scatter}});
+  }
+
+  // Notes rests and holds that last longer than the period of their cycle, except a rest before the first motion.
+  void rests() {
+    Cycle const* longest = nullptr;
+    int count = 0;
+    for (auto const* counted : properties_.counted()) {
+      bool const is_long = counted->first > 0.0 && counted->still_s && *counted->still_s > *counted->period_s;
+      if (!is_long) continue;
+      ++count;
+      if (longest == nullptr || *counted->still_s > *longest->still_s) longest = counted;
+    }
+    if (longest == nullptr) return;
+    add("longest rest or hold", *longest->still_s, "s");
+    note(FindingKind::stands_still, {{"still_s", *longest->still_s}, {"others", count - 1.0}});
+    locate(budget_.notes, *longest);
+  }
+
+  void skew(Jump const& jump) {
+    auto const found = estimate_skew(view_, properties_, jump.said ? jump.force_kN / 2.0 : 0.0);
+    if (!found) return;
+    bool const timed = !view_.time_s.empty();
+    double const scale = timed ? 1000.0 : 1.0;
+    std::string const unit = timed ? "ms" : "samples";
+    double const late = scale * found->force_late;
+    double const points = 50.0 * std::abs(found->phase);
+    bool const is_late = found->significant() && late > 0.0;
+    budget_.effects.push_back({"skew", late, unit, scale * found->uncertainty, is_late});
+    budget_.effects.push_back(
+        {damping_by_skew, found->significant() ? -std::copysign(points, late) : 0.0, "points", std::nullopt, is_late});
+    if (!found->significant()) return;
+    std::vector<FindingNumber> numbers{{"by_" + unit, std::abs(late)},
+                                       {"uncertainty_" + unit, scale * found->uncertainty},
+                                       {"reversals", static_cast<double>(found->reversals)},
+                                       {"damping_points", points}};
+    std::vector<FindingWord> words{{"unit", unit}, {"without_jump", jump.said ? "yes" : "no"}};
+    is_late ? warn(FindingKind::force_late, std::move(numbers), std::move(words))
+            : note(FindingKind::force_early, std::move(numbers), std::move(words));
+  }
+
+  void rig_friction() {
+    if (!cycle().N_mean_kN) return;
+    double const friction = assumed_friction * std::abs(*cycle().N_mean_kN);
+    double const points = friction_damping_points(friction, cycle().K_eff_kN_per_mm, cycle().amplitude_mm);
+    add(damping_by_rig_friction, points, "points");
+    note(FindingKind::rig_friction,
+         {{"load_kN", *cycle().N_mean_kN}, {"friction_kN", friction}, {"damping_points", points}});
+  }
+
+  // The force lost within 0.2 % of the amplitude at a reversal, less what the slope after the reversal explains.
+  std::optional<double> jump(Cycle const& at, bool upper) const {
+    auto const peaks = peak_positions(view_.disp_mm, at.first, at.last);
+    double const sign = upper ? 1.0 : -1.0;
+    double const tip = upper ? at.d_plus_mm : at.d_minus_mm;
+    auto const middle = static_cast<std::ptrdiff_t>(std::lround(upper ? peaks.largest : peaks.smallest));
+    auto const size = static_cast<std::ptrdiff_t>(view_.disp_mm.size());
+    auto const below = [&](std::ptrdiff_t i) { return sign * (tip - view_.disp_mm[static_cast<std::size_t>(i)]); };
+    auto const force_at = [&](double depth, std::ptrdiff_t step) -> std::optional<double> {
+      auto i = middle;
+      while (i + step >= 0 && i + step < size && below(i) < depth) i += step;
+      if (below(i) < depth || i == middle) return std::nullopt;
+      auto const beyond = static_cast<std::size_t>(i);
+      auto const inner = static_cast<std::size_t>(i - step);
+      double const part = (depth - below(i - step)) / (below(i) - below(i - step));
+      return view_.force_kN[inner] + part * (view_.force_kN[beyond] - view_.force_kN[inner]);
+    };
+    double const depth = 0.002 * at.amplitude_mm;
+    auto const before = force_at(depth, -1);
+    auto const after = force_at(depth, 1);
+    auto const later = force_at(3.0 * depth, 1);
+    if (!before || !after || !later) return std::nullopt;
+    return sign * ((*before - *after) - (*after - *later) / 2.0);
+  }
+
+  Jump jump_at_reversals() {
+    std::vector<double> jumps;
+    double const noise = noise_deviation(view_.disp_mm);
+    for (auto const* counted : block_->counted())
+      for (bool const upper : {true, false}) {
+        if (held_at_extreme(view_.disp_mm, *counted, upper, noise)) continue;  // the force relaxes during a hold
+        if (auto const found = jump(*counted, upper)) jumps.push_back(*found);
+      }
+    if (jumps.size() < 4) return {};
+    std::ranges::sort(jumps);
+    double const typical = jumps[jumps.size() / 2];
+    double const force = (cycle().F_plus_kN - cycle().F_minus_kN) / 2.0;
+    add("jump of force at reversals", typical, "kN");
+    // At three quarters of the reversals the jump must be at least half the typical one, which noise does not achieve.
+    Jump const found{.force_kN = typical,
+                     .said = typical > least_jump * std::abs(force) && jumps[jumps.size() / 4] >= 0.5 * typical};
+    if (!found.said) return found;
+    double const points = friction_damping_points(typical / 2.0, cycle().K_eff_kN_per_mm, cycle().amplitude_mm);
+    bool const exceeds = add(damping_by_jump, points, "points", most_friction_points);
+    std::vector<FindingNumber> numbers{
+        {"jump_kN", typical}, {"friction_kN", typical / 2.0}, {"damping_points", points}};
+    exceeds ? warn(FindingKind::friction_in_force, std::move(numbers))
+            : note(FindingKind::jump_of_force, std::move(numbers));
+    return found;
+  }
+
+  void moving_mass() {
+    if (!block_->frequency_Hz) return;
+    double const stiffness = mass_stiffness_kN_per_mm(1000.0, *block_->frequency_Hz);
+    add("stiffness taken by a tonne of moving mass", stiffness, "kN/mm");
+    note(FindingKind::moving_mass, {{"stiffness_kN_per_mm", stiffness},
+                                    {"frequency_Hz", *block_->frequency_Hz},
+                                    {"percent", std::abs(percent(stiffness, cycle().K_eff_kN_per_mm))}});
+  }
+
+  // The first cycle is left out, because in it the force of a device that softens is not symmetric.
+  void drift_of(std::string const& what, std::string const& unit, double amplitude, auto middle) {
+    auto const counted = block_->counted();
+    if (counted.size() < 3) return;
+    std::vector<double> middles;
+    for (auto const* cycle : counted | std::views::drop(1)) middles.push_back(middle(*cycle));
+    auto const [least, largest] = std::ranges::minmax(middles);
+    double const share = percent(largest - least, 2.0 * amplitude);
+    if (!add("drift of " + what, share, "%", most_drift)) return;
+    warn(FindingKind::drift, {{"drift_" + unit, largest - least}, {"percent", share}, {"limit_percent", most_drift}},
+         {{"channel", what}, {"unit", unit}});
+    budget_.warnings.back().blocks = {block_->number};
+  }
+
+  void drift() {
+    drift_of("displacement", "mm", cycle().amplitude_mm,
+             [](Cycle const& c) { return (c.d_plus_mm + c.d_minus_mm) / 2.0; });
+    auto const [least, largest] = force_range(cycle());
+    drift_of("force", "kN", (largest - least) / 2.0, [this](Cycle const& c) {
+      auto const [low, high] = force_range(c);
+      return (low + high) / 2.0;
+    });
+  }
+
+  void closure() {
+    double const open = percent(cycle().closure_mm, 2.0 * cycle().amplitude_mm);
+    if (!add("closure of the loop", open, "%", most_closure)) return;
+    double const energy = std::abs(cycle().closure_mm * value_at(view_.force_kN, cycle().first));
+    warn(FindingKind::loop_open, {{"closure_mm", cycle().closure_mm},
+                                  {"percent", std::abs(open)},
+                                  {"limit_percent", most_closure},
+                                  {"energy_kN_mm", energy}});
+    locate(budget_.warnings, cycle());
+  }
+
+  std::pair<double, double> range(std::span<double const> values, Cycle const& of) const {
+    auto const first = static_cast<std::size_t>(of.first);
+    auto const end = std::min(values.size(), static_cast<std::size_t>(of.last) + 1);
+    auto const [least, largest] = std::ranges::minmax(values.subspan(first, end - first));
+    return {least, largest};
+  }
+  std::pair<double, double> force_range(Cycle const& of) const { return range(view_.force_kN, of); }
+
+  void offset_of(std::span<double const> values, std::string const& what, std::string const& unit, double limit) {
+    auto const [least, largest] = range(values, cycle());
+    double const offset = (largest + least) / 2.0;
+    double const share = percent(offset, (largest - least) / 2.0);
+    if (!add("offset of " + what, share, "%", limit)) return;
+    warn(FindingKind::off_centre, {{"offset_" + unit, offset}, {"percent", std::abs(share)}},
+         {{"channel", what}, {"unit", unit}});
+    locate(budget_.warnings, cycle());
+  }
+
+  void offsets() {
+    offset_of(view_.disp_mm, "displacement", "mm", most_disp_offset);
+    offset_of(view_.force_kN, "force", "kN", most_force_offset);
+    if (properties_.centre_mm != 0.0) note(FindingKind::cut_off_zero, {{"centre_mm", properties_.centre_mm}});
+  }
+
+  void velocity() {
+    if (!block_->v_max_mm_s || !block_->frequency_Hz) return;
+    bool const triangle = block_->waveform == "triangle";
+    double const expected = (triangle ? 4.0 : 2.0 * std::numbers::pi) * *block_->frequency_Hz * block_->amplitude_mm;
+    double const deviation = percent(*block_->v_max_mm_s - expected, expected);
+    bool const known = block_->waveform != "other";
+    bool const exceeds =
+        add("v_max beside its closed form", deviation, "%", known ? std::optional(most_v_max_error) : std::nullopt);
+    std::vector<FindingNumber> numbers{
+        {"v_max_mm_s", *block_->v_max_mm_s}, {"percent", deviation}, {"expected_mm_s", expected}};
+    std::vector<FindingWord> words{{"of", triangle ? "triangle" : "sine"}, {"waveform", block_->waveform}};
+    exceeds ? warn(FindingKind::speed_off, std::move(numbers), std::move(words))
+            : note(FindingKind::largest_speed, std::move(numbers), std::move(words));
+    (exceeds ? budget_.warnings : budget_.notes).back().blocks = {block_->number};
+  }
+
+  void smoothing(int window) {
+    if (window <= 1) return;
+    double const samples = *properties_.samples_per_cycle;
+    double const first = average_loss_percent(window, samples);
+    double const third = average_loss_percent(window, samples / 3.0);
+    bool const exceeds = add("taken by the moving average", first, "%", most_average_loss);
+    add("taken by the moving average from the third harmonic", third, "%");
+    std::vector<FindingNumber> numbers{{"window_samples", static_cast<double>(window)},
+                                       {"samples_per_cycle", samples},
+                                       {"percent", first},
+                                       {"third_harmonic_percent", third}};
+    exceeds ? warn(FindingKind::average_too_wide, std::move(numbers))
+            : note(FindingKind::average_over_samples, std::move(numbers));
+  }
+
+  CycleView const& view_;
+  Properties const& properties_;
+  Block const* block_ = nullptr;  // the block of the reported cycle
+  Budget budget_;
+};
+
+}  // namespace
+
+double energy_loss_percent(double samples_per_cycle) {
+  double const angle = 2.0 * std::numbers::pi / samples_per_cycle;
+  return 100.0 * (1.0 - std::sin(angle) / angle);
+}
+
+double peak_loss_percent(double samples_per_cycle) {
+  return 100.0 * (1.0 - std::cos(std::numbers::pi / samples_per_cycle));
+}
+
+// The largest of independent samples x_k + noise exceeds v with probability 1 - product of Phi((v - x_k) / s).
+// Integration over v gives its mean. Of many samples only some are computed; each then stands for `weight` samples.
+double peak_gain_mm(double noise_mm, double amplitude_mm, double samples_per_cycle) {
+  if (!(noise_mm > 0.0) || !(amplitude_mm > noise_mm)) return 0.0;
+  double const angle = 2.0 * std::numbers::pi / samples_per_cycle;
+  double const deepest = std::min(12.0 * noise_mm / amplitude_mm, 1.0);
+  double const reach = std::acos(1.0 - deepest) / angle;  // samples on each side of the peak that may be the largest
+  double const weight = std::max(1.0, reach / 200.0);
+  constexpr double step = 0.05;
+  double mean = -6.0;
+  for (double v = -6.0 + step / 2.0; v < 8.0; v += step) {
+    double log_below = 0.0;
+    for (double k = -std::floor(reach / weight); k <= reach / weight; ++k) {
+      double const depth = amplitude_mm * (1.0 - std::cos(angle * weight * k)) / noise_mm;
+      log_below += weight * std::log(std::max(0.5 * std::erfc(-(v + depth) / std::numbers::sqrt2), 1e-300));
+      if (log_below < -50.0) break;
+    }
+    mean += step * (1.0 - std::exp(log_below));
+  }
+  return mean * noise_mm;
+}
+
+double average_loss_percent(int window, double samples_per_cycle) {
+  double const half_angle = std::numbers::pi / samples_per_cycle;
+  return 100.0 * (1.0 - std::sin(window * half_angle) / (window * std::sin(half_angle)));
+}
+
+double friction_damping_points(double friction_kN, double K_eff_kN_per_mm, double amplitude_mm) {
+  return 200.0 * friction_kN / (std::numbers::pi * K_eff_kN_per_mm * amplitude_mm);
+}
+
+double mass_stiffness_kN_per_mm(double mass_kg, double frequency_Hz) {
+  constexpr double kN_per_mm_of_N_per_m = 1e-6;
+  double const omega = 2.0 * std::numbers::pi * frequency_Hz;
+  return mass_kg * omega * omega * kN_per_mm_of_N_per_m;
+}
+
+Budget error_budget(CycleView const& view, Properties const& properties, int smooth) {
+  return Assessment(view, properties).of_all(smooth);
+}
+
+Budget error_budget(TestRecord const& record, Properties const& properties, int smooth) {
+  return error_budget(CycleView{record.disp_mm, record.force_kN, record.time_s, record.load_kN}, properties, smooth);
+}
+
+}  // namespace isolaw::data

@@ -1,0 +1,45 @@
+// Estimates how sampling, the rig and filters change the cyclic properties, by closed forms for a sine and its loops.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "isolaw/data/properties/properties.hpp"
+
+namespace isolaw::data {
+
+struct Effect {
+  std::string effect;  // such as "samples per cycle" or "skew"
+  double value = 0.0;
+  std::string unit;             // empty for a number without unit
+  std::optional<double> limit;  // nullopt: no limit
+  bool exceeds = false;
+};
+
+struct Budget {
+  std::vector<Finding> warnings;  // effects that exceed their limits
+  std::vector<Finding> notes;     // other effects worth knowing
+  std::vector<Effect> effects;    // all effects, in numbers
+};
+
+// Effects given in points of equivalent damping that they add to the device's.
+inline constexpr char const *damping_by_skew = "damping by skew", *damping_by_jump = "damping by the jump",
+                            *damping_by_rig_friction = "damping by rig friction of 0.5 % of the vertical load";
+
+// `smooth` is the window, in samples, of the moving average before a law is fitted; 1 for none.
+Budget error_budget(CycleView const& view, Properties const& properties, int smooth = 1);
+Budget error_budget(TestRecord const& record, Properties const& properties, int smooth = 1);
+
+// Percent of a loop's energy or of a sine's peak that sampling loses, or a moving average over an odd window.
+double energy_loss_percent(double samples_per_cycle);  // share of the energy: 1 - N / (2 pi) sin(2 pi / N)
+double peak_loss_percent(double samples_per_cycle);    // share of a peak halfway between samples: 1 - cos(pi / N)
+double average_loss_percent(int window, double samples_per_cycle);
+// Mean distance of a sine's largest sample beyond its true peak, for white noise of standard deviation noise_mm.
+double peak_gain_mm(double noise_mm, double amplitude_mm, double samples_per_cycle);
+// Points of equivalent damping that friction adds: 200 F_f / (pi K D)
+double friction_damping_points(double friction_kN, double K_eff_kN_per_mm, double amplitude_mm);
+// Stiffness in kN/mm by which a mass that moves in a sine lowers the measured stiffness: m (2 pi f)^2
+double mass_stiffness_kN_per_mm(double mass_kg, double frequency_Hz);
+
+}  // namespace isolaw::data

@@ -1,0 +1,123 @@
+// Cyclic properties of a force-displacement history from raw values, by EN 15129, ISO 22762-1 and NTC 2018 (11.9.7).
+// The vertical stiffness needs another test (vertical.hpp).
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "isolaw/data/channels/record.hpp"
+#include "isolaw/data/cycles/cycles.hpp"
+#include "isolaw/data/signals/signal_faults.hpp"
+
+namespace isolaw::data {
+
+// A partial cycle has the values that its samples give, and never counts.
+struct Cycle : CycleCut {
+  double amplitude_mm = 0.0;  // D = (largest - smallest displacement) / 2
+  double d_plus_mm = 0.0;     // largest and smallest displacement of a sample, and the forces there
+  double d_minus_mm = 0.0;
+  double F_plus_kN = 0.0;
+  double F_minus_kN = 0.0;
+  double K_eff_kN_per_mm = 0.0;   // peak to peak: (F+ - F-) / (d+ - d-)
+  double K_plus_kN_per_mm = 0.0;  // F / d of one side (NTC 2018); 0 if the cycle hardly goes to that side
+  double K_minus_kN_per_mm = 0.0;
+  double energy_kN_mm = 0.0;            // integral of F over d (trapezoidal rule), closed by a straight line
+  double damping_percent = 0.0;         // energy / (2 pi K_eff D^2)
+  double Q_d_kN = 0.0;                  // half the loop's height where cycles are cut: (F rising - F falling) / 2
+  double K_d_kN_per_mm = 0.0;           // K_eff - Q_d / D
+  std::optional<double> D_y_mm;         // yield displacement of the bilinear loop: D - energy / (4 Q_d), if in (0, D)
+  std::optional<double> K_1_kN_per_mm;  // first stiffness of the bilinear loop: K_d + Q_d / D_y
+  std::optional<double> period_s;       // from start to end, without the time in which the device stands still
+  std::optional<double> still_s;        // time in which the device stands still; nullopt without time
+  std::optional<double> v_max_mm_s;     // largest |slope| of chords over a 25th of a cycle; nullopt without time
+  std::optional<double> N_mean_kN;      // mean vertical load; nullopt without that channel
+  std::optional<double> N_min_kN;
+  std::optional<double> N_max_kN;
+  double closure_mm = 0.0;  // displacement at the end less that at the start of the cycle
+  double closure_kN = 0.0;
+
+  bool counts() const { return number > 0; }
+  // nullopt if K_eff is almost zero: K_eff D is under a thousandth of the loop's mean half height.
+  std::optional<double> damping() const {
+    constexpr double least_stiffness = 1e-3;
+    double const stiff = K_eff_kN_per_mm * amplitude_mm, height = energy_kN_mm / (4.0 * amplitude_mm);
+    return std::abs(stiff) > least_stiffness * std::abs(height) ? std::optional(damping_percent) : std::nullopt;
+  }
+  std::optional<double> K_plus() const {
+    return K_plus_kN_per_mm == 0.0 ? std::nullopt : std::optional(K_plus_kN_per_mm);
+  }
+  std::optional<double> K_minus() const {
+    return K_minus_kN_per_mm == 0.0 ? std::nullopt : std::optional(K_minus_kN_per_mm);
+  }
+};
+struct Block {
+  int number = 0;                      // from 1
+  double amplitude_mm = 0.0;           // this, frequency and v_max are medians over the counted cycles
+  std::optional<double> frequency_Hz;  // 1 / period, without rests and holds
+  std::optional<double> v_max_mm_s;
+  std::string waveform;       // "sine", "triangle" or "other"; empty without time
+  std::vector<Cycle> cycles;  // in order, also those that do not count
+
+  std::vector<Cycle const*> counted() const;
+};
+
+struct Properties {
+  std::vector<Block> blocks;
+  // Third counted cycle, or the last of fewer, of the first block of largest amplitude. Empty if `refusal` is not.
+  std::optional<Cycle> reported;
+  // Why there is no reported cycle: a fault, not cyclic, under 20 samples per cycle, negative energy or stiffness.
+  std::vector<Finding> refusal;
+  bool is_false = false;                    // the refusal is about a signal or cycle that cannot be true
+  std::vector<SignalFault> faults;          // only from a TestRecord; if there are any, no cycle counts
+  std::optional<double> samples_per_cycle;  // median over the counted cycles, without rests and holds
+  double centre_mm = 0.0;                   // displacement at which cycles are cut
+
+  Cycle const* find(int block, int number) const;  // nullptr if there is none
+  std::vector<Cycle const*> counted() const;       // counted cycles of all blocks, in order
+  std::vector<Cycle const*> complete() const;      // all except partial ones, also if the record is not cyclic
+  bool is_reported(Cycle const& cycle) const;
+};
+
+// All are of one length, but time_s and load_kN may be empty.
+struct CycleView {
+  std::span<double const> disp_mm;
+  std::span<double const> force_kN;
+  std::span<double const> time_s;
+  std::span<double const> load_kN;
+};
+
+Properties cyclic_properties(CycleView const& view);
+// Also searches for faulty signals. If there is one, no cycle counts.
+Properties cyclic_properties(TestRecord const& record);
+// Without time and load. Periods are then in samples.
+Properties cyclic_properties(std::span<double const> disp_mm, std::span<double const> force_kN);
+
+// The properties of the same cycle with another force, such as the force that a law computes at the same samples.
+Cycle properties_on(Cycle const& cycle, std::span<double const> disp_mm, std::span<double const> force_kN);
+
+// How a property changes over the counted cycles of one block (EN 15129 8.2.1.2.6; scragging). Ratios to cycle 3 are
+// empty if there is none. Extremes are over cycles 2 to 10 and 1 to 10, or as many as there are; least_to_largest is
+// their smallest value over their largest.
+struct Stability {
+  int cycles = 0;  // number of counted cycles
+  std::vector<double> ratio_to_third;
+  std::optional<double> min_2_10, max_2_10, min_1_10, max_1_10;
+  std::optional<double> least_to_largest_2_10, least_to_largest_1_10;
+  std::optional<double> first_to_third;     // the scragging ratio
+  std::optional<double> first_to_mean_1_3;  // if the property falls, the largest test factor of ASCE 7
+  std::optional<double> last_to_mean_1_3;   // if the property falls, the smallest test factor of ASCE 7
+};
+// `property` is &Cycle::K_eff_kN_per_mm, energy_kN_mm or damping_percent.
+Stability stability(Block const& block, double Cycle::*property);
+
+struct Strains {
+  double shear_strain_percent = 0.0;  // 100 D / T_r
+  double G_MPa = 0.0;                 // K_eff T_r / A_r
+};
+
+// T_r is rubber_thickness_mm, A_r is rubber_area_mm2; both are positive.
+Strains strains(Cycle const& cycle, double rubber_thickness_mm, double rubber_area_mm2);
+
+}  // namespace isolaw::data

@@ -1,0 +1,283 @@
+#include "isolaw/data/properties/skew.hpp"
+
+#include <boost/math/distributions/students_t.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+#include "isolaw/num/statistics.hpp"
+
+namespace isolaw::data {
+namespace {
+
+constexpr double wide = 0.08;            // fraction of a cycle on each side of a reversal: half a radian
+constexpr double narrow = 0.04;          // fraction of a cycle; even a sharp loop is smooth in so short a part
+constexpr double farthest_shift = 0.04;  // fraction of a cycle: a quarter of a radian
+constexpr int shifts = 41;
+constexpr std::size_t least_in_window = 12;  // samples in a window; twice the unknowns
+constexpr std::size_t most_samples = 400;    // samples in a window; of more, only one of several is used
+constexpr std::size_t most_cycles = 12;
+constexpr int least_reversals = 4;
+constexpr double poor_fit = 0.012;             // rms over the force's amplitude; a force that fits worse gives no skew
+constexpr double good_fit = 0.0012;            // rms beyond noise, over the amplitude; else the loop may only look late
+constexpr double least_late = 0.015;           // rad; less is no skew
+constexpr double least_late_by_shape = 0.045;  // rad; limit for a loop that is too sharp to fit
+constexpr double least_early = 0.04;
+constexpr double standard_errors = 4.0;     // the skew must exceed this many
+constexpr double by_chance = 0.001;         // fraction of records without skew that seem late
+constexpr double most_agree = 0.75;         // fraction of the reversals that must agree
+constexpr double most_apart = 0.004;        // rad; difference between the wide and narrow window
+constexpr double quiet = 0.0005;            // fraction of the amplitude; less noise needs no smoothing
+constexpr double too_noisy = 0.01;          // fraction of the amplitude; noisier records give no skew
+constexpr double smoothed_over = 0.06;      // fraction of a cycle on each side; takes 0.02 % off a sine
+constexpr double hold_band = 0.005;         // fraction of the amplitude; a hold stays within it
+constexpr double noise_band = 8.0;          // standard deviations of noise between the extremes of a hold
+constexpr std::size_t most_smoothed = 100;  // samples on each side; more bring little and cost time
+
+struct Reversal {
+  double at = 0.0;      // fractional sample index
+  double cycle = 0.0;   // samples in a cycle
+  double tip_mm = 0.0;  // displacement at the reversal
+  double reach_mm = 0.0;
+  double friction_kN = 0.0;  // friction changes from plus to minus this at the reversal
+};
+
+// Unknowns of the fit: force at the tip, a parabola before it and a cubic after it, in the distance from the tip.
+constexpr std::size_t unknowns = 6;
+using Row = std::array<double, unknowns>;
+
+Row row_of(double distance, bool before) {
+  double const s = distance;
+  return before ? Row{1.0, s, s * s, 0.0, 0.0, 0.0} : Row{1.0, 0.0, 0.0, s, s * s, s * s * s};
+}
+
+// The sum of squares that a least-squares fit leaves (modified Gram-Schmidt, column by column).
+double residual(std::vector<Row>& rows, std::vector<double>& values) {
+  for (std::size_t k = 0; k < unknowns; ++k) {
+    double size = 0.0;
+    for (auto const& row : rows) size += row[k] * row[k];
+    if (!(size > 0.0)) continue;
+    std::array<double, unknowns> with{};
+    double with_values = 0.0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      for (std::size_t j = k + 1; j < unknowns; ++j) with[j] += rows[i][k] * rows[i][j];
+      with_values += rows[i][k] * values[i];
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      for (std::size_t j = k + 1; j < unknowns; ++j) rows[i][j] -= with[j] / size * rows[i][k];
+      values[i] -= with_values / size * rows[i][k];
+    }
+  }
+  double sum = 0.0;
+  for (double const value : values) sum += value * value;
+  return sum;
+}
+
+// Mean squared residual of the fit for one shift. Shifts displacement, since interpolation would reduce force's noise.
+double left_at(double shift, double window, Reversal const& reversal, CycleView const& view) {
+  double const half = window * reversal.cycle;
+  auto const begin = static_cast<std::size_t>(std::ceil(reversal.at - half));
+  auto const end = static_cast<std::size_t>(std::floor(reversal.at + half));
+  std::vector<Row> rows;
+  std::vector<double> values;
+  auto const stride = std::max<std::size_t>(1, (end - begin) / most_samples);
+  for (auto i = begin; i <= end; i += stride) {
+    double const then = static_cast<double>(i) - shift;
+    double const distance = (value_at(view.disp_mm, then) - reversal.tip_mm) / reversal.reach_mm;
+    bool const before = then < reversal.at;
+    rows.push_back(row_of(distance, before));
+    values.push_back(view.force_kN[i] - (before ? reversal.friction_kN : -reversal.friction_kN));
+  }
+  return residual(rows, values) / static_cast<double>(values.size());
+}
+
+struct Shift {
+  double samples = 0.0;
+  double left = 0.0;  // rms residual over the force's amplitude
+};
+
+// The shift of least residual. nullopt if that is at the edge of the search, or the fit is poor.
+std::optional<Shift> best_shift(double window, Reversal const& reversal, CycleView const& view,
+                                double force_amplitude) {
+  double const farthest = farthest_shift * reversal.cycle;
+  double const step = 2.0 * farthest / (shifts - 1);
+  double const room = window * reversal.cycle + farthest + 2.0;
+  if (reversal.at < room || reversal.at + room > static_cast<double>(view.disp_mm.size() - 1)) return std::nullopt;
+  if (2.0 * window * reversal.cycle < static_cast<double>(least_in_window)) return std::nullopt;
+  std::array<double, shifts> left{};
+  for (int k = 0; k < shifts; ++k)
+    left[static_cast<std::size_t>(k)] = left_at(-farthest + k * step, window, reversal, view);
+  auto const best = static_cast<std::size_t>(std::ranges::min_element(left) - left.begin());
+  if (best == 0 || best + 1 == shifts) return std::nullopt;
+  double const least = std::sqrt(left[best]) / force_amplitude;
+  if (!(least <= poor_fit)) return std::nullopt;
+  double const curvature = left[best - 1] - 2.0 * left[best] + left[best + 1];
+  double const offset = curvature > 0.0 ? (left[best - 1] - left[best + 1]) / (2.0 * curvature) : 0.0;
+  return Shift{.samples = -farthest + (static_cast<double>(best) + offset) * step, .left = least};
+}
+
+bool is_held(std::span<double const> x, double at, double tip, Cycle const& cycle, double noise) {
+  constexpr double longer = 1.5;
+  double const width = std::max(hold_band * cycle.amplitude_mm, noise_band * noise);
+  auto const below = [&](std::ptrdiff_t i) { return std::abs(x[static_cast<std::size_t>(i)] - tip); };
+  auto const stays = [&](std::ptrdiff_t step) {
+    auto const size = static_cast<std::ptrdiff_t>(x.size());
+    auto const start = static_cast<std::ptrdiff_t>(std::lround(at));
+    auto i = start;
+    while (i >= 0 && i < size && below(i) <= width) i += step;
+    if (i < 0 || i >= size || i == start) return static_cast<double>(std::abs(i - start));
+    double const inner = below(i - step), outer = below(i);
+    return static_cast<double>(std::abs(i - start)) - (outer - width) / (outer - inner);
+  };
+  double const share = std::acos(std::max(-1.0, 1.0 - width / cycle.amplitude_mm)) / std::numbers::pi;
+  double const lingers = share * (cycle.last - cycle.first);
+  return stays(-1) + stays(1) > longer * lingers + 1.0;  // one sample more, since samples rarely lie on the tip
+}
+
+std::vector<Cycle const*> chosen_cycles(Properties const& properties) {
+  std::vector<Cycle const*> all;  // only cycles without holds, because force relaxes in a hold
+  for (auto const* cycle : properties.counted())
+    if (cycle->still_samples == 0.0) all.push_back(cycle);
+  std::vector<Cycle const*> chosen;
+  auto const step = (all.size() + most_cycles - 1) / most_cycles;
+  for (std::size_t k = 0; k < all.size(); k += std::max<std::size_t>(1, step)) chosen.push_back(all[k]);
+  return chosen;
+}
+
+double samples_of(Cycle const* cycle) {
+  return cycle->last - cycle->first;
+}
+
+// Replaces each sample by the least-squares parabola through its neighbours. Leaves both ends as they are.
+std::vector<double> smoothed(std::span<double const> x, std::size_t half) {
+  std::vector<double> smooth(x.begin(), x.end());
+  auto const h = static_cast<double>(half);
+  double const count = 2.0 * h + 1.0;
+  double const second = h * (h + 1.0) * count / 3.0;                   // sum of k^2
+  double const fourth = second * (3.0 * h * h + 3.0 * h - 1.0) / 5.0;  // sum of k^4
+  double const scale = count * fourth - second * second;
+  for (std::size_t i = half; i + half < x.size(); ++i) {
+    double sum = 0.0, squares = 0.0;
+    for (std::size_t j = 0; j <= 2 * half; ++j) {
+      double const k = static_cast<double>(j) - h;
+      sum += x[i - half + j];
+      squares += k * k * x[i - half + j];
+    }
+    smooth[i] = (fourth * sum - second * squares) / scale;
+  }
+  return smooth;
+}
+struct Sample {
+  double phase = 0.0;              // rad
+  double late = 0.0;               // in s, or in samples without time
+  double left = 0.0, noise = 0.0;  // rms over the force's amplitude
+  double samples = 0.0;            // number of samples in the window
+};
+
+std::optional<Skew> skew_of(std::vector<Sample> const& samples, double least_uncertainty) {
+  if (static_cast<int>(samples.size()) < least_reversals) return std::nullopt;
+  auto const count = static_cast<double>(samples.size());
+  Skew found;
+  found.force_late = num::median_over(samples, &Sample::late);
+  found.phase = num::median_over(samples, &Sample::phase);
+  found.reversals = static_cast<int>(samples.size());
+  auto const agrees = [&](Sample const& each) { return each.late / found.force_late >= 0.5; };
+  found.agreement = static_cast<double>(std::ranges::count_if(samples, agrees)) / count;
+  double squares = 0.0;
+  for (auto const& each : samples) squares += (each.late - found.force_late) * (each.late - found.force_late);
+  found.uncertainty = std::max(2.0 * std::sqrt(squares / (count - 1.0) / count), least_uncertainty);
+  double excess = 0.0, chance = 0.0;
+  for (auto const& each : samples) {
+    excess += (each.left * each.left - each.noise * each.noise) / count;
+    chance += 2.0 * std::pow(each.noise, 4.0) / each.samples / count / count;
+  }
+  found.is_followed = excess < good_fit * good_fit + 2.0 * std::sqrt(chance);
+  return found;
+}
+
+}  // namespace
+
+bool held_at_extreme(std::span<double const> disp_mm, Cycle const& cycle, bool upper, double noise_mm) {
+  auto const peaks = peak_positions(disp_mm, cycle.first, cycle.last);
+  return is_held(disp_mm, upper ? peaks.largest : peaks.smallest, upper ? cycle.d_plus_mm : cycle.d_minus_mm, cycle,
+                 noise_mm);
+}
+
+bool Skew::significant() const {
+  // Student's t, because a few reversals give a poor estimate of their scatter.
+  boost::math::students_t const chance(std::max(1, reversals - 1));
+  double const errors = std::max(standard_errors, boost::math::quantile(boost::math::complement(chance, by_chance)));
+  return std::abs(force_late) > errors / 2.0 * uncertainty && agreement >= most_agree &&
+         (phase > (is_followed ? least_late : least_late_by_shape) || phase < -least_early);
+}
+
+std::optional<Skew> estimate_skew(CycleView const& of, Properties const& properties, double friction_kN) {
+  auto const cycles = chosen_cycles(properties);
+  if (cycles.empty()) return std::nullopt;
+  auto const amplitude = std::ranges::min(cycles, {}, &Cycle::amplitude_mm)->amplitude_mm;
+  double const noise = noise_deviation(of.disp_mm), force_noise = noise_deviation(of.force_kN);
+  if (noise > too_noisy * amplitude) return std::nullopt;
+  CycleView view = of;
+  std::vector<double> smooth;
+  double left_of_noise = noise;
+  if (noise > quiet * amplitude) {
+    auto const* shortest = std::ranges::min(cycles, {}, samples_of);
+    auto const half =
+        std::clamp<std::size_t>(static_cast<std::size_t>(smoothed_over * samples_of(shortest)), 2, most_smoothed);
+    smooth = smoothed(of.disp_mm, half);
+    view.disp_mm = smooth;
+    left_of_noise *= 1.5 / std::sqrt(2.0 * static_cast<double>(half) + 1.0);  // 9 / (4 (2 h + 1)) of the variance
+  }
+  std::vector<Sample> of_wide, of_narrow;
+  for (auto const* cycle : cycles) {
+    auto const peaks = peak_positions(view.disp_mm, cycle->first, cycle->last);
+    double const length = samples_of(cycle);
+    double const force_amplitude = std::abs(cycle->F_plus_kN - cycle->F_minus_kN) / 2.0;
+    for (bool const upper : {true, false}) {
+      double const at = upper ? peaks.largest : peaks.smallest;
+      double const raw_tip = upper ? cycle->d_plus_mm : cycle->d_minus_mm;
+      Reversal const reversal{.at = at,
+                              .cycle = length,
+                              .tip_mm = smooth.empty() ? raw_tip : value_at(smooth, at),
+                              .reach_mm = 0.15 * cycle->amplitude_mm,
+                              .friction_kN = upper ? friction_kN : -friction_kN};
+      // Leaves out holds. A hold that noise hides shows in the smoothed displacement, in which little noise is left.
+      if (held_at_extreme(of.disp_mm, *cycle, upper, noise) ||
+          is_held(view.disp_mm, at, reversal.tip_mm, *cycle, left_of_noise))
+        continue;
+      auto const add = [&](double window, std::vector<Sample>& to) {
+        auto const shift = best_shift(window, reversal, view, force_amplitude);
+        if (!shift) return;
+        double const interval =
+            view.time_s.empty()
+                ? 1.0
+                : (value_at(view.time_s, reversal.at + 1.0) - value_at(view.time_s, reversal.at - 1.0)) / 2.0;
+        to.push_back({.phase = 2.0 * std::numbers::pi * shift->samples / length,
+                      .late = shift->samples * interval,
+                      .left = shift->left,
+                      .noise = force_noise / force_amplitude,
+                      .samples = 2.0 * window * length});
+      };
+      add(wide, of_wide);
+      if (noise < quiet / 4.0 * amplitude) add(narrow, of_narrow);
+    }
+  }
+  double const sampling =
+      view.time_s.empty() ? 1.0
+                          : (view.time_s.back() - view.time_s.front()) / static_cast<double>(view.time_s.size() - 1);
+  // Friction changes its sign between two samples, which makes half an interval uncertain.
+  double const least = (friction_kN != 0.0 ? 0.5 : 0.1) * sampling;
+  auto const found = skew_of(of_wide, least);
+  auto const near = skew_of(of_narrow, least);
+  // The shape of the loop disturbs only the fit in the wide window. Noise disturbs the narrow window more.
+  if (!near || !found) return near ? near : found;
+  double const apart = std::abs(near->phase - found->phase);
+  double const unsure = std::abs(near->uncertainty * near->phase / near->force_late);
+  return !found->is_followed && apart > std::max(most_apart, unsure) ? near : found;
+}
+
+}  // namespace isolaw::data

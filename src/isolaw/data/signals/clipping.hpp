@@ -1,0 +1,14 @@
+// Finds channels that an amplifier or converter cuts off at its limit. Such a channel keeps one level while the other
+// channel goes on. The level is exact, or noisy if noise enters behind the limit.
+#pragma once
+
+#include <vector>
+
+#include "isolaw/data/signals/signal_faults.hpp"
+#include "isolaw/data/signals/signal_pair.hpp"
+
+namespace isolaw::data {
+
+std::vector<SignalFault> clipped_channels(SignalPair const& pair);
+
+}  // namespace isolaw::data

@@ -1,0 +1,23 @@
+// Finds dropouts: stretches of one value that begin and end with a jump while the other channel moves.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "isolaw/data/signals/signal_pair.hpp"
+
+namespace isolaw::data {
+
+struct Dropout {
+  SampleRange samples;
+  double level = 0.0;                // the value during the dropout
+  double before = 0.0, after = 0.0;  // the values just before and after the dropout
+};
+
+// The other channel's state during a dropout. A device's force may vanish at rest, so for a force use `moves`.
+enum class Other { moves, may_stand };
+// docs/properties.md has the limits, and the rates of missed and false dropouts.
+std::vector<Dropout> dropouts(std::span<double const> values, std::span<double const> other, Other does);
+std::vector<double> bridged(std::span<double const> values, std::vector<Dropout> const& gone);
+
+}  // namespace isolaw::data

@@ -1,0 +1,174 @@
+#include "isolaw/data/signals/signal_faults.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string>
+#include <utility>
+
+#include "isolaw/data/signals/clipping.hpp"
+#include "isolaw/data/signals/signal_pair.hpp"
+#include "isolaw/data/signals/spikes.hpp"
+#include "isolaw/data/signals/sticking.hpp"
+
+namespace isolaw::data {
+namespace {
+
+constexpr double one_signed = 0.02;  // fraction of the range; without its sign a channel hardly crosses zero
+constexpr double clear_force = 0.3;  // fraction of the largest force; a smaller force has no clear sign
+
+SignalFault without_sign(std::string channel, std::string_view unit, std::vector<std::size_t> samples,
+                         SignalPair const& pair) {
+  auto finding = finding_at(FindingKind::signal_without_sign, channel, unit, samples, pair.time);
+  return {.kind = FaultKind::rectified,
+          .channel = std::move(channel),
+          .samples = std::move(samples),
+          .finding = std::move(finding)};
+}
+
+// Finds a channel that lost its sign: displacement if all its peaks are on one side of zero while the force at them has
+// both signs; force if it has one sign at peaks of displacement on both sides.
+std::vector<SignalFault> rectified_channels(SignalPair const& pair) {
+  auto const& turns = pair.turns;
+  if (turns.size() < 4) return {};
+  auto const [least, largest] = std::ranges::minmax(pair.disp.x);
+  auto const [least_F, largest_F] = std::ranges::minmax(pair.force.x);
+  double const size_F = std::max(std::abs(least_F), std::abs(largest_F));
+  double const margin = one_signed * (largest - least);
+  bool const positive = least >= -margin, negative = largest <= margin;
+  std::vector<std::size_t> const inner(turns.begin() + 1, turns.end() - 1);
+  std::vector<std::size_t> peaks;
+  std::size_t pushed = 0, pulled = 0, alike = 0;
+  for (std::size_t k = 1; k + 1 < turns.size(); ++k) {
+    auto const i = turns[k];
+    bool const is_high = pair.disp.x[i] > pair.disp.x[turns[k - 1]];
+    auto const before = std::min(i, std::max<std::size_t>(2, pair.half_cycle / 12));  // before the force jumps
+    double const F = pair.force.x[i - before];
+    if (std::abs(F) > clear_force * size_F && F * (largest_F + least_F) > 0.0) ++alike;
+    if (is_high == negative) continue;
+    peaks.push_back(i);
+    if (F > clear_force * size_F) ++pushed;
+    if (F < -clear_force * size_F) ++pulled;
+  }
+  if ((positive || negative) && std::min(pushed, pulled) * 4 >= peaks.size() && std::min(pushed, pulled) > 0)
+    return {without_sign("displacement", "mm", peaks, pair)};
+  bool const one_sign_F = std::min(std::abs(least_F), std::abs(largest_F)) <= one_signed * (largest_F - least_F);
+  if (one_sign_F && !positive && !negative && alike == inner.size() && largest * -least > 0.0 &&
+      std::min(largest, -least) > 0.5 * pair.disp.half_range)
+    return {without_sign("force", "kN", inner, pair)};
+  return {};
+}
+
+}  // namespace
+
+std::string_view said_of(FaultKind kind) {
+  constexpr std::string_view names[]{"clipped", "stuck", "disturbed by spikes", "without its sign", "interrupted"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+Finding finding_at(FindingKind kind, std::string const& channel, std::string_view unit,
+                   std::span<std::size_t const> samples, std::span<double const> time_s) {
+  constexpr std::size_t most = 5;
+  Finding finding{.kind = kind,
+                  .numbers = {{"count", static_cast<double>(samples.size())}},
+                  .words = {{"channel", channel}, {"unit", std::string(unit)}}};
+  for (std::size_t k = 0; k < std::min(most, samples.size()); ++k) {
+    auto const which = k == 0 ? std::string() : fmt::format("_{}", k + 1);
+    finding.numbers.push_back({"sample" + which, static_cast<double>(samples[k] + 1)});
+    if (!time_s.empty()) finding.numbers.push_back({"time_s" + which, time_s[samples[k]]});
+  }
+  return finding;
+}
+
+std::string sample_text(std::span<std::size_t const> samples, std::span<double const> time_s) {
+  constexpr std::size_t most = 5;
+  auto const one = [&](std::size_t i) {
+    return time_s.empty() ? fmt::format("{}", i + 1) : fmt::format("{} ({:.6g} s)", i + 1, time_s[i]);
+  };
+  std::string text = samples.size() == 1 ? "sample " : "samples ";
+  auto const shown = std::min(most, samples.size());
+  for (std::size_t k = 0; k < shown; ++k)
+    text += (k == 0 ? "" : k + 1 == samples.size() ? " and " : ", ") + one(samples[k]);
+  if (samples.size() > shown) text += fmt::format(" and {} more", samples.size() - shown);
+  return text;
+}
+
+SignalFault standing_fault(FaultKind kind, std::string const& channel, std::string_view unit,
+                           std::vector<std::size_t> samples, std::span<double const> time_s, double level,
+                           std::size_t longest) {
+  auto finding = finding_at(kind == FaultKind::clipped ? FindingKind::signal_clipped : FindingKind::signal_stuck,
+                            channel, unit, samples, time_s);
+  finding.numbers.push_back({fmt::format("level_{}", unit), level});
+  finding.numbers.push_back({"longest_samples", static_cast<double>(longest)});
+  return {.kind = kind, .channel = channel, .samples = std::move(samples), .finding = std::move(finding)};
+}
+
+std::vector<SignalFault> spike_faults(std::string const& channel, std::string_view unit, std::vector<Spike> const& off,
+                                      std::span<double const> time_s) {
+  if (off.empty()) return {};
+  std::vector<std::size_t> samples;
+  auto const* largest = &off.front();
+  for (auto const& spike : off) {
+    samples.push_back(spike.at);
+    if (std::abs(spike.value - spike.expected) > std::abs(largest->value - largest->expected)) largest = &spike;
+  }
+  auto finding = finding_at(FindingKind::signal_spike, channel, unit, samples, time_s);
+  finding.numbers.push_back({fmt::format("value_{}", unit), largest->value});
+  finding.numbers.push_back({fmt::format("expected_{}", unit), largest->expected});
+  return {{.kind = FaultKind::spike, .channel = channel, .samples = std::move(samples), .finding = std::move(finding)}};
+}
+
+std::vector<SignalFault> dropout_faults(std::string const& channel, std::string_view unit,
+                                        std::vector<Dropout> const& gone, std::span<double const> time_s) {
+  if (gone.empty()) return {};
+  std::vector<std::size_t> samples;
+  auto const* longest = &gone.front();
+  for (auto const& one : gone) {
+    samples.push_back(one.samples.first);
+    if (one.samples.size() > longest->samples.size()) longest = &one;
+  }
+  auto finding = finding_at(FindingKind::signal_interrupted, channel, unit, samples, time_s);
+  finding.numbers.push_back({fmt::format("level_{}", unit), longest->level});
+  finding.numbers.push_back({"longest_samples", static_cast<double>(longest->samples.size())});
+  finding.numbers.push_back({fmt::format("before_{}", unit), longest->before});
+  finding.numbers.push_back({fmt::format("after_{}", unit), longest->after});
+  return {
+      {.kind = FaultKind::dropout, .channel = channel, .samples = std::move(samples), .finding = std::move(finding)}};
+}
+
+std::vector<SignalFault> signal_faults(std::span<double const> disp_mm, std::span<double const> force_kN,
+                                       std::span<double const> time_s) {
+  std::size_t constexpr fewest = 16;
+  if (disp_mm.size() < fewest) return {};
+  auto const gone_disp = dropouts(disp_mm, force_kN, Other::may_stand),
+             gone_force = dropouts(force_kN, disp_mm, Other::moves);
+  auto const whole_disp = bridged(disp_mm, gone_disp), whole_force = bridged(force_kN, gone_force);
+  disp_mm = whole_disp;
+  force_kN = whole_force;
+  auto const of_disp = spikes(disp_mm);
+  auto const of_force = spikes(force_kN);
+  SignalPair const pair(disp_mm, force_kN, time_s, of_disp, of_force);
+  if (!pair.moves()) return {};
+  std::vector<SignalFault> found;
+  auto const add = [&](std::vector<SignalFault> more) {
+    found.insert(found.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  };
+  auto const is_clipped = [&](std::string_view channel) {
+    return std::ranges::any_of(
+        found, [&](SignalFault const& fault) { return fault.channel == channel && fault.kind == FaultKind::clipped; });
+  };
+  add(rectified_channels(pair));
+  add(clipped_channels(pair));
+  add(stuck_channels(pair, is_clipped("displacement"), is_clipped("force")));
+  add(dropout_faults("displacement", "mm", gone_disp, time_s));
+  add(dropout_faults("force", "kN", gone_force, time_s));
+  add(spike_faults("displacement", "mm", of_disp, time_s));
+  auto single = of_force;
+  std::erase_if(single, [&](Spike const& spike) { return is_of_every_turn(spike, of_force, force_kN, pair.turns); });
+  add(spike_faults("force", "kN", single, time_s));
+  return found;
+}
+
+}  // namespace isolaw::data

@@ -1,0 +1,1 @@
+#include "isolaw/data/signals/spikes.hpp"  // direction.cmake must refuse this: cycles must not include the signals
