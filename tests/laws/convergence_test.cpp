@@ -17,8 +17,8 @@ namespace {
 
 using laws::Integration;
 
-// The largest error of the force, divided by the peak force. The reference takes 128 steps per sample with the same
-// integration.
+// The largest error of the force, divided by the peak force. The reference force is computed by the same integration
+// with 128 steps per sample.
 template <class Law>
 double error_at(Values<Law> const& values, Motion const& motion, int refinement, Integration integration) {
   auto const reference = forces<Law>(values, motion, 128, integration);
@@ -26,7 +26,7 @@ double error_at(Values<Law> const& values, Motion const& motion, int refinement,
          largest_magnitude(reference);
 }
 
-// The observed order of convergence: log2 of the ratio of the errors with single and with doubled refinement.
+// The observed order of convergence: log2 of the error with `refinement` steps per sample over that with twice as many.
 template <class Law>
 double order_at(Values<Law> const& values, Motion const& motion, int refinement, Integration integration) {
   return std::log2(error_at<Law>(values, motion, refinement, integration) /
@@ -91,7 +91,8 @@ TEST(Order, ConvergedStepOfAbeIsFourth) {
     return forces<laws::Abe>(smooth_abe<laws::Abe>(), motion).back();
   };
   double const reference = last_force(512);
-  // With fewer steps abe would divide each into pieces. With more steps the error of the tabulated flow dominates.
+  // With fewer than 16 steps abe would divide each step into pieces, which hides the order. With more than 18 the error
+  // of the tabulated flow dominates.
   for (int const steps : {16, 17, 18}) {
     double const order =
         std::log2(std::abs(last_force(steps) - reference) / std::abs(last_force(2 * steps) - reference));
@@ -136,10 +137,10 @@ TYPED_TEST(Convergence, TheSamplingOfALaboratoryIsEnough) {
   }
 }
 
-// The integrations `converged` and `paper` share only parts of the right-hand side. The reference is `paper`,
-// Runge-Kutta with 200 steps per sample. Where the slope jumps (F2 = 0, small n), the reference itself errs by up to
-// 1e-4 of the peak force. The converged integration of abe, with one step per sample, errs by 4e-4 on this path, which
-// reverses at almost every sample.
+// The integrations `converged` and `paper` share only parts of the right-hand side, so each checks the other. The
+// reference is `paper`, which takes Runge-Kutta steps, here 200 per sample. Where the slope of the force jumps (F2 = 0,
+// small n), the reference itself errs by up to 1e-4 of the peak force. The converged integration of abe, with one step
+// per sample, errs by 4e-4 on this path, which reverses at almost every sample.
 TYPED_TEST(Convergence, FineRungeKuttaAgreesWithTheConvergedIntegration) {
   for (std::size_t number = 0; number < table_a5::devices; ++number) {
     auto const values = device<TypeParam>(number);

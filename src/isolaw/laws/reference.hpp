@@ -1,4 +1,4 @@
-// The displacement at which laws state forces that follow a power of the amplitude.
+// Laws whose force follows a power of the amplitude state it at this amplitude.
 #pragma once
 
 #include "isolaw/laws/law.hpp"

@@ -7,13 +7,13 @@
 // polynomial gives |u|: no table to search, no gather, no power per sample, no step size, no stability limit.
 // A suitable variable keeps the polynomial short. With E = exp(-rate |t|) and x = (1 - E) / (1 + bend E):
 //   - u is analytic in exp(-n t) at saturation, so rate = n there, and n |kappa|^(1/n) where unloading comes to rest;
-//     it is negative where unloading speeds up;
+//     rate is negative where unloading speeds up;
 //   - bend = 2^(n-1) - 1 removes the pole that u has beyond saturation for n > 1 (exactly for n = 2, u = tanh t);
 //   - at 0, where u = t - t^(n+1) / (n + 1) ..., u is 5 (1 + n) times differentiable in v = x^(1/5).
-// So |u| = x G(v), and conversely x = |u| H(|u|^(1/5)), with G and H of degree 16. The fit happens once per candidate:
-// the travel to 17 fixed places comes from quadrature, with the pole of 1 / (1 - |u|^n) removed in closed form; H from
-// interpolation; G from its values at 17 fixed v, which Newton's method finds on H. All of this is arithmetic with
-// fixed matrices, the same for all candidates.
+// So |u| = x G(v), and conversely x = |u| H(|u|^(1/5)), with G and H of degree 16. The fit happens once per candidate.
+// Quadrature gives the travel to 17 fixed places, with the pole of 1 / (1 - |u|^n) removed in closed form. H is their
+// interpolation, and G interpolates values at 17 fixed v, which Newton's method finds on H. All of this is arithmetic
+// with fixed matrices, the same for all candidates.
 // Largest error in u over n in [0.01, 3], kappa in (-1, 3]: 1e-7 (abe with n < 0.1: 3e-7). For n > 2 with kappa > 1 it
 // grows to 2e-5, and near kappa = -1 the equation magnifies it by up to 1 / (1 + kappa) (tests/verification).
 // Elsewhere, and for abe beyond |u| = 3, a lane uses the table of tabulated_flow.hpp, with an error of 1e-5. Rejected:
@@ -42,25 +42,25 @@ struct Nodes {  // numbers of the fit that are the same for all candidates, comp
   Values fifth;  // place^5
   Values log2_fifth;
   Values inverse_place;
-  std::array<Values, terms> mean;  // from values at the places to the mean over 0 to |u| at each place
-  // From values at the places to coefficients of the Chebyshev polynomials T_k(y), y = 2 place - 1, and from these to
-  // coefficients of y^k. One matrix for both would lose six digits more.
+  std::array<Values, terms> mean;  // turns values at the places into means over 0 to |u|, for each place
+  // `chebyshev` turns values at the places into coefficients of the Chebyshev polynomials T_k(y), y = 2 place - 1;
+  // `power` turns those into coefficients of y^k. One matrix for both would lose six digits more.
   std::array<Values, terms> chebyshev, power;
-  // The same matrix for a rough polynomial through a few of the places, and its T_k at all places. The fit subtracts
-  // the rough polynomial first, so that it loses less to rounding.
+  // For a rough polynomial through a few of the places: its matrix `chebyshev`, and T_k at all places. The fit
+  // subtracts the rough polynomial first, so that it loses less to rounding.
   static constexpr std::array<std::size_t, 7> few{0, 2, 5, 8, 11, 14, 16};
   std::array<std::array<double, few.size()>, few.size()> chebyshev_of_few;
   std::array<std::array<double, few.size()>, terms> at_places;
-  std::array<std::array<double, guesses>, terms> guess;  // weights to extrapolate from the places above and 1
+  std::array<std::array<double, guesses>, terms> guess;  // weights to guess a place from those above it and 1
 
   static Nodes const& get();
 };
 
-// Within these ranges a lane uses the polynomials, beyond them the table.
+// Within these ranges of n and kappa a lane uses the polynomials, beyond them the table.
 inline constexpr double least_n = 0.01, largest_kappa = 3.0;
 inline constexpr double sharp_n = 1.5;  // above it the curve bends so sharply that G needs another Newton pass
 inline constexpr double least_rest = 0.05, least_rate = 0.05;
-inline constexpr double saturated = 1e-13;  // no time is computed from a smaller E
+inline constexpr double saturated = 1e-13;  // E counts as at least this where it gives a time
 
 }  // namespace flow_parts
 
@@ -87,7 +87,7 @@ class SaturatingFlow {
     return value;
   }
 
-  // u after the given travel, also from beyond saturation, and du/dt before and after; `ratio` is valid even for 0 / 0.
+  // u after the given travel, also from u > 1; du/dt before and after, and their ratio, valid even for 0 / 0.
   struct Advance {
     T u, rate0, rate1, ratio;
   };
@@ -153,7 +153,7 @@ class SaturatingFlow {
 
   Side rising_, unloading_;
   T n_;
-  T first_time_, first_rate_;  // time and rate of unloading at u = -1; before that the rate is constant
+  T first_time_, first_rate_;  // time from u = -1 to 0, and rate at u = -1, which also holds below -1
   T outside_;                  // 1 in lanes that need the table
   bool bends_ = false;
   mutable bool tabulated_ = false;

@@ -38,7 +38,7 @@ struct Nodes {
   std::array<Cell, Count - 1> cells{};
 };
 
-inline constexpr double spacing = 1.0 / 3.0;    // between values of w, in all gradings
+inline constexpr double spacing = 1.0 / 3.0;    // of the nodes, equal in w in all gradings
 inline constexpr double smallest_w = -12.0;     // |u| = 6e-6: between -6e-6 and 6e-6 the curve is a straight line
 inline constexpr double largest_w = 16.0;       // |1 - u| = 1e-7: closer to saturation u no longer changes
 inline constexpr double unloading_w = 14.0;     // |1 + u| = 8e-7: where unloading starts within saturation
