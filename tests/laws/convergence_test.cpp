@@ -33,8 +33,9 @@ double order_at(Values<Law> const& values, Motion const& motion, int refinement,
                    error_at<Law>(values, motion, 2 * refinement, integration));
 }
 
-// Along one loading branch the law is z = 10 (1 - e^(-x/10)), which is smooth, so classical Runge-Kutta must show
-// fourth order. All errors are above 1e-11 of the peak force, so rounding does not disturb the ratio.
+// With these parameters bouc-wen has z = 10 (1 - e^(-x/10)) along one loading branch. This is smooth, so classical
+// Runge-Kutta must show fourth order. All errors are above 1e-11 of the peak force, so rounding does not disturb the
+// ratio.
 TEST(Order, PaperStepOfBoucWenIsFourth) {
   auto const values =
       named<laws::BoucWen>({{"alpha", 0.2}, {"Ke", 3.0}, {"A", 1.0}, {"beta", 0.06}, {"n", 1.0}, {"gamma", 0.04}});
@@ -100,8 +101,8 @@ TEST(Order, ConvergedStepOfAbeIsFourth) {
   }
 }
 
-// The law is smooth in displacement, and the velocity varies linearly along the path. With 100 samples a cycle the
-// steps are short enough for the terms exp(a9 W) and exp(a10 W), W the work, to converge with their order.
+// hwang-wu is smooth in displacement, and the velocity varies linearly along the path. With 100 samples a cycle the
+// steps are short enough for the terms exp(a9 W) and exp(a10 W), W the work, to show fourth order.
 TEST(Order, HwangWuIsFourth) {
   auto values = published_means<laws::HwangWu>(3);
   values[index_of<laws::HwangWu>("a9")] = -5e-6;  // in 1/(N cm); the exponent a9 W reaches order one

@@ -241,7 +241,8 @@ TEST_P(Faults, HugeDisplacements) {
   }
 }
 
-// No sensor reports such displacements. A force or an infinite objective must result, not undefined behaviour.
+// No sensor reports a displacement that is NaN, infinite or near the largest double. A law must answer such a record
+// with a force or an infinite objective, not with undefined behaviour.
 TEST_P(Faults, DisplacementsThatAreNotFinite) {
   for (double const value : {nan, infinity, -infinity, 1.5e308}) {
     auto record = published_record();

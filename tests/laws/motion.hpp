@@ -21,7 +21,7 @@ struct Motion {
   std::size_t size() const { return disp_mm.size(); }
 };
 
-// x = A sin(2 pi f t) from rest at x = 0, with its exact velocity.
+// x = A sin(2 pi f t), which starts at x = 0, with its exact velocity.
 inline Motion sine(double amplitude_mm, double frequency_Hz, int cycles, int samples_per_cycle) {
   Motion motion;
   double const omega = 2.0 * std::numbers::pi * frequency_Hz;

@@ -95,7 +95,7 @@ struct Loops {
     half_elastic = N(0.5) * (now.force - strength);
     exponent = now.exponent;
     N const wanted = N(1.0) - N(1.57079632679489661923) * now.damping / now.share;
-    // max returns its first argument if one is NaN, so a NaN in c.least_area stays. A NaN in `wanted` stays in b.
+    // max returns its first argument if one is NaN, so a NaN in c.least_area stays. b below keeps a NaN in `wanted`.
     N const area = max(N(c.least_area), wanted);
     // Newton's method for area a - 1 + exp(-2a) = 0, which is convex; five steps from 1/area suffice for any area <= 1.
     N root = N(1.0) / area;

@@ -138,7 +138,7 @@ struct Traits {
   bool exact_flow = false;  // follows the curve of saturating_flow.hpp; its online form uses a table of that curve
 };
 
-// All but `further` are computed by default. paper: the laws of Cucuzza et al. 2025. further: only if the user asks.
+// paper: a law of Cucuzza et al. 2025. These and the usual laws are computed by default, the further ones on request.
 enum class LawSet { paper, usual, further };
 
 struct LawInfo {
@@ -152,7 +152,7 @@ struct LawInfo {
   std::string_view note = "";  // how the source was read where it is incomplete, what the law was made for
   LawSet set = LawSet::further;
   // Time of one step of one candidate [0.01 ns], once measured by `isolaw bench` with 512-bit lanes. Runs are ordered
-  // by this number instead of a clock (campaign/part_assignment.hpp), so it may stay when the law's code changes.
+  // by this number instead of a clock (campaign/part_assignment.hpp), so it may stay as it is when the law changes.
   unsigned step_cost = 500;
 };
 
@@ -187,7 +187,7 @@ struct Memory {
   double peak0, peak;  // largest |x| before and after the step
   double inside;       // the part of the step's length with |x| below peak0
   double side_peak;    // largest |x| on the side of x after the step; N, G and C below belong to this side too
-  double virgin;       // (1 + N)^(-1/3), N: travel relative to the side's peak, forgotten as that peak grows
+  double virgin;       // (1 + N)^(-1/3), N: travel relative to the side's peak, fading as that peak grows
   double log2_worn;    // log2(1 + NT), NT the travel of both sides relative to the largest |x|
   double pushed;       // growth of the largest |x| at x > 0 minus its growth at x < 0
   double log2_softening, log2_way_back;  // G: half the travel outwards and four times the travel back; C: travel back
@@ -216,8 +216,7 @@ Path make_path_with_turning_points(std::span<double const> x, std::span<double c
                                    int refinement = 1, bool with_memory = true);
 
 void remember(Path& path);  // fills in path.memory and path.deepest
-// The motion without movements of less than `dead_band` (in the unit of x) to either side: after a turn of x the result
-// rests while x moves two bands, and catches up while x moves another four. Otherwise it equals x.
+// Takes movements within `dead_band` [unit of x] out of x (memory/followed.hpp).
 std::vector<double> followed(std::span<double const> x, double dead_band);
 
 template <class Law, class T>
@@ -234,8 +233,7 @@ inline constexpr auto members = [] {
   return pointers;
 }();
 
-// Operations of a step in a record, whose motion has no slopes. online/numbers.hpp has those of a trial and explains
-// them.
+// Operations of a step in a record, whose motion has no slopes. online/numbers.hpp explains those of a trial.
 inline bool moves(Step const& step) {
   return step.length > 0.0;
 }

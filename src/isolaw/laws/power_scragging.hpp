@@ -101,7 +101,7 @@ struct PowerScragging {
     using N = NumberOf<T, X>;
     T const a = T(1.0) - p.h, lengths = T(reference_mm) / p.U;
     N const after = power(N(peak / reference_mm), a);
-    // From 0 with h >= 1 the integral has no bound; 1e3 lengths make the memory forget everything before.
+    // From peak 0 with h >= 1 the integral has no bound. 1e3 lengths make the memory forget everything before.
     if (!(peak0 > 0.0)) return select(a > T(0.0), lengths * after / max(a, T(1e-300)), N(1e3));
     X const ratio = log(peak / peak0);
     N const before = power(N(peak0 / reference_mm), a), small = a * N(ratio);

@@ -1,4 +1,4 @@
-// Laws whose force follows a power of the amplitude state it at this amplitude.
+// The amplitude at which laws state a force that follows a power of the amplitude.
 #pragma once
 
 #include "isolaw/laws/law.hpp"

@@ -11,15 +11,15 @@
 //   - bend = 2^(n-1) - 1 removes the pole that u has beyond saturation for n > 1 (exactly for n = 2, u = tanh t);
 //   - at 0, where u = t - t^(n+1) / (n + 1) ..., u is 5 (1 + n) times differentiable in v = x^(1/5).
 // So |u| = x G(v), and conversely x = |u| H(|u|^(1/5)), with G and H of degree 16. The fit happens once per candidate.
-// Quadrature gives the travel to 17 fixed places, with the pole of 1 / (1 - |u|^n) removed in closed form. H is their
-// interpolation, and G interpolates values at 17 fixed v, which Newton's method finds on H. All of this is arithmetic
-// with fixed matrices, the same for all candidates.
+// Quadrature gives the travel to 17 fixed places, with the pole of 1 / (1 - |u|^n) removed in closed form. H
+// interpolates this travel, and G its own values at 17 fixed v, which Newton's method finds on H. All of this is
+// arithmetic with fixed matrices, the same for all candidates.
 // Largest error in u over n in [0.01, 3], kappa in (-1, 3]: 1e-7 (abe with n < 0.1: 3e-7). For n > 2 with kappa > 1 it
-// grows to 2e-5, and near kappa = -1 the equation magnifies it by up to 1 / (1 + kappa) (tests/verification).
-// Elsewhere, and for abe beyond |u| = 3, a lane uses the table of tabulated_flow.hpp, with an error of 1e-5. Rejected:
-// that table for all (its gathers made AVX2 as slow as SSE2); coefficients as polynomials of n and kappa (2,400 numbers
-// still leave 1e-6); Runge-Kutta with sub-steps (32 per sample still leave 3.8 % in the objective of abe near its
-// optimum); an exponential step with frozen exponent (first order where n < 1 and u crosses 0).
+// grows to 2e-5, and near kappa = -1 the equation magnifies errors by up to 1 / (1 + kappa) (tests/verification).
+// Elsewhere, and for abe beyond |u| = 3, a lane uses the table of tabulated_flow.hpp, with an error of 1e-5.
+// Rejected: the table for all lanes (its gathers made AVX2 as slow as SSE2); coefficients as polynomials of n and kappa
+// (2,400 numbers still leave 1e-6); Runge-Kutta with sub-steps (32 per sample still leave 3.8 % in the objective of abe
+// near its optimum); an exponential step with frozen exponent (first order where n < 1 and u crosses 0).
 #pragma once
 
 #include <array>
@@ -46,8 +46,8 @@ struct Nodes {  // numbers of the fit that are the same for all candidates, comp
   // `chebyshev` turns values at the places into coefficients of the Chebyshev polynomials T_k(y), y = 2 place - 1;
   // `power` turns those into coefficients of y^k. One matrix for both would lose six digits more.
   std::array<Values, terms> chebyshev, power;
-  // For a rough polynomial through a few of the places: its matrix `chebyshev`, and T_k at all places. The fit
-  // subtracts the rough polynomial first, so that it loses less to rounding.
+  // The matrices of a rough polynomial through a few of the places: its Chebyshev coefficients, and T_k at all places.
+  // The fit subtracts the rough polynomial first, so that it loses less to rounding.
   static constexpr std::array<std::size_t, 7> few{0, 2, 5, 8, 11, 14, 16};
   std::array<std::array<double, few.size()>, few.size()> chebyshev_of_few;
   std::array<std::array<double, few.size()>, terms> at_places;

@@ -1,5 +1,5 @@
-// The number of a motion that is not known ahead. The lines between the marks [export] and [end] are part of every
-// exported file, so they are C++17 and need nothing but the standard library (programs/header_parts.hpp).
+// Dual, the number of a motion that is not known ahead. The lines between [export] and [end] are part of every exported
+// file, so they are C++17 and need nothing but the standard library (programs/header_parts.hpp).
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace isolaw::laws {
 
-// Each operation keeps its one line.
+// The formatter would give each operation several lines.
 // clang-format off
 // [export]
 // A number with its derivatives by the displacement and the velocity of the trial. They give every law its consistent
@@ -82,11 +82,11 @@ template <class Exponent>
 inline void use_secant_near_zero(Dual& power, Dual const& size, Exponent&& exponent) {
   if (size.v < 1e-6) power.by_x = size.by_x * std::pow(1e-6, Dual(exponent()).v - 1.0);
 }
-// `value` with the derivative slope() by x.
+// Returns `value`, with slope() as its derivative by x.
 template <class Slope>
 inline Dual through(Dual const& x, double value, Slope&& slope) { return chain(x, value, slope()); }
 
-// Whether a peak grows. A trial that ends exactly at the peak counts too, for its tangent.
+// Whether a peak grows. A trial that ends exactly at the peak also counts, so that its tangent includes the growth.
 inline bool grows(Dual const& growth) { return growth.v > 0.0 || growth.by_x != 0.0; }
 inline bool unmoved(Dual const& peak) { return peak.v == 0.0; }
 inline bool reaches(Dual const& size, Dual const& peak) { return size.v >= peak.v && size.v > 0.0; }
@@ -103,7 +103,7 @@ struct StepOf<Dual> {
   bool reversal = false;   // the direction differs from the step before
   Dual peak0, peak1;
 };
-// A trial at rest has a tangent too, so every trial counts as a motion.
+// A trial at rest needs a tangent too, so every trial counts as a motion.
 inline bool moves(StepOf<Dual> const&) { return true; }
 inline Dual log2_abs_x1(StepOf<Dual> const& step) { return log2(max(abs(step.x1), smallest_power_base)); }
 

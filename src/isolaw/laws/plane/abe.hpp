@@ -2,9 +2,9 @@
 // Source: Abe, Yoshida and Fujino 2004, part II, for the form F = F1 + F2 + F3 with the largest distance so far in
 // place of the largest displacement:
 //     dF2 = (Yt / Ut) (dx - |F2 / Yt|^(n-1) F2 / Yt |dx|)
-// F1 and F3 act along the vector x, as large as in one direction; Yt = Y0 (1 + |x / Uh|^p) or Y0. Tests in one direction
-// do not show whether a motion also softens F1 at right angles to itself (Softening). Step: sixth order (follow.hpp),
-// in two pieces that meet where the distance begins to exceed the largest one so far.
+// F1 and F3 act along the vector x, as large as in one direction; Yt = Y0 (1 + |x / Uh|^p) or Y0. Tests in one
+// direction do not show whether a motion also softens F1 at right angles to itself (Softening). Step: sixth order
+// (follow.hpp), in two pieces that meet where the distance begins to exceed the largest one so far.
 #pragma once
 
 #include "isolaw/laws/abe.hpp"
@@ -73,8 +73,7 @@ struct AbeOf {
       return T(1.0);
   }
 
-  // Moves f along the step from `begin` to `end`. If `extends`, the peak grows with the distance; otherwise it is
-  // peak0.
+  // Moves f along the step from `begin` to `end`. With `extends` the peak grows with the distance, else it is peak0.
   template <class T>
   static void move(Params<T> const& p, Split<T>& f, Split<T> const& origin, T const& begin, T const& end,
                    T const& peak0, bool extends) {

@@ -18,8 +18,7 @@ struct HistoryIntegralOf {
   template <class T>
   struct State {
     Vector<T> slow{T(0.0), T(0.0)}, quick{T(0.0), T(0.0)};
-    Vector<T> peaks{T(0.0),
-                    T(0.0)};  // the largest displacement along each axis; by_distance: the largest distance in both
+    Vector<T> peaks{T(0.0), T(0.0)};  // by_distance: the largest distance in both; by_axis: largest |x|, |y|
   };
 
   template <class T>
@@ -37,7 +36,7 @@ struct HistoryIntegralOf {
     constexpr bool by_axis = softening == Softening::by_axis;
     Vector<T> const size = by_axis ? Vector<T>{abs(to.x), abs(to.y)} : Vector<T>{norm(to), norm(to)};
     state.peaks = {max(state.peaks.x, size.x), max(state.peaks.y, size.y)};
-    auto const stiffness = [&](T const& peak) {  // 0 at peak 0, where for g < 1 it has no bound
+    auto const stiffness = [&](T const& peak) {  // 0 before any motion, where for g < 1 it has no bound
       return select(peak > T(0.0), p.K / reference * power(peak / reference, p.g - one), T(0.0));
     };
     Vector<T> const elastic{stiffness(state.peaks.x) * to.x, stiffness(state.peaks.y) * to.y};
