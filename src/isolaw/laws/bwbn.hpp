@@ -124,7 +124,7 @@ struct Bwbn {
   template <class T, class X, class N>
   static N step(Params<T> const& p, Constants<T, X> const& c, State<N>& state, StepOf<X> const& step) {
     if (moves(step)) {
-      // An infinite displacement makes `wanted` NaN. std::min then gives the most pieces that a finite one needs.
+      // An infinite displacement makes `wanted` NaN. std::min then gives its first argument, enough for any finite one.
       double const wanted = value_of(pieces_to_the_peak * step.length / step.peak1);
       int const pieces = std::max(1, static_cast<int>(std::ceil(std::min(2.0 * pieces_to_the_peak, wanted))));
       for (int i = 0; i < pieces; ++i) advance(p, c, state, N(step.direction), step.length / pieces);

@@ -210,8 +210,8 @@ struct Path {
 // >= 1. Every interval is cut into `refinement` equal steps, with displacement and velocity interpolated linearly.
 Path make_path(std::span<double const> x, std::span<double const> v, int refinement = 1, bool with_memory = true);
 // Makes a path that also passes through the turning points between the samples: at each reversal it inserts the vertex
-// of the parabola through the three nearest samples, with velocity 0. For smooth records; on a noisy record the path
-// follows the noise. `time` [samples] increases.
+// of the parabola through the three nearest samples, with velocity 0. Use it for smooth records only, since on a noisy
+// record the path follows the noise. `time` [samples] increases.
 Path make_path_with_turning_points(std::span<double const> x, std::span<double const> v, std::span<double const> time,
                                    int refinement = 1, bool with_memory = true);
 

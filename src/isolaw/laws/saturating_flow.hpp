@@ -350,7 +350,7 @@ auto SaturatingFlow<T, reach>::advance(T const& u, T const& travel) const -> Adv
   Start const b = any(below1) ? finish(below1, std::true_type()) : finish(below1, std::false_type());
   T const decay = one + less, slope0 = a.u.slope * abs(a.per_end), slope1 = b.u.slope * abs(b.per_end);
   T const rate = n_ * E0, ratio = decay * slope1 / slope0;
-  // Corrects by the difference between u and its value on the fit, so that errors of H do not add up.
+  // Removes the error of the conversion of u by H at the start, so that such errors do not add up over the steps.
   T end = select(below1, -b.u.value, b.u.value) + (w - a.u.value) * select(below0, -ratio, ratio);
   end = select(u > one, max(end, one), min(end, one));
   Advance moved{end, rate * slope0, rate * decay * slope1, ratio};

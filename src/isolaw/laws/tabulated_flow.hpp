@@ -193,7 +193,7 @@ void TabulatedFlow<T, reach>::fit_cell(std::size_t i, T const& h, Motion const& 
     cells_.set(i, {begin, h, key, mean, zero, zero, zero, zero});
     return;
   }
-  // Quintic Hermite polynomial from each end's rate, relative to the mean rate, and curvature.
+  // The quintic Hermite polynomial needs the rate, here less the mean rate, and the curvature at both ends.
   T const d0 = a.rate - mean, d1 = b.rate - mean, c0 = a.curvature * h, c1 = b.curvature * h;
   T const third = T(-6.0) * d0 - T(4.0) * d1 - T(1.5) * c0 + T(0.5) * c1;
   T const fourth = T(8.0) * d0 + T(7.0) * d1 + T(1.5) * c0 - c1;
