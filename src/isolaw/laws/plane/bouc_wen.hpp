@@ -2,8 +2,8 @@
 // Source: Park, Wen and Ang 1986, written for the direction of motion:
 //     dz = A dx - z |z|^(n-2) (z.dx) (beta sgn(z.dx) + gamma)
 // The form often printed, with |z_x dx_x| + |z_y dx_y|, changes by some per cent of the strength when the axes turn.
-// Step: let p and s be the parts of z along and across the motion, over the largest |z|, and let the travel be in units
-// of that |z|. With c = 1 for p > 0 and c = (gamma - beta) / (gamma + beta) for p < 0,
+// Step: the parts p and s of z along and across the motion, and A times the travel, are divided by the largest |z|.
+// With c = 1 for p > 0 and c = (gamma - beta) / (gamma + beta) for p < 0,
 //     p' = 1 - c |z|^(n-2) p^2,   s' = -c |z|^(n-2) p s
 // For n = 2, p and s are hyperbolic or circular functions (exact); other n take steps of sixth order (follow.hpp). p
 // only rises, so it passes 0 at most once, and a step of this method ends where it does.
