@@ -17,8 +17,8 @@ namespace {
 
 using laws::Integration;
 
-// The largest error of the force, divided by the peak force. The reference takes 128 steps per sample with the same
-// integration.
+// The largest error of the force, divided by the peak force. The reference force is computed by the same integration
+// with 128 steps per sample.
 template <class Law>
 double error_at(Values<Law> const& values, Motion const& motion, int refinement, Integration integration) {
   auto const reference = forces<Law>(values, motion, 128, integration);
@@ -26,15 +26,16 @@ double error_at(Values<Law> const& values, Motion const& motion, int refinement,
          largest_magnitude(reference);
 }
 
-// The observed order of convergence: log2 of the ratio of the errors with single and with doubled refinement.
+// The observed order of convergence: log2 of the error with `refinement` steps per sample over that with twice as many.
 template <class Law>
 double order_at(Values<Law> const& values, Motion const& motion, int refinement, Integration integration) {
   return std::log2(error_at<Law>(values, motion, refinement, integration) /
                    error_at<Law>(values, motion, 2 * refinement, integration));
 }
 
-// Along one loading branch the law is z = 10 (1 - e^(-x/10)), which is smooth, so classical Runge-Kutta must show
-// fourth order. All errors are above 1e-11 of the peak force, so rounding does not disturb the ratio.
+// With these parameters bouc-wen has z = 10 (1 - e^(-x/10)) along one loading branch. This is smooth, so classical
+// Runge-Kutta must show fourth order. All errors are above 1e-11 of the peak force, so rounding does not disturb the
+// ratio.
 TEST(Order, PaperStepOfBoucWenIsFourth) {
   auto const values =
       named<laws::BoucWen>({{"alpha", 0.2}, {"Ke", 3.0}, {"A", 1.0}, {"beta", 0.06}, {"n", 1.0}, {"gamma", 0.04}});
@@ -91,7 +92,8 @@ TEST(Order, ConvergedStepOfAbeIsFourth) {
     return forces<laws::Abe>(smooth_abe<laws::Abe>(), motion).back();
   };
   double const reference = last_force(512);
-  // With fewer steps abe would divide each into pieces. With more steps the error of the tabulated flow dominates.
+  // With fewer than 16 steps abe would divide each step into pieces, which hides the order. With more than 18 the error
+  // of the tabulated flow dominates.
   for (int const steps : {16, 17, 18}) {
     double const order =
         std::log2(std::abs(last_force(steps) - reference) / std::abs(last_force(2 * steps) - reference));
@@ -99,8 +101,8 @@ TEST(Order, ConvergedStepOfAbeIsFourth) {
   }
 }
 
-// The law is smooth in displacement, and the velocity varies linearly along the path. With 100 samples a cycle the
-// steps are short enough for the terms exp(a9 W) and exp(a10 W), W the work, to converge with their order.
+// hwang-wu is smooth in displacement, and the velocity varies linearly along the path. With 100 samples a cycle the
+// steps are short enough for the terms exp(a9 W) and exp(a10 W), W the work, to show fourth order.
 TEST(Order, HwangWuIsFourth) {
   auto values = published_means<laws::HwangWu>(3);
   values[index_of<laws::HwangWu>("a9")] = -5e-6;  // in 1/(N cm); the exponent a9 W reaches order one
@@ -136,10 +138,10 @@ TYPED_TEST(Convergence, TheSamplingOfALaboratoryIsEnough) {
   }
 }
 
-// The integrations `converged` and `paper` share only parts of the right-hand side. The reference is `paper`,
-// Runge-Kutta with 200 steps per sample. Where the slope jumps (F2 = 0, small n), the reference itself errs by up to
-// 1e-4 of the peak force. The converged integration of abe, with one step per sample, errs by 4e-4 on this path, which
-// reverses at almost every sample.
+// The integrations `converged` and `paper` share only parts of the right-hand side, so each checks the other. The
+// reference is `paper`, which takes Runge-Kutta steps, here 200 per sample. Where the slope of the force jumps (F2 = 0,
+// small n), the reference itself errs by up to 1e-4 of the peak force. The converged integration of abe, with one step
+// per sample, errs by 4e-4 on this path, which reverses at almost every sample.
 TYPED_TEST(Convergence, FineRungeKuttaAgreesWithTheConvergedIntegration) {
   for (std::size_t number = 0; number < table_a5::devices; ++number) {
     auto const values = device<TypeParam>(number);

@@ -30,7 +30,7 @@ TYPED_TEST(Defined, AFiniteForceEverywhereInTheBoxOnACoarseRecord) {
   }
 }
 
-// Every parameter is at its lower or upper bound, which is chosen at random.
+// Each parameter is at an end of its interval, lower or upper at random.
 TYPED_TEST(Defined, AFiniteForceInTheCornersOfTheBox) {
   auto const intervals = box<TypeParam>();
   for (std::uint32_t index = 0; index < 1000; ++index) {
@@ -78,7 +78,7 @@ TYPED_TEST(DefinedByThePaper, TheVirginStateIsTheFirstSampleWhereverItIs) {
   for (auto const integration : both_integrations)
     for (std::uint32_t index = 0; index < 20; ++index)
       for (double const x_mm : {-120.0, -0.3, 0.0, 7.0, 180.0}) {
-        // At this low velocity cosh in virgin_force() does not overflow.
+        // At 20 mm/s cosh does not overflow in virgin_force(), which gives the expected force.
         double const v_mm_s = 20.0;
         auto const values = candidate<TypeParam>(index);
         auto const force = forces<TypeParam>(values, Motion{{x_mm, x_mm + 1.0}, {v_mm_s, v_mm_s}}, 1, integration);

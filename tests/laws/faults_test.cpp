@@ -1,6 +1,6 @@
 // Records and parameters that no device has but that a user may pass. Every law must answer with a finite force, with
-// an objective of +infinity, or with an Error. The environment variable ISOLAW_DRAWS=100000 makes the tests take a
-// million samples and more parameter sets.
+// an objective of +infinity, or with an Error. With the environment variable ISOLAW_DRAWS=100000 the tests draw more
+// parameter sets and use a record of a million samples.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -241,7 +241,8 @@ TEST_P(Faults, HugeDisplacements) {
   }
 }
 
-// No sensor reports such displacements. A force or an infinite objective must result, not undefined behaviour.
+// No sensor reports a displacement that is NaN, infinite or near the largest double. A law must answer such a record
+// with a force or an infinite objective, not with undefined behaviour.
 TEST_P(Faults, DisplacementsThatAreNotFinite) {
   for (double const value : {nan, infinity, -infinity, 1.5e308}) {
     auto record = published_record();
@@ -273,9 +274,10 @@ TEST_P(Faults, RepeatedSamplesChangeNothing) {
 
 // Sampling --------------------------------------------------------------------------------------------------------
 
-// All sampling rates from 10 Hz on have samples at the extremes of this sine, so the path between the extremes is the
-// same at every rate. Laws that depend on the path alone must agree to rounding, and abe within its integration error.
-// jankowski uses the velocity at the sample alone; hwang-wu interpolates it between samples.
+// The samples at every rate from 10 Hz on include the extremes of this sine, so the path between the extremes is the
+// same at every rate. Laws that depend on the path alone must give the same force to rounding, and abe within its
+// integration error. Of the two laws that use the velocity, jankowski takes it at the sample alone and hwang-wu
+// interpolates it between samples.
 TEST_P(Faults, TheSamplingRateDoesNotMatterFrom10To10000Hz) {
   constexpr double slowest_Hz = 10.0;
   std::vector<double> largest(3, 0.0);
@@ -324,8 +326,8 @@ TEST_P(Faults, StepsOfAThousandYieldDisplacements) {
 
 // Very long records -----------------------------------------------------------------------------------------------
 
-// After thousands of equal cycles the last loop must equal the tenth within rounding. The second loop is compared with
-// a wider tolerance, because it still depends on the first loading of the device. This dependence was largest in abe,
+// After thousands of equal cycles the last loop must equal the tenth within rounding. The second loop still depends on
+// the first loading of the device, so it may differ more from the last one. The largest such difference, in abe, was
 // 6e-7 of the peak force.
 TEST_P(Faults, AMillionSamplesDoNotDrift) {
   constexpr std::size_t per_cycle = 200;
@@ -382,7 +384,8 @@ TEST_P(Faults, ARecordThatNothingCanBeJudgedByIsRefused) {
   };
   auto const good = published_record();
   EXPECT_FALSE(refused(good));
-  // 0.1 has no exact binary form, so the computed mean of a constant 0.1 is not exactly 0.1.
+  // 0.1 has no exact binary form, so the computed mean of a constant force of 0.1 is not exactly 0.1, and the computed
+  // standard deviation is not exactly 0.
   for (double const constant : {0.0, 0.1, -140.0, 1e-300, 1e300, infinity, nan}) {
     auto record = good;
     record.force_kN.assign(record.size(), constant);

@@ -183,8 +183,8 @@ TYPED_TEST(Metadata, DefaultsArePhysical) {
     }
 }
 
-// Three devices, from a model for a shaking table to a bearing of a bridge. Their automatic intervals must be ordered,
-// physical, and positive where the search is logarithmic.
+// The sizes of three devices, from a model for a shaking table to a bearing of a bridge. Their automatic intervals must
+// be ordered and lie within the physical limits. An interval that is searched logarithmically must not end at zero.
 TYPED_TEST(Metadata, ScaledIntervalsAreOrderedPhysicalAndSearchable) {
   std::array const devices{
       published_device<TypeParam>(),

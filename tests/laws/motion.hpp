@@ -21,7 +21,7 @@ struct Motion {
   std::size_t size() const { return disp_mm.size(); }
 };
 
-// x = A sin(2 pi f t) from rest at x = 0, with its exact velocity.
+// x = A sin(2 pi f t), which starts at x = 0, with its exact velocity.
 inline Motion sine(double amplitude_mm, double frequency_Hz, int cycles, int samples_per_cycle) {
   Motion motion;
   double const omega = 2.0 * std::numbers::pi * frequency_Hz;
@@ -57,7 +57,8 @@ inline std::vector<double> through(std::initializer_list<double> corners, int st
   return through(std::span(corners.begin(), corners.size()), steps);
 }
 
-// A path with small loops inside larger ones. Several tests know the forces of a law along it from other programs.
+// A path with small loops inside larger ones. Several tests compare the forces of a law along this path with those that
+// other programs computed.
 inline std::vector<double> const corners{0, 20, 50, 10, -40, -60, 30, 20, 45, 80};
 
 inline double sign(double x) {

@@ -51,8 +51,8 @@ table_a5::Law const& published() {
   return *std::ranges::find_if(table_a5::laws, [&](auto const& law) { return law.id == id; });
 }
 
-// The means that Table A.5 gives for a device (0 to 9). vaiana's sigmoid is not in the table, so its parameters are
-// zero. abe-y0 has no parameter p, so the column p is skipped for it.
+// The means that Table A.5 gives for a device (0 to 9). vaiana's sigmoid is not in the table, so the parameters of the
+// sigmoid are zero. abe-y0 has no parameter p, so the column p is skipped for it.
 template <class Law>
 Values<Law> published_means(std::size_t device) {
   Values<Law> values{};
@@ -62,8 +62,8 @@ Values<Law> published_means(std::size_t device) {
   return values;
 }
 
-// The parameters of device 0 to 9: the means of Table A.5 for a law of the paper, a random set of the box for any other
-// law.
+// The parameters of device 0 to 9. A law of the paper has the means of Table A.5; any other law has a random set of its
+// box.
 template <class Law>
 Values<Law> device(std::size_t number) {
   if constexpr (of_the_paper<Law>)

@@ -37,7 +37,8 @@ inline data::FitRecord record_of(Motion const& motion, double interval_s, double
   return record;
 }
 
-// Random parameter set number `index`, uniform in the free parameters' intervals on their own scales.
+// Random parameter set number `index`. Each free parameter is uniform in its interval of the box, on its own scale
+// (linear or logarithmic).
 inline std::vector<double> candidate_in(fit::SearchBox const& box, std::uint32_t index) {
   num::Draws draws(num::Stream(20250110), 0, index);
   std::vector<double> point(box.free_count()), values(box.parameters.size());

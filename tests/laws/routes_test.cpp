@@ -175,7 +175,7 @@ Values<Law> overflowing() {
   return values;
 }
 
-// The motion is finely sampled, so that one Runge-Kutta step per sample is stable for the ordinary parameter sets in
+// This motion has many samples, so that one Runge-Kutta step per sample is stable for the ordinary parameter sets in
 // the other lanes.
 TYPED_TEST(Routes, AnOverflowStaysInItsLane) {
   auto const path = path_of<TypeParam>(irregular(7, 150.0, 2, 1000, 0.0));

@@ -1,5 +1,5 @@
 // Facts about single laws, by id: which laws need wide tolerances, which change over the cycles, and which have no
-// force for some parameters. A law that no function names must meet the strictest bounds.
+// force for some parameters. A law that none of these functions names must meet the strictest bounds.
 #pragma once
 
 #include <algorithm>
@@ -38,9 +38,10 @@ inline bool inadmissible(laws::LawEntry const& law, std::span<double const> p) {
   return beta <= 0.0 || beta + gamma <= 0.0;
 }
 
-// True for parameter sets whose force may grow without bound on some records. Only hwang-wu has such sets. They have,
-// at some displacement up to the peak, a negative damping a6 + a7 x^2 or a negative stiffness a1 + a2 x^2 + a3 x^4,
-// with or without a4. The device then returns more work W than it took, and exp(a10 W) or exp(a9 W) amplifies this.
+// True for parameter sets whose force may grow without bound on some records. Only hwang-wu has such sets. At some
+// displacement up to the peak they have a negative damping a6 + a7 x^2, or a negative stiffness a1 + a2 x^2 + a3 x^4
+// (also if it is negative only with a4 added). The device then returns more work W than it took, and exp(a10 W) or
+// exp(a9 W) amplifies this.
 inline bool may_run_away(laws::LawEntry const& law, std::span<double const> p, double peak_mm) {
   if (law.info.id != "hwang-wu") return false;
   auto const value = [&](char const* name) { return p[law.index_of(name)]; };
@@ -62,9 +63,9 @@ inline double yield_mm(laws::LawEntry const& law, std::span<double const> p) {
   return 5.0;  // vaiana's length 1 / alpha, for example, is 20 mm and more
 }
 
-// Laws that have no finite force if all parameters are 0. For bouc-wen and bwbn the set is inadmissible, abe divides by
-// its yield force and displacement, gallardo by its yield displacement, ramberg-osgood and ozdemir by their yield
-// force.
+// Laws that have no finite force if all parameters are 0. bouc-wen and bwbn then have beta + gamma = 0, so the force
+// has no bound. abe divides by its yield force and displacement, gallardo by its yield displacement, ramberg-osgood and
+// ozdemir by their yield force.
 inline bool needs_parameters(std::string_view law) {
   return law == "bouc-wen" || law == "abe" || law == "abe-y0" || law == "gallardo" || law == "ramberg-osgood" ||
          law == "bwbn" || law == "ozdemir";
@@ -79,8 +80,8 @@ inline bool changes_over_cycles(std::string_view law) {
 }
 
 // The mirrored motion of a law that is not odd must give forces that differ by at least this share of the peak force.
-// gallardo differs little: it measures turns on both sides from one yield displacement, which gave 3e-4 and more for
-// ten parameter sets.
+// gallardo differs little, by 3e-4 or more for ten parameter sets: only the distance |x - uy| of a turn at x from the
+// positive yield displacement uy distinguishes its two sides.
 inline double least_asymmetry(std::string_view law) {
   return law == "gallardo" ? 1e-4 : 0.01;
 }
@@ -99,15 +100,15 @@ inline double error_of_the_path(std::string_view id) {
 }
 
 // The largest error of the force that the sampling may cause, relative to the peak, for the published devices at 200
-// samples a cycle. hwang_wu.hpp states 3e-7. The largest errors seen are 5e-6 for abe and, with sets of its box, 4e-5
-// for bwbn.
+// samples a cycle. hwang_wu.hpp states 3e-7. The largest error seen is 5e-6 for abe. For bwbn, which has no published
+// devices, random sets of its box are used, and the largest error seen is 4e-5.
 inline double error_of_a_laboratory(std::string_view id) {
   return id == "abe" ? 1e-5 : id == "bwbn" ? 1e-4 : 4e-6;
 }
 
 // The largest relative error of a single step over hundreds of yield displacements. abe's yield force changes along the
-// step; the law divides the step into eight pieces and is right only to a few per cent. bwbn divides it into a hundred
-// steps; its largest error seen is 1e-4.
+// step, which abe divides into at most 64 pieces. bwbn divides it into at most a hundred; its largest error seen is
+// 1e-4.
 inline double error_of_long_steps(std::string_view id) {
   return id == "abe" ? 0.05 : id == "bwbn" ? 4e-4 : 1e-5;
 }
@@ -124,16 +125,16 @@ inline double error_of_steps(std::string_view id, double yields) {
 // force. The bounds are about four times the largest differences seen, which the comments give for 10, 100 and 1000 Hz.
 inline double error_of_the_rate(std::string_view law, double rate_Hz) {
   if (law == "abe") return rate_Hz < 50.0 ? 1e-4 : 1e-5;    // seen: 3e-5 at 10 Hz, 3e-6 above
-  if (law == "hwang-wu") return 1.0 / (rate_Hz * rate_Hz);  // seen: 2e-3, 2e-5, 2e-7, from interpolating the velocity
+  if (law == "hwang-wu") return 1.0 / (rate_Hz * rate_Hz);  // seen: 2e-3, 2e-5, 2e-7; it interpolates the velocity
   if (law == "bwbn")                                        // seen: 3e-4, 3e-5, 1.4e-6 at 10, 100, 1000 Hz
     return rate_Hz < 50.0 ? 1.2e-3 : rate_Hz < 500.0 ? 1.2e-4 : 6e-6;
   return 1e-13;  // seen: 1e-14
 }
 
 // The largest difference, as a share of the peak force, between a law and its online or exported form. Both compute the
-// same in double precision, except the curve between reversals of laws with the trait exact_flow. For that curve the
-// law uses a polynomial, or a table with errors of up to 1e-5 where kappa is above 3. The online form uses a finer
-// table.
+// same in double precision, unless the law has the trait exact_flow. The curve between reversals of such a law comes
+// from a polynomial (where kappa is above 3, from a table with errors of up to 1e-5). The online form takes it from a
+// finer table.
 inline double form_tolerance(laws::LawEntry const& law) {
   return law.info.traits.exact_flow ? 1e-5 : 1e-10;
 }

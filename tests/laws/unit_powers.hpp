@@ -41,7 +41,7 @@ inline std::optional<Powers> powers_of(std::string_view unit) {
 }
 
 // The automatic interval of a parameter is a multiple of a size of the device, which a function such as
-// laws::force_at_reference computes. If that size is taken at a fixed displacement, it grows by an additional power of
+// laws::force_at_reference computes. A size that is the value at a fixed displacement has an additional power of
 // length. This function returns that power, and 0 for all other sizes.
 inline double at_reference(double (*size)(laws::RecordScales const&)) {
   std::map<double (*)(laws::RecordScales const&), double> const known{{laws::force_at_reference, -0.4},

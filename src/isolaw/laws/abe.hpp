@@ -1,9 +1,9 @@
 // Abe: the sum of an elastic part that softens with the peak displacement, a hysteretic part whose yield force grows
 // with displacement, and a hardening part.
-// Source: Cucuzza et al. 2025, Eqs. (15)-(21), after Abe, Yoshida and Fujino 2004; X_h, X_0, X_s of Table 4 are U_h,
-// U_0, U_s. Units kN, mm.  Step: first the hysteretic force follows the exact flow of dF2/dx (saturating_flow.hpp) with
-// the yield force held at its mean over the step; then the effect of the change of the yield force is added. The growth
-// of the yield displacement with the peak is integrated exactly. `paper`: one classical Runge-Kutta step per sample.
+// Source: Cucuzza et al. 2025, Eqs. (15)-(21), after Abe, Yoshida and Fujino 2004; U_h, U_0, U_s are X_h, X_0, X_s in
+// Table 4. Units kN, mm.  Step: the hysteretic force first follows the exact solution of dF2/dx (saturating_flow.hpp)
+// for the mean yield force of the step. Then the effect of the change of the yield force is added. The growth of the
+// yield displacement with the peak is exact. Integration::paper takes one classical Runge-Kutta step per sample.
 #pragma once
 
 #include <algorithm>
@@ -100,10 +100,10 @@ struct Abe {
   template <class T, class X, class N>
   static N step(Params<T> const& p, Constants<T, X> const& c, State<N>& state, StepOf<X> const& step) {
     if (moves(step)) {
-      // Near x = 0, where |x|^p is not smooth, pieces are shorter.
+      // A step is cut into pieces, into shorter ones near x = 0, where |x|^p is not smooth.
       double const x0 = value_of(step.x0), x1 = value_of(step.x1), length = value_of(step.length);
       double const nearest = x0 * x1 <= 0.0 ? 0.0 : std::min(std::abs(x0), std::abs(x1));
-      // No piece exceeds the largest step of a sine of 200 samples per cycle. An infinite displacement gives 64.
+      // The pieces are no longer than the largest step of a sine of 200 samples per cycle, unless 64 do not suffice.
       int const smooth = static_cast<int>(std::ceil(std::min(64.0, length / (0.0317 * value_of(step.peak1)))));
       int const pieces = std::max(nearest < 1.5 * length ? 5 : nearest < 4.0 * length ? 2 : 1, smooth);
       X x = step.x0, peak = step.peak0;
@@ -124,18 +124,18 @@ struct Abe {
     return exp2(p.p * (N(log2(abs(x))) - c.parts.log2_Uh));
   }
 
-  // Advances F2 over a piece. First F2 follows the exact flow with the yield force held at its mean, then the effect of
-  // the yield force's relative change d over the piece is added. Both together are of fourth order where the yield
-  // force is smooth. For travel t and rates f0, f1 = du/dt at the ends, and with Phi(F2, Y) = Y f(F2 / Y), the flow is
-  // perturbed by the change itself (f - u f' = n + (1 - n) f) by
+  // Advances F2 over a piece of the step. F2 first follows the exact flow du/dt = f(u) of u = F2 / Y, with the yield
+  // force Y held at its mean. Then the effect of the relative change d of Y over the piece is added. The result is of
+  // fourth order where Y is smooth. For the travel t and the rates f0, f1 = du/dt at the ends of the piece, the change
+  // of Y itself adds (with f - u f' = n + (1 - n) f)
   //     n d t/12 (1 - f1 / f0)
-  // and by the curvature of Phi in Y (|u|^n = 1 - f with the sign of u) by
+  // and the curvature of Y f(F2 / Y) over Y adds (with |u|^n = 1 - f, taken with the sign of u)
   //     n (1 - n) d^2 t/24 (1 - f).
-  // Over a long travel F2 ends at the yield force of the end, d/2 above the mean, so the first term is blended into
-  // that limit and the second one fades. The mean of |x / Uh|^p over x is exact, since its integral is x |x / Uh|^p /
-  // (p + 1); a piece that is too short for this difference uses the mean of its two ends. The flow needs the mean over
-  // the travel instead. If the peak grows, the travel per x falls as 1 / (Us + peak), so the covariance of the two,
-  // both taken as straight lines, is added.
+  // Over a long travel F2 ends at the yield force of the end, which is d/2 above the mean. There the first term
+  // therefore goes over into d/2, and the second fades out. The mean of |x / Uh|^p over x is exact, since its integral
+  // is x |x / Uh|^p / (p + 1); a piece that is too short for this difference uses the mean of its two ends. The flow
+  // needs the mean over the travel instead. If the peak grows, the travel per x falls as 1 / (Us + peak). The
+  // covariance of |x / Uh|^p and this travel, both taken as straight lines, is therefore added.
   template <class T, class X, class N>
   static void advance(Params<T> const& p, Constants<T, X> const& c, State<N>& state, N const& direction, X const& x0,
                       X const& x1, X const& peak0, X const& peak1) {
@@ -150,7 +150,8 @@ struct Abe {
     N const travel = abe_parts::travel(p, c.parts, state.softened, length, peak0, peak1);
     auto const moved = c.flow.advance(direction * state.F2 * c.per_Y0 * per_mean, travel);
     N const d = (after - before) * per_mean, relaxed = p.n * travel, some = N(1.0 / 12.0) * relaxed;
-    // relaxed (1 + some) fade is relaxed - relaxed^3 / 72 + ... for short travel and tends to 6 for long travel.
+    // relaxed (1 + some) fade is relaxed - relaxed^3 / 72 + ... for short travel. For long travel it is 6, so that
+    // `first` is d/2.
     N const fade = one / (one + some + N(2.0) * some * some), fade2 = fade * fade;
     N const first = d * (some + some * some) * fade * (one - moved.ratio);
     N const second = d * d * (some * (fade2 * fade2)) * (one - p.n) * (N(0.5) - N(0.25) * (moved.rate0 + moved.rate1));

@@ -54,7 +54,7 @@ inline Constants<T> constants(Params const& p) {
   return {log2(p.Uh), T(1.0) / p.U0, p.Us / p.U0};
 }
 
-// The quantities that change with the peak alone.
+// The quantities that change only when the peak displacement grows.
 template <class N>
 struct Softened {
   N K1_now = N(0.0);      // K1 [beta + (1 - beta) exp(-Umax / alpha)]
@@ -68,15 +68,15 @@ template <class T, class X, class N, class Params>
 inline void follow_peak(Params const& p, Constants<T> const& c, Softened<N>& softened, X const& peak) {
   T const one(1.0);
   N const Umax(peak);
-  // For alpha = 0 the softening part is gone as soon as there is any peak.
+  // With alpha = 0 the first motion removes the whole softening part.
   N const left =
       select(p.alpha <= T(0.0), N(peak > 0.0 ? 0.0 : 1.0), exp(-Umax / max(p.alpha, T(smallest_power_base))));
   softened.K1_now = p.K1 * (p.beta + (one - p.beta) * left);
   softened.inverse_Ut = c.inverse_U0 / (one + Umax / p.Us);
 }
 
-// The integral of |dx| / Ut over a straight piece; `softened` belongs to its start. Ut grows only beyond the earlier
-// peak.
+// The integral of |dx| / Ut over a straight piece of the path. `softened` holds the values at the start of the piece;
+// Ut grows only where the path goes beyond the earlier peak.
 template <class T, class X, class N, class Params>
 inline N travel(Params const& p, Constants<T> const& c, Softened<N> const& softened, X const& length, X const& peak0,
                 X const& peak1) {
@@ -111,7 +111,7 @@ T hysteretic_slope(T const& F2, Point<T> const& at, T const& n, T const& directi
   return at.Yt * at.inverse_Ut * (T(1.0) - select(direction * F2 < T(0.0), -ratio, ratio));
 }
 
-// 1 / Ut where the path is at x. `softened` belongs to peak0, the peak before the step.
+// 1 / Ut where the path is at x. `softened` holds the values for peak0, the peak before the step.
 template <class T, class Params>
 T inverse_Ut_at(Params const& p, Constants<T> const& c, Softened<T> const& softened, double x, double peak0) {
   return std::abs(x) <= peak0 ? softened.inverse_Ut : c.inverse_U0 / (T(1.0) + T(std::abs(x)) / p.Us);

@@ -1,8 +1,8 @@
 // Bouc-Wen: smooth hysteresis with post-yield stiffness.
 // Source: Cucuzza et al. 2025, Eqs. (13)-(14), after Wen 1976; K_i and K_j of Eq. (13) are both the elastic stiffness
-// Ke. Units kN, mm.  Step: between reversals dz/dx depends on z alone, and its exact flow is a polynomial fitted once
-// per candidate (saturating_flow.hpp). `paper`: one classical Runge-Kutta step per sample, which blows up beyond dx of
-// about two yield displacements.
+// Ke. Units kN, mm.  Step: between reversals dz/dx depends on z alone. Polynomials, fitted once per parameter set, give
+// its exact solution (saturating_flow.hpp). Integration::paper takes one classical Runge-Kutta step per sample, which
+// blows up where a step is longer than about two yield displacements.
 #pragma once
 
 #include <limits>
@@ -78,13 +78,13 @@ struct BoucWen {
   // [export struct BoucWen]
   template <class N>
   struct State {
-    N z = N(0.0), time = N(0.0);  // time: place on the curve of the flow
+    N z = N(0.0), time = N(0.0);  // time: travel along the curve u(t) of Flow
     template <class Each>
     void members(Each& each) {
       each(z, time);
     }
   };
-  // u = z / z_max follows the flow, and a unit of travel adds `rate` to the flow's time.
+  // u = z / z_max follows the curve u(t) of `flow`, on which a unit of travel takes the time `rate`.
   template <class T, class X>
   struct Constants {
     T z_max, rate;

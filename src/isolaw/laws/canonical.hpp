@@ -34,7 +34,7 @@ struct LimitCurvesForm {
   LimitCurve loading, unloading;
 };
 
-struct NoForm {  // none of these forms; `lacking` names the part of the law that they lack, or is empty
+struct NoForm {  // `lacking` names the part of the law that none of the forms above has, or is empty
   std::string_view lacking = {};
 };
 

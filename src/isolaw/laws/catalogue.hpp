@@ -37,8 +37,8 @@ struct LawEntry {
     std::string_view statement;
   };
   std::optional<Unmet> unmet(std::span<double const> parameters) const;
-  // For a law with a redundant parameter: its name, the parameters that it trades off with, and the value it is fixed
-  // at. `reduce` gives it that value and changes the others to keep the forces. Empty and null for other laws.
+  // Any change of a redundant parameter can be made up for by those in `redundant_with`. `reduce` sets it to
+  // `redundant_value` and changes them so that the forces stay. Empty and null for laws without such a parameter.
   std::string_view redundant = {};
   std::vector<std::string_view> redundant_with = {};
   double redundant_value = 0.0;

@@ -1,4 +1,4 @@
-// The exact flow of a law with a hysteretic variable: polynomials for the lanes of a kernel, a table for single trials.
+// Flow solves the equation of a hysteretic variable exactly: by polynomials in kernels, from a table in single trials.
 #pragma once
 
 #include "isolaw/laws/online/flow.hpp"
@@ -6,7 +6,7 @@
 
 namespace isolaw::laws {
 
-// T: number of the parameters, X: number of the motion.
+// T is the type of the parameters, X that of the motion.
 template <class T, class X, Reach reach>
 using Flow = std::conditional_t<std::is_same_v<X, double>, SaturatingFlow<T, reach>, online::Flow<reach>>;
 

@@ -95,7 +95,7 @@ struct Gallardo {
   }
 
   // [export struct Gallardo]
-  // The factors of g, g^3 and g^5 on one side. km also multiplies the term of g.
+  // The factors of g, g^3 and g^5 (g = x / 100 mm) on one side of x = 0. km also multiplies the term of g.
   template <class N>
   struct Side {
     N linear = N(0.0), cubic = N(0.0), quintic = N(0.0), km = N(1.0);
@@ -119,13 +119,13 @@ struct Gallardo {
   };
   template <class X>
   using Memory = Remembered<X, Softening<X>>;
-  // In the direction of motion z is `strongest` times the flow's u before it passes 0, then `ahead` times u.
+  // In the direction of motion z is `strongest` times the u of `flow` until z passes 0, later State::ahead times u.
   template <class T, class X>
   struct Constants {
     T per_uy;
     T strongest;  // the largest strength that any branch can have
     Flow<T, X, Reach::within_saturation> flow;
-    T zero;  // the flow's time at u = 0
+    T zero;  // the time at which `flow` passes u = 0
   };
   template <class T, class X>
   static Constants<T, X> constants(Params<T> const& p) {
@@ -164,14 +164,14 @@ struct Gallardo {
     return exp2(-log2(T(1.0) - T(2.0) * phi) / p.n);
   }
 
-  // Must be called when the motion turns at x and goes on in `direction`. Sets the strength of the branch ahead, and the
-  // place on the flow's curve from which z goes on.
+  // Must be called when the motion turns at x and goes on in `direction`. Sets the strength that z has after it passes
+  // 0, and the place on the curve of `flow` from which z goes on.
   template <class T, class X, class N>
   static void turn(Params<T> const& p, Constants<T, X> const& c, State<N>& state, double x, double direction) {
     N const none(0.0), z = N(direction) * state.z;
     state.here = select(state.way > none, state.ahead, state.here);
     T const phi = p.phimax * (T(1.0) - exp(-p.pphi * abs(T(x) - p.uy) * c.per_uy));
-    // If the motion turns before z has passed 0, z stays on its branch.
+    // If the motion turns back before z has passed 0, z returns to the branch that it left.
     state.ahead = select(z > none, state.here, N(strength_at(p, phi)));
     N const scale = select(z > none, state.here, N(c.strongest));
     state.from = scale * (c.flow.time_at(z / scale) - c.zero);

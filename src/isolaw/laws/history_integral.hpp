@@ -79,7 +79,7 @@ struct HistoryIntegral {
   template <class T, class X, class N, class PathMemory>
   static N step(Params<T> const& p, Constants<T, X> const& c, State<N>& state, StepOf<X> const& step,
                 PathMemory const& memory) {
-    // The first sample counts as a motion from 0. Its step has no length, so the length comes from the memory.
+    // The first sample counts as a motion from 0. Its step has no length, so the length comes from `memory`.
     X const way = memory.inside + (memory.peak - memory.peak0);
     if (may_move(way)) {
       N const towards(memory.direction), length(way);

@@ -1,4 +1,4 @@
-// A law in two directions, chosen by name: in its coupled form (plane.hpp), or as springs around the circle.
+// A law in two directions, chosen by name: one state for both directions (plane.hpp), or springs around the circle.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ enum class Bidirectional { coupled, springs };
 // trial starts from the last committed state. Copies are independent of one another.
 class InPlane {
  public:
-  // Throws Error for a law or parameters without a coupled form, and for by_axis if no peak softens the law.
+  // One state for both directions. Throws Error if the law has no such form, and for by_axis if no peak softens it.
   static InPlane coupled(std::string_view law, std::span<double const> parameters,
                          plane::Softening softening = plane::Softening::by_distance);
   static InPlane springs(Online const& law, int count = usual_springs);
@@ -42,8 +42,8 @@ class InPlane {
   std::unique_ptr<Form> form_;
 };
 
-// Says why a law with these parameters has no coupled form; nullopt if it has one.
+// Says why a law with these parameters cannot have one state for both directions; nullopt if it can.
 std::optional<std::string> no_coupled_form(std::string_view law, std::span<double const> parameters);
-bool softens_with_the_peak(std::string_view law);  // if so, Softening matters
+bool softens_with_the_peak(std::string_view law);  // if true, plane::Softening matters
 
 }  // namespace isolaw::laws

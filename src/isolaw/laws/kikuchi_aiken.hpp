@@ -1,5 +1,5 @@
-// Kikuchi-Aiken: loops between the peaks so far, whose secant stiffness, damping and shape depend on the peak, and
-// inner branches by Masing's rules.
+// Kikuchi-Aiken: loops between plus and minus the largest displacement so far, the peak. Their secant stiffness,
+// damping and shape depend on the peak; inner branches follow Masing's rules.
 // Source: Kikuchi and Aiken 1997; docs/laws.md. Units kN, mm. Step: exact; every sample depends only on the turning
 // points and the peak of the displacement, which the record decides. Departures: the published outer branch misses the
 // peak that it leads to by 2 exp(-2a) - 2 b exp(-2c) of the hysteretic force (1e-6 to 5e-4 for the published
@@ -23,7 +23,7 @@ namespace isolaw::laws {
 namespace kikuchi_aiken {
 
 // [export namespace kikuchi_aiken]
-// The functions of the peak: force, equivalent damping ratio, hysteretic share, and exponent of the hardening part.
+// Values that depend on the peak: force, equivalent damping ratio, hysteretic share, exponent of the hardening part.
 template <class N>
 struct AtPeak {
   N force, damping, share, exponent;
@@ -48,7 +48,7 @@ template <class N>
 struct Loops {
   struct Turn {
     double x = 0.0;
-    bool bump = false;  // whether the branch from this turn has the term of b
+    bool bump = false;  // whether the branch from this turn has the term b s exp(-c s)
     N force = N(0.0), scale = N(0.0);
     template <class Each>
     void members(Each& each) {
@@ -68,8 +68,8 @@ struct Loops {
     each(hysteretic, strength, half_elastic, exponent, a, b, closing, turned);
   }
 
-  // The force at `at`, where a step from x0 ends, once there is a peak; must be called at every step. at_peak(m) gives
-  // AtPeak for a peak m.
+  // Returns the force at `at`, the end of a step from x0. Once the peak is above 0, it must be called at every step.
+  // at_peak(m) gives AtPeak for a peak m.
   template <class T, class X, class PathMemory, class Functions>
   N force(Constants<T> const& c, X const& x0, X const& at, PathMemory const& memory, Functions&& at_peak) {
     if (memory.turns) turn(c, memory.kept, value_of(x0), memory.peak0);
@@ -95,7 +95,7 @@ struct Loops {
     half_elastic = N(0.5) * (now.force - strength);
     exponent = now.exponent;
     N const wanted = N(1.0) - N(1.57079632679489661923) * now.damping / now.share;
-    // A NaN is not lost: max returns its first argument if one of the two is NaN, and b is computed from `wanted` too.
+    // max returns its first argument if one is NaN, so a NaN in c.least_area stays. b below keeps a NaN in `wanted`.
     N const area = max(N(c.least_area), wanted);
     // Newton's method for area a - 1 + exp(-2a) = 0, which is convex; five steps from 1/area suffice for any area <= 1.
     N root = N(1.0) / area;
@@ -109,7 +109,7 @@ struct Loops {
     closing = N(2.0) - shape(c, 2.0, true, true);
   }
 
-  // f(s) of a branch that has moved s peaks since its turn.
+  // f(s) of a branch, where s is the distance moved since its turn, divided by the peak.
   template <class T, class X>
   N shape(Constants<T> const& c, X const& s, bool outer, bool bump) const {
     N f = N(2.0) - N(2.0) * exp2(-a * N(s));
@@ -119,8 +119,8 @@ struct Loops {
     return f + closing * N(half4 * half4);
   }
 
-  // An inner branch is scaled so that it returns to the point where the branch before it began. It has no term of b if
-  // both turns are on the same side, or if the branch before it has none.
+  // Begins a branch at x. An inner branch is scaled so that it returns to the point where the branch before it began.
+  // It has no term b s exp(-c s) if both branches began on the same side of x = 0, or if the earlier branch has none.
   template <class T, class X>
   void turn(Constants<T> const& c, std::size_t place, double x, X const& peak) {
     Turn& now = turned[place];

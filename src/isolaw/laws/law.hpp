@@ -25,7 +25,7 @@
 // Four rules keep one step fast and right for all of them:
 //   - Branch with a plain `if` on the motion (X), and with `select` on anything that depends on a parameter (T, N).
 //   - Write N(step.x1) where a number of the motion meets parameters, and T(2.0) or N(2.0) for a literal.
-//   - min, max and select return their first argument if both are equal: put the one first whose slope is meant.
+//   - min and max return their first argument if both are equal: put the one first whose slope is meant.
 //   - Use the functions below (moves, grows, slope_alone, limit_slope, ...) where a trial needs a slope that its value
 //     alone does not give. For a record they do nothing.
 // A step neither throws nor logs, and in a record it allocates nothing: kernels size stacks before the first step.
@@ -72,7 +72,7 @@ struct Interval {
   double upper = 0.0;
 };
 
-// How an interval is searched. logarithmic: in log|value|, but linearly where |value| is below 1e-6 of its larger end.
+// The scale on which an interval is searched. logarithmic: in log|value|, but linearly below 1e-6 of the larger end.
 enum class Scale { linear, logarithmic };
 
 struct RecordScales {      // the size of a record, in the law's units; search boxes are multiples of it
@@ -138,7 +138,7 @@ struct Traits {
   bool exact_flow = false;  // follows the curve of saturating_flow.hpp; its online form uses a table of that curve
 };
 
-// paper: a law of Cucuzza et al. 2025. usual: computed by default, like these. further: only on request.
+// paper: a law of Cucuzza et al. 2025. These and the usual laws are computed by default, the further ones on request.
 enum class LawSet { paper, usual, further };
 
 struct LawInfo {
@@ -151,8 +151,8 @@ struct LawInfo {
   std::string_view formula;    // lines of plain text with the parameters' names; x, v and F in the units above
   std::string_view note = "";  // how the source was read where it is incomplete, what the law was made for
   LawSet set = LawSet::further;
-  // Time of one step of one candidate [0.01 ns], once measured by `isolaw bench` with 512-bit lanes. It orders runs by
-  // cost without a clock (campaign/part_assignment.hpp) and need not be updated when the law's code changes.
+  // Time of one step of one candidate [0.01 ns], once measured by `isolaw bench` with 512-bit lanes. Runs are ordered
+  // by this number instead of a clock (campaign/part_assignment.hpp), so it may stay as it is when the law changes.
   unsigned step_cost = 500;
 };
 
@@ -160,7 +160,7 @@ enum class Integration { converged, paper };
 enum class TurningPoints { as_sampled, interpolated };  // whether the path turns only at samples, or also between them
 
 template <class X>
-struct StepOf;  // one step of a motion of numbers X, in the law's units
+struct StepOf;  // one step of a motion with numbers of type X, in the law's units
 template <>
 struct StepOf<double> {             // one step of the path; it depends on the record alone
   double x0, x1;                    // displacement before and after
@@ -175,8 +175,8 @@ struct StepOf<double> {             // one step of the path; it depends on the r
 };
 using Step = StepOf<double>;
 
-// The laws that remember read this from the path at the end of a step (memory/ says how each part follows from the
-// displacement). A first sample away from 0 counts as a motion from 0.
+// Laws with the trait `remembers` read this at the end of a step. memory/ says how each member follows from the
+// displacement. A first sample away from 0 counts as a motion from 0.
 struct Memory {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
   bool turns;          // whether the motion turned at the begin of this step
@@ -186,8 +186,8 @@ struct Memory {
   double direction;    // +1, -1; 0 before the first motion
   double peak0, peak;  // largest |x| before and after the step
   double inside;       // the part of the step's length with |x| below peak0
-  double side_peak;    // largest |x| on the side of x after the step; N, G and C are of this side too
-  double virgin;       // (1 + N)^(-1/3), N: travel relative to the side's peak, forgotten as that peak grows
+  double side_peak;    // largest |x| on the side of x after the step; N, G and C below belong to this side too
+  double virgin;       // (1 + N)^(-1/3), N: travel relative to the side's peak, fading as that peak grows
   double log2_worn;    // log2(1 + NT), NT the travel of both sides relative to the largest |x|
   double pushed;       // growth of the largest |x| at x > 0 minus its growth at x < 0
   double log2_softening, log2_way_back;  // G: half the travel outwards and four times the travel back; C: travel back
@@ -209,15 +209,14 @@ struct Path {
 // x and v [samples] in the law's units; v is empty for a record without time. Needs at least one sample and refinement
 // >= 1. Every interval is cut into `refinement` equal steps, with displacement and velocity interpolated linearly.
 Path make_path(std::span<double const> x, std::span<double const> v, int refinement = 1, bool with_memory = true);
-// The same path, but also through the turning points between the samples: at each reversal it inserts the vertex of the
-// parabola through the three nearest samples, with velocity 0. For smooth records; on a noisy record the path follows
-// the noise. `time` [samples] increases.
+// Makes a path that also passes through the turning points between the samples: at each reversal it inserts the vertex
+// of the parabola through the three nearest samples, with velocity 0. Use it for smooth records only, since on a noisy
+// record the path follows the noise. `time` [samples] increases.
 Path make_path_with_turning_points(std::span<double const> x, std::span<double const> v, std::span<double const> time,
                                    int refinement = 1, bool with_memory = true);
 
 void remember(Path& path);  // fills in path.memory and path.deepest
-// The motion without movements of less than `dead_band` (in the unit of x) to either side: after a turn of x the result
-// rests while x moves two bands, and catches up while x moves another four. Otherwise it equals x.
+// Takes movements within `dead_band` [unit of x] out of x (memory/followed.hpp).
 std::vector<double> followed(std::span<double const> x, double dead_band);
 
 template <class Law, class T>
@@ -226,7 +225,7 @@ using ParamsOf = typename Law::template Params<T>;
 template <class Law>
 inline constexpr std::size_t parameter_count = Law::template rows<double>.size();
 
-// Only the members of rows<T>: whole rows also name functions, and every instruction set would compile its own copy.
+// The member pointers of rows<T>, without the functions in the rows, of which each instruction set would get a copy.
 template <class Law, class T>
 inline constexpr auto members = [] {
   std::array<T ParamsOf<Law, T>::*, parameter_count<Law>> pointers{};
@@ -234,8 +233,7 @@ inline constexpr auto members = [] {
   return pointers;
 }();
 
-// The operations of a step that differ between a record, whose motion has no slopes, and a trial. Those of a trial are
-// in online/numbers.hpp and say more.
+// Operations of a step in a record, whose motion has no slopes. online/numbers.hpp explains those of a trial.
 inline bool moves(Step const& step) {
   return step.length > 0.0;
 }
@@ -273,7 +271,7 @@ N slope_alone(double, N const&) {
   return N(0.0);
 }
 
-// The number of a force: that of the parameters in kernels, that of the motion in a trial.
+// The type of a force: the parameters' type in kernels, the motion's type in a trial.
 template <class T, class X>
 using NumberOf = std::conditional_t<std::is_same_v<X, double>, T, X>;
 

@@ -1,5 +1,5 @@
-// Masing's rules: every branch is the skeleton at twice its size, from the turning point that the branch began at. The
-// displacement alone decides which point that is (Memory).
+// Masing's rules: every branch is the skeleton curve at twice its size, from the turning point that the branch began
+// at. The displacement alone decides which point that is (Memory).
 // Source: Masing 1926; docs/laws.md.
 #pragma once
 

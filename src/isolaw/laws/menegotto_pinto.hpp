@@ -55,7 +55,7 @@ struct MenegottoPinto {
   template <class N>
   struct State {
     N z = N(0.0);
-    N top = N(0.0), bottom = N(0.0);                           // E xm on either side
+    N top = N(0.0), bottom = N(0.0);                           // E xm of each side, xm its farthest reversal
     N turn_z = N(0.0), distance = N(0.0), sharpness = N(0.0);  // zr, D and R of the branch
     double turn_x = 0.0;
     template <class Each>

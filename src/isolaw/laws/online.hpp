@@ -9,9 +9,8 @@ namespace isolaw::laws {
 
 class Online {  // starts virgin at 0, in the law's units and seconds; copies are independent of one another
  public:
-  // `parameters` are in the law's order. `dead_band` [law's length] is the one used when the law was fitted; only laws
-  // with memory use it. Each trial is divided into `parts` equal steps. Throws Error for an unknown
-  // law.
+  // `parameters` are in the law's order. `dead_band` [law's length] is that of the fit; only laws with memory use it.
+  // Each trial is divided into `parts` equal steps. Throws Error for an unknown law.
   Online(std::string_view law, std::span<double const> parameters, double dead_band = 0.0, int parts = 1);
   ~Online();
   Online(Online const& other);
@@ -20,7 +19,7 @@ class Online {  // starts virgin at 0, in the law's units and seconds; copies ar
   Online& operator=(Online&&) noexcept;
 
   struct Force {
-    double force, by_x, by_v;  // and its derivatives by displacement and velocity at the end of the step, as computed
+    double force, by_x, by_v;  // the force and its consistent tangents by displacement and velocity
   };
   // The force after a motion from the committed state to x, where the velocity is v. The duration does not matter.
   Force trial(double x, double v);

@@ -1,4 +1,4 @@
-// Ozdemir: a force that follows a backstress, with Graesser and Cozzarelli's term for alloys that return by themselves.
+// Ozdemir: a force that follows a backstress, with Graesser and Cozzarelli's term for superelastic alloys.
 // Source: Ozdemir 1976; Graesser and Cozzarelli 1991, F' = Ks (x' - |x'| |s/Ys|^n sgn(s)), s = F - b, with the
 // backstress b = Ks alpha (x - F/Ks + g(x)). Solved for F and s':
 //     F = (Ks alpha (x + g) + s) / (1 + alpha),   s' = Ks (x' (1 - alpha g'(x)) - (1 + alpha) |x'| |s/Ys|^n sgn(s)).
@@ -71,7 +71,7 @@ struct Ozdemir {
   // [export struct Ozdemir]
   template <class N>
   struct State {
-    N z = N(0.0), time = N(0.0);  // time: place on the curve of the flow
+    N z = N(0.0), time = N(0.0);  // time: travel along the curve u(t) of Flow
     template <class Each>
     void members(Each& each) {
       each(z, time);
@@ -79,7 +79,7 @@ struct Ozdemir {
   };
   template <class T, class X>
   struct Constants {
-    T rate;  // K/Y, the flow's time that a unit of travel takes
+    T rate;  // K/Y, the time on the curve of `flow` that a unit of travel takes
     Flow<T, X, Reach::within_saturation> flow;
   };
   template <class T, class X>

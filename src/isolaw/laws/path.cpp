@@ -68,7 +68,7 @@ Point sample_at(std::span<double const> x, std::span<double const> v, std::size_
   return {x[i], v.empty() ? 0.0 : v[i], true};
 }
 
-// The vertex of the parabola through three samples; its time is NaN at the middle sample, or outside the outer ones.
+// The vertex of the parabola through three samples. Its time is NaN unless it lies between them, off the middle one.
 struct Vertex {
   double time, x;
 };

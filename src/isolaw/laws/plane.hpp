@@ -24,7 +24,7 @@ namespace isolaw::laws::plane {
 
 using AllLaws = std::tuple<Bilinear, BoucWen, Abe, AbeY0, Vaiana, HistoryIntegral>;
 
-// The laws whose force softens with the peak, in the variant with a peak along each axis.
+// The laws whose force softens with the peak, in the variant with a separate peak along each axis.
 using LawsByAxis = std::tuple<AbeOf<laws::Abe, Softening::by_axis>, AbeOf<laws::AbeY0, Softening::by_axis>,
                               HistoryIntegralOf<Softening::by_axis>>;
 
@@ -41,7 +41,7 @@ To numbers_as(From const& from, U&& one) {
 template <class Law>
 struct Trial {
   Vector<double> force;
-  std::array<std::array<double, 2>, 2> tangent;  // d force (row) / d displacement (column) of the step as computed
+  std::array<std::array<double, 2>, 2> tangent;  // consistent: d force (row) / d displacement (column)
   typename Law::template State<double> after;
 };
 

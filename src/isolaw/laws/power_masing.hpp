@@ -63,7 +63,7 @@ struct PowerMasing {
   template <class N>
   struct State {
     MasingBranches<N> branches;
-    N per_strength = N(0.0);  // 1 / sk(M)
+    N per_strength = N(0.0);  // 1 / (skeleton's force at the peak)
     Scragging<N> scragging;
     template <class Points>
     void make_room(Points const& points) {
@@ -84,7 +84,7 @@ struct PowerMasing {
     return hysteretic + elastic;
   }
 
-  // The hysteretic force Fh and the elastic force beside it. Must be called at every step.
+  // The hysteretic force Fh and the elastic force parallel to it. forces() must be called at every step.
   template <class N>
   struct Forces {
     N hysteretic, elastic;

@@ -95,13 +95,13 @@ struct PowerScragging {
     return state.strength * share + state.scragging.force(p, step.x1, memory, share, rounding);
   }
 
-  // The part of the step in which M grows, in lengths of the slow memory: the integral of dM / (U (M/100)^h).
+  // Growth of the peak M in this step, in lengths of the slow memory: the integral of dM / (U (M/100)^h).
   template <class T, class X>
   static NumberOf<T, X> growth(Params<T> const& p, X const& peak0, X const& peak) {
     using N = NumberOf<T, X>;
     T const a = T(1.0) - p.h, lengths = T(reference_mm) / p.U;
     N const after = power(N(peak / reference_mm), a);
-    // From 0 with h >= 1 the integral has no bound; 1e3 lengths make the memory forget everything before.
+    // From peak 0 with h >= 1 the integral has no bound. 1e3 lengths make the memory forget everything before.
     if (!(peak0 > 0.0)) return select(a > T(0.0), lengths * after / max(a, T(1e-300)), N(1e3));
     X const ratio = log(peak / peak0);
     N const before = power(N(peak0 / reference_mm), a), small = a * N(ratio);

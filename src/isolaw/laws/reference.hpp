@@ -1,4 +1,4 @@
-// The displacement at which laws state forces that follow a power of the amplitude.
+// The amplitude at which laws state a force that follows a power of the amplitude.
 #pragma once
 
 #include "isolaw/laws/law.hpp"

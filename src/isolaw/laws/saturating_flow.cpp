@@ -72,7 +72,7 @@ Nodes make() {
           static_cast<double>(integral([&, place = static_cast<long double>(nodes.place[i])](long double s) {
             return 5.0L * s * s * s * s * lagrange(all, j, 2.0L * place * s - 1.0L);
           }));
-  // T_k(y) = 2 y T_(k-1) - T_(k-2).
+  // power[i][k] is the coefficient of y^i in the Chebyshev polynomial T_k(y) = 2 y T_(k-1) - T_(k-2).
   for (std::size_t k = 0; k < terms; ++k)
     for (std::size_t i = 0; i < terms; ++i)
       nodes.power[i][k] =

@@ -7,19 +7,19 @@
 // polynomial gives |u|: no table to search, no gather, no power per sample, no step size, no stability limit.
 // A suitable variable keeps the polynomial short. With E = exp(-rate |t|) and x = (1 - E) / (1 + bend E):
 //   - u is analytic in exp(-n t) at saturation, so rate = n there, and n |kappa|^(1/n) where unloading comes to rest;
-//     it is negative where unloading speeds up;
+//     rate is negative where unloading speeds up;
 //   - bend = 2^(n-1) - 1 removes the pole that u has beyond saturation for n > 1 (exactly for n = 2, u = tanh t);
 //   - at 0, where u = t - t^(n+1) / (n + 1) ..., u is 5 (1 + n) times differentiable in v = x^(1/5).
-// So |u| = x G(v), and conversely x = |u| H(|u|^(1/5)), with G and H of degree 16. The fit happens once per candidate:
-// the travel to 17 fixed places comes from quadrature, with the pole of 1 / (1 - |u|^n) removed in closed form; H from
-// interpolation; G from its values at 17 fixed v, which Newton's method finds on H. All of this is arithmetic with
-// fixed matrices, the same for all candidates.
+// So |u| = x G(v), and conversely x = |u| H(|u|^(1/5)), with G and H of degree 16. The fit happens once per candidate.
+// Quadrature gives the travel to 17 fixed places, with the pole of 1 / (1 - |u|^n) removed in closed form. H
+// interpolates this travel, and G its own values at 17 fixed v, which Newton's method finds on H. All of this is
+// arithmetic with fixed matrices, the same for all candidates.
 // Largest error in u over n in [0.01, 3], kappa in (-1, 3]: 1e-7 (abe with n < 0.1: 3e-7). For n > 2 with kappa > 1 it
-// grows to 2e-5, and near kappa = -1 the equation magnifies it by up to 1 / (1 + kappa) (tests/verification).
-// Elsewhere, and for abe beyond |u| = 3, a lane uses the table of tabulated_flow.hpp, with an error of 1e-5. Rejected:
-// that table for all (its gathers made AVX2 as slow as SSE2); coefficients as polynomials of n and kappa (2,400 numbers
-// still leave 1e-6); Runge-Kutta with sub-steps (32 per sample still leave 3.8 % in the objective of abe near its
-// optimum); an exponential step with frozen exponent (first order where n < 1 and u crosses 0).
+// grows to 2e-5, and near kappa = -1 the equation magnifies errors by up to 1 / (1 + kappa) (tests/verification).
+// Elsewhere, and for abe beyond |u| = 3, a lane uses the table of tabulated_flow.hpp, with an error of 1e-5.
+// Rejected: the table for all lanes (its gathers made AVX2 as slow as SSE2); coefficients as polynomials of n and kappa
+// (2,400 numbers still leave 1e-6); Runge-Kutta with sub-steps (32 per sample still leave 3.8 % in the objective of abe
+// near its optimum); an exponential step with frozen exponent (first order where n < 1 and u crosses 0).
 #pragma once
 
 #include <array>
@@ -42,25 +42,25 @@ struct Nodes {  // numbers of the fit that are the same for all candidates, comp
   Values fifth;  // place^5
   Values log2_fifth;
   Values inverse_place;
-  std::array<Values, terms> mean;  // from values at the places to the mean over 0 to |u| at each place
-  // From values at the places to coefficients of the Chebyshev polynomials T_k(y), y = 2 place - 1, and from these to
-  // coefficients of y^k. One matrix for both would lose six digits more.
+  std::array<Values, terms> mean;  // turns values at the places into means over 0 to |u|, for each place
+  // `chebyshev` turns values at the places into coefficients of the Chebyshev polynomials T_k(y), y = 2 place - 1;
+  // `power` turns those into coefficients of y^k. One matrix for both would lose six digits more.
   std::array<Values, terms> chebyshev, power;
-  // The same matrix for a rough polynomial through a few of the places, and its T_k at all places. The fit subtracts
-  // the rough polynomial first, so that it loses less to rounding.
+  // The matrices of a rough polynomial through a few of the places: its Chebyshev coefficients, and T_k at all places.
+  // The fit subtracts the rough polynomial first, so that it loses less to rounding.
   static constexpr std::array<std::size_t, 7> few{0, 2, 5, 8, 11, 14, 16};
   std::array<std::array<double, few.size()>, few.size()> chebyshev_of_few;
   std::array<std::array<double, few.size()>, terms> at_places;
-  std::array<std::array<double, guesses>, terms> guess;  // weights to extrapolate from the places above and 1
+  std::array<std::array<double, guesses>, terms> guess;  // weights to guess a place from those above it and 1
 
   static Nodes const& get();
 };
 
-// Within these ranges a lane uses the polynomials, beyond them the table.
+// Within these ranges of n and kappa a lane uses the polynomials, beyond them the table.
 inline constexpr double least_n = 0.01, largest_kappa = 3.0;
 inline constexpr double sharp_n = 1.5;  // above it the curve bends so sharply that G needs another Newton pass
 inline constexpr double least_rest = 0.05, least_rate = 0.05;
-inline constexpr double saturated = 1e-13;  // no time is computed from a smaller E
+inline constexpr double saturated = 1e-13;  // E counts as at least this where it gives a time
 
 }  // namespace flow_parts
 
@@ -87,7 +87,7 @@ class SaturatingFlow {
     return value;
   }
 
-  // u after the given travel, also from beyond saturation, and du/dt before and after; `ratio` is valid even for 0 / 0.
+  // u after the given travel, also from u > 1; du/dt before and after, and their ratio, valid even for 0 / 0.
   struct Advance {
     T u, rate0, rate1, ratio;
   };
@@ -153,7 +153,7 @@ class SaturatingFlow {
 
   Side rising_, unloading_;
   T n_;
-  T first_time_, first_rate_;  // time and rate of unloading at u = -1; before that the rate is constant
+  T first_time_, first_rate_;  // time from u = -1 to 0, and rate at u = -1, which also holds below -1
   T outside_;                  // 1 in lanes that need the table
   bool bends_ = false;
   mutable bool tabulated_ = false;
@@ -350,7 +350,7 @@ auto SaturatingFlow<T, reach>::advance(T const& u, T const& travel) const -> Adv
   Start const b = any(below1) ? finish(below1, std::true_type()) : finish(below1, std::false_type());
   T const decay = one + less, slope0 = a.u.slope * abs(a.per_end), slope1 = b.u.slope * abs(b.per_end);
   T const rate = n_ * E0, ratio = decay * slope1 / slope0;
-  // Corrects by the difference between u and its value on the fit, so that errors of H do not add up.
+  // Removes the error of the conversion of u by H at the start, so that such errors do not add up over the steps.
   T end = select(below1, -b.u.value, b.u.value) + (w - a.u.value) * select(below0, -ratio, ratio);
   end = select(u > one, max(end, one), min(end, one));
   Advance moved{end, rate * slope0, rate * decay * slope1, ratio};

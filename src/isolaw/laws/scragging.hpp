@@ -1,5 +1,5 @@
 // Shared by power-masing and power-scragging: the elastic force that softens with the amplitude, its hardening towards
-// the peak, and the virgin stiffness that travel removes. Each side has its own. Also the rows of their parameters.
+// the peak, and the virgin stiffness that travel removes, separately for x >= 0 and x < 0. Also their parameters.
 // Source: this project; docs/laws.md. Units kN, mm.
 #pragma once
 

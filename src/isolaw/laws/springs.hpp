@@ -1,8 +1,8 @@
 // Any law in two directions: springs around the circle, each with a history and a peak of its own.
 // Source: multiple shear springs (Wada and Hirose 1989; Yamamoto et al. 2012 for isolators). N springs lie at the
-// angles pi i / N, each with the force rf f(u rs / rf). rs = 2 / N keeps the stiffness along a straight push, and rf =
-// tan(pi / 2N) keeps the strength. The knee between the two changes, so a law that is used this way is also fitted this
-// way (fit/as_springs.hpp). Velocities are scaled like displacements.
+// angles pi i / N. A spring with the displacement u has the force rf f(u rs / rf), where f is the law. rs = 2 / N keeps
+// the stiffness along a straight push, and rf = tan(pi / 2N) keeps the strength. The knee of the loop changes, so a law
+// that is used this way is also fitted this way (fit/as_springs.hpp). Velocities are scaled like displacements.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace isolaw::laws {
 
 inline constexpr int usual_springs = 16;
 
-// Factors from the law's force to a spring's, and from the device's displacement along a spring to the law's.
+// The law's force times `force` is a spring's; the device's displacement along a spring times `way` is the law's.
 struct SpringShares {
   double force, way;  // rf, rs / rf
 };
@@ -28,7 +28,7 @@ class Springs {
 
   struct Force {
     plane::Vector<double> force;
-    std::array<std::array<double, 2>, 2> by_displacement, by_velocity;  // d force (row) / d (column), as computed
+    std::array<std::array<double, 2>, 2> by_displacement, by_velocity;  // d force (row) / d motion (column)
   };
   Force trial(plane::Vector<double> const& displacement, plane::Vector<double> const& velocity);
   void commit();

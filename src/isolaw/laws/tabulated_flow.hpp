@@ -38,7 +38,7 @@ struct Nodes {
   std::array<Cell, Count - 1> cells{};
 };
 
-inline constexpr double spacing = 1.0 / 3.0;    // between values of w, in all gradings
+inline constexpr double spacing = 1.0 / 3.0;    // between nodes, measured in w
 inline constexpr double smallest_w = -12.0;     // |u| = 6e-6: between -6e-6 and 6e-6 the curve is a straight line
 inline constexpr double largest_w = 16.0;       // |1 - u| = 1e-7: closer to saturation u no longer changes
 inline constexpr double unloading_w = 14.0;     // |1 + u| = 8e-7: where unloading starts within saturation
@@ -52,8 +52,8 @@ constexpr std::size_t node_count(double first, double last) {
   return static_cast<std::size_t>(width / spacing + 0.5) + 1;
 }
 
-// The nodes of a reach: from -1 (or -55) up to saturation, then, beyond saturation, from 55 down to it. Within
-// saturation they are graded towards -1 too, where the rate 1 + kappa |u|^n nearly vanishes for kappa close to -1.
+// The nodes go from -1 up to saturation or, if u may exceed 1, from -55 up and from 55 down to it. Within saturation
+// they are graded towards -1 too, where the rate 1 + kappa |u|^n nearly vanishes for kappa close to -1.
 template <Reach reach>
 struct Layout {
   static constexpr bool falls = reach == Reach::beyond_saturation;
@@ -193,7 +193,7 @@ void TabulatedFlow<T, reach>::fit_cell(std::size_t i, T const& h, Motion const& 
     cells_.set(i, {begin, h, key, mean, zero, zero, zero, zero});
     return;
   }
-  // Quintic Hermite polynomial from each end's rate, relative to the mean rate, and curvature.
+  // The quintic Hermite polynomial needs the rate, here less the mean rate, and the curvature at both ends.
   T const d0 = a.rate - mean, d1 = b.rate - mean, c0 = a.curvature * h, c1 = b.curvature * h;
   T const third = T(-6.0) * d0 - T(4.0) * d1 - T(1.5) * c0 + T(0.5) * c1;
   T const fourth = T(8.0) * d0 + T(7.0) * d1 + T(1.5) * c0 - c1;

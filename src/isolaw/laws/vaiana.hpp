@@ -30,7 +30,7 @@ struct Vaiana {
       .set = LawSet::paper,
       .step_cost = 205};
 
-  // _p: loading, displacement increasing; _m: unloading.
+  // The suffix _p stands for loading, with increasing displacement, and _m for unloading.
   template <class T>
   struct Params {
     T Kb_p, Kb_m, f0_p, f0_m, alpha_p, alpha_m, beta1_p, beta1_m, beta2_p, beta2_m;

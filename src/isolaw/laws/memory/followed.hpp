@@ -1,4 +1,4 @@
-// The motion without movements of less than a dead band.
+// Keeps movements within a dead band out of a motion.
 #pragma once
 
 #include "isolaw/laws/online/numbers.hpp"
@@ -17,7 +17,7 @@ struct Followed {
     behind = max(x - dead_band, min(x + dead_band, behind));
     X const most = 0.5 * abs(behind - before);
     lead += max(-most, min(most, (behind > before ? dead_band : -dead_band) - lead));
-    return dead_band > 0.0 ? behind + lead : x;  // without a band the sum is x, but with a wrong slope at rest
+    return dead_band > 0.0 ? behind + lead : x;  // without a band the sum would be x, but with a wrong slope at rest
   }
   template <class Each>
   void members(Each& each) {

@@ -1,4 +1,4 @@
-// Turning points by Masing's rules.
+// The turning points whose branches Masing's rules have not yet closed.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 namespace isolaw::laws {
 
 // [export]
-// A branch that reaches the start of the branch before it closes together with that branch. The last branch closes
-// where it meets the skeleton, at the mirror image of its start.
+// Where a branch reaches the point at which the branch before it began, both close. If only one branch is left, it
+// closes where it meets the skeleton curve, at the mirror image of its start.
 struct OpenBranches {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
   std::vector<double> turned;  // displacements at which the open branches began
@@ -38,7 +38,7 @@ struct OpenBranches {
   }
 };
 
-// A stack of a law that holds a value for each turning point grows and shrinks with them.
+// Resizes a law's stack, which holds one value for each turning point.
 template <class List, class Points>
 inline void hold(List& list, Points const& points) {
   list.resize(points.depth);

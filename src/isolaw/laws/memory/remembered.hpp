@@ -1,6 +1,6 @@
 // A law remembers its path in parts, and lists the parts that it reads:
 //     template <class X> using Memory = Remembered<X, OpenBranches, Peaks<X>>;
-// In kernels the parts walk over the record once, before any candidate (memory.cpp); in a trial they follow the motion.
+// Kernels compute the parts once for a record, for all candidates (memory.cpp). A trial computes them with each step.
 #pragma once
 
 #include "isolaw/laws/online/numbers.hpp"
@@ -15,7 +15,7 @@ struct Remembered : Parts... {
   std::size_t side = 0;    // 0: x >= 0, 1: x < 0
   bool turns = false;      // whether the motion turned at the begin of this step
 
-  // Moves from x0 to x1. `otherwise` is the direction that a trial takes at rest, if there was no motion before.
+  // Moves from x0 to x1. A trial at rest, before any motion, has the direction `otherwise`.
   void move(X const& x0, X const& x1, double otherwise) {
     double const before = moved;
     if (x1 < x0 || x1 > x0) moved = x1 > x0 ? 1.0 : -1.0;

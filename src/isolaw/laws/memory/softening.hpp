@@ -1,4 +1,4 @@
-// The softening of each side by travel outwards and back, and its travel back.
+// The two travels that soften a law on each side of x = 0: G, outwards and back, and C, back only.
 #pragma once
 
 #include <algorithm>
@@ -17,19 +17,19 @@ inline double log2_of_softening(double G) {
 }
 
 // [export]
-// A power of a travel has no bounded slope where the travel begins; it is taken at no less than 1e-3.
+// The slope of a power of a travel has no bound at travel 0. It is therefore taken at a travel of at least 1e-3.
 inline Dual log2_of_travel(Dual const& travel) {
   return chain(travel, std::log2(max(travel.v, smallest_power_base)), log2_e / max(travel.v, 1e-3));
 }
-// When the motion enters a side, G is 0 and the force is 0 for every G. The slope uses a small G, as it changes fastest
-// at 0.
+// When the motion enters a side, G is 0 and the force is 0 for every G. The tangent there is that of a small G, because
+// the tangent changes fastest at G = 0.
 inline Dual log2_of_softening(Dual const& G) {
   return log2_of_travel(G.v > 0.0 ? G : Dual(1e-2));
 }
 
 template <class X>
 struct Softening {
-  // G: half the travel outwards and four times the travel back, never beyond the side's peak. C: travel towards 0.
+  // G is half the travel outwards plus four times the travel back, at most the side's peak. C is the travel towards 0.
   struct Amounts {
     X G = 0.0, C = 0.0;
     template <class Each>
@@ -37,7 +37,7 @@ struct Softening {
       each(G, C);
     }
   };
-  // A run is a motion in one direction on a side. It is summed from its start, in however many steps.
+  // Adds up each motion in one direction from its start, so that the number of steps does not matter.
   struct SofteningSide {
     Amounts now, reported, at_start;
     X peak = 0.0, start = 0.0, peak_at_start = 0.0;

@@ -1,5 +1,5 @@
-// The exact flow of the hysteretic laws between two reversals, for a motion that is not known ahead. A table takes half
-// the time of the polynomials of saturating_flow.hpp there, since one trial cannot share their fixed cost with others.
+// The exact solution of a hysteretic variable between two reversals, for a motion that is not known ahead. It comes
+// from a table, because a single trial takes only half as long with it as with the polynomials of saturating_flow.hpp.
 #pragma once
 
 #include <algorithm>

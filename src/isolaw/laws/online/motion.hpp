@@ -66,7 +66,7 @@ struct Motion {
       step.length = direction * step.dx;
       step.reversal = direction != trial.direction;
       step.peak0 = trial.peak;
-      // At or beyond the peak, the peak becomes x1 with its derivative: the tangent includes the growth of the peak.
+      // If x1 reaches the peak, the peak becomes x1 with its derivative, so that the tangent includes its growth.
       bool const new_peak = std::abs(step.x1.v) >= trial.peak.v && direction * step.x1.v >= 0.0;
       step.peak1 = new_peak ? direction * step.x1 : trial.peak;
       F = law_force(p, c, trial.law, step);

@@ -1,5 +1,5 @@
-// The number of a motion that is not known ahead. The lines between the marks [export] and [end] are part of every
-// exported file, so they are C++17 and need nothing but the standard library (programs/header_parts.hpp).
+// Dual, the number of a motion that is not known ahead. The lines between [export] and [end] are part of every exported
+// file, so they are C++17 and need nothing but the standard library (programs/header_parts.hpp).
 #pragma once
 
 #include <cmath>
@@ -10,11 +10,11 @@
 
 namespace isolaw::laws {
 
-// One line for each operation.
+// The formatter would give each operation several lines.
 // clang-format off
 // [export]
-// A number with its derivatives by the displacement and the velocity of the trial. It gives every law the exact tangent
-// of the step as computed.
+// A number with its derivatives by the displacement and the velocity of the trial. They give every law its consistent
+// tangent.
 struct Dual {
   double v = 0.0, by_x = 0.0, by_v = 0.0;
 
@@ -40,7 +40,7 @@ inline bool operator<(Dual const& a, Dual const& b) { return a.v < b.v; }
 inline bool operator>(Dual const& a, Dual const& b) { return a.v > b.v; }
 inline bool operator==(Dual const& a, Dual const& b) { return a.v == b.v; }
 inline Dual abs(Dual const& a) { return a.v < 0.0 ? -a : a; }
-// Both return their first argument, with its derivatives, if the two are equal.
+// If both arguments are equal, min and max return the first one, with its derivatives.
 inline Dual min(Dual const& a, Dual const& b) { return b < a ? b : a; }
 inline Dual max(Dual const& a, Dual const& b) { return a < b ? b : a; }
 inline Dual select(bool condition, Dual const& a, Dual const& b) { return condition ? a : b; }
@@ -70,23 +70,23 @@ inline Dual sech_squared(Dual const& u) {
 // The number 0 with `slope` as its derivative by `variable`, for a term that is 0 here and still counts in the tangent.
 inline Dual slope_alone(Dual const& variable, Dual const& slope) { return chain(variable, 0.0, slope.v); }
 
-// Counts the derivative of `part` by the displacement in that of `result` with at most `steepest` in size.
+// Limits to `steepest` the size of the slope by displacement that `part`, a term of `result`, adds to it.
 template <class Part, class Steepest>
 inline void limit_slope(Dual& result, Part&& part, Steepest&& steepest) {
   double const slope = Dual(part()).by_x, most = std::abs(Dual(steepest()).v);
   result.by_x += slope > most ? most - slope : slope < -most ? -most - slope : 0.0;
 }
-// `power` is size^exponent, which has no slope at 0, even for an exponent just above 1. Below a millionth it gets the
-// slope of the secant.
+// `power` is size^exponent. At size 0 its slope is 0, even for an exponent just above 1. Below a size of 1e-6 it
+// therefore gets the slope of the secant.
 template <class Exponent>
 inline void use_secant_near_zero(Dual& power, Dual const& size, Exponent&& exponent) {
   if (size.v < 1e-6) power.by_x = size.by_x * std::pow(1e-6, Dual(exponent()).v - 1.0);
 }
-// The value at x, with the given slope by x.
+// Returns `value`, with slope() as its derivative by x.
 template <class Slope>
 inline Dual through(Dual const& x, double value, Slope&& slope) { return chain(x, value, slope()); }
 
-// Whether a peak grows: a trial that stands at the peak already has the slope of its growth.
+// Whether a peak grows. A trial that ends exactly at the peak also counts, so that its tangent includes the growth.
 inline bool grows(Dual const& growth) { return growth.v > 0.0 || growth.by_x != 0.0; }
 inline bool unmoved(Dual const& peak) { return peak.v == 0.0; }
 inline bool reaches(Dual const& size, Dual const& peak) { return size.v >= peak.v && size.v > 0.0; }
@@ -103,12 +103,12 @@ struct StepOf<Dual> {
   bool reversal = false;   // the direction differs from the step before
   Dual peak0, peak1;
 };
-// A trial at rest has a tangent too, so that every trial is computed as a motion.
+// A trial at rest needs a tangent too, so every trial counts as a motion.
 inline bool moves(StepOf<Dual> const&) { return true; }
 inline Dual log2_abs_x1(StepOf<Dual> const& step) { return log2(max(abs(step.x1), smallest_power_base)); }
 
-// Visits a state member by member; every part of it lists its own members. Removes the derivatives, which a committed
-// state does not have.
+// Calls act() with each number of a state; every part of the state lists its members. Removes the derivatives, which a
+// committed state does not have.
 template <class Act>
 class Members {
  public:
@@ -117,7 +117,7 @@ class Members {
   void operator()(Parts&... parts) {
     (one(parts), ...);
   }
-  bool sound() const { return sound_; }  // the numbers for list lengths and truth values were valid
+  bool sound() const { return sound_; }  // every number read as a list length or a truth value was valid
 
  private:
   void one(double& x) { act_(x); }

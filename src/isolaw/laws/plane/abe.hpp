@@ -2,9 +2,9 @@
 // Source: Abe, Yoshida and Fujino 2004, part II, for the form F = F1 + F2 + F3 with the largest distance so far in
 // place of the largest displacement:
 //     dF2 = (Yt / Ut) (dx - |F2 / Yt|^(n-1) F2 / Yt |dx|)
-// F1 and F3 act along x, with the same size as in one direction; Yt = Y0 (1 + |x / Uh|^p) or Y0. Tests in one direction
-// do not show whether a motion also softens F1 at right angles to itself (Softening). Step: sixth order (follow.hpp),
-// in two pieces that meet where the distance begins to exceed the largest one so far.
+// F1 and F3 act along the vector x, as large as in one direction; Yt = Y0 (1 + |x / Uh|^p) or Y0. Tests in one
+// direction do not show whether a motion also softens F1 at right angles to itself (Softening). Step: sixth order
+// (follow.hpp), in two pieces that meet where the distance begins to exceed the largest one so far.
 #pragma once
 
 #include "isolaw/laws/abe.hpp"
@@ -24,7 +24,7 @@ struct AbeOf {
   struct State {
     Vector<T> f{T(0.0), T(0.0)};  // F2 / Y0
     T peak = T(0.0);
-    Vector<T> peaks{T(0.0), T(0.0)};  // along the axes
+    Vector<T> peaks{T(0.0), T(0.0)};  // largest displacement along each axis
   };
 
   template <class T>
@@ -37,7 +37,7 @@ struct AbeOf {
     T const zero(0.0), one(1.0), peak0 = state.peak, distance1 = norm(to);
     Straight<T> const way(from, to);
     Split<T> const origin(from, way.direction);  // the start of the step, relative to the origin
-    // After this length of the step the distance exceeds the largest one so far.
+    // After this length of the step the distance from the origin exceeds the largest one so far.
     T const reach = sqrt(max((peak0 - abs(origin.across)) * (peak0 + abs(origin.across)), zero)) - origin.along;
     T const inside = min(max(reach, zero), way.length);
     Split<T> f(state.f, way.direction);
@@ -45,7 +45,7 @@ struct AbeOf {
     move(p, f, origin, inside, way.length, peak0, true);
     state.peak = max(peak0, distance1);
     T const per_U = one / yield_length(p, peak0);
-    // Without motion only the derivatives change, as in an elastic step.
+    // Without motion only the derivatives change, to those of an elastic step.
     Vector<T> const at_rest = state.f + (strength(p, norm(from)) * per_U) * way.moved;
     state.f = chosen(way.length > zero, f.joined(way.direction), at_rest);
     if constexpr (softening == Softening::by_axis) {
@@ -73,7 +73,7 @@ struct AbeOf {
       return T(1.0);
   }
 
-  // Moves f from length `begin` to `end`. The largest distance so far is the current one if `extends`, or peak0.
+  // Moves f along the step from `begin` to `end`. With `extends` the peak grows with the distance, else it is peak0.
   template <class T>
   static void move(Params<T> const& p, Split<T>& f, Split<T> const& origin, T const& begin, T const& end,
                    T const& peak0, bool extends) {
@@ -107,7 +107,7 @@ struct AbeOf {
     T const zero(0.0), one(1.0), tiny(num::smallest_power_base);
     T const left = select(p.alpha <= zero, select(peak > zero, zero, one), exp(-peak / max(p.alpha, tiny)));
     T const softened = p.K1 * (p.beta + (one - p.beta) * left);
-    // The slope of the rounded step at 0 is a b.
+    // At distance 0 the rounded step of F1 has the slope a b.
     T const step = select(distance > tiny, p.a * (one - exp(-p.b * distance)) / max(distance, tiny), p.a * p.b);
     return softened + step + p.K2 * power(distance / p.Uh, p.r);
   }

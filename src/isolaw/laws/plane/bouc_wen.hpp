@@ -2,11 +2,11 @@
 // Source: Park, Wen and Ang 1986, written for the direction of motion:
 //     dz = A dx - z |z|^(n-2) (z.dx) (beta sgn(z.dx) + gamma)
 // The form often printed, with |z_x dx_x| + |z_y dx_y|, changes by some per cent of the strength when the axes turn.
-// Step: in units of the largest |z| and of its travel, with p along and s across the motion, and c = 1 for p > 0,
-// (gamma - beta) / (gamma + beta) for p < 0,
+// Step: the parts p and s of z along and across the motion, and A times the travel, are divided by the largest |z|.
+// With c = 1 for p > 0 and c = (gamma - beta) / (gamma + beta) for p < 0,
 //     p' = 1 - c |z|^(n-2) p^2,   s' = -c |z|^(n-2) p s
-// For n = 2 both are hyperbolic or circular functions, which are exact; other n take steps of sixth order (follow.hpp).
-// p only rises, so it passes 0 at most once, and a step of the method ends there.
+// For n = 2, p and s are hyperbolic or circular functions (exact); other n take steps of sixth order (follow.hpp). p
+// only rises, so it passes 0 at most once, and a step of this method ends where it does.
 #pragma once
 
 #include <limits>
@@ -27,7 +27,7 @@ struct BoucWen {
   struct State {
     Vector<T> z{T(0.0), T(0.0)};      // in units of z_max
     T z_max = T(0.0), rate = T(0.0);  // the largest |z|, and travel of z per travel of the device
-    T unloading = T(0.0);             // c for p < 0
+    T unloading = T(0.0);             // the c of the equations above for p < 0
   };
 
   template <class T>
@@ -50,7 +50,7 @@ struct BoucWen {
     T const closed = select(is_two, travel, zero), stepped = select(is_two, zero, travel);
     if (any(closed > zero)) flow_of_two(z, closed, state.unloading);
     if (any(stepped > zero)) flow(z, min(stepped, T(longest_memory)), p.n, state.unloading);
-    // Without motion only the derivatives change, as in an elastic step.
+    // Without motion only the derivatives change, to those of an elastic step.
     state.z = chosen(travel <= zero, state.z + state.rate * way.moved, z.joined(way.direction));
     return (p.alpha * p.Ke) * to + ((one - p.alpha) * p.Ke * state.z_max) * state.z;
   }

@@ -1,4 +1,4 @@
-// Solves p' = 1 - c p^2, s' = -c p s for any c: tanh or tan, and 1 / cosh or 1 / cos, by arithmetic and exponentials.
+// Solves p' = 1 - c p^2, s' = -c p s for any c by tanh or tan, and 1 / cosh or 1 / cos, from arithmetic, exp and log2.
 #pragma once
 
 #include "isolaw/laws/law.hpp"
@@ -43,7 +43,7 @@ struct Circular {
           y * (one - y2 * T(1.0 / 6) *
                          (one - y2 * T(1.0 / 20) *
                                     (one - y2 * T(1.0 / 42) * (one - y2 * T(1.0 / 72) * (one - y2 * T(1.0 / 110))))));
-      // 1 - cos, which keeps its digits near 0.
+      // `fall` is 1 - cos, because that keeps its digits near 0.
       T fall = y2 * T(0.5) *
                (one - y2 * T(1.0 / 12) *
                           (one - y2 * T(1.0 / 30) *

@@ -1,5 +1,5 @@
 // History integral in the plane: each memory q obeys q' = (n - q)/D along the path, where n is the direction of motion.
-// The elastic force along x softens with the largest distance so far, or its part along each axis with the largest
+// The elastic force softens with the largest distance so far, or its component along each axis with the largest
 // displacement along that axis (Softening). Step: exact along a straight path.
 #pragma once
 
@@ -18,7 +18,7 @@ struct HistoryIntegralOf {
   template <class T>
   struct State {
     Vector<T> slow{T(0.0), T(0.0)}, quick{T(0.0), T(0.0)};
-    Vector<T> peaks{T(0.0), T(0.0)};  // the largest distance, twice, or the largest displacement along each axis
+    Vector<T> peaks{T(0.0), T(0.0)};  // by_distance: the largest distance in both; by_axis: largest |x|, |y|
   };
 
   template <class T>
@@ -36,7 +36,7 @@ struct HistoryIntegralOf {
     constexpr bool by_axis = softening == Softening::by_axis;
     Vector<T> const size = by_axis ? Vector<T>{abs(to.x), abs(to.y)} : Vector<T>{norm(to), norm(to)};
     state.peaks = {max(state.peaks.x, size.x), max(state.peaks.y, size.y)};
-    auto const stiffness = [&](T const& peak) {  // an unmoved device has no force and, for g < 1, no bounded slope
+    auto const stiffness = [&](T const& peak) {  // 0 before any motion, where for g < 1 it has no bound
       return select(peak > T(0.0), p.K / reference * power(peak / reference, p.g - one), T(0.0));
     };
     Vector<T> const elastic{stiffness(state.peaks.x) * to.x, stiffness(state.peaks.y) * to.y};

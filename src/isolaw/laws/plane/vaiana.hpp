@@ -1,6 +1,6 @@
 // Vaiana in the plane, for straight limit curves (no exponential hardening, no sigmoid) that are the same for loading
-// and unloading: F = Kb d + f0 q with q' = alpha (n - q) along the path, n the direction of motion. Other parameters
-// have no single form in two directions. Step: exact along a straight path.
+// and unloading: F = Kb d + f0 q with q' = alpha (n - q) along the path, d the displacement and n the direction of
+// motion. Other parameters give no unique law in two directions. Step: exact along a straight path.
 #pragma once
 
 #include "isolaw/laws/plane/vector.hpp"

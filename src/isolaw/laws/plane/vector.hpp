@@ -1,6 +1,6 @@
-// Vectors of the plane and their operations for the laws of the plane. Their numbers are double, num::Dual with the
-// derivatives by the trial's displacement, or num::Batch with one draw per lane, where parameters and motion differ
-// between lanes and every branch is a select.
+// Vectors for the laws of the plane. Their numbers are double, num::Dual with the derivatives by the trial's
+// displacement, or num::Batch with one device per lane. Parameters and motion then differ between lanes, so every
+// branch is a select.
 #pragma once
 
 #include "isolaw/laws/law.hpp"
@@ -61,7 +61,7 @@ struct Split {
   Vector<T> joined(Vector<T> const& direction) const { return along * direction + across * turned(direction); }
 };
 
-// A fading memory of the motion: q' = rate (n - q) along a straight step; without motion only the derivatives change.
+// A fading memory of the motion in direction n: q' = rate (n - q). Without motion only the derivatives change.
 template <class T>
 Vector<T> fading(Vector<T> const& q, Straight<T> const& way, T const& rate) {
   T const left = exp(-rate * way.length);
