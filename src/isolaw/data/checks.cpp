@@ -21,15 +21,15 @@ namespace {
 constexpr double beyond_any_sensor = 1e10;
 constexpr std::array sentinels{999.0,  9999.0,  99999.0, 999999.0, 9999999.0, 999.9,
                                9999.9, 99999.9, 999.99,  9999.99,  99999.99};
-constexpr double far_beyond = 50.0;      // times the ordinary size; a larger value is an overload
-constexpr double sentinel_beyond = 3.0;  // times the ordinary size; 9999 and the like are true values below it
+constexpr double far_beyond = 50.0;      // times ordinary_size(); a larger value is an overload
+constexpr double sentinel_beyond = 3.0;  // times ordinary_size(); 9999 and the like may be measured values below it
 constexpr std::size_t least_values = 20;
 
 bool is_sentinel(double size) {
   return std::ranges::find(sentinels, size) != sentinels.end();
 }
 
-// The 99.9th percentile of |value| without sentinels and overloads. At least three values are larger than it.
+// The 99.9th percentile of |value| without overloads and markers such as 9999, or the fourth largest if that is less.
 std::optional<double> ordinary_size(std::span<double const> values) {
   std::vector<double> sizes;
   sizes.reserve(values.size());
@@ -94,7 +94,7 @@ struct Loop {
   double energy_kN_mm = 0.0;
   double slope_kN_per_mm = 0.0;
   double correlation = 0.0;
-  double equivalent_damping = 0.0;  // energy over that of the fullest loop with the same standard deviations
+  double equivalent_damping = 0.0;  // energy over that of the widest loop with the same standard deviations
 };
 
 Loop measure_loop(TestRecord const& record, std::vector<Cycle const*> const& cycles) {
@@ -121,7 +121,7 @@ Loop measure_loop(TestRecord const& record, std::vector<Cycle const*> const& cyc
   }
   loop.slope_kN_per_mm = xF / xx;
   loop.correlation = xF / std::sqrt(xx * FF);
-  // An ellipse without correlation, of standard deviations sigma_x and sigma_F, has the area 2 pi sigma_x sigma_F.
+  // An elliptic loop of uncorrelated x and F has the area 2 pi sigma_x sigma_F, with their standard deviations.
   double const fullest = 2.0 * std::numbers::pi * std::sqrt(xx * FF) / count * static_cast<double>(cycles.size());
   loop.equivalent_damping = loop.energy_kN_mm / fullest;
   return loop;
@@ -152,7 +152,7 @@ void warn_about_magnitude(TestRecord& record) {
                                                                                      : "softer"}}});
 }
 
-// Warns of gaps in which the test took less time than the clock says. A rest that was not recorded is no such gap.
+// Warns of jumps of the clock that are longer than the motion took. A rest that the logger skipped gives no warning.
 void warn_of_gaps(TestRecord& record) {
   auto gaps = time_gaps(record.disp_mm, record.time_s);
   std::erase_if(gaps, [](Gap const& gap) { return gap.taken_s >= gap.length_s; });
@@ -207,7 +207,8 @@ void check_physics(TestRecord const& record, Properties const& properties, std::
   auto const cycles = properties.complete();
   if (cycles.empty() || !properties.faults.empty()) return;  // a faulty signal is already reported
   auto const loop = measure_loop(record, cycles);
-  // A skew may make the energy of a nearly elastic device slightly negative. Such a record is read, without properties.
+  // A late force may make the energy of a nearly elastic device slightly negative. That refuses properties, not the
+  // record.
   constexpr double significant_energy = 0.02;
   constexpr double significant_correlation = 0.2;
   if (loop.equivalent_damping > -significant_energy) return;

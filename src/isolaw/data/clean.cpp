@@ -15,7 +15,7 @@
 namespace isolaw::data {
 namespace {
 
-// Keeps the rounding error of each sum too, so that differences of two sums stay exact after a million samples.
+// Stores the rounding error of each sum too, so that the difference of two sums stays exact after a million samples.
 class PrefixSums {
  public:
   explicit PrefixSums(std::vector<double> const& values) : sum_(values.size() + 1), lost_(values.size() + 1) {
@@ -82,7 +82,7 @@ std::size_t thinning_step(FitRecord& record, Properties const& properties, std::
     return 1;
   }
   double const found = *properties.samples_per_cycle;
-  // The tolerance keeps a rounding error in `found` from making an exact multiple of `wanted` one less.
+  // Without the factor, a rounding error could make the quotient 4.9999 instead of 5, and floor() would return 4.
   auto const step = static_cast<std::size_t>(std::floor(found / *wanted * (1.0 + 1e-9)));
   if (step >= 2) return step;
   record.cleaning.push_back({.kind = FindingKind::all_samples_kept,
@@ -163,7 +163,7 @@ std::vector<double> central_difference(std::vector<double> const& time_s, std::v
     double const after = interval(i);
     return (before * slope(i) + after * slope(i - 1)) / (before + after);
   };
-  // The first and last rate follow from the neighbouring one: a chord of a parabola has the mean slope of its two ends.
+  // The rate at each end follows from the next rate, because a parabola's chord has the mean of the slopes at its ends.
   std::vector<double> rate;
   rate.reserve(size);
   rate.push_back(2.0 * slope(0) - central(1));
@@ -223,7 +223,7 @@ FitRecord clean(TestRecord const& raw, Properties const& properties, CleanOption
 double dead_band_of(std::vector<double> const& disp_mm) {
   auto const [least, most] = std::ranges::minmax(disp_mm);
   double const band = 3.0 * noise_deviation(disp_mm);
-  // A computed record has only rounding errors; they need no dead band.
+  // The displacement of a computed record has only rounding errors, which need no dead band.
   return band > 1e-6 * (most - least) ? band : 0.0;
 }
 

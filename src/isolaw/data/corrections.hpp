@@ -12,7 +12,7 @@ struct Corrections {
   std::optional<double> skew_s = {};                // delay of the force behind displacement, to be removed
   std::optional<double> friction_kN = {};           // friction of the rig in the measured force, to be subtracted
   std::optional<double> friction_coefficient = {};  // friction of the rig over the measured vertical load
-  std::optional<double> moving_mass_kg = {};        // mass between device and load cell; m a is subtracted
+  std::optional<double> moving_mass_kg = {};        // mass between device and load cell; its inertia is subtracted
   std::optional<double> force_factor = {};  // multiplies the force at the end: 0.5 for two devices in double shear
 
   bool any() const;
@@ -20,13 +20,14 @@ struct Corrections {
   void validate() const;  // throws Error that names the options
 };
 
-// Repairs spikes, if asked for. Call it before the search for faults and before correct().
+// Repairs spikes if the user asks for it. Must run before the search for faults and before correct().
 void repair(TestRecord& record, Corrections const& corrections);
 
-// Makes all corrections except the repair of spikes, in the order of the members. Samples whose shifted force would lie
-// outside the record are dropped from all channels. Friction acts against the motion, except while the record rests at
-// its start or end. Acceleration is the second difference over a 40th of a cycle, of displacement averaged three times
-// over as many samples; for a sine it is 0.5 % too small. Throws Error if a correction is invalid or lacks its channel.
+// Makes all corrections except the repair of spikes, in the order of the members. The shift by the skew leaves no force
+// for some samples at one end of the record, which are dropped. Friction acts against the motion, except while the
+// record rests at its start or end. Acceleration is the second difference of displacement over 1/40 of a cycle, after
+// three moving averages of that length; for a sine it is 0.5 % too small. Throws Error if a correction is invalid or
+// has no channel.
 void correct(TestRecord& record, Corrections const& corrections);
 
 }  // namespace isolaw::data

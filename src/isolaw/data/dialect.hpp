@@ -17,7 +17,7 @@ namespace isolaw::data {
 // A mark that groups digits. The user types a blank as "blank", because files write it as several characters.
 struct DigitGroup {
   char mark;
-  std::string_view word, typed, said;  // option value; the mark for a shell; in a sentence
+  std::string_view word, typed, said;  // value of the option; the mark as typed in a shell; its name in a sentence
 };
 inline constexpr std::array digit_groups{DigitGroup{',', ",", ",", "','"}, DigitGroup{'.', ".", ".", "'.'"},
                                          DigitGroup{'\'', "'", "\"'\"", "'''"},
