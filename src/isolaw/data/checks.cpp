@@ -207,8 +207,7 @@ void check_physics(TestRecord const& record, Properties const& properties, std::
   auto const cycles = properties.complete();
   if (cycles.empty() || !properties.faults.empty()) return;  // a faulty signal is already reported
   auto const loop = measure_loop(record, cycles);
-  // A late force may make the energy of a nearly elastic device slightly negative. That refuses properties, not the
-  // record.
+  // A late force may make the energy of a nearly elastic device slightly negative. Such a record is still read.
   constexpr double significant_energy = 0.02;
   constexpr double significant_correlation = 0.2;
   if (loop.equivalent_damping > -significant_energy) return;

@@ -14,8 +14,7 @@
 namespace isolaw::data {
 class Findings {
  public:
-  // Reports the first five complaints and the number of the others, which `rest` names, as in "cells that are no
-  // number".
+  // Reports the first five complaints and counts the others, which messages call `rest` ("cells that are no number").
   Findings(std::string file, std::string_view rest) : file_(std::move(file)), rest_(rest) {}
   void add(std::size_t line, std::string found, std::string allowed, std::string advice);
   void append_to(std::vector<Complaint>& complaints) const;

@@ -26,8 +26,7 @@ void repair(TestRecord& record, Corrections const& corrections);
 // Makes all corrections except the repair of spikes, in the order of the members. The shift by the skew leaves no force
 // for some samples at one end of the record, which are dropped. Friction acts against the motion, except while the
 // record rests at its start or end. Acceleration is the second difference of displacement over 1/40 of a cycle, after
-// three moving averages of that length; for a sine it is 0.5 % too small. Throws Error if a correction is invalid or
-// has no channel.
+// averaging (0.5 % too small for a sine). Throws Error if a correction is invalid or lacks its channel.
 void correct(TestRecord& record, Corrections const& corrections);
 
 }  // namespace isolaw::data

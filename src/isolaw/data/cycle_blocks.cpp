@@ -38,8 +38,7 @@ bool close(double value, double reference, double share) {
 
 std::vector<Run> runs_of_amplitude(std::vector<Shape> const& shapes) {
   std::vector<Run> runs;
-  // A cycle joins a run if its amplitude is close to the run's mean. A median would cost more, as each cycle changes
-  // it.
+  // A cycle joins a run if its amplitude is close to the run's mean, which is quicker to update than a median.
   double sum = 0.0;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     bool const joins =
@@ -63,8 +62,7 @@ bool is_even(Shape const& shape) {
   return same_pace(shape.rise_and_fall, shape.period + shape.still_time, far_period);
 }
 
-// Whether the period changes from the cycles [begin, at) to the two from `after` on. A single cycle must differ by
-// more.
+// Whether the period changes from the cycles [begin, at) to the two from `after` on. One cycle alone must differ more.
 bool changes(std::vector<Shape> const& shapes, std::size_t begin, std::size_t at, std::size_t after) {
   if (begin >= at) return false;
   auto const period = [](Shape const& shape) { return shape.period; };

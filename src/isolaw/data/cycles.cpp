@@ -253,8 +253,7 @@ double regular_ends(std::vector<Shape> const& shapes, Swings const& swings, std:
   return travel;
 }
 
-// The share of regular cycles in the travel. Leaves out pre-loads, tapers, regular_ends(), and the first and last
-// swing.
+// The share of regular cycles in the travel. Leaves out pre-loads, tapers, regular_ends() and the outermost swings.
 double regular_share(std::vector<Shape> const& shapes, Swings const& swings, Motion const& motion,
                      std::vector<std::size_t> const& at) {
   double regular = 0.0, in_cycles = 0.0, in_tapers = 0.0, travel = 0.0;

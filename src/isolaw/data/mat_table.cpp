@@ -18,7 +18,7 @@ namespace isolaw::data {
 namespace {
 
 constexpr std::uint64_t fewest_values = 3;
-constexpr std::uint64_t most_rows_across = 20;  // a wide matrix with more rows has no channels as rows
+constexpr std::uint64_t most_rows_across = 20;  // channels may be rows of a wide matrix that has no more rows than this
 constexpr std::uint64_t bytes_per_sample = 32;  // a double for each of four channels
 constexpr std::size_t most_listed = 30;
 
