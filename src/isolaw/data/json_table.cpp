@@ -178,7 +178,7 @@ class Handler {
         stack_, [](auto const& frame) { return frame.kind == Kind::object && frame.number == 0; }));
   }
 
-  // Adds an element's number to its path if it holds arrays or objects. Millions of rows, which do not, need no path.
+  // Adds an element's number to its path if the element holds arrays or objects. Plain rows, often millions, get none.
   void number_path() {
     auto& frame = stack_.back();
     if (frame.number == 0 || frame.has_path_of_own) return;

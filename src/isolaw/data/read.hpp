@@ -30,7 +30,7 @@ inline constexpr std::array<std::string_view, 9> record_extensions{".csv", ".tsv
                                                                    ".lvm", ".mat", ".xlsx", ".json"};
 bool is_record_name(std::string_view file);
 
-// A column in another file: "loadcell.csv:Force". file_column() returns nullopt if the text names no record's file.
+// A column in another file: "loadcell.csv:Force". file_column() returns nullopt if the text names no file of a record.
 struct FileColumn {
   std::string file, column;
   std::string text() const { return file + ":" + column; }  // file_column() reads it back
@@ -51,22 +51,22 @@ TestRecord read_motion_text(std::string_view bytes, std::string const& name, Rea
 // Reads vertical displacement and load of a compression test, without time and force.
 TestRecord read_compression(std::filesystem::path const& file, ReadOptions const& options = {});
 
-// A record in mm, kN and s. Time and load may be empty; without force it is a displacement history. Throws Error.
+// A record in mm, kN and s. Time and load may be empty; a record without force is a displacement history.
 struct Values {
   std::vector<double> disp_mm, force_kN, time_s, load_kN;
 };
 TestRecord record_of_values(std::string const& name, Values values);
 
 struct TestChoice {
-  std::optional<std::string> sheet;  // option --sheet for this test, as is `test` for --test
+  std::optional<std::string> sheet;  // value of --sheet that reads this test; `test` is that of --test
   std::optional<std::string> test;
   std::string place;                          // where the test starts: "d01.csv:204", "d01.xlsx:Sheet 2:1"
   std::vector<std::string> passed_over = {};  // sheets that are no test; given only with the file's first test
 };
-// Lists all tests of a file, or those of the sheet or test that `options` names. Throws Error if it cannot be read.
+// Lists all tests of a file, or those in `options`' sheet or test. Throws Error if the file cannot be read.
 std::vector<TestChoice> list_tests(std::filesystem::path const& file, ReadOptions const& options = {});
 
-// Appends `next` one sampling interval after `history`. Messages call it `label`. Throws Error if only one has time.
+// Appends `next` one sampling interval after `history`. Messages name it `label`. Throws Error if only one has time.
 void continue_with(TestRecord& history, TestRecord const& next, std::string const& label);
 
 }  // namespace isolaw::data

@@ -17,14 +17,14 @@ struct Span {
   std::size_t first = 0, count = 0;
 };
 
-// Samples between from_s and to_s; nullopt, with a complaint, if none. `dashes` precedes options' names in messages.
+// Samples between from_s and to_s, or nullopt and a complaint if none. Messages write `dashes` before names of options.
 std::optional<Span> span_of_time(std::vector<double> const& time_s, ReadOptions const& options,
                                  std::string const& place, std::vector<Complaint>& complaints,
                                  std::string_view dashes = "--");
 void describe_span(Span const& span, std::size_t of, ReadOptions const& options, std::vector<Finding>& recognised,
                    std::string_view dashes = "--");
 
-// Advice after a bad row: read the longer part of the `of` rows before or behind it, or export the record again.
+// Advises to read the longer part of the `of` rows, before or behind the bad `row`, or else to export the record again.
 std::string without_row(RowRange const& range, std::size_t row, std::size_t of);
 
 template <class T>
@@ -44,7 +44,7 @@ std::vector<double>& values_of(TestRecord& record, Channel channel);
 
 void append(std::vector<Finding>& findings, std::vector<Finding> const& more);
 
-// Adds the channels of `other` to `main`: interpolated at main's times, or row by row without times. Throws Error.
+// Adds the channels of `other` to `main`, interpolated at its times, or row by row if there is no common clock.
 void join_channels(RecordPart& main, RecordPart other);
 
 }  // namespace isolaw::data

@@ -13,7 +13,7 @@
 
 namespace isolaw::data {
 
-// serial_number: plain numbers that may be days of a spreadsheet's calendar.
+// `serial_number` means plain numbers that may be days of a spreadsheet's calendar.
 enum class StampKind { none, date_time, date, clock, serial_number };
 
 struct Stamp {
@@ -24,7 +24,7 @@ struct Stamp {
   std::optional<double> zone_s;         // offset of the time zone, positive east of Greenwich
 };
 
-std::string_view date_order_word(DateOrder order);  // "dmy"
+std::string_view date_order_word(DateOrder order);  // "dmy" or "mdy"
 // nullopt if the cell is no time stamp. date_cell_mark follows a number that a workbook shows as a date.
 std::optional<Stamp> parse_stamp(std::string_view cell);
 StampKind kind_of(Stamp const& stamp);
