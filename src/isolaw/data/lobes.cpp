@@ -175,8 +175,8 @@ std::vector<Group> group_lobes(std::vector<Lobe> const& lobes) {
     if (lobe.ends_open || i + 1 == lobes.size()) {
       i = add(lobe.starts_open ? Part::open_start : Part::open_end, i, i + 1);
     } else if (lobe.starts_open) {
-      // If the record starts on the way out, the incomplete cycle includes the next lobe. Cycles then start in that
-      // direction.
+      // A record that starts on the way out loses its next lobe too, so that all cycles start in the direction of the
+      // record.
       bool const outwards = lobe.tip > 0 && opposite && !lobes[i + 1].ends_open && i + 2 < lobes.size();
       i = add(Part::open_start, i, outwards ? i + 2 : i + 1);
     } else if (!opposite) {

@@ -23,8 +23,7 @@ constexpr std::size_t samples_an_other = 75;
 constexpr std::size_t fewest_texture = 6;     // so few spikes are always reported
 constexpr std::size_t samples_a_spike = 150;  // if more than one in 150 samples is a spike, the signal itself is rough
 
-// `expected` is the value of the least-squares cubic through six neighbours, `left` is their rms distance from the
-// cubic.
+// `expected` is the value of the least-squares cubic through six neighbours, `left` their rms distance from the cubic.
 struct Neighbours {
   double expected = 0.0;
   double left = 0.0;

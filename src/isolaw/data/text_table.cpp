@@ -119,8 +119,7 @@ class RowReader {
       digits = digits || cells_[i].find_first_of("0123456789") != std::string_view::npos;
       statistics = statistics || (word && is_statistic(cells_[i]));
     }
-    // A line with one number may be a count of rows or a broken row. It counts as text only if the user skips the
-    // footer.
+    // A line with one number may be a count of rows or a broken row. It is text only if the user skips the footer.
     if (!as_wide) return words || !digits || (choice_.skip_footer && cells_.size() == 1);
     if (statistics) return true;
     auto const reads = std::ranges::count_if(indices_, [&](auto k) { return is_value(cells_[k]); });
