@@ -77,7 +77,7 @@ TEST(Measured, FullScaleBearingIsRecognisedAndCutIntoItsCycles) {
   EXPECT_EQ(clean(record, {}).size(), 4942u);  // every fourth sample
 }
 
-// Counts how often the displacement rises by more than 3 mm after it has fallen by more than 3 mm.
+// Counts the rises of displacement by more than 3 mm from one turning point to the next.
 int rises(std::vector<double> const& disp_mm) {
   int count = 0, direction = 0;
   double low = disp_mm.front(), high = disp_mm.front();
@@ -118,7 +118,7 @@ TEST(Measured, FullScaleBearingWhoseForceIsClippedIsNamed) {
 TEST(Measured, MrDampersAreReadAndCutIntoTheirCycles) {
   struct Damper {
     int number;
-    // Frequency of the spectrum's peak. Half of the third rise of displacement, or in test 3 half of the third fall.
+    // `frequency_Hz` is the peak of the spectrum, `amplitude_mm` half the third rise (in test 3, half the third fall).
     double frequency_Hz, amplitude_mm;
     std::size_t complete, counted;  // in test 1, one cycle does not count as it is 5.1 % larger than the others
   };
@@ -146,7 +146,7 @@ TEST(Measured, MrDampersAreReadAndCutIntoTheirCycles) {
     auto turned = record.disp_mm;
     for (double& x : turned) x = -x;
     bool const falls_first = test.number == 3;
-    // A cycle lasts from the middle of a rise to that of the next rise. Test 3 starts downwards and has falls instead.
+    // A cycle lasts from the middle of a rise to that of the next. Test 3 starts downwards, so its falls are counted.
     EXPECT_EQ(complete, rises(falls_first ? turned : record.disp_mm) - 1);
     auto const properties = cyclic_properties(record);
     ASSERT_EQ(properties.blocks.size(), 1u);

@@ -356,7 +356,7 @@ TEST_F(TwoFiles, UnitsOfTimeAreGivenToBoth) {
   auto own = channel(false);
   own.replace(0, own.find(';'), "Time");
   EXPECT_EQ(joined(own, bare, options).size(), 601u);
-  // The file of the force states ms as its unit of time, which counts before the unit that is given for the other file.
+  // The file of the force states ms as its unit of time, so isolaw does not use the unit given for the other file.
   std::string milliseconds = "Time [ms];Force [kN]\n";
   for (int i = 0; i < loop.size(); ++i) milliseconds += fmt::format("{};{:.6f}\n", 10 * i, loop.force(i));
   EXPECT_EQ(joined(own, milliseconds, options).size(), 601u);

@@ -83,8 +83,8 @@ TEST_F(Read, AnEmptyColumnBetweenTabsIsAColumn) {
   EXPECT_EQ(record.force_kN, (Values{7, 9, 8}));
 }
 
-// The encoding is recognised from the first bytes of the file. These end at a line end, since a cut elsewhere could
-// split a character of two bytes.
+// The encoding is recognised from the first bytes of the file, up to a line end. A cut elsewhere could split a
+// character of two bytes.
 TEST_F(Read, ShiftJisOfAnyLengthAndLineEnd) {
   for (std::string const end : {"\n", "\r\n", "\r"})
     for (std::size_t shift = 0; shift < 4; ++shift) {

@@ -131,7 +131,7 @@ class Resolver {
   // Takes the column whose name means time, or else the only one that holds time stamps.
   void recognise_time() {
     auto found = candidates_of_any(Channel::time);
-    // If several columns are named like a time and only one of them holds plain numbers, it is the time.
+    // If several columns are named like a time and only one of them holds plain numbers, that column is the time.
     if (found.size() > 1) {
       auto numbers = found;
       std::erase_if(numbers, [&](auto i) { return stamps_of(i) != StampKind::none; });
@@ -378,7 +378,7 @@ class Resolver {
     return found;
   }
 
-  // Prefers names with "vertical". A rig that also shears has columns of two directions, a press has only one.
+  // Prefers columns named "vertical". A rig that also shears has columns for two directions, a press for only one.
   std::vector<std::size_t> compression_candidates(Channel channel) const {
     auto const find = [&](auto matches) {
       auto found = columns_where([&](auto const& text) { return matches(meaning_of(text)); });

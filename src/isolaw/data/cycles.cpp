@@ -286,7 +286,7 @@ Finding not_cyclic(std::vector<Shape> const& shapes, double share) {
 
 }  // namespace
 
-// Uses fourth differences, in which white noise is sqrt(70) times as large and a sine of 20 samples per cycle is a
+// Uses fourth differences, in which white noise grows by sqrt(70) and a sine of 20 samples per cycle shrinks to a
 // hundredth. A missing value counts as large, because nth_element cannot sort NaN.
 double noise_deviation(std::span<double const> x) {
   if (x.size() < 16) return 0.0;

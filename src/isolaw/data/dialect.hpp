@@ -1,5 +1,5 @@
-// Recognises delimiter and decimal separator together, since a comma may be either ("1,5;2,0" or "1.5,2.0"). It tries
-// every pair of the two on lines from all over the file. The pair with which most cells are numbers wins.
+// Recognises delimiter and decimal separator together, since a comma may be either ("1,5;2,0" or "1.5,2.0"). Tries
+// every pair of delimiter and separator on lines from all over the file. The pair that makes most cells numbers wins.
 #pragma once
 
 #include <array>

@@ -130,7 +130,7 @@ struct Candidate {
   std::size_t channels;
 };
 
-// The line that has the right number of cells and names most channels; if several name as many, the last of them.
+// The line that has the right number of cells and names the most channels. If several do, the last of them.
 std::optional<Candidate> find_names(std::span<std::string_view const> above, Dialect const& dialect, Header& header) {
   std::optional<Candidate> best;
   std::optional<Candidate> comment;

@@ -50,7 +50,7 @@ std::vector<Stretch> stretches_within(std::span<double const> x, std::size_t beg
   return found;
 }
 
-// Fraction of a cycle that a sine spends between two levels on one way. Near a peak, the way back counts too.
+// Fraction of a cycle that a sine spends between two levels on its way up. Near a peak, the way down counts too.
 double lingering(double least, double largest) {
   auto const angle = [](double level) { return std::acos(std::clamp(level, -1.0, 1.0)); };
   double const once = (angle(least) - angle(largest)) / (2.0 * std::numbers::pi);

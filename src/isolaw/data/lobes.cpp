@@ -175,8 +175,7 @@ std::vector<Group> group_lobes(std::vector<Lobe> const& lobes) {
     if (lobe.ends_open || i + 1 == lobes.size()) {
       i = add(lobe.starts_open ? Part::open_start : Part::open_end, i, i + 1);
     } else if (lobe.starts_open) {
-      // A record that starts on the way out loses its next lobe too, so that all cycles start in the direction of the
-      // record.
+      // If the record starts within a lobe on its way out, the next lobe is left out too, and cycles start outwards.
       bool const outwards = lobe.tip > 0 && opposite && !lobes[i + 1].ends_open && i + 2 < lobes.size();
       i = add(Part::open_start, i, outwards ? i + 2 : i + 1);
     } else if (!opposite) {

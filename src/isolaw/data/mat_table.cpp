@@ -67,7 +67,7 @@ MatColumns columns_of(std::vector<MatVariable> const& variables) {
   return found;
 }
 
-// Adds each matrix of characters whose rows are time stamps as one column.
+// Adds a column for each matrix of characters whose rows are time stamps.
 void add_stamps(MatFile const& mat, std::uint64_t longest, MatColumns& found) {
   constexpr std::uint64_t widest = 48;
   std::size_t left = 4;  // matrices that may be examined: each takes a pass through the file

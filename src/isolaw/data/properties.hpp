@@ -89,9 +89,9 @@ struct CycleView {
 };
 
 Properties cyclic_properties(CycleView const& view);
-// Also searches for faulty signals. If there is one, no cycle counts.
+// Also searches for faulty signals. If a signal is faulty, no cycle counts.
 Properties cyclic_properties(TestRecord const& record);
-// Without time, so periods are in samples.
+// A record without time has periods in samples.
 Properties cyclic_properties(std::span<double const> disp_mm, std::span<double const> force_kN);
 
 // The properties of the same cycle with another force, such as the force that a law computes at the same samples.

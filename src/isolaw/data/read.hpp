@@ -66,7 +66,7 @@ struct TestChoice {
 // Lists all tests of a file, or those in `options`' sheet or test. Throws Error if the file cannot be read.
 std::vector<TestChoice> list_tests(std::filesystem::path const& file, ReadOptions const& options = {});
 
-// Appends `next` one sampling interval after `history`. Messages name it `label`. Throws Error if only one has time.
+// Appends `next`, named `label` in messages, one sampling interval after `history`. Throws Error if only one has time.
 void continue_with(TestRecord& history, TestRecord const& next, std::string const& label);
 
 }  // namespace isolaw::data

@@ -44,7 +44,7 @@ std::vector<double>& values_of(TestRecord& record, Channel channel);
 
 void append(std::vector<Finding>& findings, std::vector<Finding> const& more);
 
-// Adds the channels of `other` to `main`, interpolated at its times, or row by row if there is no common clock.
+// Adds the channels of `other` to `main`, interpolated at main's times, or row by row without a common clock.
 void join_channels(RecordPart& main, RecordPart other);
 
 }  // namespace isolaw::data

@@ -28,8 +28,8 @@ SignalFault without_sign(std::string channel, std::string_view unit, std::vector
           .finding = std::move(finding)};
 }
 
-// Finds a channel that lost its sign: displacement if all its peaks are on one side of zero while the force at them has
-// both signs; force if it has one sign at peaks of displacement on both sides.
+// Finds a channel that lost its sign. Displacement did if all its peaks are on one side of zero while the force at them
+// has both signs. Force did if it has one sign at peaks of displacement on both sides.
 std::vector<SignalFault> rectified_channels(SignalPair const& pair) {
   auto const& turns = pair.turns;
   if (turns.size() < 4) return {};

@@ -36,7 +36,7 @@ Finding finding_at(FindingKind kind, std::string const& channel, std::string_vie
 std::vector<SignalFault> signal_faults(std::span<double const> disp_mm, std::span<double const> force_kN,
                                        std::span<double const> time_s = {});
 
-// A fault that consists of plateaus. `samples` holds the first sample of each, `longest` the number in the longest.
+// A fault of plateaus. `samples` holds the first sample of each plateau, `longest` is the longest plateau's length.
 SignalFault standing_fault(FaultKind kind, std::string const& channel, std::string_view unit,
                            std::vector<std::size_t> samples, std::span<double const> time_s, double level,
                            std::size_t longest);

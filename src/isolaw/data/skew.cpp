@@ -77,7 +77,7 @@ double residual(std::vector<Row>& rows, std::vector<double>& values) {
   return sum;
 }
 
-// Mean squared residual of the fit for one shift. Interpolates displacement, since this would reduce the force's noise.
+// Mean squared residual of the fit for one shift. Shifts displacement, since interpolating force would lower its noise.
 double left_at(double shift, double window, Reversal const& reversal, CycleView const& view) {
   double const half = window * reversal.cycle;
   auto const begin = static_cast<std::size_t>(std::ceil(reversal.at - half));

@@ -1,9 +1,9 @@
 // Estimates the time skew between force and displacement from the reversals of a record. At a reversal the force of a
 // rate-independent device turns together with displacement. The skew is the shift at which force comes closest to a
 // parabola in displacement before the reversal and a cubic after it, which meet at the tip (least squares). If the
-// force turns late, only its channel can be late. If it turns early, the device may also be viscous or have friction.
-// Known friction is subtracted. Noisy displacement is smoothed first: the loop is steep after a reversal, so noise of
-// displacement looks like an early force.
+// force turns late, its channel is late. If it turns early, the other channel may be late, or the device may be viscous
+// or have friction. Known friction is subtracted. Noisy displacement is smoothed first, because the loop is steep after
+// a reversal, where noise of displacement looks like an early force.
 #pragma once
 
 #include <optional>

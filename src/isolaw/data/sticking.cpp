@@ -110,7 +110,7 @@ class Sticking {
     return runs;
   }
 
-  // Finds stretches in which `stands` shows only noise and then jumps without `other`. After a true rest both jump.
+  // Finds stretches in which `stands` shows only noise and then jumps while `other` does not. A true jump moves both.
   std::vector<SampleRange> stuck_in_noise(Signal const& stands, Signal const& other, double least_part) const {
     double const noise = std::hypot(stands.noise, 0.3 * stands.quantum);
     if (!(noise > same_value * stands.half_range)) return {};

@@ -48,7 +48,7 @@ class Table {
   std::size_t columns() const { return columns_; }
   // Number of the line or row at which the test starts, its header included.
   std::size_t start() const { return start_; }
-  // The test's name in messages, as in "tests(2) 'B'", if its tests have no line number that tells them apart.
+  // The test's name in messages, as in "tests(2) 'B'", if a file's tests have no line number that tells them apart.
   std::string const& title() const { return title_; }
   ParticularList const& particulars() const { return particulars_; }
 

@@ -284,7 +284,7 @@ class DateReader {
     return "which alone makes dates of all of them";
   }
 
-  // Takes the order of dates in which times rise in short steps, if in the other order they go back or leap by days.
+  // Takes the order of dates in which times rise in short steps, if times go back or leap by days in the other order.
   std::optional<DatesRead> by_sequence(std::vector<double> day_first, std::vector<double> month_first) {
     constexpr double step_of_a_record_s = 12.0 * 3600.0;
     auto const fits = [&](std::vector<double> const& times) {

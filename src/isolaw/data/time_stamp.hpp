@@ -46,7 +46,7 @@ struct StampedTime {
   std::vector<std::string> sentences;  // how the stamps were read, in words
 };
 
-// `lines` are the line numbers of the stamps. If the time cannot be determined, it is empty, with a complaint.
+// `lines` are the line numbers of the stamps. If the time cannot be determined, returns nothing and adds a complaint.
 StampedTime seconds_of(std::span<Stamp const> stamps, std::span<std::size_t const> lines, std::string const& where,
                        std::string_view row, std::optional<DateOrder> order, std::vector<Complaint>& complaints);
 
