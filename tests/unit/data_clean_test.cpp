@@ -49,7 +49,7 @@ TEST(MovingAverage, IsAsExactAsADirectSumFarAlongARecord) {
   for (std::size_t i = 199000; i < 199990; ++i) {
     double sum = 0.0;
     for (std::size_t k = i - 5; k <= i + 5; ++k) sum += values[k] - 1e6;
-    // The tolerance is a few times the spacing of doubles near 1e6, 1.2e-10.
+    // The tolerance is four times the distance between neighbouring doubles near 1e6, which is 1.2e-10.
     EXPECT_NEAR(averages[i] - 1e6, sum / 11.0, 5e-10);
   }
 }
@@ -71,7 +71,7 @@ TEST(CentralDifference, OfShortRecords) {
   EXPECT_EQ(central_difference({1.0, 3.0}, {2.0, 6.0}), (Values{2.0, 2.0}));
 }
 
-// Three cycles of 100 mm at 0.5 Hz.
+// Three cycles of a sine with an amplitude of 100 mm and a frequency of 0.5 Hz.
 TestRecord sine(int samples_per_cycle, bool with_time = true) {
   TestRecord record;
   for (int i = 0; i <= 3 * samples_per_cycle; ++i) {
@@ -112,7 +112,7 @@ TEST(Clean, ThinsAfterAveragingOverWhatIsDropped) {
   ASSERT_EQ(record.size(), 601u);
   auto const averaged = moving_average(raw.disp_mm, 5);
   auto const force = moving_average(raw.force_kN, 5);
-  auto const velocity = central_difference(raw.time_s, averaged);  // computed before samples are dropped
+  auto const velocity = central_difference(raw.time_s, averaged);  // velocity comes before samples are dropped
   for (std::size_t i = 0; i < record.size(); ++i) {
     EXPECT_EQ(record.time_s[i], raw.time_s[5 * i]);
     EXPECT_EQ(record.disp_mm[i], averaged[5 * i]);
@@ -180,7 +180,7 @@ TEST(Clean, CentresOnTheReportedCycleOnlyWhenAsked) {
   EXPECT_EQ(clean(raw, {}).disp_mm, raw.disp_mm);
   auto const record = clean(raw, {.center = true});
   EXPECT_NEAR(record.disp_mm[0], 0.0, 1e-9);
-  // The tolerance allows for a peak between two samples.
+  // The peak may lie between two samples, so the centre is exact to 0.1 kN only.
   EXPECT_NEAR(record.force_kN[250], raw.force_kN[250] + 6.0, 0.1);
   EXPECT_TRUE(text_of(record.cleaning.front()).starts_with("centred: 4 mm subtracted from displacement and -6"));
   EXPECT_TRUE(text_of(record.cleaning.front()).ends_with("(max + min) / 2 over cycle 3 of block 1"))

@@ -94,10 +94,10 @@ constexpr std::string_view three_forces =
 TEST_F(ColumnsTest, ByNumberAndByName) {
   EXPECT_EQ(read(three_forces, with("force=3")).force_kN, (std::vector<double>{2, 3, 1}));
   EXPECT_EQ(read(three_forces, with("force=Force 1 [kN]")).force_kN, (std::vector<double>{2, 3, 1}));
-  // A column may be given without its unit and with other capitals.
+  // The option may leave out a column's unit and use other capitals.
   EXPECT_EQ(read(three_forces, with("force=FORCE 1")).force_kN, (std::vector<double>{2, 3, 1}));
   EXPECT_EQ(read(three_forces, with("force=Force 2 [N]")).force_kN, (std::vector<double>{0.003, 0.004, 0.002}));
-  // A column with exactly this name comes before one whose name equals it without the unit.
+  // Both "Force 2 [N]" and "force 2" match. The column whose whole name is "force 2" is taken.
   EXPECT_EQ(read(three_forces, with("force=force 2", "force=kN")).force_kN, (std::vector<double>{4, 5, 6}));
 }
 

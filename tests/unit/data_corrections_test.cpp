@@ -14,8 +14,8 @@
 namespace isolaw::data::testing {
 namespace {
 
-// Five cycles of 208 mm at 0.5 Hz of a bearing whose stiffness falls exponentially after each reversal. The force is
-// late by `late_s`.
+// Five cycles of 208 mm at 0.5 Hz of a bearing whose stiffness falls exponentially with the distance from each
+// reversal. The force is late by `late_s`.
 TestRecord bearing(double late_s = 0.0) {
   Motion fine;
   fine.dt_s = 0.0005;
@@ -93,8 +93,8 @@ TEST(Corrections, FrictionOfTheRigIsTakenOff) {
   EXPECT_EQ(by_load.force_kN, record.force_kN);
 }
 
-// At a peak of displacement, noise alone decides in which direction a sample seems to move. The correction for the
-// rig's friction must not shift the force with this direction, whether the rig has friction or not.
+// At a peak, noise of displacement seems to move single samples up and down. The correction for friction of the rig
+// must not follow these false directions, whether the rig has friction or not.
 TEST(Corrections, FrictionTakenOffLeavesThePeaksToTheForce) {
   auto const truth = bearing();
   std::mt19937_64 random(3);
@@ -126,7 +126,7 @@ TEST(Corrections, InertiaOfAMovingMassIsTakenOff) {
   for (std::size_t i = 0; i < record.size(); ++i) record.force_kN[i] -= mass * omega * omega * record.disp_mm[i] * 1e-6;
   EXPECT_NEAR(truth.K_eff_kN_per_mm - reported(record).K_eff_kN_per_mm, 0.049, 0.001);
   correct(record, {.moving_mass_kg = mass});
-  // The correction is 0.049 kN/mm; an error of 1 % of it is allowed.
+  // The mass lowers the stiffness by 0.049 kN/mm. The test allows 1 % of this as error.
   EXPECT_NEAR(reported(record).K_eff_kN_per_mm, truth.K_eff_kN_per_mm, 0.0005);
   EXPECT_NE(text_of(record.corrections).find("moving mass of 5000 kg"), std::string::npos);
 }
@@ -145,7 +145,7 @@ TEST(Corrections, TheInertiaOfANoisyMotionIsNoNoise) {
     if (record.time_s[i] > 1.0 && record.time_s[i] < 10.0)
       largest = std::max(largest, std::abs(record.force_kN[i] - before[i]));
   EXPECT_GT(largest, 0.99 * 0.0493 * 208.0);
-  // Acceleration from second differences would add noise of 0.02 mm sqrt(6) / dt^2, which is 10 kN.
+  // Without averaging, noise of 0.02 mm would change the inertia force by 0.02 sqrt(6) m / dt^2, about 10 kN.
   EXPECT_LT(largest, 1.02 * 0.0493 * 208.0);
 }
 
@@ -179,7 +179,7 @@ TEST(Corrections, AreValidated) {
 
 TEST(Corrections, CountTheSamplesLostToASkew) {
   auto const said = [](double skew_s) {
-    auto record = bearing();  // sampled every 0.005 s
+    auto record = bearing();  // one sample each 0.005 s
     auto const before = record.size();
     correct(record, {.skew_s = skew_s});
     return std::pair(before - record.size(), text_of(record.corrections));

@@ -55,7 +55,7 @@ TEST(Segment, OneCycleIsCyclic) {
 TEST(Segment, AChangeOfFrequencyAtOneAmplitudeIsABlock) {
   auto const cut = Motion().sine(100.0, 0.1, 3).sine(100.0, 0.5, 5).end().cut();
   EXPECT_EQ(counted_per_block(cut), (Counts{3, 5}));
-  // Without time, a change in the number of samples per cycle must start a new block.
+  // Without time, isolaw can see a change of frequency only in the number of samples per cycle.
   Motion const motion = Motion().sine(100.0, 0.1, 3).sine(100.0, 0.5, 5).end();
   EXPECT_EQ(counted_per_block(segment(motion.disp_mm)), (Counts{3, 5}));
 }
@@ -84,7 +84,7 @@ TEST(Segment, HoldsBetweenBlocksOfDifferentAmplitude) {
 }
 
 TEST(Segment, PlateausAtThePeaksCutNothing) {
-  Motion motion;  // trapezoids with noise on their plateaus
+  Motion motion;  // trapezoids, whose plateaus are noisy
   for (int cycle = 0; cycle < 4; ++cycle)
     motion.ramp(0, 80, 1.0).hold(80, 2.0).ramp(80, -80, 2.0).hold(-80, 2.0).ramp(-80, 0, 1.0);
   EXPECT_EQ(counted_per_block(motion.end().noise(0.5).cut()), Counts{4});
@@ -152,7 +152,7 @@ TEST(Segment, APreLoadEitherWayCostsNoCycle) {
         EXPECT_TRUE(cut.cycles[0].partial);
         EXPECT_TRUE(cut.cycles[0].not_counted.starts_with("pre-load: to ")) << cut.cycles[0].not_counted;
         EXPECT_NEAR(cut.cycles[1].first, 200.0 * seconds, 2.0);
-        // Cycles start in the direction in which the test starts.
+        // Cycles start in the direction in which the test starts after its pre-load.
         EXPECT_GT(sign * value_at(motion.disp_mm, cut.cycles[1].first + 50.0), 140.0);
         EXPECT_EQ(properties.reported->number, std::min(3, cycles));
         if (noise > 0.0) continue;
@@ -161,7 +161,7 @@ TEST(Segment, APreLoadEitherWayCostsNoCycle) {
           EXPECT_NEAR(cycle->amplitude_mm, 150.0, 0.1);
         }
         if (cycles >= 2) {
-          // The energy of an exponential loop is 4 f0 (D - tanh(a D) / a).
+          // The loop is exponential, so its energy is 4 f0 (D - tanh(a D) / a).
           EXPECT_NEAR(properties.find(1, 2)->energy_kN_mm, 13750.0, 10.0);
         }
       }
@@ -185,8 +185,8 @@ TEST(Segment, ABlockMayStartTheOtherWay) {
 }
 
 TEST(Segment, TheStrengthOfABlockThatStartsTheOtherWay) {
-  // The force just before the first cycle of the second block still belongs to the first block. Half of the loop's
-  // height at that crossing is not the strength in the second block.
+  // The second block starts the other way. The force at its first crossing still belongs to the first block's loop, so
+  // the height of the loop there must not enter the strength.
   auto const properties = Motion().sine(100.0, 0.5, 3).sine(-150.0, 0.5, 3).end().loop(0.6, 25.0).properties();
   for (int const number : {1, 2, 3}) EXPECT_NEAR(properties.find(2, number)->Q_d_kN, 25.0, 0.1) << number;
 }
@@ -295,7 +295,7 @@ TEST(Segment, PartialEndsAreShownWithTheirReason) {
 
 TEST(Segment, ARecordThatStartsAndEndsAnywhereInItsCyclesIsCyclic) {
   Motion whole;
-  whole.sine(100.0, 0.5, 12.0);  // at 200 samples per cycle
+  whole.sine(100.0, 0.5, 12.0);  // the sine has 200 samples per cycle
   for (int const start : {0, 1, 3, 10, 40, 49, 51, 90, 100, 110, 149, 150, 151, 190, 199})
     for (int const samples : {450, 520, 600, 650, 700, 730, 799, 801, 900, 1101}) {
       auto const from = whole.disp_mm.begin() + start;
@@ -452,7 +452,7 @@ TEST_P(Draw, UnitsSignAndTimeOriginDoNotMatter) {
 
 TEST_P(Draw, ThePhysicsSurviveRescalingShiftResamplingAndReversal) {
   auto motion = random();
-  // An odd number of samples, so that the last one stays when every second one is dropped.
+  // The number of samples is odd, so that the last one stays when every second sample is dropped.
   if (motion.disp_mm.size() % 2 == 0) motion.end();
   motion.loop();
   auto const reference = motion.properties();

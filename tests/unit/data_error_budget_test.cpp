@@ -58,11 +58,11 @@ TEST(ErrorBudget, ACleanRecordHasNotesAndNoWarnings) {
   for (auto const& effect : budget.effects) EXPECT_FALSE(effect.exceeds) << effect.effect;
 }
 
-// The force of two samples at a peak is lost, which halves the stiffness of that cycle.
+// Two samples at a peak lose their force, which halves the stiffness of that cycle.
 TEST(ErrorBudget, ACycleUnlikeItsNeighboursIsNamed) {
   auto motion = Motion().sine(100.0, 0.5, 5).end().loop();
   EXPECT_FALSE(says(budget_of(motion).warnings, "beside it"));
-  motion.force_kN[450] = motion.force_kN[451] = 0.0;  // at the peak of the third cycle, at 200 samples a cycle
+  motion.force_kN[450] = motion.force_kN[451] = 0.0;  // peak of cycle 3, at 200 samples a cycle
   auto const budget = budget_of(motion);
   EXPECT_TRUE(says(budget.warnings, "the force at a peak is in cycle 3 of block 1 "));
 }
@@ -81,7 +81,7 @@ TEST(ErrorBudget, ALateForceIsWarnedOfInMilliseconds) {
     auto const budget = budget_of(skewed(late));
     auto const* effect = find(budget, "skew");
     ASSERT_NE(effect, nullptr);
-    EXPECT_NEAR(effect->value, 1000.0 * late, 2.0);  // within 0.2 of a sampling interval
+    EXPECT_NEAR(effect->value, 1000.0 * late, 2.0);  // 2 ms are 0.2 of a sampling interval
     EXPECT_TRUE(effect->exceeds);
     EXPECT_NEAR(find(budget, "damping by skew")->value, -100.0 * pi * 0.5 * late, 0.35);
     EXPECT_TRUE(says(budget.warnings, "--skew-ms")) << late;
@@ -147,7 +147,7 @@ TEST(ErrorBudget, FrictionIsNotNamedAgainAsSkew) {
 TEST(ErrorBudget, ASkewBesideFrictionIsWhatIsLeftOfIt) {
   auto const budget = budget_of(skewed(-0.015, 0.5, 30.0, 0.08, 4.0));
   ASSERT_NE(find(budget, "damping by the jump"), nullptr);
-  EXPECT_NEAR(find(budget, "skew")->value, -15.0, 5.0);  // within half a sampling interval
+  EXPECT_NEAR(find(budget, "skew")->value, -15.0, 5.0);  // 5 ms are half a sampling interval
   EXPECT_TRUE(says(budget.notes, "before displacement, after its jump is subtracted: viscosity"));
 }
 
@@ -231,7 +231,7 @@ TEST(ErrorBudget, OffsetsDriftAndClosure) {
   EXPECT_TRUE(says(budget_of(drifting).warnings, "force drifts"));
   EXPECT_FALSE(says(budget_of(plain()).warnings, "drifts"));
 
-  auto open = Motion().sine(100.0, 0.5, 0.99);  // comes to rest at -6.3 mm; farther out the cycle would be partial
+  auto open = Motion().sine(100.0, 0.5, 0.99);  // stops at -6.3 mm; farther from zero the cycle would be partial
   open.end(-4.0).loop();
   EXPECT_TRUE(says(budget_of(open).warnings, "ends -4 mm from where it starts, 2 % of the whole travel"));
 }
@@ -271,8 +271,8 @@ TEST(ErrorBudget, ARecordWithoutCyclesHasItsTimeAssessedOnly) {
 
 // --- how often the force is called late ---
 
-// Counts the noisy records of 2 to 20 cycles that have an estimate of the delay, and those among them that are called
-// late. The devices do not depend on rate. `late_rad` is the true delay of the force as a phase.
+// Counts noisy records of 2 to 20 cycles of devices without rate dependence: those with an estimated delay of the
+// force, and among them those that isolaw calls late. `late_rad` is the true delay as a phase.
 struct SkewCount {
   int estimated = 0, late = 0;
 };
@@ -373,7 +373,7 @@ TEST(ErrorBudget, NoHoldAtTheExtremesIsALateChannel) {
     }
     auto const budget = budget_of(motion.loop());
     EXPECT_FALSE(says(budget.warnings, "a channel is late")) << hold;
-    bool const clearly = hold > 0.1;  // shorter holds leave nearly a triangle
+    bool const clearly = hold > 0.1;  // with shorter holds the motion is nearly a triangle
     EXPECT_FALSE(clearly && says(budget.warnings, "the largest speed")) << hold;
   }
 }

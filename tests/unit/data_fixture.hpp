@@ -47,7 +47,7 @@ class Files : public ::testing::Test {
     return read_record(write(bytes), options);
   }
 
-  // The messages about a refused file, one a line, with FILE in place of its path; empty if the file was read.
+  // The messages with which a file is refused, one a line, with FILE for its path; empty if the file was read.
   std::string refusal(std::string_view bytes, ReadOptions const& options = {},
                       std::string_view file_name = "test.csv") {
     auto const file = write(bytes, file_name);
@@ -69,7 +69,7 @@ inline ReadOptions with(std::string_view columns, std::string_view units = {}) {
   return options;
 }
 
-// An elliptic loop F = K x + C v/omega of positive stiffness, which dissipates energy.
+// An elliptic loop F = K x + C v/omega. Its stiffness is positive, and it dissipates energy.
 struct Ellipse {
   double amplitude_mm = 100.0;
   double K = 0.75;
@@ -83,7 +83,7 @@ struct Ellipse {
   double force(int i) const { return amplitude_mm * (K * std::sin(phase(i)) + C * std::cos(phase(i))); }
 };
 
-// Rows "time disp force" of a loop, to four decimals, with this delimiter, decimal sign and line end.
+// Writes a loop as rows "time disp force" to four decimals, with this delimiter, decimal sign and line end.
 inline std::string rows(Ellipse const& loop, std::string_view delimiter, char decimal = '.',
                         std::string_view end = "\n") {
   std::string text;

@@ -91,7 +91,7 @@ TEST(MeasuredFormats, FilesOfADamperFromMatlab) {
     auto const record = read_record(file, with("time=Tout,disp=dist,force=forc", "time=s,disp=mm,force=N"));
     EXPECT_EQ(record.size(), 1501u);
     EXPECT_NEAR(record.time_s.back(), 15.0, 1e-9);
-    // The matrix x_F repeats displacement, velocity and force.
+    // In this MATLAB file the matrix x_F repeats the vectors of displacement, velocity and force.
     auto const matrix = read_record(file, with("time=Tout,disp=x_F:1,force=x_F:3", "time=s,disp=mm,force=N"));
     EXPECT_EQ(matrix.disp_mm, record.disp_mm);
     EXPECT_EQ(matrix.force_kN, record.force_kN);

@@ -121,7 +121,7 @@ TEST_F(Json, AListOfTestsHoldsAsManyTests) {
   ASSERT_EQ(listed.size(), 2u);
   EXPECT_EQ(listed[1].test, "2");
   EXPECT_EQ(listed[1].sheet, std::nullopt);
-  expect_three_rows(read("[" + one("A", "-2") + "]", told));  // with one test in the list, none needs to be chosen
+  expect_three_rows(read("[" + one("A", "-2") + "]", told));  // a list of one test needs no option --test
 }
 
 TEST_F(Json, TestsOfAListSpeakForThemselvesAlone) {

@@ -133,7 +133,7 @@ TEST_P(Matlab, ColumnsOfAMatrixAndLongRows) {
   auto options = units;
   options.columns = parse_columns("time=m:1,disp=m:2,force=m:3");
   expect_values(read(mat_of([](MatWriter& w) { w.array("m", matrix(), 3); }), options));
-  // The 12 values form a matrix of 3 rows and 4 columns.
+  // The 12 values are a matrix of 3 rows and 4 columns, so the channels are rows.
   expect_values(read(mat_of([&](MatWriter& w) { w.array("m", wide, 4); }), options));
 }
 
@@ -270,7 +270,7 @@ std::string packed(std::string const& data) {
 
 class Mat5 : public Files {
  protected:
-  // The message about a file that holds these elements beside a sound force.
+  // The message about a file that holds these data elements and a sound force.
   std::string found(std::string const& elements) {
     auto const text = refusal(file_of(elements + array("force_kN", four_force, 4, 1)));
     std::string const start = "FILE: the .mat file cannot be read: ";
@@ -294,14 +294,14 @@ TEST_F(Mat5, SizesThatLie) {
   beyond.replace(4, 4, word(0xFFFFFFF0));
   EXPECT_EQ(found(beyond), "a variable beyond the end of the file");
   auto inner = array("disp_mm", four_disp, 4, 1);
-  inner.replace(8 + 16 + 16 + 4, 4, word(100000));  // the length of the name
+  inner.replace(8 + 16 + 16 + 4, 4, word(100000));  // states a name of 100000 bytes
   EXPECT_EQ(found(inner), "a name of 100000 bytes");
   EXPECT_EQ(found(element(14, element(6, word(6) + word(0)) + element(5, std::string(400, '\1')))),
             "a list of sizes of 400 bytes");
 }
 
 TEST_F(Mat5, WhatIsPackedIsBounded) {
-  // Compressed files of a few kB that hold millions of zeros.
+  // These compressed files have a few kB and hold millions of zeros.
   auto const zeros = [](char const* name, std::uint32_t count, std::uint32_t type, std::size_t size) {
     return packed(element(14, element(6, word(6) + word(0)) + element(5, word(count) + word(1)) + element(1, name) +
                                   element(type, std::string(count * size, '\0'))));
@@ -312,7 +312,7 @@ TEST_F(Mat5, WhatIsPackedIsBounded) {
   };
   EXPECT_EQ(bomb(9'000'000, 2, 1), "FILE:disp_mm: 9000000 values, far more than a file of this size can hold");
   EXPECT_EQ(bomb(10'000'001, 2, 1), "FILE: 10000001 values");
-  // Two million values are allowed in a file of any size.
+  // A file of any size may hold two million values, so this one is unpacked and then refused for constant displacement.
   EXPECT_EQ(bomb(2'000'000, 9, 8).substr(0, 30), "FILE:disp_mm: disp is constant");
   auto cut = packed(array("disp_mm", four_disp, 4, 1));
   cut.replace(4, 4, word(20));
@@ -410,7 +410,7 @@ TEST_F(Mat73, LinksAndDataElsewhereLeadNowhere) {
       << refusal(kept_elsewhere);
 }
 
-// HDF5 stores no values of a data set of a thousand million values that were never written.
+// A data set of a thousand million values that were never written takes no space in an HDF5 file.
 TEST_F(Mat73, ValuesThatAreNotThere) {
   auto const text = mat_of([&](hid_t file) {
     add(file, "force_kN", four_force);

@@ -1,4 +1,4 @@
-// Measured records, which are not part of the project. Tests are skipped where the files are absent.
+// Measured records, which are not part of the project. A test is skipped if its file is absent.
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -77,7 +77,7 @@ TEST(Measured, FullScaleBearingIsRecognisedAndCutIntoItsCycles) {
   EXPECT_EQ(clean(record, {}).size(), 4942u);  // every fourth sample
 }
 
-// Counts rises of the displacement by more than 3 mm between turning points.
+// Counts the rises of displacement by more than 3 mm from one turning point to the next.
 int rises(std::vector<double> const& disp_mm) {
   int count = 0, direction = 0;
   double low = disp_mm.front(), high = disp_mm.front();
@@ -96,7 +96,7 @@ int rises(std::vector<double> const& disp_mm) {
   return count;
 }
 
-// The force is clipped as by a saturated amplifier and then noise is added, as by a converter behind it.
+// A saturated amplifier clips the force, and then the converter behind it adds noise.
 TEST(Measured, FullScaleBearingWhoseForceIsClippedIsNamed) {
   auto const file = folder / "hdrb-gallardo-device/cyclic-24-49-98pct.csv";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not here";
@@ -118,11 +118,11 @@ TEST(Measured, FullScaleBearingWhoseForceIsClippedIsNamed) {
 TEST(Measured, MrDampersAreReadAndCutIntoTheirCycles) {
   struct Damper {
     int number;
-    // From the peak of the spectrum; half of the third rise, or in test 3 of the third fall.
+    // `frequency_Hz` is the peak of the spectrum, `amplitude_mm` half the third rise (in test 3, half the third fall).
     double frequency_Hz, amplitude_mm;
     std::size_t complete, counted;  // in test 1, one cycle does not count as it is 5.1 % larger than the others
   };
-  // Counted on the turning points in the files, which were read with Octave.
+  // These numbers were counted by turning points in the files, which Octave had read.
   constexpr Damper tests[] = {{1, 0.84, 8.65, 10, 9},
                               {2, 0.87, 8.14, 12, 12},
                               {3, 0.90, 7.15, 12, 12},
@@ -146,8 +146,7 @@ TEST(Measured, MrDampersAreReadAndCutIntoTheirCycles) {
     auto turned = record.disp_mm;
     for (double& x : turned) x = -x;
     bool const falls_first = test.number == 3;
-    // A cycle lasts from the middle of a rise to the middle of the next rise, or of falls in test 3, which starts
-    // downwards.
+    // A cycle lasts from the middle of a rise to that of the next. Test 3 starts downwards, so its falls are counted.
     EXPECT_EQ(complete, rises(falls_first ? turned : record.disp_mm) - 1);
     auto const properties = cyclic_properties(record);
     ASSERT_EQ(properties.blocks.size(), 1u);

@@ -63,9 +63,9 @@ TEST_F(Stamps, AreSecondsFromTheFirst) {
   expect_times({"2024-03-31T01:59:59+01:00", "2024-03-31T03:00:00+02:00", "2024-03-31T03:00:01+02:00"}, {0, 1, 2});
   expect_times({"31/12/2023 23:59:59", "01/01/2024 00:00:00", "01/01/2024 00:00:01"}, {0, 1, 2});
   expect_times({"12/31/2023 23:59:59", "01/01/2024 00:00:00", "01/01/2024 00:00:01"}, {0, 1, 2});
-  // The second stamp follows the first by a second only if the day comes first.
+  // Day first, the second stamp follows the first by a second. Month first, a month would lie between them.
   expect_times({"03/04/2024 23:59:59", "04/04/2024 00:00:00", "04/04/2024 00:00:01"}, {0, 1, 2});
-  // These times are the same whether the day or the month comes first.
+  // All stamps have the same date, so the times do not depend on the order of day and month.
   expect_times({"03/04/2024 10:00:00", "03/04/2024 10:00:01", "03/04/2024 10:00:02"}, {0, 1, 2});
 }
 
@@ -203,13 +203,13 @@ TEST_F(Parts, DigitsAreGroupedAsTheUserSays) {
       "234\xE2\x80\xAF"
       "567,5\n",
       ' ');
-  // Thousands may be grouped in a ground motion of one column too.
+  // The option also works for a displacement history (a file with one column).
   ReadOptions one;
   one.dt_s = 0.1;
   one.thousands = ',';
   EXPECT_EQ(read_motion(write("Displacement [mm]\n1,000.5\n2,000.25\n-1,500\n"), one).disp_mm,
             (std::vector{1000.5, 2000.25, -1500.0}));
-  // Here every number has three digits after the comma. Without the option the comma would be a decimal sign.
+  // The option names the comma, but every number has three digits after a comma and could be a decimal number.
   EXPECT_EQ(read_with("1;1,234\n2;2,345\n3;3,456\n", ','), (std::vector{1.234, 2.345, 3.456}));
 }
 
@@ -356,7 +356,7 @@ TEST_F(TwoFiles, UnitsOfTimeAreGivenToBoth) {
   auto own = channel(false);
   own.replace(0, own.find(';'), "Time");
   EXPECT_EQ(joined(own, bare, options).size(), 601u);
-  // The file of the force states ms as its unit of time, which counts before the unit that is given for the other file.
+  // The file of the force states ms as its unit of time, so isolaw does not use the unit given for the other file.
   std::string milliseconds = "Time [ms];Force [kN]\n";
   for (int i = 0; i < loop.size(); ++i) milliseconds += fmt::format("{};{:.6f}\n", 10 * i, loop.force(i));
   EXPECT_EQ(joined(own, milliseconds, options).size(), 601u);

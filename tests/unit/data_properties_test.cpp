@@ -40,8 +40,7 @@ History ellipse(int samples_per_cycle, int cycles, double Xa, double Fa, double 
   return history;
 }
 
-// Area of the polygon inscribed in an ellipse over that of the ellipse. The trapezoidal rule gives the area of the
-// polygon.
+// The trapezoidal rule gives the area of a polygon inscribed in the ellipse. This is its ratio to the ellipse's area.
 double trapezoid_factor(double samples) {
   return samples / (2.0 * pi) * std::sin(2.0 * pi / samples);
 }
@@ -93,7 +92,7 @@ TEST(Cycles, CutBetweenSamplesAreInterpolated) {
   EXPECT_NEAR(nth(properties, 0).K_eff_kN_per_mm, 3.0, 1e-12);
 }
 
-// A bilinear loop of K1, K2 and Qd has the yield displacement D_y = Qd / (K1 - K2).
+// A bilinear loop with first stiffness K1, second stiffness K2 and strength Qd yields at D_y = Qd / (K1 - K2).
 TEST(Cycles, BilinearLoopHasTheArea4QdDMinusDy) {
   double const K1 = 10.0, K2 = 1.0, Qd = 45.0, D = 100.0;
   double const Dy = Qd / (K1 - K2);
@@ -102,7 +101,7 @@ TEST(Cycles, BilinearLoopHasTheArea4QdDMinusDy) {
   double x = 0.0;
   history.add(0.0, 0.0);
   auto const go = [&](double to) {
-    double const step = to > x ? 0.5 : -0.5;  // Dy = 5, so corners fall on samples
+    double const step = to > x ? 0.5 : -0.5;  // Dy = 5 is a multiple of the step of 0.5, so corners fall on samples
     while (x != to) {
       x += step;
       elastic = std::clamp(elastic + (K1 - K2) * step, -Qd, Qd);
@@ -163,7 +162,7 @@ TEST(Cycles, NoiseAndHoldsAboutZeroCutNothing) {
   ASSERT_EQ(properties.counted().size(), 3u);
   EXPECT_EQ(nth(properties, 0).first, 0.0);
   EXPECT_NEAR(nth(properties, 0).last, 500.0, 50.0);
-  // The median hardly changes with the one cycle of 300 samples.
+  // Each cycle has 200 samples of motion. The noisy holds beside it may add to them.
   EXPECT_NEAR(*properties.samples_per_cycle, 250.0, 60.0);
 }
 
@@ -345,7 +344,7 @@ TEST(Properties, StabilityComparesWithTheThirdCycle) {
   EXPECT_NEAR(found.first_to_third.value(), 1.5, 1e-12);
   EXPECT_NEAR(found.first_to_mean_1_3.value(), 1.5 / 1.2, 1e-12);
   EXPECT_NEAR(found.last_to_mean_1_3.value(), 0.5 / 1.2, 1e-12);
-  EXPECT_NEAR(found.min_2_10.value(), 0.8, 1e-12);  // cycle 11 is outside cycles 2 to 10
+  EXPECT_NEAR(found.min_2_10.value(), 0.8, 1e-12);  // extremes leave out cycle 11
   EXPECT_NEAR(found.max_2_10.value(), 1.1, 1e-12);
   EXPECT_NEAR(found.max_1_10.value(), 1.5, 1e-12);
   EXPECT_NEAR(found.least_to_largest_2_10.value(), 0.8 / 1.1, 1e-12);

@@ -69,12 +69,12 @@ INSTANTIATE_TEST_SUITE_P(
                       Trap{"1.5 2.0\n2.5 4.5\n-3.25 1.0\n", read_disp, read_force},
                       Trap{"\"1,5\",\"2,0\"\n\"2,5\",\"4,5\"\n\"-3,25\",\"1,0\"\n", read_disp, read_force},
                       Trap{"\"1,5\";\"2,0\"\n\"2,5\";\"4,5\"\n\"-3,25\";\"1,0\"\n", read_disp, read_force},
-                      // Whole numbers occur among the decimals.
+                      // Some cells hold whole numbers, others decimals.
                       Trap{"1,5;2\n2,5;4,5\n-3,25;1\n", read_disp, read_force},
                       // Each row ends with a delimiter.
                       Trap{"1.5;2;\n2.5;4.5;\n-3.25;1;\n", read_disp, read_force},
                       Trap{"+1.5,2\r\n+25e-1,4.5\r\n-3.25,1E0\r\n", read_disp, read_force},
-                      // The points are decimal signs and do not group thousands.
+                      // Here point and comma are decimal signs, although three digits follow, as in thousands.
                       Trap{"1.234;5\n5.678;6\n9.123;4\n", {1.234, 5.678, 9.123}, {5, 6, 4}},
                       Trap{"1,234;5\n5,678;6\n9,123;4\n", {1.234, 5.678, 9.123}, {5, 6, 4}}));
 
@@ -83,8 +83,8 @@ TEST_F(Read, AnEmptyColumnBetweenTabsIsAColumn) {
   EXPECT_EQ(record.force_kN, (Values{7, 9, 8}));
 }
 
-// The encoding is recognised from the first bytes of the file. These end at a line end, since a cut elsewhere could
-// split a character of two bytes.
+// The encoding is recognised from the first bytes of the file, up to a line end. A cut elsewhere could split a
+// character of two bytes.
 TEST_F(Read, ShiftJisOfAnyLengthAndLineEnd) {
   for (std::string const end : {"\n", "\r\n", "\r"})
     for (std::size_t shift = 0; shift < 4; ++shift) {
@@ -101,7 +101,7 @@ TEST_F(Read, ShiftJisOfAnyLengthAndLineEnd) {
     }
 }
 
-// If the logger skips samples while the device rests, the gap is part of the test's time. If the clock jumps during
+// A logger may skip samples while the device rests. The gap is then part of the test's time. If the clock jumps during
 // motion, isolaw warns.
 TEST_F(Read, ARestThatWasNotRecordedIsNoJumpOfTheClock) {
   for (bool const at_rest : {true, false}) {
@@ -242,8 +242,7 @@ TEST_F(Read, LayoutReadsTheFileTheSameWay) {
   std::string const bytes = "t;Disp [mm];Disp [mm];Force [N];N [kN]\ns;;;;\n0;1;9;2;5\n1;2;9;3;5\n2;3;9;1;5\n";
   auto const record = read(bytes, with("disp=2"));
   EXPECT_EQ(record.layout.columns, (std::map<Channel, std::string>{{Channel::time, "t"},
-                                                                   // Two columns have its name, so the layout holds the
-                                                                   // number.
+                                                                   // Two columns are named "Disp [mm]".
                                                                    {Channel::disp, "2"},
                                                                    {Channel::force, "Force [N]"},
                                                                    {Channel::load, "N [kN]"}}));

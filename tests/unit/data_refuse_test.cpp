@@ -228,7 +228,7 @@ TEST_F(Refuse, ChannelsThatDoNotMove) {
       "FILE: force is constant: column 3 'Force [kN]' holds 2 kN in all 3 samples; allowed: a channel that moves; try: --columns force=NUMBER with the column that was measured");
 }
 
-// The rows of a clean loop, some forces of which are replaced.
+// The rows of a sound loop, with some forces replaced.
 std::string loop_with(std::vector<std::pair<int, std::string>> const& replaced, Ellipse const& loop = {}) {
   std::string text = header_row;
   for (int i = 0; i < loop.size(); ++i) {
@@ -249,7 +249,7 @@ TEST_F(Refuse, Overloads) {
           rest);
   EXPECT_NE(refusal(loop_with({{10, "-9999"}, {11, "-9999"}})).find("FILE:13: -9999 kN"), std::string::npos);
   EXPECT_NE(refusal(loop_with({{10, "999.9"}})).find("FILE:12: 999.9 kN"), std::string::npos);
-  // 56 times the largest of the other forces.
+  // The largest of the other forces is 78 kN. A value 56 times as large is an overload.
   EXPECT_NE(refusal(loop_with({{10, "4321"}})).find("FILE:12: 4321 kN"), std::string::npos);
 }
 
@@ -264,7 +264,7 @@ TEST_F(Refuse, ManyOverloadsAreCounted) {
 TEST_F(Refuse, LegitimateValuesAreNoOverloads) {
   EXPECT_EQ(refusal(loop_with({{10, "999"}}, {.amplitude_mm = 1000.0})), "");  // the other forces reach 776 kN
   EXPECT_EQ(refusal(loop_with({{10, "9999"}}, {.amplitude_mm = 12000.0})), "");
-  // Nine times the other forces, which is a spike and not an overload.
+  // 700 kN is nine times the largest of the other forces, so it is a spike and no overload.
   EXPECT_EQ(refusal(loop_with({{10, "700"}})), "");
   std::string held = "Disp [mm];Force [kN]\n";  // a long hold before the test
   for (int i = 0; i < 20000; ++i) held += "0.001;0.01\n";

@@ -59,8 +59,8 @@ bool near_a_turn(Plan const& plan, Recording const& record, std::size_t where, s
   return std::ranges::any_of(turns, [&](auto turn) { return std::max(turn, where) - std::min(turn, where) < reach; });
 }
 
-// Counts how many faults are missed in one record per seed. `of` puts a fault into the record. It returns whether the
-// fault was found, or that the record does not count.
+// Makes one record per seed and counts the faults that are missed. `of` puts a fault into the record and returns
+// whether it was found, or that the record is left out.
 enum class Found { left_out, no, yes };
 struct Rate {
   int drawn = 0, missed = 0;
@@ -78,7 +78,7 @@ Rate rate_of(unsigned first_seed, bool holds, std::function<Found(Plan&, Drawn&)
   return rate;
 }
 
-// Whether the fault of this depth is found. A fault that is not found is printed.
+// Whether the clipping of this depth is found. Prints the record if it is not.
 Found found_at(double depth, auto const& record, std::string const& channel) {
   auto const faults = faults_of(record);
   if (stands(faults, channel)) return Found::yes;
@@ -122,7 +122,7 @@ TEST(Signals, clipped_displacement_is_found_from_one_percent_of_the_amplitude) {
 TEST(Signals, trapezoids_with_short_holds_are_left_alone) {
   auto const rate = rate_of(130000, false, [](Plan& plan, Drawn& random) {
     plan.waveform = Waveform::trapezoid;
-    double const hold = random.between(0.02, 0.12);  // at each peak, as a share of the cycle
+    double const hold = random.between(0.02, 0.12);  // duration of the hold at each peak over that of a cycle
     plan.overdriven = 1.0 / (1.0 - 2.0 * hold);
     auto const record = finish(random, plan, true_motion(plan));
     auto const faults = faults_of(record);
@@ -221,7 +221,7 @@ TEST(Signals, spikes_are_found_from_five_percent_of_the_peak) {
       double const size = random.on_logs(0.05, 2.0) * (random.chance(0.5) ? 1.0 : -1.0);
       auto const where = static_cast<std::size_t>(random.whole(3, static_cast<int>(x.size()) - 4));
       if (std::abs(size) < 20.0 * (of_force ? plan.force_noise : plan.disp_noise)) return Found::left_out;
-      // A spike beside a jump or a corner of the signal itself does not count.
+      // A spike beside a jump or a corner of the signal itself need not be found.
       if (near_a_turn(plan, record, where, of_force ? 8 : 4)) return Found::left_out;
       x[where] += size * (of_force ? record.force_kN : record.amplitude_mm);
       auto const faults = faults_of(record);
@@ -250,8 +250,8 @@ TEST(Signals, a_stuck_channel_is_found) {
       auto const to = from + static_cast<std::size_t>(length);
       double const level = x[from];
       double const amplitude = of_force ? record.force_kN : record.amplitude_mm;
-      // The fault counts if the channel goes on at another value in the middle of a motion. A constant force without
-      // noise may also come from a device that yields.
+      // The fault must be found only if the channel goes on at another value in the middle of a motion. A force that is
+      // constant without noise may otherwise come from a device that yields.
       bool const jumps = std::abs(x[to] - level) > (of_force ? 0.3 : 0.15) * amplitude;
       bool const moves = std::abs(record.disp_mm[to] - record.disp_mm[from]) > 0.15 * record.amplitude_mm;
       if (!jumps || !moves || plan.device == Device::viscous || plan.device == Device::friction ||
@@ -295,7 +295,7 @@ TEST(Signals, a_channel_that_stuck_before_its_noise_is_found) {
   }
 }
 
-// Between 3 and 20 samples of one channel are zero or another value off the path, while the other channel goes on.
+// A channel is zero, or at another value off its path, for 3 to 20 samples while the other channel goes on.
 TEST(Signals, a_channel_that_drops_out_is_found) {
   for (bool const of_force : {true, false})
     for (bool const to_nought : {true, false}) {
@@ -309,8 +309,8 @@ TEST(Signals, a_channel_that_drops_out_is_found) {
             static_cast<std::size_t>(random.whole(rest + 5, rest + plan.samples * plan.cycles - length - 5));
         auto const to = from + static_cast<std::size_t>(length);
         double const level = to_nought ? 0.0 : amplitude * random.between(-1.5, 1.5);
-        // The fault counts if its samples lie clearly off the path on both sides and the signal itself has no jump
-        // beside them.
+        // The dropout must be found only if its value lies clearly off the samples before and after it, and if the
+        // signal itself has no jump there.
         double const off = std::min(std::abs(level - x[from - 1]), std::abs(level - x[to]));
         bool const one_way = (level - x[from - 1]) * (level - x[to]) > 0.0;
         if (!one_way || off < 0.3 * amplitude ||

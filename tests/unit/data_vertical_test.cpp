@@ -19,7 +19,7 @@ struct Press {
   int loadings = 3;
   double least_kN = 0.0, largest_kN = 1000.0;
   double hysteresis_mm = 0.0;  // additional displacement while unloading
-  // Displacement by which the device has settled before this loading.
+  // Displacement by which the device has settled before the loading with this number.
   std::function<double(int)> settled = [](int) { return 0.0; };
   int samples = 200;  // number of samples of a loading and its unloading together
 };
@@ -72,7 +72,7 @@ TEST(Vertical, LeavesOutWhatUnloadsAndWhatSettles) {
 }
 
 TEST(Vertical, TakesTheThirdLoadingOrTheLast) {
-  // A device that stiffens from loading to loading.
+  // The device gets stiffer with each loading, so K_v tells which loading was used.
   auto const of = [](int loadings) {
     VerticalTest all{.file = "v.csv", .sha256 = {}};
     for (int number = 1; number <= loadings; ++number) {
@@ -321,7 +321,7 @@ TEST_F(VerticalFiles, AreReadByTheNamesOfEitherMachine) {
 TEST_F(VerticalFiles, OfARigThatShearsTooAreOfTheVerticalOnes) {
   auto const test = read_vertical(write("Time [s];Displacement [mm];Force [kN];Vertical displacement [mm];Vertical "
                                         "force [kN]\n0;5;1;0.0;10\n0;6;2;0.1;110\n0;7;3;0.2;210\n"),
-                                  {}, {});  // no time is needed
+                                  {}, {});  // a compression test needs no time
   EXPECT_EQ(test.disp_mm, (std::vector{0.0, 0.1, 0.2}));
   EXPECT_EQ(test.load_kN, (std::vector{10.0, 110.0, 210.0}));
 }

@@ -32,7 +32,7 @@ TEST_F(Workbook, IsReadAsExcelWritesIt) {
   ASSERT_EQ(record.size(), static_cast<std::size_t>(loop.size()));
   EXPECT_NEAR(record.disp_mm[50], 100.0, 1e-12);
   EXPECT_EQ(record.layout.columns.at(Channel::disp), "Disp [mm]");
-  EXPECT_EQ(record.layout.sheet, std::nullopt);  // no sheet needs to be named in a workbook of one
+  EXPECT_EQ(record.layout.sheet, std::nullopt);  // a workbook of one sheet needs no option --sheet
   EXPECT_TRUE(says(record.recognised, "an Excel workbook, sheet 'Prüfung 1'"));
   EXPECT_TRUE(says(record.recognised, "row 1 is the header"));
   EXPECT_TRUE(says(record.recognised, "disp: column B 'Disp [mm]', by its name; unit mm from its name"));
@@ -128,7 +128,7 @@ TEST_F(Workbook, SheetsOfOtherNumbersArePassedOverBesideATest) {
   }
   auto const text = book({{"Test", columns_of(loop)}, {"Grafici", chart}});
   EXPECT_EQ(
-      // The columns are given by letters, so a sheet without names of channels may also hold the test.
+      // If --columns gives letters, a sheet without names of channels may be the test too.
       refusal(text, with("disp=B,force=C")),
       "FILE: tables 'Test', 'Grafici' may each be the test; allowed: one of them; try: --sheet Test, or isolaw init, which makes a device of each");
   EXPECT_EQ(
@@ -208,7 +208,7 @@ TEST_F(Workbook, DatesAndTimesOfDayAreNoSeconds) {
     return book_with(rows, {{"xl/styles.xml", styles}});
   };
   for (int const number : {0, 2, 4}) EXPECT_EQ(read(styled(number)).size(), 3u) << number;
-  // A column of dates without times of day cannot be the time of a test.
+  // Dates without times of day cannot be the time of a test.
   for (int const date : {1, 3})
     EXPECT_TRUE(
         refusal(styled(date))
@@ -279,7 +279,7 @@ TEST_F(Workbook, CellsThatSayTheyAreElsewhere) {
             std::string("FILE:Test: a cell in column ALM; allowed: 1000 columns, to ALL") + advice);
 }
 
-// A small file in which every cell refers to one text of 30 000 characters.
+// A small file in which a great many cells refer to one text of 30 000 characters.
 TEST_F(Workbook, OneTextSaidManyTimesIsCut) {
   std::string const shared = "<sst><si><t>" + std::string(30'000, 'x') + "</t></si></sst>";
   std::string rows = header_cells;

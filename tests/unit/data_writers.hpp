@@ -51,7 +51,7 @@ inline std::string csv_of(Named const& columns) {
 
 // --- workbooks ---
 
-// Adds a sheet by libxlsxwriter: names in row `first`, counted from 0, and the values below.
+// Adds a sheet by libxlsxwriter, with the names in row `first` (counted from 0) and the values below them.
 inline void add_sheet(lxw_workbook* book, std::string const& name, Named const& columns, lxw_row_t first = 0) {
   auto* sheet = workbook_add_worksheet(book, name.c_str());
   for (std::size_t c = 0; c < columns.size(); ++c) {
@@ -114,7 +114,7 @@ class MatWriter {
   MatWriter& operator=(MatWriter const&) = delete;
   ~MatWriter() { Mat_Close(mat_); }
 
-  // A matrix from its values, column by column.
+  // Adds a matrix, whose values are given column by column.
   MatWriter& array(std::string const& name, std::vector<double> values, std::size_t columns = 1) {
     return add(variable(name.c_str(), values, columns));
   }
@@ -126,7 +126,7 @@ class MatWriter {
     std::size_t size[2] = {1, value.size()};
     return add(Mat_VarCreate(name.c_str(), MAT_C_CHAR, MAT_T_UINT8, 2, size, value.data(), 0));
   }
-  // A matrix of characters with one text per row; all texts are equally long.
+  // Adds a matrix of characters with one text per row. All texts must have the same length.
   MatWriter& texts(std::string const& name, std::vector<std::string> const& rows) {
     std::string columns;
     for (std::size_t k = 0; k < rows.front().size(); ++k)

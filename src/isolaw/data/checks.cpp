@@ -21,7 +21,7 @@ struct Loop {
   double energy_kN_mm = 0.0;
   double slope_kN_per_mm = 0.0;
   double correlation = 0.0;
-  double equivalent_damping = 0.0;  // energy over that of the fullest loop with the same standard deviations
+  double equivalent_damping = 0.0;  // energy over that of the widest loop with the same standard deviations
 };
 
 Loop measure_loop(TestRecord const& record, std::vector<Cycle const*> const& cycles) {
@@ -48,7 +48,7 @@ Loop measure_loop(TestRecord const& record, std::vector<Cycle const*> const& cyc
   }
   loop.slope_kN_per_mm = xF / xx;
   loop.correlation = xF / std::sqrt(xx * FF);
-  // An ellipse without correlation, of standard deviations sigma_x and sigma_F, has the area 2 pi sigma_x sigma_F.
+  // An elliptic loop of uncorrelated x and F has the area 2 pi sigma_x sigma_F, with their standard deviations.
   double const fullest = 2.0 * std::numbers::pi * std::sqrt(xx * FF) / count * static_cast<double>(cycles.size());
   loop.equivalent_damping = loop.energy_kN_mm / fullest;
   return loop;
@@ -79,7 +79,7 @@ void warn_about_magnitude(TestRecord& record) {
                                                                                      : "softer"}}});
 }
 
-// Warns of gaps in which the test took less time than the clock says. A rest that was not recorded is no such gap.
+// Warns of jumps of the clock that are longer than the motion took. A rest that the logger skipped gives no warning.
 void warn_of_gaps(TestRecord& record) {
   auto gaps = time_gaps(record.disp_mm, record.time_s);
   std::erase_if(gaps, [](Gap const& gap) { return gap.taken_s >= gap.length_s; });
@@ -111,7 +111,7 @@ void check_physics(TestRecord const& record, Properties const& properties, std::
   auto const cycles = properties.complete();
   if (cycles.empty() || !properties.faults.empty()) return;  // a faulty signal is already reported
   auto const loop = measure_loop(record, cycles);
-  // A skew may make the energy of a nearly elastic device slightly negative. Such a record is read, without properties.
+  // A late force may make the energy of a nearly elastic device slightly negative. Such a record is still read.
   constexpr double significant_energy = 0.02;
   constexpr double significant_correlation = 0.2;
   if (loop.equivalent_damping > -significant_energy) return;

@@ -62,7 +62,7 @@ std::size_t thinning_step(FitRecord& record, Properties const& properties, std::
     return 1;
   }
   double const found = *properties.samples_per_cycle;
-  // The tolerance keeps a rounding error in `found` from making an exact multiple of `wanted` one less.
+  // Without the factor, a rounding error could make the quotient 4.9999 instead of 5, and floor() would return 4.
   auto const step = static_cast<std::size_t>(std::floor(found / *wanted * (1.0 + 1e-9)));
   if (step >= 2) return step;
   record.cleaning.push_back({.kind = FindingKind::all_samples_kept,
@@ -162,7 +162,7 @@ FitRecord clean(TestRecord const& raw, Properties const& properties, CleanOption
 double dead_band_of(std::vector<double> const& disp_mm) {
   auto const [least, most] = std::ranges::minmax(disp_mm);
   double const band = 3.0 * noise_deviation(disp_mm);
-  // A computed record has only rounding errors; they need no dead band.
+  // The displacement of a computed record has only rounding errors, which need no dead band.
   return band > 1e-6 * (most - least) ? band : 0.0;
 }
 

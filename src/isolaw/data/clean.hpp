@@ -12,16 +12,16 @@ namespace isolaw::data {
 // campaign::setting_table() has the allowed values.
 struct CleanOptions {
   int smooth = 1;                              // window of the centred moving average, odd; 1 = none
-  std::optional<int> samples_per_cycle = 200;  // keep at least this many per cycle, 20 or more; nullopt = all
+  std::optional<int> samples_per_cycle = 200;  // keep at least this many samples per cycle (20 or more); nullopt: all
   bool center = false;                         // remove the mean of the extremes of displacement and force
-  std::optional<double> dead_band_mm = {};     // see FitRecord::dead_band_mm; nullopt = three deviations of the noise
+  std::optional<double> dead_band_mm = {};     // see FitRecord::dead_band_mm; nullopt = three sigma of the noise
   Selection scored = {};                       // blocks and cycles that the objective counts
 };
 
-// Steps: 1. subtract (max + min) / 2 of the raw reported cycle; 2. moving average over `smooth` samples; 3. if a cycle
-// has at least twice the samples asked for, moving average over the odd number k or k + 1, where k = floor(ratio); 4.
-// velocity; 5. keep every k-th sample. Velocity comes before step 5, because more samples make it more exact. A record
-// without a complete cycle keeps all samples. Throws Error for a record without samples.
+// Steps: 1. subtract (max + min) / 2 of the raw reported cycle; 2. moving average over `smooth` samples; 3. if k, the
+// record's samples per cycle over samples_per_cycle, rounded down, is 2 or more: moving average over k samples (k + 1
+// if k is even); 4. velocity; 5. keep every k-th sample. Velocity comes before step 5, because more samples make it
+// more exact. A record without a complete cycle keeps all samples. Throws Error for a record without samples.
 FitRecord clean(TestRecord const& raw, CleanOptions const& options);
 FitRecord clean(TestRecord const& raw, Properties const& properties, CleanOptions const& options);
 

@@ -1,4 +1,4 @@
-// Reads a record step by step. Collects problems until one of them hides the rest, and then throws all at once.
+// Reads a record step by step. Collects problems until one of them prevents the next step, and then throws all at once.
 #include "isolaw/data/read.hpp"
 
 #include <fmt/format.h>

@@ -28,22 +28,22 @@ TestRecord read_motion_text(std::string_view bytes, std::string const& name, Rea
 VerticalTest read_vertical(std::filesystem::path const& file, ReadOptions const& options,
                            std::optional<LoadRange> const& loads);
 
-// A record in mm, kN and s. Time and load may be empty; without force it is a displacement history. Throws Error.
+// A record in mm, kN and s. Time and load may be empty; a record without force is a displacement history.
 struct Values {
   std::vector<double> disp_mm, force_kN, time_s, load_kN;
 };
 TestRecord record_of_values(std::string const& name, Values values);
 
 struct TestChoice {
-  std::optional<std::string> sheet;  // option --sheet for this test, as is `test` for --test
+  std::optional<std::string> sheet;  // value of --sheet that reads this test; `test` is that of --test
   std::optional<std::string> test;
   std::string place;                          // where the test starts: "d01.csv:204", "d01.xlsx:Sheet 2:1"
   std::vector<std::string> passed_over = {};  // sheets that are no test; given only with the file's first test
 };
-// Lists all tests of a file, or those of the sheet or test that `options` names. Throws Error if it cannot be read.
+// Lists all tests of a file, or those in `options`' sheet or test. Throws Error if the file cannot be read.
 std::vector<TestChoice> list_tests(std::filesystem::path const& file, ReadOptions const& options = {});
 
-// Appends `next` one sampling interval after `history`. Messages call it `label`. Throws Error if only one has time.
+// Appends `next`, named `label` in messages, one sampling interval after `history`. Throws Error if only one has time.
 void continue_with(TestRecord& history, TestRecord const& next, std::string const& label);
 
 }  // namespace isolaw::data

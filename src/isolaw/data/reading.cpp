@@ -30,7 +30,7 @@ Reading by_channel(std::string_view key, std::string help, std::map<Channel, std
         throw Error({.where = {},
                      .found = fmt::format("{}: {} is neither text nor a number", channel, shown(item)),
                      .allowed = "a name or a 1-based number"});
-      // parse() splits text at commas, so it gets "1" in place of a column's name that contains one.
+      // parse() splits text at commas, so it gets "1" instead of a column's name that contains a comma.
       auto const text = text_of(item);
       bool const comma = text.find(',') != std::string::npos;
       for (auto& [known, parsed] : parse(fmt::format("{}={}", channel, comma ? "1" : text)))

@@ -13,7 +13,7 @@ struct Reading : Option<ReadOptions> {
   std::string_view motion_option = {};  // the option's name for a motion, if `key` means something else there
 };
 
-// Given again, columns and units change only the channels that are named. Any other value replaces the earlier one.
+// If columns or units are given again, only the channels named then change. Any other option is replaced as a whole.
 std::span<Reading const> reading_table();
 
 }  // namespace isolaw::data

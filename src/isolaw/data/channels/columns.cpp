@@ -28,7 +28,7 @@ class Resolver {
     refuse_shared_columns();
     for (auto& [channel, column] : result_.channels) resolve_unit(channel, column);
     std::erase_if(result_.channels, [](auto const& entry) {
-      return entry.first == Channel::load && !entry.second.unit;  // resolve_unit() has already reported it
+      return entry.first == Channel::load && !entry.second.unit;  // resolve_unit() has complained of the missing unit
     });
     say_given_units();
     say_unused();
@@ -118,7 +118,7 @@ class Resolver {
   // Takes the column whose name means time, or else the only one that holds time stamps.
   void recognise_time() {
     auto found = candidates_of_any(Channel::time);
-    // If several columns are named like a time and only one of them holds plain numbers, it is the time.
+    // If several columns are named like a time and only one of them holds plain numbers, that column is the time.
     if (found.size() > 1) {
       auto numbers = found;
       std::erase_if(numbers, [&](auto i) { return stamps_of(i) != StampKind::none; });
@@ -149,7 +149,7 @@ class Resolver {
     take_stamps(time);
   }
 
-  // Complains of a time variable that only MATLAB can read, since nobody would notice that it is missing.
+  // Complains of a time variable that only MATLAB can read, since nobody would notice that the time is missing.
   void report_objects() {
     if (options_.dt_s) return;
     for (auto const& variable : header_.objects)
@@ -217,8 +217,7 @@ class Resolver {
     auto const small = lower(trimmed(wanted));
     auto const base = lower(dissect_name(wanted).base);
     auto found = columns_where([&](auto const& text) { return text == wanted; });
-    // In a workbook, "F" means the column with that letter, unless a column is named exactly "F". "F [kN]" is no such
-    // name.
+    // In a workbook, "F" means column F, unless a column is named exactly "F". The name "F [kN]" does not count.
     if (auto const letter = found.empty() ? lettered(wanted) : std::nullopt) return std::vector{*letter};
     if (found.empty()) found = columns_where([&](auto const& text) { return lower(text) == small; });
     if (found.empty()) found = columns_where([&](auto const& text) { return lower(dissect_name(text).base) == small; });
@@ -275,7 +274,7 @@ class Resolver {
     return found;
   }
 
-  // Words count before symbols: if one column is named "Force", another named "F" is more likely something else.
+  // Prefers a column named by a word to one named by a symbol: beside a column "Force", a column "F" is something else.
   void recognise(Channel channel) {
     if (channel == Channel::time) return recognise_time();
     auto found = wanted_.vertical ? compression_candidates(channel) : candidates_of_any(channel);
@@ -351,7 +350,7 @@ class Resolver {
     return found.empty() ? candidates(channel, Certainty::symbol) : found;
   }
 
-  // Takes "Axial Force" and the like if nothing is named horizontal: the only actuator then shears the device.
+  // Takes a column such as "Axial Force" if no name means horizontal. The only actuator is then the one that shears.
   std::vector<std::size_t> own_axis_candidates(Channel channel) {
     if (channel != Channel::disp && channel != Channel::force) return {};
     auto found = columns_where([&](auto const& text) {
@@ -366,7 +365,7 @@ class Resolver {
     return found;
   }
 
-  // Prefers names with "vertical". A rig that also shears has columns of two directions, a press has only one.
+  // Prefers columns named "vertical". A rig that also shears has columns for two directions, a press for only one.
   std::vector<std::size_t> compression_candidates(Channel channel) const {
     auto const find = [&](auto matches) {
       auto found = columns_where([&](auto const& text) { return matches(meaning_of(text)); });

@@ -1,4 +1,4 @@
-// Assigns columns to channels and units, by the user's options or else by the header. Complaints ask for the rest.
+// Finds each channel's column and unit by the user's options, or else by the header. Asks for what is missing.
 #pragma once
 
 #include <cstddef>

@@ -40,7 +40,7 @@ struct PeerHeader {
   std::optional<double> unit_mm_s2;
 };
 
-// Finds "NPTS=  4000, DT= .01000 SEC", in which numbers may also come first, and "IN UNITS OF G" above it.
+// Finds a line such as "NPTS=  4000, DT= .01000 SEC" or "4000 .01000 NPTS, DT", and "IN UNITS OF G" above it.
 std::optional<PeerHeader> peer_header(LineList const& lines) {
   constexpr std::size_t head = 10;
   PeerHeader header;

@@ -23,7 +23,7 @@ struct GroundMotion {
 };
 
 // Throws one Error with all problems: values, unequal time steps, not exactly one column of acceleration, missing
-// samples. `step_s` is for a file without time; for a PEER file it must agree with the file.
+// samples. `step_s` gives the time step of a file without time; for a PEER file it must equal the file's step.
 GroundMotion read_ground_motion(std::filesystem::path const& file, std::optional<double> step_s = {});
 GroundMotion read_ground_motion_text(std::string_view bytes, std::string const& name,
                                      std::optional<double> step_s = {});

@@ -23,7 +23,7 @@ struct Opened {
   Tests tests;
   ReadOptions options;
   Wanted wanted;
-  bool chooses_sheet = false, chooses_test = false;  // --sheet or --test is given, and this file has several
+  bool chooses_sheet = false, chooses_test = false;  // --sheet (--test) is given and this file has several
 
   Opened(std::filesystem::path const& file, ReadOptions const& asked, Wanted what) : options(asked), wanted(what) {
     options.sheet.reset();
@@ -122,8 +122,8 @@ RecordPart read_joined(std::filesystem::path const& file, ReadOptions options,
   bool const untimed = asked.columns.contains(Channel::time) && lower(asked.columns.at(Channel::time)) == "none";
   for (auto const& [other, of_other] : others) {
     auto more = of_other;
-    if (more.dt_s || untimed) more.columns[Channel::time] = "none";  // all files have the interval of --dt, or no time
-    auto const time_unit = more.units.extract(Channel::time);        // only for a file that states no unit
+    if (more.dt_s || untimed) more.columns[Channel::time] = "none";  // no time is read from this file
+    auto const time_unit = more.units.extract(Channel::time);        // used if the file states no unit
     Wanted const wanted{.time = true,
                         .disp = more.columns.contains(Channel::disp),
                         .force = more.columns.contains(Channel::force),
@@ -143,7 +143,7 @@ RecordPart read_joined(std::filesystem::path const& file, ReadOptions options,
   for (auto const& more : rest)
     std::erase_if(idle, [&](auto const& option) { return std::ranges::count(idle_in(more), option) == 0; });
   refuse_idle(idle, first.start.file);
-  // If no file has several sheets, or several tests, the first file accepts or refuses --sheet and --test.
+  // If no file has several sheets or tests to choose from, the first file accepts or refuses --sheet and --test.
   if (asked.sheet && !first.chooses_sheet && !sheet_of_another) {
     first.options.sheet = asked.sheet;
     first.open(file);

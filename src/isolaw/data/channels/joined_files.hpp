@@ -1,4 +1,4 @@
-// Reads a test whose channels are in several files, and brings them to the samples of the first, by time or by row.
+// Reads a test whose channels are in several files. Brings them to the samples of the first file, by time or by row.
 #pragma once
 
 #include <filesystem>

@@ -18,7 +18,7 @@ struct Corrections {
   std::optional<double> skew_s = {};                // delay of the force behind displacement, to be removed
   std::optional<double> friction_kN = {};           // friction of the rig in the measured force, to be subtracted
   std::optional<double> friction_coefficient = {};  // friction of the rig over the measured vertical load
-  std::optional<double> moving_mass_kg = {};        // mass between device and load cell; m a is subtracted
+  std::optional<double> moving_mass_kg = {};        // mass between device and load cell; its inertia is subtracted
   std::optional<double> force_factor = {};  // multiplies the force at the end: 0.5 for two devices in double shear
 
   bool any() const;
@@ -56,7 +56,7 @@ inline constexpr std::array<std::string_view, 9> record_extensions{".csv", ".tsv
                                                                    ".lvm", ".mat", ".xlsx", ".json"};
 bool is_record_name(std::string_view file);
 
-// A column in another file: "loadcell.csv:Force". file_column() returns nullopt if the text names no record's file.
+// A column in another file: "loadcell.csv:Force". file_column() returns nullopt if the text names no file of a record.
 struct FileColumn {
   std::string file, column;
   std::string text() const { return file + ":" + column; }  // file_column() reads it back

@@ -18,7 +18,7 @@ struct SignalFault {
   FaultKind kind = FaultKind::clipped;
   std::string channel;               // "displacement" or "force"
   std::vector<std::size_t> samples;  // from 0, rising: each spike or peak, or the first sample of each plateau
-  Finding finding = {};              // numbers samples from 1; with times if the record has time
+  Finding finding = {};              // counts samples from 1; has times if the record has time
 };
 
 // Values as measured, in mm, kN and s. All channels are of one length, but `time_s` and `load_kN` may be empty.
@@ -29,9 +29,9 @@ struct TestRecord {
   std::vector<double> disp_mm;
   std::vector<double> force_kN;
   std::vector<double> load_kN;
-  // All choices made in reading. The same options read the file in the same manner again.
+  // All choices made in reading. Read with these options, the file gives the same record.
   ReadOptions layout;
-  // Facts about the device, such as its serial number: the key in a lot file, and the text of the file.
+  // Facts about the device, such as its serial number, as pairs of a lot file's key and the text in the record's file.
   std::vector<std::pair<std::string, std::string>> particulars;
   std::vector<Finding> recognised;   // each choice made in reading, and why
   std::vector<Finding> corrections;  // corrections made; also in `recognised`
@@ -50,7 +50,7 @@ struct FitRecord {
   std::vector<double> vel_mm_s;
   std::vector<double> force_kN = {};
   std::vector<double> scored = {};  // 1 if the objective counts a sample, 0 if a law only runs through it; empty: all 1
-  std::vector<double> block = {};   // block of each sample if some blocks are predicted, else empty
+  std::vector<double> block = {};   // number of each sample's block if only some blocks are fitted, else empty
   double dead_band_mm = 0.0;        // laws that remember turning points ignore smaller reversals
   std::vector<Finding> cleaning = {};  // each step of cleaning, with its numbers
 

@@ -20,7 +20,7 @@ std::vector<Gap> time_gaps(std::span<double const> x, std::span<double const> ti
   double const longest = std::ranges::max(intervals);
   double const interval = num::median(intervals);
   if (!(longest > most_intervals * interval)) return {};
-  // Several long intervals in a row are no gap but a slower part of the test, with as many samples in a cycle.
+  // Several long intervals in a row are no gap. They are a slower part of the test with as many samples in a cycle.
   auto const is_long = [&](std::size_t i) { return intervals[i] > most_intervals * interval; };
   std::vector<Gap> gaps;
   for (std::size_t i = 0; i + 1 < time_s.size(); ++i) {
@@ -30,7 +30,7 @@ std::vector<Gap> time_gaps(std::span<double const> x, std::span<double const> ti
     double const after = i + 2 < x.size() ? std::abs(x[i + 2] - x[i + 1]) : 0.0;
     double const speed = std::max(before, after) / interval;
     double const way = std::abs(x[i + 1] - x[i]);
-    // If nothing moves on either side, the device rested, and for as long as the clock says.
+    // If the device stands still on both sides of the gap, it rested for as long as the clock says.
     double const taken = speed > 0.0 ? std::clamp(way / speed, interval, length) : length;
     gaps.push_back({.after = i, .length_s = length, .taken_s = taken});
   }

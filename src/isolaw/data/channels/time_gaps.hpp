@@ -11,8 +11,8 @@ double usual_interval(std::span<double const> time_s);  // the median
 // If samples are more than this many usual intervals apart, what a channel did between them is unknown.
 inline constexpr double most_intervals = 5.0;
 
-// A jump of the clock by more than most_intervals. taken_s is the displacement across the gap over the speed beside it,
-// at least one interval and at most length_s. without_gaps() is empty if the clock does not jump.
+// A jump of the clock by more than most_intervals. taken_s is the time that the motion across the gap takes at the
+// speed beside it, at least one interval and at most length_s. without_gaps() is empty if the clock does not jump.
 struct Gap {
   std::size_t after = 0;  // last sample before the gap
   double length_s = 0.0;  // by the clock

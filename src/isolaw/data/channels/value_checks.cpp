@@ -14,15 +14,15 @@ namespace {
 constexpr double beyond_any_sensor = 1e10;
 constexpr std::array sentinels{999.0,  9999.0,  99999.0, 999999.0, 9999999.0, 999.9,
                                9999.9, 99999.9, 999.99,  9999.99,  99999.99};
-constexpr double far_beyond = 50.0;      // times the ordinary size; a larger value is an overload
-constexpr double sentinel_beyond = 3.0;  // times the ordinary size; 9999 and the like are true values below it
+constexpr double far_beyond = 50.0;      // times ordinary_size(); a larger value is an overload
+constexpr double sentinel_beyond = 3.0;  // times ordinary_size(); 9999 and the like may be measured values below it
 constexpr std::size_t least_values = 20;
 
 bool is_sentinel(double size) {
   return std::ranges::find(sentinels, size) != sentinels.end();
 }
 
-// The 99.9th percentile of |value| without sentinels and overloads. At least three values are larger than it.
+// The 99.9th percentile of |value| without overloads and markers such as 9999, or the fourth largest if that is less.
 std::optional<double> ordinary_size(std::span<double const> values) {
   std::vector<double> sizes;
   sizes.reserve(values.size());

@@ -14,20 +14,20 @@ namespace {
 
 constexpr double nominal = 0.05;          // fraction of the block's amplitude; a counted cycle differs by less
 constexpr double least_change = 0.05;     // fraction of the period; a larger change splits a block
-constexpr double clear_change = 0.20;     // fraction of the period; needed if only one cycle precedes the change
+constexpr double clear_change = 0.20;     // fraction of the period; least change if only one cycle precedes it
 constexpr double agreement = 0.25;        // fraction of the change; periods before and after it scatter by less
 constexpr std::size_t compared = 3;       // most cycles before a change that are compared
 constexpr double far_period = 1.4;        // ratio to the block's period; a cycle farther off does not count
-constexpr double build_up = 0.15;         // fraction of a run's amplitude; a lone cycle this close belongs to the run
-constexpr double symmetric = 0.05;        // largest unevenness of a lone cycle that makes a block of its own
-constexpr double lopsided = 0.25;         // fraction of the amplitude by which the middle of a regular cycle may move
-constexpr std::size_t sure_run = 3;       // cycles; a shorter run may have come about by chance
-constexpr std::size_t longest_taper = 2;  // cycles
+constexpr double build_up = 0.15;         // fraction of the amplitude; a lone cycle closer to a run of cycles joins it
+constexpr double symmetric = 0.05;        // Shape::unevenness; a lone cycle that is more even is a block of its own
+constexpr double lopsided = 0.25;         // fraction of the amplitude by which a regular cycle's middle may shift
+constexpr std::size_t sure_run = 3;       // cycles; fewer may be alike by chance
+constexpr std::size_t longest_taper = 2;  // cycles in which a test builds up or fades
 
 struct Run {
   std::size_t begin = 0;
   std::size_t end = 0;
-  double amplitude = 0.0;  // median of the cycles, as is the period
+  double amplitude = 0.0;  // amplitude and period are medians of the cycles
   double period = 0.0;
   std::size_t size() const { return end - begin; }
 };
@@ -38,7 +38,7 @@ bool close(double value, double reference, double share) {
 
 std::vector<Run> runs_of_amplitude(std::vector<Shape> const& shapes) {
   std::vector<Run> runs;
-  // A cycle joins if it is close to the mean of the run. A median would have to be found anew for every cycle.
+  // A cycle joins a run if its amplitude is close to the run's mean, which is quicker to update than a median.
   double sum = 0.0;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     bool const joins =
@@ -62,7 +62,7 @@ bool is_even(Shape const& shape) {
   return same_pace(shape.rise_and_fall, shape.period + shape.still_time, far_period);
 }
 
-// Compares the periods of [begin, at) with two from `after` on. A single cycle in [begin, at) must differ by more.
+// Whether the period changes from the cycles [begin, at) to the two from `after` on. One cycle alone must differ more.
 bool changes(std::vector<Shape> const& shapes, std::size_t begin, std::size_t at, std::size_t after) {
   if (begin >= at) return false;
   auto const period = [](Shape const& shape) { return shape.period; };
@@ -110,13 +110,13 @@ double middle(Shape const& shape) {
   return shape.largest / 2.0 + shape.least / 2.0;
 }
 
-// Whether the middle of a cycle's extremes is close to its neighbour's. The middle may drift slowly, but not jump.
+// Whether the middle between a cycle's extremes is close to that of the neighbouring cycle. It may drift, but not jump.
 bool stays(std::vector<Shape> const& shapes, Run const& run, std::size_t i) {
   auto const neighbour = i > run.begin ? i - 1 : i + 1;
   return std::abs(middle(shapes[i]) - middle(shapes[neighbour])) <= lopsided * shapes[i].amplitude();
 }
 
-// Marks cycles that grow into a run or fade out of it. A shaking table's signal starts and ends with such ramps.
+// Marks cycles that grow into a run of cycles or fade out of it, as at the start and end of a shaking table's signal.
 void mark_tapers(std::vector<Shape>& shapes, Run const& run) {
   if (run.size() < sure_run) return;
   for (std::size_t k = 0; k < longest_taper && run.begin > k; ++k) {
@@ -150,15 +150,15 @@ bool is_build_up(Run const& lone, Run const& run) {
          same_pace(lone.period, run.period, far_period);
 }
 
-// A lone cycle joins a neighbouring run if it is uneven or builds up to that run, or lies between two similar runs.
+// A lone cycle joins a neighbouring run of cycles if it is uneven, builds up to that run or lies between similar runs.
 std::vector<Draft> drafts_of(std::vector<Shape> const& shapes, std::vector<Run> const& runs) {
   std::vector<Draft> drafts;
-  std::size_t pending = 0;  // first lone cycle of those that lead to the next block
+  std::size_t pending = 0;  // first of the lone cycles that lead to the next block
   bool waiting = false;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     auto const& run = runs[r];
     bool const lone = run.size() == 1;
-    // If the time jumps within a cycle, its peak may be missing. It then joins its neighbours, even lone cycles.
+    // A cycle with a jump of the clock may lack its peak. It joins the cycles beside it, even if these are lone cycles.
     bool const has_gap = lone && shapes[run.begin].has_gap;
     bool const between = lone && !drafts.empty() && !waiting && r + 1 < runs.size() &&
                          (has_gap || (drafts.back().core.size() > 1 && runs[r + 1].size() > 1)) &&
@@ -190,7 +190,7 @@ std::vector<Draft> drafts_of(std::vector<Shape> const& shapes, std::vector<Run> 
     waiting = false;
   }
   if (waiting && !drafts.empty()) drafts.back().end = runs.back().end;
-  // If all cycles are uneven, they form one block with the run of largest amplitude as its core.
+  // If all cycles are lone and uneven, they form one block, with the cycle of largest amplitude as its core.
   if (drafts.empty() && !runs.empty())
     drafts.push_back({.begin = runs.front().begin,
                       .end = runs.back().end,
@@ -212,7 +212,7 @@ std::string of_period(Shape const& shape, double period, std::string_view unit) 
                      period, unit, far_period);
 }
 
-// The median period of cycles that do not start or end slowly, or of all if all do. 0 if no cycle is close to it.
+// The median period of cycles that neither start nor end slowly, else of all. 0 if no period is close to the median.
 double period_of(std::vector<Shape> const& shapes, std::vector<std::size_t> const& nominal_cycles) {
   std::vector<double> even, all;
   for (auto const i : nominal_cycles) {

@@ -14,9 +14,9 @@ struct Shape : CycleCut {
   double period = 0.0;         // from start to end in s or in samples, without holds and rests
   double rise_and_fall = 0.0;  // twice the time between the two tips, with holds and rests; unit as period
   double unevenness = 0.0;     // |middle - centre of the motion| over the amplitude
-  bool regular = false;        // number_cycles() sets it: repeats a neighbour's amplitude, or is symmetric
+  bool regular = false;        // set by number_cycles(): the cycle repeats a neighbour's amplitude or is symmetric
   bool has_gap = false;        // the time jumps within the cycle
-  bool taper = false;          // number_cycles() sets it: grows into a run of cycles or fades out of one
+  bool taper = false;          // set by number_cycles(): the cycle grows into a run of cycles or fades out of one
 
   double amplitude() const { return largest / 2.0 - least / 2.0; }
 };

@@ -15,16 +15,16 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double least_floor = 0.01;      // times the half range
+constexpr double least_floor = 0.01;      // times the half range; used if the noise is less
 constexpr double largest_floor = 0.05;    // times the half range; no rig has more noise
-constexpr double noise_deviations = 5.0;  // hardly one sample in a million lies beyond
-constexpr double interruption = 0.04;     // times the smaller swing beside it; a smaller swing interrupts a larger one
+constexpr double noise_deviations = 5.0;  // standard deviations; hardly one sample in a million lies beyond
+constexpr double interruption = 0.04;     // times the smaller neighbouring swing; a smaller swing only interrupts it
 constexpr double off_centre = 0.05;       // times the amplitude; a middle closer to zero than this counts as zero
 constexpr double uneven = 0.25;           // times the amplitude; a start closer to the middle may be the centre
 constexpr double resting = 0.05;          // times the amplitude; a record that ends closer to its start returns to it
 constexpr double as_large = 0.05;         // times the amplitude; amplitudes that are closer than this repeat each other
-// Least share of the whole travel that is in cycles that repeat an amplitude or are symmetric. Tests reach 0.9; of 1000
-// irregular linear responses, ten reach 0.64 and one 0.80.
+// Cycles that repeat an amplitude or are symmetric must make up this share of the whole travel. Cyclic tests reach 0.9.
+// Among 1000 irregular responses of linear oscillators, ten reach 0.64 and one reaches 0.80.
 constexpr double least_regular_share = 0.8;
 constexpr auto not_cyclic_cycle = "the record is not cyclic";
 
@@ -69,7 +69,7 @@ std::vector<std::size_t> without_interruptions(std::span<double const> x, std::v
 struct Swings {
   std::vector<double> half;
   std::vector<double> middle;
-  std::size_t begin = 0;  // first swing that is used: with three or more, the first and last are left out
+  std::size_t begin = 0;  // swings [begin, end) are used: of three or more, all but the first and last
   std::size_t end = 0;
 
   double largest() const { return std::ranges::max(std::span(half).subspan(begin, end - begin)); }
@@ -89,7 +89,7 @@ Swings swings_of(std::span<double const> x, std::vector<std::size_t> const& at) 
   return swings;
 }
 
-// A weighted median of the swings' middles, in which the largest swings decide: an offset matters most in them.
+// The weighted median of the swings' middles. The largest swings weigh most, because an offset matters most in them.
 double middle_of(Swings const& swings) {
   double const largest = swings.largest();
   std::vector<std::pair<double, double>> weighted;
@@ -226,7 +226,7 @@ std::vector<CycleCut> with_parts(std::vector<CycleCut> cycles, Motion const& mot
 
 Finding too_short(std::span<double const> x, Motion const& motion, Segmentation const& segmentation) {
   auto const [least, largest] = std::ranges::minmax(x);
-  // Counts crossings of the centre in the direction of the first motion: each lobe on that side starts with one.
+  // Each excursion to the side of the first motion starts with a crossing of the centre in that direction.
   auto const first = std::ranges::find(motion.lobes, false, &Lobe::starts_open);
   auto const crossings =
       std::count_if(first, motion.lobes.end(), [&](Lobe const& lobe) { return lobe.positive == first->positive; });
@@ -238,7 +238,7 @@ Finding too_short(std::span<double const> x, Motion const& motion, Segmentation 
                       {"noise_mm", 2.0 * segmentation.band_mm}}};
 }
 
-// The travel of incomplete cycles at the record's ends whose amplitude is that of the regular cycle beside them.
+// The travel in incomplete cycles at the record's ends that repeat the amplitude of the regular cycle beside them.
 double regular_ends(std::vector<Shape> const& shapes, Swings const& swings, std::vector<std::size_t> const& at) {
   double travel = 0.0;
   for (auto k = swings.begin; k < swings.end; ++k) {
@@ -248,13 +248,13 @@ double regular_ends(std::vector<Shape> const& shapes, Swings const& swings, std:
     auto const& neighbour = before ? shapes.front() : shapes.back();
     if (!neighbour.regular || std::abs(swings.half[k] - neighbour.amplitude()) > as_large * neighbour.amplitude())
       continue;
-    bool const crosses = before ? to > neighbour.first : from < neighbour.last;  // half the swing is the cycle's
+    bool const crosses = before ? to > neighbour.first : from < neighbour.last;  // half belongs to the cycle
     travel += (crosses ? 1.0 : 2.0) * swings.half[k];
   }
   return travel;
 }
 
-// The share of regular cycles in the travel, without pre-loads, tapers, regular_ends(), and the first and last swing.
+// The share of regular cycles in the travel. Leaves out pre-loads, tapers, regular_ends() and the outermost swings.
 double regular_share(std::vector<Shape> const& shapes, Swings const& swings, Motion const& motion,
                      std::vector<std::size_t> const& at) {
   double regular = 0.0, in_cycles = 0.0, in_tapers = 0.0, travel = 0.0;
@@ -287,8 +287,8 @@ Finding not_cyclic(std::vector<Shape> const& shapes, double share) {
 
 }  // namespace
 
-// Uses fourth differences: they make white noise sqrt(70) times as large, and leave a thousandth of the amplitude of a
-// sine of 20 samples per cycle. A missing value counts as large, since num::median would return NaN.
+// Uses fourth differences, in which white noise grows by sqrt(70) and a sine of 20 samples per cycle shrinks to a
+// hundredth. A missing value counts as large, because nth_element cannot sort NaN.
 double noise_deviation(std::span<double const> x) {
   if (x.size() < 16) return 0.0;
   std::vector<double> sizes(x.size() - 4);

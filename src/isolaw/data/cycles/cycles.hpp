@@ -1,9 +1,9 @@
-// Cuts a cyclic test into cycles, from displacement alone. A swing counts as motion if it is at least twice a floor: 1
-// % of the half range, or five standard deviations of the noise if that is more (at most 5 % of the half range). A
-// small interruption of a large swing does not count. Cycles are cut where displacement crosses its centre in the
-// direction in which the test, or a part of it after a rest, starts (data/lobes.hpp). A motion that starts, turns or
-// rests near the centre is cut at that sample. The centre is zero unless the record is clearly off zero.
-// data/cycle_blocks.hpp groups cycles into blocks. A period leaves out the time in which the device stands still
+// Cuts a cyclic test into cycles, from displacement alone. A swing counts as motion if it is at least twice a floor,
+// which is one hundredth of the half range, or five standard deviations of the noise if that is more (at most 5 % of
+// the half range). A small interruption of a large swing does not count. Cycles are cut where displacement crosses its
+// centre in the direction in which the test, or a part of it after a rest, starts (data/lobes.hpp). A motion that
+// starts, turns or rests near the centre is cut at that sample. The centre is zero unless the record is clearly off
+// zero. data/cycle_blocks.hpp groups cycles into blocks. A period leaves out the time in which the device stands still
 // (data/holds.hpp).
 #pragma once
 
@@ -36,7 +36,7 @@ struct Segmentation {
   double band_mm = 0.0;            // swings smaller than twice this do not count as motion
   double centre_mm = 0.0;          // displacement at which cycles are cut: 0 unless the record is clearly off zero
   double regular_share = 0.0;      // share of regular cycles in the travel; they repeat an amplitude or are symmetric
-  std::vector<CycleCut> cycles;    // in order, partial ones too; complete ones even if the record is not cyclic
+  std::vector<CycleCut> cycles;    // in order, with partial cycles; also set if the record is not cyclic
 };
 
 // If time_s is empty, periods are in samples. Never throws; O(n) in time and memory.
@@ -49,7 +49,7 @@ struct Reversals {
 };
 Reversals reversals(std::span<double const> disp_mm);
 
-// Sample index of each peak: the middle of the time beyond nine tenths of the amplitude, which noise moves but little.
+// Sample index of each peak: the middle of the time beyond nine tenths of the amplitude, which noise hardly moves.
 struct PeakPositions {
   double largest = 0.0;
   double smallest = 0.0;

@@ -14,10 +14,10 @@ namespace {
 constexpr double band = 0.005;          // fraction of the amplitude; a servo holds the device within less
 constexpr double edge = 0.0005;         // fraction of the amplitude; motion by more begins or ends a hold
 constexpr double noise_band = 8.0;      // standard deviations of the noise between the extremes of a hold
-constexpr double too_noisy = 0.3;       // fraction of the amplitude; in more noise no hold is sought
+constexpr double too_noisy = 0.3;       // fraction of the amplitude; with more noise, holds are not sought
 constexpr double least_hold = 0.15;     // fraction of the period; a hold lasts longer
 constexpr double least_stretch = 0.02;  // fraction of the cycle's samples; a hold has more
-constexpr double clear_edges = 0.9;     // fraction of a stretch; a part within `edge` that is so long replaces it
+constexpr double clear_edges = 0.9;     // fraction of a hold; a longer part of it within `edge` replaces it
 constexpr std::size_t most_holds = 16;  // in one cycle
 constexpr std::size_t least_in_piece = 8;
 
@@ -50,7 +50,7 @@ std::vector<Stretch> stretches_within(std::span<double const> x, std::size_t beg
   return found;
 }
 
-// The share of a cycle in which a sine lies between two levels (shares of its amplitude). At a peak, up and down count.
+// Fraction of a cycle that a sine spends between two levels on its way up. Near a peak, the way down counts too.
 double lingering(double least, double largest) {
   auto const angle = [](double level) { return std::acos(std::clamp(level, -1.0, 1.0)); };
   double const once = (angle(least) - angle(largest)) / (2.0 * std::numbers::pi);
@@ -95,7 +95,7 @@ StillTime still_time(std::span<double const> disp_mm, std::span<double const> ti
                                disp_mm.begin() + static_cast<std::ptrdiff_t>(stretch.last) + 1);
     auto const half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::ranges::nth_element(values, half);
-    double const level = *half;  // a value of the record, so that a mean cannot fall between two steps
+    double const level = *half;  // the median, since a mean may fall between two steps of the digitiser
     auto const hold = sharpened(disp_mm, stretch, level, half_edge);
     double const reach = (hold.size() == stretch.size() ? width / 2.0 : half_edge) / piece.amplitude;
     double const centred = (level - piece.middle) / piece.amplitude;

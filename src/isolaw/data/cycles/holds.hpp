@@ -20,7 +20,7 @@ struct StillTime {
   double time = 0.0;  // in s; in samples if the record has no time
 };
 
-// `noise` is the standard deviation of disp_mm in mm. If it is too large, no holds are found. O(n log n) at worst.
+// `noise` is the standard deviation of disp_mm in mm. If noise is too large, no holds are found. O(n log n) at worst.
 StillTime still_time(std::span<double const> disp_mm, std::span<double const> time_s, Piece const& piece, double noise);
 
 }  // namespace isolaw::data

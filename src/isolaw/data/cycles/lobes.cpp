@@ -7,8 +7,8 @@ namespace isolaw::data {
 namespace {
 
 constexpr double at_rest = 0.05;         // fraction of a lobe's reach; closer to the centre counts as at the centre
-constexpr double alike = 0.15;           // difference of two lobes' reaches over the larger one; less is alike
-constexpr double same_fall = 1.5;        // ratio of the times in which two lobes fall; less is alike
+constexpr double alike = 0.15;           // difference of two reaches over the larger one; alike lobes differ by less
+constexpr double same_fall = 1.5;        // ratio of the times in which two lobes fall; alike lobes have a smaller one
 constexpr double slight = 0.2;           // fraction of the next lobe's reach; a lobe that is smaller is a pre-load
 constexpr double high = 0.9, low = 0.1;  // fractions of the reach between which the fall of a lobe is timed
 
@@ -74,7 +74,7 @@ class Finder {
     lobe.reach_mm = reach(k);
   }
 
-  // Where a lobe ends: at the crossing of the centre, or nearest to it if the motion only comes back, as a sine ends.
+  // A lobe ends where the motion crosses the centre, or nearest to the centre if the motion only comes back to it.
   double boundary(Lobe const& lobe, std::size_t to, bool crosses) const {
     std::size_t nearest = lobe.tip;
     for (auto i = lobe.tip + 1; i <= to; ++i) {
@@ -175,7 +175,7 @@ std::vector<Group> group_lobes(std::vector<Lobe> const& lobes) {
     if (lobe.ends_open || i + 1 == lobes.size()) {
       i = add(lobe.starts_open ? Part::open_start : Part::open_end, i, i + 1);
     } else if (lobe.starts_open) {
-      // If the record starts outwards, the open part includes the next lobe, so that cycles start in that direction.
+      // If the record starts within a lobe on its way out, the next lobe is left out too, and cycles start outwards.
       bool const outwards = lobe.tip > 0 && opposite && !lobes[i + 1].ends_open && i + 2 < lobes.size();
       i = add(Part::open_start, i, outwards ? i + 2 : i + 1);
     } else if (!opposite) {

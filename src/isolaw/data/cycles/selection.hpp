@@ -40,8 +40,8 @@ struct Selection {
 // their partial cycles count too. Throws an Error that lists blocks and cycles if fewer than two samples are selected.
 std::vector<double> scored_samples(Selection const& selection, Segmentation const& segmentation, std::size_t samples);
 
-// For each sample the number of its block if that is fitted or predicted, else 0. Empty if all blocks are fitted.
-// Throws Error if predicted blocks are named and the record has none of them, or only fitted ones.
+// For each sample, the number of its block if that block is fitted or predicted, else 0. Empty if all blocks are
+// fitted. Throws Error if predicted blocks are named, but the record has none of them beside those that are fitted.
 std::vector<double> block_numbers(Selection const& selection, Segmentation const& segmentation, std::size_t samples);
 
 }  // namespace isolaw::data

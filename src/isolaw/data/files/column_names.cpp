@@ -53,7 +53,7 @@ constexpr std::string_view other_quantities[]{
 constexpr std::string_view disp_symbols[]{"x", "u", "d", "ux", "dx", "uh", "dh"};
 constexpr std::string_view force_symbols[]{"f", "h", "fx", "fh"};
 constexpr std::string_view load_symbols[]{"v", "fv", "fz", "p"};
-constexpr std::string_view vertical_letters[]{"v", "n"};  // only beside another word: "Force V"
+constexpr std::string_view vertical_letters[]{"v", "n"};  // mean "vertical" only beside another word: "Force V"
 constexpr std::string_view counter_words[]{"sample", "samples",  "index", "idx",     "no",    "nr",
                                            "num",    "number",   "count", "counter", "point", "points",
                                            "scan",   "campione", "row",   "record",  "id"};
@@ -133,7 +133,7 @@ std::string narrow(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     auto const byte = [&](std::size_t at) { return static_cast<unsigned char>(text[at]); };
     if (i + 2 < text.size() && byte(i) == 0xEF && (byte(i + 1) == 0xBC || byte(i + 1) == 0xBD)) {
-      unsigned const code = (byte(i + 1) - 0xBCu) * 64u + (byte(i + 2) & 0x3Fu);  // code - U+FF00
+      unsigned const code = (byte(i + 1) - 0xBCu) * 64u + (byte(i + 2) & 0x3Fu);  // offset from U+FF00
       if (code >= 1 && code <= 0x5E) {
         narrowed += static_cast<char>(0x20 + code);
         i += 2;
@@ -207,14 +207,14 @@ Meaning meaning_of_symbol(std::string_view base, std::optional<Unit> unit) {
   if (symbol == "T" && unit) return meant(Channel::time);  // without a unit, T may be a temperature
   if (symbol == "N") return meant(Channel::load);          // in lower case, n counts samples
   auto const small = lower(symbol);
-  if (small == "xvalue") return meant(Channel::time);  // LabVIEW names the time so
+  if (small == "xvalue") return meant(Channel::time);  // LabVIEW's name of the time
   if (is_in(disp_symbols, small)) return meant(Channel::disp);
   if (is_in(force_symbols, small)) return meant(Channel::force);
   if (is_in(load_symbols, small)) return meant(Channel::load);
   return {};
 }
 
-// "Displacement [mm] horizontal" -> "Displacement horizontal" and "mm"
+// Splits "Displacement [mm] horizontal" into the name "Displacement horizontal" and the unit "mm".
 std::optional<ColumnName> split_brackets(std::string_view name) {
   constexpr std::array<std::pair<char, char>, 3> brackets{{{'[', ']'}, {'(', ')'}, {'{', '}'}}};
   std::optional<ColumnName> unknown;
@@ -239,7 +239,7 @@ std::optional<ColumnName> split_brackets(std::string_view name) {
 std::optional<ColumnName> split_last_word(std::string_view name) {
   auto const at = name.find_last_of(" _/,;:-");
   if (at == std::string_view::npos || at == 0 || !parse_unit(name.substr(at + 1))) return std::nullopt;
-  // In "Force min" and "x_t" the last word is no unit, although min and t are units too.
+  // In "Force min" and "x_t" the last word is no unit, although "min" and "t" can be units.
   auto const last = lower(name.substr(at + 1));
   auto const before = trimmed(name.substr(0, at + 1));
   bool const set_apart = before.ends_with(',') || before.ends_with('/') || before.ends_with(" in");

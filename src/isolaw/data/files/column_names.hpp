@@ -10,7 +10,7 @@
 
 namespace isolaw::data {
 
-// "Forza orizzontale [kN]" -> "Forza orizzontale" and "kN".
+// The name "Forza orizzontale [kN]" has the base "Forza orizzontale" and the unit "kN".
 struct ColumnName {
   std::string base;
   std::string unit;  // as written; empty when the name holds none
@@ -20,12 +20,11 @@ ColumnName dissect_name(std::string_view name);
 // The words of a name in lower case, without accents: "DispH_2" -> disp, h, 2. Japanese words are translated.
 std::vector<std::string> name_words(std::string_view name);
 bool is_japanese(std::string_view name);
-// Whether a cell of a table's header is the name of a channel.
 bool names_a_channel(std::string_view cell);
 
 enum class Certainty { none, symbol, word };
 
-// plain_load: a name with "load", but without "vertical" or "horizontal"; it may be either force.
+// `plain_load` marks a name with "load" but without "vertical" or "horizontal". It may be the force or the load.
 struct Meaning {
   std::optional<Channel> channel;
   Certainty certainty = Certainty::none;

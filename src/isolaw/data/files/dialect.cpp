@@ -39,7 +39,7 @@ constexpr std::array group_marks{GroupMark{'.', "."},
                                  GroupMark{' ', "\xE2\x80\xAF"},
                                  GroupMark{'\'', "\xE2\x80\x99"}};
 
-// Accepts "1.234,56", "1.234.567", "1 234,56", "1'234.56". "1.234" is accepted only if the user names the mark.
+// Accepts "1.234,56", "1.234.567", "1 234,56", "1'234.56". Accepts "1.234" only if the user names the grouping mark.
 bool is_grouped(std::string_view cell, NumberFormat format, std::string* digits = nullptr) {
   auto const whole = cell;
   char const decimal = format.decimal;
@@ -80,7 +80,7 @@ Cell parse_point(char const* first, char const* last) {
   auto const [end, failure] = std::from_chars(first, last, value);
   if (end != last) return {.kind = CellKind::text};
   if (failure == std::errc::result_out_of_range) {
-    bool const tiny = std::find(std::next(first), last, '-') != last;  // the exponent's minus
+    bool const tiny = std::find(std::next(first), last, '-') != last;  // a minus sign in the exponent
     if (tiny) return {.kind = CellKind::number, .value = 0.0};
     return {.kind = CellKind::not_finite};
   }
@@ -88,7 +88,7 @@ Cell parse_point(char const* first, char const* last) {
   return {.kind = CellKind::number, .value = value};
 }
 
-// std::from_chars accepts only a point, so this replaces the comma in a copy on the stack.
+// std::from_chars accepts only a decimal point, so the comma is replaced in a copy on the stack.
 Cell parse_comma(std::string_view cell) {
   std::array<char, 64> buffer;
   if (cell.size() > buffer.size()) return {.kind = CellKind::text};
@@ -158,7 +158,7 @@ std::vector<std::string_view> sample_lines(std::span<std::string_view const> lin
 
 struct ColumnStudy {
   std::size_t numbers = 0;
-  std::array<std::size_t, 4> stamps{};  // how many cells of each StampKind, in its order
+  std::array<std::size_t, 4> stamps{};  // number of cells of each StampKind, in the order of StampKind
   bool serial = true;                   // each number may be a date, as a spreadsheet counts days
   double least = 0.0, largest = 0.0;
 
@@ -305,7 +305,7 @@ std::optional<Dialect> sheet_dialect(std::span<std::string_view const> rows) {
 std::optional<Dialect> recognise_dialect(std::span<std::string_view const> lines, std::optional<char> thousands) {
   char const group = thousands.value_or('\0');
   auto const sample = sample_lines(lines);
-  // If two pairs read the file equally well, the first wins. That happens with whole numbers, or tabs beside blanks.
+  // If two pairs of delimiter and decimal sign read the file equally well, as with whole numbers, the earlier one wins.
   std::vector<Pair> pairs{{'\t', '.'}, {'\t', ','}, {';', '.'}, {';', ','}, {',', '.'}, {' ', '.'}, {' ', ','}};
   bool const quotes = std::ranges::any_of(sample, [](auto line) { return line.find('"') != std::string_view::npos; });
   if (quotes) pairs.push_back({',', ','});  // in "1,5","2,0" the quotes keep the two kinds of commas apart

@@ -1,5 +1,5 @@
-// Recognises delimiter and decimal separator together, since a comma may be either ("1,5;2,0" or "1.5,2.0"). It tries
-// every pair of the two on lines from all over the file. The pair with which most cells are numbers wins.
+// Recognises delimiter and decimal separator together, since a comma may be either ("1,5;2,0" or "1.5,2.0"). Tries
+// every pair of delimiter and separator on lines from all over the file. The pair that makes most cells numbers wins.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ namespace isolaw::data {
 // A mark that groups digits. The user types a blank as "blank", because files write it as several characters.
 struct DigitGroup {
   char mark;
-  std::string_view word, typed, said;  // option value; the mark for a shell; in a sentence
+  std::string_view word, typed, said;  // value of the option; the mark as typed in a shell; its name in a sentence
 };
 inline constexpr std::array digit_groups{DigitGroup{',', ",", ",", "','"}, DigitGroup{'.', ".", ".", "'.'"},
                                          DigitGroup{'\'', "'", "\"'\"", "'''"},

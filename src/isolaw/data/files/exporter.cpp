@@ -24,7 +24,7 @@ bool opens(FileLines lines, std::string_view word) {
 bool is_lvm(FileLines lines) {
   return opens(lines, "LabVIEW Measurement");
 }
-// First line "MTS793|MPT|ENU|1|2|.|/|:|1|0|0|A": program, application, language, signs of decimals, dates and times.
+// MTS Series 793 writes program, language and the signs for numbers and dates: "MTS793|MPT|ENU|1|2|.|/|:|1|0|0|A".
 bool is_mts_793(FileLines lines) {
   return opens(lines, "MTS793|");
 }
@@ -32,7 +32,7 @@ bool is_dasylab(FileLines lines) {
   return opens(lines, "DASYLab - V");
 }
 
-// MTS TestSuite writes four lines above the names that say where the file comes from.
+// MTS TestSuite writes four lines about the origin of the file above the names of the columns.
 bool is_mts_test_suite(FileLines lines) {
   constexpr std::array<std::string_view, 4> keys{"File Path:", "Test:", "Test Run:", "Date:"};
   if (lines.size() < keys.size()) return false;
@@ -41,7 +41,7 @@ bool is_mts_test_suite(FileLines lines) {
   return true;
 }
 
-// Bluehill Universal writes "Raw Data" and then names with units. Bluehill 3 writes names and then a row of units.
+// Bluehill Universal writes "Raw Data" and then names with units. Bluehill 3 writes names and below them their units.
 bool is_bluehill(FileLines lines) {
   constexpr std::size_t longest_head = 200;
   lines = lines.first(std::min(lines.size(), longest_head));

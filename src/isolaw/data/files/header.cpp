@@ -51,7 +51,7 @@ Names split_bracketed(std::string_view line) {
   return names;
 }
 
-// If blanks separate cells, date and time are two columns, often with one name. The date then gets an empty name.
+// A date and a time between blanks are two columns, which often share one name. The date then gets an empty name.
 void name_date_and_clock(Names& names, Dialect const& dialect) {
   if (dialect.delimiter != ' ' || names.size() + 1 != dialect.columns) return;
   for (std::size_t i = 0; i + 1 < dialect.columns; ++i)
@@ -61,7 +61,7 @@ void name_date_and_clock(Names& names, Dialect const& dialect) {
     }
 }
 
-// The cells of a row of names. If blanks separate cells, tries several ways to split until their number is right.
+// Splits a row of names into cells. If blanks separate cells, tries several ways until the number of cells is right.
 Names header_cells(std::string_view line, Dialect const& dialect) {
   if (dialect.sheet) {
     std::vector<std::string_view> cells;
@@ -132,7 +132,7 @@ struct Candidate {
   std::size_t channels;
 };
 
-// The line that has the right number of cells and names most channels; if several name as many, the last of them.
+// The line that has the right number of cells and names the most channels. If several do, the last of them.
 std::optional<Candidate> find_names(std::span<std::string_view const> above, Dialect const& dialect, Header& header) {
   std::optional<Candidate> best;
   std::optional<Candidate> comment;
@@ -146,7 +146,7 @@ std::optional<Candidate> find_names(std::span<std::string_view const> above, Dia
             Header::Mismatch{i, cells.size(), dialect.delimiter == ',' && dialect.columns == 2 * cells.size()};
       continue;
     }
-    if (dialect.sheet && count_filled(cells) < 2) continue;  // a title of the sheet
+    if (dialect.sheet && count_filled(cells) < 2) continue;  // only a title of the sheet
     if (has_number(cells, dialect) || has_stamp(cells) || (best && count_units(cells).most()) ||
         count_units(cells).all())
       continue;
@@ -157,12 +157,12 @@ std::optional<Candidate> find_names(std::span<std::string_view const> above, Dia
   return best;
 }
 
-// A cheap test that spares most rows of numbers: they have letters only in exponents and time stamps.
+// A quick test that skips most rows of numbers, which have letters only in exponents and time stamps.
 bool may_hold_names(std::string_view line) {
   char previous = ' ';
   for (char const c : line) {
     bool const letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
-    bool const of_number = is_digit(previous);  // as in 2024-05-02T10:00:00Z
+    bool const of_number = is_digit(previous);  // a letter as in 2024-05-02T10:00:00Z
     if (letter && c != 'e' && c != 'E' && !of_number) return true;
     previous = c;
   }
@@ -189,7 +189,7 @@ std::optional<double> lvm_interval(Names const& given, Dialect const& dialect) {
   return interval;
 }
 
-// Reads the header of LabVIEW's .lvm: units are in rows before the last end-of-header mark, names in the row after.
+// Reads the header of a LabVIEW file (.lvm). Units stand above the last end-of-header mark, names in the row below it.
 bool read_lvm_header(std::span<std::string_view const> above, Dialect const& dialect, Header& header) {
   auto const opens = [](std::string_view line, std::string_view key) { return trimmed(line).starts_with(key); };
   std::optional<std::size_t> end;
@@ -251,7 +251,7 @@ std::vector<std::size_t> later_tests(std::span<std::string_view const> lines, Di
     if (!begins_test(lines[i], dialect, names)) continue;
     auto row = i;
     while (row > last_seen && !is_data_row(lines[row - 1], dialect)) --row;
-    if (row > last_seen) starts.push_back(row);  // the lines above the names are the new test's
+    if (row > last_seen) starts.push_back(row);  // the lines above the names belong to the new test
     last_seen = i + 1;
   }
   return starts;

@@ -1,5 +1,5 @@
-// Limits how much a file may grow when it is unpacked. Packing shrinks a laboratory's file tenfold at most, a bomb more
-// than a thousandfold. Small files may grow more, because a constant channel packs as well as a bomb.
+// Limits how much a file may grow when it is unpacked. Packing shrinks a laboratory's file tenfold at most, but a file
+// made to fill the memory a thousandfold. A small file may grow more, because a constant channel packs just as well.
 #pragma once
 
 #include <cstdint>

@@ -36,14 +36,14 @@ struct Branch {
   std::vector<NumberColumn> columns;
   std::map<std::string, std::size_t, std::less<>> index;  // position of a column by its name
   std::size_t rows = 0;                                   // number of rows, if elements are rows
-  std::string element;                                    // path of the list's element that holds the table, if any
+  std::string element;                                    // path of the list element (a test) that holds the table
   bool of_rows = false;
   bool named = false;        // the columns have names
   std::string flaw;          // why the table cannot be read
   std::size_t flaw_row = 0;  // row of the flaw from 1; 0 if it concerns no single row
 };
 
-// A text and the list element (a test) that it is in, because units of one test do not apply to the next.
+// A text and the list element (a test) that holds it. The units of one test do not apply to the next.
 struct Word {
   std::string text;
   std::string element;
@@ -139,7 +139,7 @@ class Handler {
 
  private:
   enum class Kind { object, array };
-  enum class Shape { none, values, rows, records, mixed };  // kind of an array's elements
+  enum class Shape { none, values, rows, records, mixed };  // kind of the elements in an array
   struct Frame {
     Kind kind;
     Shape shape = Shape::none;
@@ -148,7 +148,7 @@ class Handler {
     bool in_reach = true;          // not too deep to contain a table
     std::size_t elements = 0;      // objects that were read in an array
     std::size_t number = 0;        // position of an object in its array, from 1; else 0
-    bool has_path_of_own = false;  // an element with arrays or objects in it: its number is in its path
+    bool has_path_of_own = false;  // the element holds arrays or objects; its number is in its path
   };
 
   bool push(Kind kind) {
@@ -172,14 +172,13 @@ class Handler {
   static std::string joined(std::string const& path, std::string const& key) {
     return path.empty() ? key : path + '.' + key;
   }
-  // Objects in arrays do not count, so that a list of tests is no deeper than one test.
+  // Depth in objects. Objects in arrays do not count, so that a list of tests is no deeper than one test.
   std::size_t depth() const {
     return static_cast<std::size_t>(std::ranges::count_if(
         stack_, [](auto const& frame) { return frame.kind == Kind::object && frame.number == 0; }));
   }
 
-  // Adds an element's number to its path if it holds arrays or objects. Others are rows, of which there may be
-  // millions.
+  // Adds an element's number to its path if the element holds arrays or objects. Plain rows, often millions, get none.
   void number_path() {
     auto& frame = stack_.back();
     if (frame.number == 0 || frame.has_path_of_own) return;
@@ -203,7 +202,7 @@ class Handler {
     return found->second;
   }
 
-  // Whether the list element that has just ended holds a table. If it does not, drops its contents.
+  // Whether the list element that has just ended holds a table. Drops the contents of an element without a table.
   bool is_test(Frame const& ended) {
     bool channels = false;
     for (auto it = parts.lower_bound(ended.path); it != parts.end() && it->first.starts_with(ended.path);) {
@@ -472,7 +471,7 @@ class Document {
       if (!word.element.empty() && word.element != element) continue;
       bool const near = words_path == path || words_path == above(path);
       if (near && (plain(key) == wanted + "unit" || plain(key) == wanted + "units")) return text;
-      auto const last = words_path.substr(words_path.rfind('.') + 1);  // npos + 1 is 0
+      auto const last = words_path.substr(words_path.rfind('.') + 1);  // without a point, npos + 1 is 0
       if ((lower(last) == "units" || lower(last) == "unit") && key == name) return text;
     }
     return {};

@@ -1,6 +1,6 @@
 // Reads tables of numbers in JSON (RFC 8259): an object of arrays {"time": [..], "disp": [..]}, an array of objects
-// [{"time": 0, "disp": 0}, ..], or an array of rows [[0, 0], ..], at the top or under a key. Names are keys, a first
-// row, or beside the rows ("columns": [..]); units are in names or beside ("units": {..}, "disp unit": "mm").
+// [{"time": 0, "disp": 0}, ..], or an array of rows [[0, 0], ..], at the top or under a key. Column names are keys, a
+// first row, or a list "columns": [..] beside the rows. Units are in the names, "units": {..} or "disp unit": "mm".
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ namespace isolaw::data {
 // Whether the bytes begin as JSON does. False for "[Data]", with which text files may begin.
 bool is_json(std::string_view bytes);
 
-// `key`: a table's key or number from 1. Without it, reads the first table; Tests::sheets lists all. Throws Error.
+// `key` is a table's key or its number from 1. Without it, reads the first table of Tests::sheets. Throws Error.
 Tests json_tests(std::string_view bytes, std::string const& file, std::optional<std::string> const& key);
 
 }  // namespace isolaw::data

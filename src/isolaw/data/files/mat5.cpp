@@ -21,7 +21,7 @@
 namespace isolaw::data {
 namespace {
 
-// Types of data elements (table 1-1). Classes of arrays (table 1-3) are constants below.
+// Types of data elements, from table 1-1 of the MathWorks document. Classes of arrays (table 1-3) are constants below.
 enum Type : std::uint32_t {
   mi_int8 = 1,
   mi_uint8 = 2,
@@ -114,7 +114,7 @@ struct Tag {
   std::array<char, 4> data{};
 };
 
-// Reads one data element and counts its bytes. Bytes of an element within it count for both elements.
+// Reads one data element and counts its bytes. The bytes of a nested element count for the outer element too.
 class Reader {
  public:
   Reader(Source& source, bool swapped, std::uint64_t available)
@@ -269,7 +269,7 @@ class Walk {
     if (variable.name.empty()) variable.name = printable(to_utf8(name));
   }
 
-  // Reads field names, padded to one length, then all values of the first struct, of the second, and so on.
+  // Reads the field names, which are padded to one length, and then the values of one struct after the other.
   void structure(Reader& reader, MatVariable variable) {
     constexpr std::size_t longest_field = 128;
     constexpr std::size_t most_fields = 1000;
@@ -335,7 +335,7 @@ class Mat5File : public MatFile {
       std::vector<double> none;
       walk(
           [&](MatVariable const& variable) {
-            if (variable.name.empty()) return std::optional<MatSlice>();  // MATLAB's own data for objects
+            if (variable.name.empty()) return std::optional<MatSlice>();  // unnamed: MATLAB's own data for objects
             if (variables_.size() >= most_variables) damaged(fmt::format("more than {} variables", most_variables));
             variables_.push_back(variable);
             return std::optional<MatSlice>();

@@ -90,7 +90,7 @@ std::string kind_of(hid_t object, hid_t type) {
   return kind;
 }
 
-// Writes a line for a variable: numeric, name, kind, unit, sizes, with a tab after each.
+// Writes a line about a variable: whether it is numeric, its name, kind, unit and sizes, each followed by a tab.
 void describe(hid_t data_set, std::string const& name, Write const& write) {
   Handle const type(H5Dget_type(data_set), H5Tclose);
   Handle const space(H5Dget_space(data_set), H5Sclose);
@@ -101,7 +101,7 @@ void describe(hid_t data_set, std::string const& name, Write const& write) {
   auto const kind = kind_of(data_set, type);
   auto const stored = H5Tget_class(type);
   bool const empty = H5Aexists(data_set, "MATLAB_empty") > 0;
-  bool const object = H5Aexists(data_set, "MATLAB_object_decode") > 0;  // its numbers only refer to the values
+  bool const object = H5Aexists(data_set, "MATLAB_object_decode") > 0;  // an object's numbers only point to its values
   bool const numeric =
       (stored == H5T_FLOAT || stored == H5T_INTEGER) && kind != "char" && kind != "cell" && !empty && !object;
   auto unit = attribute(data_set, "units");
@@ -149,7 +149,7 @@ void read(std::string_view bytes, MatVariable const& variable, MatSlice const& s
   if (H5Sget_simple_extent_ndims(space) != 2 || H5Sget_simple_extent_dims(space, sizes.data(), nullptr) < 0 ||
       sizes[0] != variable.size[1] || sizes[1] != variable.size[0])
     throw std::runtime_error("is damaged");
-  // A column in MATLAB is a row in the file, because the dimensions are in reverse order.
+  // A column in MATLAB is a row in the HDF5 file, because the dimensions are in reverse order.
   bool const whole = slice.stride == 1 && slice.count == sizes[0] * sizes[1];
   bool const column = slice.stride == 1;
   std::array<hsize_t, 2> const start{column && !whole ? slice.first / sizes[1] : 0, column ? 0 : slice.first};

@@ -22,7 +22,7 @@ struct MatVariable {
   std::string unit = {};            // from an attribute of the array; may be empty
 };
 
-// `count` values of an array from `first`, every `stride`-th one. The first index runs fastest, as in MATLAB.
+// Selects `count` values of an array: every `stride`-th from `first` on. The first index runs fastest, as in MATLAB.
 struct MatSlice {
   std::uint64_t first = 0;
   std::uint64_t stride = 1;
@@ -40,7 +40,7 @@ class MatFile {
   MatFile& operator=(MatFile const&) = delete;
 
   std::vector<MatVariable> const& variables() const { return variables_; }
-  // Values of characters are their codes. Throws Error if the file is damaged or grows beyond its limit when unpacked.
+  // Returns characters as their codes. Throws Error if the file is damaged or grows beyond its limit when unpacked.
   virtual std::vector<double> values(MatVariable const& variable, MatSlice const& slice) const = 0;
   virtual std::string_view version() const = 0;
 
@@ -57,7 +57,7 @@ class MatFile {
   std::vector<MatVariable> variables_;
 };
 
-// `bytes` must outlive the MatFile. Both throw Error if the file is damaged or has more than most_variables.
+// `bytes` must outlive the MatFile. Throws Error if the file is damaged or has more than most_variables.
 std::unique_ptr<MatFile> open_mat5(std::string_view bytes, std::string const& file);
 std::unique_ptr<MatFile> open_mat73(std::string_view bytes, std::string const& file);
 

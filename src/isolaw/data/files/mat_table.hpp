@@ -1,4 +1,4 @@
-// Reads MATLAB variables as columns: a vector, each column of a matrix ("x_F:3"; rows if few), each field of a struct.
+// Reads MATLAB variables as columns: vectors, fields of structs, and columns of a matrix ("x_F:3"), or its rows if few.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@ namespace isolaw::data {
 
 bool is_mat(std::string_view bytes);
 
-// `owner` names a struct or matrix. Only its columns are then read, and named without it. If it is empty, all variables
-// are one test, and if several structs seem to hold a test each, Tests::sheets lists them. Throws Error.
+// `owner` names a struct or matrix, whose columns alone are then read and named without the owner. Without `owner`, all
+// variables are one test. If several structs seem to hold one test each, Tests::sheets lists them. Throws Error.
 Tests mat_tests(std::string_view bytes, std::string const& file, std::optional<std::string> const& owner);
 
 }  // namespace isolaw::data

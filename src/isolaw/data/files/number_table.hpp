@@ -16,7 +16,7 @@ struct NumberColumn {
   std::string unit = {};  // as written beside the column; may be empty
   std::size_t length = 0;
   std::vector<double> values = {};                    // may stay empty until a channel needs the column
-  std::map<std::size_t, std::string> odd_cells = {};  // text of the first few that are no number, by position from 0
+  std::map<std::size_t, std::string> odd_cells = {};  // texts of the first cells that are no number, by row from 0
   std::vector<Stamp> stamps = {};                     // as many as values if the column holds time stamps, else none
   bool datenum = false;                               // the numbers are days of MATLAB's calendar
 

@@ -142,7 +142,7 @@ void add(std::string_view key, std::string_view value, std::string const& unit, 
   if (empty || value.size() > longest ||
       std::ranges::find(found, key, &ParticularList::value_type::first) != found.end())
     return;
-  // A value that contains other labels is several values.
+  // Leaves out a value that contains further labels, since it is several values.
   if (value.find(';') != std::string_view::npos || value.find(": ") != std::string_view::npos) return;
   auto text = std::string(value);
   constexpr std::size_t shortest_date = 6;
@@ -180,7 +180,7 @@ void take_particulars(std::string_view line, char delimiter, ParticularList& fou
     if (!key) continue;
     if (colon != std::string::npos && !trimmed(std::string_view(cell).substr(colon + width)).empty()) {
       auto value = std::string(trimmed(std::string_view(cell).substr(colon + width)));
-      // Where commas separate the cells, a decimal comma has split the value in two.
+      // Where commas separate the cells, a decimal comma has split the value into two cells.
       if (delimiter == ',' && is_digit(value.back()) && i + 1 < cells.size() && !cells[i + 1].empty() &&
           is_digit(cells[i + 1].front()))
         value += "," + to_utf8(cells[i + 1]);

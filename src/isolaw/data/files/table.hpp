@@ -1,4 +1,4 @@
-// The common form of all file formats before their values are read: named columns, and rows that know their place.
+// The common form of all file formats before their values are read: named columns, and rows with their line numbers.
 #pragma once
 
 #include <cstddef>
@@ -92,7 +92,7 @@ class Table {
   std::size_t columns() const { return columns_; }
   // Number of the line or row at which the test starts, its header included.
   std::size_t start() const { return start_; }
-  // The test's name among those of its file if `start` does not tell them apart: "tests(2) 'B'".
+  // The test's name in messages, as in "tests(2) 'B'", if a file's tests have no line number that tells them apart.
   std::string const& title() const { return title_; }
   ParticularList const& particulars() const { return particulars_; }
 
@@ -117,7 +117,7 @@ class Table {
 struct Tests {
   std::vector<std::unique_ptr<Table>> tables;   // one for each test; at least one if a file was read
   std::vector<std::string> sheets;              // names of the file's parts with tables, if it has parts
-  std::optional<std::string> sheet;             // the part that `tables` are from, if there are several
+  std::optional<std::string> sheet;             // the part that `tables` are from, if the file has several
   std::vector<Finding> recognised;              // findings about the file as a whole
   ParticularList particulars;                   // facts about the device from sheets without tables
   std::vector<std::string> sheets_passed_over;  // sheets with rows of numbers that name no channel

@@ -100,7 +100,7 @@ std::uint32_t windows_1252(unsigned char byte) {
   return byte >= 0x80 && byte < 0xA0 ? high[byte - 0x80u] : byte;
 }
 
-// The letters U+00C0 to U+00FF without their accents; a blank if that is no letter.
+// The letters U+00C0 to U+00FF without their accents; a blank stands for a sign or for a letter that ASCII lacks.
 constexpr std::string_view latin_letters = "AAAAAAACEEEEIIIIDNOOOOO OUUUUY saaaaaaaceeeeiiiidnooooo ouuuuy y";
 static_assert(latin_letters.size() == 64);
 
@@ -145,7 +145,7 @@ std::optional<LegacyText> decode_legacy(std::string_view bytes, bool (*names_cha
     std::string_view shown;
   };
   for (auto const& [name, shown] : {Encoding{"CP932", "Shift-JIS"}, Encoding{"CP1254", "Windows-1254 (Turkish)"}}) {
-    constexpr std::size_t head = 16384;  // bytes that hold the names of channels; the cut is at the end of a line
+    constexpr std::size_t head = 16384;  // bytes searched for names of channels, cut at the end of a line
     auto const cut = bytes.size() <= head ? bytes.size() : bytes.find_last_of("\n\r", head);
     auto const top = converted(bytes.substr(0, cut == std::string_view::npos ? head : cut), name);
     if (!top || !names_channels(*top)) continue;

@@ -20,7 +20,7 @@ inline constexpr std::size_t longest_line = 32'768;  // bytes
 
 // Throws Error if the file does not exist, is no plain file, cannot be read, or exceeds largest_file_bytes.
 std::string load_text(std::filesystem::path const& file);
-// UTF-16 as UTF-8. nullopt if the bytes have no byte order mark of UTF-16, or are not valid.
+// Converts UTF-16 to UTF-8. nullopt if the bytes have no byte order mark of UTF-16, or are not valid.
 std::optional<std::string> decode_utf_16(std::string_view bytes);
 // Throws Error if the bytes are empty, are binary, or exceed most_lines or longest_line.
 void check_text(std::string const& where, std::string_view bytes);

@@ -17,7 +17,7 @@ namespace isolaw::data {
 namespace {
 
 struct Page {
-  std::string owned;  // the text of a worksheet, which `lines` points into; else empty
+  std::string owned;  // the text of a worksheet, which `text.lines` points into; else empty
   Lines text;
   Dialect dialect;
   std::optional<Exporter> exporter = {};
@@ -118,7 +118,7 @@ class RowReader {
       digits = digits || cells_[i].find_first_of("0123456789") != std::string_view::npos;
       statistics = statistics || (word && is_statistic(cells_[i]));
     }
-    // A lone number may be a count of rows or a broken row. It counts as text only if the user skips the footer.
+    // A line with one number may be a count of rows or a broken row. It is text only if the user skips the footer.
     if (!as_wide) return words || !digits || (choice_.skip_footer && cells_.size() == 1);
     if (statistics) return true;
     auto const reads = std::ranges::count_if(indices_, [&](auto k) { return is_value(cells_[k]); });
@@ -295,7 +295,7 @@ class RowReader {
   std::vector<Stamp> stamps_;
   std::optional<bool> in_threes_;
   std::vector<std::size_t> indices_;  // columns of the wanted channels
-  std::size_t row_count_ = 0;         // number of rows, once a row has been refused
+  std::size_t row_count_ = 0;         // number of rows, counted when the first row is refused
   std::vector<std::string_view> cells_;
   std::vector<double> row_;
   Rows rows_;
@@ -350,7 +350,7 @@ class TextTable : public Table {
     return decisions;
   }
 
-  // Complains of whole numbers without names, separated by commas: "1,5,2,0" may be two numbers with decimal commas.
+  // Complains of unnamed columns of whole numbers between commas: "1,5,2,0" may be two numbers with decimal commas.
   void check(std::vector<Complaint>& complaints) const override {
     auto const& dialect = page_->dialect;
     if (dialect.delimiter != ',' || dialect.decimal_seen || !header_.names.empty() || header_.mismatch ||

@@ -238,7 +238,7 @@ struct DatesRead {
   std::vector<double> times;
   DateOrder order = DateOrder::day_first;
   std::string why;
-  bool in_either_order = false;  // both orders give the same times; only the first date is uncertain
+  bool in_either_order = false;  // day first and month first give the same times; only the first date is uncertain
 };
 
 class DateReader {
@@ -284,7 +284,7 @@ class DateReader {
     return "which alone makes dates of all of them";
   }
 
-  // Takes the order of dates in which times rise in short steps, if in the other order they go back or leap by days.
+  // Takes the order of dates in which times rise in short steps, if times go back or leap by days in the other order.
   std::optional<DatesRead> by_sequence(std::vector<double> day_first, std::vector<double> month_first) {
     constexpr double step_of_a_record_s = 12.0 * 3600.0;
     auto const fits = [&](std::vector<double> const& times) {
@@ -329,7 +329,7 @@ class DateReader {
   std::vector<Complaint>& complaints_;
 };
 
-// Fills in `times`. Where the time of day goes back by more than half a day, midnight has passed.
+// Fills `times` and counts midnights. Midnight has passed if the time of day goes back by more than half a day.
 std::size_t count_midnights(std::span<Stamp const> stamps, std::vector<double>& times) {
   std::size_t midnights = 0;
   for (std::size_t i = 0; i < stamps.size(); ++i) {
@@ -339,7 +339,7 @@ std::size_t count_midnights(std::span<Stamp const> stamps, std::vector<double>& 
   return midnights;
 }
 
-// Refuses stamps that many rows share, as of a logger that writes whole seconds.
+// Refuses time stamps that many rows share. A logger that writes whole seconds makes such stamps.
 bool refuse_coarse(std::vector<double> const& times, std::string const& where, std::vector<Complaint>& complaints) {
   std::size_t repeated = 0;
   for (std::size_t i = 1; i < times.size(); ++i) repeated += times[i] == times[i - 1] ? 1u : 0u;

@@ -14,7 +14,7 @@ namespace isolaw::data {
 
 enum class DateOrder { day_first, month_first };
 
-// serial_number: plain numbers that may be days of a spreadsheet's calendar.
+// `serial_number` means plain numbers that may be days of a spreadsheet's calendar.
 enum class StampKind { none, date_time, date, clock, serial_number };
 
 struct Stamp {
@@ -25,7 +25,7 @@ struct Stamp {
   std::optional<double> zone_s;         // offset of the time zone, positive east of Greenwich
 };
 
-std::string_view date_order_word(DateOrder order);  // "dmy"
+std::string_view date_order_word(DateOrder order);  // "dmy" or "mdy"
 // nullopt if the cell is no time stamp. date_cell_mark follows a number that a workbook shows as a date.
 std::optional<Stamp> parse_stamp(std::string_view cell);
 StampKind kind_of(Stamp const& stamp);
@@ -47,7 +47,7 @@ struct StampedTime {
   std::vector<std::string> sentences;  // how the stamps were read, in words
 };
 
-// `lines` are the line numbers of the stamps. If the time cannot be determined, it is empty, with a complaint.
+// `lines` are the line numbers of the stamps. If the time cannot be determined, returns nothing and adds a complaint.
 StampedTime seconds_of(std::span<Stamp const> stamps, std::span<std::size_t const> lines, std::string const& where,
                        std::string_view row, std::optional<DateOrder> order, std::vector<Complaint>& complaints);
 

@@ -35,7 +35,7 @@ void parse(ZipArchive& archive, std::string const& file, std::string const& entr
   read_xml(fmt::format("{}:{}", file, entry), handlers, [&](auto const& take) { archive.read(entry, take); });
 }
 
-// The path that `target` means in file `from`: "worksheets/sheet1.xml" in "xl/workbook.xml" is in "xl/worksheets".
+// The path that `target` means in file `from`: "worksheets/a.xml" in "xl/workbook.xml" means "xl/worksheets/a.xml".
 std::string resolved(std::string_view from, std::string_view target) {
   if (target.starts_with('/')) return std::string(target.substr(1));
   std::string folder(from.substr(0, from.rfind('/') + 1));
@@ -206,7 +206,7 @@ class RowWriter {
     in_cell_ = false;
   }
 
-  // The file may leave out rows, and a row may have no number; it then follows the row before.
+  // A file may leave out rows. A row without a number follows the row before it.
   void begin_row(std::string_view number) {
     auto const row = number.empty() ? std::optional(next_row_ + 1) : number_in<std::size_t>(number);
     if (!row || *row == 0 || *row > most_rows)
@@ -411,7 +411,7 @@ Tests workbook_tests(std::string_view bytes, std::string const& file, std::optio
       if (i != index) append(tests.particulars, workbook.particulars(workbook.sheets()[i]));
     return tests;
   }
-  Tests first, named;  // first sheet with rows of numbers; first that also names a channel
+  Tests first, named;  // first sheet with rows of numbers; first such sheet that names a channel
   std::vector<std::string> found, without_names;
   std::size_t most = 0;
   ParticularList particulars;

@@ -7,7 +7,7 @@
 
 namespace isolaw::data {
 
-// The attributes of an element. [] gives the value of one by its name without a prefix; empty if it is missing.
+// The attributes of an element. [] returns the value of the attribute with this name, without prefix, or an empty text.
 class Attributes {
  public:
   explicit Attributes(char const** list) : list_(list) {}

@@ -17,7 +17,7 @@ constexpr double wanted_samples = 100.0;
 constexpr double most_jitter = 1.0;         // percent of the mean interval
 constexpr double most_disp_offset = 5.0;    // percent of the amplitude
 constexpr double most_force_offset = 10.0;  // percent of the amplitude; true loops of elastomers are a little uneven
-constexpr double most_closure = 1.0;        // percent of 2 D, twice the amplitude
+constexpr double most_closure = 1.0;        // percent of twice the amplitude
 constexpr double most_drift = 1.0;          // percent of twice the amplitude
 constexpr double most_v_max_error = 5.0;    // percent
 constexpr double assumed_friction = 0.005;  // times the vertical load; typical of well kept sliding or rolling guides
@@ -27,7 +27,7 @@ constexpr double most_average_loss = 1.0;  // percent of the amplitude, at the t
 
 constexpr double most_noise_bias = 1.0;  // percent of the amplitude
 constexpr double unlike_between = 0.15,
-                 unlike_beside = 0.2;       // largest change of a peak force against two cycles; against one
+                 unlike_beside = 0.2;       // largest change of a peak force from two neighbours; from one
 constexpr double most_noise_scatter = 2.0;  // percent of the effective stiffness
 
 struct Jump {
@@ -112,7 +112,7 @@ class Assessment {
     locate(budget_.warnings, cycle());
   }
 
-  // After the first, cycles of one amplitude change little. One that differs shows a dropout at its peak, or a slip.
+  // Cycles of one amplitude are alike, apart from the first. If one differs, force dropped out or the device slipped.
   void unlike_their_neighbours() {
     for (auto const& block : properties_.blocks) {
       auto cycles = block.counted();
@@ -225,7 +225,7 @@ class Assessment {
          {{"load_kN", *cycle().N_mean_kN}, {"friction_kN", friction}, {"damping_points", points}});
   }
 
-  // The force lost within 0.2 % of the amplitude at a reversal, less what the slope after the reversal explains.
+  // The drop of force within 0.2 % of the amplitude around a reversal, less what the slope after the reversal explains.
   std::optional<double> jump(Cycle const& at, bool upper) const {
     auto const peaks = peak_positions(view_.disp_mm, at.first, at.last);
     double const sign = upper ? 1.0 : -1.0;
@@ -263,7 +263,7 @@ class Assessment {
     double const typical = jumps[jumps.size() / 2];
     double const force = (cycle().F_plus_kN - cycle().F_minus_kN) / 2.0;
     add("jump of force at reversals", typical, "kN");
-    // At three quarters of the reversals the jump must be at least half the typical one, which noise does not achieve.
+    // The jump must reach half its typical value at three quarters of the reversals. Noise alone does not do this.
     Jump const found{.force_kN = typical,
                      .said = typical > least_jump * std::abs(force) && jumps[jumps.size() / 4] >= 0.5 * typical};
     if (!found.said) return found;
@@ -393,7 +393,7 @@ double peak_loss_percent(double samples_per_cycle) {
 }
 
 // The largest of independent samples x_k + noise exceeds v with probability 1 - product of Phi((v - x_k) / s).
-// Integration over v gives its mean. Of many samples only some are computed; each then stands for `weight` samples.
+// Integration over v gives the mean of the largest. If samples are many, only every `weight`-th one is computed.
 double peak_gain_mm(double noise_mm, double amplitude_mm, double samples_per_cycle) {
   if (!(noise_mm > 0.0) || !(amplitude_mm > noise_mm)) return 0.0;
   double const angle = 2.0 * std::numbers::pi / samples_per_cycle;

@@ -23,7 +23,7 @@ struct Budget {
   std::vector<Effect> effects;    // all effects, in numbers
 };
 
-// Effects given in points of equivalent damping that they add to the device's.
+// Names of the effects that are given as points of equivalent damping, added to the device's own damping.
 inline constexpr char const *damping_by_skew = "damping by skew", *damping_by_jump = "damping by the jump",
                             *damping_by_rig_friction = "damping by rig friction of 0.5 % of the vertical load";
 
@@ -31,7 +31,7 @@ inline constexpr char const *damping_by_skew = "damping by skew", *damping_by_ju
 Budget error_budget(CycleView const& view, Properties const& properties, int smooth = 1);
 Budget error_budget(TestRecord const& record, Properties const& properties, int smooth = 1);
 
-// Percent of a loop's energy or of a sine's peak that sampling loses, or a moving average over an odd window.
+// Percent that sampling takes off a loop's energy and off a sine's peak, and that a moving average takes off a sine.
 double energy_loss_percent(double samples_per_cycle);  // share of the energy: 1 - N / (2 pi) sin(2 pi / N)
 double peak_loss_percent(double samples_per_cycle);    // share of a peak halfway between samples: 1 - cos(pi / N)
 double average_loss_percent(int window, double samples_per_cycle);

@@ -77,7 +77,7 @@ std::optional<double> force_at_level(std::span<double const> x, std::span<double
   return std::nullopt;
 }
 
-// Half the loop's height where cycles are cut. Leaves out an end of the cycle at rest or at a turn: it is off the loop.
+// Half the loop's height where cycles are cut. Ignores an end of the cycle at rest or at a turn, which is off the loop.
 double strength(Cycle const& cycle, Peaks const& peaks, std::span<double const> x, std::span<double const> F) {
   bool const rises = peaks.at_largest < peaks.at_least;
   bool const starts_in_motion = cycle.first > 0.0 && !cycle.turns_at_start;
@@ -123,7 +123,7 @@ void idealise(Cycle& cycle) {
   cycle.K_1_kN_per_mm = cycle.K_d_kN_per_mm + cycle.Q_d_kN / yield;
 }
 
-// Chords span a 25th of a cycle: 0.3 % too slow for a sine. Over one interval, 0.02 mm of noise at 1 kHz adds 30 mm/s.
+// Takes slopes over 1/25 of a cycle (0.3 % low for a sine). Sample by sample, 0.02 mm of noise at 1 kHz adds 30 mm/s.
 double largest_slope(Cycle const& cycle, CycleView const& view) {
   auto const peaks = peak_positions(view.disp_mm, cycle.first, cycle.last);
   auto const reach =
@@ -165,7 +165,7 @@ Cycle measure(CycleCut const& cut, CycleView const& view) {
   return cycle;
 }
 
-// Compares a swing with half a cosine and with a line. It is neither if it spends twice a sine's time at the extremes.
+// Compares a swing with half a cosine and a line. A cycle with twice a sine's time at its extremes is neither of them.
 std::string waveform(Cycle const& cycle, CycleView const& view) {
   auto const peaks = peak_positions(view.disp_mm, cycle.first, cycle.last);
   bool const falls = peaks.largest < peaks.smallest;
@@ -201,20 +201,19 @@ void summarise(Block& block, CycleView const& view) {
   double const period = num::median_over(counted, [](Cycle const* c) { return *c->period_s; });
   if (period > 0.0) block.frequency_Hz = 1.0 / period;
   block.v_max_mm_s = num::median_over(counted, [](Cycle const* c) { return *c->v_max_mm_s; });
-  // The waveform is that of the middle counted cycle, or of the middle one without a hold if there is any.
+  // The waveform is that of the middle cycle among the counted cycles without a hold, or among all if each has a hold.
   std::vector<Cycle const*> unheld;
   std::ranges::copy_if(counted, std::back_inserter(unheld), [](Cycle const* c) { return c->still_samples == 0.0; });
   auto const& shown = unheld.empty() ? counted : unheld;
   block.waveform = waveform(*shown[shown.size() / 2], view);
 }
 
-// Standard deviations of the noise.
 struct Noise {
   double disp_mm = 0.0, force_kN = 0.0;
 };
 
-// Standard deviation of a cycle's energy, caused by noise. A sample's error of force counts with half the displacement
-// between its neighbours, an error of displacement with half the difference of their forces.
+// Standard deviation that noise gives to a cycle's energy. An error of a force is multiplied by half the displacement
+// between the neighbouring samples, an error of a displacement by half the difference of their forces.
 double noise_of_area(Cycle const& cycle, CycleView const& view, Noise const& noise) {
   double ways = 0.0, forces = 0.0;
   auto const samples = inside(cycle, view.disp_mm.size());
@@ -231,7 +230,7 @@ Finding of_cycle(FindingKind kind, Cycle const& cycle, FindingNumber number) {
           .numbers = {{"cycle", static_cast<double>(cycle.number)}, std::move(number)}};
 }
 
-// Says why no device can make such a loop; empty if one can.
+// Says why no device can have the loop of this cycle. Empty if a device can.
 std::vector<Finding> impossible(Cycle const& cycle, CycleView const& view, Noise const& noise) {
   double const size = std::abs(cycle.K_eff_kN_per_mm) * cycle.amplitude_mm * cycle.amplitude_mm;
   double const least = rounding_of_energy * size + noise_of_energy * noise_of_area(cycle, view, noise);

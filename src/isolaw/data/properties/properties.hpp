@@ -31,7 +31,7 @@ struct Cycle : CycleCut {
   std::optional<double> K_1_kN_per_mm;  // first stiffness of the bilinear loop: K_d + Q_d / D_y
   std::optional<double> period_s;       // from start to end, without the time in which the device stands still
   std::optional<double> still_s;        // time in which the device stands still; nullopt without time
-  std::optional<double> v_max_mm_s;     // largest |slope| of chords over a 25th of a cycle; nullopt without time
+  std::optional<double> v_max_mm_s;     // largest |slope| over 1/25 of a cycle; nullopt without time
   std::optional<double> N_mean_kN;      // mean vertical load; nullopt without that channel
   std::optional<double> N_min_kN;
   std::optional<double> N_max_kN;
@@ -39,7 +39,7 @@ struct Cycle : CycleCut {
   double closure_kN = 0.0;
 
   bool counts() const { return number > 0; }
-  // nullopt if K_eff is almost zero: K_eff D is under a thousandth of the loop's mean half height.
+  // nullopt if K_eff is almost zero, so that K_eff D is less than a thousandth of the loop's mean half height.
   std::optional<double> damping() const {
     constexpr double least_stiffness = 1e-3;
     double const stiff = K_eff_kN_per_mm * amplitude_mm, height = energy_kN_mm / (4.0 * amplitude_mm);
@@ -54,23 +54,23 @@ struct Cycle : CycleCut {
 };
 struct Block {
   int number = 0;                      // from 1
-  double amplitude_mm = 0.0;           // this, frequency and v_max are medians over the counted cycles
+  double amplitude_mm = 0.0;           // amplitude, frequency and v_max are medians over the counted cycles
   std::optional<double> frequency_Hz;  // 1 / period, without rests and holds
   std::optional<double> v_max_mm_s;
   std::string waveform;       // "sine", "triangle" or "other"; empty without time
-  std::vector<Cycle> cycles;  // in order, also those that do not count
+  std::vector<Cycle> cycles;  // in order, with the cycles that do not count
 
   std::vector<Cycle const*> counted() const;
 };
 
 struct Properties {
   std::vector<Block> blocks;
-  // Third counted cycle, or the last of fewer, of the first block of largest amplitude. Empty if `refusal` is not.
+  // The third counted cycle, or the last, of the first block of largest amplitude. Empty if there is a refusal.
   std::optional<Cycle> reported;
-  // Why there is no reported cycle: a fault, not cyclic, under 20 samples per cycle, negative energy or stiffness.
+  // Why there is no reported cycle: faulty signal, motion not cyclic, few samples, negative energy or stiffness.
   std::vector<Finding> refusal;
   bool is_false = false;                    // the refusal is about a signal or cycle that cannot be true
-  std::vector<SignalFault> faults;          // only from a TestRecord; if there are any, no cycle counts
+  std::vector<SignalFault> faults;          // set only for a TestRecord; if there are any, no cycle counts
   std::optional<double> samples_per_cycle;  // median over the counted cycles, without rests and holds
   double centre_mm = 0.0;                   // displacement at which cycles are cut
 
@@ -80,7 +80,7 @@ struct Properties {
   bool is_reported(Cycle const& cycle) const;
 };
 
-// All are of one length, but time_s and load_kN may be empty.
+// All channels have the same length, but time_s and load_kN may be empty.
 struct CycleView {
   std::span<double const> disp_mm;
   std::span<double const> force_kN;
@@ -89,17 +89,17 @@ struct CycleView {
 };
 
 Properties cyclic_properties(CycleView const& view);
-// Also searches for faulty signals. If there is one, no cycle counts.
+// Also searches for faulty signals. If a signal is faulty, no cycle counts.
 Properties cyclic_properties(TestRecord const& record);
-// Without time and load. Periods are then in samples.
+// A record without time has periods in samples.
 Properties cyclic_properties(std::span<double const> disp_mm, std::span<double const> force_kN);
 
 // The properties of the same cycle with another force, such as the force that a law computes at the same samples.
 Cycle properties_on(Cycle const& cycle, std::span<double const> disp_mm, std::span<double const> force_kN);
 
 // How a property changes over the counted cycles of one block (EN 15129 8.2.1.2.6; scragging). Ratios to cycle 3 are
-// empty if there is none. Extremes are over cycles 2 to 10 and 1 to 10, or as many as there are; least_to_largest is
-// their smallest value over their largest.
+// empty if there is no cycle 3. Extremes are over cycles 2 to 10 and 1 to 10, or over fewer if the block has fewer.
+// least_to_largest is the smallest value over the largest.
 struct Stability {
   int cycles = 0;  // number of counted cycles
   std::vector<double> ratio_to_third;

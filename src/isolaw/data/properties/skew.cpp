@@ -19,18 +19,18 @@ constexpr double narrow = 0.04;          // fraction of a cycle; even a sharp lo
 constexpr double farthest_shift = 0.04;  // fraction of a cycle: a quarter of a radian
 constexpr int shifts = 41;
 constexpr std::size_t least_in_window = 12;  // samples in a window; twice the unknowns
-constexpr std::size_t most_samples = 400;    // samples in a window; of more, only one of several is used
+constexpr std::size_t most_samples = 400;    // samples in a window; a longer window is thinned
 constexpr std::size_t most_cycles = 12;
 constexpr int least_reversals = 4;
-constexpr double poor_fit = 0.012;             // rms over the force's amplitude; a force that fits worse gives no skew
-constexpr double good_fit = 0.0012;            // rms beyond noise, over the amplitude; else the loop may only look late
-constexpr double least_late = 0.015;           // rad; less is no skew
+constexpr double poor_fit = 0.012;             // rms residual over the force's amplitude; a worse fit gives no skew
+constexpr double good_fit = 0.0012;            // rms residual beyond noise / amplitude; with more, shape may look late
+constexpr double least_late = 0.015;           // rad; a smaller delay is no skew
 constexpr double least_late_by_shape = 0.045;  // rad; limit for a loop that is too sharp to fit
 constexpr double least_early = 0.04;
-constexpr double standard_errors = 4.0;     // the skew must exceed this many
+constexpr double standard_errors = 4.0;     // a skew must exceed this many standard errors
 constexpr double by_chance = 0.001;         // fraction of records without skew that seem late
 constexpr double most_agree = 0.75;         // fraction of the reversals that must agree
-constexpr double most_apart = 0.004;        // rad; difference between the wide and narrow window
+constexpr double most_apart = 0.004;        // rad; largest difference of skew between the wide and narrow window
 constexpr double quiet = 0.0005;            // fraction of the amplitude; less noise needs no smoothing
 constexpr double too_noisy = 0.01;          // fraction of the amplitude; noisier records give no skew
 constexpr double smoothed_over = 0.06;      // fraction of a cycle on each side; takes 0.02 % off a sine
@@ -46,7 +46,7 @@ struct Reversal {
   double friction_kN = 0.0;  // friction changes from plus to minus this at the reversal
 };
 
-// Unknowns of the fit: force at the tip, a parabola before it and a cubic after it, in the distance from the tip.
+// The fit has six unknowns: force at the tip, two coefficients of a parabola before it and three of a cubic after it.
 constexpr std::size_t unknowns = 6;
 using Row = std::array<double, unknowns>;
 
@@ -55,7 +55,7 @@ Row row_of(double distance, bool before) {
   return before ? Row{1.0, s, s * s, 0.0, 0.0, 0.0} : Row{1.0, 0.0, 0.0, s, s * s, s * s * s};
 }
 
-// The sum of squares that a least-squares fit leaves (modified Gram-Schmidt, column by column).
+// The sum of squared residuals of a least-squares fit (modified Gram-Schmidt, column by column).
 double residual(std::vector<Row>& rows, std::vector<double>& values) {
   for (std::size_t k = 0; k < unknowns; ++k) {
     double size = 0.0;
@@ -77,7 +77,7 @@ double residual(std::vector<Row>& rows, std::vector<double>& values) {
   return sum;
 }
 
-// Mean squared residual of the fit for one shift. Shifts displacement, since interpolation would reduce force's noise.
+// Mean squared residual of the fit for one shift. Shifts displacement, since interpolating force would lower its noise.
 double left_at(double shift, double window, Reversal const& reversal, CycleView const& view) {
   double const half = window * reversal.cycle;
   auto const begin = static_cast<std::size_t>(std::ceil(reversal.at - half));
@@ -100,7 +100,7 @@ struct Shift {
   double left = 0.0;  // rms residual over the force's amplitude
 };
 
-// The shift of least residual. nullopt if that is at the edge of the search, or the fit is poor.
+// The shift of least residual. nullopt if this shift is at the edge of the search, or if the fit is poor.
 std::optional<Shift> best_shift(double window, Reversal const& reversal, CycleView const& view,
                                 double force_amplitude) {
   double const farthest = farthest_shift * reversal.cycle;
@@ -208,7 +208,7 @@ bool held_at_extreme(std::span<double const> disp_mm, Cycle const& cycle, bool u
 }
 
 bool Skew::significant() const {
-  // Student's t, because a few reversals give a poor estimate of their scatter.
+  // Uses Student's t, because a few reversals give a poor estimate of the scatter.
   boost::math::students_t const chance(std::max(1, reversals - 1));
   double const errors = std::max(standard_errors, boost::math::quantile(boost::math::complement(chance, by_chance)));
   return std::abs(force_late) > errors / 2.0 * uncertainty && agreement >= most_agree &&
@@ -230,7 +230,7 @@ std::optional<Skew> estimate_skew(CycleView const& of, Properties const& propert
         std::clamp<std::size_t>(static_cast<std::size_t>(smoothed_over * samples_of(shortest)), 2, most_smoothed);
     smooth = smoothed(of.disp_mm, half);
     view.disp_mm = smooth;
-    left_of_noise *= 1.5 / std::sqrt(2.0 * static_cast<double>(half) + 1.0);  // 9 / (4 (2 h + 1)) of the variance
+    left_of_noise *= 1.5 / std::sqrt(2.0 * static_cast<double>(half) + 1.0);  // 9 / (4 (2 h + 1)) of the variance stays
   }
   std::vector<Sample> of_wide, of_narrow;
   for (auto const* cycle : cycles) {
@@ -245,7 +245,7 @@ std::optional<Skew> estimate_skew(CycleView const& of, Properties const& propert
                               .tip_mm = smooth.empty() ? raw_tip : value_at(smooth, at),
                               .reach_mm = 0.15 * cycle->amplitude_mm,
                               .friction_kN = upper ? friction_kN : -friction_kN};
-      // Leaves out holds. A hold that noise hides shows in the smoothed displacement, in which little noise is left.
+      // Leaves out reversals with a hold. Noise can hide a hold, but little noise is left in the smoothed displacement.
       if (held_at_extreme(of.disp_mm, *cycle, upper, noise) ||
           is_held(view.disp_mm, at, reversal.tip_mm, *cycle, left_of_noise))
         continue;
@@ -269,7 +269,7 @@ std::optional<Skew> estimate_skew(CycleView const& of, Properties const& propert
   double const sampling =
       view.time_s.empty() ? 1.0
                           : (view.time_s.back() - view.time_s.front()) / static_cast<double>(view.time_s.size() - 1);
-  // Friction changes its sign between two samples, which makes half an interval uncertain.
+  // Friction changes its sign between two samples, which makes the skew uncertain by half an interval.
   double const least = (friction_kN != 0.0 ? 0.5 : 0.1) * sampling;
   auto const found = skew_of(of_wide, least);
   auto const near = skew_of(of_narrow, least);

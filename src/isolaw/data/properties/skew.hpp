@@ -1,9 +1,9 @@
 // Estimates the time skew between force and displacement from the reversals of a record. At a reversal the force of a
 // rate-independent device turns together with displacement. The skew is the shift at which force comes closest to a
 // parabola in displacement before the reversal and a cubic after it, which meet at the tip (least squares). If the
-// force turns late, only its channel can be late. If it turns early, the device may also be viscous or have friction.
-// Known friction is subtracted. Noisy displacement is smoothed first: the loop is steep after a reversal, so noise of
-// displacement looks like an early force.
+// force turns late, its channel is late. If it turns early, the other channel may be late, or the device may be viscous
+// or have friction. Known friction is subtracted. Noisy displacement is smoothed first, because the loop is steep after
+// a reversal, where noise of displacement looks like an early force.
 #pragma once
 
 #include <optional>
@@ -15,22 +15,22 @@ namespace isolaw::data {
 
 struct Skew {
   double force_late = 0.0;  // in s, or in samples without time; negative if the force is early
-  // Twice the standard error over the reversals. At least a tenth of a sampling interval, with friction half of one.
+  // Twice the standard error over the reversals; at least 0.1 sampling interval, or 0.5 if friction is subtracted.
   double uncertainty = 0.0;
   double phase = 0.0;       // the angle of force_late in a cycle, rad: 2 pi f force_late
   double agreement = 0.0;   // fraction of the reversals that show at least half of force_late
   int reversals = 0;        // reversals that gave a value
   bool is_followed = true;  // the fit is within noise; else the loop is so sharp that it may only look late
 
-  // Whether most reversals agree, and the skew exceeds four standard errors (or Student's t at 0.001) and a limit.
-  // Without skew, a loop's shape may look 0.035 rad early or 0.008 rad late; 0.04 rad late if not is_followed.
+  // Whether most reversals agree and the skew exceeds four standard errors (more if reversals are few) and a limit. The
+  // shape of a loop alone may look 0.035 rad early or 0.008 rad late, or 0.04 rad late if not is_followed.
   bool significant() const;
 };
 
 // Whether displacement stays at an extreme for longer than in a sine. During such a hold the force may relax.
 bool held_at_extreme(std::span<double const> disp_mm, Cycle const& cycle, bool upper, double noise_mm);
 
-// Subtracts friction_kN against the motion. nullopt if fewer than 4 reversals of counted cycles give a value.
+// First subtracts friction_kN of rig friction. nullopt if fewer than 4 reversals of counted cycles give a value.
 std::optional<Skew> estimate_skew(CycleView const& view, Properties const& properties, double friction_kN = 0.0);
 
 }  // namespace isolaw::data

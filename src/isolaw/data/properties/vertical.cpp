@@ -61,7 +61,7 @@ Compression compression_of(VerticalTest const& test) {
 }
 
 constexpr double noise_left = 0.0005;         // fraction of the range; averaging reduces noise to this
-constexpr std::size_t least_of_loading = 10;  // averaging windows in a loading, at least
+constexpr std::size_t least_of_loading = 10;  // least number of averaging windows in a loading
 
 std::vector<double> averaged(std::vector<double> const& x, std::size_t half) {
   std::vector<double> sums(x.size() + 1, 0.0), averages(x.size());
@@ -100,8 +100,8 @@ std::size_t counting_among(std::vector<Loading> const& loadings) {
   return std::min(static_cast<std::size_t>(usual_loading), loadings.size()) - 1;
 }
 
-// Averages both channels alike, which keeps the slope. Noise of 1 % would make the device look 2 to 7 % stiffer: the
-// largest load lies above the true one, and noisy samples cross a limit early.
+// Averages both channels alike, which keeps the slope. Noise of 1 % would make the device look 2 to 7 % stiffer,
+// because the largest noisy load exceeds the true one and noisy samples cross a limit early.
 Compression without_noise(Compression compression) {
   auto const loadings = all_loadings(compression.load_kN);
   if (loadings.empty()) return compression;
@@ -133,7 +133,7 @@ struct Secant {
   double K_v() const { return (high.load_kN - low.load_kN) / (high.disp_mm - low.disp_mm); }
 };
 
-// The secant from the last time at the lower load to the first at the upper one, without creep under held loads.
+// The secant from the last time at the lower load to the first at the upper load. Leaves out creep under held loads.
 Secant secant_of(Compression const& c, Loading const& loading, LoadRange const& range) {
   auto const& load = c.load_kN;
   Secant secant;

@@ -30,7 +30,7 @@ struct VerticalTest {
   std::optional<double> stated_kN_per_mm = {};     // stiffness stated by the user, without a record
   std::vector<Finding> recognised = {};            // choices made in reading
   std::string refusal = {};                        // why the record gives no stiffness; empty if it does
-  // The stiffness found when the record was read, and the hash of both signals. A store is checked against them.
+  // The stiffness found on reading, and the hash of both signals. A check of a stored campaign computes both again.
   std::optional<double> found_kN_per_mm = {};
   std::string curve_sha256 = {};
 

@@ -18,26 +18,26 @@ namespace {
 
 constexpr std::size_t least_plateau = 3;   // samples
 constexpr std::size_t least_evidence = 9;  // samples, summed over all plateaus of one sign
-constexpr double least_depth = 0.001;      // times the half range; clipping cuts off more
+constexpr double least_depth = 0.001;      // times the half range; clipping cuts off at least this much
 constexpr double depth_quanta = 2.5;
-constexpr double noise_width = 7.0;     // standard deviations, from top to bottom of a noisy plateau
-constexpr double least_flatness = 0.5;  // times the hump of an uncut parabola; a noisy plateau has less
+constexpr double noise_width = 7.0;     // standard deviations of the noise between a plateau's largest and least sample
+constexpr double least_flatness = 0.5;  // times the hump (see Plateau) of a parabola; a noisy plateau has less
 constexpr double flat_thirds = 0.197;   // hump of a parabola (see Plateau) over the height that a plateau cuts off it
-constexpr double least_turn = 0.08;     // times stiffness times depth; force turns by more if displacement is clipped
+constexpr double least_turn = 0.08;     // times stiffness times depth; if displacement is clipped, `turn` is larger
 constexpr double slower = 0.85;         // times the fastest speed; just before its plateau a clipped sine moves slower
 constexpr double short_plateau = 0.24;  // times half a cycle; the rig's holds are longer
-constexpr double past_the_tip = 0.006;  // times the amplitude; displacement returns by more during a clipped force
+constexpr double past_the_tip = 0.006;  // times the amplitude; while force is clipped, displacement comes back by more
 constexpr double top_deviations = 4.0;  // standard deviations of the noise between a plateau's samples and its level
 constexpr double least_third = 4.0;     // samples in one third of a plateau, summed over all noisy plateaus
-constexpr double most_window = 0.2;     // times the half range; longest window of displacement before a plateau
+constexpr double most_window = 0.2;     // times the half range; the slope before a plateau is taken over this at most
 constexpr double least_window = 0.01;
 constexpr double least_cut = 0.01;     // times the half range of force; clipping in noise cuts off more
-constexpr double most_uneven = 0.15;   // times the depth; largest difference between the means of a plateau's thirds
-constexpr double same_level = 0.002;   // times the level; a plateau that is farther off has another level
-constexpr double least_return = 0.12;  // times the expected distance by which displacement returns on a plateau
-constexpr double most_bend = 1.5;      // ratio of the slopes in the two windows before a plateau
-constexpr double least_corner = 5.0;   // (slope before a plateau)^2 / (earlier slope x slope on it); 1 without a corner
-constexpr double least_back = 0.1;     // times the way to the tip; if displacement returns by less, force is only late
+constexpr double most_uneven = 0.15;   // times the force cut off; the mean forces of a plateau's thirds differ by less
+constexpr double same_level = 0.002;   // times the clipping level; a plateau farther from it was not clipped there
+constexpr double least_return = 0.12;  // times the return of displacement that clipping would cause on a plateau
+constexpr double most_bend = 1.5;      // largest ratio of the slopes in two successive windows before a plateau
+constexpr double least_corner = 5.0;   // slope^2 before a plateau / (earlier slope x slope on it); 1 without a corner
+constexpr double least_back = 0.1;     // times the way to the peak; with less way back, the force is only late
 
 class Clipping {
  public:
@@ -68,8 +68,8 @@ class Clipping {
     return runs;
   }
 
-  // The height that a plateau cuts off a parabola whose flanks are as long as the plateau. A triangle loses four times
-  // as much.
+  // Estimates the height that a plateau cuts off a peak. For a parabola it is an eighth of the fall within one
+  // plateau's length beside the plateau. A triangle loses four times as much.
   std::optional<double> depth_of(Signal const& signal, double sign, SampleRange const& run) const {
     auto const reach = std::min(run.size(), std::max<std::size_t>(1, pair_.half_cycle / 4));
     double sum = 0.0, count = 0.0;
@@ -92,8 +92,9 @@ class Clipping {
     return run;
   }
 
-  // Measured without the plateau's first and last sixth, which may still be motion. `hump` (displacement) and `turn`
-  // (force) are means of the middle third less the outer thirds; white noise of variance 1 gives them `variance`.
+  // A plateau of displacement, measured without its first and last sixth, in which the device may still move. `hump` is
+  // the mean displacement of the middle third less that of the outer thirds, and `turn` is this difference for the
+  // force. White noise of variance 1 gives each of them the variance `variance`.
   struct Plateau {
     SampleRange run;
     double depth = 0.0, hump = 0.0, turn = 0.0, range = 0.0, variance = 0.0;
@@ -126,7 +127,7 @@ class Clipping {
       double fastest = 0.0;
       for (auto i = std::max(lag, first - std::min(first, pair_.half_cycle)); i < first; ++i)
         fastest = std::max(fastest, way(i));
-      ratios.push_back(way(first - 1) / fastest);  // sample `first` may lie in the corner of the plateau
+      ratios.push_back(way(first - 1) / fastest);  // leaves out sample `first`, at the plateau's corner
     }
     return !ratios.empty() && num::median(std::move(ratios)) < slower;
   }
@@ -139,7 +140,7 @@ class Clipping {
       auto const depth = depth_of(pair_.disp, sign, run);
       if (!depth || !(*depth > deep) || (!runs.empty() && runs.back().run.last >= run.last)) continue;
       auto const found = measure(sign, whole(sign, run), *depth);
-      if (found.run.first == 0 || found.run.last + 1 == pair_.size()) continue;  // a rest at an end of the record
+      if (found.run.first == 0 || found.run.last + 1 == pair_.size()) continue;  // rest at an end of the record
       double const humped = least_flatness / 2.0 * flat_thirds * *depth;
       if (!exact && found.hump - 2.0 * pair_.disp.noise * std::sqrt(found.variance) > humped) continue;
       longest = std::max(longest, run.size());
@@ -148,7 +149,6 @@ class Clipping {
     std::size_t samples = 0;
     for (auto const& plateau : runs) samples += plateau.run.size();
     if (samples < least_evidence) return false;
-    // Force turns within the plateaus if the mean of `turn` over the plateaus is clearly positive.
     auto const count = static_cast<double>(runs.size());
     auto const mean = [&](auto member) {
       double sum = 0.0;
@@ -163,8 +163,8 @@ class Clipping {
     double const length = mean([](Plateau const& plateau) { return static_cast<double>(plateau.run.size()); });
     bool const no_hold = length + 1.0 < short_plateau * static_cast<double>(pair_.half_cycle);
     bool const reversed = num::median_over(runs, &Plateau::range) > most_of_force * 2.0 * pair_.force.half_range;
-    // If noise hides the turn of force, a short plateau is clipped if the motion slows down before it, as in a sine, or
-    // if a noisy displacement becomes exactly constant. Between straight ramps it may be a hold.
+    // If noise hides a turn of the force, a short plateau still counts as clipped if the motion slows down before it,
+    // as in a sine, or if a noisy displacement becomes exactly constant. After a straight ramp it may be a hold.
     bool const cut = no_hold && (slows_before(runs) || (exact && pair_.has_noise(pair_.disp)));
     if (!(reversed || (clear ? turn > wanted : cut))) return false;
     std::vector<std::size_t> first;
@@ -175,7 +175,7 @@ class Clipping {
     return true;
   }
 
-  // Whether force leaves its plateaus much more steeply than it reaches them, unlike the force of a yielding device.
+  // Whether force leaves its plateaus much more steeply than it reaches them. In a yielding device both slopes agree.
   bool is_cut_off(std::vector<SampleRange> const& runs) const {
     auto const reach = std::max<std::size_t>(3, pair_.half_cycle / 24);
     std::vector<double> ratios, into;
@@ -185,7 +185,7 @@ class Clipping {
         return std::abs(pair_.force.x[to] - pair_.force.x[from]) /
                std::max(std::abs(pair_.disp.x[to] - pair_.disp.x[from]), 1e-6 * pair_.disp.half_range);
       };
-      // A yielding device may reach its plateau in one step, so that step counts too. Clipping makes no step steeper.
+      // A yielding device may rise to its plateau within one sampling step. Clipping makes no step steeper.
       into.push_back(std::max(slope(run.first - reach, run.first - 1), slope(run.first - 1, run.first)));
       ratios.push_back(into.back() / std::max(slope(run.last, run.last + reach), 1e-12));
       double const clear = std::max(3.0 * pair_.force.quantum, 6.0 * pair_.force.noise);
@@ -211,7 +211,7 @@ class Clipping {
       bool const returns = back > std::max(least, least_back * way) && end - tip > 2;
       bool const moves = *std::max_element(begin, end) - *std::min_element(begin, end) > least;
       bool const repeats = noisy && run.size() > least_plateau + 1 && moves;
-      // With a coarse digitiser even a smooth peak has a plateau, but a shallow one.
+      // A coarse digitiser makes a plateau of a smooth peak too, but cuts very little off the peak.
       bool const deep = depth_of(pair_.force, sign, run).value_or(0.0) > depth_quanta * pair_.force.quantum;
       if (!repeats && !(deep && ((cut && moves) || (returns && tip != begin)))) continue;
       first.push_back(run.first);
@@ -225,7 +225,7 @@ class Clipping {
   struct Tops {
     std::vector<std::size_t> first;
     std::size_t longest = 0;
-    double way = 0.0, returned = 0.0;  // sums over plateaus: way from the plateau's start to the tip, and back
+    double way = 0.0, returned = 0.0;  // sums over plateaus: way from a plateau's start to the peak, and back
     double rise_before = 0.0, rise = 0.0, window = 0.0;  // sums in the two windows of displacement before a plateau
     double rise_last = 0.0, last_way = 0.0;              // sums over the step to a plateau's first sample
     std::array<double, 4> drop{}, drop_way{};            // sums over 1, 2, 4, half_cycle / 24 samples after a plateau
@@ -247,7 +247,7 @@ class Clipping {
     return level;
   }
 
-  // Noise moves single samples below `low`, so up to two samples below it do not end a plateau.
+  // Noise may move a sample below `low`, so one or two such samples do not end a plateau.
   std::vector<SampleRange> tops_of(double sign, double low) const {
     constexpr std::size_t bridged = 2;
     std::vector<SampleRange> runs;
@@ -280,7 +280,7 @@ class Clipping {
     tops.longest = std::max(tops.longest, run.size());
     tops.way += way;
     tops.returned += std::max(0.0, x(tip) - x(run.last));
-    // The rise ends at the plateau's lower edge between two samples, so that coarse sampling does not change the slope.
+    // Takes the corner halfway between two samples, so that coarse sampling does not change the slope before a plateau.
     double const corner = (x(run.first) + x(run.first - 1)) / 2.0;
     tops.rise += (level - top_deviations * noise - y(near)) / std::max(corner - x(near), window / 4.0) * window;
     tops.rise_before += (y(near) - y(far)) / (x(near) - x(far)) * window;
@@ -304,8 +304,8 @@ class Clipping {
     if (std::abs(sum) > top_deviations * noise * std::sqrt(count) + same_level * level * count) tops.off_level += 1.0;
   }
 
-  // A clipped force reaches its level at a corner, keeps it beyond the reversal and then drops more steeply than force
-  // that yields.
+  // A clipped force reaches its level at a corner, keeps that level beyond the reversal of motion and then drops more
+  // steeply than the force of a yielding device.
   void clipped_force_in_noise(double sign) {
     for (double const wider : {1.0, 3.0}) {
       double const noise = wider * std::hypot(pair_.force.noise, 0.3 * pair_.force.quantum);
@@ -343,7 +343,7 @@ class Clipping {
     double const last = (tops.rise_last - top_deviations * noise * std::sqrt(2.0 * count)) /
                         std::max(tops.last_way, 1e-3 * pair_.disp.half_range * count);
     if (!(std::max({slope, slope_before, last}) < 0.4 * leaves)) return false;
-    // If the samples can resolve it, clipped force stays level until displacement has come back from its peak.
+    // A clipped force stays level until displacement has come back by `expected`. Noise may hide a small return.
     double const expected = depth / leaves;
     double const told = std::max(8.0 * pair_.disp.noise, past_the_tip * pair_.disp.half_range);
     return expected < 2.0 * told || tops.returned / count > least_return * expected;

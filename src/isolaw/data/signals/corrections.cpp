@@ -21,7 +21,7 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double samples_to_average = 40.0;  // acceleration uses samples that are a cycle divided by this apart
+constexpr double samples_to_average = 40.0;  // acceleration uses the samples 1/40 of a cycle before and after
 
 void note(TestRecord& record, FindingKind kind, std::string option, std::vector<FindingNumber> numbers) {
   record.corrections.push_back({.kind = kind, .numbers = std::move(numbers), .words = {{"option", std::move(option)}}});
@@ -73,8 +73,8 @@ void remove_skew(TestRecord& record, double skew_s) {
        {{"skew_ms", 1000.0 * skew_s}, {"dropped_samples", static_cast<double>(dropped)}});
 }
 
-// Where friction changes its sign. Before sample `at` friction has the sign of the motion towards the peak, after it
-// the opposite sign. At `at` itself, `there` is 1 if friction still has the sign before it, and 0 if friction is zero.
+// Friction changes its sign at sample `at`, near a peak of displacement. At that sample, friction keeps its earlier
+// sign if `there` is 1, and is zero if `there` is 0.
 struct Turn {
   std::size_t at;
   double there;
@@ -132,7 +132,7 @@ std::vector<double> directions(std::vector<double> const& x, std::vector<double>
     for (auto i = std::min(turn.at, peak); i <= std::max(turn.at, peak); ++i)
       found[i] = approach * (i < turn.at ? 1.0 : i == turn.at ? turn.there : -1.0);
   }
-  // After the last extreme, displacement stays within the band, or turns once more before the record ends.
+  // After its last extreme, displacement either rests within the noise or turns once more before the record ends.
   double const tail = sign(x.back() - x[motion.at.back()]);
   for (auto i = motion.at.back() + 1; i < x.size(); ++i) found[i] = tail;
   for (std::size_t i = 0; i < x.size() && std::abs(x[i] - x.front()) <= motion.band_mm; ++i) found[i] = 0.0;

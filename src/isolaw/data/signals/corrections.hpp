@@ -5,13 +5,13 @@
 
 namespace isolaw::data {
 
-// Repairs spikes, if asked for. Call it before the search for faults and before correct().
+// Repairs spikes if the user asks for it. Must run before the search for faults and before correct().
 void repair(TestRecord& record, Corrections const& corrections);
 
-// Makes all corrections except the repair of spikes, in the order of the members. Samples whose shifted force would lie
-// outside the record are dropped from all channels. Friction acts against the motion, except while the record rests at
-// its start or end. Acceleration is the second difference over a 40th of a cycle, of displacement averaged three times
-// over as many samples; for a sine it is 0.5 % too small. Throws Error if a correction is invalid or lacks its channel.
+// Makes all corrections except the repair of spikes, in the order of the members. The shift by the skew leaves no force
+// for some samples at one end of the record, which are dropped. Friction acts against the motion, except while the
+// record rests at its start or end. Acceleration is the second difference of displacement over 1/40 of a cycle, after
+// averaging (0.5 % too small for a sine). Throws Error if a correction is invalid or lacks its channel.
 void correct(TestRecord& record, Corrections const& corrections);
 
 }  // namespace isolaw::data

@@ -71,7 +71,7 @@ class DropoutSearch {
     double const step = std::max(largest_step(x_, run.first > reach ? run.first - reach : 0, run.first),
                                  largest_step(x_, run.last + 1, run.last + 1 + reach));
     if (!(jump > gone_steps * step)) return false;
-    // After a dropout the channel returns to a value that it can have reached while it was gone.
+    // After a dropout the channel goes on at a value that it can have reached at its usual speed.
     double const way = std::abs(x_[run.last + 1] - x_[run.first - 1]);
     if (way > 2.0 * step * static_cast<double>(count + 1) + gone_deviations * own_.noise) return false;
     for (auto const i : {run.first, run.last + 1})

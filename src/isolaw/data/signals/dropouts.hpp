@@ -14,7 +14,7 @@ struct Dropout {
   double before = 0.0, after = 0.0;  // the values just before and after the dropout
 };
 
-// The other channel's state during a dropout. A device's force may vanish at rest, so for a force use `moves`.
+// Whether the other channel must move in a dropout. It must for a force, which may truly vanish while a device rests.
 enum class Other { moves, may_stand };
 // docs/properties.md has the limits, and the rates of missed and false dropouts.
 std::vector<Dropout> dropouts(std::span<double const> values, std::span<double const> other, Other does);

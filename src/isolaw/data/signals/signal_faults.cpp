@@ -28,8 +28,8 @@ SignalFault without_sign(std::string channel, std::string_view unit, std::vector
           .finding = std::move(finding)};
 }
 
-// Finds a channel that lost its sign: displacement if all its peaks are on one side of zero while the force at them has
-// both signs; force if it has one sign at peaks of displacement on both sides.
+// Finds a channel that lost its sign. Displacement did if all its peaks are on one side of zero while the force at them
+// has both signs. Force did if it has one sign at peaks of displacement on both sides.
 std::vector<SignalFault> rectified_channels(SignalPair const& pair) {
   auto const& turns = pair.turns;
   if (turns.size() < 4) return {};
@@ -44,7 +44,7 @@ std::vector<SignalFault> rectified_channels(SignalPair const& pair) {
   for (std::size_t k = 1; k + 1 < turns.size(); ++k) {
     auto const i = turns[k];
     bool const is_high = pair.disp.x[i] > pair.disp.x[turns[k - 1]];
-    auto const before = std::min(i, std::max<std::size_t>(2, pair.half_cycle / 12));  // before the force jumps
+    auto const before = std::min(i, std::max<std::size_t>(2, pair.half_cycle / 12));  // the force jumps at the turn
     double const F = pair.force.x[i - before];
     if (std::abs(F) > clear_force * size_F && F * (largest_F + least_F) > 0.0) ++alike;
     if (is_high == negative) continue;

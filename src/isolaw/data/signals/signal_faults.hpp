@@ -1,8 +1,8 @@
 // Finds signals that cannot be true. Whatever is computed from such a record is wrong, so it has no properties.
-// docs/properties.md has the limits and rates. A plateau of displacement is a hold if the force only relaxes on it,
-// faster at first than later. It is clipping if the force goes on rising and turns within it. A plateau of force is
-// yielding if it ends at the motion's reversal, and clipping if it lasts longer. Steps of a coarse digitiser and noise
-// are no faults.
+// docs/properties.md has the limits and rates of error. A plateau of displacement is a hold if the force only relaxes
+// on it, faster at first than later. It is clipping if the force goes on rising and turns within it. A plateau of force
+// is yielding if it ends at the motion's reversal, and clipping if it lasts longer. Steps of a coarse digitiser and
+// noise are no faults.
 #pragma once
 
 #include <cstddef>
@@ -25,11 +25,11 @@ std::string_view said_of(
 Finding finding_at(FindingKind kind, std::string const& channel, std::string_view unit,
                    std::span<std::size_t const> samples, std::span<double const> time_s);
 
-// All are of one length, but time_s may be empty. O(n log n) in time, O(n) in memory.
+// All channels have the same length, but time_s may be empty. O(n log n) in time, O(n) in memory.
 std::vector<SignalFault> signal_faults(std::span<double const> disp_mm, std::span<double const> force_kN,
                                        std::span<double const> time_s = {});
 
-// A fault of plateaus. `samples` are their first samples, `longest` is the number of samples in the longest.
+// A fault of plateaus. `samples` holds the first sample of each plateau, `longest` is the longest plateau's length.
 SignalFault standing_fault(FaultKind kind, std::string const& channel, std::string_view unit,
                            std::vector<std::size_t> samples, std::span<double const> time_s, double level,
                            std::size_t longest);
@@ -38,7 +38,7 @@ std::vector<SignalFault> spike_faults(std::string const& channel, std::string_vi
 std::vector<SignalFault> dropout_faults(std::string const& channel, std::string_view unit,
                                         std::vector<Dropout> const& gone, std::span<double const> time_s);
 
-// Text for messages from indices from 0: "sample 213 (2.12 s)", "samples 3, 17 and 21". Names at most five.
+// Names at most five samples for messages: "sample 213 (2.12 s)", "samples 3, 17 and 21". `samples` counts from 0.
 std::string sample_text(std::span<std::size_t const> samples, std::span<double const> time_s);
 
 }  // namespace isolaw::data

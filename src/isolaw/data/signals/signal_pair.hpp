@@ -1,4 +1,4 @@
-// Displacement and force for the search for faults: spikes removed; noise, resolution and turning points determined.
+// Displacement and force for the search for faults, without spikes, with their noise, resolution and turning points.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,6 @@
 
 namespace isolaw::data {
 
-// Limits that several kinds of fault share.
 inline constexpr double same_value = 1e-9;    // times the range; values that differ by less are equal
 inline constexpr double most_of_force = 0.6;  // times the range of force; in a hold, force relaxes by less
 struct SampleRange {
@@ -35,7 +34,7 @@ struct SignalPair {
   SignalPair(std::span<double const> disp_mm, std::span<double const> force_kN, std::span<double const> time_s,
              std::vector<Spike> const& of_disp, std::vector<Spike> const& of_force);
 
-  bool moves() const;  // both channels move, by finite amounts
+  bool moves() const;  // both channels move, and all values are finite
   std::size_t size() const { return disp.x.size(); }
   double stiffness() const { return force.half_range / disp.half_range; }
   bool gap_after(std::size_t i) const;

@@ -8,7 +8,7 @@
 namespace isolaw::data {
 namespace {
 
-// Keeps the rounding error of each sum too, so that differences of two sums stay exact after a million samples.
+// Stores the rounding error of each sum too, so that the difference of two sums stays exact after a million samples.
 class PrefixSums {
  public:
   explicit PrefixSums(std::vector<double> const& values) : sum_(values.size() + 1), lost_(values.size() + 1) {
@@ -55,7 +55,7 @@ std::vector<double> central_difference(std::vector<double> const& time_s, std::v
     double const after = interval(i);
     return (before * slope(i) + after * slope(i - 1)) / (before + after);
   };
-  // The first and last rate follow from the neighbouring one: a chord of a parabola has the mean slope of its two ends.
+  // The rate at each end follows from the next rate, because a parabola's chord has the mean of the slopes at its ends.
   std::vector<double> rate;
   rate.reserve(size);
   rate.push_back(2.0 * slope(0) - central(1));

@@ -10,20 +10,20 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double least_spike = 0.04;       // fraction of the half range; true records have kinks of 3 % in a sample
+constexpr double least_spike = 0.04;       // fraction of the half range; kinks of true records deviate by 3 %
 constexpr double spike_deviations = 13.0;  // standard deviations of the noise
 constexpr double spike_quanta = 2.5;
-// Distance of a spike from the cubic through its neighbours, over theirs (rms). A corner has 7.4, a step has 5.6.
+// Distance of a spike from the cubic through its neighbours, over their own rms distance. Corners reach 7.4, steps 5.6.
 constexpr double spike_contrast = 10.0;
 constexpr double edge_contrast = 2.0;   // times spike_contrast near an end, where most neighbours are on one side
-constexpr double on_one_side = 0.5;     // fraction of a spike's size; closer to the neighbours' line is no spike
-constexpr double beyond_others = 1.25;  // times the size that many samples of a spike's shape reach; a spike is larger
+constexpr double on_one_side = 0.5;     // times a spike's size; a sample closer to its neighbours' line is no spike
+constexpr double beyond_others = 1.25;  // times the size of the many samples that look like spikes; a fault is larger
 constexpr std::size_t fewest_others = 24;  // if more samples look like spikes, the signal itself is rough
 constexpr std::size_t samples_an_other = 75;
 constexpr std::size_t fewest_texture = 6;     // so few spikes are always reported
 constexpr std::size_t samples_a_spike = 150;  // if more than one in 150 samples is a spike, the signal itself is rough
 
-// `expected` is the value of a cubic through six neighbours (least squares); `left` is their rms distance from it.
+// `expected` is the value of the least-squares cubic through six neighbours, `left` their rms distance from the cubic.
 struct Neighbours {
   double expected = 0.0;
   double left = 0.0;
@@ -41,7 +41,7 @@ Neighbours neighbours_of(std::span<double const> x, std::size_t i) {
     rows[row] = {1.0, at, at * at, at * at * at};
     values[row++] = x[k] - x[i];
   }
-  // Least squares: makes each column orthogonal to those before it, from the highest power down.
+  // Solves for the cubic's constant by making each column orthogonal to the columns of higher power.
   std::array<double, count> ones{};
   ones.fill(1.0);
   std::array<std::size_t, 3> const powers{3, 2, 1};
@@ -100,7 +100,7 @@ std::vector<Spike> spikes(std::span<double const> values) {
   double const least = std::max({least_spike * half_range, spike_deviations * noise_deviation(values),
                                  spike_quanta * smallest_step(values, 2.0 * half_range)});
   std::vector<Spike> found;
-  std::vector<double> others;  // distance of each sample that looks like a spike, small ones too
+  std::vector<double> others;  // distance from its cubic of each sample that looks like a spike, even if small
   for (std::size_t i = 1; i + 1 < values.size(); ++i) {
     // A cheap test spares the fit for most samples, which lie between their neighbours.
     if (std::abs(values[i] - (values[i - 1] + values[i + 1]) / 2.0) <= least / 4.0) continue;

@@ -110,7 +110,7 @@ class Sticking {
     return runs;
   }
 
-  // Finds stretches of noise that end in a jump of `stands` alone. A device that yields, rests or slips moves both.
+  // Finds stretches in which `stands` shows only noise and then jumps while `other` does not. A true jump moves both.
   std::vector<SampleRange> stuck_in_noise(Signal const& stands, Signal const& other, double least_part) const {
     double const noise = std::hypot(stands.noise, 0.3 * stands.quantum);
     if (!(noise > same_value * stands.half_range)) return {};
@@ -158,7 +158,7 @@ class Sticking {
     std::vector<std::size_t> first;
     std::size_t longest = 0;
     auto const keep = [&](SampleRange const& run) {
-      // Counts stretches that a slow channel may cause: it repeats values for less than half a cycle.
+      // Counts only stretches shorter than half a cycle, because a channel that is sampled slowly may cause them.
       if (run.size() < pair_.half_cycle) covered += run.size();
       first.push_back(run.first);
       longest = std::max(longest, run.size());
@@ -170,7 +170,7 @@ class Sticking {
     add("displacement", "mm", first, pair_.disp.x[first.front()], longest);
   }
 
-  // Whether the device has play: the stretch has no force, and begins near a reversal or without a jump.
+  // Whether the stretch is play of the device. Play has no force, and it begins near a reversal or without a jump.
   bool is_backlash(SampleRange const& run, std::size_t lag) const {
     double const noise = 5.0 * pair_.force.noise + pair_.force.quantum;
     if (std::abs(mean_of(pair_.force.x, run.first, run.last + 1)) > noise) return false;
@@ -218,7 +218,7 @@ class Sticking {
                                              missed_quanta * pair_.force.quantum,
                                              least_jump * std::max(std::abs(before), std::abs(after))});
       }
-      // When the device rests at an end of the record, one channel may stand a little longer than the other.
+      // When the device rests at an end of the record, one channel may stand still a little longer than the other.
       bool const at_an_end = run.first == 0 || run.last + 1 == pair_.size();
       if (stuck && !(at_an_end && *high - *low < pair_.disp.half_range)) keep(run);
     }

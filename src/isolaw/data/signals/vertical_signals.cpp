@@ -16,9 +16,9 @@ namespace {
 constexpr std::size_t fewest_standing = 4;  // samples
 constexpr double standing_noise = 6.0;      // standard deviations of noise between the extremes of a plateau
 constexpr double standing_quanta = 1.5;
-constexpr double goes_beyond = 0.03;   // times its range; the other channel rises by more during clipping
-constexpr double goes_on = 0.1;        // times its range; least motion of the other channel while one is stuck
-constexpr double width_of_both = 4.0;  // times a plateau's width, by range; the other channel moves by more
+constexpr double goes_beyond = 0.03;   // times the range; during clipping, the other channel rises by more
+constexpr double goes_on = 0.1;        // times the range; while one channel is stuck, the other moves by more
+constexpr double width_of_both = 4.0;  // times a plateau's width over the range; the other channel moves by more
 constexpr double carries = 0.1;        // times the load's range above the least load; from there the device is loaded
 constexpr double load_jump = 0.05;     // times the load's range; a stuck load ends with a larger jump
 
@@ -104,11 +104,11 @@ class Plateaus {
     double const way = std::abs(other_.x[run.last] - other_.x[run.first]);
     return way > std::max(threshold(goes_on) * other_.range, 2.0 * other_.width);
   }
-  // Counts only while the load rises, since a device that dissipates energy may keep its displacement while it falls.
+  // Counts only while the load rises. While the load falls, a device that dissipates energy may keep its displacement.
   bool is_stuck_displacement(SampleRange const& run) const {
     return other_goes_on(run) && other_.x[run.last] > other_.x[run.first];
   }
-  // A press may hold a load, and carries none once it has lifted off. A stuck load is neither: it ends with a jump.
+  // A press may hold a constant load, or carry none once it has lifted off. Only a stuck load ends with a jump.
   bool is_stuck_load(SampleRange const& run) const {
     if (run.last + 2 >= stands_.x.size() || run.first == 0 || !other_goes_on(run)) return false;
     double const level = mean_of(stands_.x, run.first, run.last + 1);
@@ -136,7 +136,7 @@ void add_standing(VerticalChannel const& stands, StandingStill found, std::vecto
   add(FaultKind::stuck, std::move(found.stuck));
 }
 
-// The spikes that are faults. A spike in both channels is a real load; at low load the press may lift off.
+// Keeps the spikes that are faults. Spikes in both channels are a real load, and at low load the press may lift off.
 std::vector<Spike> single(std::vector<Spike> found, std::vector<Spike> const& other_channel,
                           std::span<double const> load) {
   auto const [least, largest] = std::ranges::minmax(load);
