@@ -17,8 +17,8 @@ wanted=("$@")
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 folder=build/compilers
 mkdir -p "$folder"
-sources=(tests/regression/sweep.cpp src/isolaw/laws/*.cpp src/isolaw/base/{error,printable,number_text,units}.cpp
-  src/isolaw/num/{instruction_set,random,statistics}.cpp src/isolaw/data/clean.cpp src/isolaw/opt/problem.cpp
+sources=(tests/regression/sweep.cpp src/isolaw/laws/{,*/}*.cpp src/isolaw/base/{error,printable,number_text,units}.cpp
+  src/isolaw/num/{instruction_set,random,statistics}.cpp src/isolaw/data/{channels/record,signals/smoothing}.cpp src/isolaw/opt/problem.cpp
   src/isolaw/fit/{box,joint_limits,kernel_choice,kernels,objective}.cpp)
 
 # Each entry has the form "name: compiler and flags".

@@ -1,6 +1,6 @@
 // A law in online form computes one step at a time, as in an analysis program. It must give the forces of the batch
 // form, and trial steps must not change its state.
-#include "isolaw/laws/online.hpp"
+#include "isolaw/laws/online/online.hpp"
 
 #include <gtest/gtest.h>
 

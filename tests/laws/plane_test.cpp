@@ -1,7 +1,7 @@
 // Tests of the laws for motion in two horizontal directions. On a straight line each must equal its one-directional
 // law. A rotated motion must give the rotated forces. Tangents must equal difference quotients, and each SIMD lane must
 // equal the scalar law.
-#include "isolaw/laws/plane.hpp"
+#include "isolaw/laws/plane/plane.hpp"
 
 #include <gtest/gtest.h>
 

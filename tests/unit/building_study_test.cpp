@@ -13,7 +13,7 @@
 #include "isolaw/building/answers.hpp"
 #include "isolaw/building/building_file.hpp"
 #include "isolaw/laws/catalogue.hpp"
-#include "isolaw/laws/online.hpp"
+#include "isolaw/laws/online/online.hpp"
 #include "isolaw/render/json/building_json.hpp"
 #include "refusal.hpp"
 #include "unit/building_study_fixture.hpp"

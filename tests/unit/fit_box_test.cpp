@@ -1,7 +1,7 @@
 // Search boxes: scales, the bounds of the paper's Table 4, boxes scaled from a record, overrides, and when a value
 // counts as at a bound.
 #include "isolaw/fit/box.hpp"
-#include "isolaw/laws/scragging.hpp"
+#include "isolaw/laws/parts/scragging.hpp"
 
 #include <gtest/gtest.h>
 

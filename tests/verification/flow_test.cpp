@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "isolaw/laws/saturating_flow.hpp"
+#include "isolaw/laws/flows/saturating_flow.hpp"
 
 namespace isolaw::laws {
 namespace {

@@ -1,6 +1,6 @@
 // The laws for motion in two horizontal directions are compared with closed forms and with an independent solver of
 // their differential equations. An independent script computed the expected numbers from the formulas.
-#include "isolaw/laws/plane.hpp"
+#include "isolaw/laws/plane/plane.hpp"
 
 #include <gtest/gtest.h>
 

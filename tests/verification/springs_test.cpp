@@ -1,7 +1,7 @@
 // For motion in two directions a law without a two-dimensional form becomes a set of one-directional springs around a
 // circle. Stiffness, strength and energy of bilinear springs are compared with values that an independent script
 // computed from the formulas. Further tests turn the springs and compare tangents with difference quotients.
-#include "isolaw/laws/springs.hpp"
+#include "isolaw/laws/plane/springs.hpp"
 
 #include <gtest/gtest.h>
 

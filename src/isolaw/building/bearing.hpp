@@ -26,7 +26,7 @@ class Bearing {
   virtual std::unique_ptr<Bearing> copy() const = 0;
 };
 
-// How a law of one direction is used in the plane (laws/in_plane.hpp).
+// How a law of one direction is used in the plane (laws/plane/in_plane.hpp).
 enum class Coupling {
   coupled,  // a law of the plane with the same parameters
   springs,  // springs around the circle, for any law

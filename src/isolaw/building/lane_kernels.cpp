@@ -3,7 +3,7 @@
 #include <tuple>
 
 #include "isolaw/building/lane_run.hpp"
-#include "isolaw/laws/plane.hpp"
+#include "isolaw/laws/plane/plane.hpp"
 #include "isolaw/num/batch.hpp"
 
 namespace isolaw::building {

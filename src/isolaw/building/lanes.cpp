@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "isolaw/laws/catalogue.hpp"
-#include "isolaw/laws/plane.hpp"
+#include "isolaw/laws/plane/plane.hpp"
 
 namespace isolaw::building {
 

@@ -12,7 +12,7 @@
 #include "isolaw/base/hash.hpp"
 #include "isolaw/campaign/parallel.hpp"
 #include "isolaw/campaign/part_assignment.hpp"
-#include "isolaw/laws/in_plane.hpp"
+#include "isolaw/laws/plane/in_plane.hpp"
 #include "isolaw/opt/multistart.hpp"
 
 namespace isolaw::campaign {

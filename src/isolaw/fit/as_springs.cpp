@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "isolaw/fit/objective.hpp"
-#include "isolaw/laws/springs.hpp"
+#include "isolaw/laws/plane/springs.hpp"
 #include "isolaw/opt/multistart.hpp"
 
 namespace isolaw::fit {

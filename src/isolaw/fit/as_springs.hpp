@@ -1,4 +1,4 @@
-// Fits a law as springs around the circle, the form that motions in two directions use (laws/springs.hpp). Springs with
+// Fits a law as springs around the circle, the form that motions in two directions use (laws/plane/springs.hpp). Springs with
 // the law's own parameters keep its stiffness and strength along one direction, but not the shape of its knee.
 #pragma once
 

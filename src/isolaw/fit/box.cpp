@@ -7,7 +7,7 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/words.hpp"
-#include "isolaw/laws/limits.hpp"
+#include "isolaw/laws/parts/limits.hpp"
 
 namespace isolaw::fit {
 namespace {

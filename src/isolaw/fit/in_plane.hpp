@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "isolaw/laws/catalogue.hpp"
-#include "isolaw/laws/in_plane.hpp"
+#include "isolaw/laws/plane/in_plane.hpp"
 
 namespace isolaw::fit {
 

@@ -11,10 +11,10 @@
 #include <cmath>
 #include <limits>
 
-#include "isolaw/laws/canonical.hpp"
-#include "isolaw/laws/flow.hpp"
+#include "isolaw/laws/parts/canonical.hpp"
+#include "isolaw/laws/flows/flow.hpp"
 #include "isolaw/laws/law.hpp"
-#include "isolaw/laws/limits.hpp"
+#include "isolaw/laws/parts/limits.hpp"
 
 namespace isolaw::laws {
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "isolaw/laws/canonical.hpp"
+#include "isolaw/laws/parts/canonical.hpp"
 #include "isolaw/laws/law.hpp"
 
 namespace isolaw::laws {

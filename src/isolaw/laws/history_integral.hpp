@@ -5,11 +5,11 @@
 // terms. Units kN, mm. Step: exact along a straight path.
 #pragma once
 
-#include "isolaw/laws/canonical.hpp"
+#include "isolaw/laws/parts/canonical.hpp"
 #include "isolaw/laws/law.hpp"
-#include "isolaw/laws/limits.hpp"
+#include "isolaw/laws/parts/limits.hpp"
 #include "isolaw/laws/memory/peaks.hpp"
-#include "isolaw/laws/reference.hpp"
+#include "isolaw/laws/parts/reference.hpp"
 
 namespace isolaw::laws {
 

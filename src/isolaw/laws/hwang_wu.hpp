@@ -9,8 +9,8 @@
 #pragma once
 
 #include "isolaw/laws/law.hpp"
-#include "isolaw/laws/limits.hpp"
-#include "isolaw/laws/runge_kutta.hpp"
+#include "isolaw/laws/parts/limits.hpp"
+#include "isolaw/laws/flows/runge_kutta.hpp"
 
 namespace isolaw::laws {
 

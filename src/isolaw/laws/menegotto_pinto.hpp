@@ -6,9 +6,9 @@
 // +-D.  Units kN, mm.  Step: exact.
 #pragma once
 
-#include "isolaw/laws/canonical.hpp"
+#include "isolaw/laws/parts/canonical.hpp"
 #include "isolaw/laws/law.hpp"
-#include "isolaw/laws/limits.hpp"
+#include "isolaw/laws/parts/limits.hpp"
 
 namespace isolaw::laws {
 

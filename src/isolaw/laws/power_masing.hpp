@@ -5,9 +5,9 @@
 #pragma once
 
 #include "isolaw/laws/law.hpp"
-#include "isolaw/laws/limits.hpp"
-#include "isolaw/laws/masing.hpp"
-#include "isolaw/laws/scragging.hpp"
+#include "isolaw/laws/parts/limits.hpp"
+#include "isolaw/laws/parts/masing.hpp"
+#include "isolaw/laws/parts/scragging.hpp"
 
 namespace isolaw::laws {
 

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "isolaw/laws/law.hpp"
-#include "isolaw/laws/limits.hpp"
+#include "isolaw/laws/parts/limits.hpp"
 #include "isolaw/laws/memory/wear.hpp"
 #include "isolaw/laws/power_masing.hpp"
 

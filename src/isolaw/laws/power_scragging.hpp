@@ -5,8 +5,8 @@
 #pragma once
 
 #include "isolaw/laws/law.hpp"
-#include "isolaw/laws/limits.hpp"
-#include "isolaw/laws/scragging.hpp"
+#include "isolaw/laws/parts/limits.hpp"
+#include "isolaw/laws/parts/scragging.hpp"
 
 namespace isolaw::laws {
 

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "isolaw/laws/law.hpp"
-#include "isolaw/laws/limits.hpp"
-#include "isolaw/laws/masing.hpp"
+#include "isolaw/laws/parts/limits.hpp"
+#include "isolaw/laws/parts/masing.hpp"
 
 namespace isolaw::laws {
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "isolaw/laws/law.hpp"
-#include "isolaw/laws/limits.hpp"
+#include "isolaw/laws/parts/limits.hpp"
 
 namespace isolaw::laws {
 

@@ -1,4 +1,4 @@
-#include "isolaw/laws/springs.hpp"
+#include "isolaw/laws/plane/springs.hpp"
 
 #include <cmath>
 #include <numbers>

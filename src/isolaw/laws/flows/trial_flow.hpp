@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "isolaw/laws/online/numbers.hpp"
-#include "isolaw/laws/tabulated_flow.hpp"
+#include "isolaw/laws/flows/tabulated_flow.hpp"
 
 namespace isolaw::laws::online {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "isolaw/laws/plane/vector.hpp"
-#include "isolaw/laws/springs.hpp"
+#include "isolaw/laws/plane/springs.hpp"
 
 namespace isolaw::laws {
 

@@ -1,4 +1,4 @@
-#include "isolaw/laws/online.hpp"
+#include "isolaw/laws/online/online.hpp"
 
 #include <string>
 #include <utility>

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "isolaw/laws/canonical.hpp"
+#include "isolaw/laws/parts/canonical.hpp"
 #include "isolaw/laws/law.hpp"
-#include "isolaw/laws/limits.hpp"
+#include "isolaw/laws/parts/limits.hpp"
 
 namespace isolaw::laws {
 

@@ -1,5 +1,5 @@
 // The nodes of the flow's table, kept out of the header because every instruction set would have its own copy.
-#include "isolaw/laws/tabulated_flow.hpp"
+#include "isolaw/laws/flows/tabulated_flow.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "isolaw/laws/in_plane.hpp"
+#include "isolaw/laws/plane/in_plane.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/words.hpp"
-#include "isolaw/laws/plane.hpp"
+#include "isolaw/laws/plane/plane.hpp"
 
 namespace isolaw::laws {
 

@@ -28,7 +28,7 @@
 #include <utility>
 
 #include "isolaw/laws/law.hpp"
-#include "isolaw/laws/tabulated_flow.hpp"
+#include "isolaw/laws/flows/tabulated_flow.hpp"
 
 namespace isolaw::laws {
 

@@ -8,7 +8,7 @@
 #include <array>
 #include <vector>
 
-#include "isolaw/laws/online.hpp"
+#include "isolaw/laws/online/online.hpp"
 #include "isolaw/laws/plane/vector.hpp"
 
 namespace isolaw::laws {

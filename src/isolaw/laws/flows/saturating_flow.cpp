@@ -1,5 +1,5 @@
 // The matrices of the flow's fit, kept out of the header because every instruction set would have its own copy.
-#include "isolaw/laws/saturating_flow.hpp"
+#include "isolaw/laws/flows/saturating_flow.hpp"
 
 #include <algorithm>
 #include <cmath>
