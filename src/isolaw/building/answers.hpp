@@ -92,8 +92,8 @@ struct BearingLoops {
   std::vector<std::vector<double>> force_x_kN, force_y_kN;  // [bearing][sample]
 };
 
-// Floor spectra: the largest pseudo-acceleration in plan of linear oscillators with one of these periods and 5 % damping
-// along x and y, on a diaphragm of the nominal building. The spectra are means over the motions.
+// Floor spectra: the largest pseudo-acceleration in plan of linear oscillators with these periods and 5 % damping along
+// x and y, on a diaphragm of the nominal building. The spectra are means over the motions.
 inline constexpr double spectrum_damping = 0.05;
 std::vector<double> const& spectrum_periods_s();
 
