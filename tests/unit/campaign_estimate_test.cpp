@@ -32,7 +32,8 @@ TEST_F(ShareOfCampaign, IsOfRunsAndAnalysesTogether) {
   std::vector<Progress> told;
   EXPECT_TRUE(
       run(contents, file(), {.jobs = 1, .progress = [&](Progress const& p) { told.push_back(p); }, .interrupted = {}}));
-  // Six runs, analyses of two devices, one law fitted to the lot, and two fits with one device left out.
+  // The campaign reports after each of six runs, two analyses of a device, a fit to the lot and two fits without one
+  // device.
   ASSERT_EQ(told.size(), 11u);
   EXPECT_EQ(told[5].done, told[5].total);
   EXPECT_LT(told[5].share, 1.0);
