@@ -131,8 +131,7 @@ TEST(BuildingLanes, every_law_carries_a_building) {
       bool const logarithmic = p.scaled_search == laws::Scale::logarithmic && box.lower * box.upper > 0.0;
       double const middle =
           logarithmic ? std::copysign(std::sqrt(box.lower * box.upper), box.lower) : 0.7 * box.lower + 0.3 * box.upper;
-      // In the middle of the box the exponential terms of vaiana would be larger than in any bearing, so they are left
-      // out.
+      // In the middle of the box vaiana would have larger exponential terms than any bearing has, so they are left out.
       bool const exponential = law.info.id == "vaiana" && (p.name.starts_with("beta") || p.name.starts_with("gamma"));
       values.push_back(exponential ? 0.0 : p.fixed_by_default.value_or(middle));
     }

@@ -32,8 +32,7 @@ TEST_F(ShareOfCampaign, IsOfRunsAndAnalysesTogether) {
   std::vector<Progress> told;
   EXPECT_TRUE(
       run(contents, file(), {.jobs = 1, .progress = [&](Progress const& p) { told.push_back(p); }, .interrupted = {}}));
-  // The campaign reports after each of six runs, two analyses of a device, a fit to the lot and two fits without one
-  // device.
+  // Progress is reported after each of six runs, two device analyses, one fit to the lot and two fits without a device.
   ASSERT_EQ(told.size(), 11u);
   EXPECT_EQ(told[5].done, told[5].total);
   EXPECT_LT(told[5].share, 1.0);

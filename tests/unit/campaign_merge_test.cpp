@@ -80,8 +80,7 @@ TEST_F(MergeTest, TheDealIsTheSameOnEveryMachine) {
   std::vector<int> dealt;
   for (std::size_t s = 0; s < contents.searches.size(); ++s)
     for (int number = 1; number <= 3; ++number) dealt.push_back(deal.part_of(s, number));
-  // The part of runs 1, 2 and 3 of each search. The searches are bilinear and abe on device a, bilinear and abe on
-  // device b.
+  // The parts of runs 1, 2 and 3 of the searches bilinear on device a, abe on a, bilinear on b, and abe on b.
   EXPECT_EQ(dealt, (std::vector{3, 4, 1, 1, 2, 3, 2, 3, 4, 4, 1, 2}));
 }
 

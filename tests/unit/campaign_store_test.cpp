@@ -210,7 +210,7 @@ TEST_F(StoreTest, RunsComeBackInOrderHoweverTheyWereAdded) {
   std::ranges::reverse(mixed);
   for (auto const& run : mixed) store.add(run);
   expect_same(Store::read(file()).runs,
-              runs());  // other programs may read while this one has the store open for writing
+              runs());  // another program may read while this one writes
 }
 
 TEST_F(StoreTest, ARunWithoutHistoryComesBack) {

@@ -1,5 +1,4 @@
-// Computes the numbers of the report from the runs of a campaign. The runs are made up, and their statistics are worked
-// out by hand.
+// Numbers of the report from made-up runs of a campaign, whose statistics are worked out by hand.
 #include "finding_text.hpp"
 #include "isolaw/study/build_summary.hpp"
 
