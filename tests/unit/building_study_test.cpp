@@ -387,7 +387,7 @@ TEST_F(BuildingRuns, bounds_of_one_law_are_held_to_the_others) {
       << answers.verdict;
 }
 
-// The same law is listed twice, so the bounds of the first must cover the same share of draws of both.
+// The same law is listed twice, so the first listing's bounds must cover the same share of draws of both listings.
 TEST_F(BuildingRuns, bounds_of_one_law_cover_as_much_of_the_same_law) {
   auto study = usual_study(0.07, 40);
   study.file.settings.lower = 0.98;

@@ -70,7 +70,7 @@ TEST_F(ShareOfCampaign, WeighsATaskByItsLawAndItsKind) {
   double const abe_to_all = static_cast<double>(relative_cost(contents, contents.searches[1])) / all_runs;
   double const before_s = estimate.work_left_s(TaskKind::run);
   estimate.done(TaskKind::run, "abe");
-  // One of the three runs of this law has ended.
+  // One of the three runs of abe on one device has ended.
   EXPECT_NEAR(1.0 - estimate.work_left_s(TaskKind::run) / before_s, abe_to_all / 3.0, 1e-9);
   double const after_abe = estimate.share();
   estimate.done(TaskKind::run, "bilinear");

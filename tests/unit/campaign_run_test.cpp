@@ -392,7 +392,7 @@ TEST_F(CampaignTest, InterruptedAfterAnyRunAndResumedIsAsIfNeverInterrupted) {
 
 TEST_F(CampaignTest, InterruptedWithinARunKeepsNoPartOfIt) {
   auto const expected = done(lot("bilinear"), 1, "whole.sqlite");
-  // The campaign is stopped at this question; each run asks about six times whether to stop.
+  // The campaign is interrupted once it has asked `asked` times whether to stop. Each run asks about six times.
   for (int const asked : {2, 4, 9}) {
     auto const store = file(fmt::format("stopped-{}.sqlite", asked));
     auto contents = prepare(lot("bilinear"));

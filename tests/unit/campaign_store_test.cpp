@@ -209,8 +209,7 @@ TEST_F(StoreTest, RunsComeBackInOrderHoweverTheyWereAdded) {
   auto mixed = runs();
   std::ranges::reverse(mixed);
   for (auto const& run : mixed) store.add(run);
-  expect_same(Store::read(file()).runs,
-              runs());  // another program may read while this one writes
+  expect_same(Store::read(file()).runs, runs());  // read while it is open for writing
 }
 
 TEST_F(StoreTest, ARunWithoutHistoryComesBack) {

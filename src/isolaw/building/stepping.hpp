@@ -58,7 +58,7 @@ struct ModeStep {
 // The state and the measures of a run. The caller owns the arrays.
 template <class T>
 struct Run {
-  T u[3], v[3], A[3];          // base: displacement and velocity relative to the ground, acceleration in space
+  T u[3], v[3], A[3];          // base: displacement and velocity relative to the ground, absolute acceleration
   T f[3];                      // bearings' forces summed at the base's centre of mass, positive along displacement
   T *q, *qv, *qa, *free_part;  // [mode]
   T *d, *force;                // [bearing][2]: displacement and force

@@ -22,7 +22,7 @@
 namespace isolaw::campaign {
 namespace {
 
-// One law on one device. A LawOnRecord is a hundred times larger, so only running tasks hold one.
+// A law to be fitted to a device. Its LawOnRecord is a hundred times larger, so it is made only while a task runs.
 struct Target {
   std::size_t place;  // index in Contents::searches
   Search const* search;
@@ -243,7 +243,7 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
   }
   if (short_of_threads && options.short_of_threads) options.short_of_threads(static_cast<int>(worked));
   bool const complete = contents.complete();  // may be true although an interruption was asked for during the last run
-  bool const plain = store.finish();  // also after an interruption, so that the next reader finds one plain file
+  bool const plain = store.finish();          // after an interruption too, so that the next reader finds one plain file
   opened.reset();
   if (complete && plain) campaign_store().put_in_order(file);
   own.lap(Phase::report);

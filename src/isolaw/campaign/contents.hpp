@@ -128,7 +128,7 @@ struct Acceptance {
   bool operator==(Acceptance const&) const = default;
 };
 
-// A share of a campaign's runs for one of several machines: part `number` of `of`. It changes no result.
+// A share of a campaign's runs for one of several machines: part `number` of `of`. No result depends on it.
 struct Part {
   int number = 1, of = 1;
 

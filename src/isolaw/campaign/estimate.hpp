@@ -1,4 +1,4 @@
-// Estimates how much of a campaign is done and how long the rest takes. The step cost of its law weights each task.
+// Estimates how much of a campaign is done and how long the rest takes. A task counts by the step cost of its law.
 #pragma once
 
 #include <array>

@@ -89,7 +89,7 @@ std::vector<std::string> growth(Contents const& stored, Contents const& asked) {
   std::vector<std::string> added;
   if (auto const more = asked.devices.size() - stored.devices.size(); more > 0)
     added.push_back(fmt::format("{} device{}", more, more == 1 ? "" : "s"));
-  std::vector<std::string> mended, refused;  // devices with another file, which were all refused before
+  std::vector<std::string> mended, refused;  // devices whose file or refusal changed; all were refused before
   for (auto const& device : stored.devices)
     if (auto const& now = asked.devices[*place_of(asked, device.name)]; !same_record(device, now))
       (now.usable() ? mended : refused).push_back("'" + device.name + "'");

@@ -128,7 +128,7 @@ std::vector<Setting> make_settings() {
                "sampled (default): reversals lie at samples; interpolated: between them, for smooth records",
                at(&S::turning_points), turnings)},
       {number<S>("runs", "independent runs per law and device", at(&S::runs), {.least = 1, .most = 1e5}, "3; ga: 20")},
-      // The upper limits keep the number of evaluations an int. The pressure's limit keeps every weight above zero.
+      // The upper limits keep the number of evaluations an int; selection_pressure's keeps every weight above zero.
       {number<S>("population", "with --method ga: individuals", at(&S::genetic, &Ga::population),
                  {.least = 4, .most = 1e5, .words = "an even number from 4 to 100000", .step = 2}),
        ga},

@@ -1,5 +1,5 @@
-// Every setting of a campaign once, and every option of the rules that its tests are checked against. The command line,
-// lot file, store, comparison on resume, the command in the report, Python and docs/cli.md are built from these tables.
+// Tables of all settings of a campaign and of all options of the rules that its tests are checked against. The command
+// line, lot file, store, comparison on resume, command in the report, Python and docs/cli.md are built from them.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ struct Setting : Option<Settings> {
   std::string where() const { return stored_only ? std::string(key) : Option::where(); }
 };
 
-// In the order of stores and reports: the method before the settings that it alone has.
+// All settings in the order of stores and reports. `method` comes before the settings that only one method has.
 std::span<Setting const> setting_table();
 Setting const* find_setting(std::string_view key);  // nullptr for an unknown key
 // Sets one setting. A setting that only one method has also chooses that method, unless `method_given` says that the

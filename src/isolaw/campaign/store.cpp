@@ -38,7 +38,7 @@ void require_readable(Require&& require) {
   }
 }
 
-Run const& stored(Run const& run) {  // as it will be read from the store
+Run const& stored(Run const& run) {  // as read() will return it
   return run;
 }
 template <class Analysis>

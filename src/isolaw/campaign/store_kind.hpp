@@ -59,7 +59,7 @@ class StoreKind {
     }
   }
   template <class Read>
-  auto read(std::filesystem::path const& file, Read&& read) const {  // read(db)
+  auto read(std::filesystem::path const& file, Read&& read) const {  // calls read(db)
     auto const db = to_read(file);
     return as_ours(file, [&] { return read(db); });
   }
