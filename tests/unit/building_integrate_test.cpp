@@ -34,7 +34,7 @@ TEST(BuildingIntegrate, many_bearings_are_one_of_their_sum) {
   }
 }
 
-// If plan, stiffness and ground motion are turned together, the response turns with them.
+// If the plan, the stiffness and the ground motion are turned together, the response must turn with them.
 TEST(BuildingIntegrate, rotation_in_plan) {
   double const angle = 0.6, c = std::cos(angle), s = std::sin(angle);
   auto const turned = [&](Point p) { return Point{c * p.x_mm - s * p.y_mm, s * p.x_mm + c * p.y_mm}; };
@@ -96,8 +96,8 @@ TEST(BuildingIntegrate, bearings_at_one_place_may_be_exchanged) {
     EXPECT_NEAR(a.measured[i], b.measured[i], 1e-9 * std::abs(a.measured[i])) << i;
 }
 
-// With forces and masses ten times as large, the building moves the same. With yield displacement and acceleration ten
-// times as large, it moves ten times as far.
+// With forces and masses ten times as large, the building must move the same. With yield displacement and acceleration
+// ten times as large, it must move ten times as far.
 TEST(BuildingIntegrate, scales) {
   auto frame = three_floors();
   auto const plan = grid(2, 2, 8000.0);
@@ -145,7 +145,7 @@ TEST(BuildingIntegrate, modes_are_the_whole_equations) {
   Structure const structure(frame);
   auto const motion = shaking();
   double const k = 1.6 * std::pow(2.0 * std::numbers::pi / 2.0, 2);
-  // With a yield displacement of 1e9 mm the bearing stays elastic.
+  // The yield displacement of 1e9 mm keeps the bearing elastic.
   auto const response =
       integrate(Model(structure, {.bearings = {{0.0, 0.0}}}), equal_bearings(1, "bilinear", {k, 0.0, 1e9}), motion,
                 {.longest_step_s = 0.01, .histories = true});

@@ -1,5 +1,5 @@
-// Explicit integration of many draws at once: compared with the implicit integration, and its vectorised form with its
-// scalar form.
+// Explicit integration of many draws at once. It is compared with the implicit integration, and its vectorised code
+// with its scalar code.
 #include "isolaw/building/lanes.hpp"
 
 #include <gtest/gtest.h>
@@ -94,7 +94,8 @@ TEST(BuildingLanes, held_to_the_implicit_path) {
   }
 }
 
-// Most of the mass lies on floors whose periods are too short for the explicit steps to follow.
+// Most of the mass lies on floors whose periods are too short for the explicit steps to follow. The integration must
+// stay stable and agree with the implicit integration.
 TEST(BuildingLanes, stable_below_stiff_floors) {
   for (double const period_s : {0.012, 0.02, 0.03}) {
     Diaphragm const light{.mass_Mg = 80.0, .gyration_mm = 7000.0}, heavy{.mass_Mg = 1520.0, .gyration_mm = 7000.0};
@@ -130,7 +131,7 @@ TEST(BuildingLanes, every_law_carries_a_building) {
       bool const logarithmic = p.scaled_search == laws::Scale::logarithmic && box.lower * box.upper > 0.0;
       double const middle =
           logarithmic ? std::copysign(std::sqrt(box.lower * box.upper), box.lower) : 0.7 * box.lower + 0.3 * box.upper;
-      // The middle of the box would give exponential terms that no bearing has.
+      // In the middle of the box vaiana would have larger exponential terms than any bearing has, so they are left out.
       bool const exponential = law.info.id == "vaiana" && (p.name.starts_with("beta") || p.name.starts_with("gamma"));
       values.push_back(exponential ? 0.0 : p.fixed_by_default.value_or(middle));
     }

@@ -41,7 +41,7 @@ class BuildingFileTest : public testing::Test {
     for (int i = 0; i < samples; ++i) out << 0.01 * i << ',' << (i + 1 < samples ? "0.5" : last) << '\n';
   }
   BuildingFile read(std::string const& text) const { return read_building_text(text, "b.toml", folder_); }
-  // The error message about the template after one of its lines has been replaced.
+  // The error message for the template of building files after one of its lines has been replaced.
   std::string refused(std::string const& line, std::string const& instead) const {
     auto text = building_template();
     auto const at = text.find(line);
@@ -89,8 +89,8 @@ TEST_F(BuildingFileTest, what_is_wrong_is_said_once_with_its_line) {
   EXPECT_TRUE(contains(nan, "motion-1-y.csv:21") && contains(nan, "no number")) << nan;
 }
 
-// Values passed by the caller replace keys of the file and are checked like them. A mapping is read like a file, but
-// its messages name no lines.
+// Values passed by the caller replace keys of the file and are checked like them. A mapping (of Python) is read like a
+// file, but its messages name no lines.
 TEST_F(BuildingFileTest, what_is_given_is_laid_over_and_a_mapping_is_a_file) {
   Motion const motion{.name = "m", .step_s = 0.01, .x_mm_s2 = {0.0, 1.0}, .y_mm_s2 = {}};
   auto const read_with = [&](isolaw::Values settings, Motion const& shaken) {
@@ -195,8 +195,8 @@ TEST(BuildingStudy, under_motions_along_x_a_law_is_itself) {
     ASSERT_LT(std::abs(run.history.base[i][1]), 1e-6);
   }
   EXPECT_GT(run.of(Measure::isolator), 10.0);
-  // `online` starts at zero displacement and the bearing's law just after the bearing has left its rest, so their
-  // forces differ slightly.
+  // `online` starts at zero displacement. The bearing starts its law only after it has left rest, so the forces differ
+  // slightly.
   EXPECT_LT(off, 1e-3 * most);
   auto const csv = history_csv(run, study.file.motions[0]);
   EXPECT_EQ(
@@ -265,7 +265,7 @@ TEST_F(BuildingRuns, answers) {
   auto const& isolator = law.distributions[0];
   EXPECT_LT(isolator.fractiles[0], isolator.fractiles[1]);
   EXPECT_NEAR(isolator.fractiles[1] / isolator.nominal, 1.0, 0.1);
-  // The sum of six drawn forces scatters by 7 % / sqrt(6). Torsion adds to this scatter.
+  // Each bearing's force scatters by 7 %. The sum of six forces scatters by 7 % / sqrt(6), and torsion adds to this.
   EXPECT_GT(isolator.lot_std_ln, 0.001);
   EXPECT_LT(isolator.lot_std_ln, 0.07);
   EXPECT_GT(isolator.motion_std_ln, 0.0);
@@ -319,14 +319,14 @@ TEST_F(BuildingRuns, answers) {
   EXPECT_NE(loops.force_x_kN[0], loops.force_x_kN[1]);
   for (auto const* forces : {&loops.force_x_kN, &loops.force_y_kN})
     for (auto const& force : *forces) EXPECT_EQ(force.size(), loops.x_mm.size());
-  // The floor spectrum at the shortest period is close to the floor's peak acceleration. At other periods the roof's
-  // spectrum is higher.
+  // At the shortest period the floor spectrum is close to the floor's peak acceleration. At some longer period the
+  // roof's spectrum is higher.
   ASSERT_EQ(law.floor_spectra_g.size(), 4u);
   EXPECT_EQ(law.floor_spectra_g[0].size(), spectrum_periods_s().size());
   EXPECT_NEAR(law.floor_spectra_g[0].front() / law.distributions[7].nominal, 1.0, 0.25);
   EXPECT_GT(std::ranges::max(law.floor_spectra_g[3]), law.floor_spectra_g[3].front());
-  // The mean displacement of a bearing is at most that of the bearing that moves most. The bearings' shares of the
-  // energy add up to 1.
+  // The mean displacement of a bearing is at most the 95 % fractile of the largest displacement of any bearing. The
+  // bearings' shares of the energy add up to 1.
   double share = 0.0;
   for (std::size_t b = 0; b < 6; ++b) {
     EXPECT_GT(law.bearing_mm[b], 0.0);
@@ -387,7 +387,7 @@ TEST_F(BuildingRuns, bounds_of_one_law_are_held_to_the_others) {
       << answers.verdict;
 }
 
-// The same law is listed twice. The bounds of the first must cover as many draws of the second.
+// The same law is listed twice, so the first listing's bounds must cover the same share of draws of both listings.
 TEST_F(BuildingRuns, bounds_of_one_law_cover_as_much_of_the_same_law) {
   auto study = usual_study(0.07, 40);
   study.file.settings.lower = 0.98;
@@ -442,8 +442,8 @@ TEST_F(BuildingRuns, bounds_on_one_side_of_the_nominal_building_are_told) {
       << answers.warnings;
 }
 
-// The campaign contributes findings that cast doubt on the calibration. A finding that applies to two laws is printed
-// once. A finding about a tested device names the device once.
+// The campaign has findings that cast doubt on the calibration. A finding that holds for two laws is printed once. A
+// finding about a tested device names the device once.
 TEST_F(BuildingRuns, says_what_is_known_against_a_law) {
   auto study = usual_study(0.07, 4);
   Finding const open{.kind = FindingKind::not_determined,
@@ -482,7 +482,8 @@ TEST_F(BuildingRuns, says_what_is_known_against_a_law) {
   EXPECT_EQ(properties_of(other), properties_of(study));
 }
 
-// A study with springs reports progress after each run. If it is interrupted, the finished runs are kept.
+// A study with springs, whose runs are computed one by one, reports progress after each run. If it is interrupted, the
+// finished runs are kept.
 TEST_F(BuildingRuns, of_springs_are_told_one_by_one_and_can_be_interrupted) {
   auto study = usual_study(0.07, 2);
   study.laws[0].as_springs = true;

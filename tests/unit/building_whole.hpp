@@ -11,7 +11,7 @@ namespace isolaw::building {
 
 struct Whole {
   num::Vector mass;       // one value per degree of freedom, the base first
-  num::Matrix stiffness;  // of the storeys alone
+  num::Matrix stiffness;  // of the storeys, without bearings
   num::Matrix damping;    // modal damping on a fixed base, the same ratio for all modes
 };
 

@@ -32,7 +32,7 @@ TEST_F(ShareOfCampaign, IsOfRunsAndAnalysesTogether) {
   std::vector<Progress> told;
   EXPECT_TRUE(
       run(contents, file(), {.jobs = 1, .progress = [&](Progress const& p) { told.push_back(p); }, .interrupted = {}}));
-  // Six runs, analyses of two devices, one law fitted to the lot, and two fits with one device left out.
+  // Progress is reported after each of six runs, two device analyses, one fit to the lot and two fits without a device.
   ASSERT_EQ(told.size(), 11u);
   EXPECT_EQ(told[5].done, told[5].total);
   EXPECT_LT(told[5].share, 1.0);
@@ -70,7 +70,7 @@ TEST_F(ShareOfCampaign, WeighsATaskByItsLawAndItsKind) {
   double const abe_to_all = static_cast<double>(relative_cost(contents, contents.searches[1])) / all_runs;
   double const before_s = estimate.work_left_s(TaskKind::run);
   estimate.done(TaskKind::run, "abe");
-  // One of the three runs of this law has ended.
+  // One of the three runs of abe on one device has ended.
   EXPECT_NEAR(1.0 - estimate.work_left_s(TaskKind::run) / before_s, abe_to_all / 3.0, 1e-9);
   double const after_abe = estimate.share();
   estimate.done(TaskKind::run, "bilinear");

@@ -60,7 +60,7 @@ class Folder : public ::testing::Test {
   std::filesystem::path folder;
 };
 
-// Three cycles of a wide loop at 0.5 Hz. The devices of a campaign differ in `stiffness`.
+// A record of three cycles of a wide loop at 0.5 Hz. The devices of a campaign differ in `stiffness`.
 inline std::string record_text(double stiffness, bool with_time = true, int samples_per_cycle = 40) {
   std::string text = with_time ? "time [s],disp [mm],force [kN]\n" : "disp [mm],force [kN]\n";
   for (int i = 0; i <= 3 * samples_per_cycle; ++i) {
@@ -142,7 +142,7 @@ inline void expect_same(fit::SearchBox const& a, fit::SearchBox const& b, std::s
   }
 }
 
-// Compares everything but the layout of the raw record. `isolaw init` alone writes the layout, and no report needs it.
+// Compares everything but the layout of the raw record, which only `isolaw init` writes and no report needs.
 inline void expect_same(Device const& a, Device const& b) {
   EXPECT_EQ(a.name, b.name);
   EXPECT_EQ(a.file, b.file);

@@ -24,7 +24,7 @@ class LotFileTest : public testing::Folder {
     return read_lot_file(write("lot.toml", text), options);
   }
 
-  // The messages about a wrong file, one per line, without the folder's name; "" if the file could be read.
+  // The messages about a wrong lot file, one per line, without the folder's name. Empty if the file can be read.
   std::string complaints(std::string_view text) const {
     try {
       read(text);
@@ -36,7 +36,7 @@ class LotFileTest : public testing::Folder {
     }
     return "";
   }
-  // A lot file with these lines after [calibrate] and one device. The first of the lines is line 3.
+  // The messages about a lot file with one device and with these lines in [calibrate], the first of which is line 3.
   std::string calibrate(std::string_view lines) const {
     return complaints(
         fmt::format("title = \"lot\"\n[calibrate]\n{}\n[[device]]\nname = \"A\"\nfile = \"a.csv\"\n", lines));
@@ -266,7 +266,7 @@ TEST_F(LotFileTest, FilesOutsideTheFolderHaveTheirLine) {
   EXPECT_EQ(read("[[device]]\nfile = \"../b.csv\"\n", {.allow_outside = true}).devices.size(), 1u);
 }
 
-// Names of rule files outside the folder must give the same message whether such a file exists or not.
+// A rule file outside the folder must give the same message whether or not it exists.
 TEST_F(LotFileTest, RulesOutsideTheFolderHaveTheirLine) {
   auto const built_in = [](std::string_view name) { return name == "known"; };
   auto const lot = [](std::string const& name) {
@@ -347,7 +347,7 @@ TEST_F(LotFileTest, NamesHaveALongestLength) {
                {"lot.toml:4: serial: ", "is 513 bytes long", "512 or fewer"});
 }
 
-// toml++ reads nested tables by recursion: a hundred thousand levels overflow its stack.
+// toml++ reads nested tables by recursion, so a hundred thousand levels would overflow its stack.
 TEST_F(LotFileTest, DeepNestingIsRefused) {
   std::string const found = "nested deeper than any lot file needs";
   auto const repeated = [](std::string_view part, std::size_t times) {

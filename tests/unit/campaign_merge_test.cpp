@@ -1,5 +1,5 @@
 // Campaigns computed in parts: how runs are assigned to the parts. Merging a thousand parts must take time in
-// proportion to the rows, and constant memory.
+// proportion to the rows, and no more memory than merging a hundred.
 #include "isolaw/campaign/merge.hpp"
 
 #include <gtest/gtest.h>
@@ -80,7 +80,7 @@ TEST_F(MergeTest, TheDealIsTheSameOnEveryMachine) {
   std::vector<int> dealt;
   for (std::size_t s = 0; s < contents.searches.size(); ++s)
     for (int number = 1; number <= 3; ++number) dealt.push_back(deal.part_of(s, number));
-  // Parts of the three runs of each search: device a with bilinear, a with abe, b with bilinear, b with abe.
+  // The parts of runs 1, 2 and 3 of the searches bilinear on device a, abe on a, bilinear on b, and abe on b.
   EXPECT_EQ(dealt, (std::vector{3, 4, 1, 1, 2, 3, 2, 3, 4, 4, 1, 2}));
 }
 
@@ -106,7 +106,7 @@ TEST_F(MergeTest, AStoreInOrderIsTheSameFileHoweverItCameAbout) {
     EXPECT_FALSE(after == before);
     testing::expect_same(Store::read(file).runs, in_order);
     EXPECT_EQ(sqlite::integrity(file), std::vector<std::string>{});
-    campaign_store().put_in_order(file);  // the store is in order already, so nothing may change
+    campaign_store().put_in_order(file);  // the store is in order already, so the file must not change
     EXPECT_TRUE(bytes_of(file) == first);
   }
 }
@@ -126,7 +126,7 @@ std::uint64_t counted_by_system(std::string const& file, std::string const& key)
 }
 
 TEST_F(MergeTest, OfAThousandPartsIsLinearInRowsAndFlatInMemory) {
-  // The number of parts, and the number of runs of each search that a part computes.
+  // The largest number of parts, and the number of runs of each search that one part computes.
   constexpr int most = 1000, each = 5;
   struct Cost {
     std::uint64_t bytes = 0;
@@ -183,12 +183,12 @@ TEST_F(MergeTest, OfAThousandPartsIsLinearInRowsAndFlatInMemory) {
     EXPECT_EQ(merged.parts, parts);
   }
   // The rows of a part are spread over the whole tree of the database. Once this tree is larger than the page cache,
-  // merging a part reads and writes the pages of that part, which is linear in the rows. If every part read the whole
-  // tree, ten times as many bytes would be moved.
+  // merging a part must read and write only the pages of that part, so bytes grow with the rows. If every part read the
+  // whole tree, a thousand parts would move ten times as many bytes.
   auto const& few = costs.at(100);
   auto const& many = costs.at(most);
   EXPECT_LT(static_cast<double>(many.bytes), 2.5 * most / 100 * static_cast<double>(few.bytes));
-  // With few parts the page cache is full already, so ten times the rows must not need more memory.
+  // The page cache is full with 100 parts already, so ten times the rows must not need more memory.
   EXPECT_LT(many.sqlite_bytes, few.sqlite_bytes + (4 << 20));
   EXPECT_LT(many.process_kB, few.process_kB + (8 << 10));
 }

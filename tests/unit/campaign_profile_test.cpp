@@ -81,7 +81,7 @@ TEST_F(ProfileOfCampaign, EvaluationsOfAPhaseAreThoseThatItsResultsSay) {
   }
 }
 
-// The test compares processor time, because waiting does not add to it.
+// Compares processor time, since waiting for other processes does not add to it.
 TEST_F(ProfileOfCampaign, PhasesAddUpToTheProcessorTimeOfTheProcess) {
   Profile profile;
   auto campaign = lot("jankowski,bouc-wen", true);

@@ -196,8 +196,8 @@ TEST_F(CampaignTest, SeveralFilesOfADeviceAreOneHistory) {
 
 // --- running a campaign ---
 
-// With the method `best`, threads and interruptions must not change any run, and all runs of a search must end within
-// 0.1 % of its least objective.
+// With Method::best, threads and interruptions must not change any run, and all runs of a search must end within 0.1 %
+// of the search's least objective.
 TEST_F(CampaignTest, DescentsEndAtOneObjective) {
   auto best = lot("bilinear,bouc-wen");
   best.settings.method = Method::best;
@@ -209,7 +209,7 @@ TEST_F(CampaignTest, DescentsEndAtOneObjective) {
     auto const [entry, is_new] = least.try_emplace(std::pair(r.device, r.law), r.objective);
     entry->second = std::min(entry->second, r.objective);
     EXPECT_EQ(r.outcome, Outcome::confirmed);
-    EXPECT_GE(r.history.size(), 17u);  // one entry for each of the 16 starts and at least one for the refinement
+    EXPECT_GE(r.history.size(), 17u);  // 16 starts, and one or more entries for the refinement
     EXPECT_NEAR(r.history.back(), r.objective, fit::block_tolerance * std::max(r.objective, 1e-3));
     EXPECT_GT(r.evaluations, 500);
   }
@@ -248,7 +248,7 @@ TEST_F(CampaignTest, EveryRunIsThereOnceAndIsWhatItSays) {
     EXPECT_EQ(r.outcome, Outcome::all_generations);
     ASSERT_EQ(r.history.size(), 5u);
     EXPECT_TRUE(std::ranges::is_sorted(r.history, std::greater{}));
-    // The history is computed by vectorised code and the final objective by scalar code, so the last digits differ.
+    // Vectorised code computes the history and scalar code the final objective, so their last digits differ.
     EXPECT_NEAR(r.history.back(), r.objective, fit::block_tolerance * r.objective);
     for (std::size_t i = 0; i < r.parameters.size(); ++i) {
       auto const& p = search.box.parameters[i];
@@ -392,7 +392,7 @@ TEST_F(CampaignTest, InterruptedAfterAnyRunAndResumedIsAsIfNeverInterrupted) {
 
 TEST_F(CampaignTest, InterruptedWithinARunKeepsNoPartOfIt) {
   auto const expected = done(lot("bilinear"), 1, "whole.sqlite");
-  // The campaign is stopped at this question; each run asks about six times whether to stop.
+  // The campaign is interrupted once it has asked `asked` times whether to stop. Each run asks about six times.
   for (int const asked : {2, 4, 9}) {
     auto const store = file(fmt::format("stopped-{}.sqlite", asked));
     auto contents = prepare(lot("bilinear"));

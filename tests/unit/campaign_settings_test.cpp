@@ -86,7 +86,7 @@ TEST(EverySetting, HasADefaultThatItMayHaveAndHelpWhereItIsAnOption) {
   }
 }
 
-// isolaw resumes a campaign only if its stored pairs equal those of the new settings, so the pairs must contain every
+// isolaw continues a campaign only if the stored pairs equal those of the new settings, so the pairs must contain every
 // setting that can change a number.
 TEST(EverySetting, IsStoredReadBackAndComparedByItsKey) {
   for (auto const& setting : setting_table()) {
@@ -190,11 +190,11 @@ TEST(Settings, RunsAreThoseTheMethodNeeds) {
   given.runs = 7;
   for (auto* s : {&best, &genetic, &given}) s->complete();
   EXPECT_EQ(best.runs, 3);
-  EXPECT_EQ(genetic.runs, 20);  // as in the paper
+  EXPECT_EQ(genetic.runs, 20);  // the number in the paper
   EXPECT_EQ(given.runs, 7);
 }
 
-TEST(Settings, Defaults) {  // the genetic algorithm has the paper's settings
+TEST(Settings, Defaults) {  // those of the genetic algorithm are the paper's
   Settings const s;
   EXPECT_EQ(s.method, Method::best);
   EXPECT_EQ(s.integration, laws::Integration::converged);

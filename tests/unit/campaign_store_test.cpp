@@ -29,7 +29,7 @@ using testing::expect_same;
 std::string const attack = "O'Brien\"; DROP TABLE run; -- <script>alert('1')</script>\nsecond line\t\\ `x` %s {}";
 std::string const unicode = "Prüfling № 試験 🙂 e\u0301";
 
-// Executes SQL as another program would, without the code of the store.
+// Executes SQL on a store as another program would, without the code of the store.
 std::vector<std::vector<std::string>> sql(std::filesystem::path const& file, std::string const& text) {
   sqlite3* db = nullptr;
   EXPECT_EQ(sqlite3_open(file.c_str(), &db), SQLITE_OK);
@@ -107,7 +107,7 @@ Contents full() {
   no_time.record.force_kN = {2.0};
   c.devices = {first, refused, no_time};
 
-  // The box of each law has the law's own parameters. The first three get bounds that are hard to store exactly.
+  // Each box has the parameters of its law. The first three parameters get bounds that are hard to store exactly.
   auto const box_of = [](std::string const& law) {
     fit::SearchBox box;
     for (auto const& info : laws::find_law(law).parameters)
@@ -157,7 +157,7 @@ Run failed(std::size_t device, std::string law, int number) {
   return testing::failed_run(device, std::move(law), number, attack);
 }
 
-// Sorted by device, law (alphabetically) and number, as in Contents.
+// Sorted by device, law (alphabetically) and number, as Contents holds them.
 std::vector<Run> runs() {
   auto plain = good(2, "bilinear", 1);
   plain.outcome = Outcome::all_generations;
@@ -209,7 +209,7 @@ TEST_F(StoreTest, RunsComeBackInOrderHoweverTheyWereAdded) {
   auto mixed = runs();
   std::ranges::reverse(mixed);
   for (auto const& run : mixed) store.add(run);
-  expect_same(Store::read(file()).runs, runs());  // another reader may read while the store is open for writing
+  expect_same(Store::read(file()).runs, runs());  // read while it is open for writing
 }
 
 TEST_F(StoreTest, ARunWithoutHistoryComesBack) {
@@ -253,7 +253,7 @@ TEST_F(StoreTest, ClosedWithoutFinishingIsReadableAndCanBeContinued) {
   expect_same(Store::read(file()), expected);
 }
 
-// A killed program leaves the files as they are while the store is open, so a copy of them shows what can be read
+// While the store is open, its files are those that a killed program would leave. A copy of them shows what can be read
 // later.
 TEST_F(StoreTest, KilledAfterAnyRunKeepsTheRunsBefore) {
   auto store = Store::create(file(), full());
@@ -290,7 +290,7 @@ TEST_F(StoreTest, ATornLogLosesWholeRunsOnly) {
     try {
       read = Store::read(copy);
     } catch (Error const&) {
-      continue;  // the cut lies before the end of the empty store
+      continue;  // the log is cut off before the empty store is complete
     }
     ASSERT_LE(read.runs.size(), runs().size());
     for (auto const& run : read.runs) {
@@ -450,7 +450,8 @@ TEST_F(StoreTest, AStoreWithoutASettingStandsForWhatItsRowSays) {
   EXPECT_NE(said.find("seed: is missing in the store"), std::string::npos) << said;
 }
 
-// A new setting says in its row what a store without it stands for. Stores of the schema have all the others.
+// Every store of schema 10 has the settings listed here. A setting that is added later must state the value that is
+// assumed for stores without it (Setting::without).
 TEST(Schema, TenHasTheseSettingsInEveryStore) {
   std::set<std::string> keys;
   for (auto const& setting : setting_table())

@@ -1,4 +1,4 @@
-// From the runs of a campaign to the numbers of the report, on made-up runs whose statistics are worked out by hand.
+// Numbers of the report from made-up runs of a campaign, whose statistics are worked out by hand.
 #include "finding_text.hpp"
 #include "isolaw/study/build_summary.hpp"
 
@@ -141,7 +141,7 @@ TEST(Summary, StatisticsOverRuns) {
   EXPECT_EQ(fits[0].failed_runs, 0);
   ASSERT_EQ(fits[0].histories.size(), 3u);
   EXPECT_EQ(fits[0].histories[1], (std::vector{1.0, 0.1}));
-  EXPECT_EQ(*fits[0].integration_shift, 2e-6);  // from the run with the least objective, the second
+  EXPECT_EQ(*fits[0].integration_shift, 2e-6);  // from the second run, which has the least objective
 }
 
 TEST(Summary, StatisticsOverTheLot) {
@@ -163,7 +163,7 @@ TEST(Summary, TheMeanOfALawIsTheMeanOfItsDevicesMeans) {
   auto contents = two_devices();
   contents.runs.erase(contents.runs.begin() + 5);  // B keeps the objectives 0.3 and 0.5, whose mean is 0.4
   auto const summary = build_summary(contents);
-  // The mean of the devices' means; the mean of all runs is 1.4 / 5 = 0.28.
+  // The mean of the devices' means 0.2 and 0.4 is 0.3. The mean of all runs would be 1.4 / 5 = 0.28.
   EXPECT_NEAR(*summary.laws[0].objective.mean, 0.3, 1e-15);
   EXPECT_EQ(summary.laws[0].devices[1].runs, 2);
 }
@@ -180,7 +180,7 @@ TEST(Summary, AtBoundIsThatOfTheBestRun) {
   // Only the box of device A is changed, so K2 of device A is no longer at a bound.
   contents.searches[0].box.parameters[1].upper = 2.0;
   EXPECT_EQ(build_summary(contents).laws[0].devices[0].parameters[1].at_bound, fit::AtBound::no);
-  // A run that is not the best reaches the bound, which does not count.
+  // The first run reaches the bound. It does not count, since it is not the best run.
   contents.runs[0].parameters = {1.0, 0.35, 10.0};
   EXPECT_EQ(build_summary(contents).laws[0].devices[0].parameters[0].at_bound, fit::AtBound::no);
 }
@@ -196,14 +196,13 @@ TEST(Summary, ErrorsOfTheBestFitAgainstTheRecord) {
   ASSERT_EQ(fit.force_kN.size(), 601u);
   for (std::size_t i = 0; i < 601; i += 50)
     EXPECT_NEAR(fit.force_kN[i], 1.1 * contents.devices[1].record.force_kN[i], 1e-12);
-  // The best run has twice the characteristic strength of the record, (1.5 - 0.6) 40 = 36 kN instead of 18 kN, and the
-  // same stiffnesses.
+  // The best run has the record's stiffnesses and twice its characteristic strength: (1.5 - 0.6) 40 = 36 kN, not 18 kN.
   contents.runs[3].parameters = {1.5, 0.6, 40.0};
   summary = build_summary(contents);
   double const K_eff = 100.0 * ((0.6 + 0.36) / (0.6 + 0.18) - 1.0),
                energy = 100.0 * (36.0 * 60.0 / (18.0 * 80.0) - 1.0);
   EXPECT_NEAR(*summary.laws[0].devices[1].K_eff_error_percent, K_eff, 1e-6);
-  // The samples slightly miss the yield points.
+  // The samples slightly miss the yield points, so the energy is not exact.
   EXPECT_NEAR(*summary.laws[0].devices[1].energy_error_percent, energy, 0.1);
   EXPECT_NEAR(*summary.laws[0].devices[1].damping_error_percent, 100.0 * ((1 + energy / 100) / (1 + K_eff / 100) - 1),
               0.1);
@@ -375,7 +374,7 @@ TEST(Summary, WarnsOfWhatTheMovingAverageTakes) {
     return all;
   };
   EXPECT_EQ(warnings(1).find("moving average"), std::string::npos);
-  // The average lowers the peak by 0.033 %, too little for a warning.
+  // A moving average of 3 samples lowers the peak by 0.033 %, too little for a warning.
   EXPECT_EQ(warnings(3).find("moving average"), std::string::npos);
   for (auto const* part : {"moving average over 31 samples, of 200 in a cycle, removes 3.9 %",
                            "This affects only the laws", "properties are computed from raw values"})

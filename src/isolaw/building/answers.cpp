@@ -72,7 +72,7 @@ constexpr Quantity quantity_rows[]{
      alike},
 };
 
-// Interpolates linearly: the share 0 gives the first value and the share 1 the last.
+// Interpolates linearly between the sorted values: share 0 gives the smallest value and share 1 the largest.
 double fractile(std::vector<double> const& sorted, double share) {
   if (sorted.empty()) return std::nan("");
   double const place = share * static_cast<double>(sorted.size() - 1);
@@ -95,9 +95,9 @@ double spread_ln(std::vector<double> const& values) {
   return moments.count < 2 ? 0.0 : moments.std;
 }
 
-struct Table {                                 // one quantity in all runs of a law
+struct Table {                                 // the values of one quantity in all runs of a law
   std::vector<std::vector<double>> by_motion;  // [motion][case]
-  std::vector<double> mean;                    // [case] over motions
+  std::vector<double> mean;                    // [case] mean over the motions
 };
 
 Table table_of(std::size_t cases, std::vector<std::vector<std::vector<double>>> const& kept, std::size_t index) {
@@ -116,7 +116,7 @@ std::vector<double> part(std::vector<double> const& values, std::size_t first, s
   return finite;
 }
 
-// Largest displacement relative to the ground of a linear oscillator that starts at rest, by average acceleration.
+// Largest relative displacement of a linear oscillator that starts at rest, by Newmark's average acceleration.
 double linear_peak(Motion const& motion, double period_s, double damping) {
   double const w = 2.0 * pi / period_s;
   auto const parts = static_cast<std::size_t>(std::ceil(motion.step_s / std::min(0.005, period_s / 50.0)));
@@ -141,7 +141,7 @@ double linear_peak(Motion const& motion, double period_s, double damping) {
   return most;
 }
 
-// Finds the displacement that is also the peak of a linear oscillator with its effective stiffness and damping.
+// Iterates to the displacement D at which a linear oscillator with the bearings' stiffness and damping at D peaks at D.
 void equivalent_linear(Checked& checked, Devices const& devices, Motion const& motion,
                        std::vector<double> const& bearings, double mass) {
   auto const& source = devices.source();
@@ -172,7 +172,7 @@ Coverage covered(Quantity const& quantity, std::vector<double> const& draws, Dis
                  Settings const& settings, std::vector<double> const& grid) {
   auto const [least, most] = std::minmax(d.lower, d.upper);
   Coverage coverage{.quantity = quantity.key, .factor_low = {}, .factor_high = {}, .not_monotonic = {}};
-  constexpr double rounding = 1e-9;  // relative; a response that does not change is monotonic
+  constexpr double rounding = 1e-9;  // relative tolerance, so that equal responses count as monotonic
   if (d.nominal < least - rounding * std::abs(least) || d.nominal > most + rounding * std::abs(most)) {
     coverage.monotony = Finding{.kind = FindingKind::bounds_not_monotonic,
                                 .numbers = {{"lower", d.lower},
@@ -325,7 +325,8 @@ void add_spectra(std::vector<std::vector<double>>& to, Response const& run, doub
   }
 }
 
-// Warns of quantities that the bounds fail to cover, except the displacement, which is in the verdict.
+// Warns of each quantity for which the bound analyses enclose too few draws. The verdict says this of the first one,
+// the bearing displacement, so it is warned of only if the bounds are not monotonic.
 void warn_of_coverage(LawAnswer const& law, std::vector<Finding>& warnings) {
   for (auto const& c : law.coverage) {
     if (c.inside >= wanted_share) continue;
@@ -374,7 +375,7 @@ std::vector<std::string> assumed_of(Study const& study, Answers const& answers) 
   return sentences;
 }
 
-// Keeps every n-th sample; the last sample may be left out.
+// Keeps every n-th sample, so that at most most_of_history remain. The last sample may be left out.
 NominalHistory thinned(History const& history, double step_s) {
   auto const samples = history.time_s.size();
   auto const stride = std::max<std::size_t>(1, (samples + most_of_history - 1) / most_of_history);
@@ -398,7 +399,7 @@ Quantity const& quantity(std::string_view key) {
   return *std::ranges::find(quantity_rows, key, &Quantity::key);
 }
 
-// Thirty periods with equal steps of their logarithm, from 0.05 s (stiff equipment) to 4 s (isolators).
+// Thirty periods from 0.05 s (stiff equipment) to 4 s (isolators), each a fixed factor longer than the one before.
 std::vector<double> const& spectrum_periods_s() {
   static std::vector<double> const all_periods = [] {
     constexpr std::size_t count = 30;
@@ -431,7 +432,7 @@ Finding covering_factors(Coverage const& coverage) {
   return finding;
 }
 
-// Rice's rule: 2 n^(1/3) bins.
+// Rice's rule gives the number of bins: 2 n^(1/3) for n values.
 Histogram histogram(std::vector<double> const& values) {
   Histogram histogram;
   if (values.empty()) return histogram;

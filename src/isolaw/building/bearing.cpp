@@ -34,14 +34,13 @@ class InPlaneBearing final : public Bearing {
   double length_, force_;
 };
 
-// Until the bearing first moves beyond `rest_mm`, the law's tangents at rest replace the law. A bearing at rest moves
-// by rounding only, and laws with a power of the displacement then have no tangent of use to Newton's method.
+// Replaces the law by its tangents at rest until the bearing first moves beyond `rest_mm`. At rest it moves by rounding
+// only, and laws with a power of the displacement then give Newton's method no useful tangent.
 class OneDirection {
  public:
   OneDirection(laws::Online const& law, laws::LawInfo const& info)
       : law_(law), length_(info.length.in_record_units), force_(info.force.in_record_units), first_(law_.trial(0, 0)) {}
 
-  // In kN, mm and s.
   laws::Online::Force trial(double x_mm, double v_mm_s) {
     goes_ = went_ || std::abs(x_mm) > rest_mm;
     double const x = x_mm / length_, v = v_mm_s / length_;

@@ -1,4 +1,4 @@
-// A bearing as integrators see it, for any law: force and tangents at the end of a straight step. Units kN, mm, s.
+// A bearing with any law, as integrators use it: force and tangents at the end of a straight step. Units kN, mm, s.
 #pragma once
 
 #include <memory>
@@ -20,7 +20,7 @@ struct BearingForce {
 class Bearing {
  public:
   virtual ~Bearing() = default;
-  // The force after a straight step of duration dt from the last committed place to `to`, with `velocity` at its end.
+  // The force after a straight step of duration dt from the last committed place to `to`, with `velocity` at `to`.
   virtual BearingForce trial(Vector const& to, Vector const& velocity, double dt) = 0;
   virtual void commit() = 0;
   virtual std::unique_ptr<Bearing> copy() const = 0;
@@ -28,13 +28,13 @@ class Bearing {
 
 // How a law of one direction is used in the plane (laws/plane/in_plane.hpp).
 enum class Coupling {
-  coupled,  // a law of the plane with the same parameters
-  springs,  // springs around the circle, for any law
-  separate  // the law once along x and once along y, independent: exact for motions along x or y alone
+  coupled,  // the law's own two-dimensional form, with the same parameters
+  springs,  // a set of springs around the circle, each with the law; possible for any law
+  separate  // the law once along x and once along y, independently: exact for motions along x or y alone
 };
-// coupled if the law with these parameters has a coupled form, else springs.
+// Coupling::coupled if the law has a two-dimensional form with these parameters, else Coupling::springs.
 Coupling coupling_of(std::string_view law, std::span<double const> parameters);
-// Makes a virgin bearing at rest. Throws Error for an unknown law, a form it lacks, or a wrong number of parameters.
+// Makes a virgin bearing at rest. Throws Error for an unknown law, a wrong coupling or a wrong number of parameters.
 std::unique_ptr<Bearing> make_bearing(std::string_view law, std::span<double const> parameters, Coupling coupling);
 
 }  // namespace isolaw::building

@@ -22,7 +22,7 @@ constexpr double mm_in_m = 1e3;
 
 struct TableInfo {
   std::string_view name, help;
-  std::size_t most = 0;  // of a list [[name]]; 0 for a table [name]
+  std::size_t most = 0;  // largest number of tables in a list [[name]]; 0 for a table [name]
 };
 constexpr TableInfo settings_info{"building", "The analysis. Lengths in m, masses in Mg (t), times in s."},
     base_info{"base", "The slab on the bearings. All coordinates in plan share one system of axes."},
@@ -159,12 +159,12 @@ std::span<FileKey const> keys_of(std::string_view table) {
   return {first, std::find_if(first, keys.end(), [&](FileKey const& key) { return key.table != table; })};
 }
 
-// Reads the tables of a file, one at a time, into one FileTables.
+// Reads the tables of a file, one at a time, into one FileTables object.
 class FileReader {
  public:
   FileReader(toml::table const& parsed, std::string const& file) : root(parsed, file, "", complaints), file_(file) {}
 
-  bool read(TableInfo const& info) {  // whether the table is there
+  bool read(TableInfo const& info) {  // returns whether the file has the table
     auto const* table = root.table(info.name);
     if (table != nullptr) read_row(*table, info);
     return table != nullptr;
@@ -241,7 +241,7 @@ toml::table table_of(Json const& value, int depth);
 toml::array array_of(Json const& value, int depth);
 template <class Insert>
 void insert_toml(Json const& value, int depth, Insert const& insert) {
-  constexpr int deepest = 4;  // for example x_m of a [[bearing]]
+  constexpr int deepest = 4;  // the deepest value of a valid file is x_m of a [[bearing]]
   if (depth > deepest)
     throw Error({.where = "building", .found = "tables or lists nested deeper than any building needs"});
   if (value.is_object()) return insert(table_of(value, depth));
@@ -250,7 +250,7 @@ void insert_toml(Json const& value, int depth, Insert const& insert) {
   if (value.is_number_integer()) return insert(value.get<std::int64_t>());
   if (value.is_number()) return insert(value.get<double>());
   if (value.is_string()) return insert(value.get<std::string>());
-  // null counts as not given
+  // A null is left out, as if the key were not given.
 }
 toml::table table_of(Json const& value, int depth) {
   toml::table table;

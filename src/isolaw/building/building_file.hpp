@@ -15,12 +15,12 @@
 
 namespace isolaw::building {
 
-// The table [building].
+// The table [building] of a building file.
 struct Settings {
   std::string title;
   std::vector<std::string> laws;  // empty: the law that the campaign recommends
   int draws = 1000;
-  int populations = 0;  // estimated again within the tests' uncertainty; 0: the population is taken as known
+  int populations = 0;  // how often the population is re-estimated within the tests' uncertainty; 0: taken as known
   int draws_of_each = 20;
   int seed = 1;
   double damping = 0.02;
@@ -29,7 +29,7 @@ struct Settings {
   double rest_s = 5.0;
 };
 
-// The device at a place: drawn from the lot, the lot's law, a tested device, or the lot's law times a bound's factor.
+// What a bearing is: drawn from the lot, of the lot's law, a tested device, or of that law times a bound's factor.
 enum class Stands { draw, lot, device, lower, upper };
 std::string_view name(Stands stands);  // the word in building files, or "tested device"
 struct BearingPlace {
@@ -50,8 +50,8 @@ struct BuildingFile {
   bool along_x_alone() const;
 };
 
-// The tables of a building file in its units; of a list, the table that is read or written. What has no default has the
-// template's value, except for the files of motions.
+// The tables of a building file, in the file's units. For a list such as [[floor]] they hold the table being read or
+// written. A key without a default starts with the template's value, except for the files of motions.
 struct Slab {
   double mass_Mg = 700.0, gyration_m = 9.0, x_m = 0.0, y_m = 0.0;
 };
@@ -92,31 +92,31 @@ struct FileTables {
 };
 
 // A key of a building file: one row of a table from which files are read, checked and written. The keys of [building]
-// are Python keywords too.
+// are also keyword arguments in Python.
 struct FileKey : Option<FileTables> {
   std::string_view table;
-  bool required = false;  // has no default
-  bool decides = true;    // of [building]: the numbers of a run depend on its value, which a store of runs keeps
+  bool required = false;  // the key has no default
+  bool decides = true;    // for [building]: a run's numbers depend on the value, so a store of runs keeps it
 };
 std::span<FileKey const> settings_table();  // the keys of [building]
 
 struct ReplacedKeys {
-  std::vector<Motion> motions = {};  // if there are any, they replace all motions
-  isolaw::Values settings = {};      // by key of [building]
+  std::vector<Motion> motions = {};  // if there are any, they replace all motions of the file
+  isolaw::Values settings = {};      // new values by key of [building]
 };
 
-// Reads a motion from one file, "x.AT2", or two, "x.AT2,y.AT2". Throws Error.
+// Reads a motion along x from one file, "x.AT2", or along x and y from two, "x.AT2,y.AT2". Throws Error.
 Motion read_motion(std::string const& files);
-// Reads many; throws one Error with the complaints about all of them.
+// Reads several motions. Throws one Error with the complaints about all of them.
 std::vector<Motion> read_motions(std::vector<std::string> const& files);
 // Throws Error for fewer than two samples, values that are not finite, a step not in (0, 10] s, and components of
 // different length.
 void require_sound(Motion const& motion);
-// Throws one Error with all complaints and their lines. Paths of motions are relative to the file, or to `folder`.
+// Throws one Error with all complaints and their lines. Paths of motions start at the file's folder, or `folder`.
 BuildingFile read_building(std::filesystem::path const& file, ReplacedKeys const& in_place = {});
 BuildingFile read_building_text(std::string_view text, std::string const& name, std::filesystem::path const& folder,
                                 ReplacedKeys const& in_place = {});
-// `tables` by name, as in a file; paths of motions are relative to the working directory.
+// Reads the tables from JSON, by name as in a file. Paths of motions are relative to the working directory.
 BuildingFile building_of(Json const& tables, ReplacedKeys const& in_place = {});
 std::string building_template(int motions = 1);
 

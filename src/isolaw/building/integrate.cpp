@@ -83,7 +83,7 @@ class ImplicitRun {
     Vector3 force;
     Matrix3 stiffness, damping;
   };
-  // Computes trials of all bearings at the end of a step, and their sums about the base's centre of mass.
+  // Computes trials of all bearings at the end of a step and sums forces and tangents about the base's centre of mass.
   Total total(double const (&u)[3], double const (&v)[3], double dt) {
     Total sum{Vector3::Zero(), Matrix3::Zero(), Matrix3::Zero()};
     for (std::size_t j = 0; j < bearings_.size(); ++j) {
@@ -120,7 +120,7 @@ class ImplicitRun {
     if (out_.outcome == Outcome::completed) advance(time + 0.5 * dt, 0.5 * dt, half, g1, halvings + 1);
   }
 
-  // Returns whether equilibrium was found; if not, the run has not moved.
+  // Returns whether equilibrium was found. If not, the state of the run has not changed.
   bool step(double dt, double const (&g0)[2], double const (&g1)[2]) {
     prepare(dt);
     ModeStep const modes{.dt = dt, .share = shares_.data()};
@@ -132,7 +132,7 @@ class ImplicitRun {
     modes_freely(run_, arrays_, modes, on_base);
     Vector3 const ground(g1[0], g1[1], 0.0), speed = as_vector(v0), before = as_vector(a0);
     // The unknown is the part of the displacement that the acceleration at the end adds. The whole displacement is ten
-    // thousand times as large, and its rounding would spoil the inertial force.
+    // thousand times as large, so its rounding would spoil the inertial force.
     Vector3 const steady = dt * speed + 0.25 * dt * dt * before;
     Vector3 const load = condensed_ * ground + as_vector(on_base);
     Matrix3 const inertia = condensed_ * (4.0 / (dt * dt));
@@ -161,7 +161,7 @@ class ImplicitRun {
       Vector3 const residual = inertial + load + now.force;
       if (!residual.allFinite()) break;
       double const scale = std::max({size(inertial), size(load), size(now.force), 1e-12}), left = size(residual);
-      // Iterates until the residual is below `all`, or `sufficient` if an iteration no longer cuts it to a tenth.
+      // Ends at a relative residual below `all`, or below `sufficient` if an iteration no longer cuts it to a tenth.
       constexpr double sufficient = 1e-10, all = 1e-14, slow = 0.1;
       found = left <= all * scale || (left <= sufficient * scale && left > slow * last);
       last = left;
@@ -313,7 +313,7 @@ Matrix3 Model::stiffness(std::span<std::array<double, 4> const> bearings) const 
 }
 
 Steps steps_of(Motion const& motion, double longest_step_s, double rest_s) {
-  // The 1e-6 lets a step that exceeds the longest by rounding count as one part.
+  // The 1e-6 keeps a motion's step whole if it exceeds the longest step by rounding only.
   auto const parts = static_cast<std::size_t>(std::max(1.0, std::ceil(motion.step_s / longest_step_s - 1e-6)));
   Steps steps{.parts = parts, .dt = motion.step_s / static_cast<double>(parts)};
   auto const samples = motion.x_mm_s2.size() + static_cast<std::size_t>(std::llround(rest_s / motion.step_s));

@@ -1,7 +1,7 @@
-// The implicit path: integrates a structure on its bearings under a ground motion by constant average acceleration
-// (Newmark 1959, gamma 1/2, beta 1/4), condensed to the base's three unknowns. Newton's method finds them with the
-// laws' tangents. If it fails, it is repeated with the tangents at rest; if that fails too, the step is halved. A run
-// that still does not converge is an outcome, not an exception.
+// Implicit integration of a structure on its bearings under a ground motion, by constant average acceleration (Newmark
+// 1959, gamma 1/2, beta 1/4). Newton's method finds the base's three displacements with the laws' tangents. If it
+// fails, the step is repeated with the tangents at rest; if that fails too, the step is halved. Failure is an Outcome,
+// not an exception.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@
 
 namespace isolaw::building {
 
-// Ground accelerations at equal steps, the first at time 0; linear between samples, then to zero in one step.
+// Ground accelerations at equal steps from time 0, linear between samples, falling to zero in a step after the last.
 struct Motion {
   std::string name;
   double step_s = 0.0;
@@ -42,28 +42,28 @@ struct History {
   std::vector<std::array<double, 3>> base;        // mm, mm, rad, relative to the ground
   std::vector<std::array<double, 3>> velocity;    // mm/s, mm/s, rad/s
   std::vector<std::array<double, 2>> shear_kN;    // sum over the bearings
-  std::vector<std::vector<double>> bearing_kN;    // [sample][2 bearings], x and y; if bearing_forces
-  std::vector<std::vector<double>> acceleration;  // [sample][2 (1 + floors)], mm/s2 in space, x and y of diaphragms
+  std::vector<std::vector<double>> bearing_kN;    // [sample][2 bearings], x and y; empty without bearing_forces
+  std::vector<std::vector<double>> acceleration;  // [sample][2 (1 + floors)], absolute, mm/s2, x and y of diaphragms
 };
 
 struct Response {
   Outcome outcome = Outcome::completed;
-  std::string why;                                                          // the reason if it did not complete
+  std::string why;                                                          // why the run did not complete
   std::vector<double> measured;                                             // as Layout orders them
   double step_s = 0.0;                                                      // integration step
-  std::size_t steps = 0, iterations = 0, first_tangents = 0, halvings = 0;  // first_tangents: steps that tried them
+  std::size_t steps = 0, iterations = 0, first_tangents = 0, halvings = 0;  // first_tangents: steps by tangents at rest
   History history;
 
   double of(Measure which) const { return measured[static_cast<std::size_t>(which)]; }
 };
 
-// Places in the axes of the structure's plan.
+// Points in plan, in the axes of the structure.
 struct Plan {
   std::vector<Point> bearings;
-  std::vector<Point> corners = {};  // the slab's; empty: the rectangle around the bearings
+  std::vector<Point> corners = {};  // of the slab; empty: of the rectangle around the bearings
 };
 
-// A structure and its plan. Owns the arrays that arrays() points to.
+// A structure and its plan. The object owns the arrays that arrays() points to.
 class Model {
  public:
   Model(Structure structure, Plan plan);
@@ -71,9 +71,9 @@ class Model {
   Plan const& plan() const { return plan_; }
   Layout layout() const { return {structure_.floors(), plan_.bearings.size()}; }
   StructureArrays arrays() const;
-  std::vector<double> shares(double dt) const;  // [mode] ModeStep::share for steps of dt
+  std::vector<double> shares(double dt) const;  // [mode] ModeStep::share for steps of length dt
   Matrix3 condensed_mass(double dt) const;      // M - sum share participation participation^T
-  // Stiffness of all bearings about the base's centre of mass, sum T_j^T k_j T_j, from k_j [bearing] 2 x 2 by rows.
+  // Stiffness of all bearings about the base's centre of mass, sum T_j^T k_j T_j, from every 2 x 2 k_j by rows.
   Matrix3 stiffness(std::span<std::array<double, 4> const> bearings) const;
 
  private:
@@ -82,19 +82,19 @@ class Model {
   std::vector<double> mass_, bearing_at_, corner_at_;
 };
 
-// Integration steps: each step of the motion is cut into equal parts no longer than longest_step_s.
+// The steps of an integration. Each step of the motion is cut into equal parts no longer than longest_step_s.
 struct Steps {
   std::size_t parts = 1, count = 0;
   double dt = 0.0;
 };
 Steps steps_of(Motion const& motion, double longest_step_s, double rest_s);
-// The bearings start in their present state and end in the state after the run.
+// The bearings start in their present state and keep the state at the end of the run.
 Response integrate(Model const& model, std::span<std::unique_ptr<Bearing> const> bearings, Motion const& motion,
                    Options const& options = {});
-// The explicit path for one draw, in double: the reference for the lanes (lanes.hpp). Keeps no history.
+// Explicit integration of one building in plain doubles, the reference for the vector code of lanes.hpp. No history.
 Response integrate_explicitly(Model const& model, std::span<std::unique_ptr<Bearing> const> bearings,
                               Motion const& motion, Options const& options = {});
-// [measure] step error of `coarse`, estimated from a run with half its step: a third of the difference (second order).
+// [measure] step error of `coarse`, from `fine` with half its step: a third of the difference (second-order method).
 std::vector<double> richardson(Response const& coarse, Response const& fine);
 
 }  // namespace isolaw::building

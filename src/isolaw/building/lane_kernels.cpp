@@ -1,5 +1,5 @@
-// The explicit path for lanes, compiled once per instruction set. ISOLAW_LANE_KERNELS is the name of the only object
-// that this file may define for others (fit/kernels.cpp says why).
+// Explicit integration of a batch of draws, one per SIMD lane. This file is compiled once per instruction set, and
+// ISOLAW_LANE_KERNELS is the only object that other files may use (fit/kernels.cpp says why).
 #include <tuple>
 
 #include "isolaw/building/lane_run.hpp"
@@ -9,7 +9,7 @@
 namespace isolaw::building {
 namespace {
 
-// in.memory holds the states of all bearings, their parameters, and the scalars of the run.
+// in.memory holds the states of all bearings, then the parameters of all bearings, then the scalars of the run.
 template <class Law, class T = num::Batch<lane_width>>
 void run_lanes(LaneRun const& in) {
   using Params = typename Law::template Params<T>;

@@ -1,5 +1,5 @@
-// The type of the lane kernels and their arguments. Not in lanes.hpp, which includes headers that must not be compiled
-// once per instruction set (fit/kernels.cpp says why).
+// The types of the lane kernels and of their arguments. They are not in lanes.hpp, since it includes headers that must
+// not be compiled once per instruction set (fit/kernels.cpp says why).
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ struct LaneRun {
 struct LaneKernel {
   std::string_view law;
   void (*run)(LaneRun const&) = nullptr;
-  std::size_t memory_bytes_a_scalar = 0, state_bytes = 0;  // state: per bearing, with its parameters
+  std::size_t memory_bytes_a_scalar = 0, state_bytes = 0;  // state_bytes: one bearing's state and parameters
 };
 
 }  // namespace isolaw::building

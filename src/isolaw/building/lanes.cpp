@@ -83,7 +83,7 @@ std::vector<double> respond(Model const& model, std::string_view law, std::span<
               .measured = measured.data()};
   for (std::size_t first = 0; first < count; first += lane_width) {
     for (std::size_t lane = 0; lane < lane_width; ++lane) {
-      // The last draw fills the lanes that are left over.
+      // If there are fewer draws left than lanes, the last draw fills the other lanes.
       auto const draw = draws.subspan(std::min(first + lane, count - 1) * each, each);
       for (std::size_t i = 0; i < each; ++i) values[i * lane_width + lane] = draw[i];
     }

@@ -1,5 +1,5 @@
-// Computes many draws of a building at once by the explicit path of stepping.hpp, one per lane, compiled once per
-// instruction set (lane_kernels.cpp). Lanes never mix: a result depends neither on other draws nor on threads.
+// Integrates many drawn buildings at once by explicit_run() of stepping.hpp, one per SIMD lane (lane_kernels.cpp). A
+// result depends neither on the other draws nor on threads.
 #pragma once
 
 #include <cstddef>
@@ -13,18 +13,18 @@
 
 namespace isolaw::building {
 
-// nullptr for `scalar`, and for a law without a coupled form.
+// The explicit integration of a law. nullptr for `scalar`, and for a law without a two-dimensional form.
 LaneKernel const* lane_kernel(num::InstructionSet set, std::string_view law);
-// Returns the measures [draw][measure] of `draws` [draw][bearing][parameter], parameters in the law's order and units.
-// Failed draws have measures that are not finite. Couplings other than `coupled` use the implicit path, draw by draw,
-// since their laws may depend on the velocity too steeply for an explicit step. The explicit path uses only
-// longest_step_s and rest_s.
+// Returns the measures [draw][measure] of `draws` [draw][bearing][parameter], with parameters in the law's order and
+// units. A draw that failed has measures that are not finite. If `coupling` is not `coupled`, each draw is integrated
+// implicitly, since its law may depend on the velocity too steeply for an explicit step. The explicit integration uses
+// only longest_step_s and rest_s of the options.
 std::vector<double> respond(Model const& model, std::string_view law, std::span<double const> draws,
                             Motion const& motion, Options const& options, Coupling coupling = Coupling::coupled,
                             num::InstructionSet set = num::instruction_set());
 
-// The longest step [s] of the explicit path on bearings with this stiffness at rest ([bearing], 2 x 2 by rows):
-// dt^2 K = m / 2, an eighth of the limit of stability, which leaves a margin for draws that are twice as stiff.
+// The longest step [s] of the explicit integration on bearings with this stiffness at rest ([bearing], 2 x 2 by rows):
+// dt^2 K = m / 2, an eighth of the limit of stability, which leaves a margin for stiffer draws.
 double longest_explicit_step(Model const& model, std::span<std::array<double, 4> const> first_stiffness);
 
 }  // namespace isolaw::building

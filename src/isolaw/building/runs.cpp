@@ -123,7 +123,7 @@ Connection opened(Path const& file, std::vector<StudyProperty> const& properties
   auto db = building_store().to_write(file);
   StoreKind::as_ours(file, [&] {
     auto const held = campaign::read_part(db);
-    // A merge will read this part, and would take a file that was cut off within a page for a whole one.
+    // A merge will read this part, and would not notice that the file was cut off within a page.
     if (held) campaign::require_sound(file, "--fresh to start over");
     auto different = differences_of(read_properties(db), properties);
     auto const named = [](std::optional<campaign::Part> const& which) {
@@ -152,7 +152,7 @@ Connection opened(Path const& file, std::vector<StudyProperty> const& properties
   return db;
 }
 
-// The runs that a store is to hold, and how many measures each has.
+// The runs that a complete store holds, and how many measures each run has.
 struct Expected {
   std::vector<StudyProperty> laws, motions;
   std::vector<Case> cases;
@@ -225,7 +225,7 @@ bool RunStore::is_there(Blocks::Block const& block) const {
 void RunStore::add(std::vector<Row> const& rows) {
   Transaction transaction(db_);
   {
-    // A merge in another program may have stored a part of the block already; its rows stay.
+    // A merge in another program may have stored some of these rows already. The rows in the store stay.
     Statement insert(db_, "INSERT OR IGNORE INTO runs VALUES (?, ?, ?, ?)");
     for (auto const& row : rows) insert.bind(row.law, row.motion, row.place, row.measured).insert();
   }
@@ -420,7 +420,7 @@ class StudyMerge : public campaign::Merge {
  public:
   explicit StudyMerge(std::function<void(MissingRun const&)> const& missing)
       : Merge(building_store(), building_maker()), missing_(missing) {}
-  StudyPart part = {};  // the first of them
+  StudyPart part = {};  // the first part that was merged
 
  private:
   std::vector<std::string> differences(Path const& first, Path const& file) override {

@@ -1,5 +1,5 @@
 // Runs the analyses of a building on several threads and stores them in one SQLite file. An interrupted study is
-// continued, and several machines may share one: their parts are merged into the file that one machine would have made.
+// continued. Several machines may share a study: their parts are merged into the file that one machine would have made.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ struct Study {
   std::vector<LawSource> laws;
 };
 
-// One thing that the runs of a store depend on.
+// One of the inputs on which the runs in a store depend.
 struct StudyProperty {
   std::string kind, name, value;  // kind: setting, building, motion or law
   bool operator==(StudyProperty const&) const = default;
@@ -28,24 +28,24 @@ struct StudyProperty {
 // Everything that the numbers depend on besides the program and its instruction set: settings by value, inputs by hash.
 std::vector<StudyProperty> properties_of(Study const& study);
 
-// The part of a study, nullopt for all of it, and the paths of the inputs that the merged study needs for its answers.
+// The part of a study in a store (nullopt: all of it), and the paths of the inputs for the merged study's answers.
 struct StudyPart {
   std::optional<campaign::Part> part = {};
   std::string building_file = {}, campaign = {};
   std::vector<std::string> motions = {};
 };
 
-// Cuts the runs of a study into blocks, by law, motion and place in cases_of(). Threads and parts share the blocks.
+// Cuts the runs of a study into blocks of cases of one law and motion. Threads and parts share out whole blocks.
 class Blocks {
  public:
   Blocks(std::size_t laws, std::size_t motions, std::size_t cases) : laws_(laws), motions_(motions), cases_(cases) {}
   struct Block {
-    std::size_t law, motion, from, to;  // places from <= place < to
+    std::size_t law, motion, from, to;  // indices in cases_of(): from <= index < to
   };
   std::size_t count() const { return laws_ * motions_ * blocks_per_motion(); }
   Block at(std::size_t number) const;
   std::size_t runs() const { return laws_ * motions_ * cases_; }
-  // The part, counted from 1, that computes a block. Blocks of one law cost the same, so dealing in turn is even.
+  // The part, counted from 1, that computes a block. Dealing in turn is even, since blocks of one law cost the same.
   static int part_of(std::size_t number, int parts) {
     return static_cast<int>(number % static_cast<std::size_t>(parts)) + 1;
   }
@@ -63,7 +63,7 @@ class RunStore {
            StudyPart const& part = {});
 
   struct Row {
-    std::size_t law = 0, motion = 0, place = 0;  // place: in cases_of()
+    std::size_t law = 0, motion = 0, place = 0;  // place: index in cases_of()
     std::vector<double> measured;
   };
   std::size_t runs_there() const;
@@ -82,11 +82,11 @@ struct MissingRun {
   int part = 0;  // the part that should hold it; 0 if the number of parts is not known
 };
 struct MergedStudy : campaign::Merged {
-  StudyPart part = {};  // the first of them
+  StudyPart part = {};  // the first part that was merged
 };
 struct MergeOptions {
   std::function<void()> before_replacing = {};          // called when the study's outputs become outdated
-  std::function<void(MissingRun const&)> missing = {};  // called for each missing run, in order
+  std::function<void(MissingRun const&)> missing = {};  // called for each missing run, in the order of the blocks
   bool fresh = false;                                   // see campaign::Merge::run
 };
 // See campaign::Merge::run.
@@ -99,7 +99,7 @@ class Runs {
   explicit Runs(Study const& study);  // the study must outlive it
   Blocks const& blocks() const { return blocks_; }
   std::vector<RunStore::Row> of(Blocks::Block const& block) const;
-  // Whether the block's runs use the implicit path, one by one, as all runs do whose law is not in its coupled form.
+  // Whether the block's runs are integrated implicitly, one by one, as for all laws not used in their coupled form.
   bool one_by_one(Blocks::Block const& block) const { return devices_[block.law].coupling() != Coupling::coupled; }
 
  private:
@@ -112,16 +112,16 @@ class Runs {
 };
 
 struct RunProgress {
-  std::size_t done = 0, total = 0;  // analyses
+  std::size_t done = 0, total = 0;  // numbers of analyses
 };
 struct RunAllOptions {
   std::function<void(RunProgress const&)> progress = {};  // by one thread at a time; an exception ends the runs
-  std::optional<campaign::Part> part = {};                // computes this part only
+  std::optional<campaign::Part> part = {};                // compute this part only
   std::function<bool()> interrupted = {};                 // asked between runs, from any thread
 };
-// Throws Error like Runs. Finished runs are stored, whatever ends the call. Returns false if it was interrupted.
+// Throws Error like the constructor of Runs. Finished runs are stored even so. Returns false if it was interrupted.
 bool run_all(Study const& study, RunStore& store, std::size_t threads, RunAllOptions const& options = {});
-// The options of a law's runs. Their step is the smaller of the settings' step and longest_explicit_step() for the
+// The options of a law's runs. The step is the smaller of the settings' step and longest_explicit_step() for the
 // bearings of the upper bound analysis at rest.
 Options options_of(Study const& study, Model const& model, Devices const& devices);
 

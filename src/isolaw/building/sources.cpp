@@ -13,7 +13,7 @@
 namespace isolaw::building {
 namespace {
 
-// The power of the force in a unit: 1 for "kN", "kN/mm" and "kN s/mm", -1 for "1/(kN mm)".
+// The power of the unit of force in a unit: 1 for "kN", "kN/mm" and "kN s/mm", -1 for "1/(kN mm)".
 int power_of_force(std::string_view unit, std::string_view force) {
   auto const start = unit.find(force);
   if (start == std::string_view::npos) return 0;
@@ -77,7 +77,7 @@ lot::Population population_again(lot::Population const& population, num::Stream 
       for (std::size_t j = 0; j < values.size(); ++j) estimate.covariance[i][j] *= unit(i) * unit(j);
     estimates.push_back(std::move(estimate));
   }
-  // Leaves out the parameters that the first estimate left out, since no test determined them.
+  // The first estimate left out the parameters that no test determined, so this one leaves them out too.
   std::vector<std::size_t> without;
   for (std::size_t i = 0; i < population.std.size(); ++i)
     if (population.std[i] == 0.0) without.push_back(i);
@@ -142,7 +142,7 @@ std::vector<double> Devices::of(Case const& which) const {
   auto const draws = static_cast<std::size_t>(std::ranges::count(places_, Stands::draw, &BearingPlace::stands));
   std::vector<std::vector<double>> drawn(draws, source_.median);
   auto const draw = [&](lot::Population const& population, num::Stream const& stream) {
-    // A re-estimated population may have no scatter; its devices are all the median.
+    // A re-estimated population may have no scatter. All devices drawn from it then have the median parameters.
     if (draws == 0) return;
     if (!population.has_covariance()) {
       std::ranges::fill(drawn, full(population.medians));

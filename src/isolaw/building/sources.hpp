@@ -22,26 +22,26 @@ struct LawSource {
   std::vector<double> lot;                             // the lot's law
   std::map<std::string, std::vector<double>> devices;  // tested devices, by name
   lot::Population population;                          // without a covariance no bearing may be a draw
-  // [parameter] its index in the population; nullopt if all devices have the value in `median`.
+  // [parameter] index of the parameter in the population; nullopt if all devices have the value in `median`.
   std::vector<std::optional<std::size_t>> place;
   std::vector<double> median;
   std::vector<lot::Limits> limits;   // [parameter of the population]
   double tested_mm = 0.0;            // largest displacement in the tests; 0: not known
   bool as_springs = false;           // the parameters were fitted as springs around the circle
-  std::vector<Finding> doubts = {};  // about its calibration; numbers do not depend on them
+  std::vector<Finding> doubts = {};  // about the law's calibration; no number depends on them
 };
 
-// The parameters of the same device with forces `factor` times as large. `parameters` are in the law's units.
+// The parameters, in the law's units, of a device whose forces are `factor` times as large.
 std::vector<double> with_force(std::string_view law, std::vector<double> parameters, double factor);
 
-// The bearings of one analysis. Bearings that are not draws are the same in all analyses, except for factors.
+// Which bearings an analysis has. Bearings that are not drawn differ between analyses only by a factor on forces.
 enum class CaseKind {
   nominal,  // every draw is the population's median
-  lower,    // nominal, all forces times the factor `lower` or `upper`
+  lower,    // as nominal, with all forces times Settings::lower (or upper)
   upper,
-  factor,    // nominal, all forces times grid_factor(draw)
+  factor,    // as nominal, with all forces times grid_factor(draw)
   draw,      // every draw is a device of its own from the population
-  uncertain  // as draw, from a population estimated again (population_again)
+  uncertain  // as draw, but from a population estimated again (population_again)
 };
 struct Case {
   CaseKind kind = CaseKind::nominal;
@@ -55,15 +55,15 @@ inline double grid_factor(std::uint32_t i) {
 }
 
 std::string text(Case const& which);  // "nominal", "factor 0.60", "draw 7", "population 2 draw 7"; counted from 1
-// All analyses of a law under one motion, in the order of the store.
+// All analyses of a law under one motion, in the order in which the store counts them.
 std::vector<Case> cases_of(Settings const& settings);
-// coupled if all parameter sets of the law have a coupled form; else springs, or separate if no motion goes along y.
+// Coupling::coupled if all parameter sets have a coupled form; else springs, or separate if all motions go along x.
 Coupling coupling_in(BuildingFile const& file, LawSource const& source);
 
 // The bearings of one law. A random number depends on (seed, law, population, draw, bearing) only.
 class Devices {
  public:
-  // Throws Error if a bearing is a draw and the law has no population with a covariance, or is an unknown device.
+  // Throws Error if a bearing is a draw but the law has no population with a covariance, or if a device is unknown.
   Devices(LawSource source, BuildingFile const& file);
 
   LawSource const& source() const { return source_; }

@@ -1,14 +1,14 @@
-// The parts that both integrators of a building share: the superstructure's modes over one step, the measures of a run,
-// and the explicit path. The scalar is double, or a batch with one draw per lane. Plain arrays only, because this is
-// also compiled once per instruction set (fit/kernels.cpp says what that requires).
+// Code that the implicit and the explicit integration of a building share: the superstructure's modes over one step and
+// the measures of a run. The explicit integration itself is here too. The scalar T is double, or a batch with one draw
+// per lane. Only plain arrays are used, since this is also compiled once per instruction set (fit/kernels.cpp).
 //
-// Both integrators are Newmark's method with gamma = 1/2 (Newmark 1959). The modes take average acceleration (beta =
-// 1/4), and so does the base where an iteration finds its force (integrate.cpp). In explicit_run the base takes central
-// differences (beta = 0), with the force at the displacement reached. The modes at a step's end are linear in the
-// base's acceleration there, so they enter the base's equation as a constant 3 x 3 matrix. Undamped, this mixture is
-// stable for dt^2 K < 4 m, with K the bearings' stiffness and m the base slab's mass, however stiff the superstructure
-// (Hughes and Liu 1978 for such partitions). Rejected: the exact response of the modes to a base acceleration that is
-// linear over the step. With 95 % of the mass above and a period of three or four steps it grows 2.5-fold a step.
+// Both integrations are Newmark's method with gamma = 1/2 (Newmark 1959). The modes have average acceleration (beta =
+// 1/4), and so has the base in the implicit integration (integrate.cpp). In explicit_run() the base has central
+// differences (beta = 0), with the bearings' forces at the displacement reached. The modes' accelerations at the end of
+// a step are linear in the base's, so they enter the base's equation as a constant 3 x 3 matrix. Undamped,
+// explicit_run() is stable for dt^2 K < 4 m, with K the bearings' stiffness and m the base slab's mass, however stiff
+// the superstructure (Hughes and Liu 1978). Rejected: the exact response of the modes to a base acceleration that is
+// linear over the step. With 95 % of the mass above the base and a period of 3 or 4 steps it grows 2.5-fold a step.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@
 
 namespace isolaw::building {
 
-// A structure on its bearings as arrays of the shapes that Structure names.
+// A structure and its bearings as plain arrays. Structure's functions of the same names give the shapes.
 struct StructureArrays {
   std::size_t modes = 0, floors = 0, bearings = 0, corners = 0;
   double const *mass = nullptr, *frequency = nullptr, *damping = nullptr, *participation = nullptr, *shape = nullptr,
@@ -28,8 +28,8 @@ struct StructureArrays {
   double const *bearing_at = nullptr, *corner_at = nullptr;  // [][2], mm from the base's centre of mass
 };
 
-// The measures of a run: first these, then in this order the accelerations of all diaphragms from the base up, the
-// shears of all storeys, their drifts, the displacements of all bearings, and the work done on each.
+// The array of a run's measures holds these first, then the accelerations of all diaphragms from the base up, the
+// shears of all storeys, the drifts of all storeys, the displacements of all bearings, and the work on each bearing.
 enum class Measure : std::size_t { isolator, centre, corner, rotation, end, shear, input, hysteretic, damped, balance };
 inline constexpr std::size_t measures_of_all = 10;
 
@@ -49,20 +49,20 @@ struct Layout {
   ISOLAW_AWAY constexpr std::size_t count() const { return measures_of_all + 1 + 3 * floors + 2 * bearings; }
 };
 
-// A step of length dt: at its end mode k has q'' = share_k (free part_k - participation_k . A).
+// A step of length dt. At its end mode k has q'' = share_k (free_part_k - participation_k . A), with Run::A.
 struct ModeStep {
   double dt = 0.0;
   double const* share = nullptr;  // [mode]
 };
 
-// Everything that changes over a run. The caller owns the arrays.
+// The state and the measures of a run. The caller owns the arrays.
 template <class T>
 struct Run {
-  T u[3], v[3], A[3];          // base: displacement and velocity relative to the ground, acceleration in space
-  T f[3];                      // sum of the bearings' forces at its centre of mass, positive along the displacement
+  T u[3], v[3], A[3];          // base: displacement and velocity relative to the ground, absolute acceleration
+  T f[3];                      // bearings' forces summed at the base's centre of mass, positive along displacement
   T *q, *qv, *qa, *free_part;  // [mode]
   T *d, *force;                // [bearing][2]: displacement and force
-  T* measured;                 // [Layout::count()]; lengths of vectors as squares until finish_run()
+  T* measured;                 // [Layout::count()]; the squares of lengths until finish_run()
   T damped_rate;               // power of the modes' damping at the last instant
 };
 ISOLAW_AWAY constexpr std::size_t run_scalars(std::size_t modes, Layout const& layout) {
@@ -84,7 +84,7 @@ inline void start_run(Run<T>& run, StructureArrays const& s, T* memory) {
   run.damped_rate = T(0.0);
 }
 
-// The free part of every mode at the end of the step, and the force that these parts exert on the base.
+// Computes free_part of every mode (see ModeStep), and the force of the modes on a base that does not accelerate.
 template <class T>
 inline void modes_freely(Run<T>& run, StructureArrays const& s, ModeStep const& step, T (&on_base)[3]) {
   for (std::size_t i = 0; i < 3; ++i) on_base[i] = T(0.0);
@@ -113,8 +113,8 @@ inline void modes_reach(Run<T>& run, StructureArrays const& s, ModeStep const& s
   }
 }
 
-// The largest square of a length over a step: at its end, or at a maximum between its ends of the cubic through both.
-// `rate` is the derivative of the square by time.
+// Largest value within a step of a squared length with the rates (derivatives by time) rate0 and rate1 at its ends. It
+// is the value at the end, or a maximum inside the step of the cubic through both ends.
 template <class T>
 inline T largest_within(T const& square0, T const& rate0, T const& square1, T const& rate1, double dt) {
   using num::max;
@@ -133,7 +133,7 @@ inline void at_point(T const (&base)[3], double const* point, T& x, T& y) {
   y = base[1] + T(point[0]) * base[2];
 }
 
-// Acceleration of a diaphragm's centre of mass in space; diaphragm 0 is the base.
+// Absolute acceleration of a diaphragm's centre of mass. Diaphragm 0 is the base.
 template <class T>
 inline void acceleration_of(Run<T> const& run, StructureArrays const& s, std::size_t diaphragm, T& x, T& y) {
   x = run.A[0], y = run.A[1];
@@ -149,7 +149,7 @@ inline void acceleration_of(Run<T> const& run, StructureArrays const& s, std::si
   add(1, y);
 }
 
-// The suffixes 0 and 1 denote the start and the end of the step; `run` is at the end. momentum() gives the momenta.
+// Adds a step to the measures. Suffixes 0 and 1 mean its start and end; `run` is at the end. momentum() gives momenta.
 template <class T>
 inline void measure(Run<T>& run, StructureArrays const& s, double dt, T const (&u0)[3], T const (&v0)[3],
                     double const (&ground0)[2], double const (&ground1)[2], T const& momentum0_x, T const& momentum0_y,
@@ -195,7 +195,7 @@ inline void measure(Run<T>& run, StructureArrays const& s, double dt, T const (&
     keep(layout.storey_shear(storey), shear[0] * shear[0] + shear[1] * shear[1]);
   }
 
-  // Input: ground acceleration times momentum, both linear over the step, integrated exactly. Damping: trapezium rule.
+  // Input energy of the step, exact if the ground acceleration and the momentum are linear over the step.
   auto const power = [&](double g0, double g1, T const& p0, T const& p1)
                          ISOLAW_AWAY { return T(-dt / 6.0) * (T(2.0 * g0 + g1) * p0 + T(g0 + 2.0 * g1) * p1); };
   run.measured[index_of(Measure::input)] +=
@@ -206,7 +206,7 @@ inline void measure(Run<T>& run, StructureArrays const& s, double dt, T const (&
   run.damped_rate = rate;
 }
 
-// Adds the work of a step on bearing j, by the trapezium rule, and keeps its new place and force.
+// Adds the work of a step on bearing j, by the trapezium rule, and keeps the bearing's new displacement and force.
 template <class T>
 inline void measure_bearing(Run<T>& run, StructureArrays const& s, std::size_t j, T const& x, T const& y, T const& fx,
                             T const& fy) {
@@ -216,7 +216,7 @@ inline void measure_bearing(Run<T>& run, StructureArrays const& s, std::size_t j
   d[0] = x, d[1] = y, f[0] = fx, f[1] = fy;
 }
 
-// Updates the largest displacement of every bearing; needs the velocity at the end of the step.
+// Updates the largest displacement of every bearing. `run` must be at the end of the step.
 template <class T>
 inline void measure_displacements(Run<T>& run, StructureArrays const& s, double dt, T const (&u0)[3],
                                   T const (&v0)[3]) {
@@ -246,8 +246,8 @@ inline T momentum(Run<T> const& run, StructureArrays const& s, std::size_t i) {
   return sum;
 }
 
-// Turns squares into lengths and computes the balance: input energy minus kinetic, strain, damped and bearings' energy,
-// divided by the larger of the input and the bearings' energy. An exact integration leaves 0.
+// Turns measured squares into lengths and computes the balance: input energy less kinetic, strain and damped energy and
+// the bearings' work, over the larger of the input and the bearings' work. An exact integration gives 0.
 template <class T>
 inline void finish_run(Run<T>& run, StructureArrays const& s) {
   using num::abs;
@@ -279,7 +279,7 @@ inline void finish_run(Run<T>& run, StructureArrays const& s) {
   for (std::size_t i = layout.acceleration(0); i < layout.energy(0); ++i) run.measured[i] = sqrt(run.measured[i]);
 }
 
-// Ground accelerations at equal steps, linear between samples. After the last they fall to zero over one interval.
+// Ground accelerations at equal steps, linear between samples. After the last sample they fall to zero in one interval.
 struct Ground {
   double const *x = nullptr, *y = nullptr;  // mm/s2; y may be nullptr
   std::size_t samples = 0;
@@ -300,17 +300,17 @@ struct Ground {
   }
 };
 
-// The explicit path. `inverse` [3][3] is the inverse of M - sum share participation participation^T.
+// Explicit integration of a building. `inverse` [3][3] is the inverse of Model::condensed_mass().
 // force_of(j, x, y, vx, vy, fx, fy) is called once per step for each bearing j, in order. It moves the bearing to its
 // displacement (x, y) at the end of the step, sets its force (fx, fy) [kN] at the end, positive along the displacement,
-// and advances its state. (vx, vy) is the velocity extrapolated from the start, v + dt a, off by a term of order dt^2.
+// and advances its state. (vx, vy) is extrapolated from the start of the step, v + dt a, with an error of order dt^2.
 template <class T, class Force>
 inline void explicit_run(Run<T>& run, StructureArrays const& s, ModeStep const& step, double const* inverse,
                          Ground const& ground, Force const& force_of) {
   double const dt = step.dt;
   double g0[2], g1[2];
   ground.at(0, g0);
-  // The building starts at rest: no bearing has a force, so nothing accelerates in space before the ground has moved.
+  // The building starts at rest and without forces in its bearings, so momentum and absolute accelerations are zero.
   T p0x(0.0), p0y(0.0);
   for (std::size_t n = 0; n < ground.steps; ++n) {
     ground.at(n + 1, g1);

@@ -3,9 +3,9 @@
 // Source: Chopra, Dynamics of Structures, sections 9.5 and 18; Naeim and Kelly, Design of Seismic Isolated Structures.
 //
 // The superstructure is linear: its motion relative to the rigidly moving base is a sum of its modes on a fixed base.
-// With u_b the base relative to the ground, A the base's acceleration in space and q the modes,
+// With u_b the base's displacement relative to the ground, A its absolute acceleration and q the modes' amplitudes,
 //   q'' + 2 zeta omega q' + omega^2 q = -Gamma A            Gamma = phi^T M_s R, R the rigid motion of the floors
-//   M A + Gamma^T q'' + f(u_b, u_b') = 0                    M the mass of all, as a rigid body
+//   M A + Gamma^T q'' + f(u_b, u_b') = 0                    M the mass of the whole rigid building, f of the bearings
 // No mode is left out, so these are the full equations. Only the modes on the fixed base are damped, not the isolation
 // layer.
 //
@@ -30,7 +30,7 @@ struct Point {
   double x_mm = 0.0, y_mm = 0.0;
 };
 
-// Maps a rigid plate's motion at `from` to its motion at `at`: (ux - y theta, uy + x theta, theta), x, y from `from`.
+// Maps a rigid plate's motion at `from` to its motion at `at`: (ux - y theta, uy + x theta, theta), (x, y) = at - from.
 Matrix3 carried(Point from, Point at);
 
 struct Diaphragm {
@@ -46,12 +46,12 @@ struct Storey {
 Storey storey(double x_kN_mm, double y_kN_mm, double rotation_kNmm, Point centre = {});
 
 struct Floor {
-  Storey below;  // between the floor under it, or the base, and this one
+  Storey below;  // the storey between this floor and the floor or base under it
   Diaphragm slab;
 };
 
 // `count` equal floors with the given first periods along x and y on a fixed base. Their first torsional frequency is
-// `rotation_ratio` times the lower of the two others.
+// `rotation_ratio` times the lower of the first frequencies along x and y.
 std::vector<Floor> equal_floors(std::size_t count, Diaphragm const& slab, double period_x_s, double period_y_s,
                                 double rotation_ratio = 1.3);
 
@@ -61,10 +61,10 @@ struct Frame {
   std::vector<double> damping = {};  // [mode on a fixed base] ratios; the last holds for all further modes
 };
 
-// A frame with its modes, in row-major arrays for loops over lanes.
+// A frame and its modes on a fixed base. The arrays are row-major.
 class Structure {
  public:
-  // Throws one Error: masses and radii not above 0, storeys not positive definite, centres not finite, damping not < 1.
+  // Throws one Error: masses or radii <= 0, storeys not positive definite, centres not finite, damping not in [0, 1).
   explicit Structure(Frame frame);
 
   Frame const& frame() const { return frame_; }
@@ -77,13 +77,13 @@ class Structure {
   std::vector<double> const& frequency_rad_s() const { return frequency_; }  // on a fixed base, ascending
   std::vector<double> const& damping() const { return damping_; }
   std::vector<double> const& participation() const { return participation_; }  // Gamma [mode][3]
-  // The acceleration of a floor's centre of mass in space is rigid A + shape q''.
+  // A floor's centre of mass has the absolute acceleration rigid A + shape q''.
   std::vector<double> const& shape() const { return shape_; }              // [floor][3][mode]
   std::vector<double> const& rigid() const { return rigid_; }              // [floor][3][3]
-  std::vector<double> const& deformation() const { return deformation_; }  // [storey][3][mode], at `centre`
+  std::vector<double> const& deformation() const { return deformation_; }  // [storey][3][mode], at Storey::centre
   std::vector<double> const& shear() const { return shear_; }              // [storey][3][mode], kN and kN mm
 
-  // Circular frequencies [rad/s], ascending, on bearings of this stiffness about the base's centre of mass.
+  // Circular frequencies [rad/s], ascending, on bearings with this stiffness about the base's centre of mass.
   std::vector<double> frequencies_on(Matrix3 const& bearings) const;
 
  private:

@@ -13,12 +13,12 @@ namespace isolaw::building {
 struct SyntheticMotion {
   double step_s = 0.005, duration_s = 20.0;
   double peak_g = 0.35;          // along x; the independent component along y has 0.85 of this
-  double ground_period_s = 0.5;  // the soil's filter
+  double ground_period_s = 0.5;  // natural period of the soil
   double ground_damping = 0.6;
   bool two_components = true;
 };
 
-// Motion `index` of the family `seed`: the same on every machine, except for the last digits of cos and exp.
+// Generates motion `index` of the family `seed`. Machines differ only in the last digits of cos and exp.
 Motion synthetic_motion(std::uint64_t seed, std::uint32_t index, SyntheticMotion const& wanted = {});
 
 }  // namespace isolaw::building

@@ -18,7 +18,7 @@
 namespace isolaw::campaign {
 namespace {
 
-struct LawOnLot {  // a law on all devices that have an analysis of it: the input of the fits to the lot
+struct LawOnLot {  // a law and the devices that have an analysis of it: the input for its fit to the lot
   std::string_view law;
   int refinement = 1;
   std::vector<std::size_t> devices = {};
@@ -61,7 +61,7 @@ class Analysis {
  private:
   bool interrupted() const { return options_.interrupted && options_.interrupted(); }
 
-  // Analyses from when the campaign had fewer runs stay valid if the best run is still one of those runs.
+  // Keeps the analyses from before more runs were asked for, if the best run is still one of the earlier runs.
   void take_earlier_analyses() {
     auto& earlier = contents_.held_over;
     auto const best_is_earlier = [&](std::size_t device, std::string const& law) {
@@ -77,7 +77,7 @@ class Analysis {
       from.clear();
     };
     auto const device_is_valid = [&](auto const& analysis) { return best_is_earlier(analysis.device, analysis.law); };
-    // A device on which the law had no usable run before may have one now.
+    // The law may now have a usable run on a device that had none. The fit to the lot must then include this device.
     auto const lot_is_valid = [&](LotAnalysis const& analysis) {
       std::vector<std::size_t> usable;
       for (auto const& search : contents_.searches)
@@ -122,7 +122,7 @@ class Analysis {
     auto optimum = best.parameters;
     int evaluations = 0;
     if (contents_.settings.method == Method::genetic && box.free_count() > 0) {
-      // A run of the paper's genetic algorithm may end above the least objective, where the analysis must start.
+      // The analysis must start at the least objective, which a run of the paper's genetic algorithm may not reach.
       fit::IdentificationProblem const problem(model, box);
       auto const found = opt::minimise_multistart(problem, stream, contents_.settings.multistart, options_.interrupted);
       if (found.outcome == Outcome::interrupted) return std::nullopt;
@@ -147,8 +147,8 @@ class Analysis {
                           .springs = std::move(springs)};
   }
 
-  // Fits the law as springs to these devices' records, if the settings ask for it and these parameters have no coupled
-  // form in two directions. Returns nullopt otherwise.
+  // Fits the law as springs around the circle to these devices' records. Returns nullopt if the settings do not ask for
+  // it or if the law with these parameters has a coupled two-dimensional form.
   std::optional<fit::AsSprings> as_springs(std::string_view law, std::span<std::size_t const> devices,
                                            fit::SearchBox const& box, std::vector<double> const& parameters,
                                            int refinement) const {

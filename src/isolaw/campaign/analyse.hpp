@@ -1,4 +1,4 @@
-// The analyses after the runs: each device's test, one law for all devices, and that law without each device in turn.
+// The analyses after the runs: of each device's test, of one law for all devices, and of that law without each device.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace isolaw::campaign {
 
-// The box in which a device's analysis moves the parameters: the search's box, with the logarithmic scales of `best`.
+// The box in which the analysis of a device varies the parameters: the search's box on the scales of Method::best.
 fit::SearchBox examined_box(Search const& search);
 // The box in which one law is fitted to all devices that have a DeviceAnalysis of this law.
 fit::SearchBox box_of_lot(Contents const& contents, std::string_view law);
@@ -25,11 +25,11 @@ struct AnalyseOptions {
   std::function<bool()> interrupted;                                  // asked from any thread
   Profile* profile = nullptr;
   Estimate* estimate = nullptr;
-  // Analyse only this share of the devices. If that leaves no device unexamined, also fit this share of the lot's laws.
+  // Analyse only this share of the devices. If none is left to analyse then, also fit this share of laws to the lot.
   std::optional<Part> share = {};
 };
 
-// Whether every device has an analysis of each law that has a usable run on it. Fits to the lot start from these.
+// Whether every law with a usable run on a device has its analysis there. The fits to the lot start from them all.
 bool every_device_examined(Contents const& contents);
 // Makes the analyses that are missing and adds them to the store and to `contents`, whose runs must be complete and
 // sorted. The result depends on the runs and the settings alone. Returns how many threads the system allowed.

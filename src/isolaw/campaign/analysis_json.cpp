@@ -18,7 +18,7 @@ using analysis::Verdict;
 template <class T, class Of>
 concept A = std::same_as<std::remove_const_t<T>, Of>;
 
-// The stored members of each struct. `each(key, member)` writes or reads a member; several members of a key are a list.
+// Names the stored members of each struct. each(key, member) writes or reads one; several members of a key form a list.
 void members(auto const& each, A<analysis::Profile> auto& p) {
   each("value", p.value)("objective", p.objective);
 }

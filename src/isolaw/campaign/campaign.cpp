@@ -22,9 +22,9 @@
 namespace isolaw::campaign {
 namespace {
 
-// One law on one device. A LawOnRecord is a hundred times larger, so only running tasks hold one.
+// A law to be fitted to a device. Its LawOnRecord is a hundred times larger, so it is made only while a task runs.
 struct Target {
-  std::size_t place;  // index among the campaign's searches
+  std::size_t place;  // index in Contents::searches
   Search const* search;
   num::Stream stream;
 };
@@ -34,7 +34,7 @@ struct Task {
   int number;
 };
 
-// For a box in which every parameter is fixed: its only point is the result.
+// If every parameter is fixed, the box is a single point, and this point is the result of the search.
 opt::SearchResult evaluate_fixed(Target const& target, fit::LawOnRecord const& model, Method method) {
   opt::SearchResult result;
   std::vector<double> parameters(target.search->box.parameters.size()), work;
@@ -60,7 +60,7 @@ opt::SearchResult search_by(Settings const& settings, Target const& target, fit:
              : opt::minimise_multistart(problem, stream, settings.multistart, interrupted);
 }
 
-void fail(Run& run, std::string why) {  // keeps its statistics and drops its parameters
+void fail(Run& run, std::string why) {  // keeps the run's counts and history, drops its parameters
   run.outcome = Outcome::no_finite_value;
   run.failure = std::move(why);
   run.objective = run.integration_shift = std::nan("");
@@ -83,14 +83,14 @@ Run finished(Target const& target, fit::LawOnRecord const& model, int number, op
   }
   run.parameters.resize(target.search->box.parameters.size());
   target.search->box.expand(result.best, run.parameters);
-  std::vector<double> work;  // reported numbers come from the scalar path, whichever kernels searched
+  std::vector<double> work;  // scalar code gives the reported numbers, whichever vector code searched
   run.objective = model.objective(run.parameters, work);
   run.integration_shift = model.integration_shift(run.parameters);
   return run;
 }
 
-// If more than a thousandth of an optimum's value comes from the integration step, the law is fitted again from this
-// optimum in finer steps, until steps two and four times finer agree. The run fails if they give no finite force.
+// If more than a thousandth of an optimum's objective is step error, the law is fitted again from this optimum in finer
+// steps, until steps two and four times finer agree. The run fails if finer steps give no finite force.
 void refit_in_finer_steps(Target const& target, fit::LawOnRecord model, Run& run) {
   constexpr double tolerance = 1e-3;
   if (!model.law().info.traits.path_integrated) return;
@@ -204,7 +204,7 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
       refit_in_finer_steps(target, std::move(model), run);
     std::scoped_lock const lock(one_writer);
     note(run);
-    store.add(run);  // after this nothing may fail, since a task that ran out of memory is repeated
+    store.add(run);  // nothing below may fail: a task that ran out of memory is repeated and would be stored twice
     ++progress.done;
     meter.count_evaluations(Phase::search, run.evaluations);
     estimate.done(TaskKind::run, run.law);
@@ -243,7 +243,7 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
   }
   if (short_of_threads && options.short_of_threads) options.short_of_threads(static_cast<int>(worked));
   bool const complete = contents.complete();  // may be true although an interruption was asked for during the last run
-  bool const plain = store.finish();  // also after an interruption, so that the next reader finds one plain file
+  bool const plain = store.finish();          // after an interruption too, so that the next reader finds one plain file
   opened.reset();
   if (complete && plain) campaign_store().put_in_order(file);
   own.lap(Phase::report);

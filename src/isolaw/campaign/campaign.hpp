@@ -14,9 +14,9 @@ namespace isolaw::campaign {
 
 struct Progress {
   std::size_t done = 0, total = 0;     // runs or analyses
-  bool analysis = false;               // whether they are analyses
+  bool analysis = false;               // whether `done` and `total` count analyses
   std::map<std::string, double> best;  // best objective so far, by law
-  double share = 0.0;                  // estimated share done of all work, including what was stored before
+  double share = 0.0;                  // estimated share of all work that is done, including work stored earlier
   double left_s = 0.0;                 // estimated time until all runs and analyses are done
 };
 
@@ -24,14 +24,14 @@ struct RunOptions {
   int jobs = 0;                                    // threads, up to most_jobs; 0: one per core
   std::function<void(Progress const&)> progress;   // called from one thread at a time; must not throw
   std::function<bool()> interrupted;               // called between generations or starts, from any thread
-  std::function<void(int)> short_of_threads = {};  // called at the end with the number of threads, if it was smaller
-  Profile* profile = nullptr;                      // the time and work of the phases are added to it
+  std::function<void(int)> short_of_threads = {};  // called at the end if fewer threads were given, with their number
+  Profile* profile = nullptr;                      // time and work of the phases are added to it
   std::optional<Part> share = {};                  // the share of the analyses to make: see AnalyseOptions
 };
 
 // Computes the runs and analyses that `store` does not hold yet and adds them. The result of a run depends only on
 // (seed, device name, law, number) and the settings. Finished runs are kept whatever happens. Returns whether the
-// campaign, or this part of it, is complete; false if it was interrupted before.
+// campaign, or the part of it in `store`, is complete now.
 bool run(Contents& contents, std::filesystem::path const& store, RunOptions const& options);
 
 }  // namespace isolaw::campaign

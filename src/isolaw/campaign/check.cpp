@@ -20,7 +20,7 @@
 namespace isolaw::campaign {
 namespace {
 
-// If the law itself computed the record, the objective is near zero and consists of rounding errors.
+// Smaller objectives are treated as this one: if the law itself computed the record, they consist of rounding errors.
 constexpr double smallest_objective = 1e-3;
 bool close_objectives(double a, double b) {
   return std::abs(a - b) <= fit::evaluation_tolerance * std::max({std::abs(a), std::abs(b), smallest_objective});
@@ -31,7 +31,7 @@ bool close(double a, double b) {
          std::abs(a - b) <= fit::evaluation_tolerance * std::max(std::abs(a), std::abs(b));
 }
 
-// Differences are measured against the size of the channel, not of the sample, which may be near zero.
+// Compares differences with the largest value of the channel, because the value of a single sample may be near zero.
 bool close(std::vector<double> const& a, std::vector<double> const& b) {
   double size = 0.0;
   for (double const value : a) size = std::max(size, std::abs(value));
@@ -52,7 +52,7 @@ void check_record(Device const& device, Settings const& settings, std::vector<st
   }
 }
 
-// A curve that differs from the one read is a fault in any build. The stiffness found from it may depend on the build.
+// A stored curve that has changed is a fault in any build. The stiffness found from the curve may depend on the build.
 void check_vertical(Device const& device, std::vector<std::string>& faults, std::vector<std::string>& found) {
   auto const& test = device.vertical;
   if (!test.curve_sha256.empty() && test.curve_sha256 != data::curve_hash(test))
@@ -100,7 +100,7 @@ class Checker {
       if (!inside) complain(where, fmt::format("{} = {} lies outside its box", p.name, run.parameters[i]));
     }
     hold(where, run.device, run.law, run.refinement, run.parameters, run.objective);
-    // The shift is the difference of two objectives, hence twice the tolerance of one.
+    // The shift is the difference of two objectives, so it gets twice the tolerance of one objective.
     double const shift =
         law_on_device(contents_, run.device, run.law, run.refinement).integration_shift(run.parameters);
     bool const same = shift == run.integration_shift ||
@@ -144,7 +144,7 @@ class Checker {
   }
 
  private:
-  // Checks the number of evaluations and the outcome, as far as the settings and the history determine them.
+  // Checks the number of evaluations and the outcome of a run, as far as the settings and the history determine them.
   void check_course(std::string const& where, Search const& search, Run const& run) {
     bool const searched = search.box.free_count() > 0;
     auto const [evaluations, end] =
@@ -168,7 +168,7 @@ class Checker {
             .end = searched ? opt::outcome_of(run.history, genetic) == run.outcome
                             : count == 1 && run.outcome != Outcome::stagnated};
   }
-  // The history has a value for each start and, if the search was confirmed, one for the final refinement.
+  // With Method::best the history has one value for each start and one for the final refinement of a confirmed search.
   Possible descents(bool searched, Run const& run) const {
     auto const& options = contents_.settings.multistart;
     auto const least = static_cast<std::size_t>(searched && run.usable() ? options.least_starts : 1);
@@ -181,7 +181,7 @@ class Checker {
   void hold(std::string const& where, std::size_t device, std::string const& law, int refinement,
             std::vector<double> const& parameters, double stored) {
     double const again = law_on_device(contents_, device, law, refinement).objective(parameters, work_);
-    bool const both_infinite = std::isnan(stored) && !std::isfinite(again);  // NaN is stored for no finite force
+    bool const both_infinite = std::isnan(stored) && !std::isfinite(again);  // a stored NaN stands for no finite force
     double const difference =
         both_infinite || again == stored ? 0.0 : std::abs(again - stored) / std::max(stored, smallest_objective);
     result_.largest_difference = std::max(result_.largest_difference, difference);

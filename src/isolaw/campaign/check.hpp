@@ -10,16 +10,16 @@ namespace isolaw::campaign {
 
 struct Check {
   std::size_t devices = 0, searches = 0, runs = 0, expected_runs = 0, analyses = 0, expected_analyses = 0;
-  double largest_difference = 0.0;       // the largest relative difference of an objective computed again
-  std::vector<std::string> faults;       // one sentence each; empty: sound
-  std::vector<std::string> differences;  // values of another build that this one computes otherwise, which is no fault
+  double largest_difference = 0.0;       // the largest relative difference between a stored and a recomputed objective
+  std::vector<std::string> faults;       // one sentence each; empty if the store is sound
+  std::vector<std::string> differences;  // values of another build that this build computes otherwise, no faults
   bool of_another_build = false;         // whether another build computed any part of the store
 };
 
 // Runs SQLite's own check, checks indices and lengths, cleans each raw record again and makes the boxes again. A run's
 // parameters must lie in the box. The parameters of runs, of optima, and of the laws of the lot with and without each
-// device must give the stored objectives. No profile may fall below its optimum. Intervals are not computed again. All
-// values agree within fit::evaluation_tolerance, so another machine may check. Throws Error if the file is no store.
+// device must give the stored objectives. No profile may fall below its optimum. Intervals are not computed again.
+// Values may differ by fit::evaluation_tolerance, so another machine may check. Throws Error if the file is no store.
 Check check(std::filesystem::path const& file);
 
 }  // namespace isolaw::campaign

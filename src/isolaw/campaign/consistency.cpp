@@ -58,7 +58,7 @@ void require_search(Contents const& campaign, Search const& s) {
   }
 }
 
-// These words are printed, and written into input files of other programs, hence the limits.
+// Limits the words about a build, because they are printed and written into input files of other programs.
 void require_words(Maker const& maker) {
   constexpr std::size_t longest = 64;
   for (auto const& word : {maker.version, maker.build, maker.instruction_set})

@@ -1,5 +1,5 @@
-// Checks that the indices and lengths in Contents fit together, as its readers expect. This is done whenever a store is
-// read, and before anything is written, so that nothing is stored that a reader would refuse.
+// Checks that the indices and lengths in Contents fit together, as its readers expect. A store is checked whenever it
+// is read. Contents are checked before they are written, so that nothing is stored that a reader would refuse.
 #pragma once
 
 #include "isolaw/campaign/contents.hpp"

@@ -22,12 +22,12 @@ namespace isolaw::campaign {
 struct Maker {  // the program that computed a part of a campaign
   std::string version;
   std::string build;            // a hash of the sources that determine numbers; empty if not known
-  std::string instruction_set;  // the search's; empty if not known
+  std::string instruction_set;  // that of the search; empty if not known
 
   bool operator==(Maker const&) const = default;
 };
 
-struct DeviceInfo {  // as the lot file states it, besides the record
+struct DeviceInfo {  // what the lot file states about a device besides its record
   std::string serial, lot, test_date;
   std::optional<double> temperature_C, rubber_thickness_mm, rubber_area_mm2;
 
@@ -36,56 +36,56 @@ struct DeviceInfo {  // as the lot file states it, besides the record
 
 struct Device {
   std::string name;
-  std::string file;  // as given, relative to the lot file
+  std::string file;  // path as given, relative to the lot file
   DeviceInfo info;
   std::string refusal = {};                // why the device is left out; empty for a usable one
-  std::vector<Complaint> complaints = {};  // the refusal in parts, as reading the records gave them; not stored
+  std::vector<Complaint> complaints = {};  // the parts of the refusal, as the readers of records gave them; not stored
   data::TestRecord raw = {};
   data::FitRecord record = {};       // the cleaned record that laws are fitted to
-  data::VerticalTest vertical = {};  // no law depends on it, so it may change before a campaign is continued
+  data::VerticalTest vertical = {};  // compression test; no law depends on it, so a continued campaign may change it
 
   bool usable() const { return refusal.empty(); }
 };
 
-struct Search {  // a law on a device: its box, or the reason why there is none
+struct Search {  // a law that is fitted to a device: its box, or the reason why there is none
   std::size_t device = 0;
   std::string law;
   std::string refusal = {};
   fit::SearchBox box = {};
 };
 
-// `best` ends with confirmed or budget_spent, the genetic algorithm with all_generations or stagnated, both also with
-// no_finite_value. Interrupted runs are not kept.
+// A run of Method::best ends with confirmed, budget_spent or no_finite_value, and a run of Method::genetic with
+// all_generations, stagnated or no_finite_value. Interrupted runs are not kept.
 using opt::Outcome;
 std::string_view name(Outcome outcome);
-// The most integration steps per sample that a run may end with. The number of steps is a power of four.
+// The most integration steps per sample that a run may use in the end. Their number is a power of four.
 inline constexpr int finest_refinement = 64;
 
 struct Run {
   std::size_t device = 0;
   std::string law;
-  int number = 0;  // from 1
+  int number = 0;  // counted from 1
   Outcome outcome = Outcome::no_finite_value;
   double objective = 0.0;          // NaN if no parameter set gave a finite force
-  double integration_shift = 0.0;  // how far the objective moves on a much finer path
+  double integration_shift = 0.0;  // how far the objective moves on a path 20 times finer
   int refinement = 1;              // the number of integration steps per sample that the run ended with
   int evaluations = 0;
-  int failed_evaluations = 0;           // how many of them gave no finite force
+  int failed_evaluations = 0;           // evaluations that gave no finite force
   std::string failure = {};             // why the run is not usable; empty for a usable one
-  std::vector<double> parameters = {};  // all of the law's; empty for a run that is not usable
+  std::vector<double> parameters = {};  // all parameters of the law; empty for a run that is not usable
   std::vector<double> history = {};     // best objective after each generation or descent
   std::size_t maker = 0;                // index in Contents::makers; the store sets it
 
   bool usable() const { return !parameters.empty(); }
 };
 
-struct DeviceAnalysis {  // a law on one device, at its least objective: what the test determines
+struct DeviceAnalysis {  // how well one device's test determines a law, examined at the least objective
   std::size_t device = 0;
   std::string law;
-  int refinement = 1;  // the refinement of the run that it starts from
+  int refinement = 1;  // refinement of the run at which the analysis starts
   analysis::Determination determination;
   analysis::Intervals intervals;
-  std::optional<fit::AsSprings> springs = {};  // if they were asked for and the optimum has no coupled form
+  std::optional<fit::AsSprings> springs = {};  // the law as springs, if asked for and the optimum has no coupled form
   std::size_t maker = 0;
 };
 
@@ -93,13 +93,13 @@ struct LotAnalysis {  // one parameter vector for all devices that have a Device
   std::string law;
   int refinement = 1;                          // the largest refinement of the devices
   std::vector<std::size_t> devices;            // the devices that took part, in rising order
-  analysis::OneLaw mean = {};                  // the law of least mean objective; its objectives follow `devices`
-  analysis::LeastWorst worst = {};             // the law with the least objective of the worst device
-  std::optional<fit::AsSprings> springs = {};  // fitted from `mean`, under the same conditions as for a device
+  analysis::OneLaw mean = {};                  // the law of least mean objective; `objectives` follow `devices`
+  analysis::LeastWorst worst = {};             // the law whose largest objective of any device is least
+  std::optional<fit::AsSprings> springs = {};  // fitted from `mean`, if asked for and if `mean` has no coupled form
   std::size_t maker = 0;
 };
 
-struct LeftOutAnalysis {  // the law of the lot without one device, judged on that device
+struct LeftOutAnalysis {  // the law fitted to the lot without one device, judged on that device
   std::size_t device = 0;
   std::string law;
   analysis::LeftOut left_out = {};
@@ -110,15 +110,15 @@ inline constexpr auto by_device_and_law = [](auto const& item) {
   return std::tuple(item.device, std::string_view(item.law));
 };
 
-// Analyses from when the campaign had fewer runs. An analysis stays valid if the best runs it starts from are the same.
+// Analyses from before more runs were asked for. Each stays valid if the best runs that it starts from are the same.
 struct EarlierAnalyses {
-  int runs = 0;  // the number of runs per device and law at that time
+  int runs = 0;  // the number of runs per device and law before
   std::vector<DeviceAnalysis> devices = {};
   std::vector<LotAnalysis> lots = {};
   std::vector<LeftOutAnalysis> left_out = {};
 };
 
-// The requirements for the tests. No law depends on them: they may change before a campaign is continued or reported.
+// No law depends on the requirements for the tests, so they may change before a campaign is continued or reported.
 struct Acceptance {
   std::string rules;            // text of a rule set; empty if there is none
   std::string rules_file;       // name or path of the rule set
@@ -128,7 +128,7 @@ struct Acceptance {
   bool operator==(Acceptance const&) const = default;
 };
 
-// A share of a campaign's runs for one of several machines: part `number` of `of`. It changes no result.
+// A share of a campaign's runs for one of several machines: part `number` of `of`. No result depends on it.
 struct Part {
   int number = 1, of = 1;
 
@@ -136,34 +136,34 @@ struct Part {
 };
 inline constexpr int most_parts = 100'000;
 Part parse_part(std::string_view text);  // "3/40"; throws Error
-std::string text(Part const& part);      // the inverse
+std::string text(Part const& part);      // the inverse of parse_part()
 
-inline constexpr std::string_view whole_lot = "lot";  // named in place of a device for the law of the lot
+inline constexpr std::string_view whole_lot = "lot";  // stands for the law of the lot in place of a device's name
 
 struct Contents {
   std::string title;
   Acceptance acceptance;
   Settings settings;
   std::vector<Device> devices = {};
-  std::vector<Search> searches = {};                 // by device, then in the order of the settings' laws
-  std::vector<Run> runs = {};                        // by device, law, number
-  std::vector<DeviceAnalysis> device_analyses = {};  // by device, law
-  std::vector<LotAnalysis> lot_analyses = {};        // by law
-  std::vector<LeftOutAnalysis> left_out = {};        // by device, law
-  std::vector<Maker> makers = {};                    // the first read the records; empty: only this program
-  std::optional<Part> part = {};                     // the only part computed and stored here; nullopt: all
+  std::vector<Search> searches = {};                 // sorted by device, then as settings.laws
+  std::vector<Run> runs = {};                        // sorted by device, law, number
+  std::vector<DeviceAnalysis> device_analyses = {};  // sorted by device, law
+  std::vector<LotAnalysis> lot_analyses = {};        // sorted by law
+  std::vector<LeftOutAnalysis> left_out = {};        // sorted by device, law
+  std::vector<Maker> makers = {};                    // the first one read the records; empty stands for this program
+  std::optional<Part> part = {};                     // the part computed and stored here; nullopt: the whole campaign
   EarlierAnalyses held_over = {};                    // from before the campaign grew; not stored
 
-  std::size_t expected_runs() const;  // over all parts and the searches that were not refused
+  std::size_t expected_runs() const;  // in all parts together, without refused searches
   std::size_t expected_here() const;  // the runs of this part
-  // Analyses of the whole campaign, given the present runs; 0 if none are asked for. A part makes none itself.
+  // Analyses of the whole campaign that the present runs call for; 0 if none are asked for. A part makes none itself.
   std::size_t expected_analyses() const;
   std::size_t analyses() const { return device_analyses.size() + lot_analyses.size() + left_out.size(); }
   bool complete() const { return runs.size() == expected_here() && (part || analyses() >= expected_analyses()); }
 
   Run const* best_run(std::size_t device, std::string_view law) const;  // the usable run of least objective, or nullptr
   DeviceAnalysis const* analysis_of(std::size_t device, std::string_view law) const;
-  // The index of the named device; nullopt for `whole_lot`, unless a device is called so. Throws Error for other names.
+  // The index of the named device, or nullopt for `whole_lot` if no device has that name. Throws Error for other names.
   std::optional<std::size_t> device_or_lot(std::string_view name) const;
 };
 

@@ -9,16 +9,16 @@ namespace isolaw::campaign {
 Estimate::Estimate(Contents const& contents) : contents_(contents), tasks_(contents.settings.laws.size()) {
   auto const& settings = contents.settings;
   bool const genetic = settings.method == Method::genetic;
-  // Seconds for a step cost of 1, which is 0.01 ns in the law alone. Descents run more code around the law.
+  // Seconds per evaluated sample for a step cost of 1. The law alone takes 0.01 ns; descents run more code around it.
   constexpr double population_s = 1.5e-11, descent_s = 3.5e-11;
-  // Evaluations per device's record, divided by the square of the number of free parameters, between the values of the
-  // example lot and of a measured bearing. After the genetic algorithm an analysis first looks for the least objective.
+  // Evaluations of each device's record, divided by the square of the number of free parameters. The values lie between
+  // those of the example lot and of a measured bearing.
   constexpr double of_run = 100.0, of_device = 230.0, of_lot = 58.0, of_left_out = 4.5;
   double const run_s =
       genetic ? population_s * settings.genetic.population * settings.genetic.generations : descent_s * of_run;
   for (std::size_t i = 0; i < tasks_.size(); ++i) {
     auto const& law = settings.laws[i];
-    double runs = 0.0, descents = 0.0;  // costs, added up over devices
+    double runs = 0.0, descents = 0.0;  // costs of all devices together
     std::size_t devices = 0;
     for (auto const& search : contents.searches) {
       if (search.law != law || !search.refusal.empty()) continue;

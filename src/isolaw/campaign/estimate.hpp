@@ -1,4 +1,4 @@
-// How much of a campaign is done, and how long the rest takes. Tasks are weighted by the step cost of their law.
+// Estimates how much of a campaign is done and how long the rest takes. A task counts by the step cost of its law.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace isolaw::campaign {
 
-// One run of a search; the analysis of one device; a law fitted to the lot; that law fitted without one of the devices.
+// One run of a search; the analysis of one device; a law's fit to the lot; the law's fit to the lot without one device.
 enum class TaskKind { run, device, lot, left_out };
 inline constexpr std::array task_kinds{TaskKind::run, TaskKind::device, TaskKind::lot, TaskKind::left_out};
 
@@ -19,13 +19,13 @@ class Estimate {  // not thread-safe; `contents` must outlive it
  public:
   explicit Estimate(Contents const& contents);  // expects every run and analysis that `contents` lacks
 
-  void expect_none(TaskKind kind);  // except tasks that expect() adds later
+  void expect_none(TaskKind kind);  // expects only tasks that expect() adds later
   void expect(TaskKind kind, std::string_view law) { ++tasks(kind, law).left; }
   void done(TaskKind kind, std::string_view law);
 
   double work_left_s(TaskKind kind) const;  // processor time on the machine where the costs of the laws were measured
-  double share() const;                     // of all work that is done, 0 to 1, including what was stored before
-  double left_s() const;                    // at the rate of the work since construction
+  double share() const;                     // of all work that is done, 0 to 1, including work stored earlier
+  double left_s() const;                    // seconds to the end at the rate of work since construction
 
  private:
   struct Tasks {
@@ -37,7 +37,7 @@ class Estimate {  // not thread-safe; `contents` must outlive it
 
   using Clock = std::chrono::steady_clock;
   Contents const& contents_;
-  std::vector<std::array<Tasks, task_kinds.size()>> tasks_;  // for each of settings.laws
+  std::vector<std::array<Tasks, task_kinds.size()>> tasks_;  // [place in settings.laws][kind]
   double before_s_ = 0.0, done_s_ = 0.0;
   Clock::time_point start_ = Clock::now();
 };

@@ -23,7 +23,7 @@ std::vector<std::string> overrides_of(std::vector<fit::Override> const& override
   return texts;
 }
 
-Settings grown(Settings settings, Settings const& asked) {  // the stored settings, but as asked for where they may grow
+Settings grown(Settings settings, Settings const& asked) {  // the stored ones, with those asked for where they may grow
   if (asked.analysis) settings.analysis = true;
   if (asked.springs) settings.springs = true;
   if (overrides_of(settings.overrides, settings.laws) == overrides_of(asked.overrides, settings.laws))
@@ -44,7 +44,7 @@ bool same_record(Device const& there, Device const& now) {
   return there.raw.sha256 == now.raw.sha256 && there.refusal == now.refusal;
 }
 
-// A device that was refused has no results, so its file may be another one now.
+// Says why a device's stored results cannot be used. A refused device has none, so its file may have changed.
 std::string obstacle(Device const& there, Device const& now) {
   if (!there.usable()) return {};
   if (!now.usable()) return fmt::format("{}: refused now: {}", now.name, now.refusal);
@@ -89,7 +89,7 @@ std::vector<std::string> growth(Contents const& stored, Contents const& asked) {
   std::vector<std::string> added;
   if (auto const more = asked.devices.size() - stored.devices.size(); more > 0)
     added.push_back(fmt::format("{} device{}", more, more == 1 ? "" : "s"));
-  std::vector<std::string> mended, refused;  // devices that differ: all of them were refused before, see obstacle()
+  std::vector<std::string> mended, refused;  // devices whose file or refusal changed; all were refused before
   for (auto const& device : stored.devices)
     if (auto const& now = asked.devices[*place_of(asked, device.name)]; !same_record(device, now))
       (now.usable() ? mended : refused).push_back("'" + device.name + "'");
@@ -119,7 +119,7 @@ void take_over(Contents stored, Contents& asked) {
   asked.runs = moved(std::move(stored.runs));
   asked.makers = std::move(stored.makers);
   auto devices = moved(std::move(stored.device_analyses));
-  if (asked.settings.springs && !stored.settings.springs) devices.clear();  // an analysis includes its springs
+  if (asked.settings.springs && !stored.settings.springs) devices.clear();  // they must be made again, with springs
   if (!same_lot || devices.empty()) {
     stored.lot_analyses.clear();
     stored.left_out.clear();

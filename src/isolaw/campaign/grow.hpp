@@ -9,15 +9,15 @@
 
 namespace isolaw::campaign {
 
-// The reasons why the campaign asked for can neither continue the stored one nor grow from it; empty if it can.
+// Says why the stored campaign can neither be continued as the one asked for nor grow to it. Empty if it can.
 std::vector<std::string> obstacles(Contents const& stored, Contents const& asked, Sides const& sides = {});
 
-// Everything asked for beyond the stored campaign, in words: "2 devices", "law gallardo", "20 runs instead of 10", or
-// another order of the devices. Empty if the stored campaign was asked for the same, whether or not it is complete.
+// All that is asked for beyond the stored campaign, in words: "2 devices", "law gallardo", "20 runs instead of 10", or
+// another order of the devices. Empty if both campaigns ask for the same, even if the stored one is incomplete.
 std::vector<std::string> growth(Contents const& stored, Contents const& asked);
-// Moves to `asked` the results that a campaign begun with everything would compute as well: runs, analyses of devices
-// and, if the devices are the same, of the lot. If more runs are asked for, the analyses go to Contents::held_over
-// until the new runs show which of them are still valid.
+// Moves to `asked` the stored results that are right for the larger campaign too: runs, analyses of devices and, if the
+// devices are the same, of the lot. If more runs are asked for, the analyses go to Contents::held_over until the new
+// runs show which analyses are still valid.
 void take_over(Contents stored, Contents& asked);
 
 }  // namespace isolaw::campaign

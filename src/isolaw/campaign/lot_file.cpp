@@ -74,7 +74,7 @@ void read_acceptance(TomlTable& table, std::filesystem::path const& directory, L
   acceptance.rules_file = lot.rules_are_file ? (directory / name).string() : name;
   if (!lot.rules_are_file) return;
   if (options.allow_outside) return require_rules(table, *rules, name, acceptance.rules_file, options);
-  // Files that do not exist are refused alike, so that a lot file cannot find out which files exist outside.
+  // A path that leads outside is refused whether or not the file exists, so a lot file cannot probe for files.
   if (auto const outside = leads_outside(directory / name, directory))
     table.complain(*rules, fmt::format("rules: {} leads outside, to {}", in_quotes(name), outside->generic_string()),
                    "a built-in rule set, or a file in the folder of the lot file or below it",
@@ -124,14 +124,14 @@ std::vector<InfoOption> const& info_table() {
   return table;
 }
 
-// Visits the options for reading a compression test. A motion has the same options.
+// Visits the options for reading a compression test. They are those that apply to ground motions too.
 template <class Visit>
 void for_each_vertical_option(Visit&& visit) {
   for (auto const& option : data::reading_table())
     if (!option.of_test) visit(option);
 }
 
-// Reads K_v = 1234.0, vertical = "file.csv", or a table of the file, the loads and options. `take_file` checks a name.
+// Reads K_v = 1234.0, vertical = "file.csv", or a table of file, loads and options. `take_file` refuses files outside.
 void read_vertical_input(TomlTable& table, std::filesystem::path const& directory,
                          std::function<void(std::string const&)> const& take_file, std::string const& lot_file,
                          std::vector<Complaint>& complaints, VerticalInput& vertical) {
@@ -217,7 +217,7 @@ DeviceInput read_device(TomlTable& table, toml::table const& source, std::filesy
   return device;
 }
 
-// Complains, at the line of its key, about each value that is not allowed together with the others.
+// Complains about each value that Settings::validate() refuses, at the line of its key.
 void refuse_settings(TomlTable const& reader, toml::table const& table, Settings const& settings,
                      std::vector<Complaint>& complaints) {
   try {
@@ -257,7 +257,7 @@ std::string relative_name(std::filesystem::path const& file, std::filesystem::pa
   return (below ? inside : std::filesystem::absolute(file).lexically_normal()).generic_string();
 }
 
-// Null and empty lists are left out. TOML's whole numbers are signed 64-bit: a larger one is written as text.
+// Leaves out null and empty lists. Whole numbers of TOML are signed 64-bit numbers, so larger ones are written as text.
 void insert(toml::table& table, std::string const& key, Json const& value) {
   if (value.is_array()) {
     toml::array items;
@@ -279,7 +279,7 @@ void insert(toml::table& table, std::string const& key, Json const& value) {
   }
 }
 
-// The options of reading that are the same for all devices. Others do not go into [read]: a device could not undo them.
+// The reading options that all devices share, for [read]. An option of some devices there would apply to all of them.
 Json shared_reading(Lot const& lot) {
   Json shared = Json::object();
   for (auto const& option : data::reading_table()) {
@@ -401,7 +401,7 @@ Lot lot_of_files(std::vector<std::filesystem::path> const& files) {
     DeviceInput device;
     auto const stem = name_of_file(file);
     device.name = stem;
-    // Files of one name get their folder's name in front, or a number if that is not enough.
+    // If two files have the same name, the second gets its folder's name in front, or a number if that is not enough.
     if (names.contains(device.name))
       device.name = trimmed(printable(file.parent_path().filename().string()) + "/" + stem);
     for (int i = 2; !names.insert(device.name).second; ++i) device.name = fmt::format("{} ({})", stem, i);
@@ -414,7 +414,7 @@ Lot lot_of_files(std::vector<std::filesystem::path> const& files) {
 
 namespace {
 
-// Makes the names of single channels' files relative, like all names in a lot file.
+// Makes the paths of files with a single channel relative, like all paths in a lot file.
 data::ReadOptions with_relative_files(data::ReadOptions read, std::filesystem::path const& directory) {
   for (auto& [channel, column] : read.columns)
     if (auto const other = data::file_column(column))
@@ -439,7 +439,7 @@ void insert_vertical(toml::table& device, VerticalInput const& vertical, std::fi
   }
 }
 
-std::string open_keys(DeviceInfo const& info, Particulars const& hints) {  // keys without a value, as comments
+std::string open_keys(DeviceInfo const& info, Particulars const& hints) {  // keys that have no value, as comments
   std::string text;
   for (auto const& option : info_table()) {
     if (!option.get(info).is_null()) continue;
@@ -471,7 +471,7 @@ Particulars take_particulars(std::vector<std::pair<std::string, std::string>> co
     } catch (Error const& error) {
       left[key] = text;
       auto const& why = error.complaints().front();
-      // For a value that was understood but is not allowed, the limits are added.
+      // If a value was understood but is not allowed, the text adds what is allowed.
       if (!value.is_null()) left[key] += fmt::format("; allowed: {}", why.allowed);
     }
   }

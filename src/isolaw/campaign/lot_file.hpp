@@ -27,7 +27,7 @@ struct VerticalInput {  // a compression test before it is read: a file, or just
 struct DeviceInput {  // one device before its record is read
   std::string name;
   std::vector<std::filesystem::path> files;  // read one after another as one history
-  std::filesystem::path directory;           // the lot file's; empty for files named on the command line
+  std::filesystem::path directory;           // folder of the lot file; empty for files named on the command line
   std::string shown_file;                    // the name in reports
   DeviceInfo info;
   data::ReadOptions read;
@@ -51,8 +51,8 @@ struct Lot {
 // A lot file may come from someone else. The files it names must be in its own folder or below (with links followed),
 // and results go below the current directory. Only the user can lift these limits, no key of the file.
 struct LotFileOptions {
-  bool allow_outside = false;  // --allow-outside
-  bool other_out = false;      // --out is given, so that the file's `out` is ignored
+  bool allow_outside = false;  // the user gave --allow-outside
+  bool other_out = false;      // the user gave --out, so the file's `out` is ignored
   // Whether a name belongs to a built-in rule set; the module `rules` answers this. If empty, every name is a file.
   std::function<bool(std::string_view)> is_built_in_rules = {};
   std::function<void(std::string_view)> check_design = {};  // checks design values (module `rules`); throws Error
@@ -63,26 +63,26 @@ inline constexpr std::size_t longest_name = 512;           // bytes in a name, s
 inline constexpr std::size_t largest_lot_file = 16 << 20;  // bytes
 // Throws one Error with every problem of the file and its line: syntax, unknown keys, wrong types, values that are not
 // allowed, text that is not printable, devices without a file, duplicate names, files outside the folder. The keys of
-// [calibrate] are the command line's options.
+// [calibrate] are the options of the command line.
 Lot read_lot_file(std::filesystem::path const& file, LotFileOptions const& options = {});
-// The same for a file's text. Messages name `file`, and other files are sought in its folder.
+// Reads the text of a lot file. Messages call it `file`, and the files it names are sought in the folder of `file`.
 Lot read_lot_text(std::string_view text, std::filesystem::path const& file, LotFileOptions const& options = {});
 std::string name_of_file(std::filesystem::path const& file);        // printable and without blanks around it
 Lot lot_of_files(std::vector<std::filesystem::path> const& files);  // devices are named after their files
 
-using Particulars = std::map<std::string, std::string>;  // statements of a record's file about its device, by key
+using Particulars = std::map<std::string, std::string>;  // by key, what a record's file states about its device
 
 struct LotFileRemarks {             // comments for the person who edits the file
-  bool open_keys = false;           // list the keys of a device that have no value yet
+  bool open_keys = false;           // list, as comments, the keys of a device that have no value yet
   std::vector<Particulars> stated;  // for each device, statements of its file that could not be taken over
   std::vector<std::pair<std::filesystem::path, std::string>> left_out;  // files that are no devices, and why
 };
 
-// The text of a lot file that reads back as `lot`. Options of reading that all devices share are written in [read];
-// file names below `directory` are relative to it.
+// The text of a lot file that reads back as `lot`. Reading options that all devices share are written in [read]. File
+// names below `directory` are relative to it.
 std::string lot_file_text(Lot const& lot, std::filesystem::path const& directory, LotFileRemarks const& remarks = {});
 
-// Copies a file's statements into `info` where it has no value. Returns those that cannot be used as they are.
+// Copies statements of a record's file into empty fields of `info`. Returns those that cannot be used as they are.
 Particulars take_particulars(std::vector<std::pair<std::string, std::string>> const& particulars, DeviceInfo& info);
 
 }  // namespace isolaw::campaign

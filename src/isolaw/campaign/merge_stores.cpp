@@ -42,7 +42,7 @@ void refuse_absent(Path const& out, std::vector<std::string> const& absent) {
                .advice = "its name as it is, or leaving it out"});
 }
 
-// The result of read(), or `otherwise` if it throws: a file that is to be replaced may be damaged or no store at all.
+// The result of read(), or `otherwise` if read() throws. A file to be replaced may be damaged or no store at all.
 template <class Value, class Read>
 Value value_or(Value otherwise, Read&& read) {
   try {
@@ -73,7 +73,7 @@ std::string missing_text(Merged const& merged) {
                      of_parts.empty() ? "" : ", of part ", shortened(of_parts, shown));
 }
 
-// A merge replaces no part, since that may be the only copy of its runs.
+// Refuses to merge into a part, since this may be the only copy of the part's runs.
 void Merge::refuse_part(Path const& out, std::optional<Part> const& part) const {
   if (part)
     throw Error({.where = out.string(),

@@ -1,5 +1,5 @@
-// Merges the parts of a campaign or of a building study into one store. Before that it checks that all are parts of the
-// same work, by one build and one instruction set.
+// Merges the parts of a campaign or of a building study into one store. Before that it checks that the parts belong to
+// the same campaign or study and were computed by one build with one instruction set.
 #pragma once
 
 #include <cstddef>
@@ -16,16 +16,16 @@
 namespace isolaw::campaign {
 
 struct Merged {
-  std::size_t added = 0, there = 0;  // runs copied, and runs that `out` held already or that came twice
-  std::size_t analyses = 0;          // copied
+  std::size_t added = 0, there = 0;  // `there`: runs that `out` held before or that came twice
+  std::size_t analyses = 0;          // the number of analyses copied
   std::size_t missing = 0;
-  int parts = 0;                          // the number of parts; 0 if no store holds it
+  int parts = 0;                          // the number of parts; 0 if no store states it
   std::vector<std::string> absent;        // given paths that do not exist
-  std::map<int, std::size_t> missing_of;  // missing runs by the part that should hold them; 0 if that is not known
+  std::map<int, std::size_t> missing_of;  // missing runs by the part that should hold them; part 0 if that is not known
 };
 // "5 runs are missing, of part 4/7 (4 runs), 5/7 (1 run)"; empty if none is missing.
 std::string missing_text(Merged const& merged);
-// Throws Error for a file in which SQLite finds faults; `again` says how to compute it once more.
+// Throws Error for a file in which SQLite finds faults. `again` tells the user how to compute the file once more.
 void require_sound(std::filesystem::path const& file, std::string const& again);
 
 class Merge {
@@ -37,24 +37,24 @@ class Merge {
   Merge& operator=(Merge const&) = delete;
   virtual ~Merge() = default;
 
-  // Adds the runs of the stores `parts` to the store `out`, which is created if it is missing; `fresh` replaces it after
-  // everything that takes its place was checked and copied. `before_replacing`: see StoreKind::create. The order of the
-  // parts does not matter, and one may be given twice. All parts are checked before the first is copied. Each is copied
-  // in one transaction, so the same call completes a merge that was stopped. Throws Error for a store that is damaged or
-  // of another campaign or study, build or instruction set, for runs that contradict each other, and if `out` is a part
-  // itself or would lose runs.
+  // Adds the runs of the stores `parts` to the store `out` and creates `out` if it is missing. `fresh` replaces `out`
+  // once everything that takes its place was checked and copied. StoreKind::create explains `before_replacing`. The
+  // order of the parts does not matter, and a part may be given twice. All parts are checked before the first is
+  // copied. Each part is copied in one transaction, so the same call completes a merge that was stopped. Throws Error
+  // for a store that is damaged or of another campaign or study, build or instruction set, for runs that contradict
+  // each other, and if `out` is a part itself or would lose runs.
   Merged run(Path const& out, std::vector<Path> const& parts, bool fresh,
              std::function<void()> const& before_replacing);
 
  protected:
-  // The differences of what both are parts of, a text each; empty if it is the same.
+  // The differences of the campaigns or studies in `first` and `file`, a text each; empty if there are none.
   virtual std::vector<std::string> differences(Path const& first, Path const& file) = 0;
   // Makes a store that begins as `first` does, but is not a part and has no runs.
   virtual void create(Path const& file, Path const& first, std::function<void()> const& before_replacing) = 0;
   virtual void copy_runs(Path const& to, std::vector<Path> const& parts, Merged& merged) = 0;
   virtual void tell_missing(Path const& file, Merged& merged) = 0;  // sets `missing` and `missing_of`
   virtual bool has_every_run(Path const& file) = 0;
-  // Called when no run is missing, with the given stores that are not parts.
+  // Called when no run is missing. `whole` are the given stores that are not parts.
   virtual void complete(Path const& file, std::vector<Path> const& whole, Merged& merged) = 0;
 
  private:

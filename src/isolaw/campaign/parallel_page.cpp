@@ -1,4 +1,4 @@
-// parallel.hpp in a browser, where a program has one thread; other web workers compute other parts (docs/page.md).
+// Implements parallel.hpp for a browser, where the program has one thread. Other web workers compute other parts.
 #include "isolaw/campaign/parallel.hpp"
 
 namespace isolaw::campaign {

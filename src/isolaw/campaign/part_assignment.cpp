@@ -16,14 +16,14 @@ Costs in_order(Costs costs) {  // costliest first
   return costs;
 }
 
-Costs dearest_first(Contents const& contents) {  // without refused searches
+Costs dearest_first(Contents const& contents) {  // costs of the searches that were not refused
   Costs searches;
   for (std::size_t s = 0; s < contents.searches.size(); ++s)
     if (contents.searches[s].refusal.empty()) searches.emplace_back(relative_cost(contents, contents.searches[s]), s);
   return in_order(std::move(searches));
 }
 
-// Assigns each item to the part with the least load; items without a cost get part 0.
+// Assigns each item, from 0 to count - 1, to the part with the least load so far. Items without a cost get part 0.
 std::vector<int> even_by_cost(Costs const& costs, std::size_t count, int parts) {
   std::vector<int> part(count, 0);
   std::vector<std::uint64_t> load(static_cast<std::size_t>(parts), 0);
@@ -40,7 +40,7 @@ std::vector<int> even_by_cost(Costs const& costs, std::size_t count, int parts) 
 std::uint64_t relative_cost(Contents const& contents, Search const& search) {
   auto const& settings = contents.settings;
   auto const free = std::max<std::uint64_t>(search.box.free_count(), 1);
-  // With the genetic algorithm every law costs the same number of evaluations. With descents the number grows with the
+  // With the genetic algorithm every law takes the same number of evaluations. With descents the number grows with the
   // square of the number of free parameters (see estimate.cpp).
   auto const evaluations = settings.method == Method::genetic ? 1 : free * free;
   return laws::find_law(search.law).info.step_cost * evaluations * contents.devices[search.device].record.size();

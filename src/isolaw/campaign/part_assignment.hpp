@@ -1,5 +1,5 @@
 // Assigns the runs and analyses of a campaign to its parts, so that parts cost about the same. Runs are sorted by
-// estimated cost and dealt in turn. The result is the same on every machine, since nothing is measured for it.
+// estimated cost and dealt in turn. No cost is measured, so every machine gets the same assignment.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace isolaw::campaign {
 class RunAssignment {
  public:
   RunAssignment(Contents const& contents, int parts);  // `contents` must hold the records
-  // The part, from 1, of run `number` of contents.searches[search], which must not be refused.
+  // The part, counted from 1, of run `number` of contents.searches[search], which must not be refused.
   int part_of(std::size_t search, int number) const {
     return part_[search * runs_ + static_cast<std::size_t>(number) - 1];
   }
@@ -24,9 +24,9 @@ class RunAssignment {
 };
 
 // For each of contents.searches the part that analyses the device for the law (campaign/analyse.hpp), or 0 if the
-// search was refused. The costliest are assigned first, each to the part with the least load.
+// search was refused. The costliest analyses are assigned first, each to the part with the least load.
 std::vector<int> assign_analyses(Contents const& contents, int parts);
-// For each of settings.laws the part that fits the law to the lot and without each device.
+// For each of settings.laws the part that fits the law to the lot, and to the lot without each device.
 std::vector<int> assign_laws(Contents const& contents, int parts);
 
 std::uint64_t relative_cost(Contents const& contents, Search const& search);  // only ratios have a meaning

@@ -19,7 +19,7 @@
 namespace isolaw::campaign {
 namespace {
 
-// Joins the files of one device into one history; time continues after a pause of one sampling interval.
+// Joins the files of one device into one history. Between two files, time goes on by one sampling interval.
 data::TestRecord read_history(DeviceInput const& input) {
   auto record = data::read_record(input.files.front(), input.read);
   for (std::size_t i = 1; i < input.files.size(); ++i)
@@ -27,7 +27,7 @@ data::TestRecord read_history(DeviceInput const& input) {
   return record;
 }
 
-// Names files as the lot file does: results must not depend on the folder in which the program was started.
+// Cuts `directory` from the paths in a text: results must not depend on the folder in which the program was started.
 std::string with_shown_files(std::string text, std::filesystem::path const& directory) {
   auto const prefix = directory.empty() ? std::string() : (directory / "").generic_string();
   if (prefix.empty()) return text;
@@ -40,7 +40,7 @@ void show_files(std::vector<Finding>& findings, std::filesystem::path const& dir
     for (auto& word : finding.words) word.text = with_shown_files(std::move(word.text), directory);
 }
 
-// A hash of a refused device's readable files, so that a later change of them is noticed.
+// A hash of the readable files of a device that was refused, so that a later change of the files is noticed.
 std::string hash_of_files(DeviceInput const& input) {
   std::string hashes;
   for (auto const& file : files_of(input)) {
@@ -56,7 +56,7 @@ std::string hash_of_files(DeviceInput const& input) {
   return hashes;
 }
 
-void refuse_device(Device& device, std::string why) {  // keeps only the file name and the hash
+void refuse_device(Device& device, std::string why) {  // keeps only the record's file name and hash
   device.refusal = std::move(why);
   data::TestRecord nothing;
   nothing.file = device.file;
@@ -65,7 +65,7 @@ void refuse_device(Device& device, std::string why) {  // keeps only the file na
   device.record = {};
 }
 
-// A signal that cannot be true is no basis for a law, even if one fits it well. An inspection shows it all the same.
+// Whether to refuse a device with a signal that cannot be true. No law is fitted to it, but an inspection shows it.
 enum class FalseSignals { shown, refused };
 
 void clean(Device& device, data::CleanOptions const& cleaning, FalseSignals false_signals) {
@@ -157,7 +157,7 @@ Contents with_devices(Lot const& lot, FalseSignals false_signals) {
 Contents with_searches(Contents contents, std::vector<std::string> const& laws) {
   contents.settings.laws = laws.empty() ? parse_laws(usual_laws) : laws;
   contents.settings.validate();
-  // validate() does not check this, so that stores with settings outside the limits can still be read.
+  // Settings::validate() does not check joint limits, so that stores with settings outside them can still be read.
   for (auto const& id : contents.settings.laws)
     fit::require_joint_limits(laws::find_law(id), contents.settings.overrides);
   if (std::ranges::none_of(contents.devices, &Device::usable)) {

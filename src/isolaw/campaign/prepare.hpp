@@ -1,4 +1,4 @@
-// Makes a campaign's contents from a lot file or records in memory: cleans the records, makes every law's boxes.
+// Makes a campaign's contents from a lot file or records in memory: cleans the records and makes the box of every law.
 #pragma once
 
 #include <filesystem>
@@ -19,9 +19,9 @@ struct NamedRecord {  // a record in memory; its name must suit a lot file
   DeviceInfo info = {};
   VerticalInput vertical = {};
 };
-// The same for records in memory. Throws Error also for names that no lot file could hold.
+// Makes the contents from records in memory. Throws Error also for names that no lot file could hold.
 Contents prepare(std::vector<NamedRecord> records, Settings const& settings, std::string const& title);
-// Reads a compression test. A test without a stiffness keeps the reason. Messages name files relative to `directory`.
+// Reads a compression test. If it gives no stiffness, `refusal` says why. Messages name files relative to `directory`.
 data::VerticalTest prepare_vertical(VerticalInput const& given, std::filesystem::path const& directory);
 // Only reads and cleans the devices, without laws and boxes. Does not throw for devices that cannot be used.
 Contents prepare_devices(Lot const& lot);

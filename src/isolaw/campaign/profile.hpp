@@ -12,7 +12,7 @@
 
 namespace isolaw::campaign {
 
-// `read` lasts until the search begins; `report` is everything after the last search or analysis, without figures.
+// `read` ends when the search begins. `report` is all work after the last search or analysis except drawing figures.
 enum class Phase { read, search, determination, intervals, lot, left_out, report };
 inline constexpr std::array phases{Phase::read, Phase::search,   Phase::determination, Phase::intervals,
                                    Phase::lot,  Phase::left_out, Phase::report};
@@ -20,19 +20,19 @@ std::string_view name(Phase phase);
 
 struct PhaseCost {
   double cpu_s = 0.0;     // processor time of all threads
-  double kernel_s = 0.0;  // the part in the laws' code
+  double kernel_s = 0.0;  // the part of cpu_s spent in the laws' code
   double wall_s = 0.0;    // elapsed time
   std::uint64_t evaluations = 0;
 
   PhaseCost& operator+=(PhaseCost const& other);
 };
 
-// The cost of one process, without work that a continued campaign had stored. Adding is thread-safe, reading is not.
+// The cost of one process, without work that an earlier process had stored. Adding is thread-safe, reading is not.
 class Profile {
  public:
   void add(Phase phase, PhaseCost const& cost);
-  // Adds the elapsed time since the last mark, or since construction, to these phases. Several phases whose tasks take
-  // turns share it in proportion to the processor time added since then.
+  // Adds the elapsed time since the last mark, or since construction, to these phases. Phases whose tasks take turns
+  // share this time in proportion to the processor time that was added for each since the last mark.
   void mark(std::initializer_list<Phase> ended);
 
   PhaseCost const& operator[](Phase phase) const { return costs_[static_cast<std::size_t>(phase)]; }
@@ -45,11 +45,11 @@ class Profile {
   Clock::time_point last_mark_ = Clock::now();
 };
 
-// Adds the work of the calling thread, and of threads that help it, to a profile; does nothing without one.
+// Adds the work of the calling thread, and of threads that help it, to a profile. Does nothing without a profile.
 class Meter final : HelpListener {
  public:
   explicit Meter(Profile* profile);
-  // Assigns to this phase the work since the thread's last lap of any meter, or since it constructed or restarted one.
+  // Assigns to this phase the thread's work since its last lap() of any meter, or since it made or restarted one.
   void lap(Phase phase);
   static void restart();
   void count_evaluations(Phase phase, int evaluations) const;

@@ -25,7 +25,7 @@ using sqlite::Statement;
 
 std::string to_json(data::VerticalTest const& test) {  // a compression test without its series; empty if there is none
   if (!test.given()) return {};
-  nlohmann::ordered_json object;  // in alphabetical order
+  nlohmann::ordered_json object;  // members in alphabetical order
   if (test.found_kN_per_mm) object["K_v_kN_per_mm"] = *test.found_kN_per_mm;
   if (!test.curve_sha256.empty()) object["curve_sha256"] = test.curve_sha256;
   object["file"] = test.file;
@@ -225,7 +225,7 @@ void write_analysis(Connection const& db, char const* insert, Analysis const& an
   row.bind(analysis.law, analysis_json(analysis), analysis.maker).insert();
 }
 
-// Store::describe() may change these.
+// The entries of the table meta that Store::describe() may change, with their keys.
 std::array<std::pair<char const*, std::string>, 5> descriptions(Contents const& contents) {
   auto const& a = contents.acceptance;
   return {{{"title", contents.title},
@@ -340,7 +340,7 @@ Contents read_campaign(Connection const& db) {
 void read_runs(Connection const& db, std::function<void(Run)> const& visit) {
   Statement parameter(db,
                       "SELECT device, law, number, value FROM run_parameter ORDER BY device, law, number, position");
-  std::tuple<std::size_t, std::string, int> owner;  // the run of the next parameter
+  std::tuple<std::size_t, std::string, int> owner;  // the run to which the next parameter belongs
   double value = 0.0;
   bool more = true;
   auto const next_parameter = [&] {
@@ -358,7 +358,7 @@ void read_runs(Connection const& db, std::function<void(Run)> const& visit) {
     run.read(r.evaluations, r.failed_evaluations, r.failure, r.history, r.maker);
     r.outcome = outcome_from(outcome);
     auto const key = std::tie(r.device, r.law, r.number);
-    while (more && owner < key) next_parameter();  // these belong to no run
+    while (more && owner < key) next_parameter();  // parameters of a run that is not in the store
     for (; more && owner == key; next_parameter()) r.parameters.push_back(value);
     visit(std::move(r));
   }

@@ -8,12 +8,12 @@
 
 namespace isolaw::campaign {
 
-// Creates the tables and writes what a campaign begins with: everything but runs and analyses. `makers` must not be
-// empty.
+// Creates the tables and writes what a campaign begins with: everything but runs and analyses. Needs one maker at
+// least.
 void write_campaign(sqlite::Connection const& db, Contents const& contents, std::vector<Maker> const& makers);
 void write_descriptions(sqlite::Connection const& db, Contents const& contents);  // see Store::describe
 void write_row(sqlite::Connection const& db, Run const& run);
-class RunWriter {  // many runs one after the other
+class RunWriter {  // writes many runs one after the other
  public:
   explicit RunWriter(sqlite::Connection const& db);
   bool add_if_new(Run const& run);  // writes nothing and returns false if the store has this device, law and number
@@ -25,9 +25,9 @@ class RunWriter {  // many runs one after the other
 void write_row(sqlite::Connection const& db, DeviceAnalysis const& analysis);
 void write_row(sqlite::Connection const& db, LotAnalysis const& analysis);
 void write_row(sqlite::Connection const& db, LeftOutAnalysis const& analysis);
-// Without series, runs and analyses. Throws Error or nlohmann::json::exception for rows that no Contents can hold.
+// Reads all but series, runs and analyses. Throws Error or nlohmann::json::exception for rows that do not fit Contents.
 Contents read_campaign(sqlite::Connection const& db);
-void read_runs(sqlite::Connection const& db, std::function<void(Run)> const& visit);  // in order, one at a time
+void read_runs(sqlite::Connection const& db, std::function<void(Run)> const& visit);  // by device, law, number
 struct Analyses {
   std::vector<DeviceAnalysis> devices = {};
   std::vector<LotAnalysis> lots = {};

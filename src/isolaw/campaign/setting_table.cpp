@@ -59,7 +59,7 @@ void set_seed(S& s, Json const& value) {
   s.seed = *seed;
 }
 
-// A row whose value is a number or a word that means no number; `type` is the Python type of both.
+// A setting that is a number, or a word that stands for no number. `type` is its type in Python.
 template <class Access>
 Setting number_or(std::string_view word, std::string_view type, Access place, Option<S> row) {
   row.get = [=](S const& s) { return place(s) ? Json(*place(s)) : Json(word); };
@@ -98,7 +98,7 @@ Setting blocks(std::string_view key, std::string help, data::Numbers data::Selec
            }}};
 }
 
-// A constant of the genetic algorithm or of the default search: kept in the store, not an option.
+// A constant of the genetic algorithm or of the default search, which the store keeps but users cannot set.
 template <class T>
 Setting constant(std::string_view key, T Ga::*member, Limits limits) {
   return {number<S>(key, {}, at(&S::genetic, member), std::move(limits)), Method::genetic, true};
@@ -128,7 +128,7 @@ std::vector<Setting> make_settings() {
                "sampled (default): reversals lie at samples; interpolated: between them, for smooth records",
                at(&S::turning_points), turnings)},
       {number<S>("runs", "independent runs per law and device", at(&S::runs), {.least = 1, .most = 1e5}, "3; ga: 20")},
-      // The upper limits keep the count of evaluations an int; the pressure's limit keeps every weight above zero.
+      // The upper limits keep the number of evaluations an int; selection_pressure's keeps every weight above zero.
       {number<S>("population", "with --method ga: individuals", at(&S::genetic, &Ga::population),
                  {.least = 4, .most = 1e5, .words = "an even number from 4 to 100000", .step = 2}),
        ga},
@@ -179,7 +179,7 @@ std::vector<Setting> make_settings() {
            "full (default): intervals, parameters left open, one law for the lot, errors on devices left out; or none",
            at(&S::analysis), analyses)
            .under(Heading::analysis)},
-      // The 2.5 % quantile needs at least forty replicates: one of them lies below it.
+      // With forty replicates or more, at least one lies below the 2.5 % quantile.
       {number<S>("replicates", "bootstrap fits for the intervals", at(&S::replicates),
                  {.least = 40, .most = 1e5, .words = "0 for none, or 40 to 100000", .or_zero = true})
            .under(Heading::analysis)},
@@ -194,7 +194,7 @@ std::vector<Setting> make_settings() {
   };
 }
 
-// A table {"K_eff": 1.2, "damping": 15} adds to the design values given so far; text replaces them.
+// Reads design values. A table {"K_eff": 1.2, "damping": 15} adds to the values given so far; a text replaces them.
 void set_design(Acceptance& to, Json const& value) {
   if (!value.is_object()) {
     if (trimmed(text_in(value)).empty()) refuse(value, "design values, K_eff=1.2,damping=15");

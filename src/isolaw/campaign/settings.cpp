@@ -46,7 +46,7 @@ Settings settings_from_pairs(std::vector<std::pair<std::string, std::string>> co
     auto const found = stored.find(setting.key);
     auto const value = found == stored.end() ? setting.without : Json::parse(found->second);
     if (value.is_null()) throw Error({.where = {}, .found = "is missing in the store"});
-    // A number of runs left open is stored as 0, which set() would refuse.
+    // An initial value is not set again: a number of runs that was left open is stored as 0, which set() would refuse.
     if (value != setting.get(settings)) setting.set(settings, value);
   });
   return settings;

@@ -21,7 +21,7 @@ enum class Method { best, genetic };
 inline constexpr int most_jobs = 4096;  // the most threads; results do not depend on their number
 
 struct Settings {
-  std::vector<std::string> laws;  // ids, in the order of reports; empty: the usual ones
+  std::vector<std::string> laws;  // ids, in the order of reports; empty: usual_laws
   Method method = Method::best;
   laws::Integration integration = laws::Integration::converged;
   laws::TurningPoints turning_points = laws::TurningPoints::as_sampled;
@@ -32,7 +32,7 @@ struct Settings {
   fit::BoxKind box = fit::BoxKind::scaled;
   std::vector<fit::Override> overrides;
   data::CleanOptions clean;
-  bool analysis = true;  // also analyse: what the tests determine, intervals, one law for the lot
+  bool analysis = true;  // also analyse what the tests determine, make intervals, and fit one law to the lot
   int replicates = 100;  // bootstrap replicates of an analysis
   bool springs = false;  // the analyses also fit spring models for laws that have no coupled two-dimensional form
   // Sets a number of runs that was left open: 3 for `best`, whose runs differ by the last digits; 20 for `genetic`.
@@ -40,7 +40,7 @@ struct Settings {
   void validate() const;  // throws Error
 };
 
-// Every setting of the method with its value as JSON text, in a fixed order, and the inverse, which throws Error if a
+// Every setting of the method with its value as JSON text, in a fixed order. settings_from_pairs() throws Error if a
 // setting is missing that a store must have (Setting::without), or has a value that is not allowed.
 std::vector<std::pair<std::string, std::string>> to_pairs(Settings const& settings);
 Settings settings_from_pairs(std::vector<std::pair<std::string, std::string>> const& pairs);

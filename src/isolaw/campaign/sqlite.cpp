@@ -247,7 +247,7 @@ std::filesystem::path unfinished(std::filesystem::path const& file) {
 void remove_unfinished(std::filesystem::path const& file) {
   std::error_code ignored;
   auto const aside = unfinished(file).string();
-  for (auto const& name : {unfinished(aside).string(), aside})  // put_in_order() may have been rewriting `aside`
+  for (auto const& name : {unfinished(aside).string(), aside})  // put_in_order(aside) may have been interrupted too
     for (auto const* suffix : {companion_suffixes[0], companion_suffixes[1], companion_suffixes[2], ""})
       std::filesystem::remove(name + suffix, ignored);
 }
@@ -271,7 +271,7 @@ void move_into_place(std::filesystem::path const& whole, std::filesystem::path c
 
 bool is_plain(std::filesystem::path const& file) {
   require_plain(file);
-  // Bytes 18 and 19 of an SQLite file: 1 for a rollback journal, 2 for a write-ahead log.
+  // Bytes 18 and 19 of an SQLite file are 1 with a rollback journal and 2 with a write-ahead log.
   std::array<char, 20> header{};
   std::ifstream(file, std::ios::binary).read(header.data(), header.size());
   return !has_log(file) && header[18] == 1 && header[19] == 1;
@@ -296,7 +296,7 @@ void put_in_order(std::filesystem::path const& file, std::function<void(Connecti
       db.execute(fmt::format("INSERT INTO main.\"{0}\" SELECT * FROM former.\"{0}\"", name));
     transaction.commit();
   } catch (Error const&) {
-    return remove_unfinished(file);  // the old file is complete, only not in order
+    return remove_unfinished(file);  // the old file stays; it is complete, only not in order
   }
   std::error_code error;
   std::filesystem::rename(aside, file, error);

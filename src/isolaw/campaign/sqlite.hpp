@@ -1,4 +1,4 @@
-// SQLite's handles as objects that close themselves. Their error messages are about a store of isolaw.
+// SQLite's handles as objects that close themselves. The error messages speak of a store of isolaw.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ struct sqlite3_stmt;
 
 namespace isolaw::campaign::sqlite {
 
-// Names the command that computed the store: `merge` also reads parts, and its own --fresh would not make them anew.
+// Names the command that computed the store, since `merge --fresh` would not compute a damaged part again.
 inline constexpr char const* advice_on_damaged =
     "copying it once more, or the command that computed it, with --fresh, which starts over";
 
@@ -29,7 +29,7 @@ bool has_log(std::filesystem::path const& file);
 
 class Connection {
  public:
-  static Connection create(std::filesystem::path const& file);  // each may throw Error and std::bad_alloc
+  static Connection create(std::filesystem::path const& file);  // like those below, may throw Error and std::bad_alloc
   static Connection to_write(std::filesystem::path const& file);
   // Takes no locks and makes no files unless a log lies beside `file`, so read-only media and network shares work.
   static Connection to_read(std::filesystem::path const& file);
@@ -115,7 +115,7 @@ class Transaction {  // rolls back when destroyed without commit()
 
 bool is_plain(std::filesystem::path const& file);                     // whether it has no log or journal beside it
 std::filesystem::path unfinished(std::filesystem::path const& file);  // the name of a new version while it is written
-void remove_unfinished(std::filesystem::path const& file);            // also one left by a killed program
+void remove_unfinished(std::filesystem::path const& file);  // removes such a version, even of a killed program
 class Unfinished {  // removes the unfinished new version of `file`; declare it before connections to that version
  public:
   explicit Unfinished(std::filesystem::path file) : file_(std::move(file)) {}

@@ -13,7 +13,7 @@ struct Stated {
   std::string_view unit;
 };
 
-// Splits "23.5 °C" or "120,5 cm2" into number and unit. A blank ends the number; the rest is then no known unit.
+// Splits "23.5 °C" or "120,5 cm2" into number and unit. In "1 234 mm" the unit would be "234 mm", which is unknown.
 std::optional<Stated> number_and_unit(std::string_view text) {
   auto const end = std::min(text.find_first_not_of("0123456789.,+-eE"), text.size());
   std::string number(text.substr(0, end));

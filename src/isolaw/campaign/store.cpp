@@ -24,7 +24,7 @@ using sqlite::Connection;
 using sqlite::Statement;
 using sqlite::Transaction;
 
-// A result that a reader would refuse is our own mistake. It is not stored, since the whole store would be refused.
+// A result that a reader would refuse is a mistake of this program. It is not stored, to keep the store readable.
 template <class Require>
 void require_readable(Require&& require) {
   try {
@@ -38,7 +38,7 @@ void require_readable(Require&& require) {
   }
 }
 
-Run const& stored(Run const& run) {  // as it will be read from the store
+Run const& stored(Run const& run) {  // as read() will return it
   return run;
 }
 template <class Analysis>
@@ -109,7 +109,7 @@ Contents Store::read(std::filesystem::path const& file) {
 Store::Taken Store::take_runs(std::filesystem::path const& other) {
   auto const theirs = campaign_store().to_read(other);
   auto const maker = own_maker();
-  // The rows of a part are spread over the tree, so the log collects many parts (16384 pages instead of SQLite's 1000).
+  // The rows of a part lie all over the database, so the log collects many parts: 16384 pages instead of SQLite's 1000.
   db_.execute("PRAGMA wal_autocheckpoint = 16384");
   Taken taken;
   Transaction transaction(db_);
@@ -231,7 +231,7 @@ std::vector<std::string> Store::foreign_rows(std::filesystem::path const& file, 
   fill(ours, contents, contents.makers);
   write_results(ours, contents);
   std::vector<std::string> faults;
-  char const* settings = "key, json FROM setting";  // read() refuses a store without one that it must have
+  char const* settings = "key, json FROM setting";  // read() has refused a store that lacks a required one
   for (auto const* table :
        {settings, "key, value FROM meta WHERE key <> 'schema'", "* FROM maker", "* FROM device",
         "device, kind, channel, count FROM series", "* FROM search", "* FROM search_parameter", "* FROM run",

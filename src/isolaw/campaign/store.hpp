@@ -17,17 +17,17 @@ class Store {
   // Makes a store of `contents` with its results; see StoreKind::create.
   static Store create(std::filesystem::path const& file, Contents const& contents,
                       std::function<void()> const& before_replacing = {});
-  // Opens an existing store to add results. Throws Error as StoreKind::to_write, and for anything in what the campaign
-  // began with that isolaw would not write.
+  // Opens an existing store to add results. Throws Error like StoreKind::to_write, and if the stored settings, devices
+  // or boxes are not as isolaw writes them.
   static Store open(std::filesystem::path const& file);
   static Contents read(std::filesystem::path const& file);  // everything; the file is not changed; throws as open()
-  // The beginning of a campaign, without its records' series and without results.
+  // Reads what a campaign begins with: settings, devices and boxes, without the records' series.
   static Contents read_beginning(std::filesystem::path const& file);
-  static Contents read_beginning_and_series(std::filesystem::path const& file);  // the same with the series
+  static Contents read_beginning_and_series(std::filesystem::path const& file);  // with the records' series
   // For each table that holds what the campaign began with, series included: its name and a hash of its rows. The hash
   // does not depend on which part of a campaign the store holds.
   static std::vector<std::pair<std::string, std::string>> hashes_of_beginning(std::filesystem::path const& file);
-  // Calls visit(device, law, number) for every run, in this order of keys.
+  // Calls visit(device, law, number) for every run, sorted by these three.
   static void for_each_run(std::filesystem::path const& file,
                            std::function<void(std::size_t, std::string const&, int)> const& visit);
   // A sentence for each table with rows that this program would not write for `contents`, which read() returned. The
@@ -40,13 +40,13 @@ class Store {
   // Writes the title, the devices' facts and compression tests, the requirements for the tests, and whether to analyse.
   // No law depends on these, so they may change before a campaign is continued.
   void describe(Contents const& contents);
-  // Copies the runs of another store of this campaign, which this program made. A run that both stores hold must be the
-  // same in both. Copies all runs or, with an Error, none; holds one row at a time in memory.
+  // Copies the runs of another store of this campaign, which this program computed. A run that both stores hold must be
+  // the same in both. Copies all runs or, with an Error, none; holds one row at a time in memory.
   struct Taken {
     std::size_t added = 0, there = 0;
   };
   Taken take_runs(std::filesystem::path const& other);
-  // Copies, all or none, missing analyses from another store of this campaign with all its runs; returns their number.
+  // Copies, all or none, the analyses missing here from another store of this campaign with all runs; returns how many.
   std::size_t take_analyses(std::filesystem::path const& other);
   // To be called after the last result: folds the write-ahead log into the file. Returns false if another program is
   // reading the store. The log then stays beside the file, and whoever next opens the store to write folds it in.

@@ -79,7 +79,7 @@ void StoreKind::put_in_order(std::filesystem::path const& file) const {
   sqlite::put_in_order(file, [this](Connection const& db) { create_tables(db); });
 }
 
-StoreKind::Declarations StoreKind::declarations(Connection const& db) {  // tables, and additions of other programs
+StoreKind::Declarations StoreKind::declarations(Connection const& db) {  // of tables, and of what other programs added
   Declarations found;
   Statement objects(db, "SELECT name, sql FROM sqlite_master");
   while (objects.row()) {

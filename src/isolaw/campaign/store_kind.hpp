@@ -1,5 +1,5 @@
 // Stores of campaigns and of building studies share this code. It makes, opens and checks a file, and keeps the tables
-// that say which part of the whole the file holds and which build computed it.
+// that say which part of a campaign or study the file holds and which build computed it.
 #pragma once
 
 #include <filesystem>
@@ -15,10 +15,10 @@
 
 namespace isolaw::campaign {
 
-// Only stores of the present schema are read. Each kind has the tables meta and maker, and those in `tables`.
+// One kind of store: campaign or building study. Every kind has the tables meta and maker besides those in `tables`.
 class StoreKind {
  public:
-  struct Words {                 // in messages
+  struct Words {                 // words in messages, with those of a campaign as examples
     std::string_view store;      // "campaign store"
     std::string_view file;       // "campaign.sqlite of a campaign"
     std::string_view whole;      // "campaign"
@@ -26,30 +26,30 @@ class StoreKind {
     std::string_view command;    // "isolaw calibrate"
     std::string_view input;      // "LOT"
     std::string_view once_more;  // "calibrate again"
-    std::string_view advice;     // on a file that is no store of this kind
+    std::string_view advice;     // what to do about a file that is no store of this kind
   };
   StoreKind(Words const& words, int schema, std::string tables);
 
   Words const& words() const { return words_; }
-  // Creates the tables in an empty file and says in them who made it, and which part it is.
+  // Creates the tables in an empty file, and writes the makers and the part into them.
   void begin(sqlite::Connection const& db, std::vector<Maker> const& makers, std::optional<Part> const& part) const;
-  // Makes a store by fill(), and replaces a file of that name. If this fails or the program is killed, either the former
-  // or the new file exists and is complete. `before_replacing` is called when the new file is complete but does not have
-  // its name yet. Throws Error if `file` is not a plain file or cannot be written.
+  // Makes a store by fill() and replaces a file of that name. If this fails or the program is killed, either the former
+  // or the new file exists and is complete. `before_replacing` is called when the new file is complete but does not
+  // have its name yet. Throws Error if `file` is not a plain file or cannot be written.
   static void create(std::filesystem::path const& file, std::function<void(sqlite::Connection const&)> const& fill,
                      std::function<void()> const& before_replacing = {});
-  // Throw Error for a file that is missing, not a plain file (a pipe could block), not a store of this kind, or of
-  // another schema. Tables must be declared word by word like ours, since a view or a computed column could run without
-  // end or fill the memory and a trigger could change results.
+  // to_read() and to_write() throw Error for a file that is missing, not a plain file (a pipe could block), not a store
+  // of this kind, or of another schema. Tables must be declared word by word like ours, since a view or a computed
+  // column could run without end or fill the memory and a trigger could change results.
   sqlite::Connection to_read(std::filesystem::path const& file) const;
   sqlite::Connection to_write(std::filesystem::path const& file) const;
-  // Folds in the log that a killed program left beside the file, or undoes what it had not finished.
+  // Writes the log that a killed program left into the file, or undoes the transaction that was not finished.
   void fold_log(std::filesystem::path const& file) const;
   // Writes a store without a log again, with its rows in the order of their keys. Equal results then give equal files,
   // byte by byte, in whatever order and on however many machines they were computed. Does nothing if the rows are in
   // order already, and keeps the old file if the new one cannot be written.
   void put_in_order(std::filesystem::path const& file) const;
-  // The result of read(). Throws Error as for a damaged store for rows that isolaw would not write.
+  // Returns the result of read(). If rows are not as isolaw writes them, it throws Error as for a damaged store.
   template <class Read>
   static auto as_ours(std::filesystem::path const& file, Read&& read) {
     try {
@@ -59,7 +59,7 @@ class StoreKind {
     }
   }
   template <class Read>
-  auto read(std::filesystem::path const& file, Read&& read) const {  // read(db)
+  auto read(std::filesystem::path const& file, Read&& read) const {  // calls read(db)
     auto const db = to_read(file);
     return as_ours(file, [&] { return read(db); });
   }
