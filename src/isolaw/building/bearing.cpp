@@ -5,8 +5,8 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/laws/catalogue.hpp"
-#include "isolaw/laws/plane/in_plane.hpp"
 #include "isolaw/laws/online/online.hpp"
+#include "isolaw/laws/plane/in_plane.hpp"
 
 namespace isolaw::building {
 namespace {

@@ -9,12 +9,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "isolaw/laws/flows/flow.hpp"
+#include "isolaw/laws/flows/runge_kutta.hpp"
+#include "isolaw/laws/law.hpp"
 #include "isolaw/laws/parts/abe_parts.hpp"
 #include "isolaw/laws/parts/canonical.hpp"
-#include "isolaw/laws/flows/flow.hpp"
-#include "isolaw/laws/law.hpp"
 #include "isolaw/laws/parts/limits.hpp"
-#include "isolaw/laws/flows/runge_kutta.hpp"
 
 namespace isolaw::laws {
 

@@ -4,9 +4,9 @@
 // between samples (saturating_flow.hpp); Integration::paper takes one classical Runge-Kutta step per sample.
 #pragma once
 
-#include "isolaw/laws/parts/abe_parts.hpp"
 #include "isolaw/laws/flows/flow.hpp"
 #include "isolaw/laws/flows/runge_kutta.hpp"
+#include "isolaw/laws/parts/abe_parts.hpp"
 
 namespace isolaw::laws {
 

@@ -3,8 +3,8 @@
 // elastic-perfectly-plastic part in parallel with K2.  Units kN, mm.  Step: exact along a straight path.
 #pragma once
 
-#include "isolaw/laws/parts/canonical.hpp"
 #include "isolaw/laws/law.hpp"
+#include "isolaw/laws/parts/canonical.hpp"
 #include "isolaw/laws/parts/limits.hpp"
 
 namespace isolaw::laws {

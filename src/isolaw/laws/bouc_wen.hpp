@@ -7,11 +7,11 @@
 
 #include <limits>
 
-#include "isolaw/laws/parts/canonical.hpp"
 #include "isolaw/laws/flows/flow.hpp"
-#include "isolaw/laws/law.hpp"
-#include "isolaw/laws/parts/limits.hpp"
 #include "isolaw/laws/flows/runge_kutta.hpp"
+#include "isolaw/laws/law.hpp"
+#include "isolaw/laws/parts/canonical.hpp"
+#include "isolaw/laws/parts/limits.hpp"
 
 namespace isolaw::laws {
 

@@ -11,9 +11,9 @@
 #include <cmath>
 #include <limits>
 
-#include "isolaw/laws/parts/canonical.hpp"
 #include "isolaw/laws/flows/flow.hpp"
 #include "isolaw/laws/law.hpp"
+#include "isolaw/laws/parts/canonical.hpp"
 #include "isolaw/laws/parts/limits.hpp"
 
 namespace isolaw::laws {

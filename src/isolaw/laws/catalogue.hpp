@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "isolaw/laws/parts/canonical.hpp"
 #include "isolaw/laws/law.hpp"
+#include "isolaw/laws/parts/canonical.hpp"
 
 namespace isolaw::laws {
 

@@ -7,11 +7,11 @@
 // flow (saturating_flow.hpp), each at its own scale.
 #pragma once
 
-#include "isolaw/laws/parts/canonical.hpp"
 #include "isolaw/laws/flows/flow.hpp"
 #include "isolaw/laws/law.hpp"
-#include "isolaw/laws/parts/limits.hpp"
 #include "isolaw/laws/memory/softening.hpp"
+#include "isolaw/laws/parts/canonical.hpp"
+#include "isolaw/laws/parts/limits.hpp"
 #include "isolaw/laws/parts/reference.hpp"
 
 namespace isolaw::laws {

@@ -5,10 +5,10 @@
 // terms. Units kN, mm. Step: exact along a straight path.
 #pragma once
 
-#include "isolaw/laws/parts/canonical.hpp"
 #include "isolaw/laws/law.hpp"
-#include "isolaw/laws/parts/limits.hpp"
 #include "isolaw/laws/memory/peaks.hpp"
+#include "isolaw/laws/parts/canonical.hpp"
+#include "isolaw/laws/parts/limits.hpp"
 #include "isolaw/laws/parts/reference.hpp"
 
 namespace isolaw::laws {

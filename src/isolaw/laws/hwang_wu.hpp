@@ -8,9 +8,9 @@
 // candidates have no bounded force and are rejected.
 #pragma once
 
+#include "isolaw/laws/flows/runge_kutta.hpp"
 #include "isolaw/laws/law.hpp"
 #include "isolaw/laws/parts/limits.hpp"
-#include "isolaw/laws/flows/runge_kutta.hpp"
 
 namespace isolaw::laws {
 

@@ -11,11 +11,11 @@
 #include <numbers>
 #include <vector>
 
-#include "isolaw/laws/parts/canonical.hpp"
 #include "isolaw/laws/law.hpp"
-#include "isolaw/laws/parts/limits.hpp"
 #include "isolaw/laws/memory/open_branches.hpp"
 #include "isolaw/laws/memory/peaks.hpp"
+#include "isolaw/laws/parts/canonical.hpp"
+#include "isolaw/laws/parts/limits.hpp"
 #include "isolaw/laws/parts/reference.hpp"
 
 namespace isolaw::laws {

@@ -6,8 +6,8 @@
 // +-D.  Units kN, mm.  Step: exact.
 #pragma once
 
-#include "isolaw/laws/parts/canonical.hpp"
 #include "isolaw/laws/law.hpp"
+#include "isolaw/laws/parts/canonical.hpp"
 #include "isolaw/laws/parts/limits.hpp"
 
 namespace isolaw::laws {

@@ -8,9 +8,9 @@
 // at +-Y instead of +-Y (1 - alpha g')^(1/n).  Units kN, mm.  Step: exact along a straight path.
 #pragma once
 
-#include "isolaw/laws/parts/canonical.hpp"
 #include "isolaw/laws/flows/flow.hpp"
 #include "isolaw/laws/law.hpp"
+#include "isolaw/laws/parts/canonical.hpp"
 #include "isolaw/laws/parts/limits.hpp"
 #include "isolaw/num/error_function.hpp"
 

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "isolaw/laws/law.hpp"
-#include "isolaw/laws/parts/limits.hpp"
 #include "isolaw/laws/memory/wear.hpp"
+#include "isolaw/laws/parts/limits.hpp"
 #include "isolaw/laws/power_masing.hpp"
 
 namespace isolaw::laws {

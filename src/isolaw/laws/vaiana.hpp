@@ -4,8 +4,8 @@
 // m.  Step: exact; a branch continued from any of its points is the same branch, so every sample serves as (xP, fP).
 #pragma once
 
-#include "isolaw/laws/parts/canonical.hpp"
 #include "isolaw/laws/law.hpp"
+#include "isolaw/laws/parts/canonical.hpp"
 #include "isolaw/laws/parts/limits.hpp"
 
 namespace isolaw::laws {

@@ -146,8 +146,9 @@ RecordPart read_channels(Tests const& tests, Table const& table, TestRecord reco
   table.check(complaints);
   check_interval(place, options, table.header(), columns, complaints);
   auto const range = options.rows.value_or(RowRange{});
-  auto rows = table.read(
-      columns.channels, {.range = range, .skip_footer = options.skip_footer, .date_order = options.date_order}, complaints);
+  auto rows =
+      table.read(columns.channels,
+                 {.range = range, .skip_footer = options.skip_footer, .date_order = options.date_order}, complaints);
   if (options.rows && complaints.empty()) check_range(rows, range, complaints);
   std::size_t skipped = 0;
   if (complaints.empty())

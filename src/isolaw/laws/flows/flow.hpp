@@ -1,8 +1,8 @@
 // Flow solves the equation of a hysteretic variable exactly: by polynomials in kernels, from a table in single trials.
 #pragma once
 
-#include "isolaw/laws/flows/trial_flow.hpp"
 #include "isolaw/laws/flows/saturating_flow.hpp"
+#include "isolaw/laws/flows/trial_flow.hpp"
 
 namespace isolaw::laws {
 

@@ -27,8 +27,8 @@
 #include <limits>
 #include <utility>
 
-#include "isolaw/laws/law.hpp"
 #include "isolaw/laws/flows/tabulated_flow.hpp"
+#include "isolaw/laws/law.hpp"
 
 namespace isolaw::laws {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "isolaw/laws/online/numbers.hpp"
 #include "isolaw/laws/flows/tabulated_flow.hpp"
+#include "isolaw/laws/online/numbers.hpp"
 
 namespace isolaw::laws::online {
 

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "isolaw/laws/parts/canonical.hpp"
 #include "isolaw/laws/law.hpp"
+#include "isolaw/laws/parts/canonical.hpp"
 #include "isolaw/laws/parts/limits.hpp"
 
 namespace isolaw::laws {

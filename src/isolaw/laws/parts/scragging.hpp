@@ -4,8 +4,8 @@
 #pragma once
 
 #include "isolaw/laws/law.hpp"
-#include "isolaw/laws/parts/limits.hpp"
 #include "isolaw/laws/memory/sides.hpp"
+#include "isolaw/laws/parts/limits.hpp"
 #include "isolaw/laws/parts/reference.hpp"
 
 namespace isolaw::laws {

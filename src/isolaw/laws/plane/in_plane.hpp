@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "isolaw/laws/plane/vector.hpp"
 #include "isolaw/laws/plane/springs.hpp"
+#include "isolaw/laws/plane/vector.hpp"
 
 namespace isolaw::laws {
 
