@@ -585,10 +585,10 @@ TEST(LotOfFiles, NamesDevicesAfterTheirFiles) {
 // A comma before three digits may group thousands, so 1,200 mm is ambiguous and isolaw leaves the value to the user.
 TEST_F(LotFileTest, NumbersOfAFileThatMayBeGroupedAreLeftToAPerson) {
   DeviceInfo info;
-  auto left = take_particulars({{"rubber-area-mm2", "282,743 mm2"}, {"rubber-thickness-mm", "1,200 mm"}}, info);
+  auto left = take_device_facts({{"rubber-area-mm2", "282,743 mm2"}, {"rubber-thickness-mm", "1,200 mm"}}, info);
   EXPECT_EQ(left.size(), 2u);
   EXPECT_FALSE(info.rubber_area_mm2 || info.rubber_thickness_mm);
-  left = take_particulars({{"rubber-area-mm2", "2827,43 cm2"}, {"rubber-thickness-mm", "20,8 cm"}}, info);
+  left = take_device_facts({{"rubber-area-mm2", "2827,43 cm2"}, {"rubber-thickness-mm", "20,8 cm"}}, info);
   EXPECT_TRUE(left.empty());
   EXPECT_DOUBLE_EQ(info.rubber_area_mm2.value(), 282743.0);
   EXPECT_DOUBLE_EQ(info.rubber_thickness_mm.value(), 208.0);

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "isolaw/analysis/sensitivity.hpp"
-#include "isolaw/base/ahead.hpp"
+#include "isolaw/base/work_ahead.hpp"
 #include "isolaw/opt/multistart.hpp"
 
 namespace isolaw::analysis {

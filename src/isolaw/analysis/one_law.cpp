@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "isolaw/base/ahead.hpp"
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/work_ahead.hpp"
 #include "isolaw/opt/multistart.hpp"
 
 namespace isolaw::analysis {

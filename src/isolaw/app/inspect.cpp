@@ -153,7 +153,7 @@ int init(InitArguments const& arguments) {
                      .advice = "rename the file, or calibrate it without a lot file"});
       auto const record = data::read_record(device.files.front(), device.read);
       device.read = record.layout;
-      remarks.stated.push_back(campaign::take_particulars(record.particulars, device.info));
+      remarks.stated.push_back(campaign::take_device_facts(record.device_facts, device.info));
       recognised.push_back(device);
       fmt::print("{}: {}\n",
                  device.name == campaign::name_of_file(device.files.front()) ? device.shown_file : device.name,

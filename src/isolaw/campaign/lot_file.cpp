@@ -439,7 +439,7 @@ void insert_vertical(toml::table& device, VerticalInput const& vertical, std::fi
   }
 }
 
-std::string open_keys(DeviceInfo const& info, Particulars const& hints) {  // keys that have no value, as comments
+std::string open_keys(DeviceInfo const& info, StatedFacts const& hints) {  // keys that have no value, as comments
   std::string text;
   for (auto const& option : info_table()) {
     if (!option.get(info).is_null()) continue;
@@ -453,9 +453,9 @@ std::string open_keys(DeviceInfo const& info, Particulars const& hints) {  // ke
 
 }  // namespace
 
-Particulars take_particulars(std::vector<std::pair<std::string, std::string>> const& particulars, DeviceInfo& info) {
-  Particulars left;
-  for (auto const& [key, text] : particulars) {
+StatedFacts take_device_facts(std::vector<std::pair<std::string, std::string>> const& device_facts, DeviceInfo& info) {
+  StatedFacts left;
+  for (auto const& [key, text] : device_facts) {
     auto const& table = info_table();
     auto const option = std::ranges::find(table, key, [](auto const& each) { return std::string(each.key); });
     if (option == table.end() || !option->get(info).is_null()) continue;
@@ -503,7 +503,7 @@ std::string lot_file_text(Lot const& written, std::filesystem::path const& direc
     insert_reading(device, input.read, shared);
     devices << "\n[[device]]\n" << device << '\n';
     if (remarks.open_keys)
-      devices << open_keys(input.info, i < remarks.stated.size() ? remarks.stated[i] : Particulars{});
+      devices << open_keys(input.info, i < remarks.stated.size() ? remarks.stated[i] : StatedFacts{});
   }
   toml::table read;
   for (auto const& [key, value] : shared.items())

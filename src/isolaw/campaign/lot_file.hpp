@@ -70,11 +70,11 @@ Lot read_lot_text(std::string_view text, std::filesystem::path const& file, LotF
 std::string name_of_file(std::filesystem::path const& file);        // printable and without blanks around it
 Lot lot_of_files(std::vector<std::filesystem::path> const& files);  // devices are named after their files
 
-using Particulars = std::map<std::string, std::string>;  // by key, what a record's file states about its device
+using StatedFacts = std::map<std::string, std::string>;  // by key, what a record's file states about its device
 
 struct LotFileRemarks {             // comments for the person who edits the file
   bool open_keys = false;           // list, as comments, the keys of a device that have no value yet
-  std::vector<Particulars> stated;  // for each device, statements of its file that could not be taken over
+  std::vector<StatedFacts> stated;  // for each device, statements of its file that could not be taken over
   std::vector<std::pair<std::filesystem::path, std::string>> left_out;  // files that are no devices, and why
 };
 
@@ -83,6 +83,6 @@ struct LotFileRemarks {             // comments for the person who edits the fil
 std::string lot_file_text(Lot const& lot, std::filesystem::path const& directory, LotFileRemarks const& remarks = {});
 
 // Copies statements of a record's file into empty fields of `info`. Returns those that cannot be used as they are.
-Particulars take_particulars(std::vector<std::pair<std::string, std::string>> const& particulars, DeviceInfo& info);
+StatedFacts take_device_facts(std::vector<std::pair<std::string, std::string>> const& device_facts, DeviceInfo& info);
 
 }  // namespace isolaw::campaign

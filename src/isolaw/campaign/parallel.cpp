@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "isolaw/base/ahead.hpp"
+#include "isolaw/base/work_ahead.hpp"
 
 namespace isolaw::campaign {
 

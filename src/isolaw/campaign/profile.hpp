@@ -8,7 +8,7 @@
 #include <mutex>
 #include <string_view>
 
-#include "isolaw/base/ahead.hpp"
+#include "isolaw/base/work_ahead.hpp"
 
 namespace isolaw::campaign {
 

@@ -8,8 +8,8 @@
 #include <span>
 #include <utility>
 
-#include "isolaw/base/ahead.hpp"
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/work_ahead.hpp"
 #include "isolaw/num/linear.hpp"
 #include "isolaw/num/row_kernels.hpp"
 

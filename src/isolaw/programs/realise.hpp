@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "isolaw/fit/box.hpp"
-#include "isolaw/programs/away.hpp"
 #include "isolaw/programs/mapping.hpp"
 #include "isolaw/programs/subject.hpp"
+#include "isolaw/programs/untested_motions.hpp"
 
 namespace isolaw::programs {
 

@@ -12,7 +12,7 @@
 #include "isolaw/base/words.hpp"
 #include "isolaw/campaign/maker.hpp"
 #include "isolaw/fit/objective.hpp"
-#include "isolaw/programs/away.hpp"
+#include "isolaw/programs/untested_motions.hpp"
 
 namespace isolaw::programs {
 namespace {

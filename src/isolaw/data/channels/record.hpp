@@ -32,7 +32,7 @@ struct TestRecord {
   // All choices made in reading. Read with these options, the file gives the same record.
   ReadOptions layout;
   // Facts about the device, such as its serial number, as pairs of a lot file's key and the text in the record's file.
-  std::vector<std::pair<std::string, std::string>> particulars;
+  std::vector<std::pair<std::string, std::string>> device_facts;
   std::vector<Finding> recognised;   // each choice made in reading, and why
   std::vector<Finding> corrections;  // corrections made; also in `recognised`
   std::vector<Finding> warnings;

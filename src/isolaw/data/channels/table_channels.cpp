@@ -162,11 +162,11 @@ RecordPart read_channels(Tests const& tests, Table const& table, TestRecord reco
   RecordPart part{.record = std::move(record), .origin_s = rows.origin_s, .dated = rows.dated};
   auto& part_record = part.record;
   part_record.layout = resolved_layout(columns, table.header(), options, tests.sheet);
-  part_record.particulars = table.particulars();
-  for (auto const& each : tests.particulars)
-    if (std::ranges::find(part_record.particulars, each.first, &ParticularList::value_type::first) ==
-        part_record.particulars.end())
-      part_record.particulars.push_back(each);
+  part_record.device_facts = table.device_facts();
+  for (auto const& each : tests.device_facts)
+    if (std::ranges::find(part_record.device_facts, each.first, &DeviceFacts::value_type::first) ==
+        part_record.device_facts.end())
+      part_record.device_facts.push_back(each);
   append(part_record.recognised, tests.recognised);
   append(part_record.recognised, table.recognised());
   append(part_record.recognised, columns.recognised);

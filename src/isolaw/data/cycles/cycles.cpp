@@ -9,8 +9,8 @@
 
 #include "isolaw/data/channels/time_gaps.hpp"
 #include "isolaw/data/cycles/cycle_blocks.hpp"
+#include "isolaw/data/cycles/excursions.hpp"
 #include "isolaw/data/cycles/holds.hpp"
-#include "isolaw/data/cycles/lobes.hpp"
 
 namespace isolaw::data {
 namespace {
@@ -145,15 +145,15 @@ struct Motion {
   std::vector<Gap> gaps;
   double centre = 0.0;
   double noise = 0.0;
-  std::vector<Lobe> lobes;
+  std::vector<Excursion> excursions;
   std::vector<Group> groups;
 
-  double first(Group const& group) const { return lobes[group.begin].first; }
-  double last(Group const& group) const { return lobes[group.end - 1].last; }
+  double first(Group const& group) const { return excursions[group.begin].first; }
+  double last(Group const& group) const { return excursions[group.end - 1].last; }
   std::size_t count(Part part) const {
     return static_cast<std::size_t>(std::ranges::count(groups, part, &Group::part));
   }
-  bool turns_after(Group const& group) const { return group.end == lobes.size() || lobes[group.end].turns; }
+  bool turns_after(Group const& group) const { return group.end == excursions.size() || excursions[group.end].turns; }
   Shape shape(Group const& group) const;
 };
 
@@ -181,8 +181,8 @@ Shape Motion::shape(Group const& group) const {
   auto const at = [&](double index) { return time.empty() ? index : value_at(time, index); };
   shape.period = at(shape.last) - at(shape.first) - shape.still_time;
   shape.has_gap = has_gap(gaps, shape.first, shape.last);
-  auto const& one = lobes[group.begin];
-  auto const& other = lobes[group.begin + 1];
+  auto const& one = excursions[group.begin];
+  auto const& other = excursions[group.begin + 1];
   shape.rise_and_fall = 2.0 * (at(static_cast<double>(other.tip)) - at(static_cast<double>(one.tip)));
   shape.turns_at_start = one.turns;
   shape.turns_at_end = turns_after(group);
@@ -190,7 +190,7 @@ Shape Motion::shape(Group const& group) const {
 }
 
 std::string why_partial(Motion const& motion, Group const& group) {
-  double const tip = motion.x[motion.lobes[group.begin].tip];
+  double const tip = motion.x[motion.excursions[group.begin].tip];
   switch (group.part) {
     case Part::pre_load:
       return fmt::format("pre-load: to {:.4g} mm and back, no part of the cycles after it", tip);
@@ -227,9 +227,10 @@ std::vector<CycleCut> with_parts(std::vector<CycleCut> cycles, Motion const& mot
 Finding too_short(std::span<double const> x, Motion const& motion, Segmentation const& segmentation) {
   auto const [least, largest] = std::ranges::minmax(x);
   // Each excursion to the side of the first motion starts with a crossing of the centre in that direction.
-  auto const first = std::ranges::find(motion.lobes, false, &Lobe::starts_open);
-  auto const crossings =
-      std::count_if(first, motion.lobes.end(), [&](Lobe const& lobe) { return lobe.positive == first->positive; });
+  auto const first = std::ranges::find(motion.excursions, false, &Excursion::starts_open);
+  auto const crossings = std::count_if(first, motion.excursions.end(), [&](Excursion const& excursion) {
+    return excursion.positive == first->positive;
+  });
   return {.kind = FindingKind::no_complete_cycle,
           .numbers = {{"least_mm", least},
                       {"largest_mm", largest},
@@ -268,7 +269,7 @@ double regular_share(std::vector<Shape> const& shapes, Swings const& swings, Mot
   }
   for (auto k = swings.begin; k < swings.end; ++k) travel += 2.0 * swings.half[k];
   for (auto const& group : motion.groups)
-    if (group.part == Part::pre_load) travel -= 2.0 * motion.lobes[group.begin].reach_mm;
+    if (group.part == Part::pre_load) travel -= 2.0 * motion.excursions[group.begin].reach_mm;
   double const all = std::max(in_cycles, travel - regular_ends(shapes, swings, at)) - in_tapers;
   return all > 0.0 ? regular / all : 0.0;
 }
@@ -366,9 +367,9 @@ Segmentation segment(std::span<double const> disp_mm, std::span<double const> ti
   segmentation.centre_mm = centre_of(disp_mm, swings, found.band_mm);
   motion.centre = segmentation.centre_mm;
   motion.noise = noise_deviation(disp_mm);
-  motion.lobes = lobes(disp_mm, time_s, found, segmentation.centre_mm);
-  for (auto& lobe : motion.lobes) lobe.has_gap = has_gap(motion.gaps, lobe.first, lobe.last);
-  motion.groups = group_lobes(motion.lobes);
+  motion.excursions = excursions(disp_mm, time_s, found, segmentation.centre_mm);
+  for (auto& excursion : motion.excursions) excursion.has_gap = has_gap(motion.gaps, excursion.first, excursion.last);
+  motion.groups = group_excursions(motion.excursions);
   if (motion.count(Part::cycle) == 0) {
     segmentation.refusal = too_short(disp_mm, motion, segmentation);
     segmentation.cycles = with_parts({}, motion);

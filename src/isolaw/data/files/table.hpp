@@ -13,8 +13,8 @@
 #include "isolaw/base/finding.hpp"
 #include "isolaw/base/units.hpp"
 #include "isolaw/data/files/channel.hpp"
+#include "isolaw/data/files/device_facts.hpp"
 #include "isolaw/data/files/header.hpp"
-#include "isolaw/data/files/particulars.hpp"
 #include "isolaw/data/files/row_range.hpp"
 #include "isolaw/data/files/time_stamp.hpp"
 
@@ -94,7 +94,7 @@ class Table {
   std::size_t start() const { return start_; }
   // The test's name in messages, as in "tests(2) 'B'", if a file's tests have no line number that tells them apart.
   std::string const& title() const { return title_; }
-  ParticularList const& particulars() const { return particulars_; }
+  DeviceFacts const& device_facts() const { return device_facts_; }
 
   // The place of a column for messages, such as "d01.mat:dist".
   virtual std::string place_of(std::size_t /*column*/) const { return place_; }
@@ -111,7 +111,7 @@ class Table {
   std::size_t columns_ = 0;
   std::size_t start_ = 1;
   std::string title_;
-  ParticularList particulars_;
+  DeviceFacts device_facts_;
 };
 
 struct Tests {
@@ -119,7 +119,7 @@ struct Tests {
   std::vector<std::string> sheets;              // names of the file's parts with tables, if it has parts
   std::optional<std::string> sheet;             // the part that `tables` are from, if the file has several
   std::vector<Finding> recognised;              // findings about the file as a whole
-  ParticularList particulars;                   // facts about the device from sheets without tables
+  DeviceFacts device_facts;                     // facts about the device from sheets without tables
   std::vector<std::string> sheets_passed_over;  // sheets with rows of numbers that name no channel
 };
 

@@ -8,9 +8,9 @@
 
 #include "isolaw/base/words.hpp"
 #include "isolaw/data/files/column_names.hpp"
+#include "isolaw/data/files/device_facts.hpp"
 #include "isolaw/data/files/dialect.hpp"
 #include "isolaw/data/files/exporter.hpp"
-#include "isolaw/data/files/particulars.hpp"
 #include "isolaw/data/files/text.hpp"
 
 namespace isolaw::data {
@@ -327,7 +327,7 @@ class TextTable : public Table {
     constexpr std::size_t most_lines_above = 1000;
     for (auto i = begin; i < std::min(header_.first_data, begin + most_lines_above); ++i)
       if (i != header_.name_line && i != header_.unit_line)
-        take_particulars(page_->text.lines[i], page_->dialect.delimiter, particulars_);
+        take_device_facts(page_->text.lines[i], page_->dialect.delimiter, device_facts_);
     start_ = (header_.name_line ? *header_.name_line : header_.first_data) + 1;
   }
 
@@ -481,7 +481,7 @@ Tests sheet_tests(std::string rows, std::string const& place) {
     Tests none;
     constexpr std::size_t lines_read = 1000;
     for (auto const line : page->text.lines | std::views::take(lines_read))
-      take_particulars(line, '\t', none.particulars);
+      take_device_facts(line, '\t', none.device_facts);
     return none;
   }
   page->dialect = *std::move(dialect);

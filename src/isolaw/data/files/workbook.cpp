@@ -326,13 +326,13 @@ class Workbook {
   }
 
   // Facts about the device in a sheet of notes. Empty for a sheet that holds a table or a long text.
-  ParticularList particulars(Sheet const& sheet) {
+  DeviceFacts device_facts(Sheet const& sheet) {
     constexpr std::uint64_t longest = 1u << 16;
     try {
       RowWriter writer(sheet.name, texts_, dates_, longest);
       parse(archive_, file_, sheet.entry, writer.handlers());
       auto notes = sheet_tests(writer.take(), sheet.name);
-      return notes.tables.empty() ? std::move(notes.particulars) : ParticularList{};
+      return notes.tables.empty() ? std::move(notes.device_facts) : DeviceFacts{};
     } catch (Error const&) {  // a sheet that is not the test may hold anything
       return {};
     }
@@ -373,7 +373,7 @@ class Workbook {
   std::vector<bool> dates_;
 };
 
-void append(ParticularList& list, ParticularList const& more) {
+void append(DeviceFacts& list, DeviceFacts const& more) {
   list.insert(list.end(), more.begin(), more.end());
 }
 std::size_t channels_named(Tests const& tests) {
@@ -408,18 +408,18 @@ Tests workbook_tests(std::string_view bytes, std::string const& file, std::optio
         decision(FindingKind::file_format, fmt::format("an Excel workbook, sheet {}", in_quotes(names[index]))));
     constexpr std::size_t most_beside = 30;  // only the first sheets are searched for notes
     for (std::size_t i = 0; i < std::min(names.size(), most_beside); ++i)
-      if (i != index) append(tests.particulars, workbook.particulars(workbook.sheets()[i]));
+      if (i != index) append(tests.device_facts, workbook.device_facts(workbook.sheets()[i]));
     return tests;
   }
   Tests first, named;  // first sheet with rows of numbers; first such sheet that names a channel
   std::vector<std::string> found, without_names;
   std::size_t most = 0;
-  ParticularList particulars;
+  DeviceFacts device_facts;
   std::vector<std::pair<std::size_t, std::size_t>> filled;  // sheets with rows of numbers; number of channels they name
   for (std::size_t i = 0; i < names.size(); ++i) {
     auto tests = workbook.tests(workbook.sheets()[i]);
     if (tests.tables.empty()) {
-      append(particulars, tests.particulars);
+      append(device_facts, tests.device_facts);
       continue;
     }
     auto const channels = channels_named(tests);
@@ -449,7 +449,7 @@ Tests workbook_tests(std::string_view bytes, std::string const& file, std::optio
         FindingKind::test_chosen, fmt::format("{} {} no time, displacement or force, passed over",
                                               sheet_list(without_names, without_names.size() == 1 ? "sheet" : "sheets"),
                                               without_names.size() == 1 ? "names" : "name")));
-  first.particulars = std::move(particulars);
+  first.device_facts = std::move(device_facts);
   first.sheets_passed_over = std::move(without_names);
   first.sheets = std::move(found);
   return first;

@@ -1,7 +1,7 @@
-// A lobe is an excursion of the motion to one side of its centre; two lobes to opposite sides make a cycle. A lobe ends
-// where the motion crosses the centre, or comes back to it and turns there. A lobe after the start, a rest or a turn is
-// left out as a pre-load if the lobes after it are alike and it differs from them in reach (by 15 %) or in the time in
-// which it falls (by a factor of 1.5). A half cycle at the end of a stage is left out as well.
+// An excursion is a motion to one side of the centre and back; two excursions to opposite sides make a cycle. It ends
+// where the motion crosses the centre, or comes back to it and turns there. An excursion after the start, a rest or a
+// turn is left out as a pre-load if those after it are alike and it differs from them in reach (by 15 %) or in the
+// time in which it falls (by a factor of 1.5). A half cycle at the end of a stage is left out as well.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace isolaw::data {
 
-struct Lobe {
+struct Excursion {
   double first = 0.0;  // fractional sample indices
   double last = 0.0;
   std::size_t tip = 0;       // sample farthest from the centre
@@ -27,21 +27,21 @@ struct Lobe {
 };
 
 enum class Part {
-  cycle,       // two lobes
-  pre_load,    // a lobe before cycles that belongs to none of them
-  half,        // a single lobe, after which the motion starts anew
+  cycle,       // two excursions
+  pre_load,    // an excursion before cycles that belongs to none of them
+  half,        // a single excursion, after which the motion starts anew
   open_start,  // part of a cycle at the start of the record
   open_end     // part of a cycle at the end of the record
 };
 
 struct Group {
   Part part = Part::cycle;
-  std::size_t begin = 0;  // lobes [begin, end)
+  std::size_t begin = 0;  // excursions [begin, end)
   std::size_t end = 0;
 };
 
-std::vector<Lobe> lobes(std::span<double const> disp_mm, std::span<double const> time_s, Reversals const& motion,
-                        double centre_mm);
-std::vector<Group> group_lobes(std::vector<Lobe> const& lobes);
+std::vector<Excursion> excursions(std::span<double const> disp_mm, std::span<double const> time_s,
+                                  Reversals const& motion, double centre_mm);
+std::vector<Group> group_excursions(std::vector<Excursion> const& excursions);
 
 }  // namespace isolaw::data

@@ -4,8 +4,8 @@
 
 #include <numbers>
 
-#include "isolaw/programs/away.hpp"
 #include "isolaw/programs/realise.hpp"
+#include "isolaw/programs/untested_motions.hpp"
 #include "unit/programs_fixture.hpp"
 
 namespace isolaw::programs_test {

@@ -1,4 +1,4 @@
-#include "isolaw/base/ahead.hpp"
+#include "isolaw/base/work_ahead.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "isolaw/data/files/particulars.hpp"
+#include "isolaw/data/files/device_facts.hpp"
 
 #include <algorithm>
 #include <array>
@@ -135,12 +135,11 @@ std::optional<std::string_view> key_of(std::string_view label, std::string& unit
   return found == labels.end() ? std::nullopt : std::optional(found->key);
 }
 
-void add(std::string_view key, std::string_view value, std::string const& unit, ParticularList& found) {
+void add(std::string_view key, std::string_view value, std::string const& unit, DeviceFacts& found) {
   constexpr std::size_t longest = 100;
   value = trimmed(value);
   bool const empty = value.find_first_not_of("-_. ") == std::string_view::npos;
-  if (empty || value.size() > longest ||
-      std::ranges::find(found, key, &ParticularList::value_type::first) != found.end())
+  if (empty || value.size() > longest || std::ranges::find(found, key, &DeviceFacts::value_type::first) != found.end())
     return;
   // Leaves out a value that contains further labels, since it is several values.
   if (value.find(';') != std::string_view::npos || value.find(": ") != std::string_view::npos) return;
@@ -155,7 +154,7 @@ void add(std::string_view key, std::string_view value, std::string const& unit, 
 
 }  // namespace
 
-void take_particulars(std::string_view line, char delimiter, ParticularList& found) {
+void take_device_facts(std::string_view line, char delimiter, DeviceFacts& found) {
   constexpr std::size_t longest_line_of_one = 1000;
   line = trimmed(line);
   while (!line.empty() && (line.front() == '#' || line.front() == '%' || line.front() == '"'))

@@ -9,9 +9,9 @@
 namespace isolaw::data {
 
 // Keys and values in the order of the file. If a key occurs twice, the first counts.
-using ParticularList = std::vector<std::pair<std::string, std::string>>;
+using DeviceFacts = std::vector<std::pair<std::string, std::string>>;
 
 // Adds the facts that a line states, such as "Serial No: X", "Specimen;D07" or "Temperature [C]", "23".
-void take_particulars(std::string_view line, char delimiter, ParticularList& found);
+void take_device_facts(std::string_view line, char delimiter, DeviceFacts& found);
 
 }  // namespace isolaw::data

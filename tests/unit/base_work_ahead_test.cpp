@@ -1,6 +1,6 @@
 // Threads that work ahead on items of a task: each item is done once and before it is needed, and a failure reaches the
 // thread that needs the item.
-#include "isolaw/base/ahead.hpp"
+#include "isolaw/base/work_ahead.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "isolaw/programs/away.hpp"
+#include "isolaw/programs/untested_motions.hpp"
 
 #include <fmt/format.h>
 
