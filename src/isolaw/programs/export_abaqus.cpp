@@ -15,7 +15,8 @@
 namespace isolaw::programs {
 namespace {
 
-// Numbers in SVARS for the largest state without turning points, and for those that remain after free vibration.
+// Size of SVARS: room for the largest state of a law that stores no turning points, and room for the turning points
+// that a law still stores at the end of a long free vibration.
 constexpr int fixed_variables = 64, turning_variables = 1000;
 
 }  // namespace

@@ -13,7 +13,8 @@
 namespace isolaw::programs {
 namespace {
 
-// The factors on the force that a script may name: rows of a C++ table, and a list for the file's comments.
+// The names of the force factors (nominal, lower, upper) that an OpenSees script may give: once as rows of a C++ table
+// and once as a list for a comment in the exported file.
 struct Variants {
   std::string table = "{\"nominal\", nominal}", names = "nominal";
 };
