@@ -28,7 +28,7 @@ std::string log_tics(Range const& range) {
     for (int decade = first; decade <= last; ++decade)
       for (double const digit : {1.0, 2.0, 5.0}) add(digit * std::pow(10.0, decade));
   }
-  if (values.size() < 3) {  // less than a decade: tics as on a linear axis
+  if (values.size() < 3) {  // for less than about a decade, evenly spaced tics
     values.clear();
     double const step = nice_step(range.high - range.low, 4);
     for (double k = std::ceil(range.low / step); k * step <= range.high; ++k) values.push_back(k * step);

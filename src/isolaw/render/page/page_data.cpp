@@ -32,7 +32,8 @@ constexpr int profile_digits = 6;
 constexpr double curve_levels = 20000.0;
 constexpr std::size_t convergence_points = 120;
 
-// Differences of rounded integers do not add up rounding errors. A sample that is not finite repeats the last value.
+// Writes a curve as differences of rounded integers, which add up without rounding errors. For a sample that is not
+// finite the previous value is written again.
 void write_curve(JsonWriter& out, std::string_view key, std::vector<double> const& values,
                  std::vector<std::size_t> const& samples) {
   double lower = 0.0, upper = 0.0;
@@ -115,10 +116,12 @@ void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const&
   });
 }
 
-// A parameter has the same values of these results on every device, so they are written once for each law.
+// The unit of a parameter, whether it is free and its name in the paper are the same on every device. They are written
+// once for each law.
 constexpr auto of_the_law = columns(parameter_results, {"unit", "free", "paper_name"});
 
-// Writes one array for each property, so that a fit repeats neither names of properties nor of parameters.
+// Writes one array for each property of the parameters. A fit thus repeats neither the properties' nor the parameters'
+// names.
 void write_parameter_columns(JsonWriter& out, std::vector<ParameterFit> const& parameters) {
   for (auto const& row : parameter_results)
     if (std::ranges::find(of_the_law, row.key, &Result<ParameterFit>::key) == of_the_law.end())
@@ -338,7 +341,7 @@ Notation notation_of(Summary const& summary) {
 
 void write_notation(JsonWriter& out, Notation const& of) {
   out.key("symbols").array(law_looks, [&](auto const& look) { out.value(look.symbol); });
-  // True for a name such as "a10", unless a device has the same name.
+  // True for a name with a digit, such as "a10", that is no device's name. Such a name can only mean the parameter.
   auto const is_no_other_word = [&](std::string_view name) {
     return name.size() > 1 && std::ranges::any_of(name, is_digit) && !of.devices.contains(name);
   };

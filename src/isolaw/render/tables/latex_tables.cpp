@@ -81,7 +81,8 @@ std::string block_head(std::vector<std::string> const& devices, std::size_t colu
   return names + "\\\\*\n" + rules + "\\nopagebreak\n" + words + " \\\\*\n\\midrule\\nopagebreak\n";
 }
 
-// The power of ten to divide a row by, so that its numbers are short and easy to compare. The unit states it.
+// Returns the power of ten by which a row is divided, so that its numbers are short and easy to compare. The row's unit
+// states the power.
 int power_of(LawResult const& law, Quantity const& quantity) {
   double largest = 0.0;
   for (auto const& fit : law.devices) {
@@ -187,7 +188,7 @@ std::string latex_text(std::string_view text) {
       latex += latex_of_letter(rest.substr(0, length));
     } else {
       auto const special = std::ranges::find(signs, rest.front(), &std::pair<char, std::string_view>::first);
-      // Two dashes or two quotes in a row would become another sign, so they are kept apart.
+      // LaTeX would join two dashes or two quotes in a row into another sign, so `{}` keeps them apart.
       bool const joins = (rest.front() == '-' || rest.front() == '\'') && latex.ends_with(rest.front());
       if (joins) latex += "{}";
       if (after_backslash.find(rest.front()) != std::string_view::npos) latex += '\\';

@@ -3,7 +3,8 @@
 
 const isThere = (value) => value !== null && value !== undefined && value !== false;
 
-// `set` turns a text into the children of an element with a tag, and `unset` a text into the value of an attribute.
+// Returns a function that creates an element. `set` turns a text into children, and `unset` a text into an attribute's
+// value.
 export const elementsWith = (set, unset) => (tag, attributes = {}, ...children) => {
   const node = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {

@@ -88,7 +88,7 @@ function commandLine() {
   const code = element('code', { class: 'command', tabindex: '0' }, report.command);
   const copy = ({ currentTarget: pressed }) => {
     getSelection().selectAllChildren(code);
-    // A browser copies only from a secure address. On others the command stays selected for Ctrl-C.
+    // Browsers copy only on secure pages. On other pages the command stays selected for Ctrl-C.
     navigator.clipboard?.writeText(report.command).then(() => (pressed.textContent = 'Copied'), () => {});
   };
   return element('div', { class: 'command-line' }, code, button('Copy', copy, { class: 'action screen' }));
