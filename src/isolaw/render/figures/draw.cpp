@@ -61,8 +61,7 @@ bool take_over(fs::path const& from, fs::path const& to, std::string const& name
 // Number of figures in a batch. The temporary files of a batch take room until all of its figures are drawn.
 constexpr std::size_t figures_per_process = 64;
 
-// Draws `names` in one process. If a figure fails, a new process draws those after it. Copies finished figures to
-// `dir`.
+// Draws `names` in one process. If a figure fails, a new process draws the next ones. Copies finished figures to `dir`.
 void draw_batch(fs::path const& dir, std::vector<std::string> names, FigureOutcome& outcome) {
   Scratch const scratch;
   if (scratch.path().empty()) {

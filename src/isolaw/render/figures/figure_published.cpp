@@ -1,5 +1,4 @@
-// Compares the campaign with Table A.5. As there, the standard deviation over runs is divided by the magnitude of the
-// mean.
+// Compares the campaign with Table A.5. As there, standard deviations over runs are divided by the mean's magnitude.
 #include <algorithm>
 #include <cmath>
 

@@ -22,8 +22,7 @@ struct Figure {
   std::string data, script;
 };
 
-// Passes one figure after another to `use`, since all figures of 160 devices would fill the memory. Skips empty
-// figures.
+// Passes one figure after another to `use`, because all figures of 160 devices would fill the memory. Skips empty ones.
 void for_each_figure(Summary const& summary, FigureChoice choice, std::function<void(Figure const&)> const& use);
 // Makes file names of letters, digits, '.', '-' and '_'. They are short enough for a file system and differ even if it
 // ignores case. No stem equals another stem followed by an underscore and one of the endings.

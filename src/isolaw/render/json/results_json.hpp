@@ -14,8 +14,7 @@
 
 namespace isolaw::render {
 
-// Digits of numbers. With `all`, reading gives the same doubles again. With `shown`, each row sets how many a plot
-// needs.
+// Digits of numbers. With `all`, reading gives the same doubles again. With `shown`, each row sets what a plot needs.
 enum class Digits { all, shown };
 
 inline constexpr int shown_digits = 9;
@@ -31,8 +30,7 @@ void write_members(JsonWriter& out, std::string_view key, T const& value, Rest c
   if constexpr (sizeof...(rest) > 0) write_members(out, rest...);
 }
 
-// Writes the key and value of every row. Where the value is an object or array (Nested), it writes the key and `nested`
-// writes the value.
+// Writes every row's key and value. If the value is an object or array (Nested), `nested` writes it after the key.
 template <class Object, std::size_t count, class Nested>
 void write_results(JsonWriter& out, Result<Object> const (&rows)[count], Object const& object, Digits digits,
                    Nested const& nested) {

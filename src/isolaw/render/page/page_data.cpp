@@ -32,8 +32,8 @@ constexpr int profile_digits = 6;
 constexpr double curve_levels = 20000.0;
 constexpr std::size_t convergence_points = 120;
 
-// Writes a curve as differences of rounded integers, which add up without rounding errors. For a sample that is not
-// finite the previous value is written again.
+// Writes differences of rounded integers, which add up without error. A sample that is not finite repeats the last
+// value.
 void write_curve(JsonWriter& out, std::string_view key, std::vector<double> const& values,
                  std::vector<std::size_t> const& samples) {
   double lower = 0.0, upper = 0.0;
@@ -116,12 +116,10 @@ void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const&
   });
 }
 
-// The unit of a parameter, whether it is free and its name in the paper are the same on every device. They are written
-// once for each law.
+// The results of a parameter that are the same on every device. They are written once for each law.
 constexpr auto of_the_law = columns(parameter_results, {"unit", "free", "paper_name"});
 
-// Writes one array for each property of the parameters. A fit thus repeats neither the properties' nor the parameters'
-// names.
+// Writes one array for each property of the parameters, so that a fit does not repeat the properties' names.
 void write_parameter_columns(JsonWriter& out, std::vector<ParameterFit> const& parameters) {
   for (auto const& row : parameter_results)
     if (std::ranges::find(of_the_law, row.key, &Result<ParameterFit>::key) == of_the_law.end())

@@ -61,8 +61,7 @@ struct Row {
   std::string remark = {};
 };
 
-// Each column is two blanks wider than its longest text, and the column of names `id_gap` wider. `widths` and
-// `id_width` are smallest widths.
+// Columns are two blanks wider than their longest text (names: `id_gap` wider) and at least as wide as given.
 std::string table(std::vector<Row> const& rows, std::vector<int> widths, int id_width, int id_gap = 0) {
   widths.resize(rows.front().cells.size());
   for (auto const& row : rows) {
@@ -100,8 +99,7 @@ std::string law_table(Summary const& summary) {
   return table(rows, {18, 8, 7, 7, 9, 9}, 3);
 }
 
-// Explains |dK| and |dE| if laws were fitted to part of the tests. The errors may then belong to another cycle than the
-// reported one.
+// Explains |dK| and |dE| for laws fitted to part of the tests. The errors may then not belong to the reported cycle.
 std::string compared_on(Summary const& summary, int width) {
   bool const part =
       std::ranges::any_of(summary.devices, [](auto const& device) { return !device.record.scored.empty(); });
@@ -420,8 +418,7 @@ std::string answer(Summary const& summary, std::string_view directory, int width
     text += wrapped("", fmt::format("Low confidence: {}.", wording::paragraph(shown.weak, "; ")), 2, width);
   text += '\n' + short_table(summary, shown) + '\n';
   if (!shown.surer.empty()) text += wrapped("To be surer", wording::paragraph(shown.surer, "; ") + ".", margin, width);
-  // The answer leaves out warnings about other laws and warnings that the line "Low confidence" repeats. --details
-  // shows them.
+  // Only --details shows warnings about other laws and warnings that the line "Low confidence" repeats.
   auto concerned = found.warnings;
   std::erase_if(concerned, [&](Finding const& finding) {
     return (law != nullptr && !finding.law.empty() && finding.law != summary.laws[*law->law].id) ||

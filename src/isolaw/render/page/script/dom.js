@@ -24,6 +24,5 @@ export function shortList(items, most, few, className = null) {
 
 export const isPrinting = () => 'printing' in document.documentElement.dataset;
 
-// Returns an empty text when printing. It serves texts about controls and downloads, which a printed page does not
-// have.
+// Returns an empty text when printing, since a printed page has no controls or downloads that the text could explain.
 export const onScreen = (text) => (isPrinting() ? '' : text);

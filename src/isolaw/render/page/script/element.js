@@ -3,7 +3,7 @@
 
 const isThere = (value) => value !== null && value !== undefined && value !== false;
 
-// Returns a function that creates an element. `set` turns a text into children, and `unset` a text into an attribute's
+// Returns a function that creates an element. `set` turns a text into children, `unset` a text into an attribute's
 // value.
 export const elementsWith = (set, unset) => (tag, attributes = {}, ...children) => {
   const node = document.createElement(tag);

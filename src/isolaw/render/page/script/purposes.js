@@ -29,8 +29,7 @@ export const errorText = (error) =>
 
 const NAMED_AT_FIRST = 3;
 
-// The laws that the page shows at first: the most accurate laws for the first purpose, without laws that do not
-// predict.
+// The laws that the page shows at first: the most accurate ones for the first purpose, if they predict.
 export const recommended = (() => {
   const purpose = PURPOSES.find(({ id }) => id === FIRST);
   const named = purpose?.recommendation?.law
