@@ -83,7 +83,7 @@ std::string decimals(double value, int digits) {
   return fmt::format("{:.{}f}", value, digits);
 }
 
-// The cells of one row: time, displacement, force and load. A unit is given by its size in s, mm or kN.
+// Writes time, displacement, force and load as a row's cells. The units are given as their sizes in s, mm and kN.
 auto plain(double disp_unit, double force_unit, double load_unit, int disp_digits, int force_digits,
            double time_unit = 1.0, int time_digits = 2) {
   return [=](Sample const& s, std::size_t) {

@@ -173,7 +173,7 @@ int init(InitArguments const& arguments) {
         shown(arguments.out));
   lot.devices = std::move(recognised);
   auto const folder = std::filesystem::absolute(arguments.out).parent_path();
-  // The size is that of the other production lot, so the user is told. A size below the number of devices is dropped.
+  // This size is that of the lot in --like, so the user is told. A size below the number of devices is left out.
   auto& size = lot.acceptance.lot_size;
   if (size && static_cast<std::size_t>(*size) < lot.devices.size()) {
     say("lot-size = {} of {} left out: there are {} devices here\n", *size, shown(*arguments.like), lot.devices.size());

@@ -15,8 +15,7 @@
 namespace isolaw::programs {
 namespace {
 
-// Size of SVARS: room for the largest state of a law that stores no turning points, and room for the turning points
-// that a law still stores at the end of a long free vibration.
+// Room in SVARS for the largest state without turning points, and for turning points left by a long free vibration.
 constexpr int fixed_variables = 64, turning_variables = 1000;
 
 }  // namespace

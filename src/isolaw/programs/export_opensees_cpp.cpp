@@ -13,8 +13,7 @@
 namespace isolaw::programs {
 namespace {
 
-// The names of the force factors (nominal, lower, upper) that an OpenSees script may give: once as rows of a C++ table
-// and once as a list for a comment in the exported file.
+// The names of force factors that an OpenSees script may give, as rows of a C++ table and as a list for a comment.
 struct Variants {
   std::string table = "{\"nominal\", nominal}", names = "nominal";
 };

@@ -39,8 +39,7 @@ std::string opensees_script(Subject const& subject, Realisation const& realisati
                             ScriptAddition const& addition = {});
 std::string openseespy_script(Subject const& subject, Realisation const& realisation, UnitSystem const& units,
                               ScriptAddition const& addition = {});
-// Writes the law's script together with the building in `subject.model`. If laws are drawn for the bearings,
-// add_draws() must have added them to the realisation before.
+// Write the law's script with the building of `subject`. add_draws() must have added the laws drawn for its bearings.
 std::string opensees_model(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::string openseespy_model(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::string cpp_header(Subject const& subject, UnitSystem const& units);

@@ -77,7 +77,6 @@ bool is_simple(std::string_view text) {
   return !text.empty() && std::ranges::all_of(text, [](char c) { return of_a_name(c) || c == '.' || c == ':'; });
 }
 
-// Returns the position of the '>' that closes the '<' at the start of `code`.
 std::size_t closing_angle(std::string_view code) {
   int open = 0;
   for (std::size_t i = 0; i < code.size(); ++i) {

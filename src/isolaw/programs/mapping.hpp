@@ -52,8 +52,7 @@ laws::BilinearForm scaled(laws::BilinearForm values, BoundFactors const& scale);
 laws::BoucWenForm scaled(laws::BoucWenForm values, BoundFactors const& scale);
 laws::MenegottoPintoForm scaled(laws::MenegottoPintoForm values, BoundFactors const& scale);
 
-// Return the law's values in kN and mm, or nullopt for a law that is not bilinear (not Bouc-Wen). Limit curves without
-// hardening count as Bouc-Wen with n = 1.
+// Return the law's values in kN and mm; nullopt for other laws. Limit curves without hardening are Bouc-Wen with n = 1.
 std::optional<laws::BilinearForm> bilinear_values(laws::LawEntry const& law, std::span<double const> parameters);
 std::optional<laws::BoucWenForm> bouc_wen_values(laws::LawEntry const& law, std::span<double const> parameters);
 

@@ -66,8 +66,7 @@ inline constexpr double overtravel = 1.5;
 
 inline constexpr std::string_view corner_law = "bilinear", smooth_law = "bouc-wen";
 
-// A form is far off beyond these percentages of the peak force at one sample or in root mean square. far_off() also
-// applies the limits on stiffness and energy of adequacy.hpp.
+// Limits of far_off() in percent of the peak force: at one sample, and rms. adequacy.hpp has those of the properties.
 inline constexpr double far_off_percent = 50.0, far_off_rms_percent = 10.0;
 bool far_off(Deviation const& from_law);
 bool far_off(std::vector<OtherCycle> const& cycles);
