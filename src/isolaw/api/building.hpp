@@ -59,8 +59,8 @@ class Building {
   std::vector<std::string> laws() const;
   std::size_t draws() const;
   std::size_t motions() const;
-  // A quantity of building.json in its unit, as [law][draw][motion]. NaN for draws without finite numbers. Throws Error
-  // for an unknown quantity.
+  // A quantity of building.json as [law][draw][motion], NaN without a finite number. Throws Error for an unknown
+  // quantity.
   std::vector<double> peaks(std::string_view quantity = "isolator_mm") const;
   // Throws Error if `law` or `motion` is not below laws().size() or motions().
   BuildingHistory history(std::size_t law, std::size_t motion) const;

@@ -1,5 +1,4 @@
-// Studies a building on devices from a lot, for the command, Python and api/building.hpp. Not public, as it needs
-// Eigen.
+// Studies a building on devices from a lot, for the command, Python and api/building.hpp. Not public: it needs Eigen.
 #pragma once
 
 #include <cstddef>

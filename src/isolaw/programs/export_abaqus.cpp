@@ -1,5 +1,4 @@
-// Writes the law for Abaqus/Standard as a user element (UEL) in C++. All state is in SVARS, so that Abaqus can repeat
-// an increment.
+// Writes the law for Abaqus/Standard as a user element (UEL) in C++. All state is in SVARS, for repeated increments.
 #include <fmt/format.h>
 
 #include <array>

@@ -1,5 +1,4 @@
-// Writes the law as a Tcl script for OpenSees. The script only defines procedures, and its self-check has its own
-// model.
+// Writes the law as a Tcl script for OpenSees. The script defines procedures only. Its self-check has its own model.
 #include <fmt/format.h>
 
 #include <ranges>

@@ -31,8 +31,7 @@ struct Export {
   std::string text;
   std::vector<std::string> let_through, cautions;
 };
-// Throws Error for an unusable prediction or a poor substitute. With `anyway`, these reasons go to `let_through`
-// instead.
+// Throws Error for an unusable prediction or a poor substitute. With `anyway`, the reasons go to `let_through` instead.
 Export write_export(Subject const& subject, Target const& target, UnitSystem const& units, bool anyway);
 
 std::string opensees_script(Subject const& subject, Realisation const& realisation, UnitSystem const& units,

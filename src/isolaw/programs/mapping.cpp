@@ -178,8 +178,8 @@ double longest_travel(laws::LimitCurve const& v, double reach) {
 }
 
 // HystereticAsym refuses a limit curve that softens (beta1 < 0). Its hysteretic force is proportional to ka, kb and fo.
-// The law is therefore written as a material with 1.1 times the hysteretic force, minus a material with 0.1 times the
-// hysteretic force and a hardening curve.
+// The law is thus a material with 1.1 times this force minus a material with 0.1 times this force and a hardening
+// curve.
 constexpr double surplus = 0.1;
 
 // In HystereticAsym the hardening term has the coefficient 1, whatever the unit of force. For a law that hardens,

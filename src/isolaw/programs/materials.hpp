@@ -45,8 +45,7 @@ std::string refused_by_program(std::span<Command const> commands);
 // Throws Error for an unknown name, for a wrong number of arguments, and where tags_of() does.
 std::unique_ptr<Material> make_material(std::span<Command const> commands);
 
-// Returns the force after each displacement, starting at displacement 0. Once a force is NaN, all later ones are NaN,
-// as in OpenSees.
+// Returns the force after each displacement, from displacement 0 on. After a force of NaN all are NaN, as in OpenSees.
 std::vector<double> replay(std::span<Command const> commands, std::span<double const> disp);
 
 }  // namespace isolaw::programs

@@ -44,8 +44,7 @@ struct Model {
 // Largest number of drawn parameter sets in one file. Each set adds a material and its self-check to the file.
 inline constexpr int most_drawn_sets = 2000;
 
-// `device` is a name or "lot". K_v may come from compression tests of the device. Throws one Error that lists all
-// faults.
+// `device` is a name or "lot". K_v may come from compression tests of the device. Throws one Error with all faults.
 Model make_model(ModelOptions const& options, campaign::Contents const& contents, study::Summary const& summary,
                  std::string_view law, std::string_view device, std::uint64_t seed);
 

@@ -30,8 +30,7 @@ struct Deviation {
   double rms = 0.0;                     // root mean square of the samples, in percent of the reference's peak force
   std::optional<double> K_eff, energy;  // differences in the reported cycle, in percent; empty without such a cycle
 };
-// Points where the reference force `other_kN` is NaN are left out. A `force_kN` that is NaN gives an infinite
-// deviation.
+// Points where the reference `other_kN` is NaN are left out. A `force_kN` that is NaN gives an infinite deviation.
 Deviation deviation(History const& history, std::span<double const> force_kN, std::span<double const> other_kN);
 void keep_worst(Deviation& worst, Deviation const& other);
 struct Realised {

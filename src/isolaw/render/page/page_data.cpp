@@ -32,8 +32,8 @@ constexpr int profile_digits = 6;
 constexpr double curve_levels = 20000.0;
 constexpr std::size_t convergence_points = 120;
 
-// Writes differences of rounded integers, which add up without error. A sample that is not finite repeats the last
-// value.
+// Writes differences of rounded integers, which add up without error. A sample that is not finite repeats the one
+// before.
 void write_curve(JsonWriter& out, std::string_view key, std::vector<double> const& values,
                  std::vector<std::size_t> const& samples) {
   double lower = 0.0, upper = 0.0;
@@ -145,8 +145,8 @@ void write_determination(JsonWriter& out, DeviceFit const& fit) {
   });
 }
 
-// Writes the best objective after each generation or start as least, median and largest log10 over the runs. A run that
-// has ended keeps its last value.
+// Writes least, median and largest log10 of the best objective after each generation or start. A run that has ended
+// keeps its last value.
 void write_convergence(JsonWriter& out, DeviceFit const& fit) {
   std::vector<std::vector<double>> runs;
   std::size_t steps = 0;

@@ -79,8 +79,7 @@ export function followWindow({ beforePrint = () => {}, afterPrint = () => {} } =
 
   window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => redraw());
 
-  // If the page's width changes, all plots are drawn again. Drawing changes only heights and cannot start another
-  // drawing.
+  // If the page's width changes, all plots are drawn again. Drawing changes heights only and starts no other drawing.
   let drawnWidth = document.getElementById('report').clientWidth;
 
   new ResizeObserver(([entry]) => {
