@@ -32,8 +32,7 @@ constexpr int profile_digits = 6;
 constexpr double curve_levels = 20000.0;
 constexpr std::size_t convergence_points = 120;
 
-// Writes differences of rounded integers, which add up without error. A sample that is not finite repeats the one
-// before.
+// Writes differences of rounded integers, which add up without error. A value that is not finite repeats the last one.
 void write_curve(JsonWriter& out, std::string_view key, std::vector<double> const& values,
                  std::vector<std::size_t> const& samples) {
   double lower = 0.0, upper = 0.0;
