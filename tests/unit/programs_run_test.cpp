@@ -12,7 +12,7 @@ namespace {
 
 constexpr double shares[] = {0.1, 0.35, 0.6};
 
-// For every law, the header's forces must equal the library's, and its tangents the differences of its own forces.
+// For every law, the header's forces must equal the library's. Its tangents must equal differences of its forces.
 TEST_F(Folder, headers_are_the_laws) {
   UnitSystem const& units = unit_systems[1];
   // Set samples near zero to exactly zero. Laws assign zero to the side from which the motion comes.

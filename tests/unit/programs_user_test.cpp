@@ -218,7 +218,7 @@ TEST_F(AbaqusElement, is_every_law_through_iterations_and_cutbacks) {
     auto const at = file.find("VARIABLES=");
     ASSERT_NE(at, std::string::npos);
     motion += fmt::format("{} {} {}\n", k + 1, std::stoi(file.substr(at + 10)), step_s);
-    // The first point is left out, as every element begins at rest at zero.
+    // The first point is left out, because every element begins at rest at zero displacement.
     for (std::size_t i = 1; i < of.path.disp_mm.size(); ++i)
       motion += fmt::format("{} {}\n", metres.from_mm(of.path.disp_mm[i]), metres.from_mm(of.path.vel_mm_s[i]));
   }

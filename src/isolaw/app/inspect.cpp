@@ -84,7 +84,7 @@ void take_over(std::filesystem::path const& file, campaign::Lot& lot) {
   for (auto& device : lot.devices) device.read = read;
 }
 
-// One device for each test of each file. Sheet and number follow the file's name if the file holds several tests.
+// Makes a device for each test of each file. If a file holds several tests, the names get the sheet and the number.
 campaign::Lot lot_of_tests(InitArguments const& arguments) {
   auto lot = campaign::lot_of_files(records_of(arguments.files));
   if (arguments.like) take_over(*arguments.like, lot);

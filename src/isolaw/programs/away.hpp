@@ -16,7 +16,7 @@ namespace isolaw::programs {
 // Computes the force in kN at all points of a history.
 using ForceOf = std::function<std::vector<double>(History const&)>;
 
-// Differences of a substitute from the exported law, in percent of the law's value. Empty if this is not above 0.
+// Differences of a substitute from the exported law, in percent of the law's value. Empty if that value is not above 0.
 struct OtherCycle {
   double amplitude_share = 1.0, rate_share = 1.0;  // as shares of the tested amplitude and rate
   std::optional<double> energy, peak;
@@ -27,7 +27,7 @@ struct OtherCycle {
 std::vector<OtherCycle> other_cycles(Subject const& subject, ForceOf const& stand_in);
 std::string text(std::vector<OtherCycle> const& cycles);
 
-// A substitute that differs by more than the first percentage is marked, one beyond the second is refused.
+// A substitute that differs by more than the first percentage gets a warning. Beyond the second it is refused.
 inline constexpr double marked_percent = 10.0, other_cycle_far_off_percent = 30.0;
 bool marked(std::vector<OtherCycle> const& cycles);
 

@@ -220,7 +220,7 @@ bool calls(std::string_view text, std::string_view name) {
   return false;
 }
 
-// Leaves out functions until all that remain are called by another one.
+// Removes functions that nothing calls, until every function left is called by another one.
 std::string without_unused(std::string_view text) {
   auto blocks = blocks_of(text);
   auto const unused = [&](Block const& block) {

@@ -64,7 +64,7 @@ class Steel02 final : public Material {
   double x_ = 0.0, f_ = 0.0, direction_ = 0.0, xr_ = 0.0, fr_ = 0.0, x0_ = 0.0, f0_ = 0.0, R_ = 0.0;
 };
 
-// Arguments: kInit qd alpha1 alpha2 mu; one direction. Sum of an elastic-plastic part, a spring and a hardening spring.
+// Arguments: kInit qd alpha1 alpha2 mu. Adds the forces of an elastic-plastic part, a spring and a hardening spring.
 class BearingPlasticity final : public Material {
  public:
   explicit BearingPlasticity(std::span<double const> a)

@@ -86,7 +86,7 @@ struct Subject {
 inline constexpr int protocol_steps = 80;
 History two_cycles(double first_mm, double second_mm, double frequency_Hz, int steps_per_cycle = protocol_steps);
 
-// Makes a name that programs accept: letters and digits, at most 40 characters. A `_` replaces each run of others.
+// Makes a name that programs accept: letters and digits, at most 40 characters. `_` replaces runs of other characters.
 std::string plain_name(std::string_view name);
 
 // Throws Error if the campaign has no such law, device or result. The texts in Bounds::source and `beyond` use `units`.

@@ -18,7 +18,7 @@ enum class FigureChoice { none, lot, all };  // lot: loops of one device as an e
 FigureChoice figure_choice(std::string_view name);
 
 struct Figure {
-  std::string name;  // the figure's files begin with it; safe for every file system
+  std::string name;  // the names of the figure's files begin with it
   std::string data, script;
 };
 

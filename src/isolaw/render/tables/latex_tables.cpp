@@ -22,7 +22,7 @@ constexpr std::string_view packages_of_long =
     "% Needs in the preamble: \\usepackage{booktabs,longtable}; with names beyond ASCII \\usepackage[T1]{fontenc} too.\n";
 
 constexpr std::string_view after_backslash = "&%$#_{}";
-// A backquote before ? would make another letter, and a bracket or a star after a line break would be an option.
+// LaTeX prints a backquote before ? as another letter, and reads [ or * after a line break as an option.
 constexpr std::pair<char, std::string_view> signs[]{{'~', "\\textasciitilde{}"},
                                                     {'^', "\\textasciicircum{}"},
                                                     {'\\', "\\textbackslash{}"},
@@ -204,7 +204,7 @@ std::string latex_number(std::optional<double> const& number, int digits_shown) 
   auto text = fmt::format("{:#.{}g}", *number, digits_shown);
   auto const e = text.find('e');
   auto digits = text.substr(0, e);
-  // fmt writes "1234." or, in some versions, "1234.0". With enough digits before the point, the rest is dropped.
+  // fmt writes "1234." or "1234.0". If there are enough digits before the point, the point and the rest are dropped.
   auto const point = digits.find('.');
   auto const before = static_cast<int>(std::ranges::count_if(digits.substr(0, point), [](char c) { return c != '-'; }));
   if (before >= digits_shown) digits.resize(std::min(point, digits.size()));

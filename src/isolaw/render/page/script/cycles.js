@@ -2,7 +2,7 @@ import { chosen } from './choice.js';
 import { headingOf, headingText, report, resultColumns } from './report.js';
 import { THIN, isNumber, printed, significant } from './text.js';
 
-// The properties that the page follows from cycle to cycle. A cycle's object names them by `key`, a rule set by `name`.
+// The properties that the page shows from cycle to cycle. A cycle's object names them by `key`, a rule set by `name`.
 export const FOLLOWED = report.followed.map(({ name, key }) => {
   const heading = headingOf('cycles', key);
   const text = (value) => printed(value, heading) + THIN + heading.unit;
