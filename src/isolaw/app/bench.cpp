@@ -62,7 +62,7 @@ class SpeedTest {
 }  // namespace
 
 int bench(bool json) {
-  // Seven digits of each objective are the same for all instruction sets, and some change when a law changes.
+  // The first seven digits of each objective are equal for all instruction sets and show whether a law has changed.
   std::string digits;
   nlohmann::ordered_json converged, paper;
   for (auto const& law : laws::catalogue())

@@ -178,7 +178,7 @@ double longest_travel(laws::LimitCurve const& v, double reach) {
 }
 
 // HystereticAsym refuses a limit curve that softens (beta1 < 0). Its hysteretic force is proportional to ka, kb and fo.
-// The law is thus a material with 1.1 times this force minus a material with 0.1 times this force and a hardening
+// The law is thus one material with 1.1 times this force, minus another with 0.1 times this force and a hardening
 // curve.
 constexpr double surplus = 0.1;
 

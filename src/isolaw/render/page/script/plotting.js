@@ -22,7 +22,7 @@ export function theme() {
 }
 
 export const symbolOf = (law) => SYMBOLS[law.index % SYMBOLS.length] + (isAgain(law) ? '-open' : '');
-export const dashOf = (place) => DASHES[place % DASHES.length];  // `place`: index among the chosen laws; 0 is solid
+export const dashOf = (place) => DASHES[place % DASHES.length]; // `place`: index among the chosen laws; 0 is solid
 export const LEGEND = { orientation: 'h', x: 0, y: 1.02, xanchor: 'left', yanchor: 'bottom', font: { size: 12 } };
 
 export function styled(layout, look) {

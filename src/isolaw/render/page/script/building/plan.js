@@ -6,7 +6,7 @@ import { laws, numberText, placeChooser, quantityOf, study, unitOf } from './stu
 
 const KINDS = { draw: ['draw of the lot', 'circle'], lot: ['law of the lot', 'square'], lower: ['lower bound', 'triangle-down'], upper: ['upper bound', 'triangle-up'] };
 const kindOf = ({ is }) => (Object.hasOwn(KINDS, is) ? KINDS[is] : ['tested device', 'diamond']);
-const LEAST_CONTRAST = 0.05;  // the colours extend to both sides of the mean by at least this share of it
+const LEAST_CONTRAST = 0.05; // the colours extend to both sides of the mean by at least this share of it
 const TWISTS = ['corner_over_centre', 'corner_mm', 'centre_mm', 'rotation_mrad', 'worst_energy_share'];
 
 export const planSection = {

@@ -18,7 +18,7 @@ const filesFigure = {
   id: 'files',
   width: 'wide',
   title: 'Input files',
-  wanted: () => !inspection,  // an inspection lists its files in the certificate
+  wanted: () => !inspection, // an inspection lists its files in the certificate
   caption: () => 'SHA-256 of each file as it was read. A changed file has another SHA-256.',
   csv: () => ({
     columns: ['device', 'file', 'sha256', 'status', 'message'],
