@@ -14,7 +14,7 @@ export const fill = (node, ...children) => patchChildren(node, element('div', {}
 
 export const button = (title, click, attributes = {}) => element('button', { type: 'button', click, ...attributes }, title);
 
-// Control characters, and invisible characters that change the direction of writing.
+// Matches control characters, and invisible characters that change the direction of writing.
 export const unseen = /[\u0000-\u001f\u007f-\u009f\u200e\u200f\u202a-\u202e\u2066-\u2069]/g;
 
 // Replaces control characters and direction marks by their codes, for example \x1b, so that the user sees them. Line
@@ -28,7 +28,7 @@ const shapes = {
   care: 'M6 1.2 L11.2 10.6 L.8 10.6 Z M6 4.6 L6 7.4 M6 8.9 L6 9.1',
 };
 
-// Draws an icon. Words beside it say the same, so screen readers skip it.
+// Draws an icon. The words beside an icon say the same, so screen readers skip it.
 export function sign(name, tone) {
   const svg = icon([shapes[name], '', '']);
   svg.setAttribute('class', 'sign ' + (tone ?? ''));

@@ -1,5 +1,5 @@
 // Shows a report in a frame. The frame has an origin of its own, so that the report's scripts cannot reach this page.
-// The page's security policy also holds in it.
+// The page's security policy applies in the frame too.
 
 import { button, element } from './dom.js';
 import { download } from '../src/isolaw/render/page/script/download.js';

@@ -93,8 +93,8 @@ function drawProgress() {
   document.title = known ? text.percent(furthest) + ' \u2013 ' + text.program : text.program;
 }
 
-// The engine cuts the work into parts by these settings, and it does not read the lot file. So they are given as
-// options too.
+// The engine cuts the work into parts by these settings and cannot read them from the lot file. They are therefore
+// given as options.
 const spelled = () => [...['method', 'analysis'].flatMap((key) => (settings().has(key) ? ['--' + key, String(value(key))] : [])), '--runs', String(chosenRuns())];
 
 export const isIdentifying = () => running !== null;
@@ -129,8 +129,8 @@ async function identify({ fail }) {
   try {
     const parts = state.parts.length > 0 ? state.parts : store?.length > 0 ? store : undefined;
     let result = await ask(parts);
-    // The program writes no summary if it refuses to continue the earlier campaign, as it does when settings have changed.
-    // Then everything is computed anew.
+    // The program writes no summary if it refuses to continue the earlier campaign, for example because settings have
+    // changed. Then everything is computed anew.
     if (parts && !fileOf(result.files, 'out/summary.json')) result = await ask(undefined);
     if (state.lots !== lots) return;
     state.parts = [];

@@ -1,5 +1,5 @@
-// Redraws a view by changing only the elements that differ. The focus, open details and the scroll position stay as
-// they were, and a button does not vanish under the pointer.
+// Redraws a view by changing only the elements that differ. Elements that stay keep the focus, their open details and
+// the scroll position, and a button does not vanish under the pointer.
 
 // A frame is always replaced by a new element. If only its address changed, the browser would add a step to its
 // history.

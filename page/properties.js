@@ -20,7 +20,7 @@ export function drawProperties({ show }) {
     return;
   }
   const { word, sentence } = state.inspection.result ?? {};
-  // The report in the frame gives the reasons of a verdict. If there is no verdict, this line gives the reason.
+  // The report in the frame gives the reasons of a verdict. Without a verdict, this line says why there is none.
   const verdict = element('p', { class: 'verdict-line' }, word ? element('b', { class: 'word ' + (TONES[word] ?? '') }, word) : visible(sentence ?? text.noVerdict));
   const { tools, frame } = reportFrame('inspection-frame', text.inspectionFrame, page, lotName() + '-inspection.html', [
     verdict,

@@ -158,7 +158,7 @@ function band(all) {
   const read = all.filter((one) => one.readable).length;
   const not = all.length - read;
   const bare = all.filter((one) => one.readable && one.problems.length > 0).length;
-  // If the lot has one device, its fault is shown in its row and not above the table.
+  // The fault of a lot's only device is shown in the device's row and not above the table.
   const broken = state.problems.length > 0 && !state.inspection && all.length !== 1;
   // The user dropped only the results of a campaign, without records and lot file.
   if (state.lot === null && state.campaign && not === 0) return { read, node: ['muted', text.readBand.results, text.readResults, false] };

@@ -87,7 +87,7 @@ export function drawSave({ busy, show }) {
   if (!laws.includes(chosen.law)) chosen.law = summary?.recommendations?.find(({ law }) => laws.includes(law))?.law ?? laws[0] ?? null;
   const title = (id) => state.laws.find((one) => one.id === id)?.title ?? id;
   const devices = summary?.devices.filter(({ status }) => status === 'ok').map(({ name: one }) => one) ?? [];
-  // A law for the whole lot exists only if the analyses were made and the lot has at least two devices.
+  // A law for the whole lot exists only if analyses were made and the lot has at least two devices.
   const ofLot = summary?.settings.analysis !== 'none' && devices.length > 1;
   if (chosen.device === null || (chosen.device === 'lot' ? !ofLot : !devices.includes(chosen.device))) chosen.device = ofLot ? 'lot' : (devices[0] ?? null);
   const choose = (key) => (picked) => {

@@ -187,7 +187,7 @@ export function withSetting(text, path, name, value) {
   return before + gap + '[' + path + ']\n' + name + ' = ' + writeValue(value) + '\n\n' + text.slice(at);
 }
 
-// A number as people write it, also in texts such as 'disp=2, force=F'. Other notations such as 0x10 do not match.
+// Matches a number as people write it, such as -1.5e3. It does not match other notations such as 0x10.
 export const NUMERAL = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 
 const entriesOf = (words) =>

@@ -1,4 +1,4 @@
-// Values of the program that the page needs before it can ask the program. The test page.commands compares them with
+// Values of the program that the page needs before the program has started. The test page.commands compares them with
 // the program.
 
 export const usualRuns = (method) => (method === 'ga' ? 20 : 3);

@@ -39,8 +39,8 @@ using Array = py::array_t<double>;
 using Rows = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Contents = campaign::Contents;
 
-// Returns an array that shows `values` without a copy and is read-only. `owner` is the Python object that keeps the
-// values alive.
+// Returns a read-only array that shows `values` without copying them. `owner` is the Python object that keeps them
+// alive.
 Array view(std::vector<double> const& values, py::object owner) {
   Array array(static_cast<py::ssize_t>(values.size()), values.data(), std::move(owner));
   array.attr("flags").attr("writeable") = false;
@@ -72,7 +72,7 @@ Json json_of(py::handle value) {
   if (PyIndex_Check(value.ptr()) != 0) {
     auto const whole = py::reinterpret_steal<py::int_>(PyNumber_Index(value.ptr()));
     auto const text = std::string(py::str(py::handle(whole)));
-    auto const number = Json::parse(text);  // JSON would round an integer above 64 bits, so it stays a text
+    auto const number = Json::parse(text);  // JSON would round an integer above 64 bits; it then stays a text
     return number.is_number_integer() ? number : Json(text);
   }
   if (py::isinstance<py::dict>(value)) {
@@ -232,7 +232,7 @@ Rows rows_of(py::object const& given) {
   try {
     return given.cast<Rows>();
   } catch (py::cast_error const&) {
-  } catch (py::error_already_set& error) {  // NumPy raised it
+  } catch (py::error_already_set& error) {  // the exception comes from NumPy
     if (!error.matches(PyExc_ValueError) && !error.matches(PyExc_TypeError)) throw;
   }
   throw Error({.where = "parameters",
@@ -285,7 +285,7 @@ Array force_of(std::string const& law_id, py::object const& parameters, Record c
   return result;
 }
 
-// A law on a record. calibrate() cleans its records in the same way.
+// A law together with a cleaned record. calibrate() cleans its records in the same way.
 class Model {
  public:
   Model(std::string const& law, RecordPtr record, campaign::Settings const& how, int refinement)
@@ -402,7 +402,7 @@ py::dict runs_of(Campaign const& campaign, std::string const& law, std::string c
 
 // Runs `work` in another thread without Python's global lock. Python delivers signals only to the main thread, so the
 // calling thread waits, checks for signals and passes progress to the Python function `tell`. An exception from a
-// signal or from `tell` stops the work and is thrown again at the end. So is an exception from the work itself.
+// signal or from `tell` stops the work. At the end it is thrown again, and so is an exception from the work itself.
 template <class Told, class Work>
 auto in_a_thread(std::function<void(Told const&)> const& tell, Work const& work) {
   std::mutex mutex;

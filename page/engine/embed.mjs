@@ -10,7 +10,7 @@ const here = dirname(fileURLToPath(import.meta.url));
 const options = {};
 for (let i = 2; i < process.argv.length; i += 2) options[process.argv[i].slice(2)] = process.argv[i + 1];
 
-// Does what cmake/join_modules.cmake does to scripts that it joins.
+// Escapes `<!--` and `</script` as cmake/join_modules.cmake does, so that they do not end the <script> element.
 const inline = (script) => script.replace(/<(?=!--|\/sc)/gi, '<\\');
 const versions = new Map(
   readFileSync(join(options.libraries, 'versions'), 'utf8')
@@ -26,7 +26,7 @@ const licences = packages.map((name) => {
   const licence = /^License: *(\S[^\n]*)/m.exec(text)?.[1].trim() ?? '';
   return { name: called[name] ?? name, version: versions.get(name) ?? '', licence, text };
 });
-// Plotly draws the figures of reports. It comes from npm, unlike the libraries above.
+// Plotly draws the figures of reports. It comes from npm, and the folder of libraries does not have it.
 const plotly = join(here, '../../node_modules/plotly.js-basic-dist-min');
 const { version, license } = JSON.parse(readFileSync(join(plotly, 'package.json'), 'utf8'));
 licences.push({ name: 'Plotly', version, licence: license, text: readFileSync(join(plotly, 'LICENSE'), 'utf8') });

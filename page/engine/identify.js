@@ -92,7 +92,7 @@ export function identifyWith(pool) {
       said.stderr = said.stderr.split('\n').filter((line) => !isProgress(line)).join('\n');
       if (folder === 'out') return said;
       if (said.code !== 0) throw new Refused(said);
-      // If a command wrote no file, all its work was already done in its earlier files.
+      // If a command wrote no file, its earlier files already have all of its work.
       const found = said.files.length > 0 ? said.files : own;
       kept.set(folder, found);
       progress.end(phase, task);

@@ -11,8 +11,7 @@ globalThis.self = globalThis;
 globalThis.postMessage = (message, transfer) => parentPort.postMessage(message, transfer);
 parentPort.on('message', (data) => self.onmessage({ data }));
 `;
-// Returns the text of a <script> element. embed.mjs escapes it in a way that JavaScript undoes, so it needs no decoding
-// here.
+// Returns the text of a <script> element. JavaScript undoes what embed.mjs escaped, so the text needs no decoding here.
 const elementIn = (html, id) => new RegExp(`<script type="[^"]*" id="${id}">([\\s\\S]*?)</script>`).exec(html)[1];
 
 // `file` is isolaw.html or the output of embed.mjs. `before` is JavaScript that tests put in front of a worker's

@@ -91,7 +91,8 @@ TEST(ModelNumbers, follow_the_units_of_the_file) {
   EXPECT_NEAR(mass, first.mass, 1e-12);
 }
 
-// A form that is exact only for ever smaller steps must get steps as small as the law's own error requires.
+// Bouc-Wen is integrated by OpenSees, with an error that falls with the step. The model's step must be small enough for
+// it.
 TEST(ModelNumbers, take_the_step_that_the_law_needs) {
   auto model = four(450.0);
   model.motions = {shaking(450.0, 0.1)};
@@ -117,7 +118,7 @@ TEST(ModelText, says_what_is_in_the_model_and_what_is_not) {
           "# Warning: the isolators carry 588.4 kN and were tested under 2000"})
       EXPECT_TRUE(contains(text, words)) << name << ": " << words;
   }
-  // A subject without a model cannot be exported as one.
+  // A subject without a building cannot be exported as a building.
   subject.model.reset();
   EXPECT_THROW(write_export(subject, find_target("opensees-model"), unit_systems[0], true), Error);
 }
@@ -177,7 +178,7 @@ TEST(ModelDraws, one_that_the_program_cannot_give_is_named) {
   }
 }
 
-// If another form replaces a law, that form is fitted to the parameters of each isolator of a draw separately.
+// If a substitute is exported in place of a law, it is fitted to the law of each isolator in a draw separately.
 TEST(ModelDraws, of_a_law_that_has_a_stand_in_are_fitted_one_by_one) {
   auto uneven = vaiana_parameters();
   uneven[1] *= 1.1;

@@ -174,7 +174,7 @@ TEST_F(OpenSees, travel_that_is_claimed_is_stood) {
         for (auto const inner : tags[i].inner) script += fmt::format(" {}", inner + 1);
         script += argument_values(commands[i], " ") + "\n";
       }
-      // The same travel in steps of three sizes, from rest and from one side to the other.
+      // The script moves over the stated travel in 37, 1000 and 20011 steps, from rest and from one side to the other.
       script += fmt::format(
           "uniaxialTest 1\nproc go {{from to steps}} {{\n  for {{set i 1}} {{$i <= $steps}} {{incr i}} {{\n"
           "    strainUniaxialTest [expr {{$from + ($to - $from) * double($i) / $steps}}]\n    set f [stressUniaxialTest]\n"

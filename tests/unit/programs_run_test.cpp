@@ -12,7 +12,7 @@ namespace {
 
 constexpr double shares[] = {0.1, 0.35, 0.6};
 
-// For every law, the header's forces must equal the library's, and its tangents the differences of its own forces.
+// For every law, the header's forces must equal the library's. Its tangents must equal differences of its forces.
 TEST_F(Folder, headers_are_the_laws) {
   UnitSystem const& units = unit_systems[1];
   // Set samples near zero to exactly zero. Laws assign zero to the side from which the motion comes.
@@ -105,19 +105,18 @@ int main() {
                   back)
           << i;
       ASSERT_NEAR(force, 1.5e3 * expected[c][i], 1.5e3 * tolerances[c] * peak) << i;
-      // The tangent must lie between the slopes to both sides. These differ at a corner and where the motion turns.
+      // The tangent must lie between the slopes to both sides, which differ at a corner and where the motion turns.
       auto const between = [&](double slope, double a, double b, double scale) {
         return slope >= std::min(a, b) - scale && slope <= std::max(a, b) + scale;
       };
-      // For abe, |F2/Yt|^n has no second derivative at the start, so a difference there misses the slope by more.
+      // The force of abe has no second derivative at the start (|F2/Yt|^n), so the slope has a larger error there.
       double const share = i == 0 ? 0.03 : 1e-3;
-      // For a law that remembers its peaks, |x|^g may have an infinite slope at the start. The law then states a
-      // limited tangent.
+      // If a law remembers its peaks, its slope at the start may be infinite (|x|^g). It then gives a limited tangent.
       bool const bounded = i == 0 && remembers[c] && tangent > 0.0 && tangent < std::min(ahead, behind);
       if (!bounded && !between(tangent, ahead, behind, 1e-4 * stiffness + share * std::abs(tangent)) &&
           ++off_tangents == 1)
         where += fmt::format("sample {}: {}, ahead {}, behind {}\n", i, tangent, ahead, behind);
-      // At rest there is no direction of travel, so part of the slope belongs to neither side. This part is larger for
+      // At rest the motion has no direction. The tangent may then lie outside the slopes to both sides, more so for
       // laws that integrate along the travel or soften.
       if (masing[c] && i > 0 && !between(at_rest, on, back, 1e-4 * stiffness + 0.1 * std::abs(at_rest)) &&
           ++off_at_rest == 1)
@@ -130,9 +129,9 @@ int main() {
     }
     EXPECT_EQ(off_tangents, 0U) << where;
     EXPECT_EQ(off_damping, 0U);
-    // At a tenth of the samples the tangent at rest may lie outside the slopes to both sides: where the motion first
-    // enters negative displacements, the slope is infinite and the law states a limited one; and on the way back from a
-    // peak a part of the slope of power-masing-worn belongs to neither side.
+    // At rest, the tangent may lie outside the slopes to both sides at up to a tenth of the samples. Where the motion
+    // first enters negative displacements, the slope is infinite and the law gives a limited one. On the way back from
+    // a peak, power-masing-worn has a part of the slope that belongs to neither side.
     EXPECT_LE(off_at_rest, expected[c].size() / 10) << where;
   }
   std::string rest;

@@ -1,5 +1,5 @@
-// Exported laws away from the tested cycle: forms that replace a law, displacements beyond the tests, steps per cycle,
-// and two springs in place of one bearing.
+// Checks exported laws on motions other than the tested cycle: substitutes for a law, displacements beyond the tests,
+// steps per cycle, and two springs in place of one bearing.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -33,7 +33,7 @@ TEST(OtherCycles, OfTheLawItselfAndOfTwiceItsForce) {
   EXPECT_NE(text(twice).find("a quarter: energy +100 %, peak +100 %; half: "), std::string::npos) << text(twice);
 }
 
-// An error of 30.1 % on one cycle makes a form count as far off; 29.9 % does not.
+// One cycle with an error above 30 % (here 30.1 %) suffices to call a substitute far off. Errors of 29.9 % do not.
 TEST(OtherCycles, OneThatIsFarOffIsEnough) {
   std::vector<OtherCycle> cycles{{1.0, 1.0, 29.9, -29.9}, {0.5, 1.0, 2.0, {}}};
   EXPECT_FALSE(far_off(cycles));
@@ -61,7 +61,7 @@ TEST(BeyondTheTests, ALawThatGoesOnIsNotMentioned) {
 }
 
 TEST(BeyondTheTests, AFallingPeakASlopeBelowZeroAndSteepGrowthAreSaid) {
-  // The limit curve 0.6 kN/mm x - 8 kN (exp(x / 40 mm) - 1) has its maximum at 44 mm.
+  // This limit curve, 0.6 kN/mm x - 8 kN (exp(x / 40 mm) - 1), rises up to 44 mm and falls beyond.
   auto const falling = beyond_the_tests(subject_of("vaiana", vaiana_parameters(-8000.0, 25.0)), kN_mm);
   auto const says = [](std::vector<std::string> const& sentences, std::string_view part) {
     return std::ranges::any_of(sentences, [&](auto const& s) { return s.find(part) != std::string::npos; });
@@ -70,8 +70,8 @@ TEST(BeyondTheTests, AFallingPeakASlopeBelowZeroAndSteepGrowthAreSaid) {
   auto const steep = beyond_the_tests(subject_of("vaiana", vaiana_parameters(800.0, 40.0)), kN_mm);
   EXPECT_TRUE(says(steep, "at 1.25 times the tested displacement the peak force is "));
   EXPECT_TRUE(says(steep, " times the "));
-  // These parameters were fitted to a measured bearing up to 152 mm. Beyond that, an exponential term of the law grows
-  // against the other terms and the peak force falls.
+  // These parameters were fitted to a measured bearing up to 152 mm. At larger displacements an exponential term of the
+  // law outgrows the other terms, and the peak force falls.
   auto const turning = beyond_the_tests(subject_of("jankowski",
                                                    {734667, 1.31057e+07, -1.1393e+09, 1.05701e+06, 3.87642, 1.06422e+07,
                                                     29.56, 81.2613, 58911.4, -21549.1, 0.168458},

@@ -1,5 +1,5 @@
-// The law itself as code for two programs. The OpenSees material is compiled with a stand-in for OpenSees' headers, and
-// with OpenSees where it is installed. The Abaqus element is called from Fortran.
+// Tests the law as code for two programs. The material for OpenSees is compiled with a stand-in for OpenSees' headers,
+// and with OpenSees itself where it is installed. The element for Abaqus is called from Fortran.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -57,7 +57,8 @@ std::vector<OfLaw> every_law() {
   for (auto const& law : laws::catalogue())
     for (double const share : {0.5, 0.35, 0.1}) {
       auto parameters = inside_box(law, share);
-      // With this h0 the loops are wider than the law's exponential alone can make them, so the term with c acts.
+      // With this h0 the loops are wider than the law's exponential term alone can make them, so that the term with c
+      // acts.
       if (law.info.id == "kikuchi-aiken") parameters[law.index_of("h0")] = 0.4;
       OfLaw of{subject_of(law.info.id, parameters), {}, {}};
       of.subject.refinement = law.info.id == "abe" ? 2 : 1;
@@ -217,7 +218,7 @@ TEST_F(AbaqusElement, is_every_law_through_iterations_and_cutbacks) {
     auto const at = file.find("VARIABLES=");
     ASSERT_NE(at, std::string::npos);
     motion += fmt::format("{} {} {}\n", k + 1, std::stoi(file.substr(at + 10)), step_s);
-    // The first point is left out, as every element begins at rest at zero.
+    // The first point is left out, because every element begins at rest at zero displacement.
     for (std::size_t i = 1; i < of.path.disp_mm.size(); ++i)
       motion += fmt::format("{} {}\n", metres.from_mm(of.path.disp_mm[i]), metres.from_mm(of.path.vel_mm_s[i]));
   }

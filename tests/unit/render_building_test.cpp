@@ -107,8 +107,8 @@ TEST(BuildingTables, have_a_row_for_every_quantity) {
   EXPECT_EQ(lines(csv), 1 + rows);
   EXPECT_EQ(csv.find("law,quantity,unit,lower bound,nominal,upper bound,16 %"), 0u) << csv;
   EXPECT_TRUE(contains(csv, "\nbilinear,isolator_mm,mm,"));
-  // Three quantities come from differences between the bearings. The bound analyses take all bearings alike, so these
-  // quantities have no bounds.
+  // Three quantities come from differences between bearings. They have no bounds, because all bearings are alike in the
+  // bound analyses.
   EXPECT_EQ(lines(coverage_csv(answers)), 1 + rows - 3);
   EXPECT_EQ(lines(building_checks_csv(study, answers)), 1 + 2);
   auto const tex = building_tex(study, answers);

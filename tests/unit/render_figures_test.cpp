@@ -526,7 +526,8 @@ TEST_F(Drawn, AScriptByHandGivesTheFigureAgain) {
   fs::remove(figure("objective.pdf"));
   EXPECT_EQ(run_gnuplot({"objective.gp"}, dir_ / "figures", std::chrono::seconds(60)).reason, "");
   EXPECT_EQ(without_spaces(text_of_svg(content(figure("objective.svg")))),
-            // The text is compared, as the bytes also depend on earlier drawings.
+            // Only the text is compared, because other bytes of an SVG depend on what gnuplot drew before in its
+            // process.
             before);
   EXPECT_TRUE(content(figure("objective.pdf")).starts_with("%PDF"));
 }

@@ -58,7 +58,7 @@ TEST(SummaryJson, ExactText) {
   law.devices.push_back(fit);
   summary.laws.push_back(law);
 
-  // The exact layout up to the warnings. After these come sentences, whose words stand in wording/rows.cpp alone.
+  // Compares the exact layout up to the warnings. The sentences after them are worded in wording/rows.cpp alone.
   auto const text = summary_json(summary);
   auto const numbers = text.substr(0, text.find("  \"warnings\": [\n"));
   EXPECT_EQ(numbers, R"({

@@ -122,7 +122,7 @@ TEST(Latex, RowsHaveAsManyCellsAsTheTableHasColumns) {
     for (auto const& line : lines(tex)) {
       if (!is_row(line) || line.find("caption") != std::string::npos || line.find("continued") != std::string::npos)
         continue;
-      // A heading over three columns is one cell.
+      // A heading over three columns has two separators fewer than three cells.
       EXPECT_EQ(separators(line) + 2 * count("\\multicolumn{3}", line) + 1, columns) << line;
     }
   }

@@ -84,7 +84,8 @@ TEST(Page, LoadsNothing) {
   auto const plotly = page.find("plotly.js (basic");
   ASSERT_NE(plotly, std::string::npos);
   page.erase(plotly,
-             // Plotly's code names addresses of namespaces and licences. The page's policy blocks all loading anyway.
+             // Plotly's code, which names the addresses of namespaces and licences, is left out. It loads nothing,
+             // because the page's policy blocks all loading.
              page.find("</script", plotly) - plotly);
   EXPECT_FALSE(std::regex_search(page, std::regex(R"((src|href)\s*=\s*["']?(https?:)?//)", std::regex::icase)));
   EXPECT_FALSE(std::regex_search(page, std::regex(R"(<link|@import|url\((?!"data:)|fetch\(|XMLHttpRequest)")));

@@ -58,7 +58,7 @@ TEST(CsvCell, FormulasAreDisarmedAndNumbersAreNot) {
   EXPECT_EQ(csv_cell("-1.5e3"), "-1.5e3");
   EXPECT_EQ(csv_cell("+2"), "+2");
   EXPECT_EQ(csv_cell("D 1"), "D 1");
-  EXPECT_EQ(csv_cell("-"), "-");  // the cell is the unit of a dimensionless number, so it stays as it is
+  EXPECT_EQ(csv_cell("-"), "-");  // as the unit of a number without dimension this cell must stay as it is
 }
 
 TEST(CsvCell, QuotesWhatNeedsThem) {

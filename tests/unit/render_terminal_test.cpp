@@ -160,7 +160,7 @@ TEST(Ranking, ControlCharactersDoNotReachTheTerminal) {
   EXPECT_TRUE(contains(text, R"(bad\x1b[2J\x9b31m\nname was refused)")) << text;
 }
 
-// A finding that three devices have is one line that names them.
+// If three devices have the same finding, one line names them all.
 TEST(Ranking, FindingsOfOneKindAreOneLine) {
   auto summary = fixture::lot();
   for (std::size_t d = 0; d < 3; ++d)

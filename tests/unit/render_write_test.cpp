@@ -76,7 +76,7 @@ TEST_F(Write, DirectoryThatCannotBeMadeIsAnError) {
 }
 
 TEST_F(Write, FailedWriteLeavesNoPartBehind) {
-  fs::create_directories(dir_ / "taken" / "inside");  // a directory that is not empty cannot be replaced by a file
+  fs::create_directories(dir_ / "taken" / "inside");  // a file cannot replace a directory that is not empty
   EXPECT_THROW(write_file(dir_ / "taken", "text"), Error);
   EXPECT_EQ(std::distance(fs::directory_iterator(dir_), fs::directory_iterator()), 1);
 }

@@ -37,11 +37,11 @@ struct BuildingOptions {
   int jobs = 0;                                         // number of threads; 0 for one per core
   std::optional<std::filesystem::path> directory = {};  // for runs and reports; if empty, none are kept
   bool fresh = false;                                   // discards a study that the directory holds
-  std::function<void(std::size_t done, std::size_t total)> progress = {};  // counts analyses; one caller at a time
+  std::function<void(std::size_t done, std::size_t total)> progress = {};  // after each analysis, one thread at a time
   std::function<bool()> interrupted = {};                                  // called between analyses, from any thread
 };
 
-// The nominal building under one motion, by the implicit integrator. All vectors have one element per time step.
+// Response of the nominal building to a motion, by the implicit integrator. Each vector has one element per time step.
 struct BuildingHistory {
   std::vector<double> time_s;
   std::vector<std::array<double, 3>> base;              // relative to the ground: x and y in mm, rotation in rad
@@ -59,8 +59,8 @@ class Building {
   std::vector<std::string> laws() const;
   std::size_t draws() const;
   std::size_t motions() const;
-  // A quantity of building.json in its unit, as [law][draw][motion]. NaN for draws without finite numbers. Throws Error
-  // for an unknown quantity.
+  // A quantity of building.json as [law][draw][motion], NaN without a finite number. Throws Error for an unknown
+  // quantity.
   std::vector<double> peaks(std::string_view quantity = "isolator_mm") const;
   // Throws Error if `law` or `motion` is not below laws().size() or motions().
   BuildingHistory history(std::size_t law, std::size_t motion) const;
@@ -69,8 +69,8 @@ class Building {
   std::shared_ptr<StudiedBuilding const> study_;
 };
 
-// The directory gets the same bytes as from the command with these settings, motions and campaign, however many threads
-// help. Throws Error for a wrong building, a law that was not analysed, or another study in the directory.
+// Studies the building. With equal settings, motions and campaign the files are those of the command, byte by byte.
+// Throws Error for a wrong building, a law that was not analysed, or another study in the directory.
 Building study_building(BuildingInput const& input, campaign::Contents const& contents,
                         BuildingOptions const& options = {});
 

@@ -1,4 +1,4 @@
-// A building on devices from a lot, as studied by the command, Python and api/building.hpp. Not public: needs Eigen.
+// Studies a building on devices from a lot, for the command, Python and api/building.hpp. Not public: it needs Eigen.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@
 namespace isolaw {
 
 inline constexpr char const* building_store_name = "building.sqlite";
-// Makes the study of a building file and a campaign. If the file names no law, the recommended law is taken. `where`
+// Makes the study of a building file and a campaign. If the file names no law, it takes the recommended one. `where`
 // names the campaign in messages. Throws Error for a law that was not analysed.
 building::Study building_study(building::BuildingFile file, campaign::Contents const& contents,
                                std::string const& where = "the campaign");
@@ -45,9 +45,9 @@ struct StudiedBuilding {
 
 // The values of a quantity of building.json, as [law][draw][motion]. Throws Error for an unknown quantity.
 std::vector<double> peaks_of(StudiedBuilding const& studied, std::string_view quantity);
-// Computes the runs that the directory does not hold (all without a directory) and writes the reports. The files are
-// the same, byte by byte, as from the command, whatever the number of threads. Throws Error for a building that cannot
-// be analysed, for another study in the directory, and for a part without a directory.
+// Computes the runs that the directory does not hold yet, or all without a directory, and writes the reports. The files
+// are the same, byte by byte, as those of the command. Throws Error for a building that cannot be analysed, for another
+// study in the directory, and for a part without a directory.
 StudiedBuilding study_building(building::Study study, BuildingWork const& options = {});
 
 }  // namespace isolaw

@@ -22,7 +22,7 @@ void load_rules(campaign::Acceptance& acceptance) {
 campaign::Contents finish_campaign(campaign::Contents contents, std::filesystem::path const& store,
                                    campaign::RunOptions const& options) {
   if (!campaign::run(contents, store, options)) return contents;
-  // Reads the store back, so that callers get what another program would read.
+  // Reads the campaign back from the store, so that callers get what another program would read.
   contents = campaign::Store::read(store);
   if (!contents.part) render::write_outputs(study::build_summary(contents), store.parent_path());
   return contents;
@@ -30,7 +30,7 @@ campaign::Contents finish_campaign(campaign::Contents contents, std::filesystem:
 
 Calibrated calibrate(std::vector<campaign::NamedRecord> records, campaign::Settings const& settings,
                      CalibrateOptions const& options) {
-  fit::instruction_set();  // throws here, before anything is written
+  fit::instruction_set();  // throws, before anything is written, if the machine lacks the instruction set
   if (options.part) {
     campaign::parse_part(campaign::text(*options.part));
     if (!options.directory)
@@ -43,7 +43,7 @@ Calibrated calibrate(std::vector<campaign::NamedRecord> records, campaign::Setti
   contents.acceptance = options.acceptance;
   contents.part = options.part;
   load_rules(contents.acceptance);
-  // Throws here, before the long search, if rule set or design values do not suit the lot.
+  // Throws before the long search if the rule set or the design values do not suit the lot.
   if (contents.acceptance != campaign::Acceptance{}) study::build_summary(contents);
   if (!options.directory) {
     TemporaryDirectory const directory;

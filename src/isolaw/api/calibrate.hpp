@@ -1,4 +1,4 @@
-// Fits laws to records in one call and returns a campaign; a directory also gets its reports.
+// Fits laws to records in one call and returns a campaign. If a directory is given, reports are written into it.
 #pragma once
 
 #include <filesystem>
@@ -28,14 +28,14 @@ struct Calibrated : campaign::Contents {  // a campaign, and what a continued ca
 
 // Reads the named rule set if its text is empty. Throws Error if the rule set or the design values are wrong.
 void load_rules(campaign::Acceptance& acceptance);
-// Computes the runs and analyses that the store of this campaign does not hold, and writes the reports beside the store
-// (no reports for a part). Returns the contents as another program would read them; incomplete after an interruption.
+// Computes the runs and analyses that are missing in the store of this campaign. Writes the reports beside the store,
+// except for a part. Returns what the store then holds, which is incomplete after an interruption.
 campaign::Contents finish_campaign(campaign::Contents contents, std::filesystem::path const& store,
                                    campaign::RunOptions const& options);
 // Fits `settings.laws` (the usual laws if empty) to every record, as the command `isolaw calibrate` does. The same
 // settings, records, names and seed give the same numbers, whatever the number of threads. After an interruption
-// complete() is false; with a directory, the same call continues the campaign. Throws Error for empty or repeated
-// names, wrong settings, no usable record, an unusable directory, and a part without a directory.
+// complete() is false, and the same call with the same directory continues the campaign. Throws Error for empty or
+// repeated names, wrong settings, no usable record, an unusable directory, and a part without a directory.
 Calibrated calibrate(std::vector<campaign::NamedRecord> records, campaign::Settings const& settings,
                      CalibrateOptions const& options = {});
 

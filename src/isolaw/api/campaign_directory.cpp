@@ -82,7 +82,7 @@ Continued open_or_create(std::filesystem::path const& file, campaign::Contents& 
     return {};
   }
   campaign::sqlite::remove_unfinished(file);
-  // Undoes what a killed process had begun to write and keeps the rest.
+  // Undoes what a killed process had begun to write to the store and keeps all that it had finished.
   campaign::campaign_store().fold_log(file);
   // isolaw merge will read this part and would not notice that a page of the file is cut off.
   if (contents.part)

@@ -13,7 +13,7 @@ inline constexpr char const* store_name = "campaign.sqlite";
 
 void make_directory(std::filesystem::path const& directory);  // also makes its parents; throws Error
 
-class TemporaryDirectory {  // the destructor removes it; the constructor throws Error
+class TemporaryDirectory {  // the destructor removes the directory; the constructor throws Error
  public:
   TemporaryDirectory();
   TemporaryDirectory(TemporaryDirectory const&) = delete;
@@ -39,11 +39,11 @@ class DirectoryLock {  // keeps other processes out of a directory until the obj
 struct Continued {                 // how a campaign differs from the stored one that it continues
   std::vector<std::string> added;  // for example "2 devices"
   std::string released;            // rule set of the stored campaign if the new one has none
-  // Compression tests that are only in the store, kept or dropped, as "D01 (v.csv)" with the device's name.
+  // Compression tests that only the stored campaign has, kept or dropped: "D01 (v.csv)" for the test of device D01.
   std::vector<std::string> kept_vertical, dropped_vertical;
 };
 
-// A compression test that is only in the store stays if the user names records, and goes if a lot file leaves it out.
+// A compression test that only the store has stays if the user names records, and goes if a lot file leaves it out.
 enum class LeftOut { stays, is_gone };
 
 // Copies the results in the store into `contents`. Throws Error if the stored settings or inputs differ; `contents` may

@@ -18,14 +18,14 @@ struct MergeCallOptions {
   std::function<void(campaign::MissingRun const&)> missing = {};  // called for each run that is in no part
 };
 
-// Copies the runs of `parts` into `directory`, like the command `isolaw merge`. A part is the directory of a
-// calibrate() call with CalibrateOptions::part, or its store. Analyses and reports follow. The files are the same, byte
-// by byte, as those of a campaign without parts; an interruption leaves it incomplete. Throws Error for a damaged part
-// and for a part of another campaign, build or instruction set, and, after copying the rest, for missing parts or runs.
+// Copies the runs of `parts` into `directory`, like the command `isolaw merge`, then makes analyses and reports. A part
+// is the directory of a calibrate() call with CalibrateOptions::part, or its store. The files are the same, byte by
+// byte, as those of a campaign without parts, but incomplete after an interruption. Throws Error for a damaged part, a
+// part of another campaign, build or instruction set, and, after copying the rest, for missing parts or runs.
 campaign::Contents merge(std::filesystem::path const& directory, std::vector<std::filesystem::path> const& parts,
                          MergeCallOptions const& options = {});
 
-// Does the first half of merge() for callers that hold the lock. Missing runs go to options.missing and are no error.
+// The first half of merge(), for callers that hold the lock. Missing runs go to options.missing and are no error.
 campaign::Merged merge_runs(DirectoryLock const& lock, std::filesystem::path const& directory,
                             std::vector<std::filesystem::path> const& parts, MergeCallOptions const& options);
 // Returns `part` if it is a file, otherwise the file `name` in it. Throws Error if this is the store of `directory`.

@@ -13,7 +13,7 @@ namespace isolaw {
 struct NamedValue {
   std::string name;
   double value = 0.0;
-  std::string where = {};  // "parameters.toml:3", "--set"; empty for the caller's `where`
+  std::string where = {};  // "parameters.toml:3", "--set"; if empty, messages name the caller's `where`
 };
 
 // Reads a text such as "Ke=2.5", in the law's units. Throws Error for any other form.
@@ -22,12 +22,12 @@ NamedValue parse_named_value(std::string_view text, std::string const& where);
 // named after the law. Throws one Error for all values that are not numbers. It does not check the names.
 std::vector<NamedValue> read_parameter_file(std::filesystem::path const& file, laws::LawEntry const& law);
 
-// Whether the law's joint limits are checked too. A search may go beyond them, where the objective is poor or infinite.
+// Whether limits on several parameters together are checked. A search may go beyond them, where no objective is good.
 enum class Together { checked, left };
 
 // Puts the values in the law's order. Parameters that are fixed by default may be missing. Throws one Error with all
-// faults: unknown or repeated names, missing parameters, values outside their physical limits; if there are none of
-// these, a joint limit that is not met. Messages name `where` for values that have no place of their own.
+// faults: unknown or repeated names, missing parameters, values outside their physical limits. Without such a fault,
+// throws Error for a limit on several parameters together. Messages name `where` for values without a `where`.
 std::vector<double> parameters_in_order(laws::LawEntry const& law, std::vector<NamedValue> const& values,
                                         std::string const& where, Together together = Together::checked);
 

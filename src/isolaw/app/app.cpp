@@ -59,7 +59,7 @@ void add_option(CLI::App& command, OptionInfo const& option, Values& given, std:
   under(option.heading, added);
 }
 
-// `of_test` is false for a motion, which has no force. If the command uses a name itself, only the lot file sets it.
+// Adds the options for reading records, or for reading a motion. Leaves out a name that the command already uses.
 void add_reading(CLI::App& command, Values& read, bool of_test = true) {
   for (auto const& option : data::reading_table()) {
     auto const other_name = of_test ? std::string_view() : option.motion_option;
@@ -387,10 +387,10 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   return std::ranges::find_if(commands, [](auto const& each) { return each.first->parsed(); })->second();
 }
 
-// Who reads a failure as JSON: nobody, a program that gave --json, or the engine of the browser version.
+// Who reads a failure as JSON: nobody, the program that gave --json, or the engine of isolaw's web page.
 enum class Reader { none, program, engine };
 
-// The engine of the browser version passes this word before the command; run() removes it.
+// The engine of isolaw's web page passes this word before the command. run() removes it.
 constexpr std::string_view word_of_engine = "--errors-as-json";
 
 Reader reader_of(int argc, char** argv) {

@@ -5,8 +5,8 @@
 
 namespace isolaw::app {
 
-// Never throws. Returns 0 if done, 1 with refusals or failures, 2 for wrong usage or no usable device, 3 for an
-// internal error.
+// Runs a command. Never throws. Returns 0 if all is done, 1 if a part was refused or failed, 2 for wrong usage or no
+// usable device, 3 for an internal error.
 int run(int argc, char** argv);
 
 // The text of `isolaw --version`, with the facts that a fault report needs: "isolaw 0.2.0 (8394911)", "g++ 12.2.0,

@@ -37,8 +37,8 @@ class SpeedTest {
     return values;
   }
 
-  // Processor time per sample and candidate [ns], to the picosecond. Other work on the machine only adds time. A shared
-  // host once reported a seventh of the true time of a pass, so the second shortest pass is taken.
+  // Processor time per sample and candidate [ns], to the picosecond. Other work on the machine makes a pass longer, but
+  // a shared host may also report a far too short time. Therefore the second shortest pass is taken.
   double ns() const {
     constexpr std::size_t least_passes = 5, most_passes = 2000;
     constexpr double enough_s = 0.15;
@@ -62,7 +62,7 @@ class SpeedTest {
 }  // namespace
 
 int bench(bool json) {
-  // Seven digits of each objective are the same for all instruction sets, and some change when a law changes.
+  // The first seven digits of each objective are equal for all instruction sets and show whether a law has changed.
   std::string digits;
   nlohmann::ordered_json converged, paper;
   for (auto const& law : laws::catalogue())

@@ -71,13 +71,13 @@ int CampaignWork::finish(campaign::Contents& contents, HowToWork const& how) {
   if (contents.part) {
     say("part {} of {}: {}, all of its share, in {}; once every part is there: isolaw merge OUT PARTS...\n",
         contents.part->number, contents.part->of, counted(contents.runs.size(), "run"), shown(file));
-    return exit_done;  // a part's exit code ignores refusals and failures: the report of the whole campaign has them
+    return exit_done;  // refusals and failures do not count here, only in the whole campaign's report
   }
   double const search_s = std::chrono::duration<double>(Clock::now() - start_).count();
-  // The summary is made from the store, as in `isolaw report`, so both commands print the same.
+  // The summary is made from the store, as in `isolaw report`. Both commands thus print the same.
   auto const summary = study::build_summary(campaign::Store::read(file));
   render::write_outputs(summary, directory);
-  // Figures are for print. The time to draw them is reported separately from the time of the study.
+  // The time to draw figures is reported separately, because figures are for print and no part of the study.
   auto const before_figures = Clock::now();
   double const cpu_s = process_time_s() - cpu_at_start_s_;
   own_.lap(campaign::Phase::report);

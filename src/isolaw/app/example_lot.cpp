@@ -39,7 +39,7 @@ std::vector<double> force_of(std::string_view law_id, std::size_t device, std::v
   for (auto const& info : law.parameters) parameters.push_back(info.fixed_by_default.value_or(0.0));
   for (auto const& parameter : printed->parameters)
     if (auto const place = std::ranges::find(law.parameters, parameter.name, &laws::ParameterInfo::name);
-        place != law.parameters.end())  // abe-y0 lacks the printed p
+        place != law.parameters.end())  // Table A.5 has a parameter p that abe-y0 lacks
       parameters[static_cast<std::size_t>(place - law.parameters.begin())] = parameter.mean[device];
 
   data::FitRecord const motion{.time_s = {}, .disp_mm = disp_mm, .vel_mm_s = vel_mm_s};
@@ -54,7 +54,7 @@ std::vector<Sample> record_of(std::size_t device) {
   std::vector<double> time, x, v;
   for (std::size_t i = 0; i < count; ++i) {
     double const t = static_cast<double>(i) / sampling_Hz;
-    // The tremor has no offset at the start of the motion.
+    // Subtracting the first value makes the tremor start at zero.
     double const sway = std::sin(wt * t + tremor_phase) - std::sin(tremor_phase);
     time.push_back(t);
     x.push_back(amplitude_mm * std::sin(w * t) + tremor_mm * sway);
@@ -83,7 +83,7 @@ std::string decimals(double value, int digits) {
   return fmt::format("{:.{}f}", value, digits);
 }
 
-// The cells of one row: time, displacement, force and load. A unit is given by its size in s, mm or kN.
+// Writes time, displacement, force and load as a row's cells. The units are given as their sizes in s, mm and kN.
 auto plain(double disp_unit, double force_unit, double load_unit, int disp_digits, int force_digits,
            double time_unit = 1.0, int time_digits = 2) {
   return [=](Sample const& s, std::size_t) {

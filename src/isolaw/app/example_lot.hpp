@@ -1,4 +1,4 @@
-// The built-in example lot: ten records rebuilt from the published mean parameters.
+// The built-in example lot: ten records computed from mean parameters that Cucuzza et al. 2025 published.
 #pragma once
 
 #include <filesystem>

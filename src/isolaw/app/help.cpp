@@ -64,7 +64,7 @@ std::string key_of(CLI::Option const& option) {
   return option.get_name() + "\n" + option.get_description();
 }
 
-// An option as the user types it, such as "--jobs INT" or "inputs...".
+// Returns an option as the user types it, such as "--jobs INT" or "inputs...".
 std::string usage_of(CLI::Option const& option) {
   bool const positional = option.get_positional();
   auto text = option.get_name(positional);
@@ -78,7 +78,7 @@ void print_list(Options const& options) {
                option->get_required() ? " (required)" : "");
 }
 
-// "[Reading records](#reading-records) without `--to`", or "`--rules` ([Everyday options](#everyday-options))"
+// Links to shared options that `command` has too: "[Reading records](#reading-records) without `--to`".
 std::string reference_to(Heading heading, Options const& shared, CLI::App const& command) {
   std::vector<std::string> with, without;
   for (auto const* option : shared) {

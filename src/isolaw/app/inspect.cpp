@@ -84,7 +84,7 @@ void take_over(std::filesystem::path const& file, campaign::Lot& lot) {
   for (auto& device : lot.devices) device.read = read;
 }
 
-// One device for each test of each file. Sheet and number follow the file's name if the file holds several tests.
+// Makes a device for each test of each file. If a file holds several tests, the names get the sheet and the number.
 campaign::Lot lot_of_tests(InitArguments const& arguments) {
   auto lot = campaign::lot_of_files(records_of(arguments.files));
   if (arguments.like) take_over(*arguments.like, lot);
@@ -173,7 +173,7 @@ int init(InitArguments const& arguments) {
         shown(arguments.out));
   lot.devices = std::move(recognised);
   auto const folder = std::filesystem::absolute(arguments.out).parent_path();
-  // The size is that of the other production lot, so the user is told. A size below the number of devices is dropped.
+  // This size is that of the lot in --like, so the user is told. A size below the number of devices is left out.
   auto& size = lot.acceptance.lot_size;
   if (size && static_cast<std::size_t>(*size) < lot.devices.size()) {
     say("lot-size = {} of {} left out: there are {} devices here\n", *size, shown(*arguments.like), lot.devices.size());

@@ -7,7 +7,7 @@
 
 namespace isolaw::app {
 
-// A guard catches signals: the first sets interrupted(), the second ends the program. nohup's ignored SIGHUP stays so.
+// Catches signals: the first one sets interrupted(), the second ends the program. SIGHUP stays ignored under nohup.
 class SignalGuard {
  public:
   SignalGuard();

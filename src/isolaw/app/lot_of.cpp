@@ -41,7 +41,7 @@ void refuse_endless(campaign::Lot const& lot) {
                  .advice = "fewer runs, 20 are usual"});
 }
 
-// The canonical path makes "." and "records/" end in a name too.
+// Makes the path canonical first, because paths such as "." and "records/" do not end in the folder's name.
 std::string folder_name(std::filesystem::path const& directory) {
   auto const path = std::filesystem::weakly_canonical(directory);
   return path.filename().string();
@@ -104,7 +104,7 @@ std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path>
 
 namespace {
 
-// Repeated options add to the lot file's values; a value for the same parameter is replaced.
+// Options that may be repeated add to the lot file's values. A value for the same parameter replaces the lot file's.
 Json added(Json const& there, Json const& given) {
   auto const parameter = [](std::string const& text) { return text.substr(0, text.find('=')); };
   auto const words = given.get<std::vector<std::string>>();

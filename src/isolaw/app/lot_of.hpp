@@ -18,7 +18,7 @@ campaign::Lot lot_of_inputs(std::vector<std::filesystem::path> const& inputs, ca
 // Sets the given options, loads the rule set and parses the design values. Throws Error if one of them is wrong.
 void apply(Values const& given, campaign::Acceptance& acceptance);
 
-// "DEVICE=FILE" replaces the compression test of that device in the lot file. Throws Error.
+// Replaces a device's compression test by "DEVICE=FILE". Throws Error for an unknown device or one that is given twice.
 void apply_vertical(std::vector<std::string> const& given, campaign::Lot& lot);
 void apply(Values const& given, data::ReadOptions& options);
 

@@ -14,7 +14,7 @@
 namespace isolaw::app {
 namespace {
 
-// Some processors are slower, some searches are longer, and other jobs may run on the same machine.
+// Factor on estimated times. Processors may be slower, searches longer, and other jobs may run on the same machine.
 constexpr double time_margin = 3.0;
 constexpr double least_minutes = 10.0;
 

@@ -40,7 +40,7 @@ std::vector<std::string> words_again(CalibrateArguments const& given) {
   return words;
 }
 
-// A part first reads the lot, as this process has just done, so both need about as much memory. Threads add a little.
+// A part needs about as much memory as this process, because both read the whole lot. Each thread adds a little.
 std::uint64_t memory_bytes(int jobs) {
   rusage used{};
   getrusage(RUSAGE_SELF, &used);
@@ -54,7 +54,7 @@ std::string program_of(std::string const& word) {
   return word.find('/') == std::string::npos ? word : std::filesystem::absolute(word).lexically_normal().string();
 }
 
-// Refuses options that would have no effect: those for a lot if a building is given, and the reverse.
+// Refuses options that would have no effect: building options without a building file, and lot options with one.
 void require_used(PartsArguments const& arguments) {
   if (!arguments.campaign && !arguments.motions.empty())
     throw Error({.where = "--motion",

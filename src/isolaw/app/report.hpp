@@ -18,16 +18,15 @@ void draw_figures(study::Summary const& summary, render::FigureChoice choice, st
 struct Printed {
   bool json = false, details = false;
 };
-// Prints one screen or all details, then the verdicts of a rule set. As JSON: summary.json and the campaign's profile.
+// Prints one screen or all details, then the verdicts of a rule set. With `json`, prints summary.json with the profile.
 void print(study::Summary const& summary, std::filesystem::path const& directory, Printed how,
            std::string_view profile = {});
 
-// 1 if a device was refused, a law could not be fitted to a device, a run failed, or a limit of the rules is not kept.
+// Returns 1 if a device was refused, a law could not be fitted, a run failed, or a limit of the rules is not kept.
 int exit_code(study::Summary const& summary);
 
 std::string what_is_missing(study::Summary const& summary);
 
-// Tells what the merge of a campaign or of a building study did.
 void tell_merged(campaign::Merged const& merged, std::filesystem::path const& directory, std::string const& store);
 
 }  // namespace isolaw::app

@@ -52,7 +52,6 @@ struct Chosen {
   std::optional<Fit> fit = {};
 };
 
-// parameters_in_order() checks names and values of the parameters together.
 Chosen chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
   if (a.parameters && a.from)
     throw Error({.where = "--parameters and --from", .found = "both are given", .allowed = "one of them"});
@@ -94,7 +93,7 @@ Chosen chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
     return std::ranges::find(changes, value.name, &NamedValue::name) != changes.end();
   });
   values.insert(values.end(), changes.begin(), changes.end());
-  // A limit on several parameters jointly may cross the search box, so a fitted law may violate it and is not checked.
+  // A search box may reach beyond a limit on several parameters. A fitted law is therefore not checked against it.
   auto& taken = chosen.law;
   taken.parameters =
       parameters_in_order(law, values, where, a.from && changes.empty() ? Together::left : Together::checked);
@@ -167,7 +166,7 @@ std::vector<std::string> beyond_what_is_known(laws::LawEntry const& law, FittedL
 
 std::vector<std::string> cautions(laws::LawEntry const& law, FittedLaw const& chosen, data::FitRecord const& path) {
   auto lines = beyond_what_is_known(law, chosen, path);
-  constexpr double at_zero = 1e-6;  // as a share of the largest displacement
+  constexpr double at_zero = 1e-6;  // share of the largest displacement that counts as zero
   if (double const x = path.disp_mm.front(); std::abs(x) > at_zero * largest(path.disp_mm))
     lines.push_back(fmt::format(
         "warning: the motion starts at {:.4g} mm: the device is taken as virgin there, its force as if it had come there without history; an analysis program starts at 0: put a path from 0 in front to compare",
@@ -175,7 +174,7 @@ std::vector<std::string> cautions(laws::LawEntry const& law, FittedLaw const& ch
   return lines;
 }
 
-// Reading the text gives exactly the same doubles.
+// Numbers have enough digits that reading them gives the same doubles again.
 std::string csv_text(std::string_view law, std::vector<std::string> const& known, data::TestRecord const& motion,
                      data::FitRecord const& path, std::vector<double> const& force_kN) {
   std::string text;
@@ -192,7 +191,6 @@ std::string csv_text(std::string_view law, std::vector<std::string> const& known
   return text;
 }
 
-// The user's choices for a motion in two directions.
 struct TwoDirections {
   laws::Bidirectional how;
   laws::plane::Softening softening;
@@ -284,9 +282,9 @@ std::vector<std::string> left_open(fit::LawInPlane const& law, TwoDirections con
     lines.push_back(fmt::format(
         "warning: the dead band of {:.4g} mm that the law was fitted with is defined along one direction, and is not used here",
         law.dead_band_mm));
-  // Parameters fitted to springs do not suit the coupled form, with which springs would be compared below.
+  // The comparison below needs the law's own parameters. Parameters that were fitted to springs are different ones.
   if (two.how == laws::Bidirectional::springs && !as_given) return lines;
-  // A figure of eight is fastest at its centre, by sqrt(2). A longer period keeps the motion's largest speed.
+  // On a figure of eight the largest speed is sqrt(2) times that of a cycle. A longer period keeps the motion's speed.
   auto const rules = fit::on_a_figure_of_eight(law, size, std::numbers::sqrt2 * cycle);
   if (rules.size() < 2) return lines;
   auto const [peak, work] = fit::spread_of(rules);

@@ -70,7 +70,7 @@ std::vector<Complaint> about_extra_words(CLI::App const& command, std::string co
   return complaints;
 }
 
-// The option that CLI11's message names: "Could not convert: --runs = many", "--out: 1 required TEXT missing".
+// Finds the option that a message of CLI11 names: "Could not convert: --runs = many", "--out: 1 required TEXT missing".
 CLI::Option const* option_of(CLI::App const& command, std::string_view message) {
   for (auto const* option : command.get_options()) {
     auto const name = option->get_name();

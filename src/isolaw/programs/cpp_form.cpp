@@ -49,8 +49,8 @@ std::string constants(Subject const& subject, UnitSystem const& units) {
   return text;
 }
 
-// Tolerance of the self-check as a share of the peak force. Two exact flows agree within 1e-7, but unloading near rest
-// (kappa near -1) magnifies rounding errors.
+// Tolerance of the self-check as a share of the peak force. A law with a closed-form step is accurate to 1e-7, except
+// in unloading near rest (kappa near -1), which magnifies rounding errors.
 double allowed(laws::LawInfo const& law) {
   return law.traits.exact_flow ? 1e-4 : 1e-6;
 }

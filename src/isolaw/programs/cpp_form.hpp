@@ -11,7 +11,7 @@ namespace isolaw::programs {
 std::string cpp_facts(Subject const& subject, UnitSystem const& units, std::string_view program);
 // Returns the includes and the law in namespace identifier(subject). Throws Error if the law has no C++ form.
 std::string cpp_law(Subject const& subject, UnitSystem const& units);
-// Returns a main() for ISOLAW_SELF_CHECK. It calls trial(disp, velocity) and commit() of `material` along the protocol.
+// Returns a main() for ISOLAW_SELF_CHECK. It drives `material` over the self-check's motion by trial() and commit().
 std::string cpp_check(Subject const& subject, UnitSystem const& units, std::string_view material);
 
 }  // namespace isolaw::programs

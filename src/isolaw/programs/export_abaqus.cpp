@@ -1,5 +1,4 @@
-// Writes the law for Abaqus/Standard as a user element (UEL) in C++. All state is in SVARS, so that Abaqus can repeat
-// an increment.
+// Writes the law for Abaqus/Standard as a user element (UEL) in C++. All state is in SVARS, for repeated increments.
 #include <fmt/format.h>
 
 #include <array>
@@ -15,7 +14,7 @@
 namespace isolaw::programs {
 namespace {
 
-// Numbers in SVARS for the largest state without turning points, and for those that remain after free vibration.
+// Room in SVARS for the largest state without turning points, and for turning points left by a long free vibration.
 constexpr int fixed_variables = 64, turning_variables = 1000;
 
 }  // namespace

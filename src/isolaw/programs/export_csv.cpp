@@ -1,4 +1,4 @@
-// Writes the self-check's displacements and the law's forces as CSV, for programs without a target of their own.
+// Writes the self-check's displacements and the law's forces as CSV, for programs that have no export of their own.
 #include <fmt/format.h>
 
 #include "isolaw/programs/exports.hpp"

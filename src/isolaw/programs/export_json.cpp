@@ -1,4 +1,4 @@
-// Writes as JSON what all other targets contain.
+// Writes everything that the exports for programs contain as JSON: law, forms, errors and the self-check's forces.
 #include "isolaw/base/json.hpp"
 #include "isolaw/programs/exports.hpp"
 #include "isolaw/programs/self_check.hpp"

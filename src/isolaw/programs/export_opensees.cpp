@@ -1,4 +1,4 @@
-// Writes the law as a Tcl script for OpenSees. Sourcing it adds nothing to a model. Its self-check has its own model.
+// Writes the law as a Tcl script for OpenSees. The script defines procedures only. Its self-check has its own model.
 #include <fmt/format.h>
 
 #include <ranges>
@@ -159,7 +159,7 @@ std::string opensees_script(Subject const& subject, Realisation const& realisati
       space, check.forms.front().function, addition.usage);
   for (auto const& form : check.forms) text += procedure(form);
   text += check_procedure(check) + addition.procedures + "}\n\n";
-  // OpenSees exits with 0 even after an error in a script, so the script calls exit with its own code.
+  // OpenSees exits with 0 even after an error in a script. The script therefore calls exit with a code of its own.
   text += fmt::format(
       "if {{[info exists argv0] && [info script] eq $argv0 && [info exists argv] && [lindex $argv 0] eq \"check\"}} {{\n"
       "  if {{[catch {{ {}::self_check }} all]}} {{\n    puts stderr $::errorInfo\n    exit 1\n  }}\n"

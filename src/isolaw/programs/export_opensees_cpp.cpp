@@ -13,7 +13,7 @@
 namespace isolaw::programs {
 namespace {
 
-// The factors on the force that a script may name: rows of a C++ table, and a list for the file's comments.
+// The names of force factors that an OpenSees script may give, as rows of a C++ table and as a list for a comment.
 struct Variants {
   std::string table = "{\"nominal\", nominal}", names = "nominal";
 };

@@ -131,7 +131,7 @@ def self_check():
 )python";
   text += addition.procedures;
   text += "if __name__ == \"__main__\":\n";
-  // A script with a model has imported sys already.
+  // If the script has a building, the building's functions have imported sys already.
   return text + (addition.dispatch.empty() ? "    import sys\n\n    sys.exit(0 if self_check() else 1)\n"
                                            : "    " + addition.dispatch);
 }

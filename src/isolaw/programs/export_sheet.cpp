@@ -21,7 +21,7 @@ using Corner = laws::BilinearForm;
 template <class Values>
 struct Set {
   std::string how;      // "exact", or the fitted law and its error
-  bool is_near = true;  // false if the values are far off the law
+  bool is_near = true;  // false if the fitted law is far off the exported law
   Values nominal;
   std::optional<Values> lower, upper;
 };
@@ -65,9 +65,9 @@ std::vector<double> parameters_of(Wen const& v) {
   return p;
 }
 
-constexpr double sharpest = 20.0;  // exponent that stands for a sharp corner
+constexpr double sharpest = 20.0;  // Plastic (Wen) allows no larger exponent; its corner is nearly sharp
 
-// Bouc-Wen values for a bilinear loop.
+// Returns the Bouc-Wen values whose loop is nearly the bilinear loop `v`.
 Wen sharp(Corner const& v) {
   double const half = 0.5 * std::pow(v.uy, -sharpest);
   return {.alpha = v.K2 / v.K1, .Ke = v.K1, .beta = half, .gamma = half, .n = sharpest};
@@ -150,7 +150,7 @@ class Page {
     text_ += "|---|---|---:|";
     text_ += std::string(subject_.bounds.lower ? "---:|" : "") + (subject_.bounds.upper ? "---:|" : "") + "---|\n";
   }
-  // Adds a row of the table. `get` takes the number from the values of a variant, in kN^force mm^length.
+  // Adds a row of the table. `get` takes the number from the nominal, lower and upper values, in kN^force mm^length.
   template <class Values, class Get>
   void row(std::string_view symbol, double force, double length, Set<Values> const& set, Get&& get,
            std::string_view note = {}) {

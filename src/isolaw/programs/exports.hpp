@@ -1,4 +1,4 @@
-// Writes the exported texts, one function for each target. A function throws Error for a law that it cannot express.
+// Writes the text of an export, with one function for each target. A function throws Error for a law it cannot express.
 #pragma once
 
 #include <span>
@@ -14,7 +14,7 @@
 namespace isolaw::programs {
 
 struct Remarks {
-  std::vector<std::string> objections;  // reasons not to use the export, which is then only written if `anyway`
+  std::vector<std::string> objections;  // reasons to refuse the export, unless the user asks for it `anyway`
   std::vector<std::string> cautions;    // warnings that are shown with the export
 };
 
@@ -24,21 +24,21 @@ struct Target {
   bool of_model = false;  // true if it writes a whole building and needs Subject::model
 };
 std::span<Target const> targets();
-std::vector<std::string_view> model_targets();     // names of the targets that write a whole building
+std::vector<std::string_view> model_targets();
 Target const& find_target(std::string_view name);  // throws Error with a list of the targets
 
 struct Export {
   std::string text;
   std::vector<std::string> let_through, cautions;
 };
-// Throws Error for an unusable prediction or a poor substitute. With `anyway`, the reasons go to `let_through`.
+// Throws Error for an unusable prediction or a poor substitute. With `anyway`, the reasons go to `let_through` instead.
 Export write_export(Subject const& subject, Target const& target, UnitSystem const& units, bool anyway);
 
 std::string opensees_script(Subject const& subject, Realisation const& realisation, UnitSystem const& units,
                             ScriptAddition const& addition = {});
 std::string openseespy_script(Subject const& subject, Realisation const& realisation, UnitSystem const& units,
                               ScriptAddition const& addition = {});
-// Write the law's script with the subject's model. add_draws() must have added the model's draws to the realisation.
+// Write the law's script with the building of `subject`. add_draws() must have added the laws drawn for its bearings.
 std::string opensees_model(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::string openseespy_model(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::string cpp_header(Subject const& subject, UnitSystem const& units);

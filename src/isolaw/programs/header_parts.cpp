@@ -53,7 +53,7 @@ bool is_a_number(std::string_view name) {
   return name == "T" || name == "X" || name == "N" || name == "Dual";
 }
 
-// A head of a template without the classes that an export replaces; empty if none is left.
+// Returns a template's head without the parameters that an export replaces by numbers. Empty if no parameter is left.
 std::string template_head(std::string_view line) {
   auto const head = without_indent(line);
   auto arguments = head.substr(10, head.size() - 11);
@@ -71,13 +71,12 @@ bool is_template_head(std::string_view line) {
   return line.starts_with("template <") && line.ends_with('>');
 }
 
-// A literal or a name with members, both perhaps negative: what a conversion to a number may be left out of.
+// True for a literal or a name with members, with or without a minus sign. It needs no cast to double.
 bool is_simple(std::string_view text) {
   if (text.starts_with('-')) text.remove_prefix(1);
   return !text.empty() && std::ranges::all_of(text, [](char c) { return of_a_name(c) || c == '.' || c == ':'; });
 }
 
-// The place of the '>' that closes the '<' at the start.
 std::size_t closing_angle(std::string_view code) {
   int open = 0;
   for (std::size_t i = 0; i < code.size(); ++i) {
@@ -87,7 +86,7 @@ std::size_t closing_angle(std::string_view code) {
   return code.size();
 }
 
-// The code with the numbers of an export in place of the template arguments.
+// Replaces the template arguments in `code` by the number types of an export.
 std::string with_plain_numbers(std::string_view code) {
   std::string text;
   while (!code.empty()) {
@@ -103,7 +102,7 @@ std::string with_plain_numbers(std::string_view code) {
     code.remove_prefix(length);
     bool const in_std = text.ends_with("std::");
     auto const* const replaced = written_for(name);
-    if (is_a_number(name) && code.starts_with('(')) {  // a conversion
+    if (is_a_number(name) && code.starts_with('(')) {  // a cast to a number
       auto const inside = code.substr(1, std::min(code.find(')'), code.size()) - 1);
       if (is_simple(inside)) {
         text += with_plain_numbers(inside);
@@ -137,7 +136,7 @@ std::string with_plain_numbers(std::string_view code) {
   return text;
 }
 
-// The marked lines of a file.
+// Returns the lines of a file between `// [export]` and `// [end]`, as C++ without templates over numbers.
 std::string exported(std::string_view text) {
   constexpr std::string_view begin = "// [export", end = "// [end]";
   std::string code;
@@ -184,7 +183,8 @@ std::string with_blank_lines(std::vector<std::string> const& parts) {
   return text;
 }
 
-// A function of the namespace, or the name of one from std, with the comment above it; any other lines have no name.
+// Some lines of the exported code. If they are a function, or a using declaration of a name from std, `name` is that
+// name and `text` begins with the comment above. For all other lines `name` is empty.
 struct Block {
   std::string name, text;
 };
@@ -220,7 +220,7 @@ bool calls(std::string_view text, std::string_view name) {
   return false;
 }
 
-// Leaves out the functions that nothing else calls.
+// Removes functions that nothing calls, until every function left is called by another one.
 std::string without_unused(std::string_view text) {
   auto blocks = blocks_of(text);
   auto const unused = [&](Block const& block) {

@@ -17,8 +17,8 @@ namespace isolaw::programs {
 namespace {
 
 struct LayoutColumn {
-  std::vector<std::string_view> names;  // accepted headings, of which messages use the first
-  std::string units;                    // accepted units; "" if the cells are texts
+  std::vector<std::string_view> names;  // accepted headings; messages use the first one
+  std::string units;                    // accepted units; "" if the column holds texts
   std::optional<double> (*in_ours)(std::string_view unit);
   void (*set)(LayoutRow& place, double value);
   bool required = false, above_zero = false;
@@ -182,7 +182,7 @@ std::vector<LayoutRow> read_layout_text(std::string_view bytes, std::string cons
     return Error({.where = name, .found = "no bearings", .allowed = "a row for each, under " + columns_text});
   };
   if (!header_line || below == 0) throw nothing();
-  // Recognises the delimiter from the header alone, since a table may have only one or two rows.
+  // The delimiter is found in the header alone, because a table may have only one or two rows of bearings.
   auto const& head = lines[*header_line];
   auto const has = [&](char c) { return head.find(c) != std::string_view::npos; };
   char const delimiter = has(';') ? ';' : has('\t') ? '\t' : has(',') ? ',' : ' ';

@@ -19,14 +19,14 @@ struct LayoutRow {
 
 inline constexpr std::size_t most_rows = 2000;
 
-// Throws one Error for all faults: wrong columns, units or values, loads for only some bearings, and bearings that
-// share a name or a position.
+// Reads the table. Throws one Error that lists all faults: wrong columns, units or values, loads for only some of the
+// bearings, and bearings that share a name or a position.
 std::vector<LayoutRow> read_layout(std::filesystem::path const& file);
 std::vector<LayoutRow> read_layout_text(std::string_view bytes, std::string const& name);
 
 // Splits "2400 kN" into 2400 and "kN". Returns nullopt if the text does not begin with a finite number.
 std::optional<std::pair<double, std::string_view>> number_and_unit(std::string_view text);
-// A unit of length in mm, of force in kN, of stiffness in kN/mm: 0.001 for "kN/m". nullopt for any other text.
+// Returns a unit of length in mm, of force in kN, of stiffness in kN/mm ("kN/m" is 0.001). nullopt for any other text.
 std::optional<double> length_in_mm(std::string_view unit);
 std::optional<double> force_in_kN(std::string_view unit);
 std::optional<double> parse_stiffness(std::string_view unit);

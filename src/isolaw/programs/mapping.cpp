@@ -138,7 +138,7 @@ laws::Canonical canonical(laws::LawEntry const& law, std::span<double const> par
   return form;
 }
 
-// Tells why no OpenSees material has these limit curves; "" if a material has them.
+// Returns why no OpenSees material can follow these limit curves, or "" if one can.
 std::string no_material_of(laws::LawEntry const& law, laws::LimitCurvesForm const& v) {
   auto const &up = v.loading, &down = v.unloading;
   if (up.sigmoid != 0.0 || down.sigmoid != 0.0)
@@ -161,8 +161,9 @@ std::string no_material_of(laws::LawEntry const& law, laws::LimitCurvesForm cons
   return {};
 }
 
-// Returns the travel in one direction after which rounding may hide the distance of the force from its limit curve, f0
-// exp(-alpha travel). The displacement is `reach` * travel: 1 from rest, 0.5 from one side to the other.
+// Returns the travel in one direction after which the distance of the force from its limit curve, f0 exp(-alpha
+// travel), may be smaller than the rounding error. The displacement reached is `reach` * travel: `reach` is 1 from rest
+// and 0.5 for a swing from one side to the other.
 double longest_travel(laws::LimitCurve const& v, double reach) {
   constexpr double roundings = 16.0 * std::numeric_limits<double>::epsilon();
   double travel = 0.0;
@@ -176,12 +177,13 @@ double longest_travel(laws::LimitCurve const& v, double reach) {
   return travel;
 }
 
-// HystereticAsym refuses a limit curve that softens (beta1 < 0). Its hysteretic force is linear in ka, kb and fo. The
-// law is therefore written as 1.1 times this force, minus a material of 0.1 times this force that hardens by the curve.
+// HystereticAsym refuses a limit curve that softens (beta1 < 0). Its hysteretic force is proportional to ka, kb and fo.
+// The law is thus one material with 1.1 times this force, minus another with 0.1 times this force and a hardening
+// curve.
 constexpr double surplus = 0.1;
 
-// The hardening term of HystereticAsym always has the coefficient 1, in whatever unit of force. If the law hardens, the
-// force is therefore computed in units of the law's coefficient and scaled back by a Multiplier.
+// In HystereticAsym the hardening term has the coefficient 1, whatever the unit of force. For a law that hardens,
+// HystereticAsym therefore gives the force / the law's coefficient, and a Multiplier scales it back.
 Form hysteretic_asym(laws::LimitCurve const& v) {
   Form form{.id = "material",
             .title = "uniaxialMaterial HystereticAsym",

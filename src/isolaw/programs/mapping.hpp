@@ -11,9 +11,9 @@
 
 namespace isolaw::programs {
 
-// The unit of `value` is kN^force_power mm^length_power.
+// An argument of a command. The unit of `value` is kN^force_power mm^length_power.
 struct Argument {
-  std::string name;  // as in the program's manual
+  std::string name;  // as in the manual of OpenSees
   double value = 0.0;
   double force_power = 0.0, length_power = 0.0;
 };
@@ -23,26 +23,26 @@ struct MappedCommand {
   std::vector<Argument> arguments;
 };
 
-// How exact a form can be: at every step if it is algebraic, or as the step goes to zero if the program integrates.
+// A form is exact at every step, or, if OpenSees integrates, becomes exact as the steps get smaller.
 enum class Exactness { every_step, small_steps };
 
-// The commands that make a material or an element. The last command makes the one to use.
+// Commands that together make a material or an element. The model uses what the last command makes.
 struct Form {
   std::string id;  // "material", "material_original", "bearing"
   std::string title;
   Exactness exactness = Exactness::every_step;
   std::vector<MappedCommand> commands;
-  std::string condition = {};  // where, beyond the records, the form is right; "" for everywhere
-  // Longest travel in one direction before the force becomes NaN: from rest, and from side to side. Empty: any.
+  std::string condition = {};  // where the form fails beyond the records; "" if nowhere
+  // Longest travels in one direction before the force is NaN: from rest, and from side to side. Empty without a limit.
   std::optional<double> longest_travel_mm = {}, longest_swing_mm = {};
-  std::string since = {};  // first version of the program that has the material; "" if all have it
+  std::string since = {};  // first version of OpenSees that has the material; "" if all have it
 };
 
 std::vector<Command> in_units(Form const& form, UnitSystem const& units);
 
 struct Mapping {
-  std::vector<Form> forms;  // the form to use comes first; empty if the program cannot express the law
-  std::string why;          // the reason if there is no form
+  std::vector<Form> forms;  // the preferred form is first; empty if OpenSees cannot express the law
+  std::string why;          // why OpenSees cannot express the law
 };
 
 // scale.stiffness multiplies the part of the force that grows with displacement, scale.strength the hysteretic part.
@@ -52,7 +52,7 @@ laws::BilinearForm scaled(laws::BilinearForm values, BoundFactors const& scale);
 laws::BoucWenForm scaled(laws::BoucWenForm values, BoundFactors const& scale);
 laws::MenegottoPintoForm scaled(laws::MenegottoPintoForm values, BoundFactors const& scale);
 
-// Values in kN and mm; nullopt for other laws. Limit curves without hardening count as Bouc-Wen with n = 1.
+// Return the law's values in kN and mm; nullopt for other laws. Limit curves without hardening are Bouc-Wen with n = 1.
 std::optional<laws::BilinearForm> bilinear_values(laws::LawEntry const& law, std::span<double const> parameters);
 std::optional<laws::BoucWenForm> bouc_wen_values(laws::LawEntry const& law, std::span<double const> parameters);
 

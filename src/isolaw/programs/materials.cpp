@@ -64,7 +64,7 @@ class Steel02 final : public Material {
   double x_ = 0.0, f_ = 0.0, direction_ = 0.0, xr_ = 0.0, fr_ = 0.0, x0_ = 0.0, f0_ = 0.0, R_ = 0.0;
 };
 
-// Arguments: kInit qd alpha1 alpha2 mu; one direction. Sum of an elastic-plastic part, a spring and a hardening spring.
+// Arguments: kInit qd alpha1 alpha2 mu. Adds the forces of an elastic-plastic part, a spring and a hardening spring.
 class BearingPlasticity final : public Material {
  public:
   explicit BearingPlasticity(std::span<double const> a)
@@ -81,11 +81,11 @@ class BearingPlasticity final : public Material {
 
 // Newton's rule for z, with the defaults of OpenSees.
 struct Iteration {
-  double tolerance = 1e-8;  // largest change of z in the last iteration
-  int most = 20;            // the largest number of iterations
+  double tolerance = 1e-8;  // the iteration ends if z changes by less
+  int most = 20;
 };
 
-// Backward Euler for dz = dx (A - |z|^n (gamma + beta sgn(dx z))). NaN if the iteration fails, as in OpenSees.
+// Backward Euler for dz = dx (A - |z|^n (gamma + beta sgn(dx z))). NaN if Newton's rule fails, as in OpenSees.
 double implicit_z(double z0, double dx, double A, double beta, double gamma, double n, double start,
                   Iteration const& iteration) {
   if (dx == 0.0) return z0;
@@ -111,7 +111,7 @@ class BoucWen final : public Material {
       throw Error({.where = "BoucWen", .found = "deltaA, deltaNu or deltaEta", .allowed = "0: no degradation"});
   }
   double force(double x) override {
-    constexpr double start = 0.01;  // OpenSees starts each step at this z, in whatever units
+    constexpr double start = 0.01;  // OpenSees starts Newton's rule at z = 0.01, whatever the unit of length
     z_ = implicit_z(z_, x - x_, A_, beta_, gamma_, n_, start, iteration_);
     x_ = x;
     return alpha_ * k_ * x + (1.0 - alpha_) * k_ * z_;
@@ -122,7 +122,7 @@ class BoucWen final : public Material {
   Iteration iteration_;
 };
 
-// The Bouc-Wen law with a z without unit, which is 1 at the yield displacement uy.
+// The Bouc-Wen law with a z that has no unit and is 1 at the yield displacement uy.
 class DimensionlessBoucWen final : public Material {
  public:
   struct Parameters {
@@ -236,7 +236,7 @@ std::unique_ptr<Material> make_one(Command const& command, std::vector<std::uniq
 
 std::vector<Tags> tags_of(std::span<Command const> commands) {
   std::vector<Tags> all_tags;
-  std::vector<std::size_t> free;  // tags of materials that no later command has taken
+  std::vector<std::size_t> free;  // tags of the materials that no command has taken yet
   for (std::size_t i = 0; i < commands.size(); ++i) {
     auto& tags = all_tags.emplace_back(Tags{.own = i + 1 == commands.size() ? 0 : i + 1, .inner = {}});
     auto const wanted = inner_count(commands[i].name);
@@ -268,7 +268,7 @@ std::string refused_by_program(std::span<Command const> commands) {
 
 std::unique_ptr<Material> make_material(std::span<Command const> commands) {
   auto const tags = tags_of(commands);
-  std::vector<std::unique_ptr<Material>> materials(commands.size());  // index: the material's own tag
+  std::vector<std::unique_ptr<Material>> materials(commands.size());  // the index is the material's tag
   for (std::size_t i = 0; i < commands.size(); ++i) {
     std::vector<std::unique_ptr<Material>> inner;
     for (auto const tag : tags[i].inner) inner.push_back(std::move(materials[tag]));

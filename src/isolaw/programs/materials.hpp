@@ -4,7 +4,7 @@
 // part). Steel02: Filippou et al. 1983 as in that manual, without the isotropic part. BoucWen: Wen 1976 as in Haukaas
 // and Der Kiureghian 2003, backward Euler. BoucWenOriginal and elastomericBearingBoucWen: Park, Wen and Ang 1986, z
 // without unit, backward Euler. elastomericBearingPlasticity: return mapping. HystereticAsym: Vaiana et al. 2018/2021.
-// Newton's rule finds z with the start and number of iterations of OpenSees; the force is NaN if it fails.
+// Newton's rule for z has the start value and the iteration limit of OpenSees. If it fails, the force is NaN.
 #pragma once
 
 #include <memory>
@@ -21,32 +21,31 @@ class Material {
   virtual double force(double disp) = 0;
 };
 
-// Values of the bearing's option -iter. Without the option OpenSees stops after 25 iterations.
+// Number of iterations that exports give to the bearing's option -iter. Without it OpenSees stops after 25 iterations.
 inline constexpr int bearing_iterations = 100;
 inline constexpr double bearing_tolerance = 1e-9;
 
-// A Multiplier takes the last material before it that no command has taken; Parallel takes the last two.
+// A command of OpenSees. Multiplier uses the last material that no command has used, Parallel the last two.
 struct Command {
   std::string name;
   std::vector<double> arguments;
 };
 
-// Offsets of tags from the tag that the user gives: 0 for the last command, 1, 2, ... for the others.
+// Tags of a command's materials, counted from the tag that the user gives: 0 for the last command, then 1, 2, ...
 struct Tags {
   std::size_t own = 0;
-  std::vector<std::size_t> inner;  // offsets of the materials that this command takes
+  std::vector<std::size_t> inner;  // offsets of the materials that this command uses
 };
-// Throws Error if a command finds too few materials to take, or if not exactly one material is left.
+// Throws Error if a command finds too few materials to use, or if not exactly one unused material is left at the end.
 std::vector<Tags> tags_of(std::span<Command const> commands);
 
-// Tells why OpenSees refuses the arguments, by the limits that its commands state; "" if it accepts them.
+// Returns why OpenSees refuses the arguments, by the limits that its commands state, or "" if it accepts them.
 std::string refused_by_program(std::span<Command const> commands);
 
-// Throws Error for an unknown name or a wrong number of arguments, and for the reasons of tags_of().
+// Throws Error for an unknown name, for a wrong number of arguments, and where tags_of() does.
 std::unique_ptr<Material> make_material(std::span<Command const> commands);
 
-// Returns the force after each displacement, starting at displacement 0. Once a force is NaN, all later ones are NaN,
-// as in OpenSees.
+// Returns the force after each displacement, from displacement 0 on. After a force of NaN all are NaN, as in OpenSees.
 std::vector<double> replay(std::span<Command const> commands, std::span<double const> disp);
 
 }  // namespace isolaw::programs

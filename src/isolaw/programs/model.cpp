@@ -30,7 +30,7 @@ double quantity(std::string const& text, std::string_view where, std::string_vie
   return parts->first * *unit;
 }
 
-// Divides the carried weight among the bearings: in proportion to the layout's loads, or equally if it has none.
+// Divides the carried weight among the bearings as the layout divides its loads, or equally if it has no loads.
 void add_weight(Model& model, ModelOptions const& options, std::vector<LayoutRow> const& places) {
   bool const loads = places.front().load_kN.has_value();
   double sum = 0.0;
@@ -40,7 +40,7 @@ void add_weight(Model& model, ModelOptions const& options, std::vector<LayoutRow
                  .found = "is not given, and the layout has no column of loads",
                  .allowed = "the mass that the isolators carry, or its weight: 1200t, 12000kN",
                  .advice = "--mass 1200t, or a column 'load [kN]' in the layout"});
-  // Here t and kg are read as tonne-force and kilogram-force, so that a mass becomes its weight.
+  // force_in_kN() reads t and kg as tonne-force and kilogram-force. The mass in --mass thus becomes a weight.
   model.weight_kN = options.mass ? quantity(*options.mass, "--mass",
                                             fmt::format("a number above 0 and a unit of mass or weight (t, kg, {})",
                                                         known_units(Dimension::force)),
@@ -68,7 +68,7 @@ void add_weight(Model& model, ModelOptions const& options, std::vector<LayoutRow
   auto const [low, high] = std::ranges::minmax(model.bearings, {}, &ModelBearing::y_mm);
   model.gyration_mm = std::hypot(right.x_mm - left.x_mm, high.y_mm - low.y_mm) / std::sqrt(12.0);
   model.gyration_from = "of a uniform rectangle around the bearings";
-  // For a single bearing the rectangle is a point. Its slab cannot turn in the model, so any value will do.
+  // A single bearing spans no rectangle. The model keeps its slab from turning, so any radius of gyration will do.
   if (model.bearings.size() == 1) model.gyration_mm = 1000.0;
 }
 

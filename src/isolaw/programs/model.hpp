@@ -19,7 +19,7 @@ struct ModelOptions {
   std::optional<std::string> layout, mass, gyration, axial, ground_motion, ground_motion_y;
   std::optional<double> ground_motion_dt;
   double scale = 1.0;
-  int draws = 0;  // number of draws of the bearings' laws; 0: analyses of the bounds
+  int draws = 0;  // number of draws of the bearings' laws; 0 for analyses with the bounds of the law
 };
 std::vector<Option<ModelOptions>> const& model_table();
 
@@ -33,18 +33,18 @@ struct Model {
   std::vector<ModelBearing> bearings;
   double weight_kN = 0.0, x_mm = 0.0, y_mm = 0.0, gyration_mm = 0.0;  // weight that the isolators carry, and its centre
   std::string weight_from, centre_from, gyration_from, K_v_from;      // sources of weight, centre, gyration and K_v
-  std::vector<data::GroundMotion> motions;                            // along x, and along y if there is a second
+  std::vector<data::GroundMotion> motions;  // motion along x, and a second one along y if given
   double scale = 1.0;
-  // Parameters of the law as draws[draw][bearing]. If empty, the analyses use the bounds of the law.
+  // Law parameters drawn for each bearing, as draws[draw][bearing]. If empty, the analyses use the bounds of the law.
   std::vector<std::vector<std::vector<double>>> draws;
   std::uint64_t seed = 0;
   std::vector<std::string> draws_said;
 };
 
-// Largest number of parameter sets in one file, since each needs a material and a check.
+// Largest number of drawn parameter sets in one file. Each set adds a material and its self-check to the file.
 inline constexpr int most_drawn_sets = 2000;
 
-// `device` is a name or "lot". K_v may come from its compression tests. Throws one Error for all faults.
+// `device` is a name or "lot". K_v may come from compression tests of the device. Throws one Error with all faults.
 Model make_model(ModelOptions const& options, campaign::Contents const& contents, study::Summary const& summary,
                  std::string_view law, std::string_view device, std::uint64_t seed);
 

@@ -14,9 +14,9 @@ namespace {
 
 constexpr std::string_view coupled_form = "bearing";
 
-// Longest step of an analysis, short enough for the frequencies of ground motions.
+// Longest time step of an analysis. It is short enough for the frequencies of ground motions.
 constexpr double longest_model_step_s = 0.005;
-// Step of an analysis if no tried number of steps was enough for the form.
+// Time step of an analysis if steps_needed() found no number of steps per cycle that is accurate enough.
 constexpr double careful_model_step_s = 0.001;
 
 Form const* with_id(Mapping const& mapping, std::string_view id) {
@@ -40,7 +40,7 @@ std::string range_text(double low, double high) {
   return low == high ? fmt::format("{:.4g}", low) : fmt::format("{:.4g} to {:.4g}", low, high);
 }
 
-// True if the force of the mirrored displacements is not just the negative force.
+// True if mirrored displacements do not give the mirrored force.
 bool is_one_sided(Form const& form, Subject const& subject) {
   auto mirrored = subject.protocol.disp_mm;
   for (double& x : mirrored) x = -x;
@@ -109,7 +109,7 @@ Deviation add_draws(Realisation& realisation, Subject const& subject) {
       if (form == nullptr) throw fails(draw, bearing, mapping.why.empty() ? "it has another form" : mapping.why);
       Realised realised;
       auto const failure = failure_of(*form, one, realised);
-      // A substitute may differ from the law, and its deviation is reported. But its force must be finite.
+      // A substitute that differs from the law is accepted and its deviation is reported, but its force must be finite.
       bool const has_force = std::isfinite(realised.from_law.largest);
       if (!failure.empty() && (realisation.substitute.empty() || !has_force)) throw fails(draw, bearing, failure);
       keep_worst(worst, realised.from_law);
@@ -163,7 +163,7 @@ ModelNumbers model_numbers(Subject const& subject, Realisation const& realisatio
 }
 
 std::vector<std::string> model_cautions(Subject const& subject, UnitSystem const& units) {
-  // Laboratories keep the vertical load of a test constant within about this share.
+  // Laboratories usually keep the vertical load of a test constant within this share.
   constexpr double held_within = 0.2;
   auto const &low = subject.tested.load_min_kN, &high = subject.tested.load_max_kN;
   if (!low || !high) return {};

@@ -1,4 +1,4 @@
-// The content of a model that its Tcl script and its Python module share.
+// The facts and numbers of a building model, which its Tcl script and its Python module both contain.
 #pragma once
 
 #include <string>
@@ -9,19 +9,19 @@
 
 namespace isolaw::programs {
 
-// The form that a model uses: a bearing element that couples both directions, if there is one.
+// Returns the form that a model uses. A bearing element that couples both directions is preferred, if there is one.
 Realised& form_of_model(Realisation& realisation);
 Realised const& form_of_model(Realisation const& realisation);
 
-// Adds a form for every bearing of every draw. If a substitute is exported, it is fitted to each draw. Throws Error for
-// the first bearing whose law the program cannot express. Returns the worst deviation of a form from its law.
+// Adds a form for every bearing of every draw; a substitute is fitted to each drawn law. Throws Error for the first
+// drawn law that the program cannot express. Returns the largest deviation of a form from its drawn law.
 Deviation add_draws(Realisation& realisation, Subject const& subject);
-std::string drawn_variant(std::size_t draw, std::size_t bearing);  // draw and bearing from 1: "draw_3_12"
+std::string drawn_variant(std::size_t draw, std::size_t bearing);  // counted from 1: "draw_3_12"
 
 // The model's numbers, in the units of the exported file.
 struct ModelNumbers {
   bool coupled = false;
-  std::string function;  // makes an isolator in the script: "bearing" or "material"
+  std::string function;  // name of the script's function that makes an isolator: "bearing" or "material"
   double gravity = 0.0, mass = 0.0, inertia = 0.0, x = 0.0, y = 0.0, weight = 0.0;
   struct One {
     std::string name;
@@ -29,12 +29,12 @@ struct ModelNumbers {
   };
   std::vector<One> bearings;
   double motion_step_s = 0.0;
-  int pieces = 1;  // analysis steps per step of the motion
+  int pieces = 1;  // number of analysis steps in one step of the ground motion
   std::vector<std::vector<double>> motions;
   double tolerance = 0.0;          // Newton's rule stops at displacement changes below this
   double tested = 0.0;             // largest displacement in the tests
   std::vector<std::string> cases;  // names of the analyses: "lower", "nominal", ... or "nominal", "draw_1", ...
-  bool held = false;               // a slab on one bearing is held against turning
+  bool held = false;               // true if the slab rests on one bearing and is therefore held against turning
 };
 ModelNumbers model_numbers(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::vector<std::string> model_cautions(Subject const& subject, UnitSystem const& units);

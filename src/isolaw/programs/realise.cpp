@@ -39,7 +39,7 @@ std::vector<double> every(std::span<double const> values, int step) {
   return kept;
 }
 
-// False for points that were added between samples or before the first. In a protocol all points are samples.
+// False for points that were added between samples or before the first sample. In a protocol all points are samples.
 bool is_sample(History const& history, std::size_t i) {
   return history.measured_kN.empty() || std::isfinite(history.measured_kN[i]);
 }
@@ -85,7 +85,7 @@ double longest_step(History const& history) {
   return longest;
 }
 
-// Replays the self-check in all unit systems, since Newton's rule of OpenSees starts at the same number in all of them.
+// True if the force is finite in every unit system. OpenSees starts Newton's rule at the same number in all of them.
 bool has_a_force(Form const& form, Subject const& subject) {
   return std::ranges::all_of(unit_systems, [&](UnitSystem const& units) {
     return std::ranges::all_of(replay_kN(form, units, subject.protocol.disp_mm),
@@ -111,7 +111,7 @@ Realised replayed(Form const& form, Subject const& subject) {
   return realised;
 }
 
-// A stated longest swing is checked first, because it depends on rounding whether the replay itself fails.
+// A longest swing that the form states decides first, since beyond it a replay fails or not by mere rounding.
 bool breaks_beyond_the_test(Form const& form, Subject const& subject, double travel_mm) {
   if (form.longest_swing_mm && *form.longest_swing_mm < overtravel * travel_mm) return true;
   for (auto const& history : subject.histories) {
@@ -123,7 +123,7 @@ bool breaks_beyond_the_test(Form const& form, Subject const& subject, double tra
   return false;
 }
 
-// Maps the law with each bound's factors. Takes the form of the same id or, without one, of the same place in the list.
+// Maps the law with the factors of each bound. The bound's form has the nominal form's id or, failing that, its index.
 void add_bounds(Realised& realised, std::size_t index, laws::LawEntry const& law, std::span<double const> parameters,
                 Bounds const& bounds) {
   auto const form = [&](std::optional<BoundFactors> const& factors) -> std::optional<Form> {
@@ -137,8 +137,8 @@ void add_bounds(Realised& realised, std::size_t index, laws::LawEntry const& law
   realised.upper = form(bounds.upper);
 }
 
-// Fits the bilinear and the Bouc-Wen law to the force that the law to be exported computes. The better fit comes first.
-// A law that cannot be fitted is left out.
+// Fits the bilinear and the Bouc-Wen law to the forces that the exported law computes. The better of the two comes
+// first. A law that cannot be fitted is left out.
 std::vector<Substitute> stand_ins(Subject const& subject) {
   std::vector<Substitute> fitted;
   for (std::string_view const id : {corner_law, smooth_law})
@@ -281,7 +281,7 @@ std::string failure_of(Form const& form, Subject const& subject, Realised& reali
       found.largest, finer_steps, realised.finer->largest);
 }
 
-// Fits to the law's force and not to the measured force, because the export represents the law.
+// Fits the substitute to the exported law's force and not to the measured force, because the export represents the law.
 Substitute fit_substitute(Subject const& subject, std::string_view id, std::vector<fit::Override> const& asked) {
   auto const& history = subject.histories.front();
   data::FitRecord record;

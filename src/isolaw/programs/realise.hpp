@@ -15,56 +15,57 @@
 namespace isolaw::programs {
 
 enum class Fidelity {
-  exact,           // at every step
-  exact_in_limit,  // as the step goes to zero
-  refitted,        // another law that was fitted to the force of this one
+  exact,           // agrees with the law at every step
+  exact_in_limit,  // approaches the law as the step goes to zero
+  refitted,        // another law, fitted to the forces of the exported one
   not_available
 };
 std::string_view name(Fidelity fidelity);
 
-// The differences of a force from a reference force.
+// How far a force differs from a reference force.
 struct Deviation {
   double largest = 0.0;                 // in percent of the reference's peak force
-  std::optional<double> at_s;           // time of the largest difference; empty without time
-  std::size_t at_sample = 0;            // number of the sample, from 1, at the largest difference
+  std::optional<double> at_s;           // time of the largest difference; empty for a record without times
+  std::size_t at_sample = 0;            // number of the sample with the largest difference, from 1
   double rms = 0.0;                     // root mean square of the samples, in percent of the reference's peak force
-  std::optional<double> K_eff, energy;  // errors in the reported cycle, in percent; empty if there is none
+  std::optional<double> K_eff, energy;  // differences in the reported cycle, in percent; empty without such a cycle
 };
-// `other_kN` is the reference; its points that are NaN are left out. A `force_kN` that is NaN gives infinity.
+// Points where the reference `other_kN` is NaN are left out. A `force_kN` that is NaN gives an infinite deviation.
 Deviation deviation(History const& history, std::span<double const> force_kN, std::span<double const> other_kN);
 void keep_worst(Deviation& worst, Deviation const& other);
 struct Realised {
   Form nominal;
   std::optional<Form> lower = {}, upper = {};
   std::vector<std::pair<std::string, Form>> draws =
-      {};                                       // for sampled bearings, named by drawn_variant() (model_text.hpp)
-  Deviation from_law = {};                      // the worst over all histories, at the records' steps
-  std::optional<Deviation> finer = {};          // at steps finer_steps times smaller; only for small_steps
+      {};                                       // forms of the drawn laws, named by drawn_variant() (model_text.hpp)
+  Deviation from_law = {};                      // the largest over all histories, at the steps of the records
+  std::optional<Deviation> finer = {};          // the same with steps finer_steps times smaller; only for small_steps
   std::optional<Deviation> from_measured = {};  // deviation from the measured force
   std::vector<OtherCycle> other_cycles = {};    // only for a substitute
-  std::optional<StepsNeeded> steps = {};        // only for small_steps; empty if no tried number was enough
-  double longest_travel_mm = 0.0, longest_step_mm = 0.0;  // in the records: in one direction, and between samples
+  std::optional<StepsNeeded> steps = {};        // only for small_steps; empty if no number of steps was enough
+  double longest_travel_mm = 0.0, longest_step_mm = 0.0;  // of the records: in one direction, between two samples
 };
 inline constexpr int finer_steps = 16;
 
 struct Realisation {
   Fidelity fidelity = Fidelity::not_available;
-  std::string explanation;      // a sentence on what is exact or why it is not
-  std::vector<Realised> forms;  // the form to use comes first
+  std::string explanation;      // a sentence that says what is exact, or why nothing is
+  std::vector<Realised> forms;  // the preferred form is first
   std::string substitute;       // id of the law that was fitted instead of the subject's law; "" if none
   std::vector<double> substitute_parameters;
-  std::vector<std::string> refused;         // forms that were tried, as "form: how its replay failed"
-  std::optional<Deviation> draws_from_law;  // the worst draw compared with its own law, on the first history
+  std::vector<std::string> refused;         // rejected forms, each with the reason: "form: how its replay failed"
+  std::optional<Deviation> draws_from_law;  // the largest of a drawn law's form, on the first history
 };
 
-// Largest deviation in percent of the peak force: for algebraic forms, and for integrated forms at smaller steps.
+// A form counts as exact if it differs from the law by at most this percentage of the peak force: exact_percent at
+// every step, or limit_percent at finer steps for a form that the program integrates.
 inline constexpr double exact_percent = 1e-7, limit_percent = 0.5;
 // A form must also give a force if the isolator moves this many times as far as in the tests.
 inline constexpr double overtravel = 1.5;
 
 inline constexpr std::string_view corner_law = "bilinear", smooth_law = "bouc-wen";
 
-// Limits in percent of the peak force: at one sample, rms. far_off() adds those of stiffness and energy (adequacy.hpp).
+// Limits of far_off() in percent of the peak force: at one sample, and rms. adequacy.hpp has those of the properties.
 inline constexpr double far_off_percent = 50.0, far_off_rms_percent = 10.0;
 bool far_off(Deviation const& from_law);
 bool far_off(std::vector<OtherCycle> const& cycles);
@@ -77,7 +78,7 @@ struct Substitute {
 Substitute fit_substitute(Subject const& subject, std::string_view law,
                           std::vector<fit::Override> const& overrides = {});
 
-// Returns the worst deviation of `law` from the subject's law over all histories.
+// Returns the largest deviation of `law` from the subject's law over all histories.
 Deviation deviation_of_law(Subject const& subject, laws::LawEntry const& law, std::span<double const> parameters);
 
 Realisation realise(Subject const& subject);
@@ -85,7 +86,7 @@ Realisation realise(Subject const& subject);
 // Replays a form's commands in a unit system, as the program would, and returns the force in kN.
 std::vector<double> replay_kN(Form const& form, UnitSystem const& units, std::span<double const> disp_mm);
 
-// Replays a form and stores the result in `realised`. Tells how the form fails to be the law; "" if it agrees.
+// Replays a form and stores the result in `realised`. Returns how the form differs from the law, or "" if it agrees.
 std::string failure_of(Form const& form, Subject const& subject, Realised& realised);
 
 }  // namespace isolaw::programs

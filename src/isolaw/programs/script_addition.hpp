@@ -1,4 +1,4 @@
-// Text that a target adds to another target's script. Targets with a model add it to the script of the law.
+// Text that is inserted in the script of a law. The targets that write a building model use it.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@ namespace isolaw::programs {
 struct ScriptAddition {
   std::vector<Fact> facts;
   std::string usage;       // comment lines
-  std::string procedures;  // functions in the script's namespace or module
-  std::string dispatch;    // reads the arguments of the script; in Tcl it follows the self-check
+  std::string procedures;  // functions to add to the script's namespace or module
+  std::string dispatch;    // code that reads the script's arguments; in Tcl it follows the self-check
 };
 
 }  // namespace isolaw::programs

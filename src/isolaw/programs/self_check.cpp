@@ -27,7 +27,7 @@ SelfCheck self_check(Subject const& subject, Realisation const& realisation, Uni
   for (auto const& realised : realisation.forms) {
     CheckedForm form{.form = &realised.nominal, .function = realised.nominal.id, .is_element = false, .variants = {}};
     form.is_element = form.function == "bearing";
-    // A force found by iteration is only as exact as the iteration's tolerance, and these errors add up over the steps.
+    // An iteration leaves an error up to its tolerance at every step, and these errors add up.
     if (realised.nominal.exactness == Exactness::small_steps) form.tolerance = 1e-5;
     auto const add = [&](std::string name, Form const& variant) {
       auto commands = in_units(variant, units);

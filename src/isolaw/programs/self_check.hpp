@@ -10,7 +10,7 @@
 namespace isolaw::programs {
 
 struct CheckedVariant {
-  std::string name;  // "nominal", "lower", "upper", or a draw
+  std::string name;  // "nominal", "lower", "upper", or the name of a draw
   std::vector<Command> commands;
   std::vector<Tags> tags;     // one element for each command
   std::vector<double> force;  // the force that the program must give
@@ -29,7 +29,7 @@ struct SelfCheck {
   std::vector<CheckedForm> forms;
 };
 
-// For users: "uses the tag after the given one too". "" if the form needs one tag only.
+// Tells users which tags a form needs: "uses the tag after the given one too". "" if it needs the given one only.
 std::string tags_text(Form const& form);
 
 SelfCheck self_check(Subject const& subject, Realisation const& realisation, UnitSystem const& units);

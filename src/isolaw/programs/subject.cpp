@@ -73,7 +73,7 @@ rules::LotQuantity const* quantity_of(study::Summary const& summary, rules::Quan
   return nullptr;
 }
 
-// The value that the bounds' factors refer to: the lot's mean or, for a device, that of its counting cycle.
+// Returns the value on which the bounds' factors act: the lot's mean, or that of the device's counting cycle.
 std::optional<double> own_value(study::Summary const& summary, Subject const& subject, rules::LotQuantity const& view) {
   if (subject.lot) return view.mean;
   auto const device = std::ranges::find(summary.devices, subject.device, &study::DeviceResult::name);
@@ -160,8 +160,8 @@ Bounds bounds_of(study::Summary const& summary, Subject const& subject, UnitSyst
     return spread_of_the_lot(summary, subject, units,
                              "rule set " + rules.id + " has no factors of K_d and Q_d for this lot");
   Bounds bounds;
-  // The factor on the whole force at the design displacement d: K_d d and Q_d are the parts of the force there, and the
-  // factors on stiffness and strength are weighted by these parts.
+  // At the design displacement d the force has the parts K_d d and Q_d. The factor on the whole force is the mean of
+  // the factors on stiffness and strength, weighted by these two parts.
   double const spring = K_d->own * subject.design_disp_mm, both = spring + Q_d->own;
   auto const factors = [&](std::optional<double> stiffness, std::optional<double> strength) {
     return stiffness && strength

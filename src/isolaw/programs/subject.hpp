@@ -17,18 +17,18 @@
 
 namespace isolaw::programs {
 
-// A motion, point by point, and its forces. It begins at zero displacement, because materials of programs do.
+// A motion, point by point, and its forces. It begins at zero displacement, because materials of analysis programs do.
 struct History {
   std::string device;  // empty for the self-check's protocol
   std::vector<double> time_s, disp_mm, vel_mm_s;
-  std::vector<double> measured_kN;  // empty for a protocol; NaN at points between samples
-  std::vector<double> law_kN;       // the law starts in its virgin state at the first point
+  std::vector<double> measured_kN;  // empty for a protocol; NaN at points that are not samples of the record
+  std::vector<double> law_kN;       // force of the law from its virgin state at the first point
   bool timed = true;                // false if time_s only counts samples
-  int refinement = 1;               // steps of the law from point to point
-  double dead_band_mm = 0.0;        // FitRecord::dead_band_mm
+  int refinement = 1;               // integration steps of the law between two points
+  double dead_band_mm = 0.0;
 };
 
-// Ranges of the tests. A value is empty if neither records nor lot file state it.
+// Ranges of the tests. A value is empty if neither the records nor the lot file state it.
 struct Tested : study::Range {
   std::optional<double> strain_percent;
   std::optional<double> lowest_Hz, highest_Hz;
@@ -37,14 +37,14 @@ struct Tested : study::Range {
 };
 
 struct Fitted : study::Range {
-  std::string part;  // "block 1", ...; empty for all blocks
+  std::string part;  // part of the record used for the fit: "block 1", ...; empty for all blocks
 };
 
-// Factors for a bound: on the part of the force that grows with displacement (K_d) and on the hysteretic part (Q_d).
-// They are equal if only one is known.
+// Factors on the law for a bound: `stiffness` on the part of the force that grows with displacement (K_d), `strength`
+// on the hysteretic part (Q_d). Both are the factor on the whole force if the rules give no separate ones.
 struct BoundFactors {
   double stiffness = 1.0, strength = 1.0;
-  double overall = 1.0;  // factor on the whole force, where the parts cannot be separated
+  double overall = 1.0;  // factor on the whole force, for programs that cannot scale the parts
   bool separate = false;
 };
 
@@ -54,18 +54,18 @@ struct Bounds {
 };
 
 struct Subject {
-  std::string version;  // version of the exporting program
-  std::string makers;   // versions and builds that computed the campaign
+  std::string version;  // version of isolaw that writes the export
+  std::string makers;   // versions and builds of isolaw that computed the campaign
   std::string title;
   laws::LawEntry const* law = nullptr;
   bool lot = false;
-  std::string device;  // name of the device; "lot" for the lot
-  // Number of the device in the campaign, from 1, if plain_name() of another device is the same; otherwise 0.
+  std::string device;  // name of the device, or "lot"
+  // Number of the device in the campaign, from 1, if plain_name() gives another device the same name. Otherwise 0.
   std::size_t number_among_alike = 0;
   std::vector<double> parameters;  // in the law's order and units
-  // For a device one history. For a lot one history for each of its devices, the one of largest amplitude first.
+  // A device has one history. A lot has one history for each of its devices, and the one of largest amplitude is first.
   std::vector<History> histories;
-  History protocol;           // two cycles: half and all of the tested amplitude
+  History protocol;           // two cycles, at half and at all of the tested amplitude
   double frequency_Hz = 0.0;  // frequency of the protocol
   std::optional<double> objective;
   Tested tested;
@@ -74,22 +74,22 @@ struct Subject {
   Bounds bounds;
   std::uint64_t seed = 1;
   int refinement = 1;
-  double dead_band_mm = 0.0;                               // from the record; for a lot the largest
-  std::optional<double> K_eff_kN_per_mm, damping_percent;  // measured values of the device, or the lot's mean
+  double dead_band_mm = 0.0;  // from the device's record; for a lot the largest of its records
+  std::optional<double> K_eff_kN_per_mm, damping_percent;  // measured on the device; for a lot the mean
   double design_disp_mm = 0.0;                             // amplitude of the reported cycle
   std::vector<std::string> beyond;  // sentences about the law beyond the tests (away.hpp), in `units` of make_subject()
   std::vector<std::string> notes;
   std::optional<Model> model;  // only for targets that write a whole building
 };
 
-// Two sine cycles from rest, without forces. The second cycle begins at the middle point.
+// Makes two sine cycles from rest, without forces. The second cycle begins at the middle point.
 inline constexpr int protocol_steps = 80;
 History two_cycles(double first_mm, double second_mm, double frequency_Hz, int steps_per_cycle = protocol_steps);
 
-// Makes a name that programs accept: letters and digits, at most 40 characters. A `_` replaces each run of others.
+// Makes a name that programs accept: letters and digits, at most 40 characters. `_` replaces runs of other characters.
 std::string plain_name(std::string_view name);
 
-// Throws Error if the campaign has no such law, device or result. Bounds::source and `beyond` use `units`.
+// Throws Error if the campaign has no such law, device or result. The texts in Bounds::source and `beyond` use `units`.
 Subject make_subject(campaign::Contents const& contents, study::Summary const& summary, std::string_view law,
                      std::string_view device, UnitSystem const& units = unit_systems[0]);
 

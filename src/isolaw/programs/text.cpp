@@ -33,7 +33,7 @@ std::string range_of(std::optional<double> low, std::optional<double> high, std:
   return fmt::format("{:.4g} to {:.4g} {}", *low, *high, unit);
 }
 
-// True if two forms deviate equally. Forms of one equation differ only by rounding, and one fact suffices for all.
+// True if two forms deviate equally. Two forms of one equation differ only by rounding, and one sentence serves both.
 bool same(Deviation const& a, Deviation const& b) {
   return std::abs(a.largest - b.largest) <= 1e-6 * a.largest + 1e-9;
 }
@@ -110,7 +110,7 @@ std::string identifier(Subject const& subject) {
 
 std::string exactly(double value) {
   auto text = fmt::format("{}", value);
-  // Scripts would take 2 for an integer, which they divide differently, but not 2.0.
+  // Tcl would take "2" for an integer and divide it as one. The text is therefore "2.0".
   if (text.find_first_of(".en") == std::string::npos) text += ".0";
   return text;
 }
@@ -153,7 +153,7 @@ std::string parameter_text(laws::LawEntry const& law, std::span<double const> pa
 }
 
 std::string deviation_text(Deviation const& d) {
-  // If the largest deviation is 0, there is no sample to name.
+  // A largest deviation of 0 has no place to name.
   auto const place = d.largest > 0.0 ? fmt::format(" (at {})", d.at_s ? fmt::format("{:.4g} s", *d.at_s)
                                                                       : fmt::format("sample {}", d.at_sample))
                                      : std::string();
@@ -292,7 +292,7 @@ std::vector<std::string> fact_lines(std::vector<Fact> const& facts) {
       if (cut > room) {
         cut = rest.rfind(' ', room);
         if (cut == std::string::npos || cut < room / 2) cut = room;
-        // Moves the cut to the end of a UTF-8 character.
+        // Moves the cut behind the last byte of a UTF-8 character.
         while (cut < rest.size() && continues_character(rest[cut])) ++cut;
       }
       lines.push_back((first ? "" : "    ") + rest.substr(0, cut));

@@ -18,7 +18,7 @@ std::string identifier(Subject const& subject);
 // The shortest text from which the same number is read.
 std::string exactly(double value);
 std::string argument_values(Command const& command, std::string_view separator);
-// For users: "Command argument argument; Command ...".
+// Returns the commands of a form with their arguments' names, for users: "Command argument argument; Command ...".
 std::string argument_names(Form const& form);
 
 // Options for more iterations than the 25 that OpenSees allows; "" for elements that do not iterate.
@@ -32,15 +32,15 @@ struct Fact {
 inline constexpr std::string_view export_licence = "MIT-0",
                                   export_licence_text =
                                       "use, change and pass on what isolaw wrote here as you like; no notice is needed";
-// The facts that an export states about itself. `program` is the target's name as users know it.
+// The facts that an export states about itself. `program` is the target's name in words for users.
 std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, UnitSystem const& units,
                         std::string_view program, bool one_factor = false);
 std::vector<Fact> facts_of_the_law(Subject const& subject, UnitSystem const& units, std::string_view program,
                                    std::string explanation);
-// Breaks facts into lines of at most 110 characters and makes them harmless() for comments.
+// Breaks facts into lines of at most 110 characters and makes them harmless() in comments.
 std::vector<std::string> fact_lines(std::vector<Fact> const& facts);
 
-// For example "K1 = 2.0 kN/mm, ...".
+// Returns the parameters as text for users, for example "K1 = 2.0 kN/mm, ...".
 std::string parameter_text(laws::LawEntry const& law, std::span<double const> parameters);
 // The ranges in which the law was fitted and tested; "not stated" if the records do not say.
 std::vector<Fact> validity(Subject const& subject, UnitSystem const& units);

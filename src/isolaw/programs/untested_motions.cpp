@@ -142,7 +142,7 @@ std::optional<StepsNeeded> steps_needed(Subject const& subject, Form const& form
   if (!(energy > 0.0)) return std::nullopt;
   for (int steps = 20; 2 * steps <= finest; steps *= 2) {
     auto const [x, f] = replayed(steps);
-    // The work of both replays is summed over the same points, because a sum over few points has an error of its own.
+    // The fine replay is summed at the points of the coarse one. The error of the summation is then the same in both.
     std::vector<double> there;
     for (std::size_t i = 0; i < fine.f.size(); i += static_cast<std::size_t>(finest / steps))
       there.push_back(fine.f[i]);
@@ -153,7 +153,7 @@ std::optional<StepsNeeded> steps_needed(Subject const& subject, Form const& form
 }
 
 std::optional<TwoSprings> two_springs(Subject const& subject) {
-  // Moves two springs at right angles around the circle twice, starting from rest. Only the second turn counts.
+  // Moves two springs at right angles twice around the circle, from rest. Only the second turn is compared.
   double const amplitude = subject.tested.disp_mm;
   constexpr int steps = protocol_steps, quarter = steps / 4;
   auto const along_x = cycles_at(subject, 1.0, 1.0);

@@ -1,6 +1,6 @@
-// Checks an export away from the tested cycle: a substitute law at smaller amplitudes and another rate; the law beyond
-// the tests; the time step that a program needs; two springs instead of one bearing. Every check uses the second of two
-// equal cycles from rest.
+// Checks an exported law on motions that differ from the tested cycle: smaller amplitudes and another rate for a
+// substitute law; larger amplitudes; larger time steps; a circle in plan, with two springs for a bearing. Each check
+// drives two equal cycles from rest and uses the second.
 #pragma once
 
 #include <functional>
@@ -16,27 +16,28 @@ namespace isolaw::programs {
 // Computes the force in kN at all points of a history.
 using ForceOf = std::function<std::vector<double>(History const&)>;
 
-// Differences in percent. Empty if the law's own value is not above 0 or not finite.
+// Differences of a substitute from the exported law, in percent of the law's value. Empty if that value is not above 0.
 struct OtherCycle {
   double amplitude_share = 1.0, rate_share = 1.0;  // as shares of the tested amplitude and rate
   std::optional<double> energy, peak;
   double largest() const;  // the larger of |energy| and |peak|
 };
-// Compares cycles of a quarter, half, three quarters and all of the tested amplitude; for a rate-dependent law also one
-// at half the rate. A force that is NaN gives an infinite difference.
+// Compares the cycles of `stand_in` with the law's at a quarter, half, three quarters and all of the tested amplitude.
+// A rate-dependent law is compared at half the tested rate too. A force that is NaN gives an infinite difference.
 std::vector<OtherCycle> other_cycles(Subject const& subject, ForceOf const& stand_in);
 std::string text(std::vector<OtherCycle> const& cycles);
 
-// Limits for the largest difference of a substitute: beyond the first it is marked, beyond the second it is far off.
+// A substitute that differs by more than the first percentage gets a warning. Beyond the second it is refused.
 inline constexpr double marked_percent = 10.0, other_cycle_far_off_percent = 30.0;
 bool marked(std::vector<OtherCycle> const& cycles);
 
-// Reports a peak force that falls or rises steeply, a negative stiffness, a cycle that returns energy, or no force.
+// Returns a sentence for each fault of the law at 1.25 and 1.5 times the tested amplitude: no finite force, a peak
+// force that falls or rises steeply, a negative stiffness, or a cycle that returns energy.
 inline constexpr double beyond_times[] = {1.25, 1.5};
 std::vector<std::string> beyond_the_tests(Subject const& subject, UnitSystem const& units);
 
-// The smallest of 20, 40, ..., 1280 steps per cycle whose energy agrees with that of 2560 steps within
-// step_energy_percent, and its error in percent.
+// The smallest of 20, 40, ..., 1280 steps per cycle whose energy differs from that with 2560 steps by no more than
+// step_energy_percent, and this difference in percent.
 inline constexpr double step_energy_percent = 1.0;
 struct StepsNeeded {
   int per_cycle = 0;
@@ -44,9 +45,9 @@ struct StepsNeeded {
 };
 std::optional<StepsNeeded> steps_needed(Subject const& subject, Form const& form);
 
-// Two springs at right angles, moved around a circle of the tested amplitude. `force` is their largest resultant / the
-// peak force of one spring along its axis. `energy` is their work in a turn / (pi/2 * the work of one spring in a
-// cycle), where the divisor is the work of a coupled bearing of constant strength.
+// Compares two springs at right angles, moved around a circle of the tested amplitude, with one spring moved along its
+// axis. `force` is the largest resultant of the two / the peak force of the one. `energy` is the work of the two in a
+// turn / (pi/2 * the work of the one in a cycle), where a coupled bearing of constant strength would have 1.
 struct TwoSprings {
   double force = 0.0, energy = 0.0;
 };

@@ -22,7 +22,7 @@ void write_building_outputs(building::Study const& study, building::Answers cons
                             std::filesystem::path const& dir);
 // The files that write_outputs() writes: names relative to `dir`, and texts.
 std::vector<std::pair<std::string, std::string>> output_texts(Summary const& summary);
-// Removes the files of write_outputs(), run.json and figures, which must not stay beside the store of another campaign.
+// Removes run.json, figures and files of write_outputs(). They must not stay beside the results of another campaign.
 void remove_outputs(std::filesystem::path const& dir);
 void remove_building_outputs(std::filesystem::path const& dir);
 // Removes the unfinished files that a killed process left in `dir` and in its folders of tables and figures.

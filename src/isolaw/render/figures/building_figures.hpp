@@ -1,4 +1,4 @@
-// Figures of an isolated building for print, drawn in the same way as a campaign's figures.
+// Makes the figures of a report on an isolated building. They have the look of the figures on a campaign.
 #pragma once
 
 #include <filesystem>

@@ -19,10 +19,10 @@ struct DevicePoint {
 };
 
 struct DevicePanel {
-  std::string title = {};      // written above the panel; may be empty
+  std::string title = {};      // heading above the panel; may be empty
   std::string name, unit;      // name and unit of the quantity
   MaybeNumber reference = {};  // mean over the devices; percentages are differences from it
-  std::size_t law = 0;         // the law's place in the summary
+  std::size_t law = 0;         // index of the law in Summary::laws
   std::vector<DevicePoint> points = {};
 };
 
@@ -32,12 +32,12 @@ void write_block(DataTable& table, DevicePanel const& panel);
 
 struct PanelsOverDevices {
   double height_mm = 30.0;
-  Margins margins;  // the bottom one without the names of the devices
+  Margins margins;  // margins of a panel; the bottom excludes the devices' names
   int columns = 3;
   std::string setting = {};  // a line of the script before the panels
 };
 using DrawPanel = std::function<void(DataTable&, Script&, std::size_t panel, DeviceAxis const&)>;
-// A figure of panels whose axes are devices. `draw` writes the data of a panel and draws it at its place.
+// Makes a figure of panels that have the devices along their x axes. `draw` writes the data of a panel and plots them.
 Figure figure_over_devices(std::string const& name, std::string const& about, std::vector<std::string> const& devices,
                            std::size_t panels, PanelsOverDevices layout, DrawPanel const& draw);
 

@@ -36,7 +36,7 @@ class Scratch {
   fs::path path_;
 };
 
-// Cairo writes the time into a PDF. A fixed time of equal length replaces it, so that equal stores give equal files.
+// Cairo writes the time into a PDF. A fixed time of equal length replaces it, so that equal results give equal files.
 void remove_date(std::string& pdf) {
   constexpr std::string_view before = "/CreationDate (D:";
   auto const at = pdf.find(before);
@@ -58,10 +58,10 @@ bool take_over(fs::path const& from, fs::path const& to, std::string const& name
   return has_svg && has_pdf;
 }
 
-// A process draws few figures: after a failure it draws the rest again, and temporary files take room.
+// Number of figures in a batch. The temporary files of a batch take room until all of its figures are drawn.
 constexpr std::size_t figures_per_process = 64;
 
-// Draws `names` in one process; if a figure fails, a new process draws the rest. Copies complete figures to `dir`.
+// Draws `names` in one process. If a figure fails, a new process draws the next ones. Copies finished figures to `dir`.
 void draw_batch(fs::path const& dir, std::vector<std::string> names, FigureOutcome& outcome) {
   Scratch const scratch;
   if (scratch.path().empty()) {

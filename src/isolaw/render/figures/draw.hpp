@@ -12,7 +12,7 @@ namespace isolaw::render {
 std::filesystem::path figure_file(std::filesystem::path const& dir, std::string const& name, char const* extension);
 // The content of the file; "" if it is missing or cannot be read.
 std::string text_of(std::filesystem::path const& path);
-// Draws `names` in `dir`. Throws Error if a file cannot be written. `outcome` gets the count, and why figures failed.
+// Draws `names` in `dir`. Throws Error if a file cannot be written. `outcome` gets the number drawn and why one failed.
 void draw(std::filesystem::path const& dir, std::vector<std::string> const& names, FigureOutcome& outcome);
 
 }  // namespace isolaw::render

@@ -15,7 +15,7 @@ struct LoopPanel {
   std::string title;
   DeviceFit const* fit = nullptr;  // null if there is no loop to draw
   std::string absence;             // why there is no loop
-  std::size_t law = 0;             // the law's place in the summary
+  std::size_t law = 0;             // index of the law in Summary::laws
 };
 
 LoopPanel loop_panel(DeviceResult const& device, LawResult const& law) {
@@ -79,7 +79,7 @@ void draw_absence(Script& script, LoopPanel const& panel, double width_mm) {
 void draw_head(Script& script, Grid const& grid, std::string const& device, std::size_t law) {
   constexpr double key_mm = 45.0;
   script.margins(grid.margins.left, grid.margins.right, grid.height_mm() - grid.head_mm, 0.5);
-  // Settings of gnuplot would otherwise carry over from the panels of the previous drawing.
+  // gnuplot would otherwise keep the settings of the panels that were drawn before.
   script.line("unset border; unset tics; unset grid; unset title; unset xlabel; unset ylabel");
   script.line("set xrange [0:1]; set yrange [0:1]");
   script.line("set label 1 {} noenhanced at graph 0,0.5",

@@ -6,7 +6,7 @@
 namespace isolaw::render {
 namespace {
 
-// The value that the rule set assesses, or a value for each side. Without a rule set, the value of the assessed cycle.
+// Returns the values that the rule set assesses (one, or one for each side), otherwise that of the counting cycle.
 std::vector<double> property_values(DeviceResult const& device, rules::Quantity quantity) {
   std::vector<double> values;
   for (auto const& assessment : device.acceptance.assessments)

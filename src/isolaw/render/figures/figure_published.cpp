@@ -1,4 +1,4 @@
-// The campaign beside Table A.5. As in the study, scatter over the runs is divided by the magnitude of the mean.
+// Compares the campaign with Table A.5. As there, standard deviations over runs are divided by the mean's magnitude.
 #include <algorithm>
 #include <cmath>
 
@@ -79,7 +79,7 @@ std::vector<Beside> laws_beside(Summary const& summary) {
   return laws;
 }
 
-// The abscissa of a device. The left half of a law's interval is for the campaign's devices, the right for the study's.
+// Returns the x of a device for gnuplot. In a law's interval, the campaign's devices are left and the study's right.
 std::string place_in_half(std::size_t law, std::size_t devices, bool printed) {
   return fmt::format("({}+0.38*($1-0.5)/{})", number(static_cast<double>(law + 1) + (printed ? 0.04 : -0.42)), devices);
 }
@@ -102,7 +102,7 @@ struct BesidePanel {
   Spreads here, printed;
 };
 
-// The largest magnitude of a number over all devices. It sets half the length of the number's axis.
+// Returns the largest magnitude of a number over all devices. The number's axis extends a little farther to both sides.
 double largest_of(BesidePanel const& panel, MaybeNumber DeviceSpread::*value) {
   double largest = 0.0;
   for (auto const* spreads : {&panel.here, &panel.printed})

@@ -26,7 +26,7 @@ constexpr int style_of(std::size_t law) {
   return static_cast<int>(look_of(law)) + 1;
 }
 std::string marked_style(std::size_t law);
-// The first words of every script. isolaw removes only figures whose script begins with them.
+// The first words of every script. isolaw removes a figure only if its script begins with them.
 inline constexpr std::string_view script_mark = "# A figure of isolaw: ";
 
 struct Margins {
@@ -85,7 +85,7 @@ struct Range {
   bool empty = true;
 
   void add(std::optional<double> const& value);
-  Range padded(double share) const;      // for linear axes; its length is never zero
+  Range padded(double share) const;      // for linear axes; the length is above zero
   Range padded_log(double share) const;  // for logarithmic axes
 };
 
@@ -97,12 +97,12 @@ struct Scale {
 Scale scale_for(Range const& range, std::string_view name, std::string_view unit);
 // A law's name below an axis, as a quoted string. The part in brackets goes to a second line.
 std::string law_tic(std::string name);
-// An axis with an interval around a whole number for each law.
+// Draws an x axis on which law number k has the interval around k, with the law's name below it.
 void draw_law_axis(Script& script, std::vector<std::string> const& laws);
 // Makes the y axis logarithmic. Tics are at the decades, or closer together if the axis spans only a few decades.
 void set_log_axis(Script& script, Range const& range);
 
-// An axis of devices. It shows their names, or their numbers if the names need too much room.
+// An x axis with an interval for each device. It shows the devices' names, or numbers where the names are too long.
 struct DeviceAxis {
   std::size_t count = 0;
   bool names = false, upright = false;

@@ -18,11 +18,11 @@ enum class FigureChoice { none, lot, all };  // lot: loops of one device as an e
 FigureChoice figure_choice(std::string_view name);
 
 struct Figure {
-  std::string name;  // the stem of its files; safe for every file system
+  std::string name;  // the names of the figure's files begin with it
   std::string data, script;
 };
 
-// Makes one figure after another, since all figures of 160 devices would fill the memory. Skips figures without data.
+// Passes one figure after another to `use`, because all figures of 160 devices would fill the memory. Skips empty ones.
 void for_each_figure(Summary const& summary, FigureChoice choice, std::function<void(Figure const&)> const& use);
 // Makes file names of letters, digits, '.', '-' and '_'. They are short enough for a file system and differ even if it
 // ignores case. No stem equals another stem followed by an underscore and one of the endings.
@@ -40,7 +40,7 @@ struct FigureOutcome {
 FigureOutcome write_figures(Summary const& summary, FigureChoice choice, std::filesystem::path const& dir);
 
 FigureOutcome write_figures(std::vector<Figure> const& figures, std::filesystem::path const& dir);
-// Removes isolaw's figures from dir/figures, which it knows by the first line of their scripts, and no other file.
+// Removes isolaw's figures from dir/figures, and no other file. It recognises them by the first line of their scripts.
 void remove_figures(std::filesystem::path const& dir);
 // The data files of the lot's figures: name relative to the report's directory, and text.
 std::vector<std::pair<std::string, std::string>> figure_data(Summary const& summary);

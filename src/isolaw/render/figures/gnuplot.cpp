@@ -112,7 +112,7 @@ DataTable& DataTable::comment(std::string_view text) {
 void DataTable::cell(std::string_view text) {
   text_ += '"';
   for (char const c : printable(text)) {
-    if (c == '\\') text_ += '\\';  // a single \n would be a line break in the drawing
+    if (c == '\\') text_ += '\\';  // `\n` in the text must not become a line break in the drawing
     text_ += c == '"' ? '\'' : c;
   }
   text_ += "\" ";

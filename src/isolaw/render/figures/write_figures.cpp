@@ -36,7 +36,7 @@ void remove_figure(fs::path const& dir, std::string const& name) {
   for (auto const* extension : {".dat", ".gp"}) fs::remove(figure_file(dir, name, extension), ignored);
 }
 
-// Drawings of other data or by another script are removed first, so that a drawing always fits the data beside it.
+// Removes drawings of other data or of another script first, so that a drawing always fits the data file beside it.
 void write_sources(fs::path const& dir, Figure const& figure) {
   auto const data = figure_file(dir, figure.name, ".dat"), script = figure_file(dir, figure.name, ".gp");
   if (text_of(data) == figure.data && text_of(script) == figure.script) return;

@@ -160,7 +160,7 @@ class BuildingWriter {
     out_.end_object();
   }
 
-  static constexpr std::size_t first_fractile = 3;  // the index of the first fractile in distribution_results
+  static constexpr std::size_t first_fractile = 3;  // index in distribution_results
   static_assert(distribution_results[first_fractile].key == "p16");
 
   JsonWriter& out_;

@@ -29,7 +29,7 @@ void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const&
   };
   write_channels("columns", device.raw.layout.columns);
   write_channels("units", device.raw.layout.units);
-  // sheet and test are null if the file has only one.
+  // A file with a single sheet has null for `sheet`, and a file with a single test has null for `test`.
   write_members(out, "sheet", device.raw.layout.sheet, "test", device.raw.layout.test, "recognised",
                 wording::remarks(device.raw.recognised), "warnings", wording::remarks(findings));
   write_findings(out, "findings", findings, wording::anywhere);

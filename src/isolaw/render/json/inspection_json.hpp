@@ -7,8 +7,8 @@
 
 namespace isolaw::render {
 
-// docs/inspection-json.md has the schema. A single device's members are in the object itself, and several devices are
-// in its array `devices`. `assessment` holds rule_set, design and lot.
+// Returns the text of the JSON (schema: docs/inspection-json.md). The outermost object has the members of a single
+// device, or an array `devices` if there are several. Its member `assessment` holds rule_set, design and lot.
 std::string inspection_json(Summary const& summary);
 
 }  // namespace isolaw::render

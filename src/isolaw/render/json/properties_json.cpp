@@ -119,7 +119,7 @@ void write_acceptance(JsonWriter& out, LotAcceptance const& acceptance) {
   out.begin_object().key("rule_set");
   if (acceptance.has_rules())
     out.object([&] {
-      auto const file = std::filesystem::path(rules.origin).filename().string();  // without this machine's path
+      auto const file = std::filesystem::path(rules.origin).filename().string();
       write_members(out, "id", rules.id, "title", rules.title, "edition", rules.edition, "verified_by",
                     rules.verified_by, "source", rules.source, "origin", file);
     });

@@ -14,23 +14,23 @@
 
 namespace isolaw::render {
 
-// all: numbers read back as the same doubles. shown: numbers that are only plotted have the digits of their row.
+// Digits of numbers. With `all`, reading gives the same doubles again. With `shown`, each row sets what a plot needs.
 enum class Digits { all, shown };
 
 inline constexpr int shown_digits = 9;
 
 void write_value(JsonWriter& out, Value const& value, std::optional<int> digits);
-// If `digits` is empty, numbers have all digits.
+// Writes numbers with `digits` significant digits, or with all digits if `digits` is empty.
 void write_values(JsonWriter& out, std::span<double const> values, std::optional<int> digits = std::nullopt);
 
-// Writes pairs of key and value into the open object. Numbers have nine digits; undefined values are null.
+// Writes pairs of key and value into the open object. Numbers get nine digits, undefined values become null.
 template <class T, class... Rest>
 void write_members(JsonWriter& out, std::string_view key, T const& value, Rest const&... rest) {
   write_value(out.key(key), study::value_of(value), shown_digits);
   if constexpr (sizeof...(rest) > 0) write_members(out, rest...);
 }
 
-// For a row that the renderer must write itself (Nested), calls `nested` after the key was written.
+// Writes every row's key and value. If the value is an object or array (Nested), `nested` writes it after the key.
 template <class Object, std::size_t count, class Nested>
 void write_results(JsonWriter& out, Result<Object> const (&rows)[count], Object const& object, Digits digits,
                    Nested const& nested) {
@@ -49,7 +49,7 @@ void write_results(JsonWriter& out, Result<Object> const (&rows)[count], Object 
   write_results(out, rows, object, digits, [](std::string_view) {});
 }
 
-// Writes an array with an object of these rows for each item.
+// Writes an array with an object for each item. The rows are the members of this object.
 template <class Object, std::size_t count, class Items>
 void write_rows(JsonWriter& out, Result<Object> const (&rows)[count], Items const& items, Digits digits) {
   out.objects(items, [&](Object const& item) { write_results(out, rows, item, digits); });

@@ -32,7 +32,7 @@ constexpr int profile_digits = 6;
 constexpr double curve_levels = 20000.0;
 constexpr std::size_t convergence_points = 120;
 
-// Differences of rounded integers do not add up rounding errors. A sample that is not finite repeats the last value.
+// Writes differences of rounded integers, which add up without error. A value that is not finite repeats the last one.
 void write_curve(JsonWriter& out, std::string_view key, std::vector<double> const& values,
                  std::vector<std::size_t> const& samples) {
   double lower = 0.0, upper = 0.0;
@@ -115,10 +115,10 @@ void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const&
   });
 }
 
-// A parameter has the same values of these results on every device, so they are written once for each law.
+// The results of a parameter that are the same on every device. They are written once for each law.
 constexpr auto of_the_law = columns(parameter_results, {"unit", "free", "paper_name"});
 
-// Writes one array for each property, so that a fit repeats neither names of properties nor of parameters.
+// Writes one array for each property of the parameters, so that a fit does not repeat the properties' names.
 void write_parameter_columns(JsonWriter& out, std::vector<ParameterFit> const& parameters) {
   for (auto const& row : parameter_results)
     if (std::ranges::find(of_the_law, row.key, &Result<ParameterFit>::key) == of_the_law.end())
@@ -144,8 +144,8 @@ void write_determination(JsonWriter& out, DeviceFit const& fit) {
   });
 }
 
-// Writes the best objective after each generation or start as least, median and largest log10 over the runs. A run that
-// has ended keeps its last value.
+// Writes least, median and largest log10 of the best objective after each generation or start. A run that has ended
+// keeps its last value.
 void write_convergence(JsonWriter& out, DeviceFit const& fit) {
   std::vector<std::vector<double>> runs;
   std::size_t steps = 0;
@@ -338,7 +338,7 @@ Notation notation_of(Summary const& summary) {
 
 void write_notation(JsonWriter& out, Notation const& of) {
   out.key("symbols").array(law_looks, [&](auto const& look) { out.value(look.symbol); });
-  // True for a name such as "a10", unless a device has the same name.
+  // True for a name with a digit, such as "a10", that is no device's name. Such a name can only mean the parameter.
   auto const is_no_other_word = [&](std::string_view name) {
     return name.size() > 1 && std::ranges::any_of(name, is_digit) && !of.devices.contains(name);
   };

@@ -22,7 +22,7 @@ constexpr std::string_view packages_of_long =
     "% Needs in the preamble: \\usepackage{booktabs,longtable}; with names beyond ASCII \\usepackage[T1]{fontenc} too.\n";
 
 constexpr std::string_view after_backslash = "&%$#_{}";
-// A backquote before ? would make another letter, and a bracket or a star after a line break would be an option.
+// LaTeX prints a backquote before ? as another letter, and reads [ or * after a line break as an option.
 constexpr std::pair<char, std::string_view> signs[]{{'~', "\\textasciitilde{}"},
                                                     {'^', "\\textasciicircum{}"},
                                                     {'\\', "\\textbackslash{}"},
@@ -81,7 +81,7 @@ std::string block_head(std::vector<std::string> const& devices, std::size_t colu
   return names + "\\\\*\n" + rules + "\\nopagebreak\n" + words + " \\\\*\n\\midrule\\nopagebreak\n";
 }
 
-// The power of ten to divide a row by, so that its numbers are short and easy to compare. The unit states it.
+// Returns the power of ten that divides a row, so that its numbers are short and easy to compare. The unit states it.
 int power_of(LawResult const& law, Quantity const& quantity) {
   double largest = 0.0;
   for (auto const& fit : law.devices) {
@@ -187,7 +187,7 @@ std::string latex_text(std::string_view text) {
       latex += latex_of_letter(rest.substr(0, length));
     } else {
       auto const special = std::ranges::find(signs, rest.front(), &std::pair<char, std::string_view>::first);
-      // Two dashes or two quotes in a row would become another sign, so they are kept apart.
+      // LaTeX would join two dashes or two quotes in a row into another sign, so `{}` keeps them apart.
       bool const joins = (rest.front() == '-' || rest.front() == '\'') && latex.ends_with(rest.front());
       if (joins) latex += "{}";
       if (after_backslash.find(rest.front()) != std::string_view::npos) latex += '\\';
@@ -204,7 +204,7 @@ std::string latex_number(std::optional<double> const& number, int digits_shown) 
   auto text = fmt::format("{:#.{}g}", *number, digits_shown);
   auto const e = text.find('e');
   auto digits = text.substr(0, e);
-  // fmt writes "1234." or, in some versions, "1234.0". With enough digits before the point, the rest is dropped.
+  // fmt writes "1234." or "1234.0". If there are enough digits before the point, the point and the rest are dropped.
   auto const point = digits.find('.');
   auto const before = static_cast<int>(std::ranges::count_if(digits.substr(0, point), [](char c) { return c != '-'; }));
   if (before >= digits_shown) digits.resize(std::min(point, digits.size()));

@@ -10,7 +10,7 @@
 namespace isolaw::render {
 namespace {
 
-// The columns of a cycle before and after the column of its block's frequency.
+// A row of the table shows `strain`, then the frequency of the cycle's block, then `of_cycles`.
 constexpr auto strain = columns(cycle_results, {"strain_percent"});
 constexpr auto of_cycles = columns(cycle_results, {"period_s",
                                                    "amplitude_mm",

@@ -18,7 +18,7 @@ struct Quantity {
   std::string paper_name = {};   // the name in the paper's tables, if it differs
 };
 std::vector<Quantity> quantities_of(LawResult const& law);
-// If there is no result, all values are empty.
+// Returns empty values if there is no result.
 Statistic statistic_of(DeviceFit const& fit, Quantity const& quantity);
 Statistic statistic_of(LawResult const& law, std::string const& device, Quantity const& quantity);
 // The points of Fig. 14 by rising objective.

@@ -9,9 +9,9 @@
 
 namespace isolaw::render {
 
-// After Table A.5 of Cucuzza et al. 2025. Each law has a row OF and a row for each parameter, with mean and standard
-// deviation over the runs for each device. The last column is the parameter's spread over the lot, Delta_n of Eqs.
-// (28)-(30). For bounds scaled from each record it says "per device"; summary.json has them.
+// Table A.5 of Cucuzza et al. 2025 with laws as rows. Each law has a row OF and a row for each parameter, with mean and
+// standard deviation over the runs for each device. The last column is the parameter's spread over the lot, Delta_n of
+// Eqs. (28)-(30). The cell of a bound that is scaled from each record says "per device"; summary.json has these bounds.
 std::string parameters_csv(Summary const& summary);
 // A row for each law and device, refused devices first: objective, runs, errors, shift, reason for a missing result.
 std::string objective_csv(Summary const& summary);
@@ -21,7 +21,7 @@ std::string robustness_csv(Summary const& summary);
 std::string table_a5_csv(Summary const& summary);
 // Fig. 14 in numbers: the laws by rising objective, and the laws that dominate each of them.
 std::string front_csv(Summary const& summary);
-// A row for each device, block and cycle. A cycle that does not count, or a device without cycles, has the reason.
+// A row for each device, block and cycle. If a cycle does not count or a device has no cycles, the row says why.
 std::string cycles_csv(Summary const& summary);
 // A row for each device and limit of the rule set: value, design value, deviation, limit, verdict, reason.
 std::string tests_csv(Summary const& summary);

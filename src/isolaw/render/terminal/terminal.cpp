@@ -18,7 +18,7 @@
 namespace isolaw::render {
 namespace {
 
-// A letter of the scripts that occur in names of devices and laws takes one column.
+// Each character takes one column, because names of devices and laws occur only in scripts with narrow letters.
 int columns(std::string_view text) {
   return static_cast<int>(character_count(text));
 }
@@ -61,7 +61,7 @@ struct Row {
   std::string remark = {};
 };
 
-// Columns are two blanks wider than their longest text (the column of names: `id_gap` wider), or as wide as given.
+// Columns are two blanks wider than their longest text (names: `id_gap` wider) and at least as wide as given.
 std::string table(std::vector<Row> const& rows, std::vector<int> widths, int id_width, int id_gap = 0) {
   widths.resize(rows.front().cells.size());
   for (auto const& row : rows) {
@@ -99,7 +99,7 @@ std::string law_table(Summary const& summary) {
   return table(rows, {18, 8, 7, 7, 9, 9}, 3);
 }
 
-// Explains |dK| and |dE| if laws were fitted to part of the tests: the errors may then belong to another cycle.
+// Explains |dK| and |dE| for laws fitted to part of the tests. The errors may then not belong to the reported cycle.
 std::string compared_on(Summary const& summary, int width) {
   bool const part =
       std::ranges::any_of(summary.devices, [](auto const& device) { return !device.record.scored.empty(); });
@@ -216,7 +216,7 @@ void put_label(Canvas& canvas, int column, int row, std::string_view id) {
 struct Axis {
   double lower, upper;
 
-  // The range of the values with a margin. Its width is never zero.
+  // Returns the range of the values with a margin. The range is never empty.
   static Axis around(std::vector<double> const& values) {
     constexpr double largest = 1e300;  // larger values are drawn at the edge
     auto const [least, most] = std::minmax_element(values.begin(), values.end());
@@ -418,7 +418,7 @@ std::string answer(Summary const& summary, std::string_view directory, int width
     text += wrapped("", fmt::format("Low confidence: {}.", wording::paragraph(shown.weak, "; ")), 2, width);
   text += '\n' + short_table(summary, shown) + '\n';
   if (!shown.surer.empty()) text += wrapped("To be surer", wording::paragraph(shown.surer, "; ") + ".", margin, width);
-  // Warnings about other laws, and those that the line "Low confidence" repeats, are left to --details.
+  // Only --details shows warnings about other laws and warnings that the line "Low confidence" repeats.
   auto concerned = found.warnings;
   std::erase_if(concerned, [&](Finding const& finding) {
     return (law != nullptr && !finding.law.empty() && finding.law != summary.laws[*law->law].id) ||
@@ -432,7 +432,7 @@ std::string answer(Summary const& summary, std::string_view directory, int width
     text += wrapped(groups.empty() ? "Look at" : "",
                     fmt::format("{} more warnings: --details", every.size() - std::min(most, groups.size())), margin,
                     width);
-  // The command stays on one line, so that it can be copied.
+  // The command stays on one line so that it can be copied.
   if (law != nullptr)
     text += fmt::format("Next        isolaw export {} --law {} --device {} --to {}\n", directory,
                         summary.laws[*law->law].id,

@@ -20,7 +20,7 @@ export function chooser(id, title, options, key, follow = (value) => choose({ [k
   return element('label', {}, title, select);
 }
 
-// Buttons for `options`, [value, title]. That of the choice `key` is pressed.
+// Makes a button for each of `options`, [value, title]. The button of the present value of the choice `key` is pressed.
 export function choiceButtons(key, options, attributes) {
   const buttons = options.map(([value, title]) => button(title, () => choose({ [key]: value }), { value }));
   const follow = () => {
@@ -31,7 +31,7 @@ export function choiceButtons(key, options, attributes) {
   return element('div', { class: 'choice', role: 'group', ...attributes }, buttons);
 }
 
-// Boxes for the choice `laws`, a set of indices.
+// Makes a checkbox for each law in `among`. chosen.laws is the set of the checked laws' indices.
 export function lawBoxes(among) {
   const box = ({ index }) => {
     const change = ({ currentTarget }) => {

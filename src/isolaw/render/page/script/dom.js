@@ -1,7 +1,7 @@
 import { elementsWith } from './element.js';
 import { typeset, unset } from './symbols.js';
 
-// Inside these elements, which hold commands and file names, symbols are not typeset.
+// In these elements, which hold commands and file names, symbols are not typeset.
 const LITERAL = new Set(['code', 'pre', 'a', 'kbd']);
 
 export const element = elementsWith((text, tag) => (LITERAL.has(tag) ? [text] : typeset(text)), unset);
@@ -24,5 +24,5 @@ export function shortList(items, most, few, className = null) {
 
 export const isPrinting = () => 'printing' in document.documentElement.dataset;
 
-// Returns no text when printing. For text about controls, columns and downloads, which a printed page lacks.
+// Returns an empty text when printing, since a printed page has no controls or downloads that the text could explain.
 export const onScreen = (text) => (isPrinting() ? '' : text);

@@ -8,7 +8,6 @@ function csvCell(value) {
 
 export const csvText = ({ columns, rows }) => [columns, ...rows].map((row) => row.map(csvCell).join(',') + '\r\n').join('');
 
-// Offers a file for download. The browser puts it into its folder for downloads.
 export function download(name, content, type = 'application/octet-stream') {
   const href = URL.createObjectURL(new Blob([content], { type }));
   const link = Object.assign(document.createElement('a'), { href, download: name, hidden: true });

@@ -1,4 +1,4 @@
-// A path for icon(), which draws shapes [path, fill, stroke] in a field of 12 by 12.
+// A circle as an SVG path. icon() draws shapes [path, fill, stroke] in a field of 12 by 12.
 export const ROUND = 'M6 .8 A5.2 5.2 0 1 1 5.99 .8 Z';
 
 export function icon(...shapes) {
@@ -22,7 +22,7 @@ const CIRCLE = 'M6 1 A5 5 0 1 1 5.99 1 Z',
   DIAMOND = 'M6 1 L11 6 L6 11 L1 6 Z',
   CROSS = 'M2 2 L10 10 M10 2 L2 10';
 
-// The markers of the plot: filled circle, open diamond for a law that another beats, cross for an inadequate law.
+// The markers of the front: filled circle, open diamond for a law that another one beats, cross for an inadequate law.
 export function marker(role, tone = roleTone(role)) {
   const colour = 'var(--' + tone + ')';
   const path = role === 'not adequate' ? CROSS : tone === 'poor' ? DIAMOND : CIRCLE;

@@ -74,8 +74,8 @@ export function spread(wanted, gap, low, high) {
   return groups.flatMap((group) => Array(group.size).fill(group.sum / group.size)).map((value, i) => value + i * gap);
 }
 
-// Places the numbers of cycles at their peaks: those of the outermost peaks in the right margin, others up and left of
-// the peak, where a hysteresis loop leaves room.
+// Places the numbers of cycles near the cycles' peaks. The rightmost peaks have their numbers in the right margin. All
+// others have them above and to the left, where a hysteresis loop leaves room.
 export function peakLabels(labels, pixel, room, height) {
   const gap = 15,
     columns = [];

@@ -18,7 +18,7 @@ export const lotQuantities = (report.assessment?.lot?.quantities ?? []).map(
   }),
 );
 
-// The assessed value (mean over both sides). Without an assessment: the value of the vertical test or reported cycle.
+// Returns the assessed value (mean over both sides), otherwise the value of the vertical test or reported cycle.
 export function deviceValue(device, quantity) {
   const own = device.assessments.filter((a) => concerns(a, quantity) && isNumber(a.value));
   if (own.length > 0)

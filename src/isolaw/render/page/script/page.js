@@ -43,7 +43,7 @@ import { count } from './text.js';
 import { verdictFigure } from './verdict/band.js';
 import { WORDS } from './verdicts.js';
 
-// The page of an inspection begins with the verdict and the strips. One device needs only its own cycles and limits.
+// An inspection's page begins with the verdict and the strips of the lot. A single device needs no strips.
 const alone = inspection && devices.length === 1;
 const ofLot = [lotFigure, ...(inspection ? [] : [lotStripsFigure]), outliersFigure, verdictTableFigure, lotStabilityFigure];
 const SECTIONS = [

@@ -22,7 +22,7 @@ export function theme() {
 }
 
 export const symbolOf = (law) => SYMBOLS[law.index % SYMBOLS.length] + (isAgain(law) ? '-open' : '');
-export const dashOf = (place) => DASHES[place % DASHES.length]; // `place`: among the chosen laws; the first is solid
+export const dashOf = (place) => DASHES[place % DASHES.length]; // `place`: index among the chosen laws; 0 is solid
 export const LEGEND = { orientation: 'h', x: 0, y: 1.02, xanchor: 'left', yanchor: 'bottom', font: { size: 12 } };
 
 export function styled(layout, look) {
@@ -61,7 +61,7 @@ export function styled(layout, look) {
   return result;
 }
 
-// The list of buttons is complete, because Plotly's default has a button that uploads the figure to a server.
+// All buttons are listed, because Plotly's usual set includes one that uploads the figure to a server.
 export const PLOT_CONFIG = {
   displaylogo: false,
   displayModeBar: 'hover',

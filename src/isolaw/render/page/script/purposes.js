@@ -29,7 +29,7 @@ export const errorText = (error) =>
 
 const NAMED_AT_FIRST = 3;
 
-// The laws that the page shows at first: those of the first answer, without laws that do not predict.
+// The laws that the page shows at first: the most accurate ones for the first purpose, if they predict.
 export const recommended = (() => {
   const purpose = PURPOSES.find(({ id }) => id === FIRST);
   const named = purpose?.recommendation?.law
@@ -47,7 +47,7 @@ export function answering(purpose, viewId) {
   return placedIn(view).filter((law) => view.onFront(law));
 }
 
-// The answer as a sentence. Only the view of the runs has a sentence on robustness; others list the front's laws.
+// The answer as a sentence. Without a recommendation it is a finding or the list of the laws on the front.
 export function answerOf(purpose, viewId) {
   if (purpose.recommendation) return purpose.answer;
   const view = viewOf(viewId);

@@ -21,7 +21,7 @@ export const laws = report.laws.map((law, index) => {
 
 export const usable = devices.filter((device) => device.status === 'ok');
 export const drawable = usable.filter((device) => device.record.drawn > 0);
-export const tested = devices.filter((device) => device.raw?.samples > 0); // the page can show their raw records
+export const tested = devices.filter((device) => device.raw?.samples > 0); // devices with a raw record to show
 export const inspection = laws.length === 0; // true if only records were examined and no laws fitted
 export const ranking = report.findings.verdicts.map((verdict) => laws[verdict.law]);
 

@@ -40,7 +40,7 @@ export function showSections(sections, { onChoice, opened = () => {} }) {
   onChoice(redrawDependents);
   for (const figure of drawn.keys()) if (figure.draw) reserve(figure);
   markCurrentSection(main, contents);
-  // The address may name a section. Only now does that section exist.
+  // The address may name a section. It can be scrolled to only now that the sections exist.
   if (location.hash) document.getElementById(location.hash.slice(1))?.scrollIntoView();
 }
 
@@ -79,7 +79,7 @@ export function followWindow({ beforePrint = () => {}, afterPrint = () => {} } =
 
   window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => redraw());
 
-  // Plots are drawn again if the page's width changes. Drawing changes only the height, so this does not call itself.
+  // If the page's width changes, all plots are drawn again. Drawing changes heights only and starts no other drawing.
   let drawnWidth = document.getElementById('report').clientWidth;
 
   new ResizeObserver(([entry]) => {

@@ -3,10 +3,10 @@ import { DASH, MINUS } from './text.js';
 
 const FEW_ROWS = 3; // a table of up to this many rows cannot be sorted
 
-// The order of each table, by its label. A table that is built again keeps its order.
+// The sort order of each table, by the table's label. A table that is built again keeps its order.
 const orders = new Map();
 
-// Only the first row of a group shows a value. Screen readers read it in the other rows too, and sorted tables show it.
+// In a group of rows only the first shows the common value. Screen readers and sorted tables have it in all rows.
 export const said = (first, node) => {
   if (!first) node.classList.add('again');
   return node;
@@ -32,7 +32,7 @@ function numberIn(text) {
   return Number(found[1]) * 10 ** (found[2] ? -power : power);
 }
 
-// The value by which a cell is sorted: its data-sort if it has one, otherwise its text without small print.
+// Returns the value by which a cell is sorted: the attribute data-sort, or else the cell's text without small print.
 function valueIn(cell, { number, size }) {
   if (!cell || cell.colSpan > 1) return null;
   const parts = [...cell.childNodes].filter((node) => node.nodeName !== 'SMALL');

@@ -7,10 +7,10 @@ export const isVerified = () => Boolean(report.assessment?.rule_set?.verified_by
 export const worstVerdict = (verdicts) =>
   ['fail', 'pass', 'information', 'not assessed'].find((verdict) => verdicts.includes(verdict)) ?? null;
 
-// True for an assessment of the property on one side or both, but not of its change over cycles or vertical loads.
+// True if the assessment is of the property itself, on one or both sides, and not of its change over cycles or loads.
 export const concerns = (assessment, property) => assessment.property === property && assessment.subject === 'device';
 
-// Word and shape of a verdict say the same, so that a reader needs neither colour nor shape.
+// Word and shape of a verdict say the same. A reader needs only one of them, and no colour.
 export const VERDICTS = {
   pass: { tone: 'good', filled: true, path: ROUND, mark: 'M3.4 6.2 L5.3 8 L8.6 4', symbol: 'circle' },
   fail: {

@@ -6,7 +6,7 @@ import { laws, numberText, placeChooser, quantityOf, study, unitOf } from './stu
 
 const KINDS = { draw: ['draw of the lot', 'circle'], lot: ['law of the lot', 'square'], lower: ['lower bound', 'triangle-down'], upper: ['upper bound', 'triangle-up'] };
 const kindOf = ({ is }) => (Object.hasOwn(KINDS, is) ? KINDS[is] : ['tested device', 'diamond']);
-const LEAST_CONTRAST = 0.05; // the colours span at least this share of the mean displacement to both sides
+const LEAST_CONTRAST = 0.05; // the colours extend to both sides of the mean by at least this share of it
 const TWISTS = ['corner_over_centre', 'corner_mm', 'centre_mm', 'rotation_mrad', 'worst_energy_share'];
 
 export const planSection = {
@@ -94,7 +94,7 @@ function plan(look) {
   const { bearings, corners, centre } = study.plan;
   const moved = laws[chosen.law].bearings.displacement_mm,
     share = laws[chosen.law].bearings.energy_share;
-  // The colour range has a minimum, so that differences of a percent look small.
+  // The range of colours has a minimum, so that differences of a percent have almost the same colour.
   const usual = mean(moved),
     most = Math.max(LEAST_CONTRAST * usual, ...moved.map((mm) => Math.abs(mm - usual)));
   const xs = corners.map(({ x_m: x }) => x),

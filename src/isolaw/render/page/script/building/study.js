@@ -4,7 +4,7 @@ import { atTheHead, fixed, significant, unitText, withUnit } from '../text.js';
 
 export const study = data;
 export const laws = study.laws.map((law, index) => ({ ...law, index }));
-export const first = laws[0]; // the law whose coverage decides the verdict
+export const first = laws[0]; // the verdict compares the bounds with the draws of this law
 export const grouped = (number) => number.toLocaleString('en');
 
 export const quantityOf = (key) => study.quantities.find((quantity) => quantity.key === key);

@@ -48,7 +48,7 @@ function draw(look) {
   };
 }
 
-// The scatter between laws is known only for the displacement. A line shows it, since it belongs to no single law.
+// The scatter between laws belongs to no single law and is known for the displacement only. It is drawn as a line.
 function betweenLaws(look) {
   if (study.law_std_ln === null || chosen.quantity !== 'isolator_mm') return {};
   const x = 100 * study.law_std_ln;

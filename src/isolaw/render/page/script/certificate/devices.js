@@ -35,7 +35,8 @@ const apart = (device) =>
     ? report.assessment.lot.outliers.filter((outlier) => outlier.device === device.name).map((outlier) => outlier.quantity)
     : [];
 
-// Conditions under which a value would differ, such as friction of the rig. The caption explains their letters.
+// Conditions under which a value would differ, such as friction of the rig. Each has a letter that the caption
+// explains.
 const conditions = [...new Set(devices.flatMap((device) => device.doubts.map(({ condition }) => condition)))];
 const letter = (condition) => String.fromCharCode(97 + conditions.indexOf(condition));
 const doubtsOf = (device, quantity) =>

@@ -108,7 +108,6 @@ function limitSentences() {
     );
 }
 
-// Shows the word of the verdict beside the sentence with its reasons.
 function certificateResult() {
   const { word, sentence: said } = report.result;
   if (!word) return sentence(said) + '.';

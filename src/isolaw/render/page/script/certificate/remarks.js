@@ -10,7 +10,7 @@ export const certificateRemarksFigure = {
   build: () => sentences(certificateRemarks().map(sentence)),
 };
 
-// The signer must know the doubts about the records, the corrections, and what the user told the program about them.
+// The signer must know the doubts about the records, the corrections, and what the user told isolaw about the records.
 function certificateRemarks() {
   // "all devices" replaces the list of names if the lot has at least `fewest` devices.
   const withDevices = (textsOf, fewest) => {
@@ -19,7 +19,7 @@ function certificateRemarks() {
     for (const device of devices) for (const text of textsOf(device)) found.set(text, [...(found.get(text) ?? []), device.name]);
     return [...found].map(([text, names]) => (all(names) ? 'all devices' : enumerate(names)) + ': ' + text);
   };
-  // How records were read where an option or the lot file said so. Corrections are listed separately.
+  // What an option or the lot file said about reading a record, except for corrections, which are listed apart.
   const told = ({ recognised, corrections }) =>
     recognised.map(({ option, sentence }) => (option ? sentence : '')).filter((text) => text && !corrections.includes(text));
   return [

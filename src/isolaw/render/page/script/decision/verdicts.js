@@ -23,7 +23,7 @@ export const verdictsFigure = { id: 'verdicts', width: 'narrow', title: '', depe
 
 const ROLES = { taken: 'most accurate', ties: 'most accurate', behind: 'not ranked', 'ruled out': 'not adequate' };
 
-// A reason about the prediction is left out, since the badge beside the law's name gives it.
+// The badge beside the law's name says that the law does not predict. The reason is therefore left out here.
 const said = (place, reason, kind) =>
   reason ? (kind === 'out-prediction' ? '' : ', ' + sentence(reason)) : place === 'behind' ? '' : ', ' + place;
 

@@ -19,7 +19,7 @@ export function cellBeside(button, key) {
   }
 }
 
-// Marks the button of the chosen device and parameter as pressed. The Tab key reaches it; arrow keys reach the others.
+// Marks the button of the chosen device and parameter. The Tab key reaches this button, and arrow keys lead to others.
 export function markChosenCell(body) {
   if (!body) return;
   for (const button of body.querySelectorAll('td button[tabindex="0"]')) {

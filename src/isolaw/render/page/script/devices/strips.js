@@ -165,7 +165,7 @@ function legendOfLines(look, rows) {
   return entries;
 }
 
-// Names of outliers and of devices outside their limits. Up to three names are beside their marks. More names are
+// Labels the outliers and the devices outside their limits. Up to three names are beside their marks. More names are
 // spread in a row above the strip, to the right of its heading.
 function outlierLabels(points, quantity, range, width, height) {
   const found = points.filter(({ device, verdict }) => verdict === 'fail' || outlierOf(device, quantity)).sort((a, b) => a.value - b.value);

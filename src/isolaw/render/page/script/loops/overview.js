@@ -18,7 +18,7 @@ export const loopOverviewFigure = {
   draw: drawOverview,
 };
 
-// The layout of the panels in pixels. All have the same size and a heading, and a row holds as many as fit.
+// The layout of the panels in pixels. All panels have the same size and a heading. A row has as many as fit.
 const OVERVIEW_MARGIN = { l: 50, r: 8, t: 8, b: 44 };
 
 function overviewGrid(panels, width) {

@@ -31,7 +31,7 @@ function lotParametersCaption() {
 
 const atBound = (law, name) => law.lot.at_bound.some(({ parameter }) => parameter === name);
 
-// Zero means that the devices differ by no more than the uncertainty of their fits.
+// A scatter of zero means that the devices differ by no more than the uncertainty of their fits.
 const scatterText = (scatter) => (scatter > 0 ? fixed(100 * scatter, 1) : 'not resolvable');
 
 function lotParametersTable() {
@@ -48,7 +48,7 @@ function lotParametersTable() {
     const { median, scatter } = inPopulation(law, parameter.name);
     const values = [law.lot.parameters[place], law.lot.least_worst_parameters[place], median];
     const sizes = values.filter((value) => isNumber(value) && value !== 0).map(Math.abs);
-    const apart = Math.max(...sizes) > 100 * Math.min(...sizes); // the sizes differ too much for a common power of ten
+    const apart = Math.max(...sizes) > 100 * Math.min(...sizes); // no power of ten suits all sizes
     const format = apart ? { factor: 1, exponent: 0 } : rowFormat(values);
     const text = (value) => (apart ? significant(value) : fixed(value / format.factor, format.decimals));
     return {

@@ -76,7 +76,7 @@ function drawPanels(look, width) {
   const { columns, panel, heading, between, inner } = panelGrid(places.length, width);
   const layout = { margin: PANEL_MARGIN, annotations: [], shapes: [] },
     traces = [];
-  const named = usable.every((device) => device.name.length <= 6); // longer names are replaced by numbers
+  const named = usable.every((device) => device.name.length <= 6); // a longer name would need a number instead
   const abscissa = namedAxis(usable.map((device, i) => (named ? device.name : String(i + 1))), columns === 1 ? 12 : 11);
   const gap = columns === 1 ? 0 : 118 / (width - PANEL_MARGIN.l - PANEL_MARGIN.r),
     wide = (1 - gap * (columns - 1)) / columns;

@@ -147,7 +147,7 @@ function parameterTables() {
         details.open = true;
         fill();
       }
-      // Paper does not scroll: each printed table has only a few devices. For a large lot it has only the means.
+      // A printed table cannot be scrolled. It has only a few devices, or only the means if the lot is large.
       details.print = () => {
         const blocks = [];
         for (let first = 0; first < usable.length; first += DEVICES_PER_PRINTED_BLOCK)

@@ -9,7 +9,7 @@ export const cycleHistoryFigure = {
   id: 'cycle-history',
   title: 'Displacement history with blocks and cycles',
   depends: ['tested'],
-  // An inspection with one block for each device needs no history: its loops, coloured by cycle, show as much.
+  // If an inspection has one block for each device, the loops, coloured by cycle, show as much as the history would.
   wanted: () => chosen.tested !== null && !(inspection && devices.every((device) => device.blocks.length === 1 || device.status !== 'ok')),
   caption: cycleHistoryCaption,
   csv: rawData,

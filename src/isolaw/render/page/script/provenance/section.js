@@ -18,7 +18,7 @@ const filesFigure = {
   id: 'files',
   width: 'wide',
   title: 'Input files',
-  wanted: () => !inspection, // an inspection's certificate lists them
+  wanted: () => !inspection, // an inspection lists its files in the certificate
   caption: () => 'SHA-256 of each file as it was read. A changed file has another SHA-256.',
   csv: () => ({
     columns: ['device', 'file', 'sha256', 'status', 'message'],
@@ -88,7 +88,7 @@ function commandLine() {
   const code = element('code', { class: 'command', tabindex: '0' }, report.command);
   const copy = ({ currentTarget: pressed }) => {
     getSelection().selectAllChildren(code);
-    // A browser copies only from a secure address. On others the command stays selected for Ctrl-C.
+    // Browsers copy only on secure pages. On other pages the command stays selected for Ctrl-C.
     navigator.clipboard?.writeText(report.command).then(() => (pressed.textContent = 'Copied'), () => {});
   };
   return element('div', { class: 'command-line' }, code, button('Copy', copy, { class: 'action screen' }));

@@ -3,13 +3,13 @@ import { report } from '../report.js';
 import { capitalised, sentence } from '../text.js';
 import { WORDS, verdictBadge } from '../verdicts.js';
 
-// The sentence names what was not assessed. The list has failed and passed requirements, and further devices.
+// The sentence names the requirements that were not assessed. The lists name those that failed and those that passed.
 export const verdictFigure = { id: 'verdict', title: '', build: band };
 
 function band() {
   const { word, sentence: said, requirements, failing, not_assessed: without } = report.result;
   const remark = ({ device, remark: what }) => element('li', {}, element('b', {}, device ?? 'The lot'), ' ' + sentence(what));
-  // The sentence names at most ten failing devices; if there are more, they are listed.
+  // The sentence names up to ten failing devices. If more fail, the list names all of them.
   const rest = [...(failing.length > 10 ? failing : []), ...without];
   return element(
     'div',
