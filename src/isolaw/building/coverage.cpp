@@ -1,0 +1,75 @@
+#include "isolaw/building/coverage.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
+#include <cmath>
+#include <cstdint>
+#include "isolaw/wording/table.hpp"
+
+namespace isolaw::building {
+
+Coverage covered(Quantity const& quantity, std::vector<double> const& draws, Distribution const& d,
+                 Settings const& settings, std::vector<double> const& grid) {
+  auto const [least, most] = std::minmax(d.lower, d.upper);
+  Coverage coverage{.quantity = quantity.key, .factor_low = {}, .factor_high = {}, .not_monotonic = {}};
+  constexpr double rounding = 1e-9;  // relative tolerance, so that equal responses count as monotonic
+  if (d.nominal < least - rounding * std::abs(least) || d.nominal > most + rounding * std::abs(most)) {
+    coverage.monotony = Finding{.kind = FindingKind::bounds_not_monotonic,
+                                .numbers = {{"lower", d.lower},
+                                            {"nominal", d.nominal},
+                                            {"upper", d.upper},
+                                            {"lower_factor", settings.lower},
+                                            {"upper_factor", settings.upper}},
+                                .words = {{"quantity", std::string(quantity.title)},
+                                          {"unit", quantity.unit == "-" ? "" : std::string(quantity.unit)},
+                                          {"side", d.nominal < least ? "above" : "below"}}};
+    coverage.not_monotonic = wording::remark(*coverage.monotony);
+  }
+  std::size_t inside = 0, below = 0;
+  for (double const v : draws) {
+    inside += v >= least && v <= most;
+    below += v < least;
+  }
+  auto const n = static_cast<double>(draws.size());
+  if (draws.empty()) return coverage;
+  coverage.inside = static_cast<double>(inside) / n;
+  coverage.below = static_cast<double>(below) / n;
+  coverage.above = 1.0 - coverage.inside - coverage.below;
+  auto const interval = binomial_interval(inside, draws.size());
+  coverage.interval_low = interval[0], coverage.interval_high = interval[1];
+  double low = grid[grid_half], high = low;
+  for (std::uint32_t a = 0; a <= grid_half; ++a) {
+    for (double const v : {grid[grid_half - a], grid[grid_half + a]}) low = std::min(low, v), high = std::max(high, v);
+    auto const within = std::ranges::count_if(draws, [&](double v) { return v >= low && v <= high; });
+    if (static_cast<double>(within) < wanted_share * n) continue;
+    coverage.factor_low = grid_factor(grid_half - a);
+    coverage.factor_high = grid_factor(grid_half + a);
+    break;
+  }
+  return coverage;
+}
+
+Finding covering_factors(Coverage const& coverage) {
+  Finding finding{.kind = FindingKind::covering_factors,
+                  .numbers = {{"wanted", wanted_share},
+                              {"grid_low", grid_factor(0)},
+                              {"grid_high", grid_factor(2 * grid_half)},
+                              {"grid_step", grid_step}}};
+  constexpr double rounding = 1e-9;
+  bool const near = coverage.factor_low && *coverage.factor_low > 1.0 - grid_step - rounding;
+  finding.words = {{"factors", !coverage.factor_low ? "none" : near ? "near" : "found"}};
+  if (coverage.factor_low) finding.numbers.push_back({"factor_low", *coverage.factor_low});
+  if (coverage.factor_high) finding.numbers.push_back({"factor_high", *coverage.factor_high});
+  return finding;
+}
+
+std::array<double, 2> binomial_interval(std::size_t found, std::size_t trials, double level) {
+  if (trials == 0) return {0.0, 1.0};
+  using Binomial = boost::math::binomial_distribution<>;
+  auto const n = static_cast<double>(trials), k = static_cast<double>(found);
+  double const tail = 0.5 * (1.0 - level);
+  return {found == 0 ? 0.0 : Binomial::find_lower_bound_on_p(n, k, tail),
+          found == trials ? 1.0 : Binomial::find_upper_bound_on_p(n, k, tail)};
+}
+
+}  // namespace isolaw::building

@@ -1,0 +1,40 @@
+// Whether the bound analyses of a building cover the responses of its draws.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+#include "isolaw/base/finding.hpp"
+#include "isolaw/building/distribution.hpp"
+#include "isolaw/building/quantities.hpp"
+
+namespace isolaw::building {
+
+// The bounds suffice if the responses of the two bound analyses enclose this share of the drawn buildings.
+inline constexpr double wanted_share = 0.95;
+
+struct Coverage {
+  std::string_view quantity;                       // Quantity::key
+  double inside = 0.0;                             // share of the draws between both bound analyses
+  double interval_low = 0.0, interval_high = 0.0;  // 95 % interval of `inside`, Clopper and Pearson 1934
+  double below = 0.0, above = 0.0;                 // shares of the draws below and above both bound analyses
+  // The factors 1 - a and 1 + a of the smallest a for which the analyses with factors between them (grid_factor)
+  // enclose `wanted_share` of the draws. nullopt if all factors of the grid enclose less.
+  std::optional<double> factor_low, factor_high;
+  // FindingKind::bounds_not_monotonic if the nominal building is not between the bound analyses; empty otherwise.
+  std::optional<Finding> monotony = {};
+  std::string not_monotonic;
+};
+Finding covering_factors(Coverage const& coverage);
+
+// `draws` and `grid` hold the responses of the draws and of the analyses with the factors of the grid.
+Coverage covered(Quantity const& quantity, std::vector<double> const& draws, Distribution const& d,
+                 Settings const& settings, std::vector<double> const& grid);
+
+// Clopper and Pearson's confidence interval of the share found / trials. It is 0 to 1 without trials.
+std::array<double, 2> binomial_interval(std::size_t found, std::size_t trials, double level = 0.95);
+
+}  // namespace isolaw::building

@@ -1,0 +1,125 @@
+#include "isolaw/building/distribution.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include "isolaw/num/statistics.hpp"
+
+namespace isolaw::building {
+namespace {
+
+// Interpolates linearly between the sorted values: share 0 gives the smallest value and share 1 the largest.
+double fractile(std::vector<double> const& sorted, double share) {
+  if (sorted.empty()) return std::nan("");
+  double const place = share * static_cast<double>(sorted.size() - 1);
+  auto const i = static_cast<std::size_t>(place);
+  if (i + 1 >= sorted.size()) return sorted.back();
+  return sorted[i] + (place - static_cast<double>(i)) * (sorted[i + 1] - sorted[i]);
+}
+std::array<double, 4> fractiles(std::vector<double> values) {
+  std::ranges::sort(values);
+  std::array<double, 4> at_shares{};
+  for (std::size_t i = 0; i < at_shares.size(); ++i) at_shares[i] = fractile(values, shares[i]);
+  return at_shares;
+}
+
+// Splits the variance of ln(response): Var = variance over motions of the means + mean over motions of the variances.
+void split_variance(Distribution& d, std::vector<std::vector<double>> const& draws_by_motion) {
+  std::vector<double> means;
+  double within = 0.0;
+  for (auto const& draws : draws_by_motion) {
+    std::vector<double> logs;
+    for (double const v : draws)
+      if (v > 0.0) logs.push_back(std::log(v));
+    if (logs.empty()) continue;
+    auto const moments = num::moments(logs);
+    means.push_back(moments.mean);
+    within += moments.count > 1 ? moments.std * moments.std : 0.0;
+  }
+  if (means.empty()) return;
+  within /= static_cast<double>(means.size());
+  double const between = means.size() > 1 ? std::pow(num::moments(means).std, 2) : 0.0;
+  d.motion_std_ln = std::sqrt(between);
+  d.lot_std_ln = std::sqrt(within);
+  d.lot_share = between + within > 0.0 ? within / (between + within) : 0.0;
+}
+
+}  // namespace
+
+CasePlaces::CasePlaces(Settings const& settings) : cases(cases_of(settings)) {
+  auto const first = [&](CaseKind kind) {
+    return static_cast<std::size_t>(std::ranges::find(cases, kind, &Case::kind) - cases.begin());
+  };
+  first_draw = first(CaseKind::draw);
+  draws = static_cast<std::size_t>(settings.draws);
+  first_uncertain = first_draw + draws;
+  first_factor = first(CaseKind::factor);
+}
+
+Responses responses_of(std::vector<std::vector<std::vector<double>>> const& kept, std::size_t quantity) {
+  Responses responses;
+  for (auto const& motion : kept) {
+    auto& row = responses.by_motion.emplace_back(motion[quantity]);
+    responses.mean.resize(row.size());
+    for (std::size_t c = 0; c < row.size(); ++c) responses.mean[c] += row[c] / static_cast<double>(kept.size());
+  }
+  return responses;
+}
+
+std::vector<double> finite_part(std::vector<double> const& values, std::size_t first, std::size_t count) {
+  std::vector<double> finite;
+  for (std::size_t i = first; i < first + count; ++i)
+    if (std::isfinite(values[i])) finite.push_back(values[i]);
+  return finite;
+}
+
+Distribution distribution_of(Responses const& responses, CasePlaces const& places, Settings const& settings) {
+  auto const draws = finite_part(responses.mean, places.first_draw, places.draws);
+  Distribution d{.nominal = responses.mean[0],
+                 .lower = responses.mean[1],
+                 .upper = responses.mean[2],
+                 .fractiles = fractiles(draws),
+                 .uncertain_std_ln = {},
+                 .by_motion = {},
+                 .nominal_by_motion = {},
+                 .histogram = histogram(draws)};
+  std::vector<std::vector<double>> draws_by_motion;
+  for (auto const& row : responses.by_motion) {
+    d.by_motion.push_back(fractiles(draws_by_motion.emplace_back(finite_part(row, places.first_draw, places.draws))));
+    d.nominal_by_motion.push_back(row[0]);
+  }
+  split_variance(d, draws_by_motion);
+  if (settings.populations > 1) {
+    auto const each = static_cast<std::size_t>(settings.draws_of_each);
+    std::vector<double> medians;
+    for (std::size_t p = 0; p < static_cast<std::size_t>(settings.populations); ++p)
+      medians.push_back(num::median(finite_part(responses.mean, places.first_uncertain + p * each, each)));
+    d.uncertain_std_ln = spread_ln(medians);
+  }
+  return d;
+}
+
+double spread_ln(std::vector<double> const& values) {
+  std::vector<double> logs;
+  for (double const v : values)
+    if (v > 0.0) logs.push_back(std::log(v));
+  auto const moments = num::moments(logs);
+  return moments.count < 2 ? 0.0 : moments.std;
+}
+
+// Rice's rule gives the number of bins: 2 n^(1/3) for n values.
+Histogram histogram(std::vector<double> const& values) {
+  Histogram histogram;
+  if (values.empty()) return histogram;
+  auto const [least, most] = std::ranges::minmax(values);
+  bool const spread = most - least > 1e-9 * std::abs(most);
+  auto const bins =
+      spread ? static_cast<std::size_t>(std::ceil(2.0 * std::cbrt(static_cast<double>(values.size())))) : 1;
+  histogram.width = spread ? (most - least) / static_cast<double>(bins) : 1e-3 * std::abs(most);
+  histogram.from = spread ? least : least - 0.5 * histogram.width;
+  histogram.counts.assign(bins, 0);
+  for (double const v : values)
+    ++histogram.counts[spread ? std::min(bins - 1, static_cast<std::size_t>((v - least) / histogram.width)) : 0];
+  return histogram;
+}
+
+}  // namespace isolaw::building

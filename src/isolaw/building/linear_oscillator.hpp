@@ -1,0 +1,33 @@
+// Linear oscillators: the equivalent linear model of an isolated building, and the spectra of its floors.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+#include "isolaw/building/runs.hpp"
+
+namespace isolaw::building {
+
+// Effective stiffness and damping ratio of a bearing in its third sine cycle of this amplitude along x, at 1 Hz. A law
+// that is not used in its coupled form is given zero velocity, so its viscous forces do not count.
+struct Effective {
+  double stiffness_kN_mm = 0.0, damping = 0.0;
+};
+Effective effective(std::string_view law, std::span<double const> parameters, double amplitude_mm, Coupling coupling);
+
+// The linear oscillator whose peak displacement gives the bearings just its own stiffness and damping.
+struct EquivalentLinear {
+  double displacement_mm = 0.0, period_s = 0.0, damping = 0.0;
+};
+// `bearings` holds the parameters of all bearings, one after the other; `mass` is that of the building in t.
+EquivalentLinear equivalent_linear(Devices const& devices, Motion const& motion, std::vector<double> const& bearings,
+                                   double mass);
+
+// Floor spectra: the largest pseudo-acceleration in plan of linear oscillators with these periods and 5 % damping along
+// x and y, on a diaphragm of the nominal building. The spectra are means over the motions.
+inline constexpr double spectrum_damping = 0.05;
+std::vector<double> const& spectrum_periods_s();
+// Adds `share` times the spectra of a run to `to`, [diaphragm][period].
+void add_spectra(std::vector<std::vector<double>>& to, Response const& run, double share);
+
+}  // namespace isolaw::building

@@ -1,0 +1,87 @@
+#include "isolaw/building/nominal_building.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <string_view>
+
+namespace isolaw::building {
+
+BearingLoops loops_of(Model const& model, Devices const& devices, Study const& study, std::size_t motion, bool drawn,
+                      Options options) {
+  options.bearing_forces = true;
+  auto const bearings = devices.bearings(devices.of({.kind = drawn ? CaseKind::draw : CaseKind::nominal}));
+  auto const run = integrate(model, bearings, study.file.motions[motion], options);
+  auto const& h = run.history;
+  auto const samples = h.time_s.size(),
+             stride = std::max<std::size_t>(1, (samples + most_of_loops - 1) / most_of_loops);
+  BearingLoops loops{.motion = motion,
+                     .drawn = drawn,
+                     .step_s = run.step_s * static_cast<double>(stride),
+                     .x_mm = {},
+                     .y_mm = {},
+                     .rotation_rad = {},
+                     .force_x_kN = std::vector<std::vector<double>>(bearings.size()),
+                     .force_y_kN = std::vector<std::vector<double>>(bearings.size())};
+  for (std::size_t i = 0; i < samples; i += stride) {
+    loops.x_mm.push_back(h.base[i][0]);
+    loops.y_mm.push_back(h.base[i][1]);
+    loops.rotation_rad.push_back(h.base[i][2]);
+    for (std::size_t j = 0; j < bearings.size(); ++j) {
+      loops.force_x_kN[j].push_back(h.bearing_kN[i][2 * j]);
+      loops.force_y_kN[j].push_back(h.bearing_kN[i][2 * j + 1]);
+    }
+  }
+  return loops;
+}
+
+NominalHistory thinned(History const& history, double step_s) {
+  auto const samples = history.time_s.size();
+  auto const stride = std::max<std::size_t>(1, (samples + most_of_history - 1) / most_of_history);
+  NominalHistory nominal{
+      .step_s = step_s * static_cast<double>(stride), .x_mm = {}, .y_mm = {}, .shear_x_kN = {}, .shear_y_kN = {}};
+  for (std::size_t i = 0; i < samples; i += stride) {
+    nominal.x_mm.push_back(history.base[i][0]);
+    nominal.y_mm.push_back(history.base[i][1]);
+    nominal.shear_x_kN.push_back(history.shear_kN[i][0]);
+    nominal.shear_y_kN.push_back(history.shear_kN[i][1]);
+  }
+  return nominal;
+}
+
+Response nominal_run(Study const& study, LawSource const& source, Motion const& motion) {
+  Model const model(Structure(study.file.frame), study.file.plan());
+  Devices const devices(source, study.file);
+  auto options = options_of(study, model, devices);
+  options.histories = true;
+  return integrate(model, devices.bearings(devices.of({})), motion, options);
+}
+
+std::string history_csv(Response const& run, Motion const& motion) {
+  auto const& history = run.history;
+  std::size_t const diaphragms = history.acceleration.empty() ? 0 : history.acceleration.front().size() / 2;
+  std::size_t const axes = motion.y_mm_s2.empty() ? 1 : 2;
+  std::string csv = "time [s]";
+  auto const head = [&](std::string_view what, std::string_view unit) {
+    for (std::size_t axis = 0; axis < axes; ++axis) csv += fmt::format(",{}_{} [{}]", what, "xy"[axis], unit);
+  };
+  head("base", "mm");
+  head("velocity", "mm/s");
+  head("force", "kN");
+  for (std::size_t floor = 0; floor < diaphragms; ++floor)
+    head(floor == 0 ? std::string("acceleration_base") : fmt::format("acceleration_{}", floor), "mm/s2");
+  csv += '\n';
+  for (std::size_t i = 0; i < history.time_s.size(); ++i) {
+    csv += fmt::format("{:.6g}", history.time_s[i]);
+    auto const add = [&](auto const& values, std::size_t first) {
+      for (std::size_t axis = 0; axis < axes; ++axis) csv += fmt::format(",{:.6g}", values[first + axis]);
+    };
+    add(history.base[i], 0);
+    add(history.velocity[i], 0);
+    add(history.shear_kN[i], 0);
+    for (std::size_t floor = 0; floor < diaphragms; ++floor) add(history.acceleration[i], 2 * floor);
+    csv += '\n';
+  }
+  return csv;
+}
+
+}  // namespace isolaw::building

@@ -1,0 +1,41 @@
+// The nominal building over time: its histories and the loops of its bearings, for pages and CSV.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+#include "isolaw/building/runs.hpp"
+
+namespace isolaw::building {
+
+// The nominal building by implicit integration, in at most most_of_history samples: displacement of the base's centre
+// of mass relative to the ground, and the sum of the bearings' forces, positive along the displacement.
+inline constexpr std::size_t most_of_history = 2000;
+struct NominalHistory {
+  double step_s = 0.0;
+  std::vector<double> x_mm, y_mm, shear_x_kN, shear_y_kN;
+};
+
+// Force-displacement loops of every bearing under the motion that moves the nominal building most, by implicit
+// integration, in at most most_of_loops samples. They are those of the first drawn building if bearings are drawn.
+inline constexpr std::size_t most_of_loops = 500;
+struct BearingLoops {
+  std::size_t motion = 0;
+  bool drawn = false;
+  double step_s = 0.0;
+  std::vector<double> x_mm, y_mm, rotation_rad;             // motion of the base's centre of mass
+  std::vector<std::vector<double>> force_x_kN, force_y_kN;  // [bearing][sample]
+};
+
+// Keeps every n-th sample; the last sample may be left out.
+NominalHistory thinned(History const& history, double step_s);
+// The loops under one motion, of the first drawn building if `drawn`, else of the nominal one.
+BearingLoops loops_of(Model const& model, Devices const& devices, Study const& study, std::size_t motion, bool drawn,
+                      Options options);
+
+Response nominal_run(Study const& study, LawSource const& source, Motion const& motion);
+// A run as CSV: displacement and velocity of the base relative to the ground, force on the bearings, and absolute
+// acceleration of every diaphragm, along x and, if the motion has it, y. A failed run ends where it failed.
+std::string history_csv(Response const& run, Motion const& motion);
+
+}  // namespace isolaw::building

@@ -1,0 +1,21 @@
+// The quantities that a run of the building answers: displacements, forces, accelerations, work.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include "isolaw/building/runs.hpp"
+
+namespace isolaw::building {
+
+struct Quantity {
+  std::string_view key, title, unit, meaning;
+  double (*of)(Layout const& layout, std::span<double const> measured, double weight_kN);
+  std::string_view uncovered = {};  // why the bound analyses cannot cover the quantity; empty if they can
+};
+std::span<Quantity const> quantities();
+Quantity const& quantity(std::string_view key);
+
+double measure_of(std::span<double const> measured, Measure which);
+double ratio(double a, double b);  // a / b; 0 if b is not positive
+
+}  // namespace isolaw::building
