@@ -22,7 +22,7 @@ namespace isolaw {
 
 using Json = nlohmann::ordered_json;
 
-// list: "a,b" on the command line. repeated: the option is given once for each value. assignments: "a=1,b=2".
+// On the command line a list is "a,b", assignments are "a=1,b=2", and a repeated option is given once for each value.
 enum class Kind { flag, whole, real, text, list, repeated, assignments };
 
 // The headings of options in help and docs/cli.md, in the order in which they appear there.
@@ -115,7 +115,7 @@ Json or_null(std::optional<T> const& value) {
   return value ? Json(*value) : Json();
 }
 
-// "help, limits (default usual)"
+// Joins the parts of an option's help text: "help, limits (default usual)".
 std::string help_of(std::string help, std::string const& limits, std::string const& usual);
 
 // Makes an option whose value is an int or a double, or an optional one.
@@ -142,7 +142,7 @@ Option<Target> flag(std::string_view key, std::string help, Access place) {
           [place](Target& to, Json const& value) { place(to) = flag_of(value); }};
 }
 
-// Makes an option that takes one of several words, each with its value. For bool values, true and false serve too.
+// Makes an option that takes one of several words, each of which stands for a value. A bool also takes true and false.
 template <class Target, class Access, class T, std::size_t N>
 Option<Target> word(std::string_view key, std::string help, Access place,
                     std::pair<std::string_view, T> const (&words)[N]) {

@@ -12,7 +12,7 @@
 namespace isolaw::fit {
 namespace {
 
-// Six decades, as a natural logarithm: what a logarithmic scale that ends at zero or spans zero covers on each side.
+// The natural logarithm of six decades, which a logarithmic scale covers on each side of zero on which it has values.
 constexpr double decades_from_zero = 6.0 * 2.302585092994046;
 
 struct AcrossZero {  // value = linear_size sinh(c), c from asinh(lower / linear_size) to asinh(upper / linear_size)

@@ -70,7 +70,7 @@ void describe_spread(Values const& found, LotQuantity& view) {
   view.largest_from_mean_percent = 100.0 * std::max(*high / moments.mean - 1.0, 1.0 - *low / moments.mean);
   view.std = moments.std;
   view.cov_percent = 100.0 * moments.std / moments.mean;
-  // nullopt below 0, because the quantity is positive and such a bound would say nothing.
+  // A bound below 0 becomes nullopt, because the quantity is positive and such a bound would say nothing.
   auto const below_mean = [&](double factor) -> std::optional<double> {
     double const value = moments.mean - factor * moments.std;
     if (value > 0.0) return value;
@@ -216,9 +216,9 @@ void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& 
       fmt::format("mean of {} devices predicted from {} tested, 95 %; mean and CoV estimated", *lot_size, tested));
 }
 
-// Two tested devices are enough to forbid an analysis with mean properties. To permit it, the set's sample is needed.
+// Two tested devices can forbid an analysis with mean properties. Permitting it takes the sample that the set requires.
 void judge_mean_analysis(RuleSet const& rules, LotView const& lot, LotQuantity& view) {
-  if (view.quantity == Quantity::K_v) return;  // that analysis is about shear only
+  if (view.quantity == Quantity::K_v) return;  // the mean analysis is about shear only
   if (!rules.verified() || !rules.mean_analysis || view.tested < 2) return;
   double const within = rules.mean_analysis->within_percent;
   bool const close =

@@ -26,9 +26,8 @@ struct Outlier {
   std::string reason;  // "K_eff 1.9 kN/mm is 58 % above the median 1.2: modified z 12.1, above 3.5"
 };
 
-// Values with a modified z score |x - median| / max(1.4826 MAD, 0.5 % of |median|) above 3.5 (Iglewicz, Hoaglin 1993).
-// Outliers hardly move the median or the MAD. 0.5 % is the error of a property from one record; this floor keeps nearly
-// identical devices from being outliers. Empty for fewer than five values.
+// Values whose modified z score (num/statistics.hpp) is above 3.5 in size. The standard deviation counts as at least
+// 0.5 % of |median|, the error of a property from one record. Empty for fewer than five values.
 std::vector<Outlier> find_outliers(std::string_view quantity, std::string_view unit_text,
                                    std::span<std::string const> names, std::span<double const> values);
 inline constexpr std::size_t fewest_for_outliers = 5;

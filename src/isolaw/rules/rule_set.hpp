@@ -55,7 +55,7 @@ enum class Measure {
   loss_from_first,    // largest 1 - value/first
 };
 
-// Limit on how much a property changes over a range of cycles. Stiffness and damping are then peak to peak.
+// Limit on how much a property changes over a range of cycles. For this limit, stiffness and damping are peak to peak.
 struct StabilityLimit {
   Quantity quantity = Quantity::K_eff;
   Measure measure = Measure::min_over_max;
@@ -90,7 +90,7 @@ struct FactorRule {            // see combine() in factors.hpp
   std::vector<PropertyFactors> properties;
 };
 
-struct MeanAnalysisRule {  // mean properties are enough for an analysis if no device is farther from the mean
+struct MeanAnalysisRule {  // up to this distance of every device from the mean, an analysis may use mean properties
   double within_percent = 0.0;
   std::string clause;
 };

@@ -83,7 +83,7 @@ struct DeviceFit {
   std::optional<double> lot_objective;       // objective with the parameters that fit the lot best on average
   std::optional<double> worst_objective;     // objective with the parameters that fit the worst device best
   std::optional<double> left_out_objective;  // objective with parameters fitted to all other devices
-  // Objectives if springs in several directions in plan replace the law: with parameters fitted to springs, or its own.
+  // Objectives of springs in several directions in plan, with parameters fitted to the springs or with the law's own.
   std::optional<double> springs_objective, springs_given_objective;
   std::vector<BlockScore> blocks;
   std::optional<EnergyFall> energy_fall;       // empty if the device does not lose energy steadily
