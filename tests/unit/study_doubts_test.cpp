@@ -64,7 +64,7 @@ TEST(Adequacy, OfALawThatMissesTheForceOrTheStiffness) {
     EXPECT_FALSE(contains(findings(summary).headline, id)) << findings(summary).headline;
   }
   EXPECT_TRUE(contains(findings(summary).headline, "worth considering"));
-  // A user who takes jankowski from the campaign gets the same warning.
+  // A user who takes jankowski from the campaign is warned that it does not describe the devices.
   auto const with_it = doubts(summary, "jankowski", summary.devices.front().name).findings;
   EXPECT_TRUE(contains(
       with_it.front(),
