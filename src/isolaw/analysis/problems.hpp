@@ -1,4 +1,4 @@
-// Problems derived from others: with other weights, with one coordinate held at a value, or for several records.
+// Search problems derived from other ones: with other weights, with one coordinate held, or for several records.
 #pragma once
 
 #include <cstddef>

@@ -76,7 +76,7 @@ std::string text_of(Json const& value);
 // The words of the command line that set the option to `value`. There are none for null, false and an empty list.
 std::vector<std::string> words_of(OptionInfo const& option, Json const& value);
 std::string shown(Json const& value);  // for messages: 'text', 12, true
-// Calls judge() and adds its complaints to the list. Complaints that name no option become complaints about `where`.
+// Calls judge() and collects the complaints of its Error. Those that name no option become complaints about `where`.
 void about(std::string const& where, std::vector<Complaint>& complaints, std::function<void()> const& judge);
 
 // Calls judge(row) for every row of a table and throws one Error with all complaints.

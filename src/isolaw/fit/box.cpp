@@ -32,7 +32,7 @@ std::optional<double> parse_number(std::string_view text) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-// The forces at the record's zero crossings, by linear interpolation. A first sample at zero is no crossing.
+// The forces where the displacement crosses zero, by linear interpolation. A first sample at zero is no crossing.
 std::vector<double> forces_at_zero(data::FitRecord const& record) {
   auto const &x = record.disp_mm, &f = record.force_kN;
   std::vector<double> forces;

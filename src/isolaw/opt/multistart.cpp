@@ -68,11 +68,11 @@ constexpr std::ptrdiff_t part_when_agreed = 3;  // a third of the starts suffice
 // hit it. For law abe, 8 of 300 logged searches with 72 starts missed the best point, 2 with 96 starts.
 constexpr double close = 10.0;  // in hit tolerances
 constexpr double ragged = 0.5;
-constexpr std::ptrdiff_t more_when_ragged = 3;  // if ragged, a third more starts
+constexpr std::ptrdiff_t more_when_ragged = 3;  // if the floor is ragged, a third more starts
 // Above this number of dimensions, hops found better valleys than scattered starts, at a quarter of the cost.
 constexpr std::size_t wide = 14;
 constexpr double more_when_wide = 2.5;  // factor on the starts, half of which are hops: 180 instead of 72
-// Gives up descents that are above this multiple of the best value after the approach. Settling gains less than half.
+// A descent is given up if its value after approach() exceeds this multiple of the best value: settle() gains less.
 constexpr double promising = 1.5;
 constexpr double least_power_of_hop = -1.5, most_power_of_hop = -0.3;  // 0.03 to 0.5 of the box, to leave a valley
 constexpr double least_power_of_last_hop = -2.0, most_power_of_last_hop = -0.5;  // 0.01 to 0.3, to stay in a valley

@@ -71,8 +71,8 @@ struct LotQuantity {
   std::optional<TestFactors> test_factors;             // extremes of lambda_test over the devices
   std::string test_min_device, test_max_device;
   std::vector<Bound> bounds;
-  // The members below say whether a verified set permits an analysis with mean properties. They only judge the
-  // variability within the supply, because the records do not show the other effects.
+  // The members below say whether a verified set permits an analysis with mean properties. They only judge how devices
+  // of the supply differ, because the records show neither ageing nor the environment.
   std::optional<double> largest_from_mean_percent;  // largest deviation of a tested device from the mean
   std::optional<bool> mean_analysis_permitted;
   std::string mean_analysis_open;  // why it is undecided although all deviations are small enough
