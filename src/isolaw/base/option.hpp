@@ -118,7 +118,7 @@ Json or_null(std::optional<T> const& value) {
 // Joins the parts of an option's help text: "help, limits (default usual)".
 std::string help_of(std::string help, std::string const& limits, std::string const& usual);
 
-// Makes an option whose value is an int or a double, or an optional one.
+// Makes an option whose value is an int, a double or an optional of one of these.
 template <class Target, class Access>
 Option<Target> number(std::string_view key, std::string help, Access place, Limits limits = {},
                       std::string usual = {}) {

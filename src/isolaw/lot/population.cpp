@@ -332,7 +332,7 @@ Sample sample(Population const& population, std::size_t count, num::Stream const
     if (!found) ++result.pulled_back;
     while (!found) {
       z *= 0.5;
-      // Halving the standardised draw z ends when it no longer moves a parameter whose median is at its limit.
+      // If a median lies on its limit, even a tiny z may leave the limits. The medians themselves are then taken.
       values = z.norm() > 1e-12 ? physical(population, mean + num::apply(root, z)) : population.medians;
       found = inside(values, limits) || z.norm() <= 1e-12;
     }

@@ -65,7 +65,7 @@ constexpr std::ptrdiff_t many_hits = 12;
 constexpr double agreeing = 0.4;                // share of hits among the scattered starts
 constexpr std::ptrdiff_t part_when_agreed = 3;  // a third of the starts suffices: 24 instead of 72
 // The valley's floor is ragged if half of the scattered starts end within ten hit tolerances of the best value, but few
-// hit it. For law abe, 8 of 300 logged searches with 72 starts missed the best point, 2 with 96 starts.
+// hit it. For law abe, 8 of 300 logged searches with 72 starts missed the best point, and 2 with 96 starts.
 constexpr double close = 10.0;  // in hit tolerances
 constexpr double ragged = 0.5;
 constexpr std::ptrdiff_t more_when_ragged = 3;  // if the floor is ragged, a third more starts

@@ -36,7 +36,8 @@ Values collect(RuleSet const& rules, Quantity quantity, std::span<DeviceValues c
     if (auto const value = device_value(rules, quantity, device.block)) {
       collected.names.push_back(device.name);
       collected.values.push_back(*value);
-      collected.tested += quantity == Quantity::K_v || device.copy_of.empty() ? 1u : 0u;  // K_v has its own test
+      collected.tested +=
+          quantity == Quantity::K_v || device.copy_of.empty() ? 1u : 0u;  // a copied shear record leaves K_v valid
     } else {
       collected.without.push_back(device.name);
     }
@@ -116,7 +117,7 @@ std::vector<std::string> unmet_of_lot(RuleSet const& rules, LotView const& lot, 
   for (auto const& device : devices)
     for (auto const& text : unmet_conditions(rules, device.block, design)) {
       unmet.push_back(fmt::format("{}: {}", device.name, text));
-      return unmet;  // one device serves as an example: a lot may have hundreds
+      return unmet;  // names one device as an example, since a lot may have hundreds
     }
   return unmet;
 }

@@ -54,7 +54,7 @@ struct LotQuantity {
   std::vector<std::string> without;  // devices without a value
   std::optional<double> mean, min, max;
   std::string min_device, max_device;
-  std::optional<double> std, cov_percent;         // for the sample; nullopt for fewer than two tested devices
+  std::optional<double> std, cov_percent;         // spread of the values; nullopt for fewer than two tested devices
   std::optional<double> nominal;                  // design value
   std::optional<double> mean_deviation_percent;   // deviation of the mean from the design value
   std::optional<double> worst_deviation_percent;  // deviation of the device farthest from the design value
@@ -75,7 +75,7 @@ struct LotQuantity {
   // of the supply differ, because the records show neither ageing nor the environment.
   std::optional<double> largest_from_mean_percent;  // largest deviation of a tested device from the mean
   std::optional<bool> mean_analysis_permitted;
-  std::string mean_analysis_open;  // why it is undecided although all deviations are small enough
+  std::string mean_analysis_open;  // why the permission is open although all deviations are small enough
 };
 
 struct LotView {

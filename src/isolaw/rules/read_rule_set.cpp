@@ -79,7 +79,7 @@ class RuleTable : public TomlTable {
         target.push_back(found);
       });
   }
-  bool cycles(std::string_view key, int& first, int& last) {  // whether the key holds a valid range
+  bool cycles(std::string_view key, int& first, int& last) {  // reads a range; false if there is no valid one
     auto const* node = find(key);
     if (node == nullptr) return false;
     std::vector<std::int64_t> ends;

@@ -40,7 +40,7 @@ struct TestConditions {
   std::optional<double> load_tolerance_percent;          // between mean vertical load and design load
 };
 
-enum class Scope { each, mean };  // every device by itself; the mean over the lot's devices
+enum class Scope { each, mean };  // the limit is on every device by itself, or on the mean over the lot's devices
 
 struct Limit {  // on the deviation from the design value; a value on a limit passes
   Quantity quantity = Quantity::K_eff;
@@ -50,7 +50,7 @@ struct Limit {  // on the deviation from the design value; a value on a limit pa
 };
 
 enum class Measure {
-  min_over_max,       // lowest value of the cycles over the highest
+  min_over_max,       // lowest value of the cycles / highest value
   change_from_first,  // largest |value/first - 1|
   loss_from_first,    // largest 1 - value/first
 };

@@ -74,7 +74,7 @@ struct DeviceFit {
   int refinement = 1;                   // integration steps per sample, in the best run
   std::optional<double> success_share;  // share of usable runs within 0.1 % of the campaign's least objective
   std::string success_reference;        // where that least objective comes from
-  std::optional<double> optimum;        // least objective of the analysis
+  std::optional<double> optimum;        // least objective that the analyses found
   std::optional<double> rise;           // how far the objective may rise within a parameter's range
   std::vector<std::string> trade_offs;  // sentences on parameters that compensate each other
   std::optional<double> interval_level;
@@ -103,7 +103,8 @@ struct LotLaw {
   std::vector<double> parameters, worst_parameters;
   double mean = 0.0, worst = 0.0;  // mean and largest objective with `parameters`
   std::string worst_device = {};
-  double least_worst = 0.0, least_worst_bound = 0.0;  // `worst_parameters`: largest objective, and its lower limit
+  double least_worst = 0.0,
+         least_worst_bound = 0.0;  // largest objective with `worst_parameters`, and a lower bound for it
   std::vector<std::pair<std::string, fit::AtBound>> at_bound = {};  // entries of `parameters` that lie at a bound
 };
 
@@ -134,9 +135,9 @@ struct LawResult {
   bool on_front_loo = false;  // on the front of objective_converged against loo_objective
   std::optional<lot::Population> population;
   std::optional<double> fitted_objective, predicted_objective,
-      worst_predicted;                              // means over blocks; worst: the largest
+      worst_predicted;                              // means over the blocks; worst_predicted is the largest
   std::optional<PredictionGrade> prediction_grade;  // empty if no blocks are predicted
-  bool in_programs = false;                         // an analysis program has this law for such parameter values
+  bool in_programs = false;  // an analysis program has this law and can take its parameter values
   std::string reduced_form;  // the `--set` that fits the form without the redundant parameter; "" if there is none
   std::vector<std::string> notes;  // how isolaw reads the law where its source is ambiguous
   std::vector<DeviceFit> devices;
