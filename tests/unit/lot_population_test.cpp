@@ -176,7 +176,7 @@ TEST(Population, KeepsWhatTwoUndeterminedParametersShare) {
 }
 
 TEST(Population, TakesErrorsToLogarithms) {
-  // Relative to (2, -6) the errors are 0.1 and 0.1, fully correlated.
+  // Relative to (2, -6) the errors are 0.1 and 0.1, with a correlation of 0.5.
   SquareMatrix const error{{0.04, -0.06}, {-0.06, 0.36}};
   auto const found = estimate_population(two, with({{2, -6}, {2, -6}}, error));
   expect_near(found.uncertainty, {{0.01, 0.005}, {0.005, 0.01}}, 1e-15);

@@ -320,7 +320,7 @@ TEST(Genetic, BeatsUniformSamplingInSixDimensions) {
   }
 }
 
-// The outcome follows from the history alone, also if the history is cut short or continued.
+// outcome_of() must find the outcome from the history alone. A history that is cut short or continued was interrupted.
 TEST(Outcome, FollowsFromTheHistory) {
   for (int const stagnation : {1, 3, 20}) {
     for (int const generations : {1, 4, 60}) {

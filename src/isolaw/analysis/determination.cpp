@@ -131,7 +131,8 @@ class Examination {
     }
   }
 
-  // `force_change` belongs to a relative change of 1. True if 50 % would be visible, with the law taken as linear.
+  // `force_change` is the change of the force for a relative parameter change of 100 %. True if half of it is visible,
+  // which is the effect of 50 % in a linear law.
   bool is_seen(double force_change) const { return weakly_determined_within * force_change >= visible_change(); }
 
   // Adds a direction of parameter changes to the trade-offs if it does not change the force visibly. The trade-off

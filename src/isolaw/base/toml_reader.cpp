@@ -17,7 +17,7 @@ class NestingCheck {
  public:
   explicit NestingCheck(std::string_view text) : text_(text) {}
 
-  std::size_t deep_line() {  // returns 0 if every line nests as little as a real file
+  std::size_t deep_line() {  // returns the first line that nests too deep, or 0 if none does
     constexpr int deepest = 64;
     int depth = 0;
     std::vector<int> dots{0};  // for the document and each open table and list: dots in the name being read

@@ -30,14 +30,15 @@ struct Stage {
 };
 // Finds the valley. Stops with delta at half the mean residual: the sum is still smooth, and the outline suffices.
 constexpr Stage approach{.smoothing = 0.5, .iterations = 25};
-// Finds the valley's floor. It stops at gains below the hit tolerance of 5e-4, since the end only decides about a hit.
+// Finds the valley's floor. It stops at gains below the hit tolerance of 5e-4, since the end is only compared with
+// others.
 constexpr Stage settle{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4};
 // Ends a descent on all residuals that starts at the minimum of the outline, which is close to the true minimum.
 constexpr Stage finish{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4, .patience = 3};
 // Ends a descent at about four right digits of its value. It serves many descents that are only reported together.
 constexpr Stage finish_briefly{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4, .patience = 2};
 constexpr double rounding_after_outline = 0.03;  // delta after a descent on outline(), as a share of the value
-constexpr Stage polish{.smoothing = 0.003, .iterations = 60};  // for the digits that are reported
+constexpr Stage polish{.smoothing = 0.003, .iterations = 60};  // adds digits to a descent that may be reported
 
 constexpr double gain_worth_staying = 3e-3;  // after a smaller gain, delta falls towards its last value in the stage
 // Delta falls by this factor, about half a decade. A few steps then lead from the minimum for one delta to the next.
@@ -288,7 +289,7 @@ class Descent {
     return {here.value, here.value};
   }
 
-  // Computes a damped Newton step inside the box. A coordinate on an edge stays there if the sum falls outwards.
+  // Computes a damped Newton step inside the box. A coordinate on an edge stays there if the step would lead outside.
   void propose(Matrix const& H, Vector const& g, double damping, std::span<double> point) const {
     std::ranges::copy(here_.x, point.begin());
     std::vector<Index> free;

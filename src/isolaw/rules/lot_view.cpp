@@ -36,8 +36,8 @@ Values collect(RuleSet const& rules, Quantity quantity, std::span<DeviceValues c
     if (auto const value = device_value(rules, quantity, device.block)) {
       collected.names.push_back(device.name);
       collected.values.push_back(*value);
-      collected.tested +=
-          quantity == Quantity::K_v || device.copy_of.empty() ? 1u : 0u;  // a copied shear record leaves K_v valid
+      // A copied shear record does not affect the compression test, which gives K_v.
+      collected.tested += quantity == Quantity::K_v || device.copy_of.empty() ? 1u : 0u;
     } else {
       collected.without.push_back(device.name);
     }
