@@ -162,7 +162,7 @@ struct Clean {
   std::vector<double> time_s, disp_mm, force_kN;
 };
 
-// The motion without noise: rest, cycles and rest.
+// The motion without noise: first rest, then the cycles, then rest.
 inline Clean true_motion(Plan const& plan) {
   constexpr int finer = 8;
   int const n = plan.samples * plan.cycles * finer;

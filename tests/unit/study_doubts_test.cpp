@@ -111,7 +111,7 @@ TEST(Prediction, ThatIsPoorIsNoCompromiseAndIsSaid) {
   EXPECT_TRUE(contains(doubts(summary, "vaiana", summary.devices.front().name).objection, "unusable"));
 }
 
-// The warnings concern one law on one device. Findings about other laws and devices are left out.
+// doubts() for a law and a device must give only findings on this law and this device.
 TEST(Doubts, AreOfTheLawAndTheDevice) {
   auto summary = fixture::lot();
   auto const devices = device_names(summary);

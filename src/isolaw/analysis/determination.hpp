@@ -1,9 +1,9 @@
 // Finds out which parameters of a law are determined by a test: how far each can change before the loop gets visibly
-// worse, and which parameters can compensate each other.
-// Each parameter is judged by a profile of the objective: the parameter is held at several values, and at each value
-// all others are fitted again. Its open range is where the objective stays within `rise` of its least value (Raue et
-// al. 2009, Bioinformatics 25, 1923). Trade-offs are changes of several parameters that leave the forces as they are.
-// They are right singular vectors of the scaled Jacobian (Golub and Van Loan, Matrix Computations, sec. 5.5).
+// worse, and which parameters can compensate each other. Each parameter is judged by a profile of the objective: the
+// parameter is held at several values, and at each value all others are fitted again. In the open range of the
+// parameter, the objective stays within `rise` of its least value (Raue et al. 2009, Bioinformatics 25, 1923).
+// Trade-offs are changes of several parameters that leave the forces as they are. They are right singular vectors of
+// the scaled Jacobian (Golub and Van Loan, Matrix Computations, sec. 5.5).
 #pragma once
 
 #include <cstddef>

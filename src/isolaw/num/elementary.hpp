@@ -16,10 +16,9 @@
 // Polynomials use Horner's scheme, which has the fewest operations; computing several vectors at once hides its
 // latency. Rejected: sums of even and odd powers (faster for one or two vectors, slower from four on), log2 without a
 // division (twice the terms).
-// This code assumes round to nearest and IEEE NaN and infinity: never compile it with -ffast-math or
-// -ffinite-math-only. -fno-trapping-math, -fno-signed-zeros and -fno-math-errno do no harm. Only with
-// -ffp-contract=fast does a compiler fuse multiply-adds of vectors; every instruction set with fused multiply-add then
-// gives the same bits.
+// This code assumes round to nearest and IEEE NaN and infinity: never use -ffast-math or -ffinite-math-only.
+// -fno-trapping-math, -fno-signed-zeros and -fno-math-errno do no harm. Only with -ffp-contract=fast does a compiler
+// fuse vectors' multiply-adds. All instruction sets with fused multiply-add then give the same bits.
 #pragma once
 
 #include <bit>
@@ -69,7 +68,7 @@ struct Lanes<double> {
 
 namespace elementary {
 
-// 2^f for |f| <= 1/2, relative error 5.6e-18.
+// Coefficients of polynomials. This one gives 2^f for |f| <= 1/2, with a relative error of 5.6e-18.
 inline constexpr double exp2_terms[] = {0x1.0000000000000p+0,  0x1.62e42fefa39efp-1,  0x1.ebfbdff82c5a5p-3,
                                         0x1.c6b08d704a122p-5,  0x1.3b2ab6fb9ffb3p-7,  0x1.5d87fe78a111cp-10,
                                         0x1.4309130f139cbp-13, 0x1.ffcbfc595bcf6p-17, 0x1.62bfc71ea7788p-20,

@@ -30,8 +30,7 @@ struct Stage {
 };
 // Finds the valley. Stops with delta at half the mean residual: the sum is still smooth, and the outline suffices.
 constexpr Stage approach{.smoothing = 0.5, .iterations = 25};
-// Finds the valley's floor. It stops at gains below the hit tolerance of 5e-4, since the end is only compared with
-// others.
+// Finds the valley's floor. Stops at gains below the hit tolerance of 5e-4, since its end is only compared with others.
 constexpr Stage settle{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4};
 // Ends a descent on all residuals that starts at the minimum of the outline, which is close to the true minimum.
 constexpr Stage finish{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4, .patience = 3};
@@ -44,7 +43,7 @@ constexpr double gain_worth_staying = 3e-3;  // after a smaller gain, delta fall
 // Delta falls by this factor, about half a decade. A few steps then lead from the minimum for one delta to the next.
 constexpr double fall_of_delta = 0.3;
 constexpr double noise_of_gain = 1e-6;  // error of one-sided differences; smaller gains count as none
-// With this step, curvature changes a slope by about 1e-6 and rounding by 1e-9, far less than what damping does.
+// Step of one-sided differences: curvature changes a slope by about 1e-6 and rounding by 1e-9, damping by far more.
 constexpr double difference_step = 1e-6;
 // The curvature for bold steps is bold_share times the true curvature plus cautious_share times that of a parabola,
 // since the true one vanishes if no residual is near zero.
@@ -340,7 +339,7 @@ Points latin_hypercube(std::size_t dimension, std::size_t count, num::Draws& dra
   return points;
 }
 
-// Adds normal steps to about half of the coordinates. Their standard deviation is a random power of ten.
+// Adds normally distributed steps to about half of the coordinates. Their standard deviation is 10 to a random power.
 std::vector<double> disturbed(std::vector<double> x, double least_power, double most_power, num::Draws& draws) {
   double const size = std::pow(10.0, least_power + (most_power - least_power) * draws.uniform());
   for (double& coordinate : x)

@@ -18,9 +18,8 @@
 
 namespace isolaw::opt {
 
-// campaign::setting_table() holds the limits of each option.
-struct MultistartOptions {
-  int least_starts = 16;  // number of descents if three quarters of the scattered starts are hits
+struct MultistartOptions {  // campaign::setting_table() holds the limits of each option
+  int least_starts = 16;    // number of descents if three quarters of the scattered starts are hits
   // Number of descents if fewer scattered starts are hits. A third of it suffices after a dozen hits if two fifths of
   // the scattered starts are hits. It rises by a third if half of them end within ten hit tolerances of the best value.
   int starts = 72;

@@ -62,8 +62,7 @@ std::string deviation_text(double deviation_percent, std::optional<double> lower
                            std::optional<double> upper_percent);
 // Sets the verdict: pass or fail if the set is verified and `unmet` is empty, else information or not assessed.
 void give_verdict(Assessment& assessment, RuleSet const& rules, bool holds, std::vector<std::string> const& unmet);
-// Compares the assessment's value with design value and limit, and sets its verdict and texts. `without` says why there
-// is no value.
+// Compares the value with design value and limit, and sets verdict and texts. `without` says why there is no value.
 void hold_to(Assessment& assessment, RuleSet const& rules, Limit const& limit, std::string_view without,
              std::vector<std::string> const& unmet);
 

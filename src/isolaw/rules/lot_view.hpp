@@ -87,7 +87,7 @@ struct LotView {
   std::vector<LotQuantity> quantities;
 };
 
-// `lot_size` counts devices installed or produced, with tested ones. Throws Error if it is smaller than `devices`.
+// `lot_size` counts all devices installed or produced. Throws Error if it is smaller than the number of `devices`.
 LotView lot_view(RuleSet const& rules, std::span<DeviceValues const> devices, Design const& design,
                  std::optional<int> lot_size = std::nullopt);
 

@@ -131,7 +131,6 @@ void take_design_value(std::string_view part, Design& design, std::vector<Compla
 }  // namespace
 
 double peak_to_peak(data::Cycle const& cycle, Quantity quantity) {
-  // These are in the order of the enumerators of Quantity, which ends with K_v.
   static constexpr std::array members{&data::Cycle::K_eff_kN_per_mm, &data::Cycle::damping_percent,
                                       &data::Cycle::energy_kN_mm, &data::Cycle::Q_d_kN, &data::Cycle::K_d_kN_per_mm};
   auto const place = static_cast<std::size_t>(quantity);

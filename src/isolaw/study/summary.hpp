@@ -120,7 +120,7 @@ struct LawResult {
   std::optional<double> beta;
   std::string beta_note;  // why beta is empty
   bool on_front = false;
-  // From here to left_out_of_beta: results from least objectives, without the optimiser's noise (docs/method.md).
+  // Members from here to left_out_of_beta are from least objectives, without the optimiser's noise (docs/method.md).
   std::optional<double> success_share;
   std::string success_reference;
   std::optional<double> objective_converged, beta_converged;
@@ -141,7 +141,6 @@ struct LawResult {
   std::vector<std::string> notes;  // how isolaw reads the law where its source is ambiguous
   std::vector<DeviceFit> devices;
 
-  // False if the law predicts blocks with a grade worse than fair.
   bool prediction_holds() const { return !prediction_grade || *prediction_grade <= PredictionGrade::fair; }
   bool prediction_unusable() const { return prediction_grade == PredictionGrade::unusable; }
 };
