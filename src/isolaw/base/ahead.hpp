@@ -14,8 +14,8 @@ namespace isolaw {
 
 class WorkAhead;
 
-// Is told of help with the work that its creator's thread, and helpers of that thread, offer during its life. A helping
-// thread calls help_begins() before and help_ends() after each item.
+// Hears of threads that help with the work that the listener's thread, or a helper of this thread, offers during the
+// listener's life. A helping thread calls help_begins() before and help_ends() after each item.
 class HelpListener {
  public:
   HelpListener();

@@ -289,7 +289,7 @@ void add_outliers(Summary& summary) {
   }
   for (auto const& found : lot::find_outliers(names, values)) {
     auto const& unit = units[found.property];
-    // A device is not suspicious because a law fits it unusually well.
+    // A device that a law fits unusually well is not reported.
     if (unit.empty() && found.score < 0.0) continue;
     summary.outliers.push_back({.device = summary.devices[found.device].name,
                                 .property = names[found.property],

@@ -12,7 +12,7 @@ namespace isolaw::study {
 
 // A run has found the campaign's least objective if it ends within this relative distance of it.
 inline constexpr double found_within = 1e-3;
-// The largest mean objective on the predicted blocks for each grade. A larger one than poor_prediction is unusable.
+// The largest mean objective on the predicted blocks for each grade. Beyond the last value a prediction is unusable.
 inline constexpr double good_prediction = 0.1, fair_prediction = 0.3, poor_prediction = 0.6;
 // A prediction that collapses is unusable too. It collapses if the objective on some block exceeds collapsed_objective,
 // which a constant force reaches as well, or if the mean objective is at least collapsed_least and more than
