@@ -44,8 +44,8 @@ TEST(BlockLength, OfIndependentValuesIsShort) {
   EXPECT_LT(mean_block_length(3000, 0.0), 3.0);
 }
 
-// The length must be (3/2 (2 rho / (1 - rho^2))^2 n)^(1/3): Eq. (14) of Politis and White 2004 with the autocovariances
-// of a first-order autoregressive series.
+// For n values the block length must be (3/2 (2 rho / (1 - rho^2))^2 n)^(1/3). This is Eq. (14) of Politis and White
+// 2004 with the autocovariances of a first-order autoregressive series.
 TEST(BlockLength, OfCorrelatedValuesIsThatOfTheirTheory) {
   for (double const rho : {0.5, 0.9}) {
     double const g = 2.0 * rho / (1.0 - rho * rho), theory = std::cbrt(1.5 * g * g * 3000.0);

@@ -97,7 +97,7 @@ TEST_F(Lot, TheLeastWorstLiesBetweenItsBoundAndTheWorstOfTheLeastMean) {
   EXPECT_GT(found->bound, 0.9 * found->law.worst);
   EXPECT_GE(found->law.mean, mean.mean * (1.0 - 1e-9));
   EXPECT_EQ(found->law.worst, std::ranges::max(found->law.objectives));
-  // No parameter vector keeps the objective of every device below the bound. The optimum of a single device does not
+  // No parameters keep the objectives of all devices below the bound, so the optimum of a single device does not
   // either.
   for (auto parameters : optima_) {
     double worst = 0.0;

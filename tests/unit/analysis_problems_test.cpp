@@ -135,7 +135,7 @@ TEST(Outline, OfWhatIsMadeOfOthers) {
   fit::IdentificationProblem const problem(model, twin.box);
   auto const at = points(3, {0.3, 0.4, 0.6});
   expect_an_outline_of_it(problem, at);
-  // The first half of the record counts twice and the second half does not count.
+  // These weights make the first half of the record count twice and the second half not at all.
   std::vector<double> weights(problem.weights().begin(), problem.weights().end());
   double sum = 0.0;
   for (std::size_t j = 0; j < weights.size(); ++j) sum += weights[j] *= j < weights.size() / 2 ? 2.0 : 0.0;

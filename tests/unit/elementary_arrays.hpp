@@ -10,7 +10,8 @@ struct ElementaryArrays {
   static constexpr std::size_t lanes = 32;  // elements per call
 
   using Function = void (*)(double const* x, double const* p, double* y);  // p: exponents, used by `power` only
-  // The first four are loops over doubles. The vector_ functions work on vectors of the instruction set's width.
+  // The functions without vector_ in their names are loops over doubles. The others work on the instruction set's
+  // vectors.
   Function exp2, exp, log2, power, vector_exp2, vector_exp, vector_log2, vector_power;
 };
 

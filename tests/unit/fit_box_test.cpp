@@ -50,8 +50,8 @@ TEST(SearchParameter, LogarithmicScaleOfNegativeValues) {
   EXPECT_NEAR(p.coordinate(-1e-7), 0.75, 1e-14);
 }
 
-// The scale has six decades on each side of zero. In these, an equal step of the coordinate multiplies the value by an
-// equal factor.
+// The scale has six decades on each side of zero. Within them, equal steps of the coordinate multiply the value by
+// equal factors.
 TEST(SearchParameter, LogarithmicScaleAcrossZero) {
   auto const p = parameter(-1.0, 1.0, laws::Scale::logarithmic);
   EXPECT_EQ(p.at(0.0), -1.0);
@@ -273,7 +273,8 @@ TEST(JointLimits, WhatCrossesThemIsLeft) {
     EXPECT_EQ(joint_refusal("bouc-wen", texts), "") << texts.front();
 }
 
-// A parameter without an override has the box scaled from the record. The limits apply to this box too.
+// A parameter without an override is searched in the interval scaled from the record. Joint limits also hold for this
+// one.
 TEST(JointLimits, HoldForTheBoxOfARecordToo) {
   laws::RecordScales const record{
       .disp = 100.0, .force = 70.0, .stiffness = 0.7, .strength = 20.0, .velocity = 300.0, .work = 1e4};
@@ -305,8 +306,8 @@ struct Published {
   double lower, upper;
 };
 
-// Typed from Table 4 of the paper. Table 4 lacks bounds for alpha of bouc-wen and a1 of hwang-wu; these are from
-// docs/source.md.
+// The bounds of Table 4 of the paper, typed by hand. The table lacks bounds for alpha of bouc-wen and a1 of hwang-wu;
+// theirs are from docs/source.md.
 std::map<std::string, std::vector<Published>> const table_4{
     {"bilinear", {{"K1", 1, 1.9}, {"K2", 0.35, 0.95}, {"xy", 30, 80}}},
     {"jankowski",
@@ -374,7 +375,7 @@ std::map<std::string, std::vector<Published>> const table_4{
       {"a10", -2.925e-5, 0}}},
 };
 
-// Scales of a bearing of about the size of the paper's, in the law's units: ±200 mm, 130 kN, 0.65 kN/mm, Qd 40 kN, 650
+// The size of a record of a bearing like the paper's, in the law's units: ±200 mm, 130 kN, 0.65 kN/mm, Qd 40 kN, 650
 // mm/s, 80 kN m.
 laws::RecordScales scales(laws::LawInfo const& law, double size = 1.0, double strength = 1.0, double speed = 1.0) {
   double const L = law.length.in_record_units, F = law.force.in_record_units;
@@ -434,8 +435,9 @@ TEST(Box, EveryIntervalCanBeSearched) {
         }
 }
 
-// A scaled box must grow with the record as the unit of its parameter demands. The unit 1/mm^n of bouc-wen is taken at
-// n = 1. A force at a fixed displacement grows with a power of the size.
+// The bounds of a scaled box must grow with the record as the unit of the parameter demands. The unit 1/mm^n of
+// bouc-wen is taken at n = 1. A parameter that is a force at a fixed displacement also grows with a power of the
+// length.
 TEST(Box, ScaledFollowsTheSizeOfTheRecordInTheUnitOfEachParameter) {
   double const size = 3.0, strength = 5.0, speed = 7.0;
   for (auto const& law : laws::catalogue()) {
@@ -631,7 +633,7 @@ TEST(Scales, OfABilinearLoopInTheUnitsOfEveryLaw) {
     EXPECT_NEAR(s.velocity * L, 100.0 * std::numbers::pi, 1e-9) << law.info.id;
     EXPECT_NEAR(s.work * F * L, work_kN_mm, 2e-4 * work_kN_mm) << law.info.id;
   }
-  // In the units of a law the scales must have these values: N and m for Jankowski, N and cm for Hwang-Wu.
+  // scales_of() must give scales in the units of the law: N and m for Jankowski, N and cm for Hwang-Wu.
   auto const newton_metre = scales_of(record, laws::find_law("jankowski").info);
   EXPECT_NEAR(newton_metre.stiffness, 0.9e6, 1.0);
   EXPECT_NEAR(newton_metre.strength, 40e3, 1.0);

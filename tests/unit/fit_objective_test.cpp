@@ -127,7 +127,8 @@ TEST(Objective, TheHistoryBeforeActsButIsNotScored) {
     record.force_kN[150] += 10.0;
     EXPECT_NE(of(), before) << law.info.id;
   }
-  // The law abe remembers the largest displacement so far.
+  // The law abe remembers the largest displacement so far, so a larger one before the scored part changes the
+  // objective.
   auto record = sine();
   record.scored.assign(record.size(), 0.0);
   for (std::size_t i = 120; i < record.size(); ++i) record.scored[i] = 1.0;
@@ -209,7 +210,7 @@ TEST(Objective, IsInfiniteWhereAForceIsNotFinite) {
   using enum laws::Integration;
   EXPECT_EQ(objective("vaiana", {4e5, 4e5, 4e4, 4e4, 45, 48, 0.4, -0.5, 1e5, -40.0, 0, 0, 0, 0, 0, 0}, converged),
             infinity);
-  // With these parameters the hysteretic force does not saturate.
+  // With these parameters the hysteretic force does not saturate but grows without bound.
   EXPECT_EQ(objective("bouc-wen", {0.15, 3.0, 1.2, -0.05, 1.1, -0.04}, converged), infinity);
   EXPECT_EQ(objective("bouc-wen", {0.15, 3.0, 1.2, 500.0, 1.9, 500.0}, paper), infinity);  // Runge-Kutta is unstable
   EXPECT_EQ(objective("bilinear", {1.5, infinity, 30.0}, converged), infinity);

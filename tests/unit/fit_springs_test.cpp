@@ -60,8 +60,8 @@ TEST(FitSprings, find_the_knee_that_they_lose) {
   }
 }
 
-// Springs for a lot get one set of parameters. If all records are equal this is the set of one record; if they differ
-// it is a compromise.
+// The springs of a lot have one set of parameters. It must equal that of a single record if all records are equal, and
+// be a compromise if they differ.
 TEST(FitSprings, of_a_lot_are_fitted_to_all_its_records) {
   auto const& law = laws::find_law("bouc-wen");
   std::vector<double> const parameters{0.15, 6.0, 1.0, 0.08, 1.2, 0.08}, stiffer{0.15, 6.6, 1.0, 0.08, 1.2, 0.08};

@@ -54,7 +54,7 @@ TEST(Outliers, AreNotNamedByRounding) {
   EXPECT_TRUE(among({2, 2, 2, 2, 2, 2, 2, 2, 2, 2 + 1e-15}).empty());
   EXPECT_TRUE(among({2, 2, 2, 2, 2, 2, 2, 2, 2, 2 * 1.0174}).empty());
   EXPECT_EQ(among({2, 2, 2, 2, 2, 2, 2, 2, 2, 2 * 1.0176}).size(), 1u);
-  EXPECT_TRUE(among({0, 0, 0, 0, 1e-9}).empty());  // with a median of zero there is no least scatter
+  EXPECT_TRUE(among({0, 0, 0, 0, 1e-9}).empty());  // median and MAD are 0, so every score is 0
 }
 
 TEST(Outliers, NeedFourValues) {

@@ -39,9 +39,9 @@ std::vector<DeviceEstimate> with(std::vector<Values> const& values, SquareMatrix
   return devices;
 }
 
-// Ten devices about (0, 0), so that no parameter has one sign in all devices and is taken as a logarithm. Two devices
-// each are at (a, a), -(a, a), (b, -b), -(b, -b) and (0, 0). The variance of the estimates is 8 a^2 / 9 along (1, 1)
-// and 8 b^2 / 9 along (1, -1).
+// Ten devices about (0, 0). Each parameter has both signs, so none is taken as a logarithm. Two devices each are at (a,
+// a), -(a, a), (b, -b), -(b, -b) and (0, 0). The variance of the estimates is 8 a^2 / 9 along (1, 1) and 8 b^2 / 9
+// along (1, -1).
 std::vector<Values> ellipse(double a, double b) {
   return {{a, a}, {-a, -a}, {a, a}, {-a, -a}, {b, -b}, {-b, b}, {b, -b}, {-b, b}, {0, 0}, {0, 0}};
 }
@@ -147,15 +147,15 @@ TEST(Population, OfDevicesThatDifferByLessThanTheirErrorHasNoVariance) {
   }
 }
 
-// The error along (1, 1) is unlimited, but the scatter along (1, -1) is still known.
+// The fits leave (1, 1) practically undetermined, but they are exact along (1, -1), so the scatter along it is known.
 TEST(Population, KeepsADirectionBesideOneThatIsNotDetermined) {
   auto const found = estimate_population(two, with(ellipse(3, 0.5), about_the_diagonal(1e9, 0.0)));
   expect_near(found.covariance, about_the_diagonal(0.0, 2.0 / 9.0), 1e-6);
   EXPECT_EQ(found.directions, 1u);
 }
 
-// The second parameter has no effect on the force and its estimates are noise that follows the first parameter by
-// chance. Marked as without effect, it keeps no scatter.
+// The second parameter has no effect on the force, and its estimates are noise that follows the first parameter by
+// chance. If the caller names it as undetermined, it keeps no scatter.
 TEST(Population, HoldsWhatDoesNotActAtItsMedian) {
   SquareMatrix const error{{0.01, 0.0}, {0.0, 9.0}};
   auto const devices = with(ellipse(1.5, 0.75), error);
@@ -168,7 +168,7 @@ TEST(Population, HoldsWhatDoesNotActAtItsMedian) {
   EXPECT_EQ(held.directions, 1u);
 }
 
-// Both parameters are marked as without effect alone. Their sum acts and is determined, so it keeps its scatter.
+// Each of the two parameters is undetermined by itself. Their sum is determined, so it keeps its scatter.
 TEST(Population, KeepsWhatTwoUndeterminedParametersShare) {
   std::vector<std::size_t> const both{0, 1};
   auto const found = estimate_population(two, with(ellipse(3, 0.5), about_the_diagonal(0.01, 1e9)), both);
@@ -176,7 +176,7 @@ TEST(Population, KeepsWhatTwoUndeterminedParametersShare) {
 }
 
 TEST(Population, TakesErrorsToLogarithms) {
-  // Relative to (2, -6) the errors are 0.1 and 0.1, fully correlated.
+  // Relative to (2, -6) the errors are 0.1 and 0.1, with a correlation of 0.5.
   SquareMatrix const error{{0.04, -0.06}, {-0.06, 0.36}};
   auto const found = estimate_population(two, with({{2, -6}, {2, -6}}, error));
   expect_near(found.uncertainty, {{0.01, 0.005}, {0.005, 0.01}}, 1e-15);
@@ -254,7 +254,7 @@ TEST(Population, RefusesWhatIsNoEstimateAllAtOnce) {
   EXPECT_EQ(complaints(with({{1, 2}}, {{1, 0}})), 1u);
   EXPECT_EQ(complaints(with({{1, 2}}, {{1, 0, 0}, {0, 1, 0}})), 1u);
   EXPECT_EQ(complaints(with({{1, 2}}, {{1, nan}, {0, -1}})), 2u);
-  // Relative errors overflow: the square of 1e160 is not finite.
+  // The relative error is 1 / 1e-160, whose square is not finite.
   EXPECT_EQ(complaints(with({{1e-160, 2}, {1, 2}}, {{1, 0}, {0, 1}})), 1u);
 }
 

@@ -49,7 +49,7 @@ TEST(Draws, DependOnTheirPlaceAlone) {
   std::vector<double> forwards, backwards(20);
   for (std::uint32_t b = 0; b < 20; ++b) forwards.push_back(Draws(stream, 1, b).uniform());
   for (std::uint32_t b = 20; b-- > 0;) {
-    Draws other(stream, 2, b);  // draws from another place between these must not change them
+    Draws other(stream, 2, b);  // draws at another place must not disturb the draws here
     other.normal();
     backwards[b] = Draws(stream, 1, b).uniform();
   }

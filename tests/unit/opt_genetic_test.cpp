@@ -209,7 +209,7 @@ TEST(Genetic, StagnationInTheLastGenerationIsNoEarlyStop) {
   EXPECT_EQ(minimise_genetic(flat(1.0), num::Stream(1), {.generations = 22}).outcome, Outcome::stagnated);
 }
 
-// A value that falls by 1 % of its start in each generation, wherever the points are.
+// An objective that falls by 1 % of its start in each generation, whatever the points are.
 FunctionProblem steadily_falling(int& calls) {
   return {2, [&calls](Point) { return 1.0 - 0.01 * (calls++ / 10); }};
 }
@@ -248,9 +248,9 @@ TEST(Genetic, AnInterruptionBeforeTheFirstGenerationFindsNothing) {
 
 // --- problems with known optima ---
 
-// Each tolerance is two to three times the error that nine of ten among 60 random streams keep. At the paper's mutation
-// rate a gene is hardly ever better than the nearest of the 100 initial ones, so a quadratic in six parameters ends
-// near 1e-3. Curved valleys and functions with many local minima need the wide search.
+// Among 60 random streams, nine of ten end within a third to a half of the tolerance. At the paper's mutation rate a
+// gene is hardly ever better than the nearest of the 100 initial ones, so a quadratic in six parameters ends near 1e-3.
+// Curved valleys and functions with many local minima need the wide search.
 struct KnownOptimum {
   char const* name;
   std::size_t dimension;
@@ -299,8 +299,8 @@ INSTANTIATE_TEST_SUITE_P(Genetic, KnownOptima,
                                          KnownOptimum{"rastrigin_4_wide", 4, rastrigin, true, 0.1}),
                          [](auto const& instance) { return std::string(instance.param.name); });
 
-// A search that selects and recombines must beat equally many uniform samples in six dimensions. In two dimensions,
-// 5,000 uniform samples of the Rosenbrock function end nearer than the paper's settings do.
+// A search that selects and recombines must beat equally many uniform samples in six dimensions. In two dimensions it
+// does not: 5,000 uniform samples of the Rosenbrock function come nearer to the minimum than the paper's settings do.
 TEST(Genetic, BeatsUniformSamplingInSixDimensions) {
   constexpr std::size_t dimension = 6;
   for (auto const function : {sphere, rastrigin}) {
@@ -320,7 +320,7 @@ TEST(Genetic, BeatsUniformSamplingInSixDimensions) {
   }
 }
 
-// The outcome follows from the history alone, also if the history is cut short or continued.
+// outcome_of() must find the outcome from the history alone. A history that is cut short or continued was interrupted.
 TEST(Outcome, FollowsFromTheHistory) {
   for (int const stagnation : {1, 3, 20}) {
     for (int const generations : {1, 4, 60}) {

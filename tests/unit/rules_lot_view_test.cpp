@@ -361,7 +361,7 @@ TEST(Bounds, AreLabelledBySource) {
   EXPECT_NEAR(contract.lower, 1.2 * 0.925 * 2.7 / 2.9 * 0.85, 1e-12);
   EXPECT_NEAR(bound(view, "observed").spec.min, 0.9, 1e-12);
   EXPECT_NEAR(bound(view, "observed").spec.max, 1.1, 1e-12);
-  // k CoV = 6.3411 x 8.16497 = 51.7749 %
+  // The tolerance factor times the CoV is 6.3411 x 8.16497 = 51.7749 %.
   EXPECT_NEAR(bound(view, "statistical, each device").spec.max, 1.517749, 1e-5);
   EXPECT_NEAR(bound(view, "statistical, each device").spec.min, 1 - 0.517749, 1e-5);
   // In percent: 1.95996 x 8.16497/sqrt(28) x sqrt(24/27) = 2.85130 for the system, and t(0.975, 3) = 3.182446 times

@@ -144,7 +144,7 @@ TEST(Template, MeansWhatItsCommentsSay) {
   EXPECT_EQ(set.factors_of(Quantity::energy), nullptr);
 }
 
-// The template explains these other ways of counting cycles in a comment; each must be valid in its place.
+// A comment of the template lists other ways of counting cycles. Each must be valid in place of the template's own.
 TEST(Template, OffersThreeWaysOfCountingCycles) {
   auto const with = [](std::string_view cycles) {
     std::string text(rule_set_text("template"));

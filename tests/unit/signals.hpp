@@ -118,7 +118,8 @@ inline double shape_of(Plan const& plan, double phase) {
 // The force in kN along a finely sampled history. Stiffness and distances scale with the amplitude.
 inline std::vector<double> force_of(Device device, std::vector<double> const& x, double dt, Plan const& plan) {
   double const D = plan.amplitude_mm, K = 100.0 / D, period = 1.0 / plan.frequency_Hz;
-  // Stiffnesses, strengths and damping are shares of the amplitude of the force, and `way` is one of the displacement.
+  // Stiffnesses, strengths and damping are shares of the force's amplitude; `way` is a share of the displacement's
+  // amplitude.
   double elastic = 0.6, Q = 0.4, way = 0.1, maxwell = 0.0, damper = 0.0;
   if (device == Device::lead) elastic = 0.35, Q = 0.65, way = 0.02;
   if (device == Device::friction) elastic = 0.2, Q = 0.8, way = 0.001;
@@ -161,7 +162,7 @@ struct Clean {
   std::vector<double> time_s, disp_mm, force_kN;
 };
 
-// The motion without noise: rest, cycles and rest.
+// The motion without noise: first rest, then the cycles, then rest.
 inline Clean true_motion(Plan const& plan) {
   constexpr int finer = 8;
   int const n = plan.samples * plan.cycles * finer;

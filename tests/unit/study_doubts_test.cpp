@@ -64,7 +64,7 @@ TEST(Adequacy, OfALawThatMissesTheForceOrTheStiffness) {
     EXPECT_FALSE(contains(findings(summary).headline, id)) << findings(summary).headline;
   }
   EXPECT_TRUE(contains(findings(summary).headline, "worth considering"));
-  // A user who takes jankowski from the campaign gets the same warning.
+  // A user who takes jankowski from the campaign is warned that it does not describe the devices.
   auto const with_it = doubts(summary, "jankowski", summary.devices.front().name).findings;
   EXPECT_TRUE(contains(
       with_it.front(),
@@ -111,7 +111,7 @@ TEST(Prediction, ThatIsPoorIsNoCompromiseAndIsSaid) {
   EXPECT_TRUE(contains(doubts(summary, "vaiana", summary.devices.front().name).objection, "unusable"));
 }
 
-// The warnings concern one law on one device. Findings about other laws and devices are left out.
+// doubts() for a law and a device must give only findings on this law and this device.
 TEST(Doubts, AreOfTheLawAndTheDevice) {
   auto summary = fixture::lot();
   auto const devices = device_names(summary);

@@ -131,7 +131,8 @@ class Examination {
     }
   }
 
-  // True if a relative change of the parameters by 50 % would change the force of a linear law visibly.
+  // `force_change` is the change of the force for a relative parameter change of 100 %. True if half of it is visible,
+  // which is the effect of 50 % in a linear law.
   bool is_seen(double force_change) const { return weakly_determined_within * force_change >= visible_change(); }
 
   // Adds a direction of parameter changes to the trade-offs if it does not change the force visibly. The trade-off
@@ -264,7 +265,7 @@ class Examination {
     return side;
   }
 
-  // Holds coordinate k at u and fits the others again, starting from `others`. Returns them and the objective.
+  // Holds coordinate k at u and fits the others again, starting from `others`. Returns the others and the objective.
   std::pair<Point, double> refitted(std::size_t k, double u, Point const& others, int& evaluations) const {
     Held const held(problem_, k, u);
     if (others.empty()) return {Point(), value_at({u}, evaluations)};
@@ -273,7 +274,7 @@ class Examination {
     return {std::move(found.best), found.best_value};
   }
 
-  // Finds where the objective has risen by rise_. The square root of the rise, which is nearly linear, is interpolated.
+  // Finds the coordinate where the objective has risen by rise_. Interpolates the rise's root, which is nearly linear.
   void find_end(Side& side, std::size_t k, double sign) const {
     double before_u = best_[k], before = 0.0;
     for (auto const& [u, value] : side.points) {
@@ -326,7 +327,7 @@ class Examination {
   Point best_;
   double best_value_ = 0.0;
   double rise_ = 0.0;
-  Matrix weighted_;  // Jacobian by coordinates of the unit box; rows times root of the weight
+  Matrix weighted_;  // Jacobian by coordinates of the unit box, each row multiplied by the root of its weight
   Determination result_;
 };
 

@@ -1,9 +1,9 @@
 // Finds out which parameters of a law are determined by a test: how far each can change before the loop gets visibly
-// worse, and which parameters can compensate each other.
-// Each parameter is judged by a profile of the objective: the parameter is held at several values, and at each value
-// all others are fitted again. Its open range is where the objective stays within `rise` of its least value (Raue et
-// al. 2009, Bioinformatics 25, 1923). Trade-offs are changes of several parameters that leave the forces as they are.
-// They are right singular vectors of the scaled Jacobian (Golub and Van Loan, Matrix Computations, sec. 5.5).
+// worse, and which parameters can compensate each other. Each parameter is judged by a profile of the objective: the
+// parameter is held at several values, and at each value all others are fitted again. In the open range of the
+// parameter, the objective stays within `rise` of its least value (Raue et al. 2009, Bioinformatics 25, 1923).
+// Trade-offs are changes of several parameters that leave the forces as they are. They are right singular vectors of
+// the scaled Jacobian (Golub and Van Loan, Matrix Computations, sec. 5.5).
 #pragma once
 
 #include <cstddef>
@@ -20,13 +20,13 @@ namespace isolaw::analysis {
 
 enum class Verdict { determined, weakly_determined, undetermined, at_bound };
 std::string_view name(Verdict verdict);  // "determined", "weakly determined", "undetermined", "at its bound"
-// The loop looks as good if the objective rises by up to max(visible_rise * its least value, least_visible_rise).
+// A loop looks as good as the best if the objective rises by at most max(visible_rise * least, least_visible_rise).
 inline constexpr double visible_rise = 0.01, least_visible_rise = 1e-4;
-// A parameter is (weakly) determined if its open range goes no farther than this from its value, relative to the value.
-// If the box spans zero, it is relative to a hundredth of the box's width if that is larger.
+// A parameter is determined, or weakly determined, if its open range ends within this distance of its value, relative
+// to the value. If the box spans zero, the divisor is at least a hundredth of the box's width.
 inline constexpr double determined_within = 0.05, weakly_determined_within = 0.5;
 
-struct Profile {  // the least objective if the parameter is held at `value`; values rise
+struct Profile {  // for rising values of the parameter, the least objective if it is held at `value`
   std::vector<double> value;
   std::vector<double> objective;
 };
@@ -52,7 +52,7 @@ struct Determination {
   std::vector<double> optimum;
   double objective = 0.0;
   double rise = 0.0;  // rise of the objective at the ends of the open ranges
-  // Singular values of the Jacobian for relative changes, falling; parameters at a bound or without effect left out.
+  // Singular values of the Jacobian for relative changes, falling, without parameters at a bound or without effect.
   std::vector<double> singular_values;
   std::vector<ParameterDetermination> parameters;  // the free parameters, in the law's order
   std::vector<TradeOff> trade_offs;

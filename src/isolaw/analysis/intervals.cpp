@@ -26,7 +26,7 @@ double quantile(std::vector<double> sorted, double probability) {
 }
 
 // Mean size of the residuals around each sample, since the misfit varies along the record. The window is an eighth of
-// the record: a narrower one would stress samples that the fit happens to meet. At least a tenth of the overall mean.
+// the record: a narrower one would favour samples that the fit happens to meet. A size is at least a tenth of the mean.
 Vector local_size(Vector const& residuals) {
   constexpr double rounding = 1e-12;
   Index const n = residuals.size(), half = std::max<Index>(1, n / 16);
@@ -39,8 +39,8 @@ Vector local_size(Vector const& residuals) {
   return sizes;
 }
 
-// Probability density at zero of residuals scaled to unit size, by a Gaussian kernel. It leaves out the smallest ones:
-// a fit by least absolute residuals meets as many samples exactly as it has parameters, whatever their errors.
+// Probability density at zero of residuals scaled to unit size, by a Gaussian kernel. The `fitted` smallest are left
+// out: a fit by least absolute residuals meets as many samples exactly as it has parameters.
 double density_at_zero(Vector const& residuals, Index fitted) {
   std::vector<double> sizes;
   for (double const r : residuals) sizes.push_back(std::abs(r));
@@ -58,8 +58,8 @@ double density_at_zero(Vector const& residuals, Index fitted) {
   return sum / (count * width * std::sqrt(2.0 * std::numbers::pi));
 }
 
-// Computes H of intervals.hpp. The weight of a sample is the density of its residual at zero, estimated from
-// its neighbours. Its own residual would say nothing if few samples decide on a parameter, since the fit meets these.
+// Computes H of intervals.hpp. The weight of a sample is the density of its residual at zero, by the residuals around
+// it. Its own residual tells nothing if few samples decide on a parameter, since the fit meets them exactly.
 Matrix curvature(Sensitivity const& response) {
   Vector const size = local_size(response.residuals);
   double const density = density_at_zero(response.residuals.cwiseQuotient(size), response.jacobian.cols());
@@ -67,8 +67,8 @@ Matrix curvature(Sensitivity const& response) {
   return num::weighted_gram(response.jacobian, weights);
 }
 
-// The factor n / (n - p) on the variance: fitting makes residuals smaller and less correlated than the errors are. n is
-// the number of independent samples that the record is worth. Limited to 4, which doubles the intervals.
+// The factor n / (n - p) by which the variance grows, because fitting makes residuals smaller and less correlated than
+// the errors. The record tells as much as n independent samples. The factor is at most 4, which doubles the intervals.
 double freedom_lost(std::size_t samples, std::size_t fitted, std::vector<double> const& correlation) {
   double total = -1.0;
   for (double const c : correlation) total += 2.0 * c;
@@ -76,8 +76,8 @@ double freedom_lost(std::size_t samples, std::size_t fitted, std::vector<double>
   return independent / std::max(independent - static_cast<double>(fitted), 0.25 * independent);
 }
 
-// Computes V of intervals.hpp, the variance of the sum of weight * sign * derivatives. The correlation of two signs is
-// taken from their distance. The actual products of signs would add up to zero if a few samples decide on a parameter.
+// Computes V of intervals.hpp, the variance of the sum of weight * sign * derivatives. Signs at a given distance have
+// one correlation. Actual products of signs would add up to zero if few samples decide on a parameter.
 Matrix variance_of_score(Sensitivity const& response, std::vector<double> const& correlation) {
   Matrix const rows = response.weights.asDiagonal() * response.jacobian;
   Matrix sum = num::transposed_product(rows, rows);
@@ -219,7 +219,7 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
   double const z = std::numbers::sqrt2 * boost::math::erf_inv(options.level), tail = 0.5 * (1.0 - options.level);
   std::size_t const free_count = box.free_count();
   result.covariance.assign(free_count * free_count, 0.0);
-  std::vector<std::pair<std::size_t, double>> inside;  // index among the free ones of `box`, d value / d coordinate
+  std::vector<std::pair<std::size_t, double>> inside;  // index among free parameters of `box`, d value / d coordinate
   std::size_t row = 0;
   for (std::size_t i = 0; i < box.parameters.size(); ++i) {
     auto const& p = box.parameters[i];

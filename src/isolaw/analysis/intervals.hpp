@@ -27,7 +27,7 @@ namespace isolaw::analysis {
 
 struct ParameterInterval {
   std::size_t parameter = 0;                      // index among the law's parameters
-  double linear_lower = 0.0, linear_upper = 0.0;  // all limits are inside the box and in the law's units
+  double linear_lower = 0.0, linear_upper = 0.0;  // by linearisation, inside the box and in the law's units
   std::optional<double> bootstrap_lower = {}, bootstrap_upper = {};
 };
 

@@ -48,7 +48,7 @@ std::vector<double> median_point(std::span<std::vector<double> const> points) {
   return medians;
 }
 
-// The starts are the parameters fitted to all devices and the three optima that suit the devices besides `device` best.
+// The starts are the fit to all devices and the three other devices' optima that suit all devices but `device` best.
 std::vector<std::vector<double>> starts_without(Joint const& problem, fit::SearchBox const& box,
                                                 std::span<double const> parameters_of_all,
                                                 std::span<std::vector<double> const> optima, std::size_t device) {

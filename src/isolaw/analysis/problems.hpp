@@ -1,4 +1,4 @@
-// Problems derived from others: with other weights, with one coordinate held at a value, or for several records.
+// Search problems derived from other ones: with other weights, with one coordinate held, or for several records.
 #pragma once
 
 #include <cstddef>
@@ -56,8 +56,8 @@ class Held final : public opt::DeviationProblem {  // a problem with one coordin
   std::unique_ptr<Held> outline_;
 };
 
-// One set of parameters for several records. The value is the mean of their objectives with the weights `shares`, whose
-// sum is 1. A record of share 0 is not computed. There is an outline if every record has one.
+// Fits one set of parameters to several records. The value is the mean of the records' objectives with the weights
+// `shares`, whose sum is 1. A record of share 0 is not computed. There is an outline if every record has one.
 class Joint final : public opt::DeviationProblem {
  public:
   Joint(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box, std::span<double const> shares);

@@ -1,4 +1,4 @@
-// The library's only exception: wrong input, or a fault of the environment, with all problems of one input at once.
+// The library's only exception. It reports all problems of one input, or a fault of the environment.
 #pragma once
 
 #include <concepts>

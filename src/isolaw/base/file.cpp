@@ -63,7 +63,8 @@ std::string read_file(fs::path const& file, ReadLimits const& limits) {
     if (size > limits.largest_bytes) refuse("is " + size_text(size, limits.largest_bytes), limits.when_too_large);
   };
 
-  // Opening a device could start it, so check first; the name may then lead to another file, so check again.
+  // stat() comes before open(), since opening a device file could start the device. By then the name may lead to
+  // another file, so fstat() checks the open file again.
   struct stat status {};
   if (::stat(file.c_str(), &status) != 0) {
     bool const missing = errno == ENOENT || errno == ENOTDIR;

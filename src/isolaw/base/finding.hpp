@@ -11,7 +11,7 @@
 
 namespace isolaw {
 
-// In the order of the rows in wording/rows.cpp, which is the order of display: the most serious first.
+// The kinds have the order of the rows in wording/rows.cpp. Findings are shown in this order, the most serious first.
 // clang-format off
 enum class FindingKind {
   // [campaign]
@@ -54,7 +54,7 @@ enum class FindingKind {
   // Corrections of a record, and steps to prepare it for fitting.
   spikes_repaired, skew_removed, friction_removed, inertia_removed, force_multiplied, centred, smoothed,
   not_smoothed, scored_in_part, all_samples_kept, velocity_computed, no_velocity, samples_thinned,
-  // The condition under which a device's damping would have another value (study/value_doubts.hpp).
+  // Conditions under which a device's damping would have another value (study/value_doubts.hpp).
   if_late_force_is_moved, if_force_is_early, if_jump_is_of_rig, if_rig_rubs,
 };
 // clang-format on

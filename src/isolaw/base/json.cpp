@@ -65,9 +65,9 @@ JsonWriter& JsonWriter::json(std::string_view text) {
   if (!indented_) return put(document.dump(-1, ' ', false, replace));
   start_value();
   std::string const indent(2 * filled_.size(), ' ');
-  for (char const c : document.dump(2, ' ', false, replace)) {  // strings escape line breaks, so all of them are layout
+  for (char const c : document.dump(2, ' ', false, replace)) {
     text_ += c;
-    if (c == '\n') text_ += indent;
+    if (c == '\n') text_ += indent;  // always layout, since dump() escapes line breaks in texts
   }
   return *this;
 }

@@ -41,7 +41,8 @@ class JsonWriter {
   JsonWriter& member(std::string_view name, T const& content) {
     return key(name).value(content);
   }
-  // An object whose members `write` writes, an array for each of whose items `write` writes a value, and one of objects.
+  // object() writes an object whose members come from `write`. array() calls `write` to write a value for each item.
+  // objects() writes an array with an object for each item.
   template <class Write>
   JsonWriter& object(Write const& write) {
     begin_object(), write();

@@ -22,7 +22,7 @@ namespace isolaw {
 
 using Json = nlohmann::ordered_json;
 
-// list: "a,b" on the command line. repeated: the option is given once for each value. assignments: "a=1,b=2".
+// On the command line a list is "a,b", assignments are "a=1,b=2", and a repeated option is given once for each value.
 enum class Kind { flag, whole, real, text, list, repeated, assignments };
 
 // The headings of options in help and docs/cli.md, in the order in which they appear there.
@@ -76,7 +76,7 @@ std::string text_of(Json const& value);
 // The words of the command line that set the option to `value`. There are none for null, false and an empty list.
 std::vector<std::string> words_of(OptionInfo const& option, Json const& value);
 std::string shown(Json const& value);  // for messages: 'text', 12, true
-// Calls judge() and adds its complaints to the list. Complaints that name no option become complaints about `where`.
+// Calls judge() and collects the complaints of its Error. Those that name no option become complaints about `where`.
 void about(std::string const& where, std::vector<Complaint>& complaints, std::function<void()> const& judge);
 
 // Calls judge(row) for every row of a table and throws one Error with all complaints.
@@ -115,10 +115,10 @@ Json or_null(std::optional<T> const& value) {
   return value ? Json(*value) : Json();
 }
 
-// "help, limits (default usual)"
+// Joins the parts of an option's help text: "help, limits (default usual)".
 std::string help_of(std::string help, std::string const& limits, std::string const& usual);
 
-// Makes an option whose value is an int or a double, or an optional one.
+// Makes an option whose value is an int, a double or an optional of one of these.
 template <class Target, class Access>
 Option<Target> number(std::string_view key, std::string help, Access place, Limits limits = {},
                       std::string usual = {}) {
@@ -142,7 +142,7 @@ Option<Target> flag(std::string_view key, std::string help, Access place) {
           [place](Target& to, Json const& value) { place(to) = flag_of(value); }};
 }
 
-// Makes an option that takes one of several words, each with its value. For bool values, true and false serve too.
+// Makes an option that takes one of several words, each of which stands for a value. A bool also takes true and false.
 template <class Target, class Access, class T, std::size_t N>
 Option<Target> word(std::string_view key, std::string help, Access place,
                     std::pair<std::string_view, T> const (&words)[N]) {

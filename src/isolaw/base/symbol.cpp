@@ -12,7 +12,7 @@ struct Letter {
   std::string_view name, sign, latex;
 };
 
-// The first name that begins a text is used, so a longer name must precede a name that begins it.
+// A text is matched with the first name here with which it begins. A longer name must precede a name that begins it.
 constexpr auto greek = std::to_array<Letter>({
     {"alpha", "α", "\\alpha"},
     {"beta", "β", "\\beta"},

@@ -11,13 +11,13 @@
 namespace isolaw {
 namespace {
 
-// Measures how deep a statement nests, before toml++ parses it by recursion: a name of a hundred thousand parts would
-// overflow the stack. Each dot of a name counts as a level; quoted text and comments do not count.
+// Measures how deep each statement nests before toml++ parses it. Since toml++ parses by recursion, a name of a hundred
+// thousand parts would overflow the stack. Each dot of a name counts as a level; quoted text and comments do not count.
 class NestingCheck {
  public:
   explicit NestingCheck(std::string_view text) : text_(text) {}
 
-  std::size_t deep_line() {  // returns 0 if every line nests as little as a real file
+  std::size_t deep_line() {  // returns the first line that nests too deep, or 0 if none does
     constexpr int deepest = 64;
     int depth = 0;
     std::vector<int> dots{0};  // for the document and each open table and list: dots in the name being read
@@ -191,7 +191,7 @@ void TomlTable::refuse_unknown() {
 }
 
 void TomlTable::complain(toml::node const& node, std::string found, std::string allowed, std::string advice) {
-  if (complaints_.size() > most_complaints) return;  // one more than is printed, so that throw_complaints mentions more
+  if (complaints_.size() > most_complaints) return;  // one extra complaint tells throw_complaints() that more follow
   complaints_.push_back(
       {.where = where(node), .found = std::move(found), .allowed = std::move(allowed), .advice = std::move(advice)});
 }

@@ -75,7 +75,7 @@ class TomlTable {
   bool guarded(toml::node const& node, std::string_view key, std::function<void()> const& action);
 
  private:
-  // Accepts T only: toml++ itself would convert 1 to true and true to a number.
+  // True if the value has exactly the type T. toml++ itself would convert 1 to true and true to a number.
   template <class T>
   static bool is_kind(toml::node const& node) {
     if constexpr (std::is_same_v<T, bool>)

@@ -48,13 +48,13 @@ std::optional<T> number_in(std::string_view text) {
   return value;
 }
 
-// "1 sample", "2 samples"
+// Writes a count with its noun: "1 sample", "2 samples".
 template <class Count>
 std::string counted(Count count, std::string_view one) {
   return std::to_string(count) + " " + std::string(one) + (count == 1 ? "" : "s");
 }
 
-// "a, b, c"
+// Joins words by a separator: "a, b, c".
 template <class Words>
 std::string joined(Words const& words, std::string_view separator = ", ") {
   std::string text;

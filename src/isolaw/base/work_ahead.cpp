@@ -40,7 +40,8 @@ void WorkerGroup::withdraw(WorkAhead& work) {
 }
 
 void WorkerGroup::changed() {
-  // A waiting thread tests finished() with the mutex held: it has either seen the change, or sleeps and is woken.
+  // A waiting thread holds the mutex while it tests finished() and until it sleeps. Taking the mutex here ensures that
+  // such a thread has either seen the change or already sleeps and will be woken.
   { std::scoped_lock const lock(mutex_); }
   news_.notify_all();
 }

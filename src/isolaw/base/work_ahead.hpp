@@ -14,8 +14,8 @@ namespace isolaw {
 
 class WorkAhead;
 
-// A helping thread calls help_begins() before and help_ends() after each item. A listener hears of all work that is
-// offered during its life by the thread that created it, and by helpers of that thread.
+// Hears of threads that help with the work that the listener's thread, or a helper of this thread, offers during the
+// listener's life. A helping thread calls help_begins() before and help_ends() after each item.
 class HelpListener {
  public:
   HelpListener();
@@ -58,8 +58,8 @@ class Membership {
   WorkerGroup* before_;
 };
 
-// The items 0 to count - 1 of a piece of work. Several threads may call `work`, at most once for each item, and also
-// for items that nobody needs. No item may depend on another. Outside a group, need() computes the items.
+// A piece of work with the items 0 to count - 1, which must not depend on each other. Threads of the group call `work`
+// at most once for each item, also for items that nobody needs. Without a group, need() computes the items.
 class WorkAhead {
  public:
   WorkAhead(std::size_t count, std::function<void(std::size_t)> work);

@@ -13,13 +13,13 @@ namespace isolaw::fit {
 
 struct AsSprings {
   std::vector<double> parameters;  // used in every spring; in the law's order and units
-  // Values of Eq. (27), averaged over the records: of the law; of springs with the law's parameters; with `parameters`.
+  // Eq. (27), averaged over the records: of the law, of springs with its parameters, and of springs with `parameters`.
   double law = 0.0, given = 0.0, fitted = 0.0;
 };
 
-// Fits springs to the record by one descent from `parameters`, which were fitted to this record by the law itself,
-// inside the same box. The record's motion is along the first spring. Integration is converged, with `refinement` steps
-// a sample. Returns `parameters` unchanged if the descent finds nothing better or if such springs have no finite force.
+// Fits springs to the record inside the box, by one descent that starts from `parameters`, the law's own fit to this
+// record. The record's motion is along the first spring. Integration is converged, with `refinement` steps a sample.
+// Returns `parameters` unchanged if the descent finds nothing better or if such springs have no finite force.
 AsSprings fitted_as_springs(laws::LawEntry const& law, data::FitRecord const& record, SearchBox const& box,
                             std::vector<double> parameters, int refinement = 1);
 AsSprings fitted_as_springs(laws::LawEntry const& law, std::span<data::FitRecord const* const> records,

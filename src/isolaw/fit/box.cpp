@@ -12,7 +12,7 @@
 namespace isolaw::fit {
 namespace {
 
-// Six decades, as a natural logarithm: what a logarithmic scale that ends at zero or spans zero covers on each side.
+// Six decades as a natural logarithm. A logarithmic scale that ends at or spans zero covers six on each of its sides.
 constexpr double decades_from_zero = 6.0 * 2.302585092994046;
 
 struct AcrossZero {  // value = linear_size sinh(c), c from asinh(lower / linear_size) to asinh(upper / linear_size)
@@ -32,7 +32,7 @@ std::optional<double> parse_number(std::string_view text) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-// The forces at the record's zero crossings, by linear interpolation. A first sample at zero is no crossing.
+// The forces where the displacement crosses zero, by linear interpolation. A first sample at zero is no crossing.
 std::vector<double> forces_at_zero(data::FitRecord const& record) {
   auto const &x = record.disp_mm, &f = record.force_kN;
   std::vector<double> forces;

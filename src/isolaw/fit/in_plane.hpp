@@ -10,7 +10,7 @@
 
 namespace isolaw::fit {
 
-// A motion from rest at the origin, straight to the first sample. Velocities are empty for a motion without times.
+// A motion from rest at the origin. It first goes straight to the first sample. Without times, velocities are empty.
 struct PlaneMotion {
   std::vector<double> time_s;
   std::vector<laws::plane::Vector<double>> disp_mm, vel_mm_s;
@@ -28,12 +28,12 @@ struct LawInPlane {
 std::vector<laws::plane::Vector<double>> force_kN(laws::LawEntry const& law, laws::InPlane in_plane,
                                                   PlaneMotion const& motion);
 
-// Results of the second turn of a figure of eight: x = size_mm sin p, y = size_mm / 2 sin 2p, 200 samples per turn.
+// A law's results on the second turn of a figure of eight of 200 samples: x = size_mm sin p, y = size_mm / 2 sin 2p.
 struct OnAnEight {
   std::string_view rule;  // the extension to two directions: "coupled", "springs", ...
   double peak_kN, work_kN_mm;
 };
-// One result for each extension that the law has: coupled, with either rule of softening, and springs.
+// One result for each extension that the law has: the coupled one with either rule of softening, and springs.
 std::vector<OnAnEight> on_a_figure_of_eight(LawInPlane const& law, double size_mm, double duration_s);
 struct Spread {  // largest differences between the extensions, relative to the first one
   double peak = 0.0, work = 0.0;

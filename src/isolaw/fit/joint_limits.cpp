@@ -8,7 +8,7 @@
 namespace isolaw::fit {
 namespace {
 
-// True if a point of the box meets the limit. Testing the corners of the box is enough.
+// True if a point of the box meets the limit. Limits are monotonic in each parameter, so testing the corners is enough.
 bool met_somewhere(laws::JointLimitEntry const& limit, SearchBox const& box) {
   std::vector<double> values;
   for (auto const& p : box.parameters) values.push_back(p.free ? p.lower : p.value);

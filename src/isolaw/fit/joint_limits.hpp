@@ -1,5 +1,5 @@
 // Checks overrides and search boxes against joint limits: limits on several parameters of a law together
-// (laws/law.hpp). A box that meets a limit only in a part is searched as a whole.
+// (laws/law.hpp). If only a part of a box meets a limit, the whole box is searched nevertheless.
 #pragma once
 
 #include <span>

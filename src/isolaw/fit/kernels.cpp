@@ -40,7 +40,7 @@ inline constexpr bool crowded = requires {
   Law::crowded;
 };
 
-// Computes a wide block in parts if all of it at once would need more registers than the processor has.
+// Computes the objectives of a block in parts if the whole block would need more registers than the processor has.
 template <class Law, std::size_t Block, class T = num::Batch<Block>>
 void objectives(double const* parameters, KernelRecord const& record, laws::Integration integration, double* out) {
   constexpr auto part = Block > 8 * num::vector_lanes ? narrow_block

@@ -20,7 +20,7 @@ struct KernelRecord {  // a record in the law's units, with the weights of LawOn
   std::span<double const> measured, weight;
 };
 
-// The functions for one law. `parameters` holds the first parameter of all candidates, then the second parameter, ...
+// The functions for one law. `parameters` holds the first parameter of all candidates, then their second one, etc.
 struct Kernel {
   // Computes sum of |measured - computed| * weight for each candidate; not finite if one of its forces is not finite.
   using Objectives = void (*)(double const* parameters, KernelRecord const& record, laws::Integration integration,

@@ -32,7 +32,8 @@ std::vector<double> at_samples(std::vector<double> const& values, std::span<std:
   return kept_values;
 }
 
-// Spreads the shares of all samples over the kept ones, as if dropped values lay on the line between kept neighbours.
+// Adds the share of each dropped sample to the kept samples before and after it, more to the nearer one. Weighted sums
+// stay the same if dropped values lie on the lines between kept ones.
 std::vector<double> shared_among(std::span<std::size_t const> kept, std::span<double const> shares) {
   std::vector<double> kept_shares(kept.size(), 0.0);
   for (std::size_t k = 0; k < kept.size(); ++k) {

@@ -23,7 +23,7 @@ inline constexpr int shift_refinement = 20;  // integration_shift() computes thi
 inline constexpr double evaluation_tolerance = 1e-9;
 // The largest relative difference between the objective from a block of candidates and the scalar one. Blocks use other
 // elementary functions and fused multiply-adds. The largest difference seen is 1e-12 for hwang-wu and 3e-14 for other
-// laws. Objectives above 1e6 may differ more, and so may Runge-Kutta steps of `paper` that are too long to be stable.
+// laws. Objectives above 1e6 may differ more, and so may integrations of the kind `paper` with unstably long steps.
 inline constexpr double block_tolerance = 1e-11;
 
 class LawOnMotion {  // a law on a displacement history; no measured force is needed
@@ -42,7 +42,7 @@ class LawOnMotion {  // a law on a displacement history; no measured force is ne
   laws::Path path(int refinement) const;
 
   std::vector<std::size_t> outline() const;  // indices of kept samples: all next to a reversal, fewer elsewhere
-  // The law on samples in rising order. If they include all reversals, a rate-independent law gives equal forces there.
+  // The law on these samples, in rising order. A rate-independent law gives the same forces if all reversals are kept.
   LawOnMotion at(std::span<std::size_t const> samples) const;
   // Computes the force [kN] at every sample; not finite where the law has no finite force. `parameters` are in the
   // law's order and units; `force` has one element per sample. Thread-safe.
@@ -66,9 +66,8 @@ class LawOnRecord {
   LawOnRecord(laws::LawEntry const& law, data::FitRecord const& record, laws::Integration integration,
               laws::TurningPoints turning_points = laws::TurningPoints::as_sampled, int refinement = 1);
   LawOnRecord refined(int refinement) const;  // a copy with `refinement` steps from sample to sample
-  // The law on the outline of the loop. Each sample has the weight of the samples that it stands for; the objective
-  // changes little. nullopt if more than 3/4 of the samples would remain, or if samples are the steps of the
-  // integration.
+  // The law on the samples of outline(). Each has the weight of the dropped samples near it, so that the objective
+  // changes little. nullopt if more than 3/4 of the samples would remain, or if samples are integration steps.
   std::optional<LawOnRecord> outline() const;
   std::vector<double> on_outline(std::span<double const> shares) const;  // spreads all weights over the outline
 
@@ -110,7 +109,7 @@ class LawOnRecord {
   double spread_ = 1.0;           // standard deviation of the measured force, in the law's unit
 };
 
-// Eq. (27) for forces that a law gave over the whole history, over the samples whose `scored` is not 0. NaN if no two
+// Eq. (27) over the samples whose `scored` is not 0, for the forces of a law over the whole history. NaN if no two
 // neighbours are scored or if the measured force is the same at all scored samples.
 double objective_on(data::FitRecord const& record, std::span<double const> force_kN, std::vector<double> scored);
 

@@ -18,7 +18,7 @@ using num::Vector;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double rounding = 1e-13;  // eigenvalues below this share of the largest one are rounding errors
-// A direction has variance if 2 m - 1 exceeds this value. For S = C it is 0, but for rounding errors.
+// In between_devices() a direction has variance if 2 m - 1 exceeds this value, a multiple of rounding errors.
 constexpr double least_remainder = 1e-10;
 
 std::size_t as_size(Index i) {
@@ -332,7 +332,7 @@ Sample sample(Population const& population, std::size_t count, num::Stream const
     if (!found) ++result.pulled_back;
     while (!found) {
       z *= 0.5;
-      // If a median is at its limit, z is halved until it no longer moves that parameter.
+      // If a median lies on its limit, even a tiny z may leave the limits. The medians themselves are then taken.
       values = z.norm() > 1e-12 ? physical(population, mean + num::apply(root, z)) : population.medians;
       found = inside(values, limits) || z.norm() <= 1e-12;
     }

@@ -23,8 +23,8 @@ struct Robustness {
   std::string note;            // why beta is undefined, for example the parameters whose mean is near zero
 };
 
-// names[n] and device_means[n][d] belong to free parameter n and device d. beta is undefined if Delta_n of one
-// parameter is: a mean over the remaining parameters could not be compared between laws.
+// names[n] and device_means[n][d] belong to free parameter n and device d. beta is undefined if Delta_n is undefined
+// for one parameter, since a mean over the remaining parameters could not be compared between laws.
 Robustness robustness_index(std::vector<std::string> const& names,
                             std::vector<std::vector<double>> const& device_means);
 

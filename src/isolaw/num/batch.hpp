@@ -1,9 +1,9 @@
 // A batch of W doubles that behaves like one double. Each lane holds one candidate parameter set; lanes never mix. A
-// batch consists of a few of the compiler's native vectors (vector_size of GCC and Clang). A law's body therefore uses
-// the vector registers of the target processor, and the independent vectors hide each other's latency. The names of the
-// types contain the instruction set, so that objects compiled for different instruction sets can be linked into one
-// program (fit/kernels.cpp). This requires that every function that they share takes one of these types. A lane agrees
-// with the computation on plain doubles within rounding; elementary.hpp provides exp, exp2, log2 and power.
+// batch consists of a few native vectors of GCC or Clang (vector_size), so that a law's code uses the target
+// processor's vector registers. The vectors are independent and hide each other's latency. The names of the types
+// contain the instruction set, so that objects compiled for different instruction sets can be linked into one program
+// (fit/kernels.cpp). A function that several of these objects compile must therefore take one of these types. A lane
+// agrees with the computation on plain doubles within rounding. elementary.hpp provides exp, exp2, log2 and power.
 #pragma once
 
 #include <array>
@@ -245,8 +245,8 @@ ISOLAW_INLINE Batch<W> max(Batch<W> const& a, Batch<W> const& b) {
   return select(a < b, b, a);
 }
 
-// Returns `a` and keeps this product out of a fused multiply-add. In a sum of two products the compiler may fuse
-// either, so that a lane's last bits would depend on the batch's width. This costs no instruction.
+// Returns the product `a` and keeps it out of a fused multiply-add, at no cost. In a sum of two products the compiler
+// may fuse either one with the addition, so that a lane's last bits would depend on the batch's width.
 template <std::size_t W>
 ISOLAW_INLINE Batch<W> rounded(Batch<W> a) {
   a.each([&]([[maybe_unused]] std::size_t i) ISOLAW_LAMBDA {
@@ -314,7 +314,8 @@ ISOLAW_INLINE Indices<W> bisect(Values const& nodes, std::size_t cells, Batch<W>
         return first.part[i] + ((node.part[i] <= x.part[i]) & skip);
       })};
     }
-  // The last of the eight blocks may be longer. A search may pass the end of its own block: the nodes there exceed x.
+  // The seven nodes divide the cells into eight blocks, of which the last may be longer. Every lane searches as many
+  // cells as the last block has: nodes beyond the end of a shorter block exceed x and do not change the result.
   for (std::size_t length = cells - 7 * block; length > 1;) {
     std::size_t const half = length / 2;
     auto const step = static_cast<std::int64_t>(half);

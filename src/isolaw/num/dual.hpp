@@ -64,7 +64,7 @@ template <std::size_t N>
 Dual<N> expm1(Dual<N> const& u) {
   return Dual<N>::chain(u, std::expm1(u.value), std::exp(u.value));
 }
-// The derivative at 0 is infinite. We return 0 there.
+// The derivative of x^(1/5) is infinite at 0. This function gives 0 there.
 template <std::size_t N>
 Dual<N> fifth_root(Dual<N> const& u) {
   double const f = fifth_root(u.value);
@@ -101,7 +101,7 @@ std::size_t cell_of(std::array<Dual<N>, Count> const& nodes, Dual<N> const& x) {
   }
   return first;
 }
-// The nodes have no derivatives, since they do not depend on the candidate parameter set.
+// The nodes of this table are plain numbers, since they do not depend on the candidate parameter set.
 template <std::size_t N, std::size_t Count>
 std::size_t cell_of(std::array<double, Count> const& nodes, Dual<N> const& x) {
   return cell_of(nodes, x.value);

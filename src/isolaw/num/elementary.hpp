@@ -8,16 +8,17 @@
 //   fast_log2(x)       1.6 / 1.8 ULP for positive normal x; +inf for +inf; NaN for anything else
 //   fast_power(x, p)   |x|^p: relative error (2 + |p|) 2^-53, and without fused multiply-add |p log2 x| 2^-53 more; not
 //                      finite where x or p is not; same range as fast_exp2
-// NaN gives NaN. +inf comes up to a factor of sqrt(2) early, and 0 replaces the smallest subnormal numbers: reaching
-// exactly to the ends of the format would cost a second scaling.
+// NaN gives NaN. Results within a factor of sqrt(2) of the largest double become +inf, and the smallest subnormal
+// numbers become 0. A second scaling would give these results, but costs time.
 // Source: Cody and Waite 1980 (arguments reduced to half a binade around 1), fdlibm (log through s = (m-1) / (m+1)),
 // own coefficients (tools/elementary_coefficients.py). Departure: integers become doubles by adding 1.5 2^52, because
 // SSE2 and AVX2 cannot convert 64-bit integers.
-// Polynomials use Horner's scheme: it has the fewest operations; lanes in flight hide its latency. Rejected: sums of
-// even and odd powers (faster for one or two vectors, slower from four on), log2 without a division (twice the terms).
-// Assumes round to nearest and IEEE NaN and infinity: never compile with -ffast-math or -ffinite-math-only.
-// -fno-trapping-math, -fno-signed-zeros and -fno-math-errno do no harm. Vectors are fused only with -ffp-contract=fast;
-// then every instruction set with fused multiply-add gives the same bits.
+// Polynomials use Horner's scheme, which has the fewest operations; computing several vectors at once hides its
+// latency. Rejected: sums of even and odd powers (faster for one or two vectors, slower from four on), log2 without a
+// division (twice the terms).
+// This code assumes round to nearest and IEEE NaN and infinity: never use -ffast-math or -ffinite-math-only.
+// -fno-trapping-math, -fno-signed-zeros and -fno-math-errno do no harm. Only with -ffp-contract=fast does a compiler
+// fuse vectors' multiply-adds. All instruction sets with fused multiply-add then give the same bits.
 #pragma once
 
 #include <bit>
@@ -28,7 +29,8 @@
 
 namespace isolaw::num {
 
-// Operations on T besides + - * / and comparisons, here for native vectors. Types of several vectors specialise it.
+// The operations on T that the functions need besides + - * / and comparisons. This template serves native vectors.
+// Types that consist of several vectors specialise it.
 template <class T>
 struct Lanes {
   typedef std::uint64_t Bits __attribute__((vector_size(sizeof(T))));
@@ -66,7 +68,7 @@ struct Lanes<double> {
 
 namespace elementary {
 
-// 2^f for |f| <= 1/2, relative error 5.6e-18.
+// Coefficients of polynomials. This one gives 2^f for |f| <= 1/2, with a relative error of 5.6e-18.
 inline constexpr double exp2_terms[] = {0x1.0000000000000p+0,  0x1.62e42fefa39efp-1,  0x1.ebfbdff82c5a5p-3,
                                         0x1.c6b08d704a122p-5,  0x1.3b2ab6fb9ffb3p-7,  0x1.5d87fe78a111cp-10,
                                         0x1.4309130f139cbp-13, 0x1.ffcbfc595bcf6p-17, 0x1.62bfc71ea7788p-20,
@@ -122,7 +124,7 @@ template <class T, std::size_t Count>
   return horner<T>(terms, x, std::make_index_sequence<Count - 1>());
 }
 
-// mantissa * 2^n, with the integer n in `shifted`; +inf or 0 out of range. GCC would branch if x were clamped first.
+// Returns mantissa * 2^n for the integer n in `shifted`, +inf or 0 out of range. Clamping x first would cost a branch.
 template <class T>
 [[gnu::always_inline]] inline T scale(T const& mantissa, T const& shifted, T const& exponent) {
   using L = Lanes<T>;

@@ -57,7 +57,7 @@ bool has_x86_64_v4() {
 #endif
 #endif
 
-// From the slowest to the fastest.
+// The instruction sets, from the slowest to the fastest.
 constexpr std::array candidates {
   Candidate{InstructionSet::scalar, "scalar", always},
 #if defined(ISOLAW_X86_KERNELS)

@@ -33,7 +33,7 @@ Symmetric symmetric_eigen(Matrix const& A) {
 }
 
 Singular singular_values(Matrix const& A) {
-  // Not BDCSVD: up to fifteen columns it only calls JacobiSVD, and it takes four times as long to compile.
+  // BDCSVD is not used: up to fifteen columns it only calls JacobiSVD, and it takes four times as long to compile.
   Eigen::JacobiSVD<Matrix> const svd(A, Eigen::ComputeThinV);
   return {svd.singularValues(), svd.matrixV()};
 }

@@ -26,7 +26,7 @@ void sizes(RowTable const& table, std::size_t columns, double delta, double* val
   }
 }
 
-// Differences of `chunk` rows, without weight and with the two weights. A chunk stays in the processor's cache.
+// Differences of a chunk of rows, unweighted and times the curvatures `cautious` and `bold`. A chunk fits in the cache.
 constexpr std::size_t chunk = 32, tile = 4;
 struct Chunk {
   alignas(64) double difference[chunk * most_columns], cautious[chunk * most_columns], bold[chunk * most_columns];

@@ -57,7 +57,7 @@ T const& rounded(T const& x) {
   return x;
 }
 
-// Bisection without branches. The number of steps depends only on the size of the table.
+// Finds the cell of x by bisection without branches. The number of steps depends only on the size of the table.
 template <std::size_t Count>
 std::size_t cell_of(std::array<double, Count> const& nodes, double x) {
   static_assert(Count >= 2);

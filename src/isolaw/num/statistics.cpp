@@ -15,7 +15,7 @@ struct Deviations {
   double sum_of_squares = nan;  // sum of (value - mean)^2
 };
 
-// Two-pass algorithm (Chan, Golub and LeVeque 1983): the sum of deviations corrects mean and sum of squares.
+// Two-pass algorithm (Chan, Golub and LeVeque 1983): the sum of the deviations corrects errors of mean and squares.
 Deviations deviations(std::span<double const> values) {
   if (values.empty()) return {};
   auto const n = static_cast<double>(values.size());

@@ -142,7 +142,7 @@ std::vector<double> roulette_weights(std::span<double const> values, double pres
     best = std::min(best, value);
     worst = std::max(worst, value);
   }
-  // Half values are compared, so that the distance between two huge values of opposite sign stays finite.
+  // Halves of the values are subtracted, so that the difference of two huge values of opposite sign stays finite.
   double const origin = std::min(0.0, 0.5 * best);
   double const range = 0.5 * worst - origin;
   std::vector<double> weights(values.size(), 0.0);

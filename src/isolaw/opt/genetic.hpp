@@ -23,24 +23,24 @@ struct GeneticOptions {             // campaign::setting_table() holds the limit
   double selection_pressure = 8;    // roulette weight exp(-pressure * value / worst finite value)
 };
 
-// Minimises a problem whose values are not negative; roulette_weights() tells what happens to negative ones. Outcomes:
-// all_generations, also if the last generation stagnates; stagnated; no_finite_value if no point of the initial
-// population has a finite value; interrupted, with a best point if at least one generation was computed. Each
-// generation takes one batch of evaluations. Random numbers depend only on (stream, generation, individual or pair), so
-// that equal streams give equal results. A point without a finite value survives only if there are too few others.
-// `interrupted`, if given, is called before each generation. A generation improves on the last improvement if its best
-// value is below (1 - tolerance) times the best value then, for positive values. A constant problem therefore stops
-// after 1 + stagnation generations. Throws Error if the problem has no dimensions.
+// Minimises a problem whose values are not negative; roulette_weights() tells what happens to negative ones. The search
+// ends with one of four outcomes: all_generations, even if the last generation stagnates; stagnated; no_finite_value if
+// no point of the initial population has a finite value; interrupted, with a best point if at least one generation was
+// computed. Each generation takes one batch of evaluations. Random numbers depend only on (stream, generation,
+// individual or pair), so that equal streams give equal results. A point without a finite value survives only if there
+// are too few others. `interrupted`, if given, is called before each generation. A generation is an improvement if its
+// best value is below (1 - stagnation_tolerance) times the best value of the last improvement. A constant problem
+// therefore stops after 1 + stagnation generations. Throws Error if the problem has no dimensions.
 SearchResult minimise_genetic(Problem const& problem, num::Stream const& stream, GeneticOptions const& options = {},
                               std::function<bool()> const& interrupted = {});
 
-// Tells how the search with this history of best values ended: `interrupted` if it would otherwise have gone on.
+// Tells how a search with this history of best values ended. It was `interrupted` if no stopping rule is met.
 Outcome outcome_of(std::span<double const> history, GeneticOptions const& options);
 // Roulette weights exp(-pressure v / worst finite v) of the values v. Values that are not finite get 0. If the worst
 // value is 0, all finite values get 1. If some values are negative, all are measured from the smallest.
 std::vector<double> roulette_weights(std::span<double const> values, double pressure);
 
-// Draws indices with given probabilities, so that one index may come twice. Weights are finite, >= 0 and not all 0.
+// Draws indices with probabilities proportional to the weights, with repetition. Weights are finite, >= 0, not all 0.
 class RouletteWheel {
  public:
   explicit RouletteWheel(std::span<double const> weights);

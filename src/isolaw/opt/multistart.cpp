@@ -20,63 +20,65 @@ namespace {
 // "The optimum"). Gains and distances between values are relative. Coordinates are in [0, 1].
 namespace tuning {
 
-// A stage lowers delta to `smoothing` times the mean residual. It ends at a small gain there or after `iterations`.
+// A stage of a descent lowers delta (see multistart.hpp) to `smoothing` times the mean residual. It ends when the
+// iterations at this delta gain too little, at the latest after `iterations`.
 struct Stage {
   double smoothing;
   int iterations;
   double least_gain = 0.0;   // the stage ends if it gains less over `patience` iterations at its last delta
   std::size_t patience = 4;  // several iterations, since one may gain little while a residual crosses zero
 };
-// Stops with delta at half the mean residual: the sum is still smooth, and few residuals suffice to find the valley.
+// Finds the valley. Stops with delta at half the mean residual: the sum is still smooth, and the outline suffices.
 constexpr Stage approach{.smoothing = 0.5, .iterations = 25};
-// Stops at gains below the hit tolerance of 5e-4, since the end of a descent is only counted and not reported.
+// Finds the valley's floor. Stops at gains below the hit tolerance of 5e-4, since its end is only compared with others.
 constexpr Stage settle{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4};
-// Follows a descent on fewer residuals (outline()), whose minimum is so close to the true one that little remains.
+// Ends a descent on all residuals that starts at the minimum of the outline, which is close to the true minimum.
 constexpr Stage finish{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4, .patience = 3};
-// Stops when about four digits of the value are right. For sets of many descents, none of which is reported alone.
+// Ends a descent at about four right digits of its value. It serves many descents that are only reported together.
 constexpr Stage finish_briefly{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4, .patience = 2};
 constexpr double rounding_after_outline = 0.03;  // delta after a descent on outline(), as a share of the value
-constexpr Stage polish{.smoothing = 0.003, .iterations = 60};  // for the digits that are reported
+constexpr Stage polish{.smoothing = 0.003, .iterations = 60};  // adds digits to a descent that may be reported
 
-constexpr double gain_worth_staying = 3e-3;  // after a smaller gain delta falls, down to the stage's last value
-// About half a decade, so that a few steps lead from the minimum for one delta to the minimum for the next.
+constexpr double gain_worth_staying = 3e-3;  // after a smaller gain, delta falls towards its last value in the stage
+// Delta falls by this factor, about half a decade. A few steps then lead from the minimum for one delta to the next.
 constexpr double fall_of_delta = 0.3;
 constexpr double noise_of_gain = 1e-6;  // error of one-sided differences; smaller gains count as none
-// With this step, curvature changes a slope by about 1e-6 and rounding by 1e-9, far less than what damping does.
+// Step of one-sided differences: curvature changes a slope by about 1e-6 and rounding by 1e-9, damping by far more.
 constexpr double difference_step = 1e-6;
-// Bold steps mix the true curvature with that of a parabola: the true one vanishes if no residual is near zero.
+// The curvature for bold steps is bold_share times the true curvature plus cautious_share times that of a parabola,
+// since the true one vanishes if no residual is near zero.
 constexpr double bold_share = 0.9, cautious_share = 0.1;
-// Trial steps in an iteration: one full block of candidates, since half a block costs as much (docs/performance.md).
+// Trial steps in an iteration. They are a full block, since half a block costs as much (docs/performance.md).
 constexpr std::size_t tried = 8;
 constexpr double damping_ratio = 20.0;  // trial steps use 1/20, 1, 20 and 400 times the present damping
-constexpr double damping_rise = 1e4;    // factor if all trial steps failed; beyond the 400 just tried
-constexpr int rises = 4;                // attempts in an iteration; they raise usual_damping beyond most_damping
+constexpr double damping_rise = 1e4;    // factor after all trial steps failed; larger than the 400 just tried
+constexpr int rises = 4;                // attempts in an iteration, enough to raise usual_damping beyond most_damping
 constexpr double usual_damping = 1e-2;
 constexpr double most_damping = 1e8;                        // steps damped this much follow the gradient and are short
 constexpr double least_carried = 1e-9, most_carried = 1e6;  // limits of the damping that the next iteration starts with
-constexpr double least_curvature = 1e-9;  // relative to the largest curvature; for coordinates without effect
+constexpr double least_curvature = 1e-9;  // added to curvatures, as a share of the largest: some coordinates have none
 
 constexpr double one_valley = 0.75;  // with this share of hits among the scattered starts a better valley is unlikely
-// A search ends early after `many_hits`, if the share of hits among the scattered starts is at least `agreeing`. Of 380
-// logged searches this missed the best valley in 1. A share of 0.3 among all descents missed it in 6.
+// A search ends early after `many_hits` hits, if at least the share `agreeing` of the scattered starts are hits. This
+// rule missed the best valley in 1 of 380 logged searches. A share of 0.3 among all descents missed it in 6.
 constexpr std::ptrdiff_t many_hits = 12;
 constexpr double agreeing = 0.4;                // share of hits among the scattered starts
 constexpr std::ptrdiff_t part_when_agreed = 3;  // a third of the starts suffices: 24 instead of 72
 // The valley's floor is ragged if half of the scattered starts end within ten hit tolerances of the best value, but few
-// hit it. For law abe, 8 of 300 logged searches with 72 starts missed the best point, 2 with 96 starts.
+// hit it. For law abe, 8 of 300 logged searches with 72 starts missed the best point, and 2 with 96 starts.
 constexpr double close = 10.0;  // in hit tolerances
 constexpr double ragged = 0.5;
-constexpr std::ptrdiff_t more_when_ragged = 3;  // if ragged, a third more starts
-// In more dimensions, hops found better valleys at a quarter of the cost of scattered starts in logged searches.
+constexpr std::ptrdiff_t more_when_ragged = 3;  // if the floor is ragged, a third more starts
+// Above this number of dimensions, hops found better valleys than scattered starts, at a quarter of the cost.
 constexpr std::size_t wide = 14;
 constexpr double more_when_wide = 2.5;  // factor on the starts, half of which are hops: 180 instead of 72
-// Gives up descents that are above this multiple of the best value after the approach. Settling gains less than half.
+// A descent is given up if its value after approach() exceeds this multiple of the best value: settle() gains less.
 constexpr double promising = 1.5;
 constexpr double least_power_of_hop = -1.5, most_power_of_hop = -0.3;  // 0.03 to 0.5 of the box, to leave a valley
 constexpr double least_power_of_last_hop = -2.0, most_power_of_last_hop = -0.5;  // 0.01 to 0.3, to stay in a valley
 
-constexpr double sharp = 0.2;  // in hit tolerances; on a smooth floor half of the hits are this close
-// Number of best ends to polish if the hits scatter. With only one, 3 of 29 logged searches ended 0.1 % too high.
+constexpr double sharp = 0.2;  // in hit tolerances; on a smooth floor half of the hits are this close to the best value
+// Number of best ends to polish if the hits scatter. Polishing one left 3 of 29 logged searches 0.1 % too high.
 constexpr std::size_t polished = 6;
 constexpr double near_enough = 2.0;       // in hit tolerances; ends farther from the best value are in other valleys
 constexpr double worth_polishing = 1.01;  // largest value after the approach, as a multiple of the best value
@@ -117,7 +119,7 @@ class Counting {  // computes residuals of the problem or of its outline, and co
 
   std::size_t dimension() const { return problem_->dimension(); }
 
-  // Per point: sum of weight * |residual| and of weight * sqrt(residual^2 + delta^2). Infinite if the point failed.
+  // For each point, the sum of weight * |residual| and of weight * sqrt(residual^2 + delta^2); infinite if it failed.
   struct Sizes {
     std::vector<double> value, rounded;
   };
@@ -155,7 +157,7 @@ struct Located {
   double value = infinity;  // sum of weight * |residual|
 };
 
-// One descent. approach() finds a valley, settle() its floor; both use outline() if they can. polish() adds digits.
+// One descent. approach() finds a valley and settle() its floor, on an outline if there is one. polish() adds digits.
 class Descent {
  public:
   Descent(DeviationProblem const& problem, std::span<double const> start, double rounding = 1.0)
@@ -224,10 +226,10 @@ class Descent {
     if (here_.value < best_.value) best_ = here_;
   }
 
-  // Gradient and curvatures of the sum of sqrt(residual^2 + delta^2), by one-sided differences; zero for a coordinate
-  // if the neighbouring point failed. The cautious curvature is that of the parabola that touches this function and is
-  // nowhere below it: its steps are too short. The bold curvature is nearly the function's own, to which only residuals
-  // near zero contribute: its steps are too long.
+  // Gradient and two curvatures of the sum of sqrt(residual^2 + delta^2), by one-sided differences. They are zero for a
+  // coordinate whose neighbouring point failed. The cautious curvature is that of a parabola that touches the sum from
+  // above; its steps are too short. The bold curvature is nearly the sum's own, to which only residuals near zero
+  // contribute; its steps are too long.
   struct Slopes {
     Vector gradient;
     Matrix cautious, bold;
@@ -286,7 +288,7 @@ class Descent {
     return {here.value, here.value};
   }
 
-  // Computes a damped Newton step inside the box. Coordinates on an edge stay there if the gradient leads outside.
+  // Computes a damped Newton step inside the box. A coordinate on an edge stays there if the step would lead outside.
   void propose(Matrix const& H, Vector const& g, double damping, std::span<double> point) const {
     std::ranges::copy(here_.x, point.begin());
     std::vector<Index> free;
@@ -297,7 +299,7 @@ class Descent {
     }
     double const floor = tuning::least_curvature * H.diagonal().maxCoeff() + 1e-300;
     Vector moved = Vector::Zero(g.size());
-    // Puts a coordinate whose step would leave the box on the edge and computes the steps of the others again.
+    // Puts a coordinate whose step would leave the box on the edge and computes the other coordinates' steps again.
     for (int pass = 0; pass < 3 && !free.empty(); ++pass) {
       Vector held = moved;
       held(free).setZero();
@@ -337,7 +339,7 @@ Points latin_hypercube(std::size_t dimension, std::size_t count, num::Draws& dra
   return points;
 }
 
-// Adds normal steps to about half of the coordinates. Their standard deviation is a random power of ten.
+// Adds normally distributed steps to about half of the coordinates. Their standard deviation is 10 to a random power.
 std::vector<double> disturbed(std::vector<double> x, double least_power, double most_power, num::Draws& draws) {
   double const size = std::pow(10.0, least_power + (most_power - least_power) * draws.uniform());
   for (double& coordinate : x)
@@ -398,8 +400,8 @@ class Search {
     return hits >= options_.hits && std::ssize(ends_) >= starts_for(hits, near);
   }
 
-  // Number of descents to make. It rises if few descents hit the best value, since a better one was then more likely
-  // missed. Only scattered starts count, because hops tend to return to the valley that they came from.
+  // Number of descents to make. It rises if few scattered starts hit the best value, since a better one was then more
+  // likely missed. Hops do not count, because they tend to return to the valley that they came from.
   std::ptrdiff_t starts_for(std::ptrdiff_t hits, double near) const {
     std::ptrdiff_t const least = options_.least_starts, starts = options_.starts;
     auto const scattered_hits = count(scattered_, near);
@@ -426,8 +428,8 @@ class Search {
     write_cost(cost_, problem_, result_);
   }
 
-  // Threads run this before a descent is counted. It settles descents that come near the best value known so far. The
-  // best value can only fall until the counting, so every descent that must be settled by then has been settled.
+  // Threads that work ahead run this before the descent is counted. It settles descents near the best value known now.
+  // The best value can only fall until the counting, so count_in() finds every descent settled that it needs.
   FinishedDescent descent_from(std::span<double const> start) const {
     FinishedDescent result;
     Descent descent(problem_, start);

@@ -5,10 +5,8 @@
 // resembles a sum of squares, and falls to a hundredth of that size. Finite differences give the Jacobian in one batch,
 // and every iteration tries several steps at once. A problem may offer an outline: about a third of the residuals, with
 // the same valleys. A descent then minimises the outline first and uses all residuals only for its last steps.
-// The search ends when enough descents have ended at the best value. It ends early if nearly all scattered starts did.
-// If there are other valleys it takes longer, and if few descents ended there it makes all starts. It makes a third
-// more if many ended close to the best value. In more than fourteen dimensions it makes two and a half times as many,
-// half hops.
+// A descent that ends at the best value is a hit. The larger the share of hits, the fewer descents the search makes
+// (see MultistartOptions). In more than fourteen dimensions it makes up to 2.5 times as many, half of them hops.
 // Rejected: descending only from starts of low value. For the laws in their boxes these lie in the wrong valleys.
 #pragma once
 
@@ -20,11 +18,10 @@
 
 namespace isolaw::opt {
 
-// campaign::setting_table() holds the limits of each option. A descent that ends at the best value is called a hit.
-struct MultistartOptions {
-  int least_starts = 16;  // number of descents if three quarters of the scattered starts are hits
-  // Number of descents in other cases. A third of it suffices after a dozen hits if two fifths of the scattered starts
-  // are hits. A third more are made if half of the scattered starts end within ten hit tolerances of the best value.
+struct MultistartOptions {  // campaign::setting_table() holds the limits of each option
+  int least_starts = 16;    // number of descents if three quarters of the scattered starts are hits
+  // Number of descents if fewer scattered starts are hits. A third of it suffices after a dozen hits if two fifths of
+  // the scattered starts are hits. It rises by a third if half of them end within ten hit tolerances of the best value.
   int starts = 72;
   int hits = 3;                    // the search continues until it has this many hits
   double hit_tolerance = 5e-4;     // relative distance of a hit from the best value
@@ -46,10 +43,10 @@ MultistartResult minimise_multistart(DeviationProblem const& problem, num::Strea
                                      MultistartOptions const& options = {},
                                      std::function<bool()> const& interrupted = {});
 
-// One descent to the last digits from a point near a minimum, for problems that differ little from one already solved.
-// The result is never above the value at the start; it is not usable if that value is not finite. `rounding` * value is
-// the first delta; a small delta keeps the descent in its valley. `brief` ends with about four right digits, for sets
-// of many descents none of which is reported alone. Throws Error if the problem has no dimensions.
+// Makes one descent from a point near a minimum, for a problem that differs little from one already solved. The result
+// is never above the value at the start; it is not usable if that value is not finite. The first delta is `rounding`
+// times the value at the start; a small delta keeps the descent in its valley. A `brief` descent ends with about four
+// right digits, which suffices if many are reported together. Throws Error if the problem has no dimensions.
 Found descend(DeviationProblem const& problem, std::span<double const> start, double rounding = 0.3,
               bool brief = false);
 

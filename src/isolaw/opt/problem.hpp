@@ -46,8 +46,8 @@ class DeviationProblem : public Problem {
   virtual void residual_rows(Points const& points, std::size_t stride, std::span<double> rows) const;
   // A version with fewer residuals that has the same valleys and is cheaper to search; null if there is none.
   virtual DeviationProblem const* outline() const { return nullptr; }
-  // The weights of the residuals of outline() that stand for the given weights of all residuals: a residual that the
-  // outline leaves out gives its weight to the two that are kept beside it. May be called only if there is an outline.
+  // Converts weights of all residuals to weights of the residuals of outline(). A residual that the outline leaves out
+  // gives its weight to the two kept residuals beside it. May be called only if there is an outline.
   virtual std::vector<double> on_outline(std::span<double const> weights) const;
 };
 

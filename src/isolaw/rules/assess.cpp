@@ -42,20 +42,19 @@ void assess_limit(RuleSet const& rules, Limit const& limit, BlockValues const& b
                   std::vector<std::string> const& unmet, std::vector<Assessment>& out) {
   for (auto const& derived : derive(rules, limit.quantity, block)) {
     auto result = compared(derived, limit.quantity, design);
-    // `unmet` lists unmet conditions of the shear test. K_v comes from another test.
+    // K_v comes from the compression test, for which the unmet conditions of the shear test do not matter.
     hold_to(result, rules, limit, derived.reason, limit.quantity == Quantity::K_v ? std::vector<std::string>() : unmet);
     out.push_back(std::move(result));
   }
 }
 
 std::string_view measure_text(Measure measure) {
-  // In the order of the enumerators of Measure.
   static constexpr std::array<std::string_view, 3> texts{"lowest over highest", "largest change from the first",
                                                          "largest loss from the first"};
   return texts.at(static_cast<std::size_t>(measure));
 }
 
-// nullopt if a cycle is missing or has a value that is not positive.
+// The measured ratio, change or loss; nullopt if a cycle is missing or has a value that is not positive.
 std::optional<double> measured(StabilityLimit const& limit, BlockValues const& block) {
   double first = 0.0, lowest = 0.0, highest = 0.0;
   for (int number = limit.first; number <= limit.last; ++number) {
@@ -121,13 +120,13 @@ void assess_load(RuleSet const& rules, LoadVariation const& limit, Design const&
   }
 }
 
-// Unmet conditions for limits on ratios of cycles. These need no design value, and so no particular amplitude.
+// The unmet conditions for limits on ratios of cycles. Ratios need no design value, so any amplitude will do.
 std::vector<std::string> unmet_of_ratios(RuleSet rules, BlockValues const& block, Design const& design) {
   rules.test.displacement_tolerance_percent.reset();
   return unmet_conditions(rules, block, design);
 }
 
-// Unmet conditions for a pair of tests that run at other vertical loads than the design load on purpose.
+// The unmet conditions for a pair of tests that deliberately run at other vertical loads than the design load.
 std::vector<std::string> unmet_of_pair(RuleSet rules, LoadPair const& loads, Design const& design) {
   rules.test.load_tolerance_percent.reset();
   auto unmet = unmet_conditions(rules, loads.largest, design);
@@ -138,13 +137,12 @@ std::vector<std::string> unmet_of_pair(RuleSet rules, LoadPair const& loads, Des
 }  // namespace
 
 std::string_view name(Verdict verdict) {
-  // In the order of the enumerators of Verdict.
   static constexpr std::array<std::string_view, 4> names{"pass", "fail", "information", "not assessed"};
   return names.at(static_cast<std::size_t>(verdict));
 }
 
 bool is_within(double value, double nominal, std::optional<double> lower_percent, std::optional<double> upper_percent) {
-  // In binary, (100 + 20)/100 is closer to 1.2 than 1 + 20/100 is. The slack covers the rest.
+  // In binary, (100 + 20)/100 is closer to 1.2 than 1 + 20/100 is. The slack covers the remaining rounding error.
   auto const bound = [&](double percent) { return nominal * (100.0 + percent) / 100.0; };
   if (!std::isfinite(value)) return false;
   if (lower_percent && !is_at_least(value, bound(*lower_percent))) return false;
@@ -175,7 +173,6 @@ std::string deviation_text(double deviation_percent, std::optional<double> lower
 }
 
 std::string_view name(Subject subject) {
-  // In the order of the enumerators of Subject.
   static constexpr std::array<std::string_view, 5> names{"device", "cycles", "loads", "lot", "sample"};
   return names.at(static_cast<std::size_t>(subject));
 }
@@ -191,7 +188,7 @@ std::string same_record_as(std::string_view device) {
 void withhold_verdicts(std::vector<Assessment>& assessments, std::string_view copy_of) {
   for (auto& a : assessments) {
     bool const judged = a.verdict == Verdict::pass || a.verdict == Verdict::fail;
-    if (!judged || a.property == Quantity::K_v) continue;  // K_v comes from another test
+    if (!judged || a.property == Quantity::K_v) continue;  // K_v comes from a compression test
     a.verdict = Verdict::not_assessed;
     a.reason = same_record_as(copy_of);
   }

@@ -50,7 +50,7 @@ struct LoadPair {  // properties of one device at the largest and smallest verti
 std::vector<Assessment> assess(RuleSet const& rules, BlockValues const& block, Design const& design,
                                std::optional<LoadPair> const& loads = std::nullopt);
 std::string same_record_as(std::string_view device);  // "the same record as D01"
-// Removes verdicts from a shear test whose record is a copy of another device's, because it does not test this device.
+// Removes the verdicts from a shear test whose record is a copy of another device's: it does not test this device.
 void withhold_verdicts(std::vector<Assessment>& assessments, std::string_view copy_of);
 // Whether nominal (1 + lower/100) <= value <= nominal (1 + upper/100), with a slack of 1e-12.
 bool is_within(double value, double nominal, std::optional<double> lower_percent, std::optional<double> upper_percent);
@@ -62,7 +62,7 @@ std::string deviation_text(double deviation_percent, std::optional<double> lower
                            std::optional<double> upper_percent);
 // Sets the verdict: pass or fail if the set is verified and `unmet` is empty, else information or not assessed.
 void give_verdict(Assessment& assessment, RuleSet const& rules, bool holds, std::vector<std::string> const& unmet);
-// Compares the value with design value and limit; sets verdict and texts. `without` says why there is no value.
+// Compares the value with design value and limit, and sets verdict and texts. `without` says why there is no value.
 void hold_to(Assessment& assessment, RuleSet const& rules, Limit const& limit, std::string_view without,
              std::vector<std::string> const& unmet);
 

@@ -57,7 +57,7 @@ std::string load_rule_text(std::string_view name_or_file) {
                  .allowed = allowed,
                  .when_too_large = "a rule file holds one set of limits, not data",
                  .when_missing = "isolaw rules lists the sets, isolaw rules template prints a file to start from"});
-  // A campaign without a rule set stores an empty text, so that a rule file must not be empty.
+  // A rule file must not be empty, because an empty text in a campaign means that it has no rule set.
   if (text.empty())
     throw Error({.where = std::string(name_or_file),
                  .found = "an empty file",

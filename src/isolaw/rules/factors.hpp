@@ -43,8 +43,8 @@ CombinedFactors combine(FactorRule const& rule, FactorPair const& environment, F
 // are unknown. The factor of a finite population, sqrt((N - n)/(N - 1)), gives 2.3 % for n = 6 and 0 for n = N.
 double system_half_width_percent(double cov_percent, int installed, int tested);
 // Half width of the 95 % interval of the mean over all `installed` devices about the mean of the `tested` ones, if mean
-// and CoV are only estimates: t(0.975, n-1) CoV sqrt(1/n - 1/N) (Cochran 1977, 2.8). 6.5 % for N = 28, n = 6, CoV 7 %.
-// NaN for fewer than two tested devices.
+// and CoV are only estimates: t(0.975, n-1) CoV sqrt(1/n - 1/N) (Cochran 1977, 2.8). It is 6.5 % for N = 28, n = 6 and
+// a CoV of 7 %. NaN for fewer than two tested devices.
 double prediction_half_width_percent(double cov_percent, int installed, int tested);
 
 }  // namespace isolaw::rules

@@ -36,7 +36,8 @@ Values collect(RuleSet const& rules, Quantity quantity, std::span<DeviceValues c
     if (auto const value = device_value(rules, quantity, device.block)) {
       collected.names.push_back(device.name);
       collected.values.push_back(*value);
-      collected.tested += quantity == Quantity::K_v || device.copy_of.empty() ? 1u : 0u;  // K_v has its own test
+      // A copied shear record does not affect the compression test, which gives K_v.
+      collected.tested += quantity == Quantity::K_v || device.copy_of.empty() ? 1u : 0u;
     } else {
       collected.without.push_back(device.name);
     }
@@ -70,7 +71,7 @@ void describe_spread(Values const& found, LotQuantity& view) {
   view.largest_from_mean_percent = 100.0 * std::max(*high / moments.mean - 1.0, 1.0 - *low / moments.mean);
   view.std = moments.std;
   view.cov_percent = 100.0 * moments.std / moments.mean;
-  // nullopt below 0, because the quantity is positive and such a bound would say nothing.
+  // A bound below 0 becomes nullopt, because the quantity is positive and such a bound would say nothing.
   auto const below_mean = [&](double factor) -> std::optional<double> {
     double const value = moments.mean - factor * moments.std;
     if (value > 0.0) return value;
@@ -116,7 +117,7 @@ std::vector<std::string> unmet_of_lot(RuleSet const& rules, LotView const& lot, 
   for (auto const& device : devices)
     for (auto const& text : unmet_conditions(rules, device.block, design)) {
       unmet.push_back(fmt::format("{}: {}", device.name, text));
-      return unmet;  // one device serves as an example: a lot may have hundreds
+      return unmet;  // names one device as an example, since a lot may have hundreds
     }
   return unmet;
 }
@@ -216,9 +217,9 @@ void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& 
       fmt::format("mean of {} devices predicted from {} tested, 95 %; mean and CoV estimated", *lot_size, tested));
 }
 
-// Two tested devices are enough to forbid an analysis with mean properties. To permit it, the set's sample is needed.
+// Two tested devices can forbid an analysis with mean properties. Permitting it takes the sample that the set requires.
 void judge_mean_analysis(RuleSet const& rules, LotView const& lot, LotQuantity& view) {
-  if (view.quantity == Quantity::K_v) return;  // that analysis is about shear only
+  if (view.quantity == Quantity::K_v) return;  // the mean analysis is about shear only
   if (!rules.verified() || !rules.mean_analysis || view.tested < 2) return;
   double const within = rules.mean_analysis->within_percent;
   bool const close =

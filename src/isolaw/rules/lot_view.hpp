@@ -26,9 +26,8 @@ struct Outlier {
   std::string reason;  // "K_eff 1.9 kN/mm is 58 % above the median 1.2: modified z 12.1, above 3.5"
 };
 
-// Values with a modified z score |x - median| / max(1.4826 MAD, 0.5 % of |median|) above 3.5 (Iglewicz, Hoaglin 1993).
-// Outliers hardly move the median or the MAD. 0.5 % is the error of a property from one record; this floor keeps nearly
-// identical devices from being outliers. Empty for fewer than five values.
+// Values whose modified z score (num/statistics.hpp) is above 3.5 in size. The standard deviation counts as at least
+// 0.5 % of |median|, the error of a property from one record. Empty for fewer than five values.
 std::vector<Outlier> find_outliers(std::string_view quantity, std::string_view unit_text,
                                    std::span<std::string const> names, std::span<double const> values);
 inline constexpr std::size_t fewest_for_outliers = 5;
@@ -55,7 +54,7 @@ struct LotQuantity {
   std::vector<std::string> without;  // devices without a value
   std::optional<double> mean, min, max;
   std::string min_device, max_device;
-  std::optional<double> std, cov_percent;         // for the sample; nullopt for fewer than two tested devices
+  std::optional<double> std, cov_percent;         // spread of the values; nullopt for fewer than two tested devices
   std::optional<double> nominal;                  // design value
   std::optional<double> mean_deviation_percent;   // deviation of the mean from the design value
   std::optional<double> worst_deviation_percent;  // deviation of the device farthest from the design value
@@ -72,11 +71,11 @@ struct LotQuantity {
   std::optional<TestFactors> test_factors;             // extremes of lambda_test over the devices
   std::string test_min_device, test_max_device;
   std::vector<Bound> bounds;
-  // The members below say whether a verified set permits an analysis with mean properties. They only judge the
-  // variability within the supply, because the records do not show the other effects.
+  // The members below say whether a verified set permits an analysis with mean properties. They only judge how devices
+  // of the supply differ, because the records show neither ageing nor the environment.
   std::optional<double> largest_from_mean_percent;  // largest deviation of a tested device from the mean
   std::optional<bool> mean_analysis_permitted;
-  std::string mean_analysis_open;  // why it is undecided although all deviations are small enough
+  std::string mean_analysis_open;  // why the permission is open although all deviations are small enough
 };
 
 struct LotView {
@@ -88,7 +87,7 @@ struct LotView {
   std::vector<LotQuantity> quantities;
 };
 
-// `lot_size` counts devices installed or produced, with tested ones. Throws Error if it is smaller than `devices`.
+// `lot_size` counts all devices installed or produced. Throws Error if it is smaller than the number of `devices`.
 LotView lot_view(RuleSet const& rules, std::span<DeviceValues const> devices, Design const& design,
                  std::optional<int> lot_size = std::nullopt);
 

@@ -93,7 +93,7 @@ Reduced reduce(RuleSet const& rules, Quantity quantity, Side side, BlockValues c
   return reduced;
 }
 
-// A value that is not positive gives a reason instead: the motion missed one side, or is no complete cycle.
+// Instead of a value that is not positive, gives the reason: the motion misses one side or is no complete cycle.
 void set_value(DerivedValue& derived, double value) {
   if (std::isfinite(value) && value > 0.0)
     derived.value = value;
@@ -131,7 +131,6 @@ void take_design_value(std::string_view part, Design& design, std::vector<Compla
 }  // namespace
 
 double peak_to_peak(data::Cycle const& cycle, Quantity quantity) {
-  // In the order of the enumerators of Quantity, without K_v.
   static constexpr std::array members{&data::Cycle::K_eff_kN_per_mm, &data::Cycle::damping_percent,
                                       &data::Cycle::energy_kN_mm, &data::Cycle::Q_d_kN, &data::Cycle::K_d_kN_per_mm};
   auto const place = static_cast<std::size_t>(quantity);

@@ -60,7 +60,7 @@ Design parse_design(std::string_view text);
 enum class Side { both, positive, negative };  // both: peak to peak, or a quantity without sides
 std::string_view name(Side side);              // "both", "positive", "negative"
 
-// One value that a rule set asks for from its counting cycles. Each side, and each extreme over cycles, has its own.
+// A value that a rule set asks for from its counting cycles. Each side and each extreme over cycles has its own entry.
 struct DerivedValue {
   std::string label;  // "K_eff, positive side"
   Side side = Side::both;

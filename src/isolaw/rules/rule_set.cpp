@@ -11,7 +11,6 @@ namespace {
 struct Names {
   std::string_view name, unit;
 };
-// In the order of the enumerators of Quantity.
 constexpr std::array<Names, 6> names{
     {{"K_eff", "kN/mm"}, {"damping", "%"}, {"energy", "kN mm"}, {"Q_d", "kN"}, {"K_d", "kN/mm"}, {"K_v", "kN/mm"}}};
 

@@ -40,7 +40,7 @@ struct TestConditions {
   std::optional<double> load_tolerance_percent;          // between mean vertical load and design load
 };
 
-enum class Scope { each, mean };  // every device by itself; the mean over the lot's devices
+enum class Scope { each, mean };  // the limit is on every device by itself, or on the mean over the lot's devices
 
 struct Limit {  // on the deviation from the design value; a value on a limit passes
   Quantity quantity = Quantity::K_eff;
@@ -50,12 +50,12 @@ struct Limit {  // on the deviation from the design value; a value on a limit pa
 };
 
 enum class Measure {
-  min_over_max,       // lowest value of the cycles over the highest
+  min_over_max,       // lowest value of the cycles / highest value
   change_from_first,  // largest |value/first - 1|
   loss_from_first,    // largest 1 - value/first
 };
 
-// Limit on how much a property changes over a range of cycles. Stiffness and damping are then peak to peak.
+// Limit on how much a property changes over a range of cycles. For this limit, stiffness and damping are peak to peak.
 struct StabilityLimit {
   Quantity quantity = Quantity::K_eff;
   Measure measure = Measure::min_over_max;
@@ -76,7 +76,7 @@ struct LoadVariation {
   std::string clause;
 };
 
-// Factors on the design value of one property, from a standard's table or the contract. 1 if the set gives none.
+// Factors on the design value of one property, from a standard's table or the contract. A factor not given is 1.
 struct PropertyFactors {
   Quantity quantity = Quantity::K_d;
   double environment_min = 1.0, environment_max = 1.0;  // lambda_ae for ageing, temperature, contamination
@@ -90,7 +90,7 @@ struct FactorRule {            // see combine() in factors.hpp
   std::vector<PropertyFactors> properties;
 };
 
-struct MeanAnalysisRule {  // mean properties are enough for an analysis if no device is farther from the mean
+struct MeanAnalysisRule {  // up to this distance of every device from the mean, an analysis may use mean properties
   double within_percent = 0.0;
   std::string clause;
 };

@@ -65,8 +65,8 @@ void add_blocks(DeviceFit& fit, data::FitRecord const& record) {
   }
 }
 
-// The best values of the free parameters on the examined devices, as [parameter][device], in the form without the
-// redundant parameter if that was free. `left_out` names the parameters that most tests leave undetermined or at a
+// The best values of the free parameters on the examined devices, as [parameter][device]. If the redundant parameter
+// was free, they belong to the form without it. `left_out` names parameters that most tests leave undetermined or at a
 // bound.
 struct Examined {
   std::vector<std::string> names, left_out;
@@ -156,7 +156,7 @@ lot::SquareMatrix uncertainty(DeviceFit const& fit, campaign::DeviceAnalysis con
   return covariance;
 }
 
-// Converts an estimate to the form without the redundant parameter. Its covariance is converted to first order.
+// Converts an estimate to the law's form without its redundant parameter, and its covariance to first order.
 lot::DeviceEstimate reduced(laws::LawEntry const& entry, std::vector<double> const& values,
                             std::vector<std::size_t> const& free, lot::SquareMatrix const& covariance,
                             std::vector<std::size_t> const& kept) {
@@ -165,7 +165,7 @@ lot::DeviceEstimate reduced(laws::LawEntry const& entry, std::vector<double> con
     return parameters;
   };
   auto const here = form(values);
-  std::vector<std::vector<double>> slopes;  // of the kept parameters by the free ones: [free][kept]
+  std::vector<std::vector<double>> slopes;  // d kept parameter / d free parameter, as [free][kept]
   for (auto const k : free) {
     constexpr double step = 1e-6;
     double const size = values[k] != 0.0 ? step * std::abs(values[k]) : step;
@@ -289,7 +289,7 @@ void add_outliers(Summary& summary) {
   }
   for (auto const& found : lot::find_outliers(names, values)) {
     auto const& unit = units[found.property];
-    // An unusually small misfit is no reason to suspect the device.
+    // A device that a law fits unusually well is not reported.
     if (unit.empty() && found.score < 0.0) continue;
     summary.outliers.push_back({.device = summary.devices[found.device].name,
                                 .property = names[found.property],

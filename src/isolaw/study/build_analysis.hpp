@@ -12,18 +12,18 @@ namespace isolaw::study {
 
 // A run has found the campaign's least objective if it ends within this relative distance of it.
 inline constexpr double found_within = 1e-3;
-// The largest mean objective on the predicted blocks for each grade. Beyond poor_prediction it is unusable.
+// The largest mean objective on the predicted blocks for each grade. Beyond the last value a prediction is unusable.
 inline constexpr double good_prediction = 0.1, fair_prediction = 0.3, poor_prediction = 0.6;
 // A prediction that collapses is unusable too. It collapses if the objective on some block exceeds collapsed_objective,
 // which a constant force reaches as well, or if the mean objective is at least collapsed_least and more than
 // collapsed_ratio times the mean on the fitted blocks. docs/decision.md gives the reasons.
 inline constexpr double collapsed_objective = 1.0, collapsed_ratio = 10.0, collapsed_least = 0.2;
 PredictionGrade graded(double fitted_objective, double predicted_objective, double worst_predicted);
-// constant: as bad on some block as a constant force. far: much worse on predicted than on fitted blocks.
+// `constant`: as bad on some block as a constant force. `far`: much worse on predicted blocks than on fitted ones.
 enum class Collapse { no, constant, far };
 std::string_view name(Collapse collapse);  // "no", "constant", "far"
 Collapse collapse(double fitted_objective, double predicted_objective, double worst_predicted);
-// Adds a search's analysis to the fit that build_summary() has filled in. It needs the force of the fit's best run.
+// Adds a search's analysis to a fit that build_summary() has filled in, including the force of its best run.
 void add_analysis(DeviceFit& fit, campaign::Contents const& contents, campaign::Search const& search);
 // Must be called after the fits of this law on all devices are filled in.
 void add_lot_analysis(LawResult& law, campaign::Contents const& contents);

@@ -7,7 +7,7 @@
 namespace isolaw::study {
 
 // Computes statistics over runs and devices, robustness, the front, and the forces and errors of the best fits, from
-// the contents alone. Of an incomplete campaign it counts the missing runs.
+// the contents alone. It counts the runs that an incomplete campaign lacks.
 Summary build_summary(campaign::Contents const& contents);
 
 }  // namespace isolaw::study

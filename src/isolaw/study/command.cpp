@@ -10,7 +10,7 @@
 namespace isolaw::study {
 namespace {
 
-// True if the device has the name that it gets without a lot file. The seed depends on the name.
+// True if the device has the name that it gets without a lot file. Its random numbers depend on this name.
 bool is_named_by_its_file(DeviceResult const& device) {
   return device.name == campaign::name_of_file(device.file);
 }

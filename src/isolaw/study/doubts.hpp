@@ -28,7 +28,7 @@ std::string whose(std::string_view law, std::optional<std::string_view> device);
 // Throws Error if there is an objection and `anyway` is false. `where` begins the message, such as a text from whose().
 void require_taken(Doubts const& doubts, std::string const& where, bool anyway);
 std::string let_through(std::string_view objection);
-// Names in a sentence the part of the tests that a law was fitted to: a data::Selection as text, empty for all.
+// Names the part of the tests that a law was fitted to. `part` is a data::Selection as text, empty for all tests.
 std::string part_text(std::string_view part);
 
 }  // namespace isolaw::study

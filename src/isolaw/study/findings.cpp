@@ -60,7 +60,7 @@ std::vector<bool> converged_among_adequate(Summary const& summary) {
       [](auto const& law) { return law.objective_converged; });
 }
 
-// The place on the front of its most robust law, without laws decided by their search box; 0 if only the first is left.
+// The place on the front of the most robust law whose beta the search box does not decide, or 0 for the first law.
 std::size_t robust_end(Summary const& summary, std::vector<std::size_t> const& front) {
   for (std::size_t place = front.size(); place-- > 1;)
     if (!pinned(summary.laws[front[place]]).decides()) return place;
@@ -68,8 +68,8 @@ std::size_t robust_end(Summary const& summary, std::vector<std::size_t> const& f
 }
 
 // Finds the law between the front's two ends that is nearest to the point of least objective and least beta, both
-// scaled by the ends; returns its place, or the front's size if there is none. The law must predict well, must not be
-// decided by its search box, and must also be on the front that is free of the optimiser's noise.
+// scaled by the ends. Returns its place, or the front's size if there is none. The law must predict well, its beta must
+// not be decided by the search box, and it must also be on the front of results without the optimiser's noise.
 std::size_t compromise(Summary const& summary, std::vector<std::size_t> const& front) {
   auto const& laws = summary.laws;
   bool const analysed = std::ranges::any_of(laws, &LawResult::on_front_converged);
@@ -190,7 +190,7 @@ std::vector<Finding> headline(Summary const& summary, std::vector<std::size_t> c
   return {beside_others(summary, FindingKind::headline_nearest, nearest), *inadequacy(nearest)};
 }
 
-// Groups of two or more devices of which each is the same as the first of its group.
+// Groups devices of which each is the `same` as the first of its group, and drops groups of one.
 template <class Counts, class Same>
 std::vector<std::vector<DeviceResult const*>> groups_of_devices(Summary const& summary, Counts counts, Same same) {
   std::vector<std::vector<DeviceResult const*>> groups;

@@ -27,7 +27,7 @@ struct FrontPoint {
 
 // One point for each law that has both numbers, in the order of the summary.
 std::vector<FrontPoint> front_points(Summary const& summary, FrontView view);
-// Ids of the laws on the front that beat the point: no worse in both numbers, better in one. A front's law has none.
+// Ids of the laws on the front that are no worse than the point in both numbers and better in one.
 std::vector<std::string> dominating(std::vector<FrontPoint> const& points, FrontPoint const& point);
 
 }  // namespace isolaw::study

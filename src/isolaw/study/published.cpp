@@ -137,7 +137,7 @@ bool is_rising(ByNumber const& laws, Numbers const& numbers, Compared quantity) 
          }) == numbers.end();
 }
 
-// Judges whether each of the laws `first` has a smaller value than all other laws. Needs at least one other law.
+// Judges whether each law with a number in `first` has a smaller value than all other laws, of which one must exist.
 Judged have_smallest(ByNumber const& laws, Numbers const& first, Compared quantity) {
   if (auto const open = not_judged(laws, first, {quantity})) return *open;
   Numbers there;

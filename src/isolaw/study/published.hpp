@@ -22,7 +22,7 @@ struct PublishedNumbers {
 struct PublishedLaw {
   int number = 0;         // the law's number in the study
   std::string law;        // isolaw's id; law 5 has two rows, one for each reading of its equations
-  bool compared = false;  // the campaign has this law, and statements are judged by this reading
+  bool compared = false;  // the campaign has this law, and the statements are judged with this reading of it
   PublishedNumbers printed, here;
 };
 

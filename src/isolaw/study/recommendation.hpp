@@ -27,7 +27,7 @@ std::string_view name(Rank place);  // "taken", "ties", "behind", "ruled out"
 struct Standing {
   std::size_t law = 0;  // index into Summary::laws
   Rank place = Rank::behind;
-  std::optional<double> error;    // misfit on the tests, or on what was left out of the fit, by purpose
+  std::optional<double> error;    // misfit on the tests or on what was left out of the fit, as the purpose asks
   std::optional<Finding> reason;  // why the law is ruled out
 };
 

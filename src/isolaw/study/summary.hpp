@@ -74,7 +74,7 @@ struct DeviceFit {
   int refinement = 1;                   // integration steps per sample, in the best run
   std::optional<double> success_share;  // share of usable runs within 0.1 % of the campaign's least objective
   std::string success_reference;        // where that least objective comes from
-  std::optional<double> optimum;        // least objective of the analysis
+  std::optional<double> optimum;        // least objective that the analyses found
   std::optional<double> rise;           // how far the objective may rise within a parameter's range
   std::vector<std::string> trade_offs;  // sentences on parameters that compensate each other
   std::optional<double> interval_level;
@@ -83,7 +83,7 @@ struct DeviceFit {
   std::optional<double> lot_objective;       // objective with the parameters that fit the lot best on average
   std::optional<double> worst_objective;     // objective with the parameters that fit the worst device best
   std::optional<double> left_out_objective;  // objective with parameters fitted to all other devices
-  // Objectives if springs in several directions in plan replace the law: with parameters fitted to springs, or its own.
+  // Objectives of springs in several directions in plan, with parameters fitted to the springs or with the law's own.
   std::optional<double> springs_objective, springs_given_objective;
   std::vector<BlockScore> blocks;
   std::optional<EnergyFall> energy_fall;       // empty if the device does not lose energy steadily
@@ -103,7 +103,7 @@ struct LotLaw {
   std::vector<double> parameters, worst_parameters;
   double mean = 0.0, worst = 0.0;  // mean and largest objective with `parameters`
   std::string worst_device = {};
-  double least_worst = 0.0, least_worst_bound = 0.0;  // `worst_parameters`: largest objective, and its lower limit
+  double least_worst = 0.0, least_worst_bound = 0.0;  // largest with `worst_parameters`, and a lower bound for it
   std::vector<std::pair<std::string, fit::AtBound>> at_bound = {};  // entries of `parameters` that lie at a bound
 };
 
@@ -120,7 +120,7 @@ struct LawResult {
   std::optional<double> beta;
   std::string beta_note;  // why beta is empty
   bool on_front = false;
-  // From here to left_out_of_beta: results from least objectives, without the optimiser's noise (docs/method.md).
+  // Members from here to left_out_of_beta are from least objectives, without the optimiser's noise (docs/method.md).
   std::optional<double> success_share;
   std::string success_reference;
   std::optional<double> objective_converged, beta_converged;
@@ -134,14 +134,13 @@ struct LawResult {
   bool on_front_loo = false;  // on the front of objective_converged against loo_objective
   std::optional<lot::Population> population;
   std::optional<double> fitted_objective, predicted_objective,
-      worst_predicted;                              // means over blocks; worst: the largest
+      worst_predicted;                              // means over the blocks; worst_predicted is the largest
   std::optional<PredictionGrade> prediction_grade;  // empty if no blocks are predicted
-  bool in_programs = false;                         // an analysis program has this law for such parameter values
+  bool in_programs = false;  // an analysis program has this law and can take its parameter values
   std::string reduced_form;  // the `--set` that fits the form without the redundant parameter; "" if there is none
   std::vector<std::string> notes;  // how isolaw reads the law where its source is ambiguous
   std::vector<DeviceFit> devices;
 
-  // False if the law predicts blocks with a grade worse than fair.
   bool prediction_holds() const { return !prediction_grade || *prediction_grade <= PredictionGrade::fair; }
   bool prediction_unusable() const { return prediction_grade == PredictionGrade::unusable; }
 };

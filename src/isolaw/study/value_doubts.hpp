@@ -1,4 +1,4 @@
-// Doubts about a certified value that errors of the measurement raise, and the value without the error.
+// Doubts about a certified value because of errors of the measurement, with the value that it has without the error.
 #pragma once
 
 #include <string>

@@ -270,7 +270,7 @@ std::vector<Finding> Collector::record_findings(DeviceResult const& device) {
   return found;
 }
 
-// A record shared by two devices makes parameters look less scattered. A compression test belongs to one device.
+// Warns of devices that share a record, which makes parameters scatter less, or share a compression test.
 std::vector<Finding> Collector::shared_records(Summary const& summary) {
   std::vector<Finding> found;
   auto const names_of = [](auto const& group) {

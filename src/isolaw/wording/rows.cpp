@@ -10,7 +10,6 @@ namespace {
 
 using Sentence = std::string (*)(Group);
 
-// A finding about a law or a device of a campaign.
 constexpr Row campaign(FindingKind kind, std::string_view key, std::string_view topic, Severity severity,
                        std::string_view action, unsigned grouping, unsigned appears, Subject subject,
                        std::string_view text) {
