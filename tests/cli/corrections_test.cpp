@@ -150,7 +150,7 @@ TEST_F(Corrections, the_lot_file_has_the_same_keys_for_all_devices_and_for_one) 
     expect_disturbed(found["devices"][1]);
     EXPECT_TRUE(found["devices"][1]["corrections"].empty());
   }
-  // The value in [[device]] overrides the one in [read], and the command line overrides both.
+  // The force factor in [[device]] overrides the one in [read], and the command line overrides both.
   write("double.csv", rig_record({.factor = 2.0}));
   write("fourfold.csv", rig_record({.factor = 4.0}));
   write("lot.toml",

@@ -30,17 +30,18 @@ namespace {
 
 using std::numbers::pi;
 
-// `share` is the mass of the structure over the whole mass. base_period_s is the period of the whole mass, taken as
-// rigid, on its bearings; floor_period_s is the period of the structure on a rigid base; periods_s are the two expected
-// periods.
+// Two masses in series. `share` is the mass of the structure over the whole mass. base_period_s is the period of the
+// whole mass, taken as rigid, on its bearings. floor_period_s is the period of the structure on a rigid base. periods_s
+// are the expected periods of the two modes.
 struct TwoMasses {
   double share, base_period_s, floor_period_s;
   std::array<double, 2> periods_s;
 };
 
 TEST(Building, frequencies_of_two_masses) {
-  // The expected frequencies w solve (1-g) w^4 - (ws^2 + wb^2) w^2 + wb^2 ws^2 = 0, where g is the share and wb and ws
-  // belong to the base and floor periods.
+  // The expected frequencies w solve (1-g) w^4 - (ws^2 + wb^2) w^2 + wb^2 ws^2 = 0. Here g is the share of the
+  // structure's mass, wb = 2 pi / Tb the frequency on the bearings and ws = 2 pi / Ts the frequency of the structure on
+  // a rigid base.
   for (auto const& [share, Tb, Ts, periods] :
        {TwoMasses{5.0 / 6.0, 2.5, 0.3, {2.51499071, 0.12174447}}, TwoMasses{0.8, 2.0, 0.5, {2.04997762, 0.21815536}}}) {
     double const mass = 600.0;
@@ -156,7 +157,7 @@ Released release(double step_s) {
                              {.longest_step_s = step_s, .histories = true, .pulled_to = {150.0, 0.0}});
   Released released;
   auto const& h = run.history;
-  // On the way back the bearing yields after a travel of twice its yield displacement.
+  // After its release the mass moves back, and the bearing yields after a travel of twice its yield displacement.
   double const slides = 150.0 - 2.0 * 30.0 / 5.1;
   for (std::size_t i = 1; i < h.time_s.size(); ++i) {
     double const x0 = h.base[i - 1][0], x1 = h.base[i][0], v0 = h.velocity[i - 1][0], v1 = h.velocity[i][0];
@@ -209,8 +210,8 @@ TEST(Building, rigid_mass_on_el_centro) {
     auto const run = integrate(rigid_mass(mass / Mg_in_mass), bearings, motion,
                                {.longest_step_s = 1.25e-4, .rest_s = 20.0, .histories = true});
     ASSERT_EQ(run.outcome, Outcome::completed) << run.why;
-    // Each tolerance is the integrator's own error at this step plus the rounding of the expected value's printed
-    // digits.
+    // Each tolerance is the integrator's own error at this length of step plus the rounding of the printed expected
+    // value.
     EXPECT_NEAR(run.of(Measure::isolator), peak, 1e-4);
     EXPECT_NEAR(run.of(Measure::shear) / weight, force, 1.5e-6);
     EXPECT_NEAR(run.history.base.back()[0], end, 3e-4);

@@ -128,9 +128,10 @@ TEST(ClosedForm, VaianaLimitCurves) {
   EXPECT_NEAR(force[200], -70.0 * 15.0 + 4.0 * 700.0 / 5.0 - 2.0 * 700.0 + 3e5 * -0.2 - 3e4, 1e-8);
 }
 
-// Bouc-Wen with n = 1 while x moves one way. The direction of motion is s, the travel t = |x - x0|, and y = s z obeys
+// Returns y = s z of Bouc-Wen's law with n = 1 after a travel t in one direction, from the value y at the start of this
+// travel. The direction is s = +1 or -1, and
 //     y' = A + c y  for y < 0, c = gamma - beta;     y' = A - b y  for y >= 0, b = beta + gamma.
-// Both equations are linear and have exponential solutions; y passes zero at most once, upwards.
+// Both equations are linear and have exponential solutions. y passes zero at most once, upwards.
 double bouc_wen_n1(double y, double travel, double A, double beta, double gamma) {
   double const b = beta + gamma, c = gamma - beta;
   if (y < 0.0) {
@@ -190,9 +191,9 @@ TEST(ClosedForm, BoucWenThatHardlyUnloads) {
   }
 }
 
-// The parameter A is redundant: z may become c z and A c A if beta and gamma are multiplied by c^(1-n) and the
-// stiffnesses keep alpha Ke and (1 - alpha) Ke z. The forces then differ only by rounding, which grows over the hundred
-// samples of the path.
+// The parameter A is redundant: the force stays the same if z becomes c z, A becomes c A, beta and gamma are multiplied
+// by c^(1-n), and alpha Ke and (1 - alpha) Ke z keep their values. The forces then differ only by rounding, which grows
+// over the hundred samples of the path.
 TEST(ClosedForm, BoucWenRescaled) {
   constexpr double alpha = 0.2, Ke = 3.0, A = 1.2, beta = 0.05, gamma = 0.03, n = 1.2;
   auto const motion = irregular(4, 200.0, 4, 80);
@@ -263,8 +264,8 @@ TEST(ClosedForm, AbeY0ElasticPartsAlone) {
 }
 
 // A long motion in one direction saturates F2 at +-Y0. In abe the yield force grows with x unless Uh is very large;
-// with Uh = 1e12 the growth (400 / 1e12)^1.7 is negligible. 1 - u falls by the factor exp(-n) per Ut = 4 mm, which
-// leaves e^-30 after 400 mm with n = 0.3.
+// with Uh = 1e12 the growth (400 / 1e12)^1.7 is negligible. With u = F2 / Y0, the rest 1 - u falls by the factor
+// exp(-n) per Ut = 4 mm. After 400 mm with n = 0.3 it is e^-30.
 template <class Law>
 void saturates() {
   auto values = without_hysteresis<Law>(45.0);
@@ -302,7 +303,8 @@ TEST(ClosedForm, AbeY0WithExponentOne) {
     EXPECT_NEAR(growing[i], 45.0 * (1.0 - std::pow(1.0 + virgin.disp_mm[i] / 20.0, -4.0)), 1e-5 * 45.0) << i;
 }
 
-// At these points cosh and the root are rational: cosh(ln 2) = 5/4; v / sqrt(a11^2 + v^2) = 4/5 for v = 0.4, a11 = 0.3.
+// At these points cosh and the root are rational numbers: cosh(ln 2) = 5/4, and v / sqrt(a11^2 + v^2) = 4/5 for v = 0.4
+// m/s and a11 = 0.3 m/s.
 TEST(ClosedForm, JankowskiByHand) {
   double const ln2 = std::numbers::ln2;
   auto const values = named<Jankowski>({{"a1", 100.0},
@@ -319,8 +321,9 @@ TEST(ClosedForm, JankowskiByHand) {
   // The three samples: x = 100 mm, v = 400 mm/s; x = -100 mm, v = 0; x = 0, v = -400 mm/s.
   auto const force =
       forces<Jankowski>(values, Motion{{100.0, 100.0, 100.0, -100.0, 0.0}, {400.0, 0.0, -400.0, 400.0, -400.0}});
-  // x2 = 0.01, x4 = 1e-4: constant part 100 + 10 + 1 = 111. Moving: 500 * 16/25 = 320 and 2000 * 4/5 * 4/5 = 1280.
-  // At rest: 500 and 2000 * 4/5 = 1600. Damping (40 + 6) * 4/5 = 36.8; at x = 0, 40 * 4/5 = 32.
+  // At x = +-100 mm, x^2 = 0.01 and x^4 = 1e-4, so the constant part of the stiffness is 100 + 10 + 1 = 111. In motion
+  // the terms with a4 and a6 are 500 * 16/25 = 320 and 2000 * 4/5 * 4/5 = 1280; at rest they are 500 and 2000 * 4/5 =
+  // 1600. The damping force is (40 + 6) * 4/5 = 36.8, and 40 * 4/5 = 32 at x = 0.
   EXPECT_NEAR(force[0], 171.1 + 36.8, 1e-11);
   EXPECT_NEAR(force[1], 221.1, 1e-11);
   EXPECT_NEAR(force[2], 171.1 - 36.8, 1e-11);
@@ -328,8 +331,8 @@ TEST(ClosedForm, JankowskiByHand) {
   EXPECT_NEAR(force[4], -32.0, 1e-11);
 }
 
-// With a9 = a10 = 0 the work does not matter: F = (a1 + a2 x^2 + a3 x^4 + a4 / cosh^2(a5 v)) x + 2 (a6 + a7 x^2) v /
-// sqrt(a8^2 + v^2).
+// With a9 = a10 = 0 the force does not depend on the work: F = (a1 + a2 x^2 + a3 x^4 + a4 / cosh^2(a5 v)) x + 2 (a6 +
+// a7 x^2) v / sqrt(a8^2 + v^2).
 TEST(ClosedForm, HwangWuWithoutWork) {
   auto const values = named<HwangWu>(
       {{"a1", 4e3}, {"a2", -2.0}, {"a3", 5e-3}, {"a4", 60.0}, {"a5", 0.05}, {"a6", 3e4}, {"a7", 5.0}, {"a8", 80.0}});

@@ -58,9 +58,9 @@ double travel_below_zero(double n, double kappa, double u0, double u1) {
   return rule.integrate([&](double w) { return 1.0 / (1.0 + kappa * std::pow(w, n)); }, -u1, -u0, 1e-13);
 }
 
-// Travel while loading from u0 to u1, 0 <= u0 < u1 < 1. Up to 0.5 the integral is in u, by a rule that tolerates the
-// singular derivative of u^n at 0. Beyond 0.5 it is in s = -ln(1 - u), in which the integrand is smooth up to
-// saturation.
+// Travel while loading from u0 to u1, 0 <= u0 < u1 < 1. Up to u = 0.5 the variable of integration is u, and the
+// quadrature tolerates the singular derivative of u^n at 0. Beyond 0.5 the variable is s = -ln(1 - u), because the
+// integrand is smooth in s up to saturation.
 double travel_below_one(double n, double u0, double u1) {
   constexpr double half = 0.5;
   double travel = 0.0;
@@ -136,7 +136,8 @@ TEST(SaturatingFlow, FollowsTheEquationFromBelowSaturation) {
   }
 }
 
-// abe may start below u = -1, where the table applies. The tolerance is relative to the rate at the start, 1 + |u|^n.
+// The law abe may start below u = -1, where saturating_flow.hpp uses a table. The tolerance is relative to the rate at
+// the start, 1 + |u|^n.
 TEST(SaturatingFlow, FollowsTheEquationFromFarBelowToo) {
   auto places = rising_places;
   places.insert(places.begin(), {-50.0, -20.0, -7.0, -2.0});
@@ -147,7 +148,7 @@ TEST(SaturatingFlow, FollowsTheEquationFromFarBelowToo) {
   }
 }
 
-// If the yield force of abe has shrunk, u is above 1 and falls towards 1. The tolerance is relative to u.
+// If the yield force of the law abe has shrunk, u is above 1 and falls towards 1. The tolerance is relative to u.
 TEST(SaturatingFlow, FallsToSaturationFromAbove) {
   std::vector<double> const places{50.0, 30.0, 12.0, 5.0, 2.5, 1.6, 1.2, 1.05, 1.01, 1.0001};
   for (double const n : abe_exponents) {

@@ -25,7 +25,8 @@
 namespace isolaw::fit {
 namespace {
 
-constexpr double tolerance = 1e-4;  // on the objective, whose best values differ by 1e-3 and more from law to law
+// The permitted shift of the objective. The best objectives of two laws differ by 1e-3 and more.
+constexpr double tolerance = 1e-4;
 constexpr int finer = 20;
 constexpr int random_sets = 100;
 constexpr double rare = 0.05;  // permitted share of infinite objectives among random sets with a bounded force
@@ -74,7 +75,7 @@ class Refined {
 struct Shift {
   double random = 0.0, best = 0.0;  // largest shift at random sets and at the best sets
   double best_objective = 0.0;      // on the record with the largest shift at the best set
-  // numbers of random sets: all, without finite objective, with a shift above the tolerance
+  // How many random sets were drawn, had no finite objective, and shifted by more than the tolerance.
   int sets = 0, not_finite = 0, beyond = 0;
   std::string worst;  // the random set with the largest shift
 };
@@ -138,7 +139,7 @@ void report(char const* records, laws::LawEntry const& law, Shift const& shift) 
   EXPECT_LE(shift.not_finite, rare * shift.sets) << law.info.id;
 }
 
-// The ten records as the example lot's settings read them: smoothed over 5 samples, 200 samples per cycle.
+// Reads the ten records with the settings of the example lot: smoothed over 5 samples, 200 samples per cycle.
 std::vector<data::FitRecord> example_records() {
   auto folder = (std::filesystem::temp_directory_path() / "isolaw-integration-XXXXXX").string();
   if (mkdtemp(folder.data()) == nullptr) return {};
@@ -363,7 +364,7 @@ TEST(ConvergedIntegration, OfAbeStaysBelowTheYieldForceForSmallYieldDisplacement
   auto const& law = laws::find_law("abe");
   for (double const U0 : {5.0, 1.0, 0.5, 0.25, 0.1})
     for (double const n : {0.05, 0.3, 0.6, 0.85, 1.0}) {
-      // all other forces are zero, so the force is F2
+      // All other terms of the law are zero with these parameters, so the force is F2.
       Values const parameters{0.0, 1.0, 0.0, 0.0, 1.0, n, 100.0, 50.0, 1.0, U0, 300.0, 0.0, 1.0};
       auto const force = Refined(law, record, 1).force_kN(parameters),
                  fine = Refined(law, record, finer).force_kN(parameters);
@@ -402,7 +403,7 @@ TEST(IntegrationShift, IsTheDifferenceFromAPathOfFinerSteps) {
 }
 
 // docs/source.md, "Integration", says that with n = 0.3 one step per sample at 100 samples per cycle changes the
-// objective by 0.007. The test requires this order of magnitude, which is large enough for a warning.
+// objective by 0.007. The test requires this order of magnitude, for which the program warns.
 TEST(IntegrationShift, OfThePaperIsLargeWhereTheSpecificationSaysSo) {
   data::FitRecord record;
   for (int i = 0; i <= 300; ++i) {
@@ -411,7 +412,7 @@ TEST(IntegrationShift, OfThePaperIsLargeWhereTheSpecificationSaysSo) {
     record.vel_mm_s.push_back(208.0 * std::numbers::pi * std::cos(std::numbers::pi * 0.02 * i));
   }
   auto const& law = laws::find_law("abe-y0");
-  // means of device 4 in Table A.5
+  // The means of device 4 in Table A.5.
   Values const device_4{7.14, 2.95, 0.03, 0.71, 7.29, 0.3, 49.5, 114.7, 2.8, 41.75, 0.22, 0.12};
   record.force_kN = Refined(law, record, 400).force_kN(device_4);
   double const paper = LawOnRecord(law, record, laws::Integration::paper).integration_shift(device_4);

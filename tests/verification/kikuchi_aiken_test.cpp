@@ -95,8 +95,8 @@ TEST(KikuchiAiken, InnerBranchesWithOvershoot) {
   for (std::size_t i = 0; i < stress.size(); ++i) EXPECT_NEAR(found.stress[i + 1], stress[i], 6e-10) << i;
 }
 
-// The expected values come from a script with its own code: it finds a by bisection and keeps its own stack of turns.
-// The second set of parameters overshoots and hardens.
+// The expected values come from a script with its own code, which finds the exponent a by bisection and keeps its own
+// stack of turning points. With the second set of parameters the branches overshoot and the stiffness hardens.
 TEST(KikuchiAiken, ItsOwnFunctions) {
   struct Case {
     Values<KikuchiAiken> values;
@@ -153,8 +153,8 @@ TEST(KikuchiAiken, LoopsClose) {
   }
 }
 
-// The force must be continuous: as the last step d is halved, the change of the force over it tends to 0. From rest it
-// falls as d^(1-p), elsewhere as d. This includes steps that end on a peak or a turning point or go past it.
+// The force must be continuous: as the last step d is halved, the change of the force over it tends to 0. From rest
+// this change falls as d^(1-p), elsewhere as d. Some steps end on a peak or on a turning point, others go past it.
 TEST(KikuchiAiken, IsContinuous) {
   std::vector<std::vector<double>> const histories{{0},
                                                    {0, 50},
@@ -172,8 +172,8 @@ TEST(KikuchiAiken, IsContinuous) {
         for (double d = 1.0; d > 1e-12; d *= 0.5) {
           auto on = history, onto = history;
           on.push_back(on.back() + sign * d);
-          // In the second path the last point is approached from the side of the point before, by a last step of length
-          // d.
+          // The path `onto` ends at the last point of the history with a step of length d, from the side from which the
+          // history comes.
           double const from = onto.size() < 2 ? 0.0 : onto[onto.size() - 2] < onto.back() ? -1.0 : 1.0;
           if (from != 0.0) onto.insert(onto.end() - 1, onto.back() + from * std::min(d, 0.5));
           double const bound = 60.0 * std::pow(d / 100.0, 0.6) + 25.0 * d + 1e-12;
@@ -197,9 +197,9 @@ TEST(KikuchiAiken, DampingIsThatOfTheLoop) {
   }
 }
 
-// Up to twice the amplitude of 208 mm for which the box is made, the first cycle, from x = 0, and the second dissipate.
-// At 1040 mm h may be 0, and then only the second cycle must dissipate, through the terms that close the branches. On
-// the first loading the force grows faster than the displacement, so less energy goes in than comes back.
+// Up to 416 mm, twice the amplitude for which the box is made, the first two cycles from x = 0 dissipate. At 1040 mm h
+// may be 0, and on the first loading the force grows faster than the displacement, so less energy goes in than comes
+// back. There only the second cycle must dissipate, through the terms that close the branches.
 TEST(KikuchiAiken, CyclesDissipate) {
   for (double const amplitude : {2.0, 50.0, 208.0, 416.0, 1040.0})
     for (std::uint32_t i = 0; i < 500; ++i) {
@@ -213,7 +213,7 @@ TEST(KikuchiAiken, CyclesDissipate) {
     }
 }
 
-// Every closed loop inside the largest one dissipates, wherever it starts.
+// A closed loop between two inner turning points dissipates, wherever it starts.
 TEST(KikuchiAiken, InnerLoopsDissipate) {
   for (double const length : {1.0, 20.0, 100.0, 300.0})
     for (double const at : {-150.0, -20.0, 100.0, 200.0})

@@ -35,7 +35,7 @@ using Values = std::vector<double>;
 constexpr std::size_t devices = 50;
 constexpr double freedom = devices - 1.0;
 constexpr double standard_errors = 3.5;
-// between the logarithms of the first two free parameters; the others are independent
+// The correlation between the logarithms of the first two free parameters. The other parameters are independent.
 constexpr double correlation = 0.6;
 
 // A law and the medians of its free parameters. Its other parameters are fixed at zero.
@@ -170,7 +170,8 @@ Matrix matrix(SquareMatrix const& rows) {
 struct Recovered {
   Vector true_mean, drawn_mean, mean;
   Matrix true_covariance, drawn_covariance;
-  // S is the covariance of the estimates, C the mean covariance of the fits' errors, `covariance` the population's.
+  // S is the covariance of the estimates, C is the mean covariance of the errors of the fits, and `covariance` is the
+  // population's as estimated from the tests.
   Matrix covariance, S, C;
   Population population;
 };
@@ -238,7 +239,8 @@ TEST_P(PopulationRecovery, GivesMeanAndCovarianceBack) {
     EXPECT_EQ(found.population.directions, lot.names.size());
     EXPECT_TRUE(found.population.undetermined.empty());
 
-    // The estimates differ from the population because only 50 devices were drawn and because each fit has an error.
+    // The estimates scatter about the population for two reasons: only 50 devices were drawn, and each fit has an
+    // error.
     Matrix const T = found.true_covariance + found.C;
     expect_within(found.mean, found.true_mean, T.diagonal() / devices, "mean");
     expect_within(found.covariance, found.true_covariance, variance_of_covariance(T), "covariance");
@@ -268,7 +270,7 @@ TEST_P(PopulationRecovery, OfEqualDevicesFindsNoMoreThanTheErrorsOfTheFits) {
   double const largest = std::pow(1.0 + std::sqrt(n / freedom) + standard_errors / std::sqrt(freedom), 2);
   for (Index i = 0; i < found.C.rows(); ++i) {
     EXPECT_LE(found.covariance(i, i), (largest - 1.0) * found.C(i, i));
-    // far below the smallest variability that the other tests use, 0.025
+    // The limit is far below 0.025, the smallest variability in the other tests.
     EXPECT_LT(std::sqrt(found.covariance(i, i)), 0.01);
   }
   EXPECT_LT(found.population.directions, lot.names.size());
