@@ -52,7 +52,7 @@ inline void expect_loop(Json const& cycle, Loop const& loop, double share = 1e-6
   near("damping_percent", loop.damping);
 }
 
-// The counted cycle with this number in this block of a device.
+// Returns the counted cycle with this number in this block of a device.
 inline Json const& cycle_of(Json const& device, int block, int number) {
   for (auto const& one : device["blocks"])
     for (auto const& cycle : one["cycles"])
@@ -90,7 +90,7 @@ inline double number(std::vector<Words> const& rows, std::size_t row, std::strin
   return std::stod(cell(rows, row, name));
 }
 
-// All values of the key `verdict`, at any depth.
+// Collects all values of the key `verdict`, at any depth.
 inline void collect_verdicts(Json const& json, std::vector<std::string>& found) {
   if (json.is_object())
     for (auto const& [key, value] : json.items())

@@ -13,7 +13,7 @@ namespace isolaw::cli_test {
 
 struct ExpectedLaw {
   std::string_view id;
-  std::vector<std::pair<std::string_view, std::string_view>> parameters;  // name and unit of each
+  std::vector<std::pair<std::string_view, std::string_view>> parameters;  // name and unit
 };
 
 inline std::vector<ExpectedLaw> const& published_laws() {

@@ -11,7 +11,7 @@
 
 namespace isolaw::cli_test {
 
-// The rows of a query as text "value|value", with binary values in hexadecimal.
+// Returns the rows of a query as texts "value|value", with binary values in hexadecimal.
 inline std::vector<std::string> query(std::filesystem::path const& file, std::string const& sql) {
   sqlite3* db = nullptr;
   sqlite3_stmt* statement = nullptr;
@@ -27,7 +27,7 @@ inline std::vector<std::string> query(std::filesystem::path const& file, std::st
         auto const type = sqlite3_column_type(statement, i);
         if (type == SQLITE_NULL) {
           row += "NULL";
-          // the bytes of a double, so that comparisons are exact
+          // A double is shown by its bytes, so that comparisons are exact.
         } else if (type == SQLITE_BLOB || type == SQLITE_FLOAT) {
           double const value = sqlite3_column_double(statement, i);
           auto const* bytes = static_cast<unsigned char const*>(type == SQLITE_BLOB ? sqlite3_column_blob(statement, i)
