@@ -50,8 +50,8 @@ class Interrupt(unittest.TestCase):
         self.assertEqual(child.returncode, 0, errors)
         word, beats = out.split()[-2:]
         self.assertEqual(word, "interrupted", errors)
-        # The search ran for a second. Another thread ran meanwhile, because the search does not hold Python's global
-        # lock.
+        # The search had run for a second when it was interrupted. Another Python thread could run meanwhile, because
+        # the search does not hold Python's global lock.
         self.assertGreater(int(beats), 10)
 
     def test_an_interrupted_campaign_is_continued_by_the_same_call(self):
