@@ -11,7 +11,7 @@
 namespace isolaw::cli_test {
 namespace {
 
-// A bilinear loop with a little third harmonic: three cycles at 50 mm and three at 100 mm, 60 samples a cycle.
+// Returns a bilinear loop with a little third harmonic: three cycles at 50 mm and three at 100 mm, 60 samples a cycle.
 std::string two_blocks(double stiffness) {
   std::string text = "time [s],disp [mm],force [kN]\n";
   double hysteretic = 0.0, before = 0.0;

@@ -16,8 +16,8 @@ struct Rig {
   double late_s = 0.0, friction_kN = 0.0, mass_kg = 0.0, factor = 1.0;
 };
 
-// Four and a half cycles of a device with F = 0.8 x + 0.02 v under a vertical load of 2000 kN. The formula gives the
-// force at any time, so the delay is exact.
+// Returns four and a half cycles of a device with F = 0.8 x + 0.02 v under a vertical load of 2000 kN. The formula
+// gives the force at any time, so a delay of the force is exact.
 std::string rig_record(Rig const& rig) {
   std::string text = "time [s],displacement [mm],force [kN],vertical load [kN]\n";
   for (int i = 0; i <= 1800; ++i) {

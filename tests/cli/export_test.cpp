@@ -12,7 +12,7 @@
 namespace isolaw::cli_test {
 namespace {
 
-// Three cycles at 100 mm, 60 samples a cycle, of a bilinear loop with a rounded corner.
+// Returns three cycles at 100 mm, 60 samples a cycle, of a bilinear loop with a rounded corner.
 std::string loops(double stiffness) {
   std::string text = "time [s],disp [mm],force [kN]\n";
   double hysteretic = 0.0, before = 0.0;
@@ -27,7 +27,7 @@ std::string loops(double stiffness) {
   return text;
 }
 
-// The last column of a CSV table, without comment lines and the header.
+// Returns the last column of a CSV table, without comment lines and the header.
 std::vector<double> last_column(std::string const& csv) {
   std::vector<double> values;
   std::istringstream lines(csv);

@@ -19,8 +19,8 @@ struct Loop {
   double d_plus = 0.0, d_minus = 0.0, F_plus = 0.0, F_minus = 0.0, K_eff = 0.0, energy = 0.0, damping = 0.0;
 };
 
-// Properties of the cycle from sample `first` to sample `last`, both included: K_eff from peak to peak, energy by
-// trapezoids, and damping E/(2 pi K_eff D^2).
+// Returns the properties of the cycle from sample `first` to sample `last`, both included: K_eff from peak to peak,
+// energy by trapezoids, and damping E/(2 pi K_eff D^2).
 inline Loop loop_of(std::span<Sample const> samples, std::size_t first, std::size_t last) {
   auto const cycle = samples.subspan(first, last - first + 1);
   auto const [lowest, highest] = std::ranges::minmax(cycle, {}, &Sample::disp_mm);

@@ -9,7 +9,7 @@
 
 namespace isolaw::cli_test {
 
-// Two seconds of ground motion as a CSV text with units in its header.
+// Returns two seconds of ground motion as a CSV text with units in its header.
 inline std::string ground_motion(double amplitude_m_s2 = 1.0, double step_s = 0.02, int samples = 101) {
   std::string text = "time [s],acceleration [m/s2]\n";
   for (int i = 0; i < samples; ++i)

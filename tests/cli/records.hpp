@@ -20,8 +20,8 @@ struct RecordShape {
   double amplitude_mm = 100.0, stiffness_kN_per_mm = 0.5, strength_kN = 20.0, yield_mm = 10.0, interval_s = 0.01;
 };
 
-// A device with a constant stiffness and an elastic-plastic element under a sine. The energy of a cycle is about 4 Qd
-// (D - Dy).
+// Returns the record of a device with a constant stiffness and an elastic-plastic element under a sine. The energy of a
+// cycle is about 4 Qd (D - Dy).
 inline std::vector<Sample> record(RecordShape const& shape = {}) {
   std::vector<Sample> samples;
   double z = 0.0, before = 0.0;

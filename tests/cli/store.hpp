@@ -55,7 +55,8 @@ inline std::vector<std::string> query(std::filesystem::path const& file, std::st
   return rows;
 }
 
-// Every row of every table, sorted. Nothing in the store depends on the clock, so two equal campaigns have equal rows.
+// Returns every row of every table, sorted. Nothing in the store depends on the clock, so two equal campaigns have
+// equal rows.
 inline std::vector<std::string> all_rows(std::filesystem::path const& file) {
   std::vector<std::string> rows;
   for (auto const& table : query(file, "SELECT name FROM sqlite_master WHERE type = 'table'"))
@@ -64,7 +65,7 @@ inline std::vector<std::string> all_rows(std::filesystem::path const& file) {
   return rows;
 }
 
-// The number of rows, or 0 if there is no store yet. `table_and_condition` may be "run WHERE law = 'abe'".
+// Returns the number of rows, or 0 if there is no store yet. `table_and_condition` may be "run WHERE law = 'abe'".
 inline int stored_rows(std::filesystem::path const& file, std::string const& table_and_condition) {
   try {
     return std::filesystem::exists(file) ? std::stoi(query(file, "SELECT count(*) FROM " + table_and_condition).at(0))

@@ -35,7 +35,7 @@ class Interrupt(unittest.TestCase):
             child = subprocess.Popen([sys.executable, "-c", LONG, folder + "/out"], stdout=subprocess.PIPE,
                                      stderr=subprocess.PIPE, text=True, cwd=os.path.dirname(__file__))  # fmt: skip
             try:
-                # isolaw creates this file when the search starts.
+                # isolaw creates the store campaign.sqlite when the search starts, so the test waits for this file.
                 limit = time.monotonic() + 60
                 while not os.path.exists(folder + "/out/campaign.sqlite") and time.monotonic() < limit:
                     time.sleep(0.05)

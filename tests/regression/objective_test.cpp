@@ -1,5 +1,5 @@
-// The objective of every law at three points of the published box, with both integrations, on the first record of the
-// example lot. A change of the code may alter these objectives only on purpose.
+// Compares the objective of every law with stored values: at three points of the published box, with both integrations,
+// on the first record of the example lot. A change of the code may alter these objectives only on purpose.
 #include <gtest/gtest.h>
 
 #include <cmath>

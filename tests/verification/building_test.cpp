@@ -68,8 +68,9 @@ TEST(Building, frequencies_of_an_eccentric_deck) {
        {Case{0.1, 1.2, {0.9891102469, 1.2089916954}}, Case{0.2, 1.0, {0.8944271910, 1.0954451150}},
         Case{0.05, 1.4, {0.9987005855, 1.4009272431}}}) {
     Structure const deck({.base = {.mass_Mg = mass, .gyration_mm = r}, .floors = {}});
-    // The stiffness along x acts at the distance e r from the centre of mass. `ratio` is the frequency of rotation over
-    // the frequency along x, both about the centre of mass and without coupling.
+    // The stiffness along x acts at the distance e r from the centre of mass, where r is the radius of gyration.
+    // `ratio` is the frequency of rotation over the frequency along x, both about the centre of mass and without
+    // coupling.
     Matrix3 bearings = Vector3(k, 100.0 * k, k * r * r * ratio * ratio).asDiagonal();
     bearings(0, 2) = bearings(2, 0) = -k * e * r;
     auto const frequencies = deck.frequencies_on(bearings);
@@ -79,7 +80,7 @@ TEST(Building, frequencies_of_an_eccentric_deck) {
   }
 }
 
-// A spring and a dashpot of equal values along x and y, in parallel with a law's bearing.
+// A bearing with the same spring and the same dashpot along x and y, in parallel with the bearing of a law.
 class Dashpot final : public Bearing {
  public:
   Dashpot(double stiffness, double damping, std::unique_ptr<Bearing> parallel)
@@ -145,8 +146,8 @@ struct Released {
   double half_cycle_s = 0.0, elastic_s = 0.0, speed_mm_s = 0.0;
 };
 
-// Releases a mass from rest at 150 mm. A turning point is found between two steps, where the velocity, taken as linear,
-// passes zero.
+// Releases a mass from rest at 150 mm. Between two steps the velocity is taken as linear, and a turning point lies
+// where it passes zero.
 Released release(double step_s) {
   std::vector<double> const law{6.0, 0.9, 30.0 / 5.1};
   Bearings bearings;

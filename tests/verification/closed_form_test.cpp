@@ -24,7 +24,7 @@ using laws::Jankowski;
 using laws::MenegottoPinto;
 using laws::Vaiana;
 
-// The work from sample `first` to the end, by the trapezoidal rule and in the law's units.
+// Returns the work from sample `first` to the end, by the trapezoidal rule and in the law's units.
 double loop_energy(std::vector<double> const& force, std::vector<double> const& x, std::size_t first) {
   double energy = 0.0;
   for (std::size_t i = first; i + 1 < x.size(); ++i) energy += 0.5 * (force[i] + force[i + 1]) * (x[i + 1] - x[i]);
@@ -48,8 +48,8 @@ TEST(ClosedForm, BilinearLoop) {
   EXPECT_NEAR(loop_energy(force, motion.disp_mm, 3 * steps), 4.0 * Qd * (D - xy), 2.0 * (K1 - K2) * h * h / 4.0);
 }
 
-// Forces of Eq. (1) with kinematic hardening on the first loading, on unloading and on reloading, on both sides of each
-// yield point.
+// Eq. (1) with kinematic hardening gives the expected forces on the first loading, on unloading and on reloading, on
+// both sides of each yield point.
 TEST(ClosedForm, BilinearBranches) {
   auto const values = named<Bilinear>({{"K1", 2.0}, {"K2", 0.5}, {"xy", 10.0}});  // so the strength (K1 - K2) xy is 15
   Motion motion;
@@ -100,9 +100,9 @@ TEST(ClosedForm, VaianaLoop) {
   EXPECT_NEAR(energy, 13750.00, 0.005);
 }
 
-// The limit curves of Eqs. (6)-(9) with all sixteen parameters. The points lie so far along a branch that the distance
-// to the limit curve has decayed to exp(-40) = 4e-18 (40 is alpha times the travel). The expected values were written
-// out by hand from the equations.
+// Tests the limit curves of Eqs. (6)-(9) with all sixteen parameters. The points lie so far along a branch that the
+// distance to the limit curve has decayed to exp(-40) = 4e-18 (40 is alpha times the travel). The expected values were
+// written out by hand from the equations.
 TEST(ClosedForm, VaianaLimitCurves) {
   double const ln2 = std::numbers::ln2;
   auto const values = named<Vaiana>({{"Kb+", 4e5},
@@ -122,9 +122,9 @@ TEST(ClosedForm, VaianaLimitCurves) {
                                      {"gamma3+", 0.1},
                                      {"gamma3-", -0.1}});
   auto const force = forces<Vaiana>(values, polyline(std::vector{0.0, 200.0, -200.0}, 100));
-  // x = 0.2: exp(2 ln2) = 4; 1 + exp(-ln2) = 3/2.
+  // At x = 0.2 m, exp(2 ln2) = 4 and 1 + exp(-ln2) = 3/2.
   EXPECT_NEAR(force[100], 50.0 * 3.0 + 4.0 * 900.0 / 1.5 - 2.0 * 900.0 + 4e5 * 0.2 + 4e4, 1e-8);
-  // x = -0.2: exp(4 ln2) = 16; 1 + exp(2 ln2) = 5.
+  // At x = -0.2 m, exp(4 ln2) = 16 and 1 + exp(2 ln2) = 5.
   EXPECT_NEAR(force[200], -70.0 * 15.0 + 4.0 * 700.0 / 5.0 - 2.0 * 700.0 + 3e5 * -0.2 - 3e4, 1e-8);
 }
 
@@ -318,7 +318,8 @@ TEST(ClosedForm, JankowskiByHand) {
                                         {"a9", 40.0},
                                         {"a10", 600.0},
                                         {"a11", 0.3}});
-  // The three samples: x = 100 mm, v = 400 mm/s; x = -100 mm, v = 0; x = 0, v = -400 mm/s.
+  // At 100 mm the device moves at 400 mm/s, rests, and moves at -400 mm/s. At -100 mm it moves at 400 mm/s, and at 0 at
+  // -400 mm/s.
   auto const force =
       forces<Jankowski>(values, Motion{{100.0, 100.0, 100.0, -100.0, 0.0}, {400.0, 0.0, -400.0, 400.0, -400.0}});
   // At x = +-100 mm, x^2 = 0.01 and x^4 = 1e-4, so the constant part of the stiffness is 100 + 10 + 1 = 111. In motion

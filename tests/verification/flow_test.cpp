@@ -101,7 +101,7 @@ TEST(Quadrature, KnownTravels) {
   EXPECT_NEAR(travel(0.5, 0.0, 0.0, 0.81), -2.0 * (0.9 + std::log(0.1)), 1e-12);
 }
 
-// Values of u. The test follows the flow from each of them to every later one.
+// The test follows the flow from each of these values of u to every later one.
 std::vector<double> const rising_places{-1.0, -0.9, -0.5, -0.1, -0.01, -1e-4, -1e-6, 0.0,   1e-7,   1e-5,
                                         1e-3, 0.02, 0.1,  0.3,  0.6,   0.85,  0.97,  0.999, 0.99999};
 

@@ -33,7 +33,7 @@ constexpr double rare = 0.05;  // permitted share of infinite objectives among r
 
 using Values = std::vector<double>;
 
-// The objective of Eq. (27), written without the library: forces in kN, trapezoidal rule, standard deviation with
+// Computes the objective of Eq. (27) without the library: forces in kN, trapezoidal rule, standard deviation with
 // divisor n.
 double objective(data::FitRecord const& record, Values const& computed) {
   auto const& measured = record.force_kN;
@@ -51,7 +51,7 @@ Values divided(Values values, double unit) {
   return values;
 }
 
-// A law's force in kN on a record's path that is refined by a factor.
+// Computes a law's force in kN on the path of a record, refined by a factor.
 class Refined {
  public:
   Refined(laws::LawEntry const& law, data::FitRecord const& record, int refinement)
@@ -161,7 +161,7 @@ std::filesystem::path measured_file() {
   return std::filesystem::path(ISOLAW_DATA_DIR) / "hdrb-gallardo-device/cyclic-24-49-98pct.csv";
 }
 
-// The third stage of the measured bearing: its last seven cycles, starting where the displacement crosses zero.
+// Returns the third stage of the measured bearing: its last seven cycles, starting where the displacement crosses zero.
 data::FitRecord third_stage(int samples_per_cycle) {
   data::ReadOptions reading;
   reading.dt_s = 0.00214823;
@@ -207,8 +207,8 @@ TEST(ConvergedIntegration, HoldsOnTheMeasuredThirdStage) {
 
 // Classical Runge-Kutta steps ------------------------------------------------------------------------------------
 
-// Three growing cycles that do not start at zero, with 50 samples per cycle. The time steps are uneven, which must not
-// matter.
+// Returns three growing cycles that do not start at zero, with 50 samples per cycle. The time steps are uneven, which
+// must not matter.
 data::FitRecord swept() {
   data::FitRecord record;
   for (int i = 0; i <= 150; ++i) {
@@ -221,7 +221,7 @@ data::FitRecord swept() {
   return record;
 }
 
-// One step in time t -> t + h of y' = rate(t, y).
+// Returns y after one classical Runge-Kutta step of y' = rate(t, y), from the time t to t + h.
 template <class Rate>
 double classical_step(double t, double h, double y, Rate&& rate) {
   double const k1 = rate(t, y), k2 = rate(t + h / 2, y + h / 2 * k1), k3 = rate(t + h / 2, y + h / 2 * k2),
@@ -233,7 +233,8 @@ double sign(double x) {
   return x > 0 ? 1.0 : x < 0 ? -1.0 : 0.0;
 }
 
-// Eqs. (13)-(14) by hand: z' = A x' - beta |x'| z |z|^(n-1) - gamma x' |z|^n, with x' constant between samples.
+// Integrates Eqs. (13)-(14) as printed: z' = A x' - beta |x'| z |z|^(n-1) - gamma x' |z|^n, with x' constant between
+// samples.
 Values bouc_wen_by_hand(data::FitRecord const& record, double alpha, double Ke, double A, double beta, double n,
                         double gamma) {
   Values force;
@@ -255,7 +256,7 @@ struct AbeParameters {
   double K1, alpha, beta, a, b, n, Y0, Uh, U0, Us, K2, r;
 };
 
-// Eqs. (15)-(21) by hand, with the yield force Yt = Y0, or Yt = Y0 (1 + |x/Uh|^p) if `growth` is true.
+// Integrates Eqs. (15)-(21) as printed. The yield force is Yt = Y0, or Yt = Y0 (1 + |x/Uh|^p) if `growth` is true.
 Values abe_by_hand(data::FitRecord const& record, AbeParameters const& p, bool growth = false, double exponent = 0.0) {
   Values force;
   double F2 = 0.0, peak = std::abs(record.disp_mm[0]);

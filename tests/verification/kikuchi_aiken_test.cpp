@@ -17,7 +17,8 @@ using laws::KikuchiAiken;
 using AtPeak = laws::kikuchi_aiken::AtPeak<double>;
 using CompoundLoops = laws::kikuchi_aiken::Loops<double>;
 
-// The published functions of rubber compound X0.6 at its standard pressure, with stress in MPa over strain.
+// Returns the published functions of rubber compound X0.6 at the strain g and its standard pressure, with stress in
+// MPa.
 AtPeak compound(double g) {
   double const G =
       g < 1.15 ? 0.68358 * std::pow(g, -0.39964) : 1.10103 - 0.61946 * g + 0.22047 * g * g - 0.022191 * g * g * g;
@@ -185,7 +186,8 @@ TEST(KikuchiAiken, IsContinuous) {
         }
 }
 
-// A closed loop between the peaks must dissipate 2 pi h Fm m. If b is not needed, only a share of exp(-2a) is missing.
+// A closed loop between the peaks -m and m must dissipate 2 pi h Fm m. The tolerance allows for the share exp(-2a),
+// which is missing where a branch has no term of b.
 TEST(KikuchiAiken, DampingIsThatOfTheLoop) {
   constexpr int steps = 4000;
   for (double const A : {20.0, 100.0, 200.0}) {

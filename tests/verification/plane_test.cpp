@@ -24,11 +24,11 @@ using P = typename Law::template Params<double>;
 template <class Law>
 using S = typename Law::template State<double>;
 
-// Bouc-Wen parameters with alpha = 0, Ke = 1 and A = 1, so that the force is z.
+// Returns Bouc-Wen parameters with alpha = 0, Ke = 1 and A = 1, so that the force is z.
 laws::BoucWen::Params<double> bouc_wen(double n, double beta, double gamma) {
   return {.alpha = 0.0, .Ke = 1.0, .A = 1.0, .beta = beta, .n = n, .gamma = gamma};
 }
-// Abe parameters for the hysteretic force alone, with strength 1 and yield length U.
+// Returns Abe parameters for the hysteretic force alone, with strength 1 and yield length U.
 laws::AbeY0::Params<double> abe(double n, double U) {
   laws::AbeY0::Params<double> p{};
   p.n = n;

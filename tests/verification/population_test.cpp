@@ -50,7 +50,7 @@ std::vector<Lot> const lots{
     {"jankowski", {"a1", "a9", "a2", "a11"}, {6e5, 3e4, 8e6, 0.08}},  // N/m, N, N/m^3, m/s
 };
 
-// Two cycles at each of three amplitudes, at 0.5 Hz. test() replaces the force.
+// Returns a record of two cycles at each of three amplitudes, at 0.5 Hz. test() replaces its force.
 data::FitRecord motion() {
   data::FitRecord record;
   constexpr double omega = std::numbers::pi;
@@ -110,9 +110,9 @@ class Laboratory {
     return values;
   }
 
-  // Asymptotic covariance of a fit by least absolute deviations with weights w (Koenker and Bassett 1978, for
-  // independent errors of one density f): H^-1 V H^-1, H = 2 f(0) sum w J J^T, V = sum w^2 J J^T, J the derivatives of
-  // a residual.
+  // Returns the asymptotic covariance of a fit by least absolute deviations with weights w (Koenker and Bassett 1978,
+  // for independent errors of one density f). It is H^-1 V H^-1 with H = 2 f(0) sum w J J^T and V = sum w^2 J J^T,
+  // where J are the derivatives of a residual.
   SquareMatrix covariance(fit::LawOnRecord const& model, Values const& best) const {
     constexpr double step = 1e-5;
     std::vector<Values> candidates{all(best)};
@@ -141,8 +141,8 @@ class Laboratory {
     return rows;
   }
 
-  // The density of the residuals at zero, by a normal kernel with the width for a normal density (Silverman 1986, Eq.
-  // 3.28).
+  // Estimates the density of the residuals at zero, by a normal kernel with the width for a normal density (Silverman
+  // 1986, Eq. 3.28).
   static double density_at_zero(Vector const& residuals) {
     auto const count = static_cast<double>(residuals.size());
     double const width = 1.06 * std::sqrt(residuals.squaredNorm() / count) * std::pow(count, -0.2);
@@ -218,7 +218,8 @@ void expect_within(Matrix const& found, Matrix const& expected, Matrix const& va
           << what << ' ' << i << ' ' << j;
 }
 
-// Variances of the entries of cov(x, x), and of cov(x, y) + cov(y, x) for independent x and y with covariances A and B.
+// These functions return the variances of the entries of cov(x, x), and of cov(x, y) + cov(y, x) for independent x and
+// y with covariances A and B.
 Matrix variance_of_covariance(Matrix const& A) {
   return (A.diagonal() * A.diagonal().transpose() + A.cwiseAbs2()) / freedom;
 }

@@ -18,7 +18,7 @@ using laws::Springs;
 using laws::plane::Vector;
 constexpr double pi = std::numbers::pi;
 
-// The law's parameters for K1 6 kN/mm, K2 0.9 kN/mm (or the given one) and Qd 30 kN.
+// Returns a bilinear law with K1 6 kN/mm, K2 0.9 kN/mm (or the given one) and Qd 30 kN.
 laws::Online bilinear(double K2 = 0.9) {
   return {"bilinear", std::vector{6.0, K2, 30.0 / (6.0 - K2)}};
 }
@@ -45,7 +45,7 @@ Walked walked(Springs springs, std::vector<Vector<double>> const& path, std::siz
 TEST(Springs, strength_depends_on_the_angle_by_so_much) {
   struct Expected {
     int springs;
-    double anisotropy;  // per cent
+    double anisotropy;  // strongest over weakest direction less 1, in percent
   };
   for (auto const& e : {Expected{8, 1.96}, Expected{16, 0.48}, Expected{32, 0.12}}) {
     double least = std::numeric_limits<double>::infinity(), most = 0.0;

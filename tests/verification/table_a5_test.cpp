@@ -25,7 +25,7 @@ double mean_objective(Law const& law) {
   return num::moments(law.objective_mean).mean;
 }
 
-// The robustness index beta over the law's printed parameters, without the parameter named `leave_out`.
+// Computes the robustness index beta over the law's printed parameters, without the parameter named `leave_out`.
 lot::Robustness robustness(Law const& law, std::string_view leave_out = {}) {
   std::vector<std::string> names;
   std::vector<std::vector<double>> means;
