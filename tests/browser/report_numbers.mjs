@@ -54,7 +54,7 @@ async function drawn() {
     front: (await plot('front')).filter((trace) => trace.name !== 'published'),
     ghosts: (await plot('front')).find((trace) => trace.name === 'published'),
     published: Object.fromEntries(reportAsShown().laws.map(({ name, on_front }) => [name, on_front])),
-    // The page shows laws and parameters under names. Their ids in the data are different.
+    // The page calls laws and parameters by names, which differ from their ids in the data.
     names: Object.fromEntries(JSON.parse(document.getElementById('isolaw-data').textContent).laws.map(({ id, name }) => [id, name])),
     notation: JSON.parse(document.getElementById('isolaw-data').textContent).notation.parameters,
     objective: await plot('objective-devices'),

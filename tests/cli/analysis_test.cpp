@@ -1,4 +1,4 @@
-// Campaigns with analyses: what the terminal and the files say, and what the user can do next.
+// Runs campaigns with analyses. Tests what the terminal and the files then say, and what the user can do next.
 #include <sqlite3.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// `isolaw building` from the user's side: the template, the example, a study with the laws of a campaign, and refusals.
+// Tests `isolaw building` as a user meets it: the template, the example, a study with the laws of a campaign, and
+// refusals.
 #include <sys/file.h>
 
 #include <algorithm>

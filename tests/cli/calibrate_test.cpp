@@ -1,5 +1,5 @@
-// calibrate on the example lot: the files that it writes, the structure of summary.json, and options that must not
-// change any number.
+// Runs calibrate on the example lot. Tests the files that it writes, the structure of summary.json, and options that
+// must not change any number.
 #include <cmath>
 #include <map>
 #include <set>

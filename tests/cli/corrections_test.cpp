@@ -1,5 +1,6 @@
-// Corrections for what a test rig does to the force. The records have a known disturbance. With the matching option
-// every command must give the properties of the undisturbed device and say that it corrected the record.
+// A test rig changes the measured force, and options correct this. The records have a known disturbance. With the
+// matching option every command must give the properties of the undisturbed device and say that it corrected the
+// record.
 #include "cli/loops.hpp"
 #include "cli/records.hpp"
 #include "cli/run.hpp"

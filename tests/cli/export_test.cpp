@@ -1,4 +1,4 @@
-// isolaw export: every law to every target, refusals, and that an export needs nothing but the store.
+// Tests `isolaw export`: every law to every target, what is refused, and that an export needs nothing but the store.
 #include <fmt/format.h>
 
 #include <cctype>

@@ -1,4 +1,4 @@
-// Reading workbooks, MATLAB files, JSON and files with several tests, directly and through lot files.
+// Tests how isolaw reads workbooks, MATLAB files, JSON and files with several tests, directly and through lot files.
 #include <xlsxwriter.h>
 
 #include "cli/loops.hpp"

@@ -1,4 +1,4 @@
-// Names and paths that would break a careless program.
+// Gives isolaw names and paths that would break a careless program.
 #include <sys/stat.h>
 
 #include <algorithm>

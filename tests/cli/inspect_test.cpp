@@ -1,4 +1,4 @@
-// `isolaw inspect` of a lot: every number of cycles, devices and properties is compared with a value that the test
+// Runs `isolaw inspect` on a lot. Every number of cycles, devices and properties must equal a value that the test
 // computes from the samples.
 #include "cli/loops.hpp"
 #include "cli/records.hpp"

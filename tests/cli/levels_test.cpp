@@ -1,5 +1,5 @@
-// One test with several amplitudes, frequencies and vertical loads. inspect lists K_eff and damping of each block. The
-// device has constant stiffness K and friction Q, so K_eff is K + Q/D.
+// Inspects one test with several amplitudes, frequencies and vertical loads. inspect must list K_eff and damping of
+// each block. The device has constant stiffness K and friction Q, so K_eff is K + Q/D at the amplitude D.
 #include <numbers>
 
 #include "cli/records.hpp"

@@ -1,4 +1,4 @@
-// The expected properties of a cycle, computed from the samples alone, and readers for isolaw's tables and JSON.
+// Computes the expected properties of a cycle from the samples alone, and reads isolaw's tables and JSON.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The keys of lot.toml, and mistakes in it, each of which must be reported with its line.
+// Tests the keys of lot.toml. isolaw must report each mistake in the file with its line.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 #include "cli/store.hpp"

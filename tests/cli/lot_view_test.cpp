@@ -1,4 +1,5 @@
-// The rule sets of a lot file: where they may lie, what init --like copies, and what reports and `check` say of them.
+// A lot file may name rule sets. Tests where their files may lie, what init --like takes over from a lot file, and what
+// reports and `check` say of the rules.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 

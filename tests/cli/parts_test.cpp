@@ -1,5 +1,5 @@
-// Records that are part of a file or spread over two files, headers that describe the device, and files that are no
-// records. All are given on the command line and in lot files.
+// Tests records that are a part of a file or spread over two files, headers that describe the device, and files that
+// are no records. Each is given on the command line and in a lot file.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 

@@ -1,5 +1,5 @@
 // The list of laws in the program, and the seven laws of Cucuzza et al. 2025 with the parameters and units that
-// docs/laws.md states. Users' scripts may rely on them.
+// docs/laws.md states. Tests compare the program with it, because users' scripts may rely on names and units.
 #pragma once
 
 #include <array>

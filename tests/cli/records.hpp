@@ -1,4 +1,4 @@
-// Test records as CSV text, good and bad.
+// Makes records of tests as CSV text, sound ones and bad ones.
 #pragma once
 
 #include <fmt/format.h>

@@ -29,8 +29,8 @@ std::vector<Sample> two_blocks(int disturbed) {
   return samples;
 }
 
-// The objective of Eq. (27) between the samples `first` and `last`: the mean absolute difference between the measured
-// force and that of the law, divided by the standard deviation of the measured force.
+// Computes the objective of Eq. (27) between the samples `first` and `last`: the mean absolute difference between the
+// measured force and that of the law, divided by the standard deviation of the measured force.
 double objective_of(std::vector<Sample> const& measured, std::vector<Sample> const& law, std::size_t first,
                     std::size_t last) {
   double sum = 0.0, mean = 0.0, square = 0.0;

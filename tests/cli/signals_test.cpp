@@ -1,4 +1,4 @@
-// Records with impossible signals, such as clipping, in inspect and calibrate. tests/warts has most of the files and
+// Gives inspect and calibrate records with impossible signals, such as clipping. tests/warts has most of the files and
 // states what inspect must say of each.
 #include <filesystem>
 

@@ -1,5 +1,5 @@
-// `isolaw simulate`: the forces equal those of the report, parameters may come from several sources, and wrong requests
-// are refused.
+// Tests `isolaw simulate`: its forces must equal those of the report, parameters may come from several sources, and
+// wrong requests must be refused.
 #include <algorithm>
 #include <charconv>
 #include <cmath>

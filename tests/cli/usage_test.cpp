@@ -1,4 +1,4 @@
-// Help, version, refusals of wrong options, and the list of laws.
+// Tests the help, the version, the refusal of wrong options, and the list of laws.
 #include <regex>
 
 #include "cli/published_laws.hpp"

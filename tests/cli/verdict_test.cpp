@@ -1,4 +1,5 @@
-// The terminal's text on verdicts, on design values and on inputs that are not what they seem, such as copied records.
+// Tests what the terminal says of verdicts, of design values and of inputs that are not what they seem, such as a
+// copied record.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 

@@ -417,7 +417,7 @@ const tests = {
     equal(await inFrameUntil(page, "'none' + document.body.dataset.errors", 'errors'), 'none', 'errors in the frame');
     await page.press('to-save');
 
-    // The user saves single files.
+    // The user saves the report, the lot file, the tables and the summary as single files.
     await page.press('save-report-html');
     const report = await page.saved();
     expect(report.name.endsWith('-report.html') && report.bytes.includes('isolaw-data'), 'the report: ' + report.name);

@@ -1,5 +1,5 @@
-// Two-sided tolerance factors of the normal distribution (mean +- k standard deviations), for a share of 95 % and a
-// confidence of 95 %, compared with printed tables.
+// Compares two-sided tolerance factors of the normal distribution (mean +- k standard deviations) with printed tables,
+// for a share of 95 % and a confidence of 95 %.
 #include "isolaw/num/tolerance_factor.hpp"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ TEST(ToleranceFactor, HoldsItsShareWithItsConfidence) {
     double const mean = sum / 4, s = std::sqrt((squares - 4 * mean * mean) / 3);
     held += share_below(mean + k * s) - share_below(mean - k * s) >= 0.95;
   }
-  EXPECT_NEAR(held / static_cast<double>(samples), 0.95, 0.0015);  // three standard errors of the share
+  EXPECT_NEAR(held / static_cast<double>(samples), 0.95, 0.0015);  // 0.0015 is three standard errors
 }
 
 }  // namespace
