@@ -17,7 +17,9 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 preset=${ISOLAW_PRESET:-release}
-one_waits=$(($(nproc) + 1))  # tests of the page, of faults and of interruption mostly wait
+# One test more than there are processors runs at once, because tests of the page, of faults and of interruption mostly
+# wait.
+one_waits=$(($(nproc) + 1))
 
 step() { printf '+ %s\n' "$*" >&2; "$@"; }
 as_root() { if [ "$(id -u)" -eq 0 ]; then step "$@"; else step sudo "$@"; fi; }
@@ -31,7 +33,7 @@ install_missing() {
   command -v dpkg-query >/dev/null || { echo "isolaw.sh: not a Debian system; install the packages listed here by other means" >&2; return; }
   local missing=()
   for package in "$@"; do
-    # npm may be installed with a Node.js that is not from Debian.
+    # npm may have come with a Node.js that is not from Debian. Then Debian's package npm is not needed.
     [ "$package" = npm ] && command -v npm >/dev/null && continue
     dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
   done
@@ -144,7 +146,7 @@ case "${1:-help}" in
     step cmake --preset page
     step cmake --build --preset page
     ls -l build/page/isolaw.html
-    # The tests compare the page's numbers with those of the native program.
+    # The tests compare the page's numbers with those of the native program, so this builds the native program too.
     step cmake --preset release
     step cmake --build --preset release --target isolaw_cli
     step ctest --test-dir build/page --output-on-failure "${@:2}"

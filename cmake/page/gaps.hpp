@@ -26,14 +26,14 @@
 
 _LIBCPP_BEGIN_NAMESPACE_STD
 
-// std::bit_cast, which belongs to <bit>.
+// Defines std::bit_cast, which belongs to <bit>.
 template <class To, class From>
 constexpr To bit_cast(From const& from) noexcept {
   return __builtin_bit_cast(To, from);
 }
 
-// std::from_chars for floating-point numbers. A short decimal number is one exact product or quotient (Clinger's fast
-// path). For other numbers it calls strtod, which rounds correctly in musl, emscripten's C library.
+// Defines std::from_chars for floating-point numbers. A short decimal number is one exact product or quotient
+// (Clinger's fast path). For other numbers it calls strtod, which rounds correctly in musl, emscripten's C library.
 inline from_chars_result from_chars(char const* first, char const* last, double& value,
                                     chars_format format = chars_format::general) {
   auto at = first;

@@ -162,7 +162,7 @@ TEST_F(HeldTo, bounds_enclose_the_measured_strength) {
   auto const& cycles = found["devices"][0]["blocks"][2]["cycles"];
   for (auto const& factor : found["assessment"]["lot"]["factors"])
     if (factor["property"] == "Q_d" && factor["source"] == "observed") {
-      EXPECT_GT(factor["upper"].get<double>(), cycles[1]["Q_d_kN"].get<double>());  // cycle 2, the largest
+      EXPECT_GT(factor["upper"].get<double>(), cycles[1]["Q_d_kN"].get<double>());  // strength of cycle 2
       EXPECT_LT(factor["lower"].get<double>(), cycles[2]["Q_d_kN"].get<double>());
     }
   auto const& test = found["assessment"]["lot"]["quantities"][3]["lambda_test"];

@@ -11,7 +11,7 @@
 namespace isolaw::cli_test {
 namespace {
 
-// All files of a campaign's directory by name. run.json is left out, because it records when and how long it ran.
+// Returns all files of a campaign's directory by name, without run.json, which records when and how long it ran.
 std::map<std::string, std::string> results_in(fs::path const& directory) {
   std::map<std::string, std::string> found;
   for (auto const& entry : fs::recursive_directory_iterator(directory))

@@ -96,7 +96,7 @@ class Process {
 
   void send(int signal) const { kill(pid_, signal); }
 
-  // True once the program has ended; `result` then has its exit code and output.
+  // Returns true once the program has ended; `result` then has its exit code and output.
   bool ended(Outcome& result) {
     int status = 0;
     rusage used{};

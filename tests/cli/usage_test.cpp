@@ -287,7 +287,7 @@ TEST_F(Catalogue, lists_rule_sets_as_json_in_the_order_of_the_list) {
 }
 
 TEST_F(Catalogue, knows_the_published_boxes) {
-  // The search box of law 1 in Table 4 of Cucuzza et al. 2025.
+  // The box of bilinear must be that of law 1 in Table 4 of Cucuzza et al. 2025.
   auto const bilinear = Json::parse(isolaw({"laws", "bilinear", "--json"}).out)["parameters"];
   EXPECT_EQ(bilinear[0]["published"], Json({1.0, 1.9}));
   EXPECT_EQ(bilinear[1]["published"], Json({0.35, 0.95}));

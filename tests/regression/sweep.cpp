@@ -82,7 +82,8 @@ struct Difference {
   }
 };
 
-// Cycles with reversals at many samples, small loops within large ones and uneven peaks, at 100 samples a cycle.
+// Returns cycles with reversals at many samples, small loops within large ones and uneven peaks, at 100 samples a
+// cycle.
 data::FitRecord record(File& file) {
   auto cycles = law_tests::record_of(law_tests::irregular(1, 208.0, 3, 100), 0.02, 0.67, 45.0);
   for (auto* channel : {&cycles.time_s, &cycles.disp_mm, &cycles.vel_mm_s, &cycles.force_kN}) file.pass(*channel);

@@ -276,7 +276,7 @@ TEST(Building, torsion_of_scattered_bearings) {
   }
 }
 
-// An independent model: the differential form of Park, Wen and Ang with whole matrices, solved by Boost.odeint.
+// An independent model solves the differential form of Park, Wen and Ang with whole matrices by Boost.odeint:
 //     dz/dt = A v - z |z|^(n-2) (z.v) (beta sgn(z.v) + gamma)
 struct BoucWenValues {
   double alpha, Ke, A, beta, n, gamma;
@@ -376,8 +376,8 @@ void compare(Frame const& frame, double damping, Plan const& plan, std::vector<B
   EXPECT_NEAR(lanes[static_cast<std::size_t>(Measure::isolator)], truth.peak_mm, 1e-3 * truth.peak_mm);
 }
 
-// A bearing that carries `mass_Mg`, with a period of 2.5 s after yielding, a strength of 6 % of the weight and a yield
-// displacement of about 15 mm.
+// Returns a bearing that carries `mass_Mg`, with a period of 2.5 s after yielding, a strength of 6 % of the weight and
+// a yield displacement of about 15 mm.
 BoucWenValues bouc_wen_for(double mass_Mg, double n) {
   double const mass = mass_Mg * Mg_in_mass, after = mass * 6.3165, strength = 0.06 * mass * 9806.65,
                Ke = after + strength / 15.0;

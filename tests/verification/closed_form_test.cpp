@@ -60,8 +60,8 @@ TEST(ClosedForm, BilinearBranches) {
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(force[i], expected[i], 1e-12) << motion.disp_mm[i];
 }
 
-// The steel model of the 1983 report on Menegotto and Pinto's law. Other programs computed the expected values from the
-// start point (x0, F0) of each branch.
+// Tests the steel model of the 1983 report on Menegotto and Pinto's law. Other programs computed the expected values
+// from the start point (x0, F0) of each branch.
 TEST(ClosedForm, MenegottoPintoBranches) {
   auto const values =
       named<MenegottoPinto>({{"E", 1.0}, {"Fy", 1.0}, {"b", 0.1}, {"R0", 20.0}, {"cR1", 0.925}, {"cR2", 0.15}});

@@ -1,7 +1,7 @@
-// Coverage of the 95 % confidence intervals. A law makes a record, and noise is added to it a hundred times over. The
-// test counts how many intervals hold the true value, for all parameters that the program calls determined. The share
-// must lie between 90 and 99 %. With fewer than a hundred records these bounds are wider by one standard error of the
-// share.
+// Tests the coverage of the 95 % confidence intervals. A law makes a record, and a hundred records come from it by
+// adding noise. The test counts how many intervals hold the true value, for all parameters that the program calls
+// determined. The share must lie between 90 and 99 %. With fewer than a hundred records these bounds are wider by one
+// standard error of the share.
 #include <gtest/gtest.h>
 
 #include <algorithm>

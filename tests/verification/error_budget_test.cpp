@@ -51,8 +51,8 @@ Loop exponential() {
   };
 }
 
-// Four cycles with `samples` samples each, as a laboratory would measure them. `start` moves all samples along the sine
-// by that many sampling intervals; the force channel is late by `late_s`.
+// Returns the third of four cycles with `samples` samples each, as a laboratory would measure them. `start` moves all
+// samples along the sine by that many sampling intervals; the force channel is late by `late_s`.
 Cycle measured(Loop const& loop, int samples, double late_s = 0.0, double start = 0.0) {
   std::vector<double> time, disp, force;
   for (int i = 0; i <= 4 * samples + 1; ++i) {
@@ -135,7 +135,8 @@ TEST(Skew, OfAnEllipse) {
   }
 }
 
-// The growth of the damping `xi` in percentage points, from the in-phase amplitude a1 and the unloading stiffness K_u.
+// Returns the growth of the damping `xi` in percentage points, from the in-phase amplitude a1 and the unloading
+// stiffness K_u.
 double predicted(double in_phase_kN, double K, double xi, double K_unloading) {
   double const epsilon = 2.0 * pi * f * skew_s;
   double const first_order = in_phase_kN / (K * D) * epsilon / 2.0;

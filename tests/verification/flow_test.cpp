@@ -43,23 +43,23 @@ constexpr double kappas[] = {-0.99, -0.9, -0.75, -0.5, 0.0, 1.0, 3.0};
 constexpr double abe_exponents[] = {0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1.0};
 constexpr double abe_kappa = 1.0;
 
-// The errors that saturating_flow.hpp states. Beyond |u| = 3 it uses a table with its own error.
+// saturating_flow.hpp states these errors. Beyond |u| = 3 it uses a table with an error of its own.
 constexpr double claimed_error = 1e-7, claimed_error_of_table = 1e-5;
 double claimed(double n, double kappa) {
   if (n <= 2.0 && kappa <= 1.0) return claimed_error * std::max(1.0, 0.5 / (1.0 + kappa));
   return kappa > 1.0 && n > 1.5 ? 2e-5 : 5e-7 * std::max(1.0, 0.5 / (1.0 + kappa));
 }
 
-// Travel while unloading from u0 to u1, u0 < u1 <= 0. The integrand is bounded, but |u|^n has a singular derivative at
-// 0; tanh-sinh quadrature concentrates its points there.
+// Returns the travel while unloading from u0 to u1, u0 < u1 <= 0. The integrand is bounded, but |u|^n has a singular
+// derivative at 0; tanh-sinh quadrature concentrates its points there.
 double travel_below_zero(double n, double kappa, double u0, double u1) {
   if (u0 == u1) return 0.0;
   boost::math::quadrature::tanh_sinh<double> rule;
   return rule.integrate([&](double w) { return 1.0 / (1.0 + kappa * std::pow(w, n)); }, -u1, -u0, 1e-13);
 }
 
-// Travel while loading from u0 to u1, 0 <= u0 < u1 < 1. Up to u = 0.5 the variable of integration is u, and the
-// quadrature tolerates the singular derivative of u^n at 0. Beyond 0.5 the variable is s = -ln(1 - u), because the
+// Returns the travel while loading from u0 to u1, 0 <= u0 < u1 < 1. Up to u = 0.5 the variable of integration is u, and
+// the quadrature tolerates the singular derivative of u^n at 0. Beyond 0.5 the variable is s = -ln(1 - u), because the
 // integrand is smooth in s up to saturation.
 double travel_below_one(double n, double u0, double u1) {
   constexpr double half = 0.5;
@@ -77,7 +77,7 @@ double travel_below_one(double n, double u0, double u1) {
   return travel;
 }
 
-// Travel from u0 down to u1, u0 > u1 > 1, with s = ln(u - 1) as the variable of integration.
+// Returns the travel from u0 down to u1, u0 > u1 > 1, with s = ln(u - 1) as the variable of integration.
 double travel_above_one(double n, double u0, double u1) {
   return boost::math::quadrature::gauss_kronrod<double, 61>::integrate(
       [&](double s) { return std::exp(s) / std::expm1(n * std::log1p(std::exp(s))); }, std::log(u1 - 1.0),

@@ -14,8 +14,8 @@ namespace {
 
 using laws::HistoryIntegral;
 
-// Two terms, (S, D) = (.1, .2) and (.05, .8), and an elastic stiffness of .4. The displacement is dimensionless and 1
-// at 100 mm.
+// Returns a law with two terms, (S, D) = (.1, .2) and (.05, .8), and an elastic stiffness of .4. The displacement is
+// dimensionless and 1 at 100 mm.
 Values<HistoryIntegral> two_terms(double g) {
   return named<HistoryIntegral>({{"K", 0.4}, {"g", g}, {"S", 0.15}, {"D", 80.0}, {"s", 2.0 / 3.0}, {"u", 0.25}});
 }

@@ -85,8 +85,8 @@ TEST(KikuchiAiken, InnerBranchesOfTheCompound) {
   }
 }
 
-// Inner branches with the overshoot term of b. The term acts if the last two turns were on opposite sides, not if they
-// were on the same side.
+// Tests inner branches with the overshoot term of b. The term acts if the last two turns were on opposite sides, not if
+// they were on the same side.
 TEST(KikuchiAiken, InnerBranchesWithOvershoot) {
   std::array const stress{1.132924000, -1.132924000, 0.683569418, -0.474645786,
                           0.575618041, -0.284326719, 0.683569418, 1.132924000};

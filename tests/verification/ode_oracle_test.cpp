@@ -233,9 +233,9 @@ Values<laws::BoucWen> bounded_bouc_wen(std::uint32_t index) {
   }
 }
 
-// Parameter sets from the box for a device of this size, as a search meets them. bouc-wen has exponents from 0.5 to 2
-// and any ratio of beta to gamma. abe has yield displacements down to a thousandth of the largest displacement. If the
-// force of such sets were wrong, a search would exploit it.
+// These tests draw parameter sets from the box for a device of this size, as a search does. bouc-wen has exponents from
+// 0.5 to 2 and any ratio of beta to gamma. abe has yield displacements down to a thousandth of the largest
+// displacement. If the force of such sets were wrong, a search would exploit it.
 TEST(OdeOracleInTheScaledBox, BoucWen) {
   EXPECT_LT(errors<laws::BoucWen>(100, bouc_wen, bounded_bouc_wen).back(), 1e-4);
 }

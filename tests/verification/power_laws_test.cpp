@@ -132,7 +132,7 @@ TEST(PowerLaws, MemoryIsAsDeepAsThePath) {
 }
 
 // The force must be continuous: as the last step d is halved, the change of the force over it tends to 0. Where a
-// branch begins, and on a side where the device has not been, it falls as d^g.
+// branch begins, and on a side where the device has not been, this change falls as d^g.
 TEST(PowerLaws, MasingIsContinuous) {
   Values<PowerMasing> const values{80, 0.36, 45, 10, 60, 0.25};
   std::vector<std::vector<double>> const histories{

@@ -14,7 +14,8 @@ namespace {
 
 using Table = std::vector<std::pair<std::size_t, double>>;
 
-// Exact factors from ISO 16269-6:2014. An independent program (Simpson's rule in Python) gave the same four digits.
+// The expected factors are the exact ones of ISO 16269-6:2014. An independent program (Simpson's rule in Python) gave
+// the same four digits.
 TEST(ToleranceFactor, IsExact) {
   for (auto const& [n, k] : Table{
            {2, 36.5192}, {3, 9.7888}, {4, 6.3411}, {5, 5.0769}, {6, 4.4222}, {10, 3.3934}, {20, 2.7603}, {30, 2.5549}})
