@@ -60,7 +60,7 @@ page_library(page_nettle ${from}/nettle/sha256.c ${from}/nettle/sha256-compress.
 target_include_directories(page_nettle SYSTEM PUBLIC ${from})
 add_library(OpenSSL::Crypto ALIAS page_nettle)
 
-# HDF5 is left out, so the page cannot read MATLAB files of version 7.3 (data/mat73_page.cpp).
+# The page cannot read MATLAB files of version 7.3, so HDF5 is not needed (data/mat73_page.cpp).
 set(ISOLAW_HDF5_INCLUDE "")
 set(ISOLAW_RANDOM123 ${from}/include)
 include(plotly)

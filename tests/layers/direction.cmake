@@ -1,7 +1,7 @@
-# A module may include only itself and modules to the left of it here: base <- num <- {laws, opt, data} <- wording <-
-# fit <- analysis <- {campaign, lot, rules} <- building <- study <- {render, programs} <- api <- app
-# Modules in one pair of braces must not include one another. The same holds for the folders of render, except that all
-# of them may include render/json and render/results.hpp.
+# A module may include only modules to the left of it here: base <- num <- {laws, opt, data} <- wording <- fit <-
+# analysis <- {campaign, lot, rules} <- building <- study <- {render, programs} <- api <- app
+# Modules in one pair of braces must not include one another. The folders of render must not either, but all of them may
+# include `json`.
 # Usage: cmake -DSOURCE=src/isolaw -P direction.cmake
 get_filename_component(SOURCE "${SOURCE}" ABSOLUTE)
 set(rank_base 0)
