@@ -17,7 +17,9 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 preset=${ISOLAW_PRESET:-release}
-one_waits=$(($(nproc) + 1))  # tests of the page, of faults and of interruption mostly wait
+# One test more than there are processors runs at once, because tests of the page, of faults and of interruption mostly
+# wait.
+one_waits=$(($(nproc) + 1))
 
 step() { printf '+ %s\n' "$*" >&2; "$@"; }
 as_root() { if [ "$(id -u)" -eq 0 ]; then step "$@"; else step sudo "$@"; fi; }
@@ -31,7 +33,7 @@ install_missing() {
   command -v dpkg-query >/dev/null || { echo "isolaw.sh: not a Debian system; install the packages listed here by other means" >&2; return; }
   local missing=()
   for package in "$@"; do
-    # npm may be installed with a Node.js that is not from Debian.
+    # npm may have come with a Node.js that is not from Debian. Then Debian's package npm is not needed.
     [ "$package" = npm ] && command -v npm >/dev/null && continue
     dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
   done
@@ -58,7 +60,7 @@ format() {
   else
     printf '+ clang-format --dry-run --Werror (%d files)\n' "${#sources[@]}" >&2
     clang-format --dry-run --Werror "${sources[@]}" || { echo "isolaw.sh: run ./isolaw.sh format --fix" >&2; exit 1; }
-    # clang-format does not break comments, so this checks their width.
+    # clang-format does not break long comments, so this checks their width.
     if LC_ALL=C.UTF-8 grep -nE '^ *//.{119,}' "${sources[@]}" | LC_ALL=C.UTF-8 grep -E '^[^:]*:[0-9]*:.{121,}'; then
       echo "isolaw.sh: comments wider than 120 columns" >&2
       exit 1
@@ -81,7 +83,7 @@ case "${1:-help}" in
     ;;
   test)
     setup "${test_packages[@]}"
-    # Without axe-core the accessibility test of the report is skipped.
+    # The test of the report's accessibility needs axe-core and is skipped without it.
     [ -e node_modules/axe-core/axe.min.js ] || step npm ci --no-audit --no-fund --loglevel=error
     step tools/opensees.sh build/opensees
     build
@@ -100,8 +102,8 @@ case "${1:-help}" in
     findings=0
     for program in build/fuzz/fuzz/fuzz_*; do
       target=${program##*/fuzz_}
-      # libFuzzer writes new inputs to build/fuzz/found. People add inputs to fuzz/corpus by hand, one minimised input
-      # for each fault.
+      # libFuzzer writes new inputs to build/fuzz/found, so that fuzz/corpus stays as people made it, with one minimised
+      # input for each fault.
       mkdir -p "build/fuzz/found/$target"
       step "$program" -max_total_time="${2:-60}" -timeout=20 -rss_limit_mb=4096 -print_final_stats=1 \
         -artifact_prefix="build/fuzz/found/$target-" "build/fuzz/found/$target" "fuzz/corpus/$target" || findings=$((findings + 1))
@@ -117,8 +119,7 @@ case "${1:-help}" in
     step build/bench/bench/elementary_bench "${@:2}"
     ;;
   study)
-    # The study times other programs only if they are installed (python3-scipy, octave, libpagmo-dev). This setup does
-    # not install them.
+    # The study times other programs too, but only if the user has installed them (python3-scipy, octave, libpagmo-dev).
     setup libbenchmark-dev python3 time
     step cmake --preset bench
     step cmake --build --preset bench
@@ -145,7 +146,7 @@ case "${1:-help}" in
     step cmake --preset page
     step cmake --build --preset page
     ls -l build/page/isolaw.html
-    # The tests compare the page's numbers with those of the native program.
+    # The tests compare the page's numbers with those of the native program, so this builds the native program too.
     step cmake --preset release
     step cmake --build --preset release --target isolaw_cli
     step ctest --test-dir build/page --output-on-failure "${@:2}"

@@ -32,9 +32,9 @@ int decade(double value) {
   return exponent;
 }
 
-// Writes each value as the number of a step that contains it. A step is one unit of the ninth digit of the largest
-// value. Values in a file are often short decimal numbers or means of a few such numbers. A shift of the steps keeps
-// their edges away from such values, so that rounding errors do not move a value into the next step.
+// Divides the values by a step of one unit in the ninth digit of the largest value, and writes them rounded down.
+// Values in a file are often short decimal numbers or means of a few such numbers, so without a shift many would lie
+// exactly on the edge of a step. With the shift, rounding errors do not move a value into the next step.
 void add_channel(std::string& text, std::string_view name, std::vector<double> const& values) {
   constexpr double shift = 0.318309886;
   double largest = 0.0;

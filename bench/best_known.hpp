@@ -1,6 +1,6 @@
-// Reads and writes best_known.toml. That file holds, for each named problem, the smallest objective that any search
-// ever found. The benchmark judges every search by it and so notices when all runs of a search end in the same local
-// minimum.
+// Reads and writes best_known.toml. For each named problem that file holds the smallest objective that any search ever
+// found. The benchmark judges every search by this objective. It so notices when all runs of a search end in the same
+// local minimum.
 #pragma once
 
 #include <span>
@@ -32,18 +32,19 @@ struct BestKnown {
 std::string problem_key(laws::LawEntry const& law, laws::Integration integration, laws::TurningPoints turning_points,
                         data::FitRecord const& record, fit::SearchBox const& box);
 
-// Throws one Error that lists every mistake of the text with its line. Messages use `file` as the name of the text.
+// Reads the entries. Throws one Error that lists every mistake of the text with its line. Messages use `file` as the
+// name of the text.
 std::vector<BestKnown> read_best_known(std::string_view text, std::string const& file);
 std::vector<BestKnown> load_best_known(std::string const& file);
 std::string best_known_text(std::span<BestKnown const> entries);
 
-// A new objective replaces an old one only if it is smaller by this relative difference. A smaller gain is only
-// rounding or unfinished convergence.
+// A new objective replaces an old one only if it is smaller by this relative difference. A smaller gain comes from
+// rounding or from unfinished convergence.
 inline constexpr double least_lowering = 1e-6;
 
-// Adds `found` to `entries`, or replaces an entry by it. An objective for the same key never rises. If an entry with
-// the same record, law and settings has another key, the problem itself has changed. The new entry then replaces the
-// old one, and the result is `redefined`.
+// Adds `found` to `entries` or replaces an entry by it. An entry with the same key is replaced only by a smaller
+// objective. If an entry with the same record, law and settings has another key, the problem itself has changed;
+// `found` then replaces this entry, and the result is `redefined`.
 enum class Change { none, added, lowered, redefined };
 Change lower(std::vector<BestKnown>& entries, BestKnown const& found);
 

@@ -47,7 +47,7 @@ int main(int count, char** arguments) {
     work();
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
-  // Returns the processor time of this thread. Other work on the machine does not lengthen it.
+  // Returns the processor time of this thread for the work, which other work on the machine does not lengthen.
   auto const own_seconds = [](auto&& work) {
     double const start = thread_time_s();
     work();
@@ -63,7 +63,7 @@ int main(int count, char** arguments) {
     });
   });
   double const lanes_cpu = process_time_s() - cpu_before;
-  // The instruction set `scalar` computes one draw after another.
+  // With the instruction set `scalar` isolaw computes one draw after another, so a few draws suffice for a timing.
   std::size_t const scalar_draws = std::min<std::size_t>(draws, 8);
   double const scalar = own_seconds([&] {
                           respond(model, "bouc-wen", std::span(values).first(scalar_draws * each), ground[0], {},

@@ -1,9 +1,10 @@
 // Measures the time and the error of the objective for several ways to integrate bouc-wen and abe-y0: Runge-Kutta with
 // sub-steps, and the exact flow. The reference is the exact flow on a path 100 times finer. The program prints three
-// errors. Two are the median and the largest over candidates drawn from the published box. The third is the error at
-// the best point that a genetic algorithm finds with the integration under test, the largest of several searches; this
-// error can be larger, because the search prefers points where the error lowers the objective. Usage: integration_cost
-// RECORD [REPETITIONS]. It prints CSV. ISOLAW_SIMD chooses the instruction set.
+// errors. The first two are the median and the largest error over candidates from the published box. The third is the
+// largest error at the best points of several genetic searches that use the integration under test. It can be larger
+// than the others, because a search prefers points where the error lowers the objective.
+// Usage: integration_cost RECORD [REPETITIONS]
+// Prints CSV. ISOLAW_SIMD chooses the instruction set.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -51,7 +52,8 @@ class Subject {
   laws::Path path(int refinement) const { return laws::make_path(disp_, {}, refinement); }
   std::size_t samples() const { return disp_.size(); }
 
-  // The layout of `candidates` is that of bench::candidates: all parameters of one candidate stand together.
+  // Takes candidates in the order of bench::candidates(): first all parameters of the first candidate, then all of the
+  // second.
   std::vector<double> objectives(laws::Path const& path, laws::Integration integration,
                                  std::vector<double> const& candidates) const {
     std::size_t const parameters = law_.parameters.size(), width = fit::wide_block;

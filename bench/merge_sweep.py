@@ -22,9 +22,8 @@ each = per_part // searches  # number of runs that one part computes for each se
 
 def parts_of(count, work):
     runs = each * count
-    # If a campaign is split into `count` parts, part 1 computes the runs 1, 1 + count, 1 + 2 count and so on of every
-    # search. Here `isolaw calibrate` computes only run 1, and the other runs are copies of it with their numbers
-    # changed.
+    # Part 1 of `count` parts has the runs 1, 1 + count, 1 + 2 count and so on of every search. To save time, `isolaw
+    # calibrate` computes only run 1 of each search, and SQL copies it under the other numbers.
     first = os.path.join(work, "real")
     subprocess.run(
         [isolaw, "calibrate", "lot/lot.toml", "--laws", "bilinear,bouc-wen", "--runs", str(count), "--method", "best",

@@ -1,5 +1,5 @@
-// Turns the searches of a lot into problems that have a name and a key, and reads and writes the file that holds the
-// smallest known objective of each problem.
+// Names the searches of a lot as problems, each with a key, and reads and writes the file that holds the smallest known
+// objective of each problem.
 #pragma once
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@
 
 namespace isolaw::bench {
 
-// A run counts as successful if its objective is at most this much, relatively, above the best known one.
+// A run succeeds if its objective is larger than the best known one by at most this share.
 inline constexpr double success_tolerance = 1e-3;
 
 struct NamedProblem {
@@ -31,7 +31,7 @@ struct NamedProblem {
   fit::SearchBox box;
   fit::LawOnRecord model;
   fit::IdentificationProblem problem{model, box};
-  BestKnown entry;  // found() fills in the objective, the parameters and found_by
+  BestKnown entry;  // found() adds objective, parameters and found_by
   num::Stream stream;
 
   NamedProblem(campaign::Contents const& contents, campaign::Search const& search, std::string const& name)
@@ -53,8 +53,7 @@ struct NamedProblem {
   NamedProblem(NamedProblem const&) = delete;
   NamedProblem& operator=(NamedProblem const&) = delete;
 
-  // Makes the entry for a point of the unit box. The objective is computed by scalar code, like the objectives in
-  // reports.
+  // Makes the entry for a point of the unit box. Scalar code computes the objective, as it does for reports.
   BestKnown found(std::span<double const> point, std::string const& found_by) const {
     auto result = entry;
     std::vector<double> work;
@@ -67,7 +66,7 @@ struct NamedProblem {
 };
 
 struct Choice {
-  std::vector<std::string> laws, devices;  // an empty list takes all laws or devices that the lot file names
+  std::vector<std::string> laws, devices;  // an empty list stands for all that the lot file names
 };
 
 // Prepares all chosen problems of a lot. The records may lie outside the lot file's folder.
@@ -88,8 +87,8 @@ struct NamedProblems {
   }
 };
 
-// The smallest known objectives, read from a file. write() stores them in that file. If no file name is given, they
-// come from the project's own best_known.toml and write() does nothing.
+// The smallest known objectives from a file, which write() brings up to date. Without a file name the objectives come
+// from the project's own best_known.toml, and write() does nothing.
 class BestFile {
  public:
   explicit BestFile(std::string file) : file_(std::move(file)) {

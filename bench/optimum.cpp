@@ -1,9 +1,9 @@
 // Measures how often, and at what cost, the search `best` finds the smallest objective. It repeats the search with
-// other random numbers for every law and device of a lot. With --peers it does the same with searches of other
-// programs. A run succeeds if its objective is within 0.1 % of the smallest one that any run found or that
-// best_known.toml lists.
+// other random numbers for every law and device of a lot. A run succeeds if its objective is within 0.1 % of the
+// smallest one that any run found or that best_known.toml lists.
 // Usage: optimum LOT.toml RUNS [LAW...] [--device NAME]... [--peers FACTOR] [--update FILE --name RECORD]
-//   --peers    runs other programs too; each run gets FACTOR times the evaluations that `best` takes on average
+//   --peers    runs searches of other programs too; each run gets FACTOR times the evaluations that
+//              `best` takes on average
 //   --update   writes results that are new or smaller to FILE (for example bench/best_known.toml); the record of an
 //              entry is called "RECORD, device"
 // Prints the runs as CSV, then a table by law and method. The records may lie outside the lot file's folder.
@@ -86,7 +86,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Collects all runs on one problem and the best point of each method.
+// Collects the runs of all methods on one problem, and the best point that each method found.
 class Contest {
  public:
   explicit Contest(bench::NamedProblem const& named) : named_(named) {}

@@ -1,6 +1,7 @@
 // Ceres minimises isolaw's residuals by Levenberg-Marquardt with bounds, from random starts. The objective is a mean of
-// absolute values, so the residuals get a soft L1 loss, which is smooth at zero. A first pass smooths widely, a second
-// one narrowly. Ceres asks for residuals and derivatives one by one, so one batch computes all of a step in advance.
+// absolute values. Ceres needs a smooth function, so the residuals get a soft L1 loss, which rounds the corner at zero:
+// widely in a first pass, narrowly in a second one. Ceres asks for residuals and derivatives one by one, while isolaw
+// computes those of a whole step in one batch beforehand.
 #include <ceres/ceres.h>
 
 #include <algorithm>
@@ -108,7 +109,7 @@ void search_by_ceres(Watched const& problem, std::uint64_t seed, int budget) {
     num::Draws draws(num::Stream(seed), start, 0);
     std::vector<double> x(problem.dimension());
     for (double& coordinate : x) coordinate = draws.uniform();
-    Watched here(problem);  // counts only the evaluations of this start
+    Watched here(problem);  // counts the evaluations of one start
     opt::Points one(problem.dimension(), 1);
     std::ranges::copy(x, one[0].begin());
     std::vector<double> residuals(problem.weights().size());

@@ -1,13 +1,14 @@
 # Writes the C++ source OUTPUT, which defines isolaw::app::source_commit: the commit of the sources in ROOT, for example
-# "8394911", or "8394911, modified" if a file under version control was changed since. `git archive` writes the commit
-# into cmake/COMMIT. If that file has no commit and ROOT has no .git, the text is "unknown commit". OUTPUT is only
-# written if it changes, so that an unchanged commit compiles nothing again.
+# "8394911", or "8394911, modified" if a file under version control was changed since. In an archive of the sources,
+# `git archive` has written the commit into cmake/COMMIT. If neither that file nor ROOT/.git gives a commit, the text is
+# "unknown commit". An unchanged OUTPUT is not written again, so that nothing is compiled again.
 # cmake -DROOT=... -DOUTPUT=... -P commit.cmake
 set(commit "unknown commit")
 file(STRINGS ${ROOT}/cmake/COMMIT packed LIMIT_COUNT 1)
 if(packed MATCHES "^[0-9a-f]+$")
   set(commit ${packed})
-elseif(EXISTS ${ROOT}/.git)  # else git would find a repository around an unpacked archive
+# Without .git in ROOT, git would find a repository around an unpacked archive and give its commit.
+elseif(EXISTS ${ROOT}/.git)
   find_program(git git)
   if(git)
     execute_process(COMMAND ${git} -C ${ROOT} rev-parse --short HEAD RESULT_VARIABLE failed OUTPUT_VARIABLE head

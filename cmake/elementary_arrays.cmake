@@ -1,4 +1,5 @@
-# Compiles tests/unit/elementary_arrays.cpp once per instruction set, for the unit test and the benchmark.
+# Compiles tests/unit/elementary_arrays.cpp once for each instruction set. The unit test and the benchmark use these
+# objects.
 include_guard(GLOBAL)
 add_library(elementary_arrays INTERFACE)
 function(elementary_table set)
@@ -6,11 +7,11 @@ function(elementary_table set)
   target_include_directories(elementary_${set} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(elementary_${set} PRIVATE ISOLAW_ELEMENTARY_TABLE=elementary_${set})
   target_link_libraries(elementary_${set} PRIVATE isolaw_warnings)
-  # The compiler turns these loops into vector code only with -O3, so -O3 is set in every build type.
+  # The compiler turns the loops of this source into vector code only with -O3, so -O3 is set in every build type.
   target_compile_options(elementary_${set} PRIVATE ${ARGN} -O3 -fno-math-errno -fno-trapping-math -fno-signed-zeros
                          $<$<CXX_COMPILER_ID:GNU>:-fschedule-insns -fsched-pressure>)
-  # isolaw_warnings sets -ffp-contract=off, which forbids fused multiply-adds. The options of a source come after it on
-  # the command line, so that they win.
+  # isolaw_warnings sets -ffp-contract=off, which forbids fused multiply-adds. The option of a source file comes later
+  # on the command line than those of its target, so -ffp-contract=fast wins.
   set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/unit/elementary_arrays.cpp
                               TARGET_DIRECTORY elementary_${set} PROPERTIES COMPILE_OPTIONS -ffp-contract=fast)
   target_link_libraries(elementary_arrays INTERFACE $<TARGET_OBJECTS:elementary_${set}>)

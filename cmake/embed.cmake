@@ -11,8 +11,8 @@ if(NOT CMAKE_SCRIPT_MODE_FILE)
     add_custom_command(OUTPUT ${source}
       COMMAND ${CMAKE_COMMAND} -DFUNCTION=${function} -DBASE=${base} "-DFILES=${files}" -DOUTPUT=${source} -P ${isolaw_embed_script}
       DEPENDS ${ARGN} ${isolaw_embed_script} VERBATIM COMMENT "Embedding ${function}")
-    # TARGET may be in another folder, where CMake does not know this custom command. A custom target is known in all
-    # folders.
+    # TARGET may be in another folder, where CMake does not know this custom command. The custom target below is known
+    # in all folders.
     add_custom_target(${file} DEPENDS ${source})
     add_dependencies(${target} ${file})
     target_sources(${target} PRIVATE ${source})
@@ -33,7 +33,7 @@ foreach(file IN LISTS FILES)
     cmake_path(GET file FILENAME named)
   endif()
   file(READ ${file} text)
-  # In a raw string no character is special. GCC and clang accept raw strings of any length.
+  # No character is special in a raw string. GCC and clang accept raw strings of any length.
   string(APPEND table "    {\"${named}\", R\"_embedded_(${text})_embedded_\"sv},\n")
 endforeach()
 file(WRITE ${OUTPUT} "#include \"isolaw/base/embedded.hpp\"\n\n#pragma GCC diagnostic ignored \"-Woverlength-strings\"\n\n"

@@ -81,7 +81,7 @@ foreach(file IN LISTS files)
   endforeach()
 endforeach()
 
-# Collects the modules that ENTRY reaches by imports. Modules that import one another are among them; they are refused
+# Collects the modules that ENTRY reaches by imports. They may still import one another in a cycle, which is refused
 # further below.
 set(reached "${ENTRY}")
 set(open "${ENTRY}")
@@ -125,7 +125,7 @@ while(files)
   endif()
   set(files ${waiting})
 endwhile()
-# A backslash keeps "<!--" and "</script" from ending the <script> element that holds the script. They occur only in
-# strings and regular expressions, which ignore it.
+# A backslash keeps "<!--" and "</script" from ending the <script> element that holds the script. These texts occur only
+# in strings and regular expressions, in which JavaScript ignores a backslash before "!" and "/".
 string(REGEX REPLACE "<(!--|/[sS][cC])" "<\\\\\\1" script "${script}")
 file(WRITE "${OUTPUT}" "${script}})();\n")

@@ -1,5 +1,5 @@
 # Finds the script that draws figures in HTML pages (npm package plotly.js-basic-dist-min). If it is missing, the build
-# goes on, and each page shows instead of figures how to get them.
+# goes on. Each page then says, in place of its figures, how to get them.
 set(ISOLAW_PLOTLY "${PROJECT_SOURCE_DIR}/node_modules/plotly.js-basic-dist-min/plotly-basic.min.js" CACHE FILEPATH
     "plotly-basic.min.js, inlined into the pages")
 set(ISOLAW_PLOTTING_SCRIPT "${ISOLAW_PLOTLY}")
@@ -13,7 +13,7 @@ if(NOT EXISTS "${ISOLAW_PLOTLY}")
 globalThis.Plotly = new Proxy({}, { get: () => async () => {} });
 ")
 endif()
-# Inside a page these sequences would end the script.
+# Inside a page "</script" or "<!--" would end the script, so a plotting script that contains one of them is refused.
 file(READ "${ISOLAW_PLOTTING_SCRIPT}" plotting)
 if(plotting MATCHES "<!--|</[sS][cC]")
   message(FATAL_ERROR "${ISOLAW_PLOTTING_SCRIPT} cannot be inlined: it contains <!-- or </script")

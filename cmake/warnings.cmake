@@ -1,4 +1,4 @@
-# Every target of the project links isolaw_warnings as PRIVATE, so that users of the library do not get these options.
+# Every target of the project links isolaw_warnings as PRIVATE, so that these options do not reach users of the library.
 add_library(isolaw_warnings INTERFACE)
 target_compile_options(isolaw_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Wold-style-cast
@@ -12,6 +12,6 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   target_compile_options(isolaw_warnings INTERFACE
     $<$<CONFIG:Release>:-Wno-null-dereference> $<$<CONFIG:Release>:-Wno-maybe-uninitialized>)
 endif()
-# Without this option compilers may fuse a product and a sum into one operation, which rounds differently. Scalar code
-# must give the same bits in every build type.
+# Without this option a compiler may fuse a product and a sum into one operation, which rounds differently. With it
+# scalar code gives the same bits in every build type.
 target_compile_options(isolaw_warnings INTERFACE -ffp-contract=off)

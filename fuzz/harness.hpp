@@ -1,5 +1,5 @@
-// Shared by all fuzz targets. Every input must end in a result or in an isolaw::Error. Any other exception ends the
-// program, and libFuzzer or replay.cpp reports the input.
+// Shared by all fuzz targets. For every input isolaw must either succeed or throw an isolaw::Error. Any other exception
+// ends the program, and libFuzzer or replay.cpp then reports the input.
 #pragma once
 
 #include <unistd.h>
@@ -23,7 +23,7 @@ inline std::string_view as_text(std::uint8_t const* data, std::size_t size) {
   return {static_cast<char const*>(static_cast<void const*>(data)), size};
 }
 
-// Ends the program if the condition is false, in every build type. It checks conditions that must be true for every
+// Ends the program if the condition is false, in every build type. Fuzz targets state by it what must hold for every
 // input.
 inline void require(bool holds, char const* what) {
   if (holds) return;
@@ -37,7 +37,7 @@ inline void require_plain_message(Error const& error) {
     require(printable(to_string(complaint), true) == to_string(complaint), "a message holds no control characters");
 }
 
-// A temporary folder, in memory if the system has /dev/shm. The destructor removes it.
+// Makes a temporary folder, in memory if the system has /dev/shm. The destructor removes it.
 class Folder {
  public:
   Folder() {

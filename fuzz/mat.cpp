@@ -1,5 +1,5 @@
-// Reads the input as a MATLAB file of version 5 or 7. Reading version 7.3 is slow, so that version has a target of its
-// own, mat73.cpp.
+// Reads the input as a MATLAB file of version 5 or 7. Files of version 7.3 have a fuzz target of their own, mat73.cpp,
+// because reading them is slow.
 #include "record.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {

@@ -1,5 +1,5 @@
-// Gives every file of the named folders to the fuzz target that is linked with this main(). The corpus thus becomes an
-// ordinary test, which needs no libFuzzer. It fails if the folders have no files.
+// Gives every file of the named folders to the fuzz target that is linked with this main(). The inputs of fuzz/corpus
+// thus become an ordinary test, which needs no libFuzzer. The test fails if the folders have no files.
 #include <algorithm>
 #include <fstream>
 #include <iterator>

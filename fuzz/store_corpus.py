@@ -75,8 +75,8 @@ FAULTS = {
                         "GENERATED ALWAYS AS (hex(zeroblob(400000000))) VIRTUAL",
 }
 
-# Only these files are committed: files that made an earlier reader hang or that it accepted wrongly, and files of which
-# the reader reads most before it refuses them. --all writes all files, as a start for a longer fuzz run.
+# Only these files are committed. Each one made an earlier reader hang, or was wrongly accepted, or is read nearly to
+# its end before it is refused. --all writes all files, as a start for a longer fuzz run.
 KEPT = {"sound", "view-endless-runs", "view-endless-setting", "view-large-values", "generated-column", "setting-range",
         "run-number-huge", "parameters-infinite", "box-null", "name-control", "series-one-nan", "history-odd"}
 

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Measures how much forces and objectives differ between compilers, optimisation levels and processors. It builds the
-# program tests/regression/sweep.cpp with each of them and compares its output with the output of the build with g++
+# Measures how much forces and objectives differ between compilers, optimisation levels and processors. The script
+# builds the program tests/regression/sweep.cpp with each of them and compares its output with that of the build by g++
 # -O3, as in the release preset. It prints a table for each build. The exit code is 1 if a difference exceeds
 # fit::evaluation_tolerance. ISOLAW_DRAWS=N takes N candidates from each search box, by default 250. The script compiles
 # only the few sources that the program needs, because configuring the whole project for each build would take ten times
 # as long.
-#   tools/compilers.sh                       all builds
-#   tools/compilers.sh [--reference SWEEP] NAME...  only these; SWEEP is a program to compare with instead of g++ -O3's
+#   tools/compilers.sh                       runs all builds
+#   tools/compilers.sh [--reference SWEEP] NAME...  runs only these, compared with SWEEP instead of g++ -O3's
 set -euo pipefail
 reference=
 if [ "${1:-}" = --reference ]; then
@@ -36,8 +36,8 @@ make_sweep() { # name, compiler and flags...
   local name=$1 object=$folder/$1-objects source
   shift
   mkdir -p "$object"
-  # The linker then leaves out functions that the sweep does not use, and those may refer to sources that are not
-  # compiled here.
+  # The options -ffunction-sections and --gc-sections leave out functions that the sweep does not use. Such functions
+  # may call sources that are not compiled here.
   for source in "${sources[@]}"; do
     printf '%s\0-o\0%s\0' "$source" "$object/${source//\//_}.o"
   done | xargs -0 -n 3 -P "$(nproc)" "$@" -w -DNDEBUG -DFMT_HEADER_ONLY -DISOLAW_KERNELS=kernels_portable -std=c++20 \
@@ -67,7 +67,8 @@ for variant in "${variants[@]}"; do
     printf '%s\n  left out: no %s here\n' "$name" "${command[0]}"
     continue
   fi
-  # The processor may lack instructions that the compiler uses, or the compiler may be for another processor.
+  # The probe may not run: the processor lacks instructions that the compiler uses, or the compiler is for another
+  # processor.
   if ! echo 'int main() {}' | "${command[@]}" -x c++ - -o "$folder/probe" 2>/dev/null ||
     ! "${emulator[@]}" "$folder/probe"; then
     printf '%s\n  left out: does not run here\n' "$name"

@@ -13,7 +13,7 @@ compiled_in=(emscripten)
 stamp="$folder/complete"
 [ -e "$stamp" ] && [ "$stamp" -nt "${BASH_SOURCE[0]}" ] && exit 0
 
-# The machine's own list of package sources stays as it is.
+# apt gets a list of package sources of its own, so that the machine's list stays as it is.
 apt=$folder/apt
 mkdir -p "$apt/lists/partial" "$apt/archives"
 . /etc/os-release
@@ -29,7 +29,7 @@ rm -f "$folder/versions"
 mkdir -p "$folder/licences"
 cd "$apt/archives"
 for name in "${sources[@]}"; do
-  # Debian's list may name a version that the server no longer has, so this tries all versions, newest first.
+  # The server may no longer have a version that Debian's list names, so this tries all versions, newest first.
   fetched=
   for version in $(apt-cache "${options[@]}" showsrc "$name" | sed -n 's/^Version: //p' | sort -rVu); do
     apt-get "${options[@]}" source --only-source --download-only "$name=$version" >/dev/null 2>&1 && fetched=$version && break
@@ -57,5 +57,5 @@ for name in "${headers[@]}" "${compiled_in[@]}"; do
   echo "$name $version" >> "$folder/versions"
   cp "/usr/share/doc/$name/copyright" "$folder/licences/$name"
 done
-rm -f "$folder"/*.tar.*  # dpkg-source leaves copies of archives
+rm -f "$folder"/*.tar.*  # apt-get and dpkg-source left these archives
 touch "$stamp"

@@ -11,8 +11,8 @@ parts=("$@")
 : "${ISOLAW_KILLS:=200}" "${ISOLAW_DRAWS:=100000}" "${ISOLAW_FUZZ_SECONDS:=240}"
 export ISOLAW_KILLS ISOLAW_DRAWS
 
-# Runs a command and prints only those lines of its output that count tests. If the command fails, it prints the last 50
-# lines too.
+# Runs a command and prints only those lines of its output that count tests. If the command fails, this also prints the
+# last 50 lines.
 run() {
   echo "== $*"
   local log status=0

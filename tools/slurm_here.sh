@@ -73,7 +73,7 @@ kill_node() {
   rm -f "$directory/slurmd.pid"
 }
 
-# Kills the node and marks it as down. Slurm itself would mark it only after the time SlurmdTimeout.
+# Kills the node and marks it as down. Slurm itself would mark the node only after SlurmdTimeout.
 lose_node() {
   kill_node
   scontrol update nodename=here state=down reason=killed
@@ -121,8 +121,8 @@ MinJobAge=300
 NodeName=here NodeHostname=$(hostname) NodeAddr=127.0.0.1 CPUs=$(nproc) RealMemory=1000000 State=UNKNOWN
 PartitionName=all Nodes=here Default=YES MaxTime=INFINITE State=UP
 CONF
-    # Slurm loads a plugin for cgroups even though this cluster uses none. The plugin for cgroups of version 2 would
-    # need systemd, so this chooses version 1.
+    # Slurm loads a plugin for cgroups although this cluster uses none. The plugin for version 2 would need systemd, so
+    # this file chooses version 1.
     echo 'CgroupPlugin=cgroup/v1' >"$directory/cgroup.conf"
   fi
   munged --force --key-file "$directory/munge.key" --socket "$directory/munge.socket" \
@@ -134,7 +134,7 @@ CONF
   mv "$directory/env.new" "$directory/env"
 }
 
-# Asks a process to end and waits for at most 10 s until it has ended. slurmctld saves its state before it ends.
+# Asks a process to end and waits for up to 10 s. In this time slurmctld saves its state.
 end() {
   local asked
   for ((asked = 0; asked < 100; ++asked)); do

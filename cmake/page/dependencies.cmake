@@ -1,5 +1,5 @@
-# Defines the same targets as cmake/dependencies.cmake. tools/page_libraries.sh fetches the sources, and this build
-# compiles them to WebAssembly.
+# Defines the targets of cmake/dependencies.cmake for the page. tools/page_libraries.sh fetches the sources of the
+# libraries, and this build compiles them to WebAssembly.
 set(ISOLAW_PAGE_LIBRARIES ${PROJECT_BINARY_DIR}/libraries CACHE PATH "folder of tools/page_libraries.sh")
 execute_process(COMMAND ${PROJECT_SOURCE_DIR}/tools/page_libraries.sh ${ISOLAW_PAGE_LIBRARIES} COMMAND_ERROR_IS_FATAL ANY)
 set(from ${ISOLAW_PAGE_LIBRARIES})
@@ -21,8 +21,8 @@ add_library(fmt::fmt ALIAS page_fmt)
 add_library(page_threads INTERFACE)
 add_library(Threads::Threads ALIAS page_threads)
 
-# Builds a library from C sources of others. Compiler warnings are off, because this project does not change these
-# sources.
+# Builds a library from C sources that other projects wrote. This project does not change them, so compiler warnings are
+# off.
 function(page_library name)
   add_library(${name} STATIC ${ARGN})
   target_compile_options(${name} PRIVATE -O2 -w)
@@ -50,7 +50,7 @@ target_include_directories(page_expat SYSTEM PUBLIC ${from}/expat/expat/lib)
 add_library(EXPAT::EXPAT ALIAS page_expat)
 
 page_library(page_sqlite ${from}/sqlite3/made/sqlite3.c)
-# SQLite needs no locks here because there is one thread. It loads no extensions and maps no files into memory.
+# SQLite needs no locks, because the page has one thread. It loads no extensions and maps no files into memory.
 target_compile_definitions(page_sqlite PRIVATE SQLITE_THREADSAFE=0 SQLITE_OMIT_LOAD_EXTENSION SQLITE_MAX_MMAP_SIZE=0)
 target_include_directories(page_sqlite SYSTEM PUBLIC ${from}/sqlite3/made)
 add_library(SQLite::SQLite3 ALIAS page_sqlite)
@@ -65,7 +65,7 @@ set(ISOLAW_HDF5_INCLUDE "")
 set(ISOLAW_RANDOM123 ${from}/include)
 include(plotly)
 
-# Every source is compiled and linked with these options. -msimd128 gives the portable kernels their vectors of 128 bits
+# All sources are compiled and linked with these options. -msimd128 gives the portable kernels vectors of 128 bits
 # (num/batch.hpp). -fwasm-exceptions uses WebAssembly's own exceptions, which cost no time unless one is thrown.
 set(ISOLAW_PAGE_OPTIONS -fwasm-exceptions -msimd128)
 add_compile_options(${ISOLAW_PAGE_OPTIONS} "$<$<COMPILE_LANGUAGE:CXX>:SHELL:-include ${PROJECT_SOURCE_DIR}/cmake/page/gaps.hpp>"

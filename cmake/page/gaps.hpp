@@ -1,7 +1,7 @@
-// Defines parts of C++20 that the program uses and emscripten's libc++ 13 lacks. The option -include puts this file
-// before every source of the page. Range algorithms call the algorithms for iterators. Views compute all elements at
-// once instead of one by one; no code of the program depends on the difference. With libc++ 16 all but std::from_chars
-// can go, and with libc++ 20 (emscripten 4) the whole file.
+// Defines parts of C++20 that the program uses and that libc++ 13 of emscripten lacks. The compiler option -include
+// puts this file before every source of the page. The range algorithms call the algorithms for iterators. The views
+// compute all elements at once instead of one by one; no code of the program depends on the difference. With libc++ 16
+// everything but std::from_chars can go, and with libc++ 20 (emscripten 4) the whole file.
 #pragma once
 
 #ifdef __cplusplus
@@ -26,14 +26,14 @@
 
 _LIBCPP_BEGIN_NAMESPACE_STD
 
-// std::bit_cast, which belongs to <bit>.
+// Defines std::bit_cast, which belongs to <bit>.
 template <class To, class From>
 constexpr To bit_cast(From const& from) noexcept {
   return __builtin_bit_cast(To, from);
 }
 
-// std::from_chars for floating-point numbers. A short decimal number is one exact product or quotient (Clinger's fast
-// path). For other numbers it calls strtod, which rounds correctly in musl, emscripten's C library.
+// Defines std::from_chars for floating-point numbers. A short decimal number is one exact product or quotient
+// (Clinger's fast path). For other numbers it calls strtod, which rounds correctly in musl, emscripten's C library.
 inline from_chars_result from_chars(char const* first, char const* last, double& value,
                                     chars_format format = chars_format::general) {
   auto at = first;
@@ -166,8 +166,8 @@ struct min_max_result {
 
 inline namespace page_objects {
 
-// The standard makes range algorithms function objects, which argument-dependent lookup does not find. These are
-// function objects too.
+// The standard makes range algorithms function objects, so that argument-dependent lookup does not find them. The
+// macros below therefore define function objects too.
 #define ISOLAW_RANGES_TEST(name)                                           \
   inline constexpr struct name##_of {                                      \
     template <input_range R, class F, class P = identity>                  \
@@ -187,7 +187,7 @@ ISOLAW_RANGES_TEST(find_if)
 ISOLAW_RANGES_TEST(find_if_not)
 #undef ISOLAW_RANGES_TEST
 
-// Algorithms that compare two elements, after a projection of each.
+// Defines an algorithm that orders elements by comparing their projections.
 #define ISOLAW_RANGES_ORDER(name)                                          \
   inline constexpr struct name##_of {                                      \
     template <forward_range R, class C = less, class P = identity>         \

@@ -1,6 +1,7 @@
-// Opens the page of a made-up building in headless Chromium. There must be no script error and no request, every figure
-// must be drawn, the page must fit into its window, the verdict must appear without scrolling and after few words, and
-// figures must follow what the reader chooses. The test also checks the printed page and the rules of axe-core.
+// Opens the page of a made-up building in headless Chromium. There must be no script error and no request to the
+// network. Every figure must be drawn and must follow the reader's choices, the page must fit into its window, and the
+// verdict must appear without scrolling and after few words. The test also checks the printed page and the rules of
+// axe-core.
 //   node building_page.mjs MAKE_BUILDING [CHROMIUM]
 // ISOLAW_SCREENSHOTS=DIR saves a picture of every case. With ISOLAW_BUILDING_PAGE=FILE the test opens that page
 // instead.
@@ -27,7 +28,8 @@ const CASES = [
 ];
 const MOST_WORDS = 130;
 
-// Scrolls to every figure, uses the controls and returns what it saw. This function runs in the page.
+// Scrolls to every figure, uses the page's controls and returns what the page then showed. This function runs in the
+// page.
 async function look({ print }) {
   const wait = (ms) => new Promise((done) => setTimeout(done, ms));
   const data = JSON.parse(document.getElementById('isolaw-data').textContent);

@@ -18,7 +18,8 @@ const FLAGS = [
   '--remote-debugging-pipe',
 ];
 
-// Returns the data of a report. Laws and parameters have the names that the page shows. This function runs in the page.
+// Returns the data of a report, with the names of laws and parameters that the page shows. This function runs in the
+// page.
 function reportAsShown() {
   const report = JSON.parse(document.getElementById('isolaw-data').textContent);
   const names = Object.fromEntries(report.laws.map(({ id, name }) => [id, name]));
@@ -80,8 +81,8 @@ export class Chromium {
     return new Promise((resolve, reject) => this.pending.set(id, { resolve, reject }));
   }
 
-  // Opens a page in a new window. send() and evaluate() of the result act on this page. Its errors and requests are
-  // collected from the start.
+  // Opens a page in a new window. send() and evaluate() of the returned object act on this page, whose errors and
+  // requests are collected from the start.
   async open(url, { width, height, dark = false }) {
     const { targetId } = await this.send('Target.createTarget', { url: 'about:blank' });
     const { sessionId } = await this.send('Target.attachToTarget', { targetId, flatten: true });

@@ -28,7 +28,7 @@ function record(samples, strength) {
   return rows.join('\n') + '\n';
 }
 
-// Returns what the certificate says, and the tables that do not fit. This function runs in the page.
+// Returns what the certificate says, and which tables are wider than the window. This function runs in the page.
 function look() {
   const rows = [...document.querySelectorAll('#figure-certificate-devices tbody tr')];
   const facts = [...document.querySelectorAll('#figure-certificate-head dt')];

@@ -12,8 +12,8 @@ macro(join)
   string(REGEX REPLACE "[ \n]+" " " said "${said}")
 endmacro()
 
-# refused(WORDS PAGE A [FILE TEXT]) writes a file page.js with the text PAGE, a file low/a.js with the text A, and FILE
-# with TEXT if they are given. Joining these files must end with an error that contains WORDS.
+# refused(WORDS PAGE A [FILE TEXT]) writes a file page.js with the text PAGE, a file low/a.js with the text A and, if
+# given, FILE with TEXT. Joining these files must end with an error that contains WORDS.
 function(refused words page a)
   file(REMOVE_RECURSE ${folder})
   file(WRITE ${folder}/page.js "${page}")

@@ -15,8 +15,8 @@ namespace {
 
 using namespace isolaw;
 
-// Makes a bouc-wen law from a bilinear law: a smooth curve instead of the corner, and 0.9 of the first stiffness. Its
-// parameters alpha and Ke get the random values that the bilinear law uses for its first two parameters.
+// Makes a bouc-wen law from a bilinear law, with a smooth curve instead of the corner and 0.9 of the first stiffness.
+// In the draws of the building, alpha and Ke vary as the first two parameters of the bilinear law do.
 building::LawSource smooth(building::LawSource const& of) {
   auto law = of;
   auto const& [K1, K2, Dy] = std::tie(of.median[0], of.median[1], of.median[2]);

@@ -24,7 +24,7 @@ namespace {
 
 using namespace isolaw;
 
-// Adds copies of laws, with names as long as those of real laws.
+// Adds copies of laws under names that are as long as those of real laws.
 void add_laws(study::Summary& summary, std::size_t count) {
   constexpr std::string_view names[]{"power-masing", "power-masing-viscous", "history-integral", "kikuchi-aiken",
                                      "ramberg-osgood"};
@@ -105,7 +105,7 @@ int main(int argc, char** argv) {
     if (state == "crowded") crowd(summary);
     if (state == "crowded" || state == "predicted") run_away(summary.laws.at(1));
     if (state == "predicted") keep_a_block(summary);
-    // The second law lies on the front of accuracy and robustness, but its stiffness is 60 % off, so it is not
+    // The second law is on the front of accuracy and robustness. Its stiffness is 60 % off, so it is still not
     // adequate.
     if (state == "inadequate")
       for (auto& fit : summary.laws.at(1).devices) fit.K_eff_error_percent = 60.0;
@@ -113,8 +113,8 @@ int main(int argc, char** argv) {
       for (auto& fit : law.devices)
         for (double const above : {1.3, 1.7})
           if (fit.objective.mean) fit.histories.push_back({above * *fit.objective.mean, *fit.objective.mean});
-    // This page shows an inspection: it has no laws, and the rule set requires nothing that the records lack. For
-    // `failing` the design stiffness is far off.
+    // The states `passing` and `failing` make the page of an inspection: it has no laws, and the rule set requires only
+    // what the records have. In `failing` the design stiffness is far off.
     if (argc > 4 && (std::string_view(argv[4]) == "passing" || std::string_view(argv[4]) == "failing")) {
       summary.laws.clear();
       summary.outliers.clear();
@@ -135,7 +135,8 @@ int main(int argc, char** argv) {
                               std::filesystem::path(argv[1]) / "report.html");
       return 0;
     }
-    // The report must warn of a failed run, of a coarse integration and of a constant load channel.
+    // The report must warn of three things that this adds: a failed run, a coarse integration and a constant load
+    // channel.
     summary.laws.back().devices.back().integration_shift = 0.0021;
     summary.laws.back().devices.front().failed_runs = 1;
     summary.laws.back().devices.front().failure = "the computed force became infinite";

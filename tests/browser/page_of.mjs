@@ -7,8 +7,8 @@ import { pathToFileURL } from 'node:url';
 import { Chromium } from './chromium.mjs';
 import { extend, with_data } from './test_records.mjs';
 
-// Calls `test` with two functions, one that opens pages and one that records failures, and ends the process. The exit
-// code is 77 if there is no browser.
+// Calls `test` with two functions, one that opens pages and one that records failures. Then ends the process, with the
+// exit code 77 if there is no browser.
 export async function withBrowser(program, makePage, test) {
   if (!program || !existsSync(program)) {
     console.log('skipped: no Chromium found (install chromium, or configure with -DISOLAW_CHROMIUM=FILE)');
@@ -20,8 +20,8 @@ export async function withBrowser(program, makePage, test) {
   const expect = (holds, name, what) => {
     if (!holds) failures.push(`${name}: ${what}`);
   };
-  // `state` goes to make_page.cpp. `records` are the options of extend() in test_records.mjs, which replaces data of
-  // the page.
+  // `state` is the option STATE of make_page.cpp. `records` are the options of extend() in test_records.mjs, which
+  // replaces the records in the data of the page.
   const written = new Map();
   const open = async ({ devices, laws, state, records, width, height = 800, dark }) => {
     const name = [devices, laws, state ?? 'plain', records ? JSON.stringify(records) : 'as-written'].join('-').replace(/[^\w-]/g, '');
@@ -37,7 +37,7 @@ export async function withBrowser(program, makePage, test) {
       await page.send('Emulation.setDeviceMetricsOverride', { width: wide, height, deviceScaleFactor: 1, mobile: wide < 500 });
       await page.evaluate('new Promise((done) => setTimeout(done, 300))');
     };
-    // Shows the page as it is printed on paper with 180 mm between the margins.
+    // Shows the page as it is printed on paper with 180 mm between its left and right margins.
     page.print = async () => {
       await page.resize(681);
       await page.send('Emulation.setEmulatedMedia', { media: 'print' });

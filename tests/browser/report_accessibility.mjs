@@ -20,7 +20,7 @@ const CASES = [
   { name: 'inspection, dark', devices: 4, laws: 3, records: { laws: false, verified: false }, width: 1366, dark: true },
 ];
 
-// Returns the broken rules after all figures were drawn and all details opened. This function runs in the page.
+// Draws all figures, opens all details and returns the rules that the page then breaks. This function runs in the page.
 async function violations() {
   const wait = (ms) => new Promise((done) => setTimeout(done, ms));
   for (const details of document.querySelectorAll('details')) details.open = true;

@@ -1,5 +1,5 @@
-// Measures the layout of the report in a browser: labels of figures, the table of contents, tables on screen and paper,
-// the order of their rows, bars that are cut short, and what the page shows before the reader chooses anything.
+// Measures the layout of the report in a browser: the labels of figures, the table of contents, tables on screen and on
+// paper, the order of their rows, bars that are cut off, and what the page shows before the reader chooses anything.
 //   node report_layout.mjs MAKE_PAGE [CHROMIUM]
 import { withBrowser } from './page_of.mjs';
 
@@ -21,7 +21,7 @@ async function look_at_front() {
     laws: reportAsShown().laws.map(({ id }) => id).sort(),
     labels: [...plot.querySelectorAll('.annotation-text')].map((node) => ({ text: node.textContent, ...box(node) })),
     markers: [...plot.querySelectorAll('.scatterlayer .point')].map(box),
-    // A line joins each label to its marker. These are points along the lines.
+    // The plot joins each label to its marker by a line. These are 21 points along each line.
     leaders: [...plot.querySelectorAll('.annotation')].flatMap((node) => {
       const line = node.querySelector('.annotation-arrow-g path');
       if (!line || getComputedStyle(line).stroke === 'rgba(0, 0, 0, 0)') return [];
@@ -95,7 +95,7 @@ function heads() {
     const own = (found[region.getAttribute('aria-label')] ??= { columns: [], wide: 0, broken: [] });
     own.columns = [...new Set([...own.columns, ...texts])].sort();
     own.wide = Math.max(own.wide, ...tables.map((table) => table.getBoundingClientRect().width - region.clientWidth));
-    // Collects the words in a column head that are broken over two lines.
+    // Collects the words in a column head that the browser broke over two lines.
     for (const head of tables.flatMap((table) => [...table.querySelectorAll('thead th')])) {
       const texts = document.createTreeWalker(head, window.NodeFilter.SHOW_TEXT);
       while (texts.nextNode())
@@ -138,8 +138,8 @@ function look_at_contents() {
   };
 }
 
-// Sorts every table by each of its columns and returns what is then wrong with the rows. This function runs in the
-// page.
+// Sorts every table by each of its columns and returns what went wrong, such as rows in the wrong order. This function
+// runs in the page.
 async function look_at_sorting() {
   const number = (text) => Number(text.replace('\u2212', '-').replace(/^[+\u00b1>]/, '').split(/[^\d.-]/)[0]);
   const seen = [];
@@ -184,7 +184,7 @@ async function look_at_first() {
   const axis = loop.querySelector('.plot').layout.yaxis.range;
   const measured = loop.querySelector('.plot').data.find(({ name }) => name === 'measured').y.filter((value) => value !== null);
   const ticked = [...document.querySelectorAll('#loops input:checked')].map((box) => box.closest('label').textContent);
-  // The reader chooses a law that computes huge forces. The axis must still fit the record.
+  // The reader chooses a law that computes huge forces. The axis must still show the record at a readable size.
   const away = report.laws.find(({ prediction_grade: grade }) => grade === 'unusable');
   const box = [...document.querySelectorAll('#loops input')].find((one) => one.closest('label').textContent === away.id);
   box.click();

@@ -30,7 +30,7 @@ function same(name, found, expected) {
     failures.push(`${name}: ${JSON.stringify(found)}, expected ${JSON.stringify(expected)}`);
 }
 
-// Returns what every figure draws. If the reader can choose a law in a figure, it does so for each law. This function
+// Returns what every figure draws. In a figure that shows one law at a time, this function chooses each law in turn. It
 // runs in the page.
 async function drawn() {
   const wait = (ms) => new Promise((done) => setTimeout(done, ms));
@@ -54,7 +54,7 @@ async function drawn() {
     front: (await plot('front')).filter((trace) => trace.name !== 'published'),
     ghosts: (await plot('front')).find((trace) => trace.name === 'published'),
     published: Object.fromEntries(reportAsShown().laws.map(({ name, on_front }) => [name, on_front])),
-    // The page shows laws and parameters under names that differ from their ids.
+    // The page calls laws and parameters by names, which differ from their ids in the data.
     names: Object.fromEntries(JSON.parse(document.getElementById('isolaw-data').textContent).laws.map(({ id, name }) => [id, name])),
     notation: JSON.parse(document.getElementById('isolaw-data').textContent).notation.parameters,
     objective: await plot('objective-devices'),
@@ -134,7 +134,7 @@ function factorOf(text) {
   return 10 ** Number(digits.join(''));
 }
 
-// Mean objective and robustness index of each law as the paper prints them, rounded.
+// The mean objective and the robustness index of each law, rounded as the paper prints them.
 const PAPER = {
   bilinear: [0.137, 0.1421],
   jankowski: [0.079, 0.303],
@@ -163,13 +163,13 @@ function compareFront(name, seen, expected) {
     near(`${name}, front, beta of ${law}`, point[0], beta);
     near(`${name}, front, OF of ${law}`, point[1], mean);
     same(`${name}, on front, ${law}`, seen.published[law], Boolean(on_front));
-    // A law that does not describe the devices has a mark of its own, on the front or not.
+    // A law that does not describe the devices has its own mark, whether it is on the front or not.
     if (point[2] !== 'not adequate') same(`${name}, front, ${law}`, point[2], on_front ? 'not dominated' : 'dominated');
   }
 }
 
-// The bars show areas of loops through the page's points, which are smoothed and thinned. The expected energies come
-// from the raw record, so the numbers agree only nearly.
+// The bars show the areas of the loops in the data of the page, which are smoothed and thinned. The expected energies
+// come from the raw record and agree with them only nearly.
 function compareEnergies(name, { energy, cycles }) {
   same(`${name}, cycles`, energy[0]?.y.length ?? 0, cycles.length);
   cycles.forEach((cycle, i) => near(`${name}, energy of cycle ${i + 1}`, energy[0].y[i], cycle.energy_kN_mm, 0.02));
@@ -187,8 +187,8 @@ function compareObjectives(name, seen, expected) {
       near(`${name}, OF of ${law} on ${device}`, trace.y[i], devices[device].mean);
       near(`${name}, std of OF of ${law} on ${device}`, trace.array[i], devices[device].std);
       near(`${name}, spread of ${law} on ${device}`, spread.y[spread.text.indexOf(device)], devices[device].std);
-      // `percent` is a small difference of numbers with nine digits and has few exact digits. The comparison is
-      // relative, so both sides get 100 added.
+      // near() compares relatively. `percent` is a small difference of numbers with nine digits, so it has few exact
+      // digits. Both sides therefore get 100 added.
       const percent = relative.y[relative.text.indexOf(device)];
       near(`${name}, ${law} on ${device} against its mean`, 100 + percent, 100 + devices[device].percent);
     });
@@ -231,7 +231,7 @@ function compareParameters(name, seen, expected) {
   }
 }
 
-// The label of a mark must contain the law or device and the rounded number of that mark.
+// The label of each mark must contain the law or device and the rounded number that the mark shows.
 function compareHover(name, seen) {
   for (const { id, text, y, of } of seen.hover) {
     ++compared;
@@ -273,7 +273,8 @@ try {
 
   execFileSync(makeTableA5, [join(directory, 'a5')], quiet);
   const published = await check(browser, 'Table A.5', join(directory, 'a5'));
-  // The paper's beta of its fifth law includes a parameter p. abe-y0 has no p, so another number is expected here.
+  // The paper's beta of its fifth law includes a parameter p. The law abe-y0 has no p, so its expected beta is not the
+  // paper's.
   for (const [law, [objective, beta]] of Object.entries({ ...PAPER, 'abe-y0': [0.085, 0.276] })) {
     near(`Table A.5, ${law}, OF`, published[law].mean, objective, 6e-4);
     near(`Table A.5, ${law}, beta`, published[law].beta, beta, 6e-4);

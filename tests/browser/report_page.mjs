@@ -17,8 +17,8 @@ if (!program || !existsSync(program)) {
   process.exit(77);
 }
 
-// `records` are the options of extend() in test_records.mjs, which replaces data of the page. With `false` the page
-// stays as the program wrote it.
+// `records` are the options of extend() in test_records.mjs, which replaces the records in the data of the page. With
+// `false` the page stays as the program wrote it.
 const CASES = [
   { name: 'laptop', devices: 3, laws: 3, width: 1366, height: 768 },
   { name: 'dark', devices: 10, laws: 7, width: 1366, height: 768, dark: true },
@@ -56,7 +56,8 @@ const SOURCES = [
   'statistical, system predicted',
 ];
 
-// Returns the keys of those parts of the data that extend() replaces. extend() must make the same keys as the program.
+// Returns the keys of those parts of the data that extend() replaces. Its parts must have the same keys as the
+// program's.
 function shape(report) {
   const lot = report.assessment?.lot;
   const device = report.devices[0];
@@ -80,8 +81,8 @@ function shape(report) {
   };
 }
 
-// Looks at the second device of a page whose data extend() has replaced. The data tell which blocks, cycles and
-// verdicts the page must show; the document tells what it shows. This function runs in the page.
+// Looks at the second device of a page whose records extend() has replaced. The data in the page tell which blocks,
+// cycles and verdicts it must show; the document tells what it shows. This function runs in the page.
 async function look_at_records() {
   const report = reportAsShown();
   const place = Math.min(1, report.devices.filter((device) => device.raw).length - 1);
@@ -246,7 +247,7 @@ function check_records(name, seen, { laws = true, verified = true, assessed = tr
     : verified
       ? ['fail', 'information', 'not assessed', 'pass']
       : ['information', 'not assessed'];
-  // In a small lot all devices may pass, so the word "fail" may be missing.
+  // In a small lot all devices may pass, so the page need not say "fail".
   expect(
     words.every((word) => word === 'fail' || seen.words.includes(word)),
     name,
@@ -357,8 +358,8 @@ function check_answer(name, { words, seen, report }, { width }) {
   }
 }
 
-// A law that does not describe the devices must have a mark of its own, the same in the plot and in the list. This
-// function runs in the page.
+// A law that does not describe the devices must have its own mark, which must be the same in the plot and in the list.
+// This function runs in the page.
 async function look_at_inadequate() {
   const report = reportAsShown();
   document.querySelector('#figure-answer button[value=robustness]')?.click();
@@ -568,7 +569,8 @@ function check_analysis(name, seen, { devices }) {
   );
 }
 
-// Scrolls through the page as a reader does, uses all controls and returns what it saw. This function runs in the page.
+// Scrolls through the page as a reader does, uses all controls and returns what the page then showed. This function
+// runs in the page.
 async function look() {
   const wait = (ms) => new Promise((done) => setTimeout(done, ms));
   const until = async (condition) => {
@@ -599,7 +601,7 @@ async function look() {
   await wait(300);
   for (const button of document.querySelectorAll('button.csv')) button.click();
   await wait(100);
-  // Only tables and the table of contents may be wider than the page, because they scroll by themselves.
+  // Tables and the table of contents may be wider than the page, because they scroll by themselves. Nothing else may.
   const width = document.documentElement.clientWidth;
   const wide = [...document.querySelectorAll('body *')].filter(
     (node) => !node.closest('.scroll, nav, .skip, svg') && node.getBoundingClientRect().right > width + 1,
@@ -623,7 +625,7 @@ async function look() {
     published: look_at_published(),
   };
 
-  // Returns whether the comparison with the published study shows every row of its data.
+  // Returns whether the comparison with the published study shows every row that the data have.
   function look_at_published() {
     const { published, laws } = reportAsShown();
     const section = document.getElementById('published');
@@ -757,7 +759,7 @@ function check_verdict(name, seen, { devices, width, inspects }) {
   expect(seen.order.join().startsWith(opens), name, 'the page opens with ' + seen.order);
 }
 
-// When the certificate is printed alone, the paper must show nothing else and all parts of the certificate.
+// The certificate can be printed alone. The paper must then show all parts of the certificate and nothing else.
 async function check_certificate(page, name, pictures, state) {
   const seen = await page.evaluate(`(() => {
     const report = reportAsShown();
@@ -793,8 +795,8 @@ async function check_certificate(page, name, pictures, state) {
   expect(seen.signers === (seen.mark ? 0 : seen.word === 'PASS' ? 3 : 2), name, `${seen.signers} may sign what is marked ${seen.mark}`);
   expect(seen.result, name, 'the certificate does not say what was shown');
   expect(!seen.misfits, name, 'a law is on the certificate');
-  // A4 paper has 267 mm between its margins, which is 1009 px. With up to 12 devices, values and signatures must fit on
-  // one page.
+  // A4 paper has 267 mm between its upper and lower margins, which is 1009 px. With up to 12 devices, values and
+  // signatures must fit on one page.
   expect(seen.names > 12 || seen.height < 1009, name, `values and signatures take ${Math.round(seen.height)} px of paper`);
   expect(!(seen.open && state) || seen.alone === 0, name, `${seen.alone} bare passes on a certificate with open requirements`);
   expect(seen.hashes.length > 0 && seen.hashes.every(Boolean), name, 'a file of the certificate is not its own');
@@ -866,8 +868,9 @@ async function check(browser, directory, one) {
 
   expect(page.errors.length === 0 && seen.errors === '', name, 'errors: ' + [...page.errors, seen.errors].join('; '));
   expect(page.requests.length === 0, name, 'requested ' + page.requests.join(', '));
-  const { laws: identified = laws > 0 } = records || {}; // a page as written has `laws` laws
-  // The inspection of one device has no figures of the lot. A record with one block has no figure of its history.
+  const { laws: identified = laws > 0 } = records || {}; // a page as the program wrote it has `laws` laws
+  // The inspection of a single device lacks the figures of the lot. A record with one block lacks the figure of its
+  // history.
   const ofTests = identified ? 5 : 5 - (devices > 1 ? 0 : 2) - (one.state ? 1 : 0);
   const expected = (identified ? (devices > 1 ? 11 : 10) : 0) + ofTests + (one.analysed ? (devices > 1 ? 2 : 1) : 0);
   expect(
@@ -906,7 +909,7 @@ async function check(browser, directory, one) {
     height: 960,
     deviceScaleFactor: 1,
     mobile: false,
-  }); // 180 mm
+  }); // 180 mm, the width between the margins of A4
   await page.send('Emulation.setEmulatedMedia', { media: 'print' });
   const cut = await page.evaluate(`(async () => {
     dispatchEvent(new Event('beforeprint'));

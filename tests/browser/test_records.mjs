@@ -1,6 +1,6 @@
-// Replaces the records in the data of a report by made-up ones, with blocks, cycles, verdicts and a lot. They contain
-// every kind of thing that a page must show. The formulas here are simple and only good for clean records. This file
-// itself checks nothing.
+// Replaces the records in the data of a report by made-up ones with blocks, cycles, verdicts and a lot, so that every
+// kind of thing occurs that a page must show. The formulas are simple and only good for clean records. This file itself
+// checks nothing.
 
 const mean = (values) => values.reduce((sum, value) => sum + value, 0) / values.length;
 
@@ -45,8 +45,8 @@ export function made_up_record(scatter, perCycle = 80) {
   return { disp, force, time };
 }
 
-// Returns the places, as fractional sample indices, where the displacement crosses zero in the direction of its first
-// motion.
+// Returns the places where the displacement crosses zero in the direction of its first motion, as fractional sample
+// indices.
 function cuts(disp) {
   const largest = Math.max(...disp.map(Math.abs)),
     band = 0.04 * largest;
@@ -299,7 +299,7 @@ function lot_of(devices, nominal, verified, assessed, hostile) {
       },
       limit_individual: given === null ? '' : LIMIT,
       ...(given === null ? NO_LIMITS : LIMITS),
-      // This rule set limits the means of stiffness and damping and no other mean.
+      // This rule set limits only two means, those of stiffness and damping.
       mean_limits: !assessed || !['K_eff', 'damping'].includes(quantity)
         ? []
         : [
@@ -347,7 +347,7 @@ function lot_of(devices, nominal, verified, assessed, hostile) {
               ['statistical, system predicted', 'system', 0.95, 1.05, 'mean of the devices predicted'],
             ]),
       ].map(([source, spread, spec_min, spec_max, note]) => {
-        const lower = spec_min > 0 ? spec_min : null; // a negative factor is no bound
+        const lower = spec_min > 0 ? spec_min : null; // a negative factor stands for no bound
         return {
           property: quantity,
           source,
@@ -461,7 +461,7 @@ export function extend(report, { tests = {}, verified = true, assessed = true, l
     const t = device.record.time_s;
     if (t) {
       // The raw record on the page has no times, and its cycles count samples. The record that the laws were fitted to
-      // has times. These times are stretched to the number of samples of the raw record.
+      // has times, which are stretched here to the number of samples of the raw record.
       const steps = t.d.reduce((sum, difference) => sum + difference, 0);
       device.record.time_s = { o: 0, s: (test.disp.length - 1) / steps, d: t.d };
     }
@@ -517,7 +517,7 @@ export function extend(report, { tests = {}, verified = true, assessed = true, l
     report.laws = [];
     report.published = null;
     report.by_objective = [];
-    // An inspection has only warnings about devices and records.
+    // The page of an inspection has only warnings about devices and records.
     const warnings = report.findings.warnings.filter(({ topic }) => ['refused', 'copies', 'record'].includes(topic));
     report.findings = { recommendations: [], headline: '', beta_note: '', verdicts: [], converged: [], warnings };
   }

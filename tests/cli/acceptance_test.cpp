@@ -26,8 +26,8 @@ class Acceptance : public InFreshDirectory {
   }
   Outcome inspect(Words const& more) { return isolaw(Words{"inspect", "lot"} + more); }
   Outcome calibrate(Words const& more) { return isolaw(Words{"calibrate", "lot", "--out", "O"} + search + more); }
-  // A rule set as a contract may have it: K_eff within 5 % of the design value. An empty `verified_by` means that
-  // nobody verified the set.
+  // Returns a rule set as a contract may have it: K_eff within 5 % of the design value. With an empty `verified_by` the
+  // set counts as not verified by anybody.
   std::string contract(std::string const& verified_by = "the test") const {
     return fmt::format(
         "id = \"contract\"\ntitle = \"Contract 7\"\nedition = \"1\"\nsource = \"the contract\"\nverified_by = \"{}\"\n"
@@ -50,7 +50,7 @@ TEST_F(Acceptance, ntc_passes_what_is_within_its_limits) {
     auto const& device = found["devices"][static_cast<std::size_t>(d - 1)];
     auto const samples = record({.stiffness_kN_per_mm = 0.48 + 0.01 * d});
     auto const loop = loop_of(samples, 400, 600);
-    // NTC computes stiffness and damping per side of the third cycle: K_e = F/d and xi_e = E/(2 pi F d).
+    // NTC computes stiffness and damping of each side from the third cycle: K_e = F/d and xi_e = E/(2 pi F d).
     double const K = loop.F_plus / loop.d_plus;
     double const xi = 100.0 * loop.energy / (2.0 * std::numbers::pi * loop.F_minus * loop.d_minus);
     auto const& stiffness = device["assessments"][0];
@@ -66,7 +66,7 @@ TEST_F(Acceptance, ntc_passes_what_is_within_its_limits) {
     EXPECT_EQ(damping["clause"], "Table 11.9.IV, xi_e, supply");
   }
   auto const& lot = found["assessment"]["lot"];
-  EXPECT_EQ(lot["required"], 4);  // a fifth of the lot of 20
+  EXPECT_EQ(lot["required"], 4);  // the rule set asks for a fifth of the lot of 20
   EXPECT_EQ(lot["sample"]["verdict"], "pass");
   EXPECT_EQ(lot["mean_analysis"]["permitted"], true);
   EXPECT_EQ(found["assessment"]["rule_set"]["id"], "ntc-2018");
@@ -87,7 +87,7 @@ TEST_F(Acceptance, a_sample_too_small_fails_and_is_shown_also_for_one_device) {
   auto const size = [](std::string const& n) {
     return Words{"--rules", "ntc-2018", "--design", "K_eff=0.7,damping=16.4,disp=100,frequency=0.5", "--lot-size", n};
   };
-  auto const o = inspect(size("21"));  // a fifth of 21 is 4.2, and only 4 devices were tested
+  auto const o = inspect(size("21"));  // a fifth of 21 is 4.2, so 5 devices are required
   EXPECT_EQ(o.code, 1) << o;
   EXPECT_TRUE(contains(o.out, "fail          sample size                4 devices, limit 5 or more of 21")) << o;
   auto const one = isolaw(Words{"inspect", "lot/D1.csv"} + size("20"));
@@ -103,7 +103,7 @@ TEST_F(Acceptance, without_design_values_or_lot_size_nothing_is_judged) {
 }
 
 TEST_F(Acceptance, other_conditions_than_the_sets_leave_it_open) {
-  // NTC requires tests at 0.5 Hz. This record has 0.25 Hz.
+  // NTC requires tests at 0.5 Hz, but this record has 0.25 Hz.
   write("slow.csv", csv(record({.interval_s = 0.02})));
   auto const o = isolaw(Words{"inspect", "slow.csv", "--json", "--rules", "ntc-2018", "--design"} +
                         Words{"K_eff=1.0,damping=16.4,disp=100", "--lot-size", "1"});
@@ -173,7 +173,9 @@ TEST_F(Acceptance, a_set_that_nobody_verified_never_says_pass_or_fail) {
       EXPECT_TRUE(found["assessment"]["lot"]["mean_analysis"]["permitted"].is_null()) << set;
     }
   }
-  write("signed.toml", contract());  // shows that the search for words finds them in the output of a verified set
+  // The same search for words must find a verdict where somebody verified the rule set. Otherwise it would prove
+  // nothing.
+  write("signed.toml", contract());
   auto const verified = inspect({"--rules", "signed.toml", "--design", "K_eff=9"});
   EXPECT_EQ(verified.code, 1);
   EXPECT_TRUE(std::regex_search(verified.out, words)) << verified;
@@ -265,7 +267,7 @@ TEST_F(Stored, a_campaign_continues_under_other_rules_without_another_search) {
   EXPECT_EQ(meta("design"), "");
   EXPECT_EQ(cell(cells_of(read("O/tables/lot.csv")), 1, "lot size"), "30");
 
-  auto const none = calibrate({});  // without --rules the campaign loses its rules
+  auto const none = calibrate({});  // without --rules the campaign drops its rules
   expect_message(none, 0,
                  {"the tests are no longer checked against rule set en-15129; --rules en-15129 checks them again"});
   EXPECT_EQ(runs(), before);
@@ -286,10 +288,11 @@ TEST_F(Stored, a_report_by_other_rules_leaves_the_store_alone) {
   EXPECT_EQ(cell(cells_of(read("elsewhere/tables/tests.csv")), 1, "verdict"), "fail");
   EXPECT_EQ(isolaw({"check", "O"}).code, 0);
 
-  // Only the design value is given. The report takes the rules and the lot size from the store.
+  // The command gives only the design value. The report takes the rules and the lot size from the store.
   EXPECT_EQ(isolaw({"report", "O", "--design", "K_eff=1.0,disp=100"}).code, 1);
   EXPECT_EQ(cell(cells_of(read("O/tables/lot.csv")), 1, "lot size"), "20");
-  auto const check = isolaw({"check", "O"});  // check knows from the files in O that they were written with other rules
+  // The files in O say that they were written with other rules than the store's, and check takes this into account.
+  auto const check = isolaw({"check", "O"});
   EXPECT_EQ(check.code, 0) << check;
   EXPECT_TRUE(contains(check.out, "written with other rules, design values or lot size than the store holds"));
   EXPECT_EQ(isolaw({"report", "O"}).code, 0);

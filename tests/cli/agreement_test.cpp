@@ -54,7 +54,8 @@ void expect_alike(std::vector<double> const& a, std::vector<double> const& b, do
 
 class Agreement : public InFreshDirectory {
  protected:
-  // Records one device, a bilinear loop with a rounded corner: one cycle at 60 mm and two at 100 mm, 60 samples each.
+  // Writes the record of one device, a bilinear loop with a rounded corner: one cycle at 60 mm and two at 100 mm, 60
+  // samples each.
   void SetUp() override {
     InFreshDirectory::SetUp();
     std::string text = "time [s],disp [mm],force [kN]\n";
@@ -66,7 +67,7 @@ class Agreement : public InFreshDirectory {
       text += fmt::format("{:.4f},{:.5f},{:.5f}\n", i / 30.0, x, 0.4 * x + std::clamp(z, -20.0, 20.0));
     }
     write("a.csv", text);
-    // An irregular motion from rest with turns of every size, unlike the test above.
+    // Writes an irregular motion that starts from rest and turns at many amplitudes, unlike the record in a.csv.
     text = "time [s],disp [mm]\n";
     for (int i = 0; i <= 400; ++i) {
       double const t = 0.02 * i;
@@ -105,8 +106,8 @@ TEST_F(Agreement, simulate_header_and_table_of_every_law_agree_at_every_step) {
       return walk_of(output.out);
     };
     cases.push_back({law, walk_of(read(law + ".csv")), simulated("motion.csv")});
-    // Runs simulate along the path in the exported table. Laws that depend on velocity are left out, because simulate
-    // computes velocities from the path and the table has its own.
+    // simulate also runs along the path in the exported table. This leaves out laws that depend on velocity, because
+    // simulate computes the velocities from the path, while the table has its own.
     if (entry.info.traits.rate_independent)
       expect_alike(simulated(law + ".csv").force_kN, cases.back().table.force_kN, 1e-8, "simulate against the table");
     std::string space = "isolaw_" + law + "_a";

@@ -1,4 +1,4 @@
-// Campaigns with analyses: what the terminal and the files say, and what the user can do next.
+// Runs campaigns with analyses. Tests what the terminal and the files then say, and what the user can do next.
 #include <sqlite3.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace isolaw::cli_test {
 namespace {
 
-// A bilinear loop with a little third harmonic: three cycles at 50 mm and three at 100 mm, 60 samples a cycle.
+// Returns a bilinear loop with a little third harmonic: three cycles at 50 mm and three at 100 mm, 60 samples a cycle.
 std::string two_blocks(double stiffness) {
   std::string text = "time [s],disp [mm],force [kN]\n";
   double hysteretic = 0.0, before = 0.0;
@@ -56,8 +56,8 @@ TEST_F(Analysis, tells_what_tests_determine_and_what_an_engineer_meets) {
     EXPECT_EQ(law["success_share"], 1.0);
     EXPECT_EQ(law["success_reference"], "best of this campaign");
     EXPECT_GT(law["beta_converged"], 0.0);
-    // The devices differ by 5 %, so a law predicted from the other devices fits a device worse than that device's own
-    // law. One law for all devices lies between these two.
+    // The devices differ by 5 %. A law that was fitted to the other devices therefore fits a device worse than that
+    // device's own law does. One law for all devices lies between these two.
     EXPECT_GT(law["loo_objective"], law["objective_converged"]);
     EXPECT_GT(law["lot"]["mean_objective"], law["objective_converged"]);
     EXPECT_GE(law["loo_objective"], law["lot"]["mean_objective"]);
@@ -158,11 +158,12 @@ TEST_F(Analysis, what_one_block_was_fitted_to_predicts_the_other) {
     EXPECT_EQ(blocks[0]["fitted"], true);
     EXPECT_EQ(blocks[1]["fitted"], false);
   }
-  // The record comes from an elastic-plastic device, so the bilinear law also holds in the block that was not fitted.
+  // The record comes from an elastic-plastic device, so the bilinear law also predicts the block that was left out of
+  // the fit.
   EXPECT_LT(summary["laws"][0]["predicted_objective"], 0.1);
   EXPECT_EQ(summary["laws"][0]["prediction_collapses"], false);
   EXPECT_TRUE(contains(read("O/tables/prediction.csv"), "bilinear,a,\"block 2, predicted\",the device itself,"));
-  // Every export states how well the law predicted the block that was not fitted.
+  // Every export states how well the law predicted the block that was left out of the fit.
   for (auto const* target : {"opensees", "cpp", "opensees-cpp", "abaqus", "sheet", "csv"}) {
     auto const text = isolaw({"export", "O", "--law", "bilinear", "--device", "a", "--to", target}).out;
     for (auto const* part : {"block 1 of the tests alone", "Displacement fitted", "up to 50 mm", "Displacement tested",
@@ -246,7 +247,8 @@ TEST_F(Analysis, exports_say_what_is_known_against_the_law) {
   EXPECT_TRUE(contains(simulated.out, "# warning: Bilinear: K1 at its upper bound on a"));
 }
 
-// The genetic algorithm of Cucuzza et al. 2025 stops above the least objective. The analysis finds the least.
+// The genetic algorithm of Cucuzza et al. 2025 stops above the smallest possible objective. The analysis must find that
+// smallest objective.
 TEST_F(Analysis, of_the_genetic_algorithm_compares_with_the_least_objective) {
   auto const o = isolaw(campaign("O", {"--method", "ga", "--population", "10", "--generations", "5"}));
   ASSERT_EQ(o.code, 0) << o;
@@ -267,8 +269,8 @@ TEST_F(Analysis, devices_are_drawn_from_the_lots_population) {
   EXPECT_EQ(count_of("\n", few.out), 6u);
   EXPECT_TRUE(many.out.starts_with(few.out)) << "a draw depends on its number alone";
   EXPECT_TRUE(contains(few.err, "5 devices of a population estimated from 3"));
-  // In every device both stiffnesses have the same factor, so their ratio is the same in all devices. The drawn devices
-  // must keep this ratio.
+  // Every device multiplies both stiffnesses by one factor, so their ratio is the same in all devices. The drawn
+  // devices must keep this ratio.
   std::istringstream rows(many.out);
   std::string row;
   std::getline(rows, row);
@@ -340,7 +342,8 @@ TEST_F(Analysis, of_a_record_that_a_law_made_itself) {
                  {"--replicates", "40 to 100000"});
 }
 
-// A campaign that lacks analyses shows no front, because laws are compared only if all cover the same devices.
+// A campaign without some of its analyses shows no front, because laws are compared only if all of them cover the same
+// devices.
 TEST_F(Analysis, what_is_not_complete_gives_no_front) {
   ASSERT_EQ(isolaw(campaign("O")).code, 0);
   sqlite3* db = nullptr;

@@ -11,7 +11,8 @@ Words const small_into_O{"--laws", "bilinear", "--runs", "1", "--population", "4
 
 class BadInput : public InFreshDirectory {
  protected:
-  // inspect and calibrate refuse the file with the same message, and leave nothing that looks like a result.
+  // Expects that inspect and calibrate refuse the file with the same message and leave no output that looks like a
+  // result.
   void expect_refusal(std::string const& file, std::vector<std::string> const& parts, Words const& options = {}) {
     SCOPED_TRACE(file);
     expect_refused(isolaw(Words{"inspect", file} + options), parts);
@@ -356,7 +357,7 @@ TEST_F(BadInput, parameter_sets_without_a_finite_force_are_counted_and_said) {
 }
 
 TEST_F(BadInput, a_law_without_any_finite_force_is_a_failed_law_not_a_failed_campaign) {
-  // With these fixed parameters an exponential of vaiana overflows for every parameter set.
+  // With these fixed parameters an exponential of vaiana overflows, whatever its free parameters are.
   write("a.csv", csv(record()));
   auto const o = isolaw({"calibrate", "a.csv", "--laws", "vaiana,bilinear", "--set", "vaiana.beta1+=1", "--set",
                          "vaiana.beta2+=1e9", "--runs", "2", "--population", "8", "--generations", "2", "--out", "O"});

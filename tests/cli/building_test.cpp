@@ -1,4 +1,5 @@
-// `isolaw building` from the user's side: the template, the example, a study with the laws of a campaign, and refusals.
+// Tests `isolaw building` as a user meets it: the template, the example, a study with the laws of a campaign, and
+// refusals.
 #include <sys/file.h>
 
 #include <algorithm>
@@ -73,8 +74,8 @@ TEST_F(Building, from_template_to_verdict) {
   EXPECT_EQ(output.out.find(json["verdict"].get<std::string>()), 0u);
   EXPECT_EQ(json["plan"]["bearings"].size(), 28u);
   EXPECT_EQ(json["laws"][0]["histories"].size(), 7u);
-  // Quantities that have bounds appear under `coverage`. For every other quantity `uncovered` says why it has no
-  // bounds.
+  // Quantities that have bounds appear under `coverage`. For every other quantity, the text in `uncovered` says why
+  // there are no bounds.
   for (auto const& row : json["quantities"])
     EXPECT_NE(row["uncovered"].is_null(), !json["laws"][0]["coverage"]["of"].contains(row["key"])) << row;
   EXPECT_TRUE(json["laws"][0]["coverage"]["of"].contains("roof_acceleration_g"));
@@ -89,7 +90,7 @@ TEST_F(Building, from_template_to_verdict) {
   for (auto const* file : {"tables/building.csv", "tables/coverage.csv", "tables/checks.csv", "tables/building.tex",
                            "figures/building_histograms.gp", "figures/building_variance.dat"})
     EXPECT_GT(read_file(directory() / "B" / file).size(), 100u) << file;
-  // The same command again computes nothing and leaves the files as they are.
+  // The same command, given again, computes nothing and leaves the files as they are.
   auto const before = read_file(directory() / "B/building.json");
   EXPECT_EQ(isolaw(command + Words{"--jobs", "3"}).code, 0);
   EXPECT_EQ(isolaw(Words{"building", "case/building.toml", "--from", "lot", "--out", "F", "--figures", "none"}).code,
@@ -124,7 +125,8 @@ TEST_F(Building, from_template_to_verdict) {
   EXPECT_TRUE(contains(arranged.out, "eccentricity of stiffness"));
 }
 
-// A study computed in parts and then merged must equal, byte by byte, a study computed on one machine.
+// A study whose parts are computed one by one and then merged must equal, byte by byte, a study computed on one
+// machine.
 class BuildingParts : public Building {
  protected:
   static constexpr int parts = 5;
@@ -174,11 +176,11 @@ TEST_F(BuildingParts, in_any_order_one_twice_and_one_continued_are_what_one_mach
   std::vector<int> sizes;
   for (int number = 1; number <= parts; ++number)
     sizes.push_back(stored_rows(path(fmt::format("P{}/building.sqlite", number)), "runs"));
-  // Each of seven motions needs 84 analyses. The parts share the analyses out in blocks of 16.
+  // Each of seven motions needs 84 analyses. They are dealt out to the parts in blocks of 16.
   EXPECT_EQ(sizes[0] + sizes[1] + sizes[2] + sizes[3] + sizes[4], 7 * 84);
   EXPECT_LE(std::ranges::max(sizes) - std::ranges::min(sizes), 16 + 16);
-  // The test deletes rows, as if part 3 had been stopped. The same command computes them again, with another number of
-  // threads.
+  // The test deletes rows, as if part 3 had been stopped. The command of part 3, given again with another number of
+  // threads, computes these rows again.
   auto const whole = read("P3/building.sqlite");
   change("P3/building.sqlite", "DELETE FROM runs WHERE place BETWEEN 3 AND 40");
   ASSERT_EQ(isolaw(part(3, {"--jobs", "2"})).code, 0);
@@ -299,7 +301,8 @@ TEST_F(BuildingParts, that_start_over_replace_no_part_and_nothing_whole_by_less)
   expect_message(answered, 0, {"0 runs copied", "were answered: O/building.html"});
   EXPECT_EQ(answered.out, json_text(json, "verdict") + "\n");
   EXPECT_TRUE(isolaw({"merge", "O", "--json"}).out == json + "\n");
-  // A killed program may leave an empty store. merge --fresh replaces it and removes the answers of the former study.
+  // A killed program may leave an empty store. merge --fresh replaces this store and removes the results of the former
+  // study.
   write("O/building.sqlite", "");
   write("O/building.sqlite.part", "left");
   expect_refused(isolaw({"merge", "O", "P1"}), {"O/building.sqlite", "an empty file", "--fresh"});
@@ -385,7 +388,7 @@ TEST_F(BuildingParts, that_are_interrupted_end_as_a_campaign_does) {
 }
 
 // A law without a two-dimensional form becomes springs around a circle in a building. If the campaign fitted springs,
-// their parameters are used. Otherwise the springs take the parameters of the law, and the output says so.
+// the building uses their parameters. Otherwise the springs take the parameters of the law, and the output says so.
 TEST_F(Building, takes_the_springs_that_the_campaign_fitted) {
   campaign();
   Words const fit{"calibrate",  "a.csv", "b.csv",  "c.csv", "--laws",       "bilinear,power-masing",
@@ -430,7 +433,7 @@ TEST_F(Building, takes_the_springs_that_the_campaign_fitted) {
     }
   EXPECT_TRUE(json("G/summary.json")["laws"][1]["devices"][0]["springs_objective"].is_null());
   EXPECT_EQ(isolaw({"check", "W"}).code, 0);
-  // simulate also uses the fitted springs, for a device and for the lot.
+  // simulate must use the fitted springs too, both for a device and for the law of the lot.
   write("m.csv", "time [s],east [mm],north [mm]\n0,0,0\n0.5,20,5\n1,-20,10\n1.5,0,0\n");
   for (auto const* device : {"a", "lot"}) {
     Words const words{"simulate",      "power-masing", "--from",          "W",         "--device",
@@ -441,8 +444,8 @@ TEST_F(Building, takes_the_springs_that_the_campaign_fitted) {
     EXPECT_TRUE(contains(o.err, "as the campaign stored them")) << o;
     EXPECT_NE(o.out, isolaw(words + Words{"--springs", "given"}).out);
   }
-  // Campaign G has no springs yet. If they are asked for later, they are added with their analyses, and the store
-  // becomes equal to W, which had springs from the start.
+  // Campaign G was computed without springs. The same command with --bidirectional springs adds them with their
+  // analyses. The store then equals that of W, which had springs from the start.
   expect_message(isolaw(fit + Words{"G", "--bidirectional", "springs"}), 0, {"grows by laws fitted as springs"});
   EXPECT_TRUE(read_file(directory() / "G/campaign.sqlite") == read_file(directory() / "W/campaign.sqlite"));
 }

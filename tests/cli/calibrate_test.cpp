@@ -1,5 +1,5 @@
-// calibrate on the example lot: the files that it writes, the structure of summary.json, and options that must not
-// change any number.
+// Runs calibrate on the example lot. Tests the files that it writes, the structure of summary.json, and options that
+// must not change any number.
 #include <cmath>
 #include <map>
 #include <set>
@@ -38,8 +38,8 @@ void expect_statistic(Json const& statistic) {
   EXPECT_GT(statistic["best"].get<double>(), 0.0);
 }
 
-// report.html shows the command of the campaign. Run again, this command must give the same results, verdicts and
-// bounds.
+// report.html shows the command of the campaign. If this command is run again, it must give the same results, verdicts
+// and bounds.
 TEST_F(Calibrate, the_command_of_the_page_makes_it_again) {
   for (auto const* name : {"device-01.csv", "device-02.csv"})
     fs::copy_file(path("ex") / name, path(name), fs::copy_options::overwrite_existing);
@@ -96,7 +96,8 @@ TEST_F(Calibrate, leaves_every_file_of_a_campaign) {
   for (auto const* key : {"isolaw", "command", "directory", "started", "total_seconds", "threads", "host"})
     EXPECT_TRUE(run.contains(key)) << key;
   EXPECT_TRUE(contains(run["command"].get<std::string>(), "calibrate ex/lot.toml --runs 2"));
-  // A progress line would contain carriage returns. There is none, because standard error is no terminal.
+  // A progress line would contain carriage returns. calibrate prints none here, because standard error is not a
+  // terminal.
   EXPECT_EQ(o.err.find('\r'), std::string::npos);
 }
 
@@ -284,7 +285,7 @@ TEST_F(Calibrate, the_profile_adds_up_to_the_total) {
       sum[key] += phase[key].get<double>();
   }
   EXPECT_EQ(phases, (Words{"read", "search", "determination", "intervals", "lot", "left_out", "report"}));
-  // Starting and ending threads takes time that belongs to no phase.
+  // Starting and ending threads takes time that the profile counts in no phase.
   double const wall = run["total_seconds"], cpu = run["cpu_seconds"];
   EXPECT_NEAR(sum["wall_seconds"], wall, 0.02 * wall + 2e-3);
   EXPECT_NEAR(sum["cpu_seconds"], cpu, 0.02 * cpu + 5e-3);
@@ -296,8 +297,8 @@ TEST_F(Calibrate, the_profile_adds_up_to_the_total) {
   EXPECT_EQ(run["profile"][1]["evaluations"], evaluations);
 }
 
-// calibrate and bench run the same code, so their times per evaluation and sample must agree. Other records and
-// parameter sets, other load of the machine and partly filled blocks each change them, hence the factor of 5.
+// calibrate and bench run the same code, so their times per evaluation and sample must agree. The factor of 5 allows
+// for other records and parameter sets, other load of the machine and partly filled blocks.
 TEST_F(Calibrate, kernel_seconds_are_what_bench_measures_times_evaluations_times_samples) {
   Words const command{"calibrate",
                       "ex/lot.toml",
@@ -395,7 +396,8 @@ TEST_F(Calibrate, order_of_the_devices_changes_no_devices_result) {
     std::map<std::string, Json> fits;
     for (auto fit : law["devices"]) {
       for (auto& [name, parameter] : fit["parameters"].items())
-        parameter.erase("percent_of_lot");  // its sum over the devices runs in another order and differs in rounding
+        // percent_of_lot depends on a sum over all devices, which rounds differently when their order is reversed.
+        parameter.erase("percent_of_lot");
       fits[fit["name"]] = fit;
     }
     return fits;

@@ -139,8 +139,8 @@ TEST_F(CheckOfDefaultSearch, what_was_changed_is_found) {
   }
 }
 
-// check writes the store that it has read once more and compares the two. Rows that no reader uses, or that are read
-// otherwise than meant, then show as a difference.
+// check reads the store, writes what it has read to a second store and compares the two. A row that no reader uses, or
+// that was misread, then shows as a difference.
 TEST_F(Check, rows_that_belong_to_nothing) {
   auto const sound = read("O/campaign.sqlite");
   struct Addition {
@@ -169,7 +169,8 @@ TEST_F(Check, what_isolaw_does_not_make_is_refused) {
        {"CREATE TABLE extra (x)", "CREATE VIEW extra AS SELECT 1", "CREATE INDEX extra ON run (objective)",
         "CREATE TRIGGER extra AFTER INSERT ON run BEGIN DELETE FROM run_parameter; END"}) {
     write("O/campaign.sqlite", sound);
-    // The helper change() requires that rows change, and the statements above change none. This update does.
+    // change() fails if no row changes, and a CREATE statement changes none. This UPDATE touches one row and leaves its
+    // value.
     change(std::string(sql) + "; UPDATE meta SET value = value WHERE key = 'title'");
     SCOPED_TRACE(sql);
     expect_damaged("it holds 'extra', which isolaw does not make");
@@ -287,14 +288,14 @@ TEST_F(Check, a_directory_without_a_campaign) {
 // record this and go on.
 class Overflow : public InFreshDirectory {
  protected:
-  // The default search, with two parameters of hwang-wu fixed.
+  // A campaign with the default search and two fixed parameters of hwang-wu.
   Words campaign(Words const& more = {}) const {
     Words words{"calibrate", "a.csv", "--laws", "bilinear,hwang-wu", "--samples-per-cycle", "20", "--runs",
                 "1",         "--out", "O"};
     for (auto const* value : {"a6=-20000", "a7=4"}) words = words + Words{"--set", fmt::format("hwang-wu.{}", value)};
     return words + more;
   }
-  // With these two values fixed too, the force overflows whatever the other parameters are.
+  // A campaign with two more fixed values. The force then overflows whatever the free parameters are.
   Words overflowing(Words const& more = {}) const {
     return campaign(Words{"--set", "hwang-wu.a8=50", "--set", "hwang-wu.a10=-2.3928e-7"} + more);
   }
@@ -311,7 +312,7 @@ class Overflow : public InFreshDirectory {
     EXPECT_TRUE(contains(json("O/summary.json")["laws"].dump(), "these parameters give no finite force"));
     EXPECT_EQ(isolaw({"report", "O"}).code, 1);
     EXPECT_EQ(isolaw({"check", "O"}).code, 0);
-    EXPECT_EQ(isolaw(command).code, 1);  // the same command again has nothing left to compute
+    EXPECT_EQ(isolaw(command).code, 1);  // the same command again computes nothing, because the failed run is stored
   }
 };
 
@@ -325,8 +326,8 @@ TEST_F(Overflow, of_parameters_that_are_all_fixed) {
                            "hwang-wu.a9=-1e-7", "--set", "hwang-wu.a10=-7.1e-7"}));
 }
 
-// --method best searches again in finer steps if the steps matter; --method ga does not. Its result is kept, with a
-// warning.
+// With --method best the program searches again in finer integration steps where the steps matter. With --method ga it
+// keeps the result and warns.
 TEST_F(Overflow, is_warned_of_where_the_steps_are_given) {
   auto const o = isolaw(overflowing({"--method", "ga", "--population", "40", "--generations", "20"}));
   ASSERT_EQ(o.code, 0) << o;

@@ -1,5 +1,6 @@
-// Corrections for what a test rig does to the force. The records have a known disturbance. With the matching option
-// every command must give the properties of the undisturbed device and say that it corrected the record.
+// A test rig changes the measured force, and options correct this. The records have a known disturbance. With the
+// matching option every command must give the properties of the undisturbed device and say that it corrected the
+// record.
 #include "cli/loops.hpp"
 #include "cli/records.hpp"
 #include "cli/run.hpp"
@@ -16,8 +17,8 @@ struct Rig {
   double late_s = 0.0, friction_kN = 0.0, mass_kg = 0.0, factor = 1.0;
 };
 
-// Four and a half cycles of a device with F = 0.8 x + 0.02 v under a vertical load of 2000 kN. The formula gives the
-// force at any time, so the delay is exact.
+// Returns four and a half cycles of a device with F = 0.8 x + 0.02 v under a vertical load of 2000 kN. The formula
+// gives the force at any time, so a delay of the force is exact.
 std::string rig_record(Rig const& rig) {
   std::string text = "time [s],displacement [mm],force [kN],vertical load [kN]\n";
   for (int i = 0; i <= 1800; ++i) {
@@ -150,7 +151,7 @@ TEST_F(Corrections, the_lot_file_has_the_same_keys_for_all_devices_and_for_one) 
     expect_disturbed(found["devices"][1]);
     EXPECT_TRUE(found["devices"][1]["corrections"].empty());
   }
-  // The value in [[device]] overrides the one in [read], and the command line overrides both.
+  // The force factor in [[device]] overrides the one in [read], and the command line overrides both.
   write("double.csv", rig_record({.factor = 2.0}));
   write("fourfold.csv", rig_record({.factor = 4.0}));
   write("lot.toml",

@@ -65,9 +65,10 @@ TEST_F(Example, is_the_folder_that_the_repository_carries) {
     EXPECT_EQ(read_file(entry.path()), read_file(committed / entry.path().filename())) << entry.path().filename();
 }
 
-// The expected reading of a record: the columns (the first is 1), the units, and the line of the first sample.
+// How isolaw should read a record: a sentence on its dialect, the columns (the first is 1), the units, and the line of
+// the first sample.
 struct Dialect {
-  char const* sentence;              // from the lines under "recognised"
+  char const* sentence;              // isolaw prints it under "recognised"
   std::array<char const*, 3> units;  // of time, displacement and force
   int first_column = 1;
   int first_line = 2;

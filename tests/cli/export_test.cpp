@@ -1,4 +1,4 @@
-// isolaw export: every law to every target, refusals, and that an export needs nothing but the store.
+// Tests `isolaw export`: every law to every target, what is refused, and that an export needs nothing but the store.
 #include <fmt/format.h>
 
 #include <cctype>
@@ -12,7 +12,7 @@
 namespace isolaw::cli_test {
 namespace {
 
-// Three cycles at 100 mm, 60 samples a cycle, of a bilinear loop with a rounded corner.
+// Returns three cycles at 100 mm, 60 samples a cycle, of a bilinear loop with a rounded corner.
 std::string loops(double stiffness) {
   std::string text = "time [s],disp [mm],force [kN]\n";
   double hysteretic = 0.0, before = 0.0;
@@ -27,7 +27,7 @@ std::string loops(double stiffness) {
   return text;
 }
 
-// The last column of a CSV table, without comment lines and the header.
+// Returns the last column of a CSV table, without comment lines and the header.
 std::vector<double> last_column(std::string const& csv) {
   std::vector<double> values;
   std::istringstream lines(csv);
@@ -52,8 +52,9 @@ class Export : public InFreshDirectory {
   }
 };
 
-// How exactly other programs can have a law with these values. A law of limit curves whose parameters are not tied has
-// different curves for loading and unloading, which no other program supports, so it is re-fitted.
+// Returns how exactly other programs can have a law with these values. Where the parameters of a law of limit curves
+// are not tied, loading and unloading have different curves. No other program supports this, so the export fits the
+// nearest form that they support.
 std::string expected_fidelity(laws::LawEntry const& law, Json const& exported) {
   std::vector<double> values;
   for (auto const& parameter : exported["parameters"]) values.push_back(parameter["value"]);
@@ -63,8 +64,8 @@ std::string expected_fidelity(laws::LawEntry const& law, Json const& exported) {
   return std::holds_alternative<laws::BoucWenForm>(form) ? "exact as the step goes to zero" : "exact";
 }
 
-// If devices do not pass their rule set, or were refused, exports and simulate warn of it on the terminal and in their
-// output.
+// If a device does not pass the rule set, or was refused, exports and simulate must warn of it on the terminal and in
+// their output.
 TEST_F(Export, and_simulate_say_that_the_rule_set_is_not_kept_and_who_was_refused) {
   write("c.csv", "time [s],disp [mm],force [kN]\n0,1,2\n1,1,2\n2,1,2\n");
   auto const calibration = isolaw(Words{"calibrate", "a.csv", "b.csv", "c.csv", "--laws", "bilinear", "--runs", "1",
@@ -190,7 +191,8 @@ TEST_F(Export, of_the_lot_needs_its_one_law) {
   ASSERT_EQ(o.code, 0) << o;
   auto const j = Json::parse(o.out);
   EXPECT_EQ(j["of_the_lot"], true);
-  // The two devices differ by 10 %. The law of the lot must lie between their laws, and its bounds on both sides of 1.
+  // The two devices differ by 10 %. The law of the lot must lie between their two laws, and its lower and upper bounds
+  // on either side of 1.
   auto const K2_of = [&](std::string const& device) {
     return Json::parse(exported("bilinear", device, "json").out)["parameters"][1]["value"].get<double>();
   };
@@ -236,8 +238,8 @@ TEST_F(Export, takes_bounds_from_the_rule_set) {
   auto const table = read("C/tables/lambda.csv");
   for (auto const& [key, property] : {std::pair{"stiffness", "K_d"}, {"strength", "Q_d"}})
     for (auto const& [side, column] : {std::pair{"lower", "lambda min"}, {"upper", "lambda max"}}) {
-      // A bound is lambda times the mean of the lot. The devices have the values v and 1.1 v with the mean 1.05 v, so
-      // the factors on their own values are 1.05 lambda and 1.05 / 1.1 lambda.
+      // A bound is lambda times the mean of the lot. The devices have the values v and 1.1 v, and their mean is 1.05 v.
+      // So the factors on their own values are 1.05 lambda and 1.05 / 1.1 lambda.
       double const lambda = lambda_of(table, property, "contract band", column);
       EXPECT_NEAR(a[side][key].get<double>(), 1.05 * lambda, 0.002 * lambda) << property << " " << side;
       EXPECT_NEAR(b[side][key].get<double>(), 1.05 / 1.1 * lambda, 0.002 * lambda) << property << " " << side;
@@ -245,13 +247,13 @@ TEST_F(Export, takes_bounds_from_the_rule_set) {
   // The factor on the force is a weighted mean of the factors on stiffness and strength, so it lies between them.
   EXPECT_GE(a["upper"]["force"], std::min(a["upper"]["stiffness"], a["upper"]["strength"]));
   EXPECT_LE(a["upper"]["force"], std::max(a["upper"]["stiffness"], a["upper"]["strength"]));
-  // --rules in the export command applies to this export only.
+  // --rules in the export command applies to this export only and not to the campaign.
   EXPECT_TRUE(contains(of("a", {"--rules", "aashto"})["source"].get<std::string>(), "aashto"));
   EXPECT_EQ(of("a"), a);
 }
 
-// The export of a vaiana law with different branches lists ties between parameters that would make it exact. This
-// campaign has these ties.
+// Where loading and unloading branches of a vaiana law differ, its export lists ties between parameters that would make
+// the export exact. This campaign has these ties.
 TEST_F(Export, of_vaiana_with_equal_branches_is_exact) {
   Words ties;
   for (std::string const name : {"Kb", "f0", "alpha", "beta1", "beta2"})

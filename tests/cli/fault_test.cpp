@@ -23,7 +23,7 @@ class Fault : public InFreshDirectory {
     write("a.csv", csv(record()));
     write("b.csv", csv(record({.amplitude_mm = 90.0})));
   }
-  // Tests add --jobs 1 where they count operations, because one thread performs them in the same order each time.
+  // Tests that count operations add --jobs 1, because one thread performs them in the same order each time.
   Words campaign(Words const& more = {}) const {
     return Words{"calibrate", "a.csv", "b.csv", "--laws", "bilinear", "--runs", "3", "--out", "O"} + more;
   }
@@ -56,7 +56,8 @@ class Fault : public InFreshDirectory {
           << name << " is left, " << after;
     }
   }
-  // Kills a campaign at a moment when SQLite's write-ahead log still has runs that are not in the store.
+  // Kills a campaign at a moment when some of its runs are only in SQLite's write-ahead log and not yet in the store
+  // itself. Returns false if this never happened.
   bool killed_with_log() {
     for (long at = operations(campaign({"--jobs", "1"})) - 20; at > 0; at -= 5) {
       fs::remove_all(path("O"));
@@ -120,7 +121,7 @@ class Fault : public InFreshDirectory {
       bool const killed = mode == "kill" || mode == "torn";
       if (killed) {
         EXPECT_EQ(o.code, 128 + SIGKILL) << after << '\n' << o;
-      } else if (o.code == 0) {  // the fault did no harm, for example to a file that is not needed
+      } else if (o.code == 0) {  // the fault did no harm, for example to a file that the program can do without
         EXPECT_TRUE(results() == expected) << after;
       } else {
         EXPECT_EQ(o.code, 2) << after << '\n' << o;
@@ -159,14 +160,16 @@ TEST_F(Fault, a_full_disk_does_not_cost_the_campaign_that_was_to_be_replaced) {
   EXPECT_TRUE(all_rows(path("O/campaign.sqlite")) == before);
 }
 
-// Wherever starting over is killed, the former or the new store must be there, and the reports must belong to it.
+// Starting over with --fresh is killed at many operations. Each time the former or the new store must be there, and the
+// reports must belong to that store.
 TEST_F(Fault, a_kill_while_starting_over_leaves_one_of_both) {
   ASSERT_EQ(isolaw(campaign()).code, 0);
   fs::copy(path("O"), path("former"), fs::copy_options::recursive);
   expect_one_of_both("former");
 }
 
-// SQLite's log of the former store must not be applied to the new store, nor be left beside it.
+// The former store was killed and leaves a write-ahead log of SQLite. The log must not be applied to the new store, nor
+// be left beside it.
 TEST_F(Fault, starting_over_does_not_take_the_former_log_for_its_own) {
   ASSERT_TRUE(killed_with_log()) << "no kill left a log";
   fs::copy(path("O"), path("former"), fs::copy_options::recursive);

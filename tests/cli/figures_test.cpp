@@ -1,5 +1,5 @@
-// Figures are drawn by default, can be drawn again from the store, and if gnuplot is missing the rest is written
-// anyway.
+// calibrate draws figures by default, and report draws them again from the store. If gnuplot is missing, the data of
+// the figures and everything else are written anyway.
 #include "records.hpp"
 #include "run.hpp"
 
@@ -63,7 +63,7 @@ TEST_F(Figures, ReportMakesThemFromTheStore) {
   EXPECT_TRUE(exists("R/figures/loops_D1_bilinear.dat"));
   EXPECT_TRUE(exists("R/figures/record_D2.dat"));
   ASSERT_EQ(start({"report", "R", "--figures", "lot"}, {gnuplot_hidden()}).wait().code, 0);
-  EXPECT_FALSE(exists("R/figures/record_D2.dat"));  // `lot` removes the figures of single records
+  EXPECT_FALSE(exists("R/figures/record_D2.dat"));  // `--figures lot` removes the figures of single records
 }
 
 TEST_F(Figures, OfAnotherCampaignGoWithIt) {

@@ -1,4 +1,4 @@
-// Reading workbooks, MATLAB files, JSON and files with several tests, directly and through lot files.
+// Tests how isolaw reads workbooks, MATLAB files, JSON and files with several tests, directly and through lot files.
 #include <xlsxwriter.h>
 
 #include "cli/loops.hpp"
@@ -15,7 +15,7 @@ class Formats : public InFreshDirectory {
     InFreshDirectory::SetUp();
     write("several.csv", csv(record()) + csv(record({.amplitude_mm = 90.0})));
   }
-  // A workbook with one test on each of two sheets and remarks on a third.
+  // Writes a workbook with remarks on its first sheet and one test on each of two further sheets.
   void write_book(std::string const& name, std::vector<std::pair<char const*, char const*>> const& remarks = {}) {
     auto* book = workbook_new(path(name).c_str());
     auto* first = workbook_add_worksheet(book, "Remarks");
@@ -177,7 +177,7 @@ TEST_F(Formats, json_is_read) {
   EXPECT_TRUE(contains(o.out, "JSON: arrays that are columns")) << o;
 }
 
-// calibrate with the lot file that init writes must give the same series and runs as with the directory itself.
+// calibrate must give the same series and runs for the directory itself as for the lot file that init writes for it.
 TEST_F(Formats, init_of_a_directory_calibrates_as_the_directory_does) {
   for (int d = 1; d <= 3; ++d) {
     auto const samples = record({.stiffness_kN_per_mm = 0.4 + 0.05 * d});

@@ -63,8 +63,8 @@ TEST_F(Grow, by_laws_with_what_is_set_for_them) {
   expect_same("G", "W");
 }
 
-// Runs of the genetic algorithm end at different values. Where an added run is the best of all, every result that
-// depends on the best run is computed again.
+// The genetic algorithm ends at different values in each run. If an added run is the best of all, every result that
+// depends on the best run must be computed again.
 TEST_F(Grow, by_runs_of_which_some_are_the_best) {
   lot("lot.toml", "abc");
   Words const genetic{"--method", "ga", "--population", "8", "--generations", "4"};
@@ -93,13 +93,14 @@ TEST_F(Grow, computes_nothing_twice) {
   };
   EXPECT_EQ(kept("device_analysis", "171717"), "2");
   EXPECT_EQ(kept("lot_analysis", "272727"), "1");
-  // A third device makes another lot, so the analysis of the lot must be computed again.
+  // A third device makes the lot a different one, so the analysis of the lot must be computed again.
   ASSERT_EQ(isolaw(campaign("three.toml", "bilinear,vaiana", "2", "G")).code, 0);
   EXPECT_EQ(kept("device_analysis", "171717"), "2");
   EXPECT_EQ(kept("lot_analysis", "272727"), "0");
 }
 
-// Other records of a campaign must not change, but a device that was refused has no results yet and may.
+// The records of a campaign must not change. Only the record of a refused device may, because that device has no
+// results yet.
 TEST_F(Grow, takes_a_device_that_was_refused_once_it_is_mended) {
   lot("lot.toml", "abc");
   auto const good = read("c.csv");

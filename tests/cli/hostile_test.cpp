@@ -1,4 +1,4 @@
-// Names and paths that would break a careless program.
+// Gives isolaw names and paths that would break a careless program.
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -57,7 +57,7 @@ TEST_F(Hostile, title_and_device_name_that_close_tags_stay_text_in_the_page) {
   EXPECT_EQ(page.find("</script><script>alert"), std::string::npos);
   EXPECT_EQ(page.find("<!--<script>"), std::string::npos);
   EXPECT_TRUE(contains(page, "\\u003c/script>\\u003cscript>alert(1)"));
-  // the page is a template with {{data}} in it; a title of that form must stay text
+  // The page is made from a template that contains {{data}}. A title that says {{data}} must stay text.
   EXPECT_TRUE(contains(page.substr(0, 2000), "{{data}}"));
 }
 

@@ -1,4 +1,4 @@
-// `isolaw inspect` of a lot: every number of cycles, devices and properties is compared with a value that the test
+// Runs `isolaw inspect` on a lot. Every number of cycles, devices and properties must equal a value that the test
 // computes from the samples.
 #include "cli/loops.hpp"
 #include "cli/records.hpp"
@@ -31,7 +31,7 @@ class Inspect : public InFreshDirectory {
       write("lot/" + names_[d] + ".csv", csv(samples_[d]));
     }
   }
-  // Rounds the samples as the file does.
+  // Rounds the samples to the digits that the file has.
   static std::vector<Sample> rounded(std::vector<Sample> samples) {
     for (auto& s : samples) {
       s.disp_mm = std::round(1e5 * s.disp_mm) / 1e5;
@@ -191,7 +191,7 @@ TEST_F(Inspect, out_holds_page_json_and_tables_of_the_same_numbers) {
   EXPECT_NEAR(number(lot, 1, "std"), K.sd, six_digits);
   EXPECT_EQ(cell(lot, 1, "max device"), "D2");
   auto const lambda = cells_of(read("O/tables/lambda.csv"));
-  // each of five properties has one row of observed and three rows of statistical factors
+  // Five properties have one row of observed factors and three rows of statistical factors each.
   ASSERT_EQ(lambda.size(), 1u + 5 * 4);
   EXPECT_EQ(cell(lambda, 1, "source"), "observed");
   EXPECT_NEAR(number(lambda, 1, "lambda_spec min"), K.min / K.mean, six_digits);
@@ -252,7 +252,7 @@ TEST_F(Inspect, which_part_of_a_file_was_read_is_told) {
   expect_loop(cycle_of(sheet, 1, 3), loop(1, 3));
 }
 
-// The entry of the error budget with this name.
+// Returns the entry `name` of the device's error budget.
 Json effect(Json const& device, std::string const& name) {
   for (auto const& one : device["effects"])
     if (one["effect"] == name) return one;
@@ -265,14 +265,15 @@ TEST_F(Inspect, the_effects_of_the_error_budget_are_numbers) {
   EXPECT_NEAR(effect(good, "samples per cycle")["value"].get<double>(), 200.0, 1e-6);
   EXPECT_EQ(effect(good, "samples per cycle")["limit"], 100);
   EXPECT_EQ(effect(good, "samples per cycle")["exceeds"], false);
-  // With N samples per cycle the loss of energy is 1 - N/(2 pi) sin(2 pi/N) and that of the peak 1 - cos(pi/N).
+  // With N samples per cycle the loop loses the share 1 - N/(2 pi) sin(2 pi/N) of its energy, and the peak the share 1
+  // - cos(pi/N).
   double const angle = 2.0 * std::numbers::pi / 200.0;
   EXPECT_NEAR(effect(good, "energy lost between samples")["value"].get<double>(),
               100.0 * (1.0 - std::sin(angle) / angle), 1e-6);
   EXPECT_NEAR(effect(good, "peak missed between samples")["value"].get<double>(), 100.0 * (1.0 - std::cos(angle / 2.0)),
               1e-6);
   EXPECT_TRUE(effect(good, "peak missed between samples")["limit"].is_null());
-  // A moving mass m takes the stiffness m (2 pi f)^2; here it is a tonne at 0.5 Hz.
+  // The inertia of a moving mass m lowers the measured stiffness by m (2 pi f)^2. Here m is a tonne and f 0.5 Hz.
   auto const mass = effect(good, "stiffness taken by a tonne of moving mass");
   EXPECT_NEAR(mass["value"].get<double>(), 1e-3 * std::numbers::pi * std::numbers::pi, 1e-6);
   EXPECT_EQ(mass["unit"], "kN/mm");

@@ -8,8 +8,8 @@
 namespace isolaw::cli_test {
 namespace {
 
-// A hash of seven digits of 128 objectives of every law with both integrations. It changes with the numbers
-// of a law, its published box or the random draws. Whoever changes one of these on purpose replaces the hash.
+// A hash of 128 objectives of every law with both integrations, each rounded to seven digits. It changes with the
+// numbers of a law, its published box or the random draws. Whoever changes one of these on purpose replaces the hash.
 constexpr char const* signature = "24a88ca8388e7756";
 
 Words with(std::string const& set) {
@@ -18,8 +18,8 @@ Words with(std::string const& set) {
 
 class InstructionSets : public InFreshDirectory {
  protected:
-  // The instruction sets of this processor, slowest first, from the message that refuses an unknown one. `emulator` is
-  // a command that runs the program on an emulated processor.
+  // Returns the instruction sets of this processor, slowest first. It reads them from the message that refuses an
+  // unknown instruction set. `emulator` is a command that runs the program on an emulated processor.
   Words available(Words emulator = {}) {
     emulator.insert(emulator.end(), {ISOLAW_BINARY, "bench"});
     auto const o = Process(emulator, directory(), path("out"), path("err"), with("nonsense")).wait();
@@ -33,7 +33,7 @@ class InstructionSets : public InFreshDirectory {
     return names;
   }
 
-  // Runs a campaign. Returns all rows of the store, except the one that names the instruction set, and summary.json.
+  // Runs a campaign. Returns summary.json and all rows of the store except the one that names the instruction set.
   std::pair<Words, std::string> campaign(std::string const& set, std::string const& jobs) {
     auto const out = set + "-" + jobs;
     auto const o = start({"calibrate", "ex/lot.toml", "--runs", "2", "--population", "42", "--generations", "6",
@@ -116,7 +116,7 @@ TEST_F(InstructionSets, what_the_processor_lacks_is_refused_as_that) {
 // features must not be given that code.
 TEST_F(InstructionSets, a_processor_that_lacks_a_part_of_a_level_is_not_given_its_code) {
   auto const on = [&](std::string const& processor) { return available({ISOLAW_QEMU, "-cpu", processor}); };
-  // QEMU before version 7.2 (as in Debian 12) emulates no AVX, so removing features from it would show nothing.
+  // QEMU before version 7.2 (as in Debian 12) cannot emulate AVX. Without AVX this test would show nothing.
   if (on("max") != Words{"scalar", "sse2", "avx2"}) GTEST_SKIP() << "no x86-64-v3 is emulated here";
   for (auto const* part : {"avx2", "fma", "bmi2", "f16c", "abm", "movbe"})
     EXPECT_EQ(on(std::string("max,-") + part), (Words{"scalar", "sse2"})) << "without " << part;

@@ -1,5 +1,5 @@
-// One test with several amplitudes, frequencies and vertical loads. inspect lists K_eff and damping of each block. The
-// device has constant stiffness K and friction Q, so K_eff is K + Q/D.
+// Inspects one test with several amplitudes, frequencies and vertical loads. inspect must list K_eff and damping of
+// each block. The device has constant stiffness K and friction Q, so K_eff is K + Q/D at the amplitude D.
 #include <numbers>
 
 #include "cli/records.hpp"
@@ -14,8 +14,8 @@ class Levels : public InFreshDirectory {
   static constexpr std::array amplitudes{50.0, 100.0, 150.0};
   static constexpr std::array frequencies{0.1, 0.5};
 
-  // A test of six blocks with three cycles each. At 0.1 Hz the vertical load is 1000 kN and friction a tenth larger; at
-  // 0.5 Hz the load is 1500 kN.
+  // Returns a test of six blocks with three cycles each, at three amplitudes and two frequencies. At 0.1 Hz the
+  // vertical load is 1000 kN and friction is a tenth larger; at 0.5 Hz the load is 1500 kN.
   static std::string test_in_steps() {
     std::string text = "time [s],displacement [mm],force [kN],vertical load [kN]\n";
     double t = 0.0, z = 0.0, before = 0.0;
@@ -55,7 +55,7 @@ TEST_F(Levels, of_a_test_in_steps_stand_beside_one_another) {
       EXPECT_NEAR(number(level, "amplitude_mm"), amplitude, 0.05);
       EXPECT_NEAR(number(level, "strain_percent"), amplitude / 2.0, 0.05);
       EXPECT_NEAR(number(level, "frequency_Hz"), frequency, 0.01 * frequency);
-      // the cycle is cut between samples, which mixes the loads a little
+      // isolaw cuts the cycle between two samples, so a few samples have the load of the neighbouring block.
       EXPECT_NEAR(number(level, "N_mean_kN"), frequency < 0.3 ? 1000.0 : 1500.0, 5.0);
       EXPECT_NEAR(number(level, "K_eff_kN_per_mm"), K_eff(amplitude, frequency), 1e-3);
       EXPECT_NEAR(number(level, "K_eff_ratio"), K_eff(amplitude, frequency) / reference, 2e-3);

@@ -1,4 +1,4 @@
-// The expected properties of a cycle, computed from the samples alone, and readers for isolaw's tables and JSON.
+// Computes the expected properties of a cycle from the samples alone, and reads isolaw's tables and JSON.
 #pragma once
 
 #include <algorithm>
@@ -19,8 +19,8 @@ struct Loop {
   double d_plus = 0.0, d_minus = 0.0, F_plus = 0.0, F_minus = 0.0, K_eff = 0.0, energy = 0.0, damping = 0.0;
 };
 
-// Properties of the cycle from sample `first` to sample `last`, both included: K_eff from peak to peak, energy by
-// trapezoids, and damping E/(2 pi K_eff D^2).
+// Returns the properties of the cycle from sample `first` to sample `last`, both included: K_eff from peak to peak,
+// energy by trapezoids, and damping E/(2 pi K_eff D^2).
 inline Loop loop_of(std::span<Sample const> samples, std::size_t first, std::size_t last) {
   auto const cycle = samples.subspan(first, last - first + 1);
   auto const [lowest, highest] = std::ranges::minmax(cycle, {}, &Sample::disp_mm);
@@ -52,7 +52,7 @@ inline void expect_loop(Json const& cycle, Loop const& loop, double share = 1e-6
   near("damping_percent", loop.damping);
 }
 
-// The counted cycle with this number in this block of a device.
+// Returns the counted cycle with this number in this block of a device.
 inline Json const& cycle_of(Json const& device, int block, int number) {
   for (auto const& one : device["blocks"])
     for (auto const& cycle : one["cycles"])
@@ -90,7 +90,7 @@ inline double number(std::vector<Words> const& rows, std::size_t row, std::strin
   return std::stod(cell(rows, row, name));
 }
 
-// All values of the key `verdict`, at any depth.
+// Collects all values of the key `verdict`, at any depth.
 inline void collect_verdicts(Json const& json, std::vector<std::string>& found) {
   if (json.is_object())
     for (auto const& [key, value] : json.items())

@@ -1,4 +1,4 @@
-// The keys of lot.toml, and mistakes in it, each of which must be reported with its line.
+// Tests the keys of lot.toml. isolaw must report each mistake in the file with its line.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 #include "cli/store.hpp"
@@ -18,12 +18,12 @@ class LotFile : public InFreshDirectory {
     write("lot.toml", lot);
     return isolaw(Words{"calibrate", "lot.toml", "--out", "O", "--fresh"} + more);
   }
-  // Limits the search by options, which override the lot file. A mistake that isolaw fails to notice then costs little
-  // time.
+  // Runs calibrate with options that limit the search, whatever the lot file says. If isolaw misses a mistake, the test
+  // then loses little time.
   Outcome run_limited(std::string const& lot) {
     return run(lot, {"--laws", "bilinear", "--runs", "1", "--population", "4", "--generations", "1"});
   }
-  // Limits the search by settings in the lot file itself.
+  // Runs calibrate with a lot file that itself limits the search.
   Outcome run_small(std::string const& rest) {
     return run("[calibrate]\nlaws = \"bilinear\"\nruns = 1\npopulation = 4\ngenerations = 1\n" + rest);
   }
@@ -115,7 +115,7 @@ TEST_F(LotFile, reading_is_set_for_all_devices_and_for_one) {
   auto const properties = read("O/tables/cycles.csv");
   EXPECT_TRUE(contains(properties, "c,1,3,yes,,yes,,0.5,2,100,100,-100,70,-70,0.7,"));
   EXPECT_TRUE(
-      // 70 tonf at 100 mm are 6.865 kN/mm
+      // 70 tonf are 686.5 kN, so the stiffness at 100 mm is 6.865 kN/mm.
       contains(properties, "d,1,3,yes,,yes,,0.5,2,100,100,-100,686.465,-686.465,6.86"));
 }
 

@@ -1,4 +1,5 @@
-// The rule sets of a lot file: where they may lie, what init --like copies, and what reports and `check` say of them.
+// A lot file may name rule sets. Tests where their files may lie, what init --like takes over from a lot file, and what
+// reports and `check` say of the rules.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 
@@ -29,7 +30,7 @@ TEST_F(HeldTo, rules_of_a_lot_file_are_not_looked_for_where_the_program_runs) {
   write("m/lot.toml", lot("rules = \"../secret.toml\""));
   for (Words const& command : {Words{"inspect", "m/lot.toml"}, Words{"calibrate", "m/lot.toml"}})
     expect_refused(isolaw(command), {"m/lot.toml:2: rules: '../secret.toml' leads outside", "--allow-outside"});
-  // the file is in the directory where isolaw runs, not beside the lot file
+  // The file secret.toml lies in the directory where isolaw runs, not beside the lot file.
   write("m/lot.toml", lot("rules = \"secret.toml\""));
   expect_refused(isolaw({"inspect", "m/lot.toml"}),
                  {"m/lot.toml:2: rules: 'secret.toml' is neither a built-in rule set nor a file here"});
@@ -84,7 +85,7 @@ TEST_F(HeldTo, a_report_with_other_rules_is_no_fault) {
   auto const other = isolaw({"check", "O"});
   EXPECT_EQ(other.code, 0) << other;
   EXPECT_TRUE(contains(other.out, "written with other rules, design values or lot size than the store holds"));
-  // check also compares reports that were made with other rules than the store's.
+  // Reports may be written with other rules than the store's. check must find a change in such reports too.
   write("O/tables/tests.csv", read("O/tables/tests.csv") + "x");
   auto const edited = isolaw({"check", "O"});
   EXPECT_EQ(edited.code, 1) << edited;
@@ -145,7 +146,7 @@ TEST_F(HeldTo, too_small_a_sample_permits_no_analysis_with_mean_properties) {
     return Json::parse(isolaw({"inspect", "m", "--rules", "ntc-2018", "--lot-size", size, "--json"})
                            .out)["assessment"]["lot"]["mean_analysis"];
   };
-  EXPECT_TRUE(said("20")["permitted"].is_null());  // 3 devices are tested and 4 are required
+  EXPECT_TRUE(said("20")["permitted"].is_null());  // 3 devices were tested, but the rules require 4
   EXPECT_TRUE(contains(said("20")["sentence"].get<std::string>(), "cannot be said: 3 devices"));
   EXPECT_EQ(said("3")["permitted"], true);
 }
@@ -161,7 +162,7 @@ TEST_F(HeldTo, bounds_enclose_the_measured_strength) {
   auto const& cycles = found["devices"][0]["blocks"][2]["cycles"];
   for (auto const& factor : found["assessment"]["lot"]["factors"])
     if (factor["property"] == "Q_d" && factor["source"] == "observed") {
-      EXPECT_GT(factor["upper"].get<double>(), cycles[1]["Q_d_kN"].get<double>());  // cycle 2, the largest
+      EXPECT_GT(factor["upper"].get<double>(), cycles[1]["Q_d_kN"].get<double>());  // strength of cycle 2
       EXPECT_LT(factor["lower"].get<double>(), cycles[2]["Q_d_kN"].get<double>());
     }
   auto const& test = found["assessment"]["lot"]["quantities"][3]["lambda_test"];

@@ -11,7 +11,7 @@
 namespace isolaw::cli_test {
 namespace {
 
-// All files of a campaign's directory by name. run.json is left out, because it records when and how long it ran.
+// Returns all files of a campaign's directory by name, without run.json, which records when and how long it ran.
 std::map<std::string, std::string> results_in(fs::path const& directory) {
   std::map<std::string, std::string> found;
   for (auto const& entry : fs::recursive_directory_iterator(directory))
@@ -101,7 +101,7 @@ class Merge : public InFreshDirectory {
 
 TEST_F(Merge, of_seven_parts_in_any_order_one_killed_one_twice_is_what_one_machine_computes) {
   // Part 4 is killed in the middle of its search and then continued by the same command. On a busy machine the search
-  // may end before the kill; the test then tries again.
+  // may end before the kill, in which case the test tries again.
   for (int attempt = 1;; ++attempt) {
     auto killed = start(part(4, {"--jobs", "1"}));
     Outcome result;
@@ -150,7 +150,7 @@ TEST_F(Merge, takes_what_others_have_examined_of_devices) {
   expect_message(examine("1/2"), 0, {"part 1 of 2 of the devices is analysed", "isolaw merge OUT PARTS..."});
   EXPECT_FALSE(exists("E1/summary.json"));
   ASSERT_EQ(examine("2/2").code, 0);
-  ASSERT_EQ(examine("2/2").code, 0);  // nothing is left to compute
+  ASSERT_EQ(examine("2/2").code, 0);  // the same command again has nothing left to compute
   auto const examined = [&](char const* store) { return stored_rows(path(store), "device_analysis"); };
   EXPECT_EQ(examined("E1/campaign.sqlite") + examined("E2/campaign.sqlite"), 6);
   EXPECT_GE(std::min(examined("E1/campaign.sqlite"), examined("E2/campaign.sqlite")), 1);
@@ -189,7 +189,7 @@ TEST_F(Merge, names_what_is_missing_and_who_should_hold_it_and_goes_on_from_ther
                  {"P5/campaign.sqlite: not there", "runs copied to O/campaign.sqlite",
                   "not complete: ", "of part 5/7 (", "then repeat: isolaw merge O PARTS..."});
   EXPECT_FALSE(exists("O/summary.json"));
-  // The message above lists the runs that are missing. They must be exactly the runs that part 5 computes.
+  // The table on standard output lists the missing runs. They must be exactly the runs that part 5 computes.
   compute({5});
   Words expected;
   for (auto const& row : query(path("P5/campaign.sqlite"),
@@ -233,8 +233,8 @@ TEST_F(Merge, refuses_a_part_of_another_build_or_instruction_set_and_changes_not
                  {"I/campaign.sqlite: computed with instruction set abacus; the merge runs with ",
                   "one instruction set in all parts", "ISOLAW_SIMD=abacus isolaw merge", "--part 2/7 --fresh"});
   EXPECT_FALSE(exists("O/campaign.sqlite"));
-  // The part above only claimed another instruction set. This part is really computed with another one, unless the two
-  // give the same bits.
+  // Part I above only claims another instruction set. Part S is really computed with another one. Both must be refused,
+  // unless S has the same bits as part 2.
   auto const scalar = campaign("S", {"--part", "2/7"});
   ASSERT_EQ(start(scalar, {"ISOLAW_SIMD=scalar"}).wait().code, 0);
   auto const o = start({"merge", "O", "P1", "S"}, {"ISOLAW_SIMD=scalar"}).wait();
@@ -300,7 +300,7 @@ TEST_F(Merge, that_starts_over_replaces_no_part_and_nothing_whole_by_less) {
     expect_message(isolaw(merge(all(), {"--fresh"})), 1, {"24 runs copied"});
     EXPECT_TRUE(results_in(path("O")) == whole);
   }
-  // A merge that is killed leaves such files. The next merge removes them.
+  // A merge that is killed leaves temporary files with these names. The next merge must remove them.
   for (auto const* name :
        {"campaign.sqlite.part", "campaign.sqlite.part-wal", "campaign.sqlite.part-shm", "campaign.sqlite.part.part",
         "campaign.sqlite.part.part-journal", "report.html.1999999999.part"})
@@ -364,7 +364,7 @@ TEST_F(Merge, is_refused_where_another_one_is_at_work) {
   expect_refused(isolaw(merge({1})), {"O: another isolaw works in this directory"});
   EXPECT_FALSE(exists("O/campaign.sqlite"));
   close(held);
-  // Now a real merge runs and holds the lock.
+  // This merge of all parts holds the lock itself, so a second merge must be refused meanwhile.
   compute({2, 3, 4, 5, 6, 7});
   auto first = start(merge(all(), {"--jobs", "1"}));
   Outcome ended;
@@ -388,7 +388,7 @@ TEST_F(Merge, that_was_killed_is_done_again_by_the_same_command) {
     std::this_thread::sleep_for(1ms);
   process.send(SIGKILL);
   process.wait();
-  // The kill came after all runs were copied, so the parts are no longer needed and may be removed.
+  // The kill came after all runs had been copied into O, so the merge can continue without the parts.
   for (int const number : all()) fs::remove_all(path(dir(number)));
   expect_message(isolaw({"merge", "O", "--figures", "none"}), 1, {"0 runs copied"});
   expect_as_one_machine();
@@ -428,12 +428,12 @@ TEST_F(Merge, parts_are_named_as_they_may_be) {
   for (auto const* text : {"0/7", "8/7", "1", "/7", "1/", "a/b", "1/2/3", "-1/7", "1/1000001", ""})
     expect_refused(isolaw(campaign("X", {"--part", text})), {"--part", "K/N, part K of N"});
   EXPECT_FALSE(exists("X"));
-  // If there are more parts than runs, the last parts have nothing to compute and succeed.
+  // Where there are more parts than runs, the last parts have nothing to compute and must succeed.
   expect_message(isolaw(campaign("X", {"--part", "100/100"})), 0, {"part 100 of 100: 0 runs"});
 }
 
-// A record that is prepared for a law takes far more memory than the record itself. Only the records of runs in
-// progress may be prepared, so memory must not grow with the number of devices.
+// Preparing a record for a law takes far more memory than the record itself. Only the records of runs in progress may
+// be prepared, so memory must hardly grow with the number of devices.
 TEST_F(Merge, of_a_part_holds_in_memory_what_is_at_work) {
   auto const peak_kB = [&](int devices) {
     auto const folder = fmt::format("lot of {}", devices);
@@ -499,7 +499,7 @@ TEST_F(PartScripts, of_make_and_parallel_end_as_one_machine_also_after_a_loss) {
   }
 }
 
-// A script does not compute an existing part again, but it must refuse a part with other settings or records.
+// A script skips the parts that exist. It must refuse to merge a part that has other settings or records.
 TEST_F(PartScripts, merge_nothing_that_is_of_other_settings_or_records) {
   for (std::string const to : {"make", "parallel", "slurm"}) {
     if (to != "slurm" && !is_there(to)) {
@@ -512,7 +512,8 @@ TEST_F(PartScripts, merge_nothing_that_is_of_other_settings_or_records) {
       ASSERT_EQ(printed.code, 0) << printed;
       write(script, printed.out);
     };
-    // Runs the whole script. make and parallel do so by themselves; for Slurm the test runs each part as a job would.
+    // Runs the whole script. make and parallel start all parts and the merge by themselves; for Slurm the test starts
+    // each part as a job would.
     auto const everything = [&] {
       if (to == "make") return run({"make", "-f", script, "-k"});
       if (to == "parallel") return run({"sh", script}, {"ISOLAW_SCRATCH=" + path("disk").string()});
@@ -549,11 +550,12 @@ TEST_F(PartScripts, merge_nothing_that_is_of_other_settings_or_records) {
     write("b.csv", csv(record({.amplitude_mm = 91.0})));
     refused({"b: its file has changed"});
     write("b.csv", csv(record({.amplitude_mm = 90.0})));
-    // With the original settings and records everything gives the same bytes again.
+    // With the original settings and records, running the whole script gives the same bytes again.
     everything();
     EXPECT_TRUE(read(to + ".parts/2/campaign.sqlite") == bytes) << to;
     EXPECT_TRUE(results_in(path(to)) == whole) << to;
-    // The store of part 2 is cut off in its middle or near its end. merge must refuse it although its name is right.
+    // The test cuts off the store of part 2, in its middle or near its end. merge must refuse the store although its
+    // name is right.
     for (auto const size : {bytes.size() / 2, bytes.size() - 100}) {
       write(to + ".parts/2/campaign.sqlite", std::string_view(bytes).substr(0, size));
       refused({"damaged"});
@@ -562,8 +564,8 @@ TEST_F(PartScripts, merge_nothing_that_is_of_other_settings_or_records) {
       EXPECT_TRUE(read(to + ".parts/2/campaign.sqlite") == bytes) << to;
     }
     if (to == "make") continue;
-    // The script itself replaces an empty store, which a full disk may leave, and a damaged store on the node's own
-    // disk.
+    // The script must compute two stores again by itself: an empty one, which a full disk may leave, and a damaged one
+    // on the node's own disk.
     write(to + ".parts/2/campaign.sqlite", "");
     everything();
     EXPECT_TRUE(read(to + ".parts/2/campaign.sqlite") == bytes) << to;
@@ -579,7 +581,7 @@ TEST_F(PartScripts, merge_nothing_that_is_of_other_settings_or_records) {
     EXPECT_TRUE(exists(to + ".parts/3/campaign.sqlite")) << o;
     // The script must leave no files on the node's disk.
     EXPECT_TRUE(!exists("disk") || fs::is_empty(path("disk"))) << to;
-    // The existing directory holds part 1 of 5, so a script for 2 parts must refuse it.
+    // The directory holds part 1 of 5, so a script for 2 parts must refuse to use it.
     auto words = in_parts(to, to);
     words[2] = "2";
     write(script, isolaw(words).out);
@@ -608,7 +610,7 @@ TEST_F(PartScripts, are_refused_as_commands_are) {
   expect_refused(isolaw(none), {"count: 0", "1 to 100000 parts"});
   expect_message(isolaw(Words{"parts", "lot.toml", "50", "--to", "make"} + Words(none.begin() + 5, none.end())), 0,
                  {"24 runs for 50 parts: some parts will have none"});
-  // `parts` refuses options that would have no effect.
+  // `isolaw parts` refuses options that would have no effect on a script.
   expect_refused(isolaw(in_parts("make", "O") + Words{"--motion", "m.csv"}),
                  {"--motion: is given for a lot", "--campaign"});
   expect_refused(isolaw({"parts", "b.toml", "5", "--to", "make", "--campaign", "O", "--runs", "3", "--seed", "2"}),

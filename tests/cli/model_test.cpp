@@ -1,4 +1,5 @@
-// isolaw export of a whole building: the laws of the example lot to both model targets, run in OpenSees; and refusals.
+// isolaw export of a whole building: the laws of the example lot are exported to both model targets and run in
+// OpenSees. Further tests check what the export refuses.
 #include "cli/models.hpp"
 #include "cli/records.hpp"
 #include "opensees.hpp"
@@ -97,8 +98,8 @@ TEST_F(ExportedModel, draws_are_repeatable_by_their_seed) {
   EXPECT_EQ(first, drawn({"--seed", "7"}));
   EXPECT_NE(first, drawn({"--seed", "8"}));
   EXPECT_TRUE(contains(first, "# Analyses: nominal, and 2 draws, seed 7, each isolator with a law of its own"));
-  // The model draws its devices as `sample` does. Each draw has four isolators, so isolator 1 of draw 2 is the fifth
-  // device.
+  // The model draws the same devices as `isolaw sample` does. Each draw has four isolators, so isolator 1 of draw 2 is
+  // the fifth device.
   auto const sampled = isolaw({"sample", "C", "--law", "bouc-wen", "--count", "8", "--seed", "7"});
   ASSERT_EQ(sampled.code, 0) << sampled;
   EXPECT_TRUE(contains(first, "draw_2_4 {"));

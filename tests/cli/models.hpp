@@ -1,4 +1,5 @@
-// Some targets of `export` write a model of a whole building. These functions write the further inputs that they need.
+// Some targets of `export` write a model of a whole building. The functions below write the files that such an export
+// needs.
 #pragma once
 
 #include <cmath>
@@ -8,7 +9,7 @@
 
 namespace isolaw::cli_test {
 
-// Two seconds of ground motion as a CSV text with units in its header.
+// Returns two seconds of ground motion as a CSV text with units in its header.
 inline std::string ground_motion(double amplitude_m_s2 = 1.0, double step_s = 0.02, int samples = 101) {
   std::string text = "time [s],acceleration [m/s2]\n";
   for (int i = 0; i < samples; ++i)
@@ -17,7 +18,8 @@ inline std::string ground_motion(double amplitude_m_s2 = 1.0, double step_s = 0.
   return text;
 }
 
-// Writes the files that this target needs to `folder` and returns the options that name them. Most targets need none.
+// Writes the files that this target needs to `folder` and returns the options that name them. Most targets need none of
+// these files.
 inline Words needed_by(programs::Target const& target, fs::path const& folder) {
   if (!target.of_model) return {};
   write_file(folder / "layout.csv", "name,x [m],y [m]\nA,0,0\nB,6,0\nC,0,4\nD,6,4\n");

@@ -52,7 +52,7 @@ TEST_F(InOpenSees, exports_of_the_example_lot) {
 }
 
 // xara is a build of OpenSees with its own Tcl interpreter. It passes no arguments to a script, so check.tcl calls the
-// self-check of the exported script.
+// exported script's comparison of forces instead.
 TEST_F(InOpenSees, tcl_scripts_in_an_interpreter_of_their_own) {
   if (!here_.has_xara()) GTEST_SKIP() << "xara is not there; " << here_.lacking();
   ASSERT_EQ(isolaw({"example", "lot"}).code, 0);
@@ -72,8 +72,8 @@ TEST_F(InOpenSees, tcl_scripts_in_an_interpreter_of_their_own) {
   }
 }
 
-// The second campaign ties the branches of vaiana, so that both have the same limit curves. For this bearing the curves
-// soften, and the export then needs two materials in parallel.
+// The second campaign ties the branches of vaiana, so that loading and unloading have the same limit curves. For this
+// bearing the curves soften, and the export then needs two OpenSees materials in parallel.
 TEST_F(InOpenSees, exports_of_the_measured_bearing) {
   auto const file = data / "hdrb-gallardo-device/cyclic-24-49-98pct.csv";
   if (!fs::exists(file)) GTEST_SKIP() << "measured data are not here: " << file;

@@ -14,7 +14,7 @@ namespace {
 
 class Outputs : public InFreshDirectory {
  protected:
-  // The third device has no time, so a law that needs time applies to two of the three devices.
+  // The third device's record has no time, so a law that needs time is fitted to two of the three devices.
   void SetUp() override {
     InFreshDirectory::SetUp();
     write("a.csv", csv(record({.samples = 121, .per_cycle = 40, .interval_s = 0.05})));
@@ -23,7 +23,7 @@ class Outputs : public InFreshDirectory {
           csv(record({.samples = 121, .per_cycle = 40, .stiffness_kN_per_mm = 0.53}), "displacement [mm],force [kN]",
               [](std::size_t, Sample const& s) { return fmt::format("{:.5f},{:.5f}", s.disp_mm, s.force_kN); }));
   }
-  // Expects that the command succeeds or refuses without a memory or arithmetic error.
+  // Expects that the command ends in success or in a refusal, without an error that a sanitizer found.
   Outcome sound(Words const& words) {
     auto const o = start(words).wait(900s);  // all laws with sanitizers may take minutes
     EXPECT_LT(o.code, 3) << o;
@@ -70,7 +70,8 @@ TEST_F(Outputs, EveryWriterOnAllLawsWithDefaultOptions) {
   sound(Words{"inspect", "a.csv", "--json"} + tests);
 }
 
-// The first two devices of the example lot, with its settings and all other settings at their defaults.
+// Calibrates the first two devices of the example lot with the settings of its lot file. All other settings have their
+// defaults.
 TEST_F(Outputs, EveryWriterOnTheExampleLot) {
   sound({"example", "lot"});
   auto lot = read("lot/lot.toml");

@@ -1,5 +1,5 @@
-// Records that are part of a file or spread over two files, headers that describe the device, and files that are no
-// records. All are given on the command line and in lot files.
+// Tests records that are a part of a file or spread over two files, headers that describe the device, and files that
+// are no records. Each is given on the command line and in a lot file.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 
@@ -41,8 +41,8 @@ TEST_F(Parts, options_of_the_command_line_are_keys_of_the_lot_file) {
   EXPECT_TRUE(contains(said(lot), "(--footer skip)"));
 }
 
-// isolaw lists how it read a file. A line ends with an option in brackets if the user stated that detail, and without
-// one if the program recognised it.
+// isolaw lists the details of how it read a file. If the user stated a detail, its line ends with the option in
+// brackets. If the program recognised it, the line has no option.
 TEST_F(Parts, what_the_program_was_told_stands_with_its_option) {
   auto const told = [&](Words const& words) {
     Words found;
@@ -139,8 +139,8 @@ TEST_F(Parts, like_another_lot_takes_no_file_of_it) {
   EXPECT_EQ(inspected({"next/lot.toml"})["blocks"], inspected({"next/b.csv"})["blocks"]);
 }
 
-// The force is in a second file. init must not replace that file and must warn if it lies outside the lot's folder. Its
-// content is part of the device's hash.
+// The force comes from a second file. init must not replace that file, and must warn if the file lies outside the lot's
+// folder. The content of the file is part of the device's hash.
 TEST_F(Parts, the_file_of_a_channel_is_a_file_of_the_device) {
   write("recs/disp.csv", channel(false));
   write("force.csv", channel(true));

@@ -1,5 +1,5 @@
 // The list of laws in the program, and the seven laws of Cucuzza et al. 2025 with the parameters and units that
-// docs/laws.md states. Users' scripts may rely on them.
+// docs/laws.md states. Tests compare the program with it, because users' scripts may rely on names and units.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace isolaw::cli_test {
 
 struct ExpectedLaw {
   std::string_view id;
-  std::vector<std::pair<std::string_view, std::string_view>> parameters;  // name and unit of each
+  std::vector<std::pair<std::string_view, std::string_view>> parameters;  // name and unit
 };
 
 inline std::vector<ExpectedLaw> const& published_laws() {

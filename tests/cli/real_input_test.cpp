@@ -53,8 +53,8 @@ TEST_F(Bearing, inspect_recognises_columns_units_and_cycles_and_says_that_time_i
   for (auto const& block : found["blocks"]) EXPECT_EQ(block["cycles"].size(), 7u);
 }
 
-// The record is averaged over nine samples and reduced to every ninth. It starts with the first loading of the bearing.
-// Other programs gave the expected objectives; docs/league.md has more of them.
+// The record is averaged over nine samples and reduced to every ninth. The bearing is virgin at its start. Other
+// programs gave the expected objectives; docs/league.md has more of them.
 TEST_F(Bearing, laws_reach_what_is_known_of_them) {
   if (!fs::exists(file)) GTEST_SKIP() << "measured data are not here: " << file;
   struct Known {
@@ -139,7 +139,7 @@ TEST_F(FrictionDamper, inspects_and_calibrates_after_a_plain_conversion) {
 }
 
 // Each record has seven cycles, of which the three at the nominal amplitude count. Two smaller cycles, at 1/4 and 3/4
-// of the amplitude, come before these and two after.
+// of the nominal amplitude, come before the three, and two after them.
 TEST_F(FrictionDamper, every_record_is_read_as_it_is_and_has_its_three_cycles) {
   if (!fs::exists(packed)) GTEST_SKIP() << "measured data are not here: " << packed;
   if (!have_xz()) GTEST_SKIP() << "xz is not installed";
@@ -167,8 +167,8 @@ TEST_F(FrictionDamper, every_record_is_read_as_it_is_and_has_its_three_cycles) {
     for (auto const& cycle : block["cycles"]) {
       if (cycle["counts"] == false) continue;
       ++counted;
-      // Extremes and energy of the cycle from the rows themselves. isolaw cuts the cycle at most one sample from its
-      // first and last row.
+      // Computes extremes and energy of the cycle from the rows of the file. isolaw's cycle begins and ends at most one
+      // sample from the first and last of these rows.
       double largest = -1e9, least = 1e9, energy = 0.0;
       auto const first = static_cast<std::size_t>(std::lround(cycle["first"].get<double>()));
       auto const last = static_cast<std::size_t>(std::lround(cycle["last"].get<double>()));

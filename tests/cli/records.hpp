@@ -1,4 +1,4 @@
-// Test records as CSV text, good and bad.
+// Makes records of tests as CSV text, sound ones and bad ones.
 #pragma once
 
 #include <fmt/format.h>
@@ -20,8 +20,8 @@ struct RecordShape {
   double amplitude_mm = 100.0, stiffness_kN_per_mm = 0.5, strength_kN = 20.0, yield_mm = 10.0, interval_s = 0.01;
 };
 
-// A device with a constant stiffness and an elastic-plastic element under a sine. The energy of a cycle is about 4 Qd
-// (D - Dy).
+// Returns the record of a device with a constant stiffness and an elastic-plastic element under a sine. The energy of a
+// cycle is about 4 Qd (D - Dy).
 inline std::vector<Sample> record(RecordShape const& shape = {}) {
   std::vector<Sample> samples;
   double z = 0.0, before = 0.0;
@@ -40,8 +40,8 @@ inline std::string row(Sample const& s) {
 
 inline constexpr char const* header = "time [s],displacement [mm],force [kN]";
 
-// The samples as CSV text with the header in line 1, so sample i is in line i + 2. `change` may write the row of a
-// sample in another form.
+// Returns the samples as CSV text with the header in line 1, so that sample i is in line i + 2. `change` may write the
+// row of a sample in another form.
 inline std::string csv(std::vector<Sample> const& samples, std::string const& head = header,
                        std::function<std::string(std::size_t, Sample const&)> const& change = {}) {
   std::string text = head + "\n";
@@ -49,7 +49,7 @@ inline std::string csv(std::vector<Sample> const& samples, std::string const& he
   return text;
 }
 
-// The standard record in which the given text replaces one line.
+// Returns the CSV text of the standard record, in which `text` replaces one line.
 inline std::string csv_with_line(int line, std::string const& text) {
   return csv(record(), header,
              [&](std::size_t i, Sample const& s) { return static_cast<int>(i) + 2 == line ? text : row(s); });

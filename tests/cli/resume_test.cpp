@@ -1,4 +1,4 @@
-// A campaign that is stopped or killed, given again, or given again with changes.
+// A campaign is stopped or killed. The same command, or one with changes, is then given again.
 #include <pty.h>
 
 #include "cli/records.hpp"
@@ -55,7 +55,7 @@ TEST_F(Resume, interrupted_campaign_keeps_its_runs_continues_and_ends_as_if_neve
   EXPECT_EQ(without_folder(continued.out, "O"), without_folder(whole.out, "P"));
 }
 
-// A user normally runs the default search followed by the analyses. Here it is killed and continued.
+// A user normally runs the default search followed by the analyses. The test kills such a campaign and continues it.
 TEST_F(Resume, of_the_default_search_and_its_analyses_ends_as_if_never_stopped) {
   auto const campaign = [](std::string const& out) {
     return Words{"calibrate",
@@ -95,7 +95,7 @@ TEST_F(Resume, polite_kill_stops_like_ctrl_c) {
   expect_message(o, 1, {"interrupted", "to continue: "});
 }
 
-// When an ssh session ends, nobody reads the message. The store must be left as after Ctrl-C.
+// When an ssh session ends, nobody reads isolaw's last message. The store must be left as after Ctrl-C.
 TEST_F(Resume, a_closed_terminal_stops_like_ctrl_c) {
   auto const o = stopped(campaign("O"), "O", SIGHUP);
   expect_message(o, 1, {"interrupted", "to continue: "});
@@ -109,7 +109,7 @@ TEST_F(Resume, a_closed_terminal_stops_like_ctrl_c) {
   EXPECT_FALSE(exists("P/campaign.sqlite-wal"));
 }
 
-// nohup makes a program ignore that its terminal is closed. isolaw must respect this.
+// nohup makes a program ignore the signal SIGHUP of a closed terminal. isolaw must not catch the signal then.
 TEST_F(Resume, a_closed_terminal_is_ignored_where_it_is_to_be) {
   Process process(Words{"sh", "-c", "trap '' HUP; exec \"$0\" \"$@\"", ISOLAW_BINARY} +
                       Words{"calibrate", "ex/lot.toml", "--laws", "abe", "--runs", "2", "--samples-per-cycle", "40",
@@ -121,7 +121,7 @@ TEST_F(Resume, a_closed_terminal_is_ignored_where_it_is_to_be) {
   EXPECT_EQ(process.wait().code, 0);
 }
 
-// A limit on memory keeps the system from starting all 64 threads. The threads that start must do the work.
+// A limit on memory makes some of the 64 threads fail to start. The threads that do start must finish the work.
 TEST_F(Resume, threads_that_cannot_be_made_are_done_without) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "sanitizers need more memory than a limit leaves";
@@ -160,7 +160,8 @@ TEST_F(Resume, starting_over_leaves_no_results_of_the_former_campaign_beside_the
 }
 
 TEST_F(Resume, a_reader_of_the_store_does_not_cost_the_campaign_its_results) {
-  // docs/store.md recommends SQL viewers. One reads the store, and keeps it open, while the campaign runs.
+  // docs/store.md recommends SQL viewers. The test opens the store as a viewer does, and keeps it open while the
+  // campaign runs.
   auto process = start(campaign("O"));
   Outcome result;
   while (stored_runs(path("O/campaign.sqlite"), "abe") < 3 && !process.ended(result)) std::this_thread::sleep_for(5ms);
@@ -226,8 +227,8 @@ TEST_F(Changed, settings_are_refused_naming_each) {
   EXPECT_EQ(read("O/summary.json"), summary);
 }
 
-// The default search and the genetic algorithm have different settings, so the message must name the method and not
-// every setting.
+// The default search and the genetic algorithm differ in many settings. The message must name the method and not list
+// every one of these settings.
 TEST_F(Changed, the_method_is_refused_by_its_name_in_both_directions) {
   Words const command{"calibrate", "a.csv", "--laws", "bilinear", "--runs", "2", "--out", "P"};
   Words const genetic{"--method", "ga", "--population", "4", "--generations", "2"};
@@ -317,7 +318,7 @@ TEST_F(Changed, an_unfinished_campaign_of_another_build_is_not_continued) {
   };
   change("UPDATE maker SET version = '0.0.9', build = '0123456789ab'");
   auto const finished = run();
-  EXPECT_EQ(finished.code, 0) << finished;  // the other build computes nothing, because all runs are there
+  EXPECT_EQ(finished.code, 0) << finished;  // another build may report this store, because no run is missing
   EXPECT_EQ(json("O/summary.json")["isolaw"].dump(), R"([{"version":"0.0.9","build":"0123456789ab"}])");
   EXPECT_TRUE(contains(read("O/report.html"), "0.0.9, build 0123456789ab"));
   change("DELETE FROM run WHERE number = 1; DELETE FROM run_parameter WHERE number = 1");

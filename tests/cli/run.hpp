@@ -96,7 +96,7 @@ class Process {
 
   void send(int signal) const { kill(pid_, signal); }
 
-  // True once the program has ended; `result` then has its exit code and output.
+  // Returns true once the program has ended; `result` then has its exit code and output.
   bool ended(Outcome& result) {
     int status = 0;
     rusage used{};
@@ -128,13 +128,13 @@ class Process {
   fs::path output_, errors_;
 };
 
-// Options that check the tests against the Italian code NTC with these design values.
+// Returns options that check the tests against the Italian code NTC with these design values.
 inline Words held_to(std::string const& design) {
   return {"--rules", "ntc-2018", "--design", design};
 }
 
-// Adds options that switch off analyses and figures, unless the command asks for them. They would take far longer than
-// the short searches of most tests.
+// Adds options that switch off analyses and figures, unless the command itself asks for them. Analyses and figures
+// would take far longer than the short searches of most tests.
 inline Words without_extras(Words words) {
   if (words.size() < 2 || (words.front() != "calibrate" && words.front() != "report")) return words;
   static Words const flags{"--fresh", "--json", "--center", "--allow-outside", "--flip-force"};
@@ -221,14 +221,14 @@ inline std::string without_folder(std::string const& text, std::string const& fo
   return std::regex_replace(text, std::regex("\\b" + folder + "(?=/report.html| --law)"), "FOLDER");
 }
 
-// Expects a refusal: exit code 2, the message on standard error, nothing on standard output.
+// Expects a refusal: exit code 2, a message with all these parts on standard error, and nothing on standard output.
 inline void expect_refused(Outcome const& o, std::vector<std::string> const& parts) {
   expect_message(o, 2, parts);
   EXPECT_TRUE(o.out.empty()) << o;
 }
 
-// Expects a refusal of a command with --json: standard output then has the complaints as one JSON object, which is
-// returned.
+// Expects that a command with --json is refused. Standard output then has the complaints as one JSON object, which this
+// function returns.
 inline Json expect_refused_as_object(Outcome const& o, std::vector<std::string> const& parts) {
   expect_message(o, 2, parts);
   auto const object = Json::parse(o.out, nullptr, false);

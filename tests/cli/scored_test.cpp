@@ -11,8 +11,8 @@ namespace {
 constexpr int samples_of_cycle = 200, cycles = 3;
 constexpr std::size_t block_samples = samples_of_cycle * cycles;
 
-// Three cycles at 60 mm and three at 100 mm of a bilinear device, K1 = 2.5, K2 = 0.5 kN/mm, xy = 10 mm. In block
-// `disturbed` (1 or 2; 0 means neither) the force is a third larger than that of the law.
+// Returns three cycles at 60 mm and three at 100 mm of a bilinear device with K1 = 2.5 kN/mm, K2 = 0.5 kN/mm and xy =
+// 10 mm. In block `disturbed` (1, 2, or 0 for none) the force is a third larger than the law's.
 std::vector<Sample> two_blocks(int disturbed) {
   std::vector<Sample> samples;
   double z = 0.0, before = 0.0;
@@ -29,8 +29,8 @@ std::vector<Sample> two_blocks(int disturbed) {
   return samples;
 }
 
-// The objective of Eq. (27) between the samples `first` and `last`: the mean absolute difference between the measured
-// force and that of the law, divided by the standard deviation of the measured force.
+// Computes the objective of Eq. (27) between the samples `first` and `last`: the mean absolute difference between the
+// measured force and that of the law, divided by the standard deviation of the measured force.
 double objective_of(std::vector<Sample> const& measured, std::vector<Sample> const& law, std::size_t first,
                     std::size_t last) {
   double sum = 0.0, mean = 0.0, square = 0.0;
@@ -46,7 +46,8 @@ double objective_of(std::vector<Sample> const& measured, std::vector<Sample> con
 
 class Scored : public InFreshDirectory {
  protected:
-  // All parameters are fixed at the device's values, so the objective is that of the undisturbed law.
+  // Calibrates with all parameters fixed at the device's values. The result is the objective of the law that made the
+  // undisturbed record.
   Json calibrated(Words const& more, std::string const& file = "one.csv") {
     auto const o =
         isolaw(Words{"calibrate", file, "--out", "O", "--fresh", "--laws", "bilinear", "--runs", "1"} +
@@ -57,14 +58,14 @@ class Scored : public InFreshDirectory {
   static double objective(Json const& summary) { return summary["laws"][0]["devices"][0]["objective"]["best"]; }
 };
 
-constexpr double exact = 1e-6;  // the forces have five decimals
+constexpr double exact = 1e-6;  // the forces in the file have five decimals
 
 TEST_F(Scored, only_the_chosen_block_is_judged_and_the_state_comes_from_the_one_before) {
   auto const measured = two_blocks(1), law = two_blocks(0);
   write("one.csv", csv(measured));
   EXPECT_LT(objective(calibrated({"--fit-blocks", "2"})), exact);
-  // The law enters block 2 after the yielding in block 1. If it started from rest, its first loading would differ from
-  // the record.
+  // The law runs through block 1 first and enters block 2 after yielding. If it started block 2 from rest, its first
+  // loading would differ from the record.
   EXPECT_LT(objective(calibrated({"--fit-blocks", "2", "--fit-cycles", "1"})), exact);
   double const other = objective_of(measured, law, 0, block_samples);
   EXPECT_GT(other, 0.2);
@@ -103,7 +104,7 @@ TEST_F(Scored, what_was_chosen_is_recorded_and_shown) {
   EXPECT_EQ(settings["fit-cycles"], "2-3");
   EXPECT_EQ(query(path("O/campaign.sqlite"), "SELECT json FROM setting WHERE key = 'fit-cycles'").at(0), "\"2-3\"");
   auto const device = page_data(read("O/report.html"))["devices"][0];
-  // Cycles 2 and 3 of block 2 last from 8 s to 12 s.
+  // Cycles 2 and 3 of block 2, which the options choose, last from 8 s to 12 s.
   ASSERT_EQ(device["scored"].size(), 1u);
   EXPECT_NEAR(device["scored"][0]["from"].get<double>(), 8.0, 0.011);
   EXPECT_NEAR(device["scored"][0]["to"].get<double>(), 12.0, 0.011);
@@ -120,7 +121,8 @@ TEST_F(Scored, errors_in_properties_are_of_a_cycle_that_was_judged) {
   for (auto const& [block, error] : {std::pair{"2", 0.0}, {"1", -25.0}}) {
     auto const fit = calibrated({"--fit-blocks", block})["laws"][0]["devices"][0];
     EXPECT_NEAR(fit["K_eff_error_percent"].get<double>(), error, 1e-3) << block;
-    // The last cycle of block 1 ends with a sample of block 2, which is undisturbed, so the energy differs a little.
+    // The last cycle of block 1 ends with a sample of block 2, where the force is not disturbed. The energy therefore
+    // differs a little from the expected one.
     EXPECT_NEAR(fit["energy_error_percent"].get<double>(), error, 0.2) << block;
   }
 }

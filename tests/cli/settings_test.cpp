@@ -1,4 +1,4 @@
-// Options that affect the numbers: what each does, and how wrong values are refused.
+// For each option that affects the numbers, tests what it does and how wrong values are refused.
 #include <cmath>
 #include <sstream>
 
@@ -76,7 +76,8 @@ TEST_F(Settings, all_parameters_fixed_evaluates_that_one_point) {
   auto const o = run({"--set", "bilinear.K1=2.5", "--set", "bilinear.K2=0.5", "--set", "bilinear.xy=10"});
   EXPECT_EQ(o.code, 0) << o;
   auto const law = json("O/summary.json")["laws"][0];
-  // These are the parameters of the record's own device. The 200 samples a cycle miss its corners a little.
+  // The fixed values are those of the device that made the record. The objective is not 0, because the samples miss the
+  // corners of its loop.
   EXPECT_LT(law["objective"]["best"].get<double>(), 0.02);
   EXPECT_EQ(law["objective"]["std"], 0.0);
   EXPECT_TRUE(contains(law["beta_note"].get<std::string>(), "no free parameter"));
@@ -85,8 +86,8 @@ TEST_F(Settings, all_parameters_fixed_evaluates_that_one_point) {
 }
 
 TEST_F(Settings, best_value_at_an_edge_of_its_box_is_reported) {
-  // The device has K2 = 0.5, so the best value in the box from 3 to 4 is its lower end. Among 4000 random points some
-  // lie within 0.1 % of the end.
+  // The device has K2 = 0.5, so in the box from 3 to 4 the best value of K2 is 3. Among 4000 random points some lie
+  // within 0.1 % of it.
   auto const o = isolaw(command({"--laws", "bilinear", "--runs", "1", "--population", "4000", "--generations", "3",
                                  "--set", "bilinear.K1=4.5", "--set", "bilinear.xy=10", "--set", "bilinear.K2=3:4"}));
   EXPECT_EQ(o.code, 0) << o;
@@ -171,7 +172,7 @@ TEST_F(Settings, paper_and_converged_integration_give_other_objectives) {
 }
 
 TEST_F(Settings, turning_points_between_the_samples_are_an_option_that_is_stored_and_reported) {
-  write("one.csv", csv(record({.per_cycle = 199})));  // 199 samples a cycle, so the peaks lie between samples
+  write("one.csv", csv(record({.per_cycle = 199})));  // with 199 samples a cycle the peaks lie between samples
   ASSERT_EQ(run({"--turning-points", "interpolated"}, "bouc-wen").code, 0);
   auto const interpolated = json("O/summary.json");
   EXPECT_EQ(isolaw({"check", "O"}).code, 0);
@@ -236,7 +237,7 @@ TEST_F(Settings, cleaning_is_done_and_recorded) {
             (Words{"fit|301", "raw|2401"}));
 }
 
-// Three cycles at 100 mm followed by three at 60 mm.
+// Returns three cycles at 100 mm followed by three at 60 mm.
 std::vector<Sample> two_blocks() {
   auto samples = record();
   auto const block = record({.amplitude_mm = 60.0});
@@ -246,8 +247,8 @@ std::vector<Sample> two_blocks() {
   return samples;
 }
 
-// Gives every setting a value that is not its default, once on the command line and once in a lot file. Both, and the
-// command that the page shows, must give the same campaign.
+// Gives every setting a value that is not its default, once on the command line and once in a lot file. These two
+// campaigns, and that of the command that the page shows, must be equal.
 TEST_F(Settings, every_setting_comes_by_command_line_and_lot_file_and_makes_the_campaign_again) {
   write("one.csv", csv(two_blocks()));
   Words words{"calibrate", "one.csv", "--out", "O"};

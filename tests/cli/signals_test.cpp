@@ -1,4 +1,4 @@
-// Records with impossible signals, such as clipping, in inspect and calibrate. tests/warts has most of the files and
+// Gives inspect and calibrate records with impossible signals, such as clipping. tests/warts has most of the files and
 // states what inspect must say of each.
 #include <filesystem>
 
@@ -16,7 +16,7 @@ class Signals : public InFreshDirectory {
   }
 };
 
-// If a signal is impossible, inspect must give only this diagnosis, without other warnings and advice on the rig.
+// If a signal is impossible, inspect must only say so. It must give no other warnings and no advice on the rig.
 TEST_F(Signals, a_fault_is_all_that_is_said) {
   int files = 0;
   for (auto const& wart : warts()) {
@@ -51,7 +51,7 @@ TEST_F(Signals, spikes_are_repaired_on_request_and_recorded) {
   auto const other = isolaw({"inspect", "true.csv", "--repair", "clipping"});
   EXPECT_EQ(other.code, 2);
   EXPECT_NE(other.err.find("--repair"), std::string::npos) << other;
-  // A lot file may have the option too. It repairs spikes but not clipping.
+  // `repair` may also stand in a lot file. Its value `spikes` repairs spikes but not clipping.
   write("lot.toml", "[read]\nrepair = \"spikes\"\n[[device]]\nfile = \"force-spike.csv\"\n");
   EXPECT_EQ(isolaw({"inspect", "lot.toml"}).code, 0);
   EXPECT_EQ(isolaw({"inspect", take("disp-clipped-one-side"), "--repair", "spikes"}).code, 1);
@@ -101,7 +101,7 @@ TEST_F(Signals, cycles_that_no_device_makes_refuse_it) {
   auto const wrapped = [](double range) {
     std::string text = "time [s],disp [mm],force [kN]\n";
     for (int i = 0; i <= 1000; ++i) {
-      // Seven cycles stay within the range of 50 kN; the three later ones exceed it.
+      // The sensor's range is 50 kN. Seven cycles stay within it; the three later ones exceed it.
       double const phase = 2.0 * std::numbers::pi * i / 100.0, size = i <= 700 ? 0.7 : 1.0;
       double const force = size * (60.0 * std::sin(phase) + 20.0 * std::cos(phase));
       text += fmt::format("{:.3f},{:.4f},{:.4f}\n", 0.02 * i, size * 100.0 * std::sin(phase),
@@ -128,8 +128,8 @@ TEST_F(Signals, a_clipped_device_does_not_pass) {
   EXPECT_NE(line.find("displacement is clipped"), std::string::npos) << line;
 }
 
-// A lead core bearing that heats up over 25 cycles: bouc-wen with n = 1 and yield displacement 4 mm, whose strength
-// falls by 2 % a cycle.
+// The record is that of a lead rubber bearing that heats up over 25 cycles: bouc-wen with n = 1 and a yield
+// displacement of 4 mm, whose strength falls by 2 % a cycle.
 TEST_F(Signals, no_law_follows_a_device_that_degrades) {
   auto const bearing = [](double kept) {
     std::string text = "time [s],disp [mm],force [kN]\n";

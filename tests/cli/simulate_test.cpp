@@ -1,5 +1,5 @@
-// `isolaw simulate`: the forces equal those of the report, parameters may come from several sources, and wrong requests
-// are refused.
+// Tests `isolaw simulate`: its forces must equal those of the report, parameters may come from several sources, and
+// wrong requests must be refused.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -43,7 +43,7 @@ Simulated parsed(std::string const& text) {
 
 class Simulate : public InFreshDirectory {
  protected:
-  // Calibrates one device; hwang-wu is the law that needs velocities.
+  // Calibrates one device. Among the laws, hwang-wu needs velocities.
   void calibrated(std::string const& laws = "bilinear,bouc-wen,hwang-wu", Words const& more = {}) {
     write("d.csv", csv(record()));
     auto const o = isolaw(Words{"calibrate", "d.csv", "--laws", laws, "--runs", "1", "--out", "O"} + more);
@@ -156,7 +156,7 @@ TEST_F(Simulate, says_where_the_history_goes_beyond_the_test) {
   EXPECT_TRUE(contains(o.err, "the history reaches 150 mm, the test 100 mm"));
 }
 
-// Warnings about the motion must appear on the terminal and in the table of forces.
+// simulate must give each warning about the motion both on the terminal and in the table of forces.
 TEST_F(Simulate, beyond_the_test_is_said_in_the_table) {
   calibrated("bilinear");
   write("m.csv", "time [s],displacement [mm]\n0,10\n1,150\n2,300\n3,0\n");
@@ -168,7 +168,7 @@ TEST_F(Simulate, beyond_the_test_is_said_in_the_table) {
   }
 }
 
-// --set changes a parameter of the fitted law. What is known of the fitted law's prediction no longer applies.
+// --set changes a parameter of the fitted law. The output must then not repeat how well the unchanged law predicts.
 TEST_F(Simulate, a_changed_law_takes_no_word_of_the_fitted_one) {
   calibrated("bilinear");
   Words const words{"simulate", "bilinear", "--from", "O", "--device", "d", "--motion", "d.csv"};
@@ -241,8 +241,8 @@ TEST_F(Simulate, a_device_called_lot_is_that_device) {
   EXPECT_EQ(isolaw(words).out, without_comments(o.out));
 }
 
-// A motion that starts at 5 mm leaves open how the device came there. isolaw takes it as virgin at the first sample,
-// unlike analysis programs, and must warn.
+// The motion starts at 5 mm and does not say how the device came there. isolaw takes the device as virgin at the first
+// sample. Analysis programs do not, so isolaw must warn.
 TEST_F(Simulate, a_motion_that_does_not_start_at_zero_is_warned_of) {
   Words const words{"simulate", "bilinear", "--set", "K1=2.5", "--set", "K2=0.5", "--set", "xy=2", "--motion", "m.csv"};
   write("m.csv", "displacement [mm],x\n5,0\n10,0\n0,0\n");
@@ -250,7 +250,7 @@ TEST_F(Simulate, a_motion_that_does_not_start_at_zero_is_warned_of) {
   ASSERT_EQ(off.code, 0) << off;
   EXPECT_TRUE(contains(off.err, "the motion starts at 5 mm: the device is taken as virgin there")) << off;
   EXPECT_TRUE(contains(off.err, "put a path from 0 in front")) << off;
-  // the elastic force alone, as the device is taken as virgin
+  // isolaw takes the device as virgin, so the first force is elastic only.
   EXPECT_EQ(parsed(off.out).columns.back().front(), 0.5 * 5.0);
   write("m.csv", "displacement [mm],x\n0.000001,0\n10,0\n0,0\n");
   auto const at_zero = isolaw(words);
@@ -258,7 +258,7 @@ TEST_F(Simulate, a_motion_that_does_not_start_at_zero_is_warned_of) {
   EXPECT_FALSE(contains(at_zero.err, "virgin")) << at_zero;
 }
 
-// Each value is within its own limits, but the combination describes no device.
+// Each parameter is within its own limits, but no device can have this combination.
 TEST_F(Simulate, parameters_that_together_are_no_device_are_refused) {
   write("d.csv", csv(record()));
   Words const bilinear{"simulate", "bilinear", "--motion", "d.csv", "--set", "xy=10", "--set", "K2=0.42"};
@@ -274,8 +274,9 @@ TEST_F(Simulate, parameters_that_together_are_no_device_are_refused) {
   expect_refused(isolaw(bouc_wen + Words{"--set", "A=-1"}), {"A = -1 leaves its physical limits; allowed: above 0"});
 }
 
-// Whatever calibrate accepts, simulate must accept too. calibrate refuses a box without any possible device. If only a
-// part of the box is possible and the best values lie outside that part, both commands accept them, with a warning.
+// simulate must accept every result of calibrate. calibrate refuses a box in which no device is possible (K1 < K2
+// everywhere). If only a part of the box is possible and the best values lie outside that part, both commands accept
+// the values with a warning.
 TEST_F(Simulate, takes_every_campaign_that_calibrate_made) {
   write("d.csv", csv(record({.strength_kN = 0.5})));
   Words const start{"calibrate", "d.csv", "--laws", "bilinear", "--runs", "1", "--out", "O"};
@@ -294,7 +295,7 @@ TEST_F(Simulate, takes_every_campaign_that_calibrate_made) {
   expect_refused(isolaw(again + Words{"--set", "K1=0.1"}), {"K1 = 0.1, K2 = ", "allowed: K1 >= K2"});
 }
 
-// The unit in the header shows that the record has accelerations, which are no displacements of the device.
+// The unit in the header shows that the record contains ground accelerations, which are no displacements of the device.
 TEST_F(Simulate, a_record_of_acceleration_is_refused_with_what_is_needed) {
   write(
       "g.txt",
@@ -323,7 +324,8 @@ TEST_F(Simulate, measured_motions) {
   expect_refused(isolaw(start + Words{ground}), {"a record of acceleration", "UNITS OF G"});
 }
 
-// A motion in two directions in one file. `angle` turns its path, `across` is the ratio of the two amplitudes.
+// Returns a motion in two directions in one file. `angle` turns the path, and `across` is the ratio of the two
+// amplitudes.
 std::string orbit(double angle, double across = 0.6) {
   std::string text = "time [s],east [mm],north [mm]\n";
   for (int i = 0; i <= 300; ++i) {
@@ -360,7 +362,8 @@ TEST_F(Simulate, two_displacements_give_two_forces_that_turn_with_them) {
 TEST_F(Simulate, two_directions_along_one_are_the_law_coupled_exactly_and_springs_nearly) {
   write("m.csv", orbit(0.0, 0.0));
   auto const one = parsed(isolaw(bouc_wen + Words{"--motion", "m.csv", "--columns", "disp=east"}).out);
-  // A file with one constant displacement would not be read as a motion, so the second displacement is tiny instead.
+  // isolaw would not read a file with one constant displacement as a motion in two directions, so the second
+  // displacement is tiny instead.
   write("m.csv", orbit(0.0, 1e-6));
   auto const coupled = parsed(isolaw(bouc_wen + in_plane("coupled")).out);
   auto const o = isolaw(bouc_wen + in_plane("springs"));

@@ -49,7 +49,8 @@ wait_for 120 some_are_done_and_some_are_not
 before=$(find "$out.parts" -name campaign.sqlite | wc -l)
 [ "$before" -lt 8 ] || fail "nothing was left to lose"
 "$cluster" start-node "$work/slurm"
-# Slurm may wait two minutes before it starts a job that it queued again. The test makes it start at once.
+# Slurm may wait two minutes before it starts a job that it queued again. This function makes Slurm start the job at
+# once.
 sooner() {
   local job
   for job in $(squeue -h -r -t pending -n isolaw -o %A); do
@@ -67,8 +68,8 @@ for file in campaign.sqlite summary.json report.html; do
   cmp "$out/$file" "one/$file" || fail "$file is not that of one machine"
 done
 
-# Some parts are deleted. The script, run again, submits all parts; those that exist end at once. The merge job alone
-# submits only the part that is missing.
+# The test deletes parts 3 and 7 and runs the script again. The script submits a job for every part, and the jobs of
+# existing parts end at once. Later the test deletes part 5 and runs only the merge job, which must submit only part 5.
 rm -r "$out" "$out.parts/3" "$out.parts/7"
 again=$(sh "the script")
 case $again in *"parts 1-8: job "*) ;; *) fail "not every part: $again" ;; esac

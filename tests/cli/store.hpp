@@ -11,7 +11,7 @@
 
 namespace isolaw::cli_test {
 
-// The rows of a query as text "value|value", with binary values in hexadecimal.
+// Returns the rows of a query as texts "value|value", with binary values in hexadecimal.
 inline std::vector<std::string> query(std::filesystem::path const& file, std::string const& sql) {
   sqlite3* db = nullptr;
   sqlite3_stmt* statement = nullptr;
@@ -27,7 +27,7 @@ inline std::vector<std::string> query(std::filesystem::path const& file, std::st
         auto const type = sqlite3_column_type(statement, i);
         if (type == SQLITE_NULL) {
           row += "NULL";
-          // the bytes of a double, so that comparisons are exact
+          // A double is shown by its bytes, so that comparisons are exact.
         } else if (type == SQLITE_BLOB || type == SQLITE_FLOAT) {
           double const value = sqlite3_column_double(statement, i);
           auto const* bytes = static_cast<unsigned char const*>(type == SQLITE_BLOB ? sqlite3_column_blob(statement, i)
@@ -55,7 +55,8 @@ inline std::vector<std::string> query(std::filesystem::path const& file, std::st
   return rows;
 }
 
-// Every row of every table, sorted. Nothing in the store depends on the clock, so two equal campaigns have equal rows.
+// Returns every row of every table, sorted. Nothing in the store depends on the clock, so two equal campaigns have
+// equal rows.
 inline std::vector<std::string> all_rows(std::filesystem::path const& file) {
   std::vector<std::string> rows;
   for (auto const& table : query(file, "SELECT name FROM sqlite_master WHERE type = 'table'"))
@@ -64,7 +65,7 @@ inline std::vector<std::string> all_rows(std::filesystem::path const& file) {
   return rows;
 }
 
-// The number of rows, or 0 if there is no store yet. `table_and_condition` may be "run WHERE law = 'abe'".
+// Returns the number of rows, or 0 if there is no store yet. `table_and_condition` may be "run WHERE law = 'abe'".
 inline int stored_rows(std::filesystem::path const& file, std::string const& table_and_condition) {
   try {
     return std::filesystem::exists(file) ? std::stoi(query(file, "SELECT count(*) FROM " + table_and_condition).at(0))

@@ -1,4 +1,4 @@
-// Help, version, refusals of wrong options, and the list of laws.
+// Tests the help, the version, the refusal of wrong options, and the list of laws.
 #include <regex>
 
 #include "cli/published_laws.hpp"
@@ -48,7 +48,7 @@ TEST_F(Usage, version_says_commit_compiler_instructions_and_build) {
   EXPECT_TRUE(contains(read_file(ISOLAW_SOURCE_DIR "/CITATION.cff"), "\nversion: " ISOLAW_VERSION "\n"));
 }
 
-// The commit that cmake/commit.cmake finds for a copy of the sources in `folder`.
+// Returns the commit that cmake/commit.cmake finds for a copy of the sources in `folder`.
 std::string commit_of(fs::path const& folder) {
   auto const source = folder / "commit.cpp";
   auto const command = fmt::format("cmake '-DROOT={}' '-DOUTPUT={}' -P '{}/cmake/commit.cmake'", folder.string(),
@@ -135,7 +135,7 @@ TEST_F(Usage, a_command_with_json_that_fails_gives_its_complaints_as_an_object) 
   auto const& complaint = missing["error"]["complaints"][0];
   EXPECT_EQ(complaint["where"], "no\\nsuch.csv");
   for (auto const* part : {"where", "found", "allowed", "advice"}) EXPECT_TRUE(complaint[part].is_string()) << part;
-  // The object lists each complaint in its four parts, in the order of the messages.
+  // The JSON object lists the four parts of each complaint, in the order of the messages.
   write("bad.csv", "time [s],displacement [mm],force [kN]\n0,0,0\n1,x,0\n2,0,y\n");
   auto const o = isolaw({"inspect", "bad.csv", "--json"});
   std::string messages;
@@ -144,11 +144,11 @@ TEST_F(Usage, a_command_with_json_that_fails_gives_its_complaints_as_an_object) 
     messages += "isolaw: " + to_string(Complaint{each["where"], each["found"], each["allowed"], each["advice"]}) + "\n";
   EXPECT_EQ(messages, o.err);
   EXPECT_EQ(isolaw({"inspect", "bad.csv"}).err, o.err);
-  // Wrong options give such an object too, but only with --json before the `--`.
+  // Wrong options give a JSON object of complaints too, but only if --json stands before the `--`.
   auto const usage = expect_refused_as_object(isolaw({"laws", "--json", "--bogus"}), {"--bogus: no such option"});
   EXPECT_EQ(usage["error"]["complaints"][0]["where"], "--bogus");
   expect_refused(isolaw({"laws", "--bogus", "--", "--json"}), {"--bogus"});
-  // Standard output already has the result here, so the object goes to standard error.
+  // Standard output already has the result of the command, so the JSON object of complaints must go to standard error.
   write("a.csv", csv(record()));
   write("file", "");
   auto const partial = isolaw({"inspect", "a.csv", "--json", "--out", "file/below"});
@@ -158,7 +158,8 @@ TEST_F(Usage, a_command_with_json_that_fails_gives_its_complaints_as_an_object) 
   EXPECT_FALSE(Json::parse(partial.err.substr(last))["error"]["complaints"].empty()) << partial;
 }
 
-// The web page runs isolaw with --errors-as-json. Standard error then has the object below the message.
+// The web page runs isolaw with --errors-as-json. Standard error then has the message, followed by the JSON object of
+// complaints.
 TEST_F(Usage, the_pages_engine_gets_the_object_of_every_command) {
   auto const o = isolaw({"--errors-as-json", "init", "nowhere.csv"});
   expect_refused(o, {"isolaw: nowhere.csv: no such"});
@@ -187,7 +188,7 @@ TEST_F(Usage, output_that_cannot_be_written_is_no_success) {
   }
 }
 
-// A limit on file sizes stops the output. The system would end the program without a message unless it prevents this.
+// A limit on file sizes stops the output. isolaw must print a message, and the system must not end it before that.
 TEST_F(Usage, output_that_is_cut_is_no_success) {
   write("a.csv", csv(record()));
   ASSERT_EQ(isolaw({"calibrate", "a.csv", "--laws", "bilinear", "--runs", "1", "--population", "4", "--generations",
@@ -286,7 +287,7 @@ TEST_F(Catalogue, lists_rule_sets_as_json_in_the_order_of_the_list) {
 }
 
 TEST_F(Catalogue, knows_the_published_boxes) {
-  // The search box of law 1 in Table 4 of Cucuzza et al. 2025.
+  // The box of bilinear must be that of law 1 in Table 4 of Cucuzza et al. 2025.
   auto const bilinear = Json::parse(isolaw({"laws", "bilinear", "--json"}).out)["parameters"];
   EXPECT_EQ(bilinear[0]["published"], Json({1.0, 1.9}));
   EXPECT_EQ(bilinear[1]["published"], Json({0.35, 0.95}));

@@ -1,4 +1,5 @@
-// The terminal's text on verdicts, on design values and on inputs that are not what they seem, such as copied records.
+// Tests what the terminal says of verdicts, of design values and of inputs that are not what they seem, such as a
+// copied record.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 
@@ -56,7 +57,7 @@ TEST_F(Terminal, calibrate_and_report_end_with_the_verdict) {
   EXPECT_EQ(Json::parse(isolaw({"report", "O", "--json"}).out)["devices"].size(), 2u);
 }
 
-// A result with a requirement that is not assessed is INCOMPLETE, not a pass.
+// A result is INCOMPLETE and not a pass if one of the requirements is not assessed.
 TEST_F(Terminal, an_inspection_says_pass_fail_or_incomplete_first_everywhere) {
   write("mine.toml",
         "id = \"mine\"\ntitle = \"Contract\"\nedition = \"1\"\nsource = \"none\"\nverified_by = \"me\"\n"
@@ -98,7 +99,8 @@ TEST_F(Terminal, a_copy_of_a_record_has_no_verdict_of_its_own_and_is_no_further_
   EXPECT_EQ(o.code, 1) << o;
   EXPECT_TRUE(contains(o.out, "  not assessed: the same record as D1\n")) << o;
   EXPECT_TRUE(contains(o.out, "fail          sample size                2 devices, limit 3 or more of 3")) << o;
-  EXPECT_EQ(count_of("the same record", o.out), 2u) << o;  // in the line of the device, and in the warning on the lot
+  // The words stand in the line of the device and in the warning on the lot.
+  EXPECT_EQ(count_of("the same record", o.out), 2u) << o;
   auto const file = json("I/inspection.json"), page = page_data(read("I/inspection.html"));
   for (auto const* found : {&file, &page}) {
     auto const& devices = (*found)["devices"];
@@ -159,7 +161,8 @@ TEST_F(Terminal, a_lot_file_in_a_directory_of_records_is_named_not_used) {
   EXPECT_EQ(isolaw({"inspect", "lot/lot.toml"}).err, "");
 }
 
-// The displacement of this record is never negative but for rounding. No cycle may print -0, tiny or endless numbers.
+// Except for rounding, the displacement of this record is never negative. No cycle may print -0, tiny or endless
+// numbers.
 TEST_F(Terminal, partial_and_one_sided_cycles_print_bounded_numbers) {
   auto samples = record({.samples = 701});
   for (auto& s : samples) s.disp_mm = 0.5 * (1e-13 - s.disp_mm + 100.0), s.force_kN = 0.5 * (-s.force_kN + 70.0);
@@ -180,8 +183,8 @@ TEST_F(Terminal, partial_and_one_sided_cycles_print_bounded_numbers) {
     EXPECT_TRUE(cycle["K_minus_kN_per_mm"].is_null()) << cycle;
 }
 
-// A cell such as "+20 %" would be a formula in a spreadsheet and need an apostrophe in front. Limits therefore begin
-// with a word.
+// A spreadsheet would read a cell such as "+20 %" as a formula, unless an apostrophe stood in front. Limits therefore
+// begin with a word.
 TEST_F(Terminal, limits_of_the_tables_begin_with_a_word) {
   isolaw(Words{"inspect", "lot", "--out", "I"} + held_to("K_eff=0.7,damping=10,disp=100"));
   auto const table = read("I/tables/tests.csv");

@@ -42,7 +42,7 @@ TEST_F(Vertical, is_read_and_stands_in_every_output) {
   EXPECT_EQ(found["sha256"].get<std::string>().size(), 64u);
   EXPECT_EQ(found["loading"], 3);
   EXPECT_EQ(found["loadings_kN_per_mm"].size(), 3u);
-  // the first loading is softer, because the device settles
+  // In the first loading the device settles, so its stiffness is smaller.
   EXPECT_LT(found["loadings_kN_per_mm"][0].get<double>(), 1190.0);
   EXPECT_NEAR(found["low_kN"].get<double>(), 300.0, 1e-6);
   EXPECT_EQ(found["refusal"], "");
@@ -145,7 +145,7 @@ TEST_F(Vertical, of_a_campaign_is_stored_and_reported_and_may_come_later) {
   ASSERT_EQ(first.code, 0) << first;
   EXPECT_TRUE(contains(read("O/tables/tests.csv"), "no vertical test is given")) << read("O/tables/tests.csv");
   EXPECT_EQ(query(path("O/campaign.sqlite"), "SELECT vertical FROM device"), Words{""});
-  // The compression test is added later. No law depends on K_v, so the campaign keeps its runs.
+  // The compression test is added to a finished campaign. No law depends on K_v, so the campaign keeps its runs.
   auto const later = isolaw(Words{"calibrate", "D1.csv", "--out", "O"} + quick + held_to("K_v=1500") + with);
   ASSERT_EQ(later.code, 0) << later;
   EXPECT_FALSE(contains(later.err, "another campaign")) << later;
@@ -198,7 +198,8 @@ TEST_F(Vertical, that_was_changed_in_the_store_is_found_by_check) {
   EXPECT_EQ(isolaw({"check", "O"}).code, 0);
   auto const store = path("O/campaign.sqlite");
   auto const kept = query(store, "SELECT hex(\"values\") FROM series WHERE channel = 'vertical_load_kN'").front();
-  // First one sample of the load, which K_v does not depend on, is changed from 50 kN to 100 kN; then all samples are.
+  // The test first changes one sample of the load from 50 kN to 100 kN, outside the range that gives K_v. Then it
+  // replaces all samples.
   execute(store, "UPDATE series SET \"values\" = x'" + std::string(12, '0') + "5940" + kept.substr(16) +
                      "' WHERE channel = 'vertical_load_kN'");
   auto const one = isolaw({"check", "O"});

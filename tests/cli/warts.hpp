@@ -1,4 +1,4 @@
-// The entries of tests/warts/warts.json: each names a file of that folder and what inspect must say of it.
+// Reads the entries of tests/warts/warts.json. Each entry names a file of that folder and what inspect must say of it.
 #pragma once
 
 #include "cli/run.hpp"

@@ -13,7 +13,7 @@ Words options_of(Json const& wart) {
   return wart.value("options", Words{});
 }
 
-// The file of the entry and the files that its options name.
+// Returns the file of the entry and the files that its options name.
 std::set<std::string> files_of(Json const& wart) {
   std::set<std::string> files{wart["file"].get<std::string>()};
   for (auto const& word : options_of(wart))
@@ -49,7 +49,7 @@ class Warts : public InFreshDirectory, public ::testing::WithParamInterface<Json
       }
       for (auto const& cycle : block["cycles"])
         if (wart.contains("K_eff") && cycle["number"] == found["reported"]["number"]) {
-          // displacement and force have only three decimals
+          // The file gives displacement and force with only three decimals.
           EXPECT_NEAR(number(cycle, "K_eff_kN_per_mm"), number(wart, "K_eff"), 1e-3);
           return;
         }

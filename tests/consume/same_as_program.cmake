@@ -1,12 +1,13 @@
-# Runs the example and the program on one record. Their objectives must agree, and the law that the example calls better
-# must have the smaller objective.
+# Runs the library's example and the program on one record. Their objectives must agree, and of the two laws the example
+# must call the one better that has the smaller objective.
 # Usage: cmake -DEXAMPLE=... -DISOLAW=... -DRECORD=... -P same_as_program.cmake
 execute_process(COMMAND ${EXAMPLE} ${RECORD} OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${EXAMPLE} no-such-file.csv RESULT_VARIABLE code ERROR_VARIABLE error OUTPUT_QUIET)
 if(NOT code EQUAL 2 OR NOT error MATCHES "no-such-file.csv: no such file")
   message(FATAL_ERROR "a missing record: ${code}: ${error}")
 endif()
-# The seed of a run depends on the device's name, so copy the record to the name that the example gives its device.
+# The seed of a run depends on the device's name, and the program names a device after its file. The record is therefore
+# copied to the name that the example gives its device.
 configure_file(${RECORD} bearing.csv COPYONLY)
 execute_process(COMMAND ${ISOLAW} calibrate bearing.csv --laws bilinear,bouc-wen --analysis none --out campaign --fresh --json
                 OUTPUT_VARIABLE summary ERROR_QUIET COMMAND_ERROR_IS_FATAL ANY)

@@ -24,8 +24,8 @@ def number(word: str):
 
 
 def called(name: str, *words: str) -> str:
-    # The last argument of `pattern Plain` is a block of commands. Any other argument of several words is a list of
-    # values.
+    # The last argument of `pattern Plain` is a block of commands. If any other argument has several words, it is a list
+    # of values.
     block = words[-1] if name == "pattern" and words[0] == "Plain" else None
     arguments = []
     for word in words[:-1] if block is not None else words:
@@ -44,7 +44,7 @@ def end(code: str = "0") -> None:
 
 
 tcl.createcommand("exit", end)
-# Tcl has a command `load` that loads libraries. OpenSees replaces it by its own `load`, and so does this script.
+# Tcl's own command `load` loads libraries. OpenSees replaces this command by its own `load`, and so does this script.
 builtin = set(tcl.splitlist(tcl.eval("info commands"))) - {"load"}
 for command in dir(ops):
     if not command.startswith("_") and callable(getattr(ops, command)) and command not in builtin:

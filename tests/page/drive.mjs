@@ -45,8 +45,8 @@ export async function openPage(browser, file, { width = 1280, height = 800, dark
   // Drags files or folders over the page with the pointer.
   page.drag = (type, paths, [x, y] = [300, 200]) => page.send('Input.dispatchDragEvent', { type, x, y, data: { items: [], files: paths, dragOperationsMask: 1 } });
   page.drop = async (paths, at) => {
-    // `at` lies over a frame, on which the page lays an element when a drag begins. Browsers then send a second
-    // dragEnter. The protocol does not send it, so this does.
+    // If the page shows a frame at the place `at`, it lays an element over the frame when a drag begins. A browser then
+    // sends a second dragEnter. The DevTools protocol does not send it, so this function does.
     for (const type of at ? ['dragEnter', 'dragEnter', 'dragOver', 'drop'] : ['dragEnter', 'dragOver', 'drop']) {
       await page.drag(type, paths, at);
       await wait(at ? 200 : 10);
@@ -54,8 +54,8 @@ export async function openPage(browser, file, { width = 1280, height = 800, dark
     await wait(50);
     await page.idle();
   };
-  // Clicks as a user does: the button goes down, waits a moment and goes up. write() enters one character after the
-  // other.
+  // Clicks as a user does: the button goes down, waits a moment and goes up. write() below enters one character after
+  // the other.
   page.click = async (selector) => {
     const { x, y } = await page.evaluate(`(() => { const it = document.querySelector(${JSON.stringify(selector)}); it.scrollIntoView({ block: 'center' }); const { x, y, width, height } = it.getBoundingClientRect(); return { x: x + Math.min(width / 2, 60), y: y + height / 2 }; })()`);
     for (const type of ['mousePressed', 'mouseReleased']) {
@@ -77,7 +77,7 @@ export async function openPage(browser, file, { width = 1280, height = 800, dark
   page.type = (id, value) =>
     page.evaluate(`(() => { const it = document.getElementById(${JSON.stringify(id)}); it.value = ${JSON.stringify(value)}; it.dispatchEvent(new Event('change', { bubbles: true })); })()`);
   page.text = (selector) => page.evaluate(`document.querySelector(${JSON.stringify(selector)})?.innerText ?? ''`);
-  // Evaluates an expression in the frame that was attached last.
+  // Evaluates an expression in the frame that joined the page last.
   page.inFrame = async (expression) => {
     const [session] = [...targets.keys()].slice(-1);
     if (!session) throw new Error('no frame is attached');

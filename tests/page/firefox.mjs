@@ -6,8 +6,8 @@ import { connect } from 'node:net';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
-// A WebSocket client (RFC 6455) for a server on this machine. It handles text messages, also if they come in several
-// frames.
+// A WebSocket client (RFC 6455) for a server on this machine. It handles text messages, including those that come in
+// several frames.
 class Socket {
   constructor(port, path, onMessage) {
     this.onMessage = onMessage;
@@ -121,7 +121,7 @@ export class Firefox {
     return new Promise((resolve, reject) => this.pending.set(id, { resolve, reject }));
   }
 
-  // Returns the value of an expression in the page or in a frame. JSON must be able to represent the value.
+  // Evaluates an expression in the page or in a frame and returns its value, which JSON must be able to represent.
   async evaluate(expression, context = this.context) {
     const found = await this.send('script.evaluate', { expression: `Promise.resolve(${expression}).then((value) => JSON.stringify(value ?? null))`, target: { context }, awaitPromise: true });
     if (found.type === 'exception') throw new Error(found.exceptionDetails.text);

@@ -46,7 +46,8 @@ const saved = async (ending) => {
   throw new Error('nothing was saved that ends in ' + ending);
 };
 try {
-  // The shortest of three times is judged, because other work on the machine can only slow the page.
+  // The page is timed three times, and the shortest time is judged, because other work on the machine can only slow the
+  // page.
   const times = [];
   for (let i = 0; i < 3; ++i) {
     const start = Date.now();
@@ -94,7 +95,7 @@ try {
   await browser.until("document.getElementById('report-frame')", 'the report again');
   await browser.until("document.querySelectorAll('.plot .main-svg').length > 0", 'the report drawn again', 60, () => browser.frame());
 
-  // The user starts a long identification and cancels it.
+  // The user starts a long identification and then cancels it.
   await press('change');
   await press('laws-all');
   await idle();

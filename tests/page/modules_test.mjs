@@ -1,5 +1,5 @@
-// Tests modules of the page without a browser: forms change one value of a lot file and keep the rest, zip files are
-// read and written, and no module turns text into HTML.
+// Tests modules of the page without a browser. Forms must change one value of a lot file and keep the rest, zip files
+// must be read and written, and no module may turn text into HTML.
 //   node modules_test.mjs
 import assert from 'node:assert/strict';
 import { copyFileSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
@@ -13,8 +13,8 @@ import { errorIn } from '../../page/engine/errors.js';
 const source = fileURLToPath(new URL('../../page/', import.meta.url));
 const folder = mkdtempSync(join(tmpdir(), 'isolaw-modules-'));
 process.on('exit', () => rmSync(folder, { recursive: true, force: true }));
-// The page's modules end in .js, because the build joins them. Node reads only files that end in .mjs as modules, so
-// this loads a copy.
+// The page's modules end in .js, because the build joins them. Node takes only files that end in .mjs for modules, so
+// this function loads a copy with that ending.
 const load = (name) => {
   copyFileSync(join(source, name + '.js'), join(folder, name + '.mjs'));
   return import(pathToFileURL(join(folder, name + '.mjs')).href);
@@ -173,7 +173,8 @@ test('a zip file that unpacks to too much is refused', async () => {
   const zip = await writeZip([{ path: 'bomb', bytes: new Uint8Array(70 * 1024 * 1024) }]);
   assert.ok(zip.length < 200000);
   await assert.rejects(readZip(zip), TooLarge);
-  // The zip file states that its content is small. It must still be refused when the content turns out to be large.
+  // The header of this zip file understates the size of its content. The page must refuse the file when the content
+  // turns out to be large.
   const lying = zip.slice();
   new DataView(lying.buffer).setUint32(22, 10, true);
   await assert.rejects(readZip(lying), TooLarge);

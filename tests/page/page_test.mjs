@@ -1,7 +1,7 @@
 // Tests the page in Chromium as a user uses it: opens its file, drops files on it and reads the files that it saves.
 //   node page_test.mjs PAGE.html ISOLAW [CHROMIUM] [--stand-in] [--only NAME]
-// ISOLAW is the native program. The page's results are compared with its results. With --stand-in it also answers in
-// place of the page's engine; the page must then be assembled with stand_in/engine.js.
+// ISOLAW is the native program, with whose results the page's results are compared. With --stand-in, ISOLAW also
+// answers in place of the page's engine; the page must then be assembled with stand_in/engine.js.
 import { execFileSync, spawnSync } from 'node:child_process';
 import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, truncateSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -28,7 +28,7 @@ const expect = (holds, what) => {
 };
 const equal = (found, wanted, what) => expect(JSON.stringify(found) === JSON.stringify(wanted), `${what}: ${JSON.stringify(found)}, not ${JSON.stringify(wanted)}`);
 
-// Loads the page's own reader of zip files. Node needs a copy that ends in .mjs to read it as a module.
+// Loads the page's own reader of zip files. Node reads only files that end in .mjs as modules, so this makes a copy.
 copyFileSync(join(root, 'page/zip.js'), join(work, 'zip.mjs'));
 const { readZip } = await import(pathToFileURL(join(work, 'zip.mjs')).href);
 
@@ -37,7 +37,7 @@ const example = join(work, 'example');
 const records = readdirSync(example).filter((one) => one.startsWith('device-')).sort();
 
 const open = (options = {}) => openPage(browser, file, { standIn, ...options });
-// At the end of each test the page and its frames must have reported no error and requested nothing from a network.
+// Ends a test. The page and its frames must have reported no error and requested nothing from a network.
 async function end(page) {
   await wait(200);
   equal(page.errors, [], 'errors on the console');
@@ -50,7 +50,7 @@ const failure = (page) => page.evaluate("document.getElementById('failure').hidd
 const rows = (page) => page.evaluate("[...document.querySelectorAll('#devices tr.device')].map((row) => ({ name: row.querySelector('.named span').firstChild.textContent, tone: row.dataset.tone, samples: row.children[2].textContent, amplitude: row.children[3].textContent, stiffness: row.children[4].textContent, damping: row.children[5].textContent, words: row.innerText }))");
 const lotText = (page) => page.evaluate("document.getElementById('lot-text').value");
 const band = (page) => page.text('#read-band .word');
-// Returns the id of the field for a key in a device's form.
+// Returns the id of the input field for a key of lot.toml in the form of one device.
 const fieldOf = (page, row, key) => page.evaluate(`(() => { const number = document.querySelectorAll('#devices tr.device')[${row}].querySelector('[id^=correct-]').id.slice(8); return 'device-' + number + '-' + ${JSON.stringify(key)}; })()`);
 const openForm = (page, row) => page.evaluate(`(() => { const it = document.querySelectorAll('#devices tr.device')[${row}].querySelector('[id^=correct-]'); if (it.getAttribute('aria-expanded') === 'false') it.click(); })()`);
 const set = async (page, id, value) => {
@@ -97,7 +97,8 @@ async function identifyLittle(page, laws = ['bilinear'], seconds = 300) {
 }
 
 const tests = {
-  // The shortest of three times is judged, because other work on the machine can only slow the page.
+  // The page is timed three times, and the shortest time is judged, because other work on the machine can only slow the
+  // page.
   'first use within 3 s': async () => {
     const times = [];
     for (let i = 0; i < 3; ++i) {
@@ -131,7 +132,7 @@ const tests = {
     await page.press('save-inspection-json');
     const own = JSON.parse((await page.saved()).bytes),
       other = JSON.parse(readFileSync(join(work, 'inspected/inspection.json')));
-    // The page and the command line use different instruction sets, whose results agree to six digits.
+    // The page and the command line use different instruction sets, so their results agree only to six digits.
     const plain = (value) => (typeof value === 'number' ? Number(value.toPrecision(6)) : value);
     const rounded = (value) => JSON.stringify(value, (_, one) => plain(one));
     equal(own.devices.map(({ sha256 }) => sha256), other.devices.map(({ sha256 }) => sha256), 'hashes');
@@ -326,8 +327,8 @@ const tests = {
     await end(page);
   },
 
-  // Identifies laws on a measured record with the settings that users get. The test prints the time but does not judge
-  // it.
+  // Identifies laws on a measured record with the default settings. The test prints how long this takes but does not
+  // judge it.
   'the paper\u2019s laws on the measured bearing\u2019s third stage': async () => {
     const record = join(root, '../shared/data/hdrb-gallardo-device/cyclic-24-49-98pct.csv');
     if (!existsSync(record)) {
@@ -355,14 +356,15 @@ const tests = {
     const found = best(JSON.parse((await page.saved()).bytes)),
       wanted = best(JSON.parse(readFileSync(join(work, 'bearing-native/summary.json'))));
     equal(Object.keys(found).length, 7, 'laws');
-    // Native searches with different instruction sets may differ as much (docs/performance.md). The objective of abe is
-    // rough near its minimum, so its limit is wider.
+    // The page's objectives may differ from the native ones as much as native searches with different instruction sets
+    // may differ from one another (docs/performance.md). The objective of abe is rough near its minimum, so its limit
+    // is wider.
     for (const [law, objective] of Object.entries(wanted)) expect(Math.abs(found[law] / objective - 1) < (law === 'abe' ? 1e-3 : 1e-5), `objective of ${law}: ${found[law]}, natively ${objective}`);
     await end(page);
   },
 
-  // A manufacturer may drop the devices of a whole year at once. The page must hold them all; the computing for each is
-  // kept short.
+  // A manufacturer may drop the devices of a whole year at once, and the page must hold them all. The test limits the
+  // computing for each device to save time.
   'two hundred devices': async () => {
     const folder = join(work, 'many');
     mkdirSync(folder);
@@ -415,7 +417,7 @@ const tests = {
     equal(await inFrameUntil(page, "'none' + document.body.dataset.errors", 'errors'), 'none', 'errors in the frame');
     await page.press('to-save');
 
-    // The user saves single files.
+    // The user saves the report, the lot file, the tables and the summary as single files.
     await page.press('save-report-html');
     const report = await page.saved();
     expect(report.name.endsWith('-report.html') && report.bytes.includes('isolaw-data'), 'the report: ' + report.name);
@@ -447,7 +449,7 @@ const tests = {
     await page.idle();
     expect((await page.text('#export-said')).includes('bouc-wen-D03.tcl'), 'it is said');
 
-    // The user saves everything as one file. The command line and the page must both be able to read it.
+    // The user saves the whole campaign as one file. Both the command line and the page must be able to read this file.
     await page.press('save-whole');
     const whole = await page.saved();
     expect(whole.name.endsWith('.isolaw.zip'), whole.name);
@@ -481,7 +483,8 @@ const tests = {
     for (const [law, objective] of Object.entries(objectives(summary))) equal(more[law], objective, 'kept: ' + law);
     await end(page);
 
-    // The user drops only the database of the campaign. The page must show its report and save it.
+    // The user drops only the database of the campaign. The page must show the campaign's report and be able to save
+    // it.
     page = await open();
     await page.drop([join(unpacked, 'out/campaign.sqlite')]);
     await page.until("document.getElementById('report-frame')", 'the report of a store');
@@ -492,7 +495,8 @@ const tests = {
     await end(page);
   },
 
-  // The shortest of three times is judged, because other work on the machine can only slow the page.
+  // The cancelling is timed three times, and the shortest time is judged, because other work on the machine can only
+  // slow the page.
   'cancel within 1 s, and go on': async () => {
     const page = await open();
     await page.drop([example]);
@@ -506,8 +510,8 @@ const tests = {
       await page.press('identify');
       await page.until("document.getElementById('progress-bar')", 'progress');
       await wait(1500);
-      // Measures the longest time in which the page did not react while it computed. The test prints it but does not
-      // judge it.
+      // Measures the longest time in which the page did not react while the engine computed. The test prints this time
+      // but does not judge it.
       const longest = await page.evaluate('new Promise((done) => { let last = performance.now(), most = 0, n = 0; const tick = () => { const now = performance.now(); most = Math.max(most, now - last); last = now; ++n < 100 ? setTimeout(tick, 10) : done(most); }; tick(); })');
       const took = await page.evaluate("new Promise((done) => { const start = performance.now(); document.getElementById('cancel').click(); const look = () => (document.getElementById('progress-bar') ? setTimeout(look, 5) : done(performance.now() - start)); look(); })");
       times.push(took);
@@ -530,7 +534,7 @@ const tests = {
     writeFileSync(join(folder, "';alert(1);'.csv"), [lines[0].replace('Vertical load', 'Vertical load <svg onload=window.hacked=1>'), ...lines.slice(1)].join('\n'));
     writeFileSync(join(folder, '--out=x.csv'), lines.join('\n'));
     writeFileSync(join(folder, '{{script}}$&.csv'), lines.join('\n'));
-    // Browsers skip files with such names in a dropped folder, so they are dropped as single files.
+    // Browsers skip files with such names in a dropped folder, so the test drops them as single files.
     const single = [' lead.csv', 'turned\u202e.csv'].map((one) => join(work, one));
     for (const one of single) writeFileSync(one, lines.join('\n'));
     writeFileSync(join(folder, 'none.csv'), bad + ',' + bad + '\n1,2\n3,</script><script>hacked=1</script>\n');
@@ -558,7 +562,8 @@ const tests = {
     await end(page);
   },
 
-  // Drops the inputs of the fuzz targets. They may stop a worker of the engine, but the page must go on working.
+  // Drops the inputs of the fuzz targets, damaged or hostile files. They may end a worker of the engine, but the page
+  // must go on working.
   'damaged and hostile files': async () => {
     const corpus = join(root, 'fuzz/corpus');
     const folder = join(work, 'corpus');
@@ -630,10 +635,10 @@ const tests = {
     truncateSync(join(work, 'big.csv'), 900e6);
     await page.drop([join(work, 'big.csv')]);
     expect(/900\sMB/.test(await failure(page)), 'too much: ' + (await failure(page)));
-    // After the refusals the page must read the next dropped file.
+    // After it has refused files, the page must still read the next one.
     await page.drop([join(example, records[0])]);
     equal((await rows(page)).map(({ tone }) => tone).sort(), ['good', 'poor'], 'a device beside it');
-    // The dropped folder has only a photo. The page must say that it left the photo out.
+    // The dropped folder holds nothing but a photo. The page must say that it left the photo out.
     mkdirSync(join(work, 'photos'));
     writeFileSync(join(work, 'photos/one.jpg'), 'none');
     const empty = await open();
@@ -643,8 +648,8 @@ const tests = {
     await end(page);
   },
 
-  // Types with real key events and clicks with a real pointer. Every edit makes the page draw its view again; this must
-  // not move away the field or button that the user is using.
+  // Types with real key events and clicks with a real pointer. Every edit makes the page draw its view again. This must
+  // not move the field or button that the user is about to use.
   'one edit after the other, without waiting': async () => {
     const page = await open();
     await page.drop([join(example, records[0])]);
@@ -660,8 +665,8 @@ const tests = {
     await page.write('250000');
     await page.click('#lot-size');
     await page.write('28');
-    // The size of the lot adds a table to the lot file, above the devices. Its form moves the button that is clicked
-    // next.
+    // The size of the lot adds a table to the lot file, above the devices. The form for the size of the lot thereby
+    // moves the button that the test clicks next.
     await page.click('[id^=correct-]');
     await page.click('[id^=correct-]');
     equal(await page.evaluate("document.querySelectorAll('.form-row').length"), 0, 'opened and closed');
@@ -686,7 +691,7 @@ const tests = {
     await page.click('.form-end .action');
     await page.idle();
     equal(await page.evaluate("document.querySelectorAll('.form-row').length"), 0, 'one click ends the form');
-    // The form of a device must stay open when the device gets another name or loses its name.
+    // The form of a device must stay open when the user renames the device or deletes its name.
     await page.click('[id^=correct-]');
     await page.click('#device-1-name');
     for (const called of ['Other', '']) {
@@ -754,8 +759,8 @@ const tests = {
     equal(await again.text('#laws-doubt'), '', 'identified again');
     await end(again);
 
-    // A campaign of the command line has no copy of the lot file that it used. The page must notice by the digests of
-    // the records that a record has changed.
+    // A campaign computed by the command line has no copy of its lot file. The page must compare the digests of the
+    // records to notice that a record has changed.
     execFileSync(isolaw, ['calibrate', join(folder, 'one.csv'), '--laws', 'bilinear', '--runs', '1', '--analysis', 'none', '--out', join(folder, 'out'), '--figures', 'none'], { stdio: 'ignore' });
     writeFileSync(join(folder, 'lot.toml'), "title = 'T'\n[[device]]\nname = 'one'\nfile = 'one.csv'\n");
     for (const [changed, file] of [[false, stronger], [true, stronger.replace(/\n[^\n]*\n$/, '\n')]]) {
@@ -766,7 +771,7 @@ const tests = {
       await end(third);
     }
 
-    // A dropped campaign would replace edits that are not saved, so the page must ask first.
+    // Dropping a campaign would replace edits that the user has not saved, so the page must ask first.
     await page.evaluate('window.asked = 0; window.confirm = () => { ++window.asked; return false; }');
     await set(page, 'lot-title', 'Not saved');
     await page.drop([path], [300, 20]);
@@ -815,8 +820,8 @@ const tests = {
     await page.press('show-laws');
     equal(await page.evaluate("document.getElementById('identify').disabled"), false, 'it can be identified again');
 
-    // These records lie in the folder out, where results usually lie. The lot file names them, so they must be kept as
-    // records when the campaign is saved and dropped again.
+    // The records of this lot lie in the folder out, where results usually lie. The lot file names them there, so the
+    // page must save them as records and find them again when the campaign is dropped.
     await page.press('identify');
     await page.until("!document.getElementById('progress-bar') && document.getElementById('report-frame')", 'the report', 120);
     await page.idle();
@@ -833,8 +838,8 @@ const tests = {
     await page.evaluate('window.asked = 0');
     await page.press('start-over');
     equal(await page.evaluate('window.asked'), 1, 'an edit that is not saved is asked about');
-    // The user edits the lot and starts over at once. The result of the edit, which is still being computed, must not
-    // appear.
+    // The user edits the lot and starts over at once, while the page still computes the effect of the edit. This effect
+    // must not appear any more.
     await page.drop([path]);
     await page.press('show-save');
     equal(await page.text('#export-said'), '', 'nothing of the earlier export');
@@ -844,7 +849,7 @@ const tests = {
     await page.idle();
     equal([await page.text('#title'), await page.evaluate("document.getElementById('show-properties').disabled")], ['From test records to calibrated laws of seismic isolators', true], 'an empty page');
 
-    // The user drops only a folder of results. None of its files may be taken for a record.
+    // The user drops a folder that has only results. The page must not take any of its files for a record.
     await page.drop([join(work, 'ordered-out')]);
     await page.press('show-records');
     equal(await page.text('#read-band .word'), 'Results only', 'results');
@@ -907,8 +912,8 @@ const tests = {
     await page.idle();
     equal((await rows(page)).map(({ tone }) => tone), ['good', 'good'], 'each once');
 
-    // The user cancels an identification, saves everything and drops it again. The identification must continue with
-    // the finished runs.
+    // The user cancels an identification, saves everything and drops the saved file. The identification must continue
+    // with the runs that were finished.
     await page.press('show-laws');
     await set(page, 'method', 'best');
     await set(page, 'analysis', 'none');
@@ -958,8 +963,8 @@ const tests = {
     await third.drop([folder]);
     equal((await rows(third)).map(({ name: one, tone }) => one + ' ' + tone), ['A good', 'B good'], 'found by their names');
     expect((await lotText(third)).includes("serial = '7'") && (await third.text('#title')) === 'W', await lotText(third));
-    // The next file has its displacement in cm. The unit that the page recognised in the first file must not be used
-    // for it.
+    // The user drops a file with its displacement in cm after one in mm. The page must not use the unit of the first
+    // file for the second.
     writeFileSync(join(work, 'in-cm.csv'), readFileSync(join(example, records[0]), 'utf8').replace('Displacement [mm]', 'Displacement [cm]'));
     await third.drop([join(work, 'in-cm.csv')]);
     const millimetres = async (one) => Number((await rows(one)).at(-1).amplitude);
@@ -969,8 +974,8 @@ const tests = {
     await fifth.drop([join(work, 'in-cm.csv')]);
     expect((await millimetres(fifth)) > 2000, 'in cm, after another that is not: ' + (await millimetres(fifth)));
     await end(fifth);
-    // None of the files that the lot file names is here, but another record is. The page must read it with the settings
-    // of the lot file and use the name of the folder as the title.
+    // The folder has none of the files that its lot file names, but another record. The page must read this record with
+    // the settings of the lot file and take the name of the folder as the title.
     const other = join(work, 'next-month');
     mkdirSync(other);
     copyFileSync(join(example, records[0]), join(other, 'm1.csv'));

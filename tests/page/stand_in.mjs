@@ -1,4 +1,4 @@
-// Runs the native program in place of the page's engine. The page calls it from stand_in/engine.js over the DevTools
+// Runs the native program in place of the page's engine. stand_in/engine.js in the page calls this over the DevTools
 // protocol.
 import { spawn } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';

@@ -48,7 +48,8 @@ class Study(InFolder):
             self.assertEqual((self.path / "P" / name).read_bytes(), (self.path / "Y" / name).read_bytes(), name)
         self.assertEqual(told[-1][0], told[-1][1])
         self.assertEqual(building.results["laws"][0]["draws"], 12)
-        # Builds the same building from arrays instead of files. The motions have no names, so isolaw gives them names.
+        # Builds the same building from arrays instead of files. The motions in memory have no names, so isolaw gives
+        # them names.
         arrays_of = isolaw.building(PLAN, self.lot, [(0.02, ground(1), ground(2)), (0.02, ground(2), ground(3))])
         np.testing.assert_array_equal(arrays_of.peaks(), building.peaks())
         self.assertEqual(arrays_of.motions, ["motion 1", "motion 2"])

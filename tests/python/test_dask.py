@@ -70,8 +70,8 @@ class Dask(InFolder):
         said = self.run_example(out)
         self.assertEqual([line for line in said.splitlines() if line.startswith("part ")], ["part 2 of 3 is here"])
         self.expect_one_machines(out)
-        # The parts from the run before have the same names but were computed with 2 runs. The example now asks for 3
-        # runs and must refuse them.
+        # An earlier run left parts with the same names that were computed with 2 runs. The example now asks for 3 runs
+        # and must refuse these parts.
         self.run_example(out, runs=3, refused="of a campaign that is now larger, by 3 runs instead of 2")
         self.expect_one_machines(out)
 
@@ -82,7 +82,7 @@ class Dask(InFolder):
             with distributed.Client(cluster) as client:
                 lossy = functools.partial(share_of_a_worker_that_is_lost, str(lost))
                 campaign = parts_with_dask.campaign(client, self.files, {"laws": LAWS, "runs": 2}, 3, out, lossy)
-        self.assertTrue(lost.exists())  # the file shows that a worker was killed
+        self.assertTrue(lost.exists())  # the worker that was killed wrote this file
         self.assertTrue(campaign.complete)
         self.expect_one_machines(out)
 

@@ -44,7 +44,7 @@ class Examples(unittest.TestCase):
     def test_the_page_of_the_documentation(self):
         blocks = re.findall(r"```python\n(.*?)```", (SOURCE / "docs/python.md").read_text(), re.S)
         self.assertGreater(len(blocks), 0)
-        with tempfile.TemporaryDirectory() as folder:  # holds no results of another version
+        with tempfile.TemporaryDirectory() as folder:  # the folder must hold no results of another version
             (pathlib.Path(folder) / "examples").symlink_to(SOURCE / "examples")
             process = subprocess.run(
                 [sys.executable, "-c", "\n".join(blocks)], cwd=folder, capture_output=True, text=True, timeout=300

@@ -35,7 +35,7 @@ class Interrupt(unittest.TestCase):
             child = subprocess.Popen([sys.executable, "-c", LONG, folder + "/out"], stdout=subprocess.PIPE,
                                      stderr=subprocess.PIPE, text=True, cwd=os.path.dirname(__file__))  # fmt: skip
             try:
-                # isolaw creates this file when the search starts.
+                # isolaw creates the store campaign.sqlite when the search starts, so the test waits for this file.
                 limit = time.monotonic() + 60
                 while not os.path.exists(folder + "/out/campaign.sqlite") and time.monotonic() < limit:
                     time.sleep(0.05)
@@ -50,8 +50,8 @@ class Interrupt(unittest.TestCase):
         self.assertEqual(child.returncode, 0, errors)
         word, beats = out.split()[-2:]
         self.assertEqual(word, "interrupted", errors)
-        # The search ran for a second. Another thread ran meanwhile, because the search does not hold Python's global
-        # lock.
+        # The search had run for a second when it was interrupted. Another Python thread could run meanwhile, because
+        # the search does not hold Python's global lock.
         self.assertGreater(int(beats), 10)
 
     def test_an_interrupted_campaign_is_continued_by_the_same_call(self):

@@ -62,7 +62,7 @@ class Laws(unittest.TestCase):
             finite = np.isfinite(one_by_one)
             self.assertTrue(finite.any(), law)
             np.testing.assert_array_equal(np.isfinite(together), finite, law)
-            # The vector kernels of hwang-wu differ from its scalar code by at most 1e-12, relatively. The kernels of
+            # The vector kernels of hwang-wu differ from its scalar code by at most 1e-12, relatively. Those of the
             # other laws differ less (fit/objective.hpp).
             np.testing.assert_allclose(together[finite], one_by_one[finite], rtol=1e-11, err_msg=law)
 
@@ -109,7 +109,8 @@ class Laws(unittest.TestCase):
         unbounded = {"alpha": 0.1, "Ke": 2.0, "A": 1.0, "beta": 0.05, "n": 1.0, "gamma": -0.1}
         with self.assertRaisesRegex(isolaw.Error, r"beta = 0.05, gamma = -0.1; allowed: beta \+ gamma > 0"):
             isolaw.Model("bouc-wen", self.record).force(unbounded)
-        # A search may try such parameters. Then the objective must be infinite and not an error.
+        # A search may try parameters for which the force of bouc-wen grows without end. Their objective must be
+        # infinite and not an error.
         self.assertFalse(np.isfinite(isolaw.objective("bouc-wen", unbounded, self.record)))
 
     def test_other_threads_go_on_meanwhile(self):
@@ -128,7 +129,8 @@ class Laws(unittest.TestCase):
         during = len(beats) - before
         ended.set()
         other.join()
-        # If the call held Python's global lock, the other thread could count only once before and once after the call.
+        # If the call held Python's global lock, the counting thread could count only once before and once after the
+        # call.
         self.assertGreater(during, 4)
 
 

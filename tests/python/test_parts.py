@@ -64,7 +64,7 @@ class Parts(unittest.TestCase):
             isolaw.merge(self.path / "P1", [self.path / "P1"])
         with self.assertRaisesRegex(isolaw.Error, "no part is there"):
             isolaw.merge(self.path / "O", [self.path / "nowhere"])
-        # This campaign has fewer runs than 100 parts, so part 100 has no runs. This is no error.
+        # The campaign has fewer than 100 runs, so part 100 of 100 has none. This is no error.
         self.assertTrue(self.part(100, 100, out=self.path / "E").complete)
         shutil.copy(self.path / "P1/campaign.sqlite", self.path / "cut.sqlite")
         with open(self.path / "cut.sqlite", "r+b") as file:

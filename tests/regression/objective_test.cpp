@@ -1,5 +1,5 @@
-// The objective of every law at three points of the published box, with both integrations, on the first record of the
-// example lot. A change of the code may alter these objectives only on purpose.
+// Compares the objective of every law with stored values: at three points of the published box, with both integrations,
+// on the first record of the example lot. A change of the code may alter these objectives only on purpose.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,7 +30,8 @@ data::FitRecord example_record() {
   return record;
 }
 
-// The objectives by the key "law,integration,share", where each parameter lies at that share of its box.
+// The objectives by the key "law,integration,share". The share says where in its box every parameter lies: 0 is the
+// lower end, 1 the upper end.
 std::map<std::string, double> objectives() {
   auto const record = example_record();
   std::map<std::string, double> values;

@@ -42,7 +42,8 @@ class File {
   File(char const* path, bool writing) : writing_(writing), file_(std::fopen(path, writing ? "wb" : "rb")) {
     if (!file_) throw std::runtime_error(fmt::format("cannot open {}", path));
   }
-  // Stores `values` when writing. When comparing, replaces them by the stored ones.
+  // When writing, appends `values` to the file. When comparing, replaces `values` by those that the file has at this
+  // place.
   void pass(Values& values) {
     auto const done = writing_ ? std::fwrite(values.data(), sizeof(double), values.size(), file_.get())
                                : std::fread(values.data(), sizeof(double), values.size(), file_.get());
@@ -62,7 +63,7 @@ struct Difference {
   double force = 0.0;      // largest difference of the force, as a share of the peak force
   int compared = 0, flagged = 0;
   int flagged_once = 0;  // candidates without a finite objective in only one of the two builds
-  // Largest relative difference between evaluating candidates in batches and one by one, both in this build.
+  // The largest relative difference between objectives that this build computes in batches and one by one.
   double lanes = 0.0;
 
   void add(double here, double there, Values const& force_here, Values const& force_there) {
@@ -81,7 +82,8 @@ struct Difference {
   }
 };
 
-// Cycles with reversals at many samples, small loops within large ones and uneven peaks, at 100 samples a cycle.
+// Returns cycles with reversals at many samples, small loops within large ones and uneven peaks, at 100 samples a
+// cycle.
 data::FitRecord record(File& file) {
   auto cycles = law_tests::record_of(law_tests::irregular(1, 208.0, 3, 100), 0.02, 0.67, 45.0);
   for (auto* channel : {&cycles.time_s, &cycles.disp_mm, &cycles.vel_mm_s, &cycles.force_kN}) file.pass(*channel);

@@ -30,17 +30,18 @@ namespace {
 
 using std::numbers::pi;
 
-// `share` is the mass of the structure over the whole mass. base_period_s is the period of the whole mass, taken as
-// rigid, on its bearings; floor_period_s is the period of the structure on a rigid base; periods_s are the two expected
-// periods.
+// Two masses in series. `share` is the mass of the structure over the whole mass. base_period_s is the period of the
+// whole mass, taken as rigid, on its bearings. floor_period_s is the period of the structure on a rigid base. periods_s
+// are the expected periods of the two modes.
 struct TwoMasses {
   double share, base_period_s, floor_period_s;
   std::array<double, 2> periods_s;
 };
 
 TEST(Building, frequencies_of_two_masses) {
-  // The expected frequencies w solve (1-g) w^4 - (ws^2 + wb^2) w^2 + wb^2 ws^2 = 0, where g is the share and wb and ws
-  // belong to the base and floor periods.
+  // The expected frequencies w solve (1-g) w^4 - (ws^2 + wb^2) w^2 + wb^2 ws^2 = 0. Here g is the share of the
+  // structure's mass, wb = 2 pi / Tb the frequency on the bearings and ws = 2 pi / Ts the frequency of the structure on
+  // a rigid base.
   for (auto const& [share, Tb, Ts, periods] :
        {TwoMasses{5.0 / 6.0, 2.5, 0.3, {2.51499071, 0.12174447}}, TwoMasses{0.8, 2.0, 0.5, {2.04997762, 0.21815536}}}) {
     double const mass = 600.0;
@@ -67,8 +68,9 @@ TEST(Building, frequencies_of_an_eccentric_deck) {
        {Case{0.1, 1.2, {0.9891102469, 1.2089916954}}, Case{0.2, 1.0, {0.8944271910, 1.0954451150}},
         Case{0.05, 1.4, {0.9987005855, 1.4009272431}}}) {
     Structure const deck({.base = {.mass_Mg = mass, .gyration_mm = r}, .floors = {}});
-    // The stiffness along x acts at the distance e r from the centre of mass. `ratio` is the frequency of rotation over
-    // the frequency along x, both about the centre of mass and without coupling.
+    // The stiffness along x acts at the distance e r from the centre of mass, where r is the radius of gyration.
+    // `ratio` is the frequency of rotation over the frequency along x, both about the centre of mass and without
+    // coupling.
     Matrix3 bearings = Vector3(k, 100.0 * k, k * r * r * ratio * ratio).asDiagonal();
     bearings(0, 2) = bearings(2, 0) = -k * e * r;
     auto const frequencies = deck.frequencies_on(bearings);
@@ -78,7 +80,7 @@ TEST(Building, frequencies_of_an_eccentric_deck) {
   }
 }
 
-// A spring and a dashpot of equal values along x and y, in parallel with a law's bearing.
+// A bearing with the same spring and the same dashpot along x and y, in parallel with the bearing of a law.
 class Dashpot final : public Bearing {
  public:
   Dashpot(double stiffness, double damping, std::unique_ptr<Bearing> parallel)
@@ -144,8 +146,8 @@ struct Released {
   double half_cycle_s = 0.0, elastic_s = 0.0, speed_mm_s = 0.0;
 };
 
-// Releases a mass from rest at 150 mm. A turning point is found between two steps, where the velocity, taken as linear,
-// passes zero.
+// Releases a mass from rest at 150 mm. Between two steps the velocity is taken as linear, and a turning point lies
+// where it passes zero.
 Released release(double step_s) {
   std::vector<double> const law{6.0, 0.9, 30.0 / 5.1};
   Bearings bearings;
@@ -156,7 +158,7 @@ Released release(double step_s) {
                              {.longest_step_s = step_s, .histories = true, .pulled_to = {150.0, 0.0}});
   Released released;
   auto const& h = run.history;
-  // On the way back the bearing yields after a travel of twice its yield displacement.
+  // After its release the mass moves back, and the bearing yields after a travel of twice its yield displacement.
   double const slides = 150.0 - 2.0 * 30.0 / 5.1;
   for (std::size_t i = 1; i < h.time_s.size(); ++i) {
     double const x0 = h.base[i - 1][0], x1 = h.base[i][0], v0 = h.velocity[i - 1][0], v1 = h.velocity[i][0];
@@ -209,8 +211,8 @@ TEST(Building, rigid_mass_on_el_centro) {
     auto const run = integrate(rigid_mass(mass / Mg_in_mass), bearings, motion,
                                {.longest_step_s = 1.25e-4, .rest_s = 20.0, .histories = true});
     ASSERT_EQ(run.outcome, Outcome::completed) << run.why;
-    // Each tolerance is the integrator's own error at this step plus the rounding of the expected value's printed
-    // digits.
+    // Each tolerance is the integrator's own error at this length of step plus the rounding of the printed expected
+    // value.
     EXPECT_NEAR(run.of(Measure::isolator), peak, 1e-4);
     EXPECT_NEAR(run.of(Measure::shear) / weight, force, 1.5e-6);
     EXPECT_NEAR(run.history.base.back()[0], end, 3e-4);
@@ -274,7 +276,7 @@ TEST(Building, torsion_of_scattered_bearings) {
   }
 }
 
-// An independent model: the differential form of Park, Wen and Ang with whole matrices, solved by Boost.odeint.
+// An independent model solves the differential form of Park, Wen and Ang with whole matrices by Boost.odeint:
 //     dz/dt = A v - z |z|^(n-2) (z.v) (beta sgn(z.v) + gamma)
 struct BoucWenValues {
   double alpha, Ke, A, beta, n, gamma;
@@ -374,8 +376,8 @@ void compare(Frame const& frame, double damping, Plan const& plan, std::vector<B
   EXPECT_NEAR(lanes[static_cast<std::size_t>(Measure::isolator)], truth.peak_mm, 1e-3 * truth.peak_mm);
 }
 
-// A bearing that carries `mass_Mg`, with a period of 2.5 s after yielding, a strength of 6 % of the weight and a yield
-// displacement of about 15 mm.
+// Returns a bearing that carries `mass_Mg`, with a period of 2.5 s after yielding, a strength of 6 % of the weight and
+// a yield displacement of about 15 mm.
 BoucWenValues bouc_wen_for(double mass_Mg, double n) {
   double const mass = mass_Mg * Mg_in_mass, after = mass * 6.3165, strength = 0.06 * mass * 9806.65,
                Ke = after + strength / 15.0;

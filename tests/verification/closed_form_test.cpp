@@ -24,7 +24,7 @@ using laws::Jankowski;
 using laws::MenegottoPinto;
 using laws::Vaiana;
 
-// The work from sample `first` to the end, by the trapezoidal rule and in the law's units.
+// Returns the work from sample `first` to the end, by the trapezoidal rule and in the law's units.
 double loop_energy(std::vector<double> const& force, std::vector<double> const& x, std::size_t first) {
   double energy = 0.0;
   for (std::size_t i = first; i + 1 < x.size(); ++i) energy += 0.5 * (force[i] + force[i + 1]) * (x[i + 1] - x[i]);
@@ -48,8 +48,8 @@ TEST(ClosedForm, BilinearLoop) {
   EXPECT_NEAR(loop_energy(force, motion.disp_mm, 3 * steps), 4.0 * Qd * (D - xy), 2.0 * (K1 - K2) * h * h / 4.0);
 }
 
-// Forces of Eq. (1) with kinematic hardening on the first loading, on unloading and on reloading, on both sides of each
-// yield point.
+// Eq. (1) with kinematic hardening gives the expected forces on the first loading, on unloading and on reloading, on
+// both sides of each yield point.
 TEST(ClosedForm, BilinearBranches) {
   auto const values = named<Bilinear>({{"K1", 2.0}, {"K2", 0.5}, {"xy", 10.0}});  // so the strength (K1 - K2) xy is 15
   Motion motion;
@@ -60,8 +60,8 @@ TEST(ClosedForm, BilinearBranches) {
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(force[i], expected[i], 1e-12) << motion.disp_mm[i];
 }
 
-// The steel model of the 1983 report on Menegotto and Pinto's law. Other programs computed the expected values from the
-// start point (x0, F0) of each branch.
+// Tests the steel model of the 1983 report on Menegotto and Pinto's law. Other programs computed the expected values
+// from the start point (x0, F0) of each branch.
 TEST(ClosedForm, MenegottoPintoBranches) {
   auto const values =
       named<MenegottoPinto>({{"E", 1.0}, {"Fy", 1.0}, {"b", 0.1}, {"R0", 20.0}, {"cR1", 0.925}, {"cR2", 0.15}});
@@ -100,9 +100,9 @@ TEST(ClosedForm, VaianaLoop) {
   EXPECT_NEAR(energy, 13750.00, 0.005);
 }
 
-// The limit curves of Eqs. (6)-(9) with all sixteen parameters. The points lie so far along a branch that the distance
-// to the limit curve has decayed to exp(-40) = 4e-18 (40 is alpha times the travel). The expected values were written
-// out by hand from the equations.
+// Tests the limit curves of Eqs. (6)-(9) with all sixteen parameters. The points lie so far along a branch that the
+// distance to the limit curve has decayed to exp(-40) = 4e-18 (40 is alpha times the travel). The expected values were
+// written out by hand from the equations.
 TEST(ClosedForm, VaianaLimitCurves) {
   double const ln2 = std::numbers::ln2;
   auto const values = named<Vaiana>({{"Kb+", 4e5},
@@ -122,15 +122,16 @@ TEST(ClosedForm, VaianaLimitCurves) {
                                      {"gamma3+", 0.1},
                                      {"gamma3-", -0.1}});
   auto const force = forces<Vaiana>(values, polyline(std::vector{0.0, 200.0, -200.0}, 100));
-  // x = 0.2: exp(2 ln2) = 4; 1 + exp(-ln2) = 3/2.
+  // At x = 0.2 m, exp(2 ln2) = 4 and 1 + exp(-ln2) = 3/2.
   EXPECT_NEAR(force[100], 50.0 * 3.0 + 4.0 * 900.0 / 1.5 - 2.0 * 900.0 + 4e5 * 0.2 + 4e4, 1e-8);
-  // x = -0.2: exp(4 ln2) = 16; 1 + exp(2 ln2) = 5.
+  // At x = -0.2 m, exp(4 ln2) = 16 and 1 + exp(2 ln2) = 5.
   EXPECT_NEAR(force[200], -70.0 * 15.0 + 4.0 * 700.0 / 5.0 - 2.0 * 700.0 + 3e5 * -0.2 - 3e4, 1e-8);
 }
 
-// Bouc-Wen with n = 1 while x moves one way. The direction of motion is s, the travel t = |x - x0|, and y = s z obeys
+// Returns y = s z of Bouc-Wen's law with n = 1 after a travel t in one direction, from the value y at the start of this
+// travel. The direction is s = +1 or -1, and
 //     y' = A + c y  for y < 0, c = gamma - beta;     y' = A - b y  for y >= 0, b = beta + gamma.
-// Both equations are linear and have exponential solutions; y passes zero at most once, upwards.
+// Both equations are linear and have exponential solutions. y passes zero at most once, upwards.
 double bouc_wen_n1(double y, double travel, double A, double beta, double gamma) {
   double const b = beta + gamma, c = gamma - beta;
   if (y < 0.0) {
@@ -190,9 +191,9 @@ TEST(ClosedForm, BoucWenThatHardlyUnloads) {
   }
 }
 
-// The parameter A is redundant: z may become c z and A c A if beta and gamma are multiplied by c^(1-n) and the
-// stiffnesses keep alpha Ke and (1 - alpha) Ke z. The forces then differ only by rounding, which grows over the hundred
-// samples of the path.
+// The parameter A is redundant: the force stays the same if z becomes c z, A becomes c A, beta and gamma are multiplied
+// by c^(1-n), and alpha Ke and (1 - alpha) Ke z keep their values. The forces then differ only by rounding, which grows
+// over the hundred samples of the path.
 TEST(ClosedForm, BoucWenRescaled) {
   constexpr double alpha = 0.2, Ke = 3.0, A = 1.2, beta = 0.05, gamma = 0.03, n = 1.2;
   auto const motion = irregular(4, 200.0, 4, 80);
@@ -263,8 +264,8 @@ TEST(ClosedForm, AbeY0ElasticPartsAlone) {
 }
 
 // A long motion in one direction saturates F2 at +-Y0. In abe the yield force grows with x unless Uh is very large;
-// with Uh = 1e12 the growth (400 / 1e12)^1.7 is negligible. 1 - u falls by the factor exp(-n) per Ut = 4 mm, which
-// leaves e^-30 after 400 mm with n = 0.3.
+// with Uh = 1e12 the growth (400 / 1e12)^1.7 is negligible. With u = F2 / Y0, the rest 1 - u falls by the factor
+// exp(-n) per Ut = 4 mm. After 400 mm with n = 0.3 it is e^-30.
 template <class Law>
 void saturates() {
   auto values = without_hysteresis<Law>(45.0);
@@ -302,7 +303,8 @@ TEST(ClosedForm, AbeY0WithExponentOne) {
     EXPECT_NEAR(growing[i], 45.0 * (1.0 - std::pow(1.0 + virgin.disp_mm[i] / 20.0, -4.0)), 1e-5 * 45.0) << i;
 }
 
-// At these points cosh and the root are rational: cosh(ln 2) = 5/4; v / sqrt(a11^2 + v^2) = 4/5 for v = 0.4, a11 = 0.3.
+// At these points cosh and the root are rational numbers: cosh(ln 2) = 5/4, and v / sqrt(a11^2 + v^2) = 4/5 for v = 0.4
+// m/s and a11 = 0.3 m/s.
 TEST(ClosedForm, JankowskiByHand) {
   double const ln2 = std::numbers::ln2;
   auto const values = named<Jankowski>({{"a1", 100.0},
@@ -316,11 +318,13 @@ TEST(ClosedForm, JankowskiByHand) {
                                         {"a9", 40.0},
                                         {"a10", 600.0},
                                         {"a11", 0.3}});
-  // The three samples: x = 100 mm, v = 400 mm/s; x = -100 mm, v = 0; x = 0, v = -400 mm/s.
+  // At 100 mm the device moves at 400 mm/s, rests, and moves at -400 mm/s. At -100 mm it moves at 400 mm/s, and at 0 at
+  // -400 mm/s.
   auto const force =
       forces<Jankowski>(values, Motion{{100.0, 100.0, 100.0, -100.0, 0.0}, {400.0, 0.0, -400.0, 400.0, -400.0}});
-  // x2 = 0.01, x4 = 1e-4: constant part 100 + 10 + 1 = 111. Moving: 500 * 16/25 = 320 and 2000 * 4/5 * 4/5 = 1280.
-  // At rest: 500 and 2000 * 4/5 = 1600. Damping (40 + 6) * 4/5 = 36.8; at x = 0, 40 * 4/5 = 32.
+  // At x = +-100 mm, x^2 = 0.01 and x^4 = 1e-4, so the constant part of the stiffness is 100 + 10 + 1 = 111. In motion
+  // the terms with a4 and a6 are 500 * 16/25 = 320 and 2000 * 4/5 * 4/5 = 1280; at rest they are 500 and 2000 * 4/5 =
+  // 1600. The damping force is (40 + 6) * 4/5 = 36.8, and 40 * 4/5 = 32 at x = 0.
   EXPECT_NEAR(force[0], 171.1 + 36.8, 1e-11);
   EXPECT_NEAR(force[1], 221.1, 1e-11);
   EXPECT_NEAR(force[2], 171.1 - 36.8, 1e-11);
@@ -328,8 +332,8 @@ TEST(ClosedForm, JankowskiByHand) {
   EXPECT_NEAR(force[4], -32.0, 1e-11);
 }
 
-// With a9 = a10 = 0 the work does not matter: F = (a1 + a2 x^2 + a3 x^4 + a4 / cosh^2(a5 v)) x + 2 (a6 + a7 x^2) v /
-// sqrt(a8^2 + v^2).
+// With a9 = a10 = 0 the force does not depend on the work: F = (a1 + a2 x^2 + a3 x^4 + a4 / cosh^2(a5 v)) x + 2 (a6 +
+// a7 x^2) v / sqrt(a8^2 + v^2).
 TEST(ClosedForm, HwangWuWithoutWork) {
   auto const values = named<HwangWu>(
       {{"a1", 4e3}, {"a2", -2.0}, {"a3", 5e-3}, {"a4", 60.0}, {"a5", 0.05}, {"a6", 3e4}, {"a7", 5.0}, {"a8", 80.0}});

@@ -55,8 +55,8 @@ template <class Law>
 class Consistency : public ::testing::Test {};
 TYPED_TEST_SUITE(Consistency, PaperLaws, LawName);
 
-// The project's specification gives the tolerances. The expected values are printed with digits that round by up to
-// 0.005 kN, 0.00005 kN/mm and 0.005 %.
+// The project's specification gives the tolerances. The expected values are printed with few digits, which rounds them
+// by up to 0.005 kN, 0.00005 kN/mm and 0.005 %.
 TYPED_TEST(Consistency, ThirdCycleOfTenDevices) {
   auto const& reference = expected(TypeParam::info.id);
   for (std::size_t device = 0; device < table_a5::devices; ++device) {

@@ -1,7 +1,7 @@
-// Coverage of the 95 % confidence intervals. A law makes a record, and noise is added to it a hundred times over. The
-// test counts how many intervals hold the true value, for all parameters that the program calls determined. The share
-// must lie between 90 and 99 %. With fewer than a hundred records these bounds are wider by one standard error of the
-// share.
+// Tests the coverage of the 95 % confidence intervals. A law makes a record, and a hundred records come from it by
+// adding noise. The test counts how many intervals hold the true value, for all parameters that the program calls
+// determined. The share must lie between 90 and 99 %. With fewer than a hundred records these bounds are wider by one
+// standard error of the share.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ constexpr int usual_records = 100;
 
 struct CoverageCase {
   std::string law;
-  // parameters fixed or limited so that the record determines at least one of the others
+  // Fixes or limits some parameters, so that the record determines at least one of the others.
   std::vector<std::string> set = {};
   twins::Noise noise = {};
   int records = usual_records;
@@ -41,7 +41,7 @@ std::vector<fit::Override> overrides_of(CoverageCase const& c) {
   return overrides;
 }
 
-// Number of intervals of determined parameters in all records, and how many of them hold the true value.
+// Counts the intervals of determined parameters over all records, and how many of these intervals hold the true value.
 struct Count {
   int intervals = 0, linear = 0, bootstrap = 0;
   double share(int holding) const { return holding / static_cast<double>(intervals); }

@@ -21,7 +21,8 @@ constexpr double f = 0.5;    // Hz
 // The force of a steady loop as a function of the phase of x = D sin(phase).
 using Loop = std::function<double(double)>;
 
-Loop ellipse(double K, double damping) {  // F = K (x + tan(phi) D cos(phase)), damping = tan(phi) / 2
+// The force is F = K (x + tan(phi) D cos(phase)) with the damping tan(phi) / 2.
+Loop ellipse(double K, double damping) {
   return [=](double phase) { return K * D * (std::sin(phase) + 2.0 * damping * std::cos(phase)); };
 }
 
@@ -50,8 +51,8 @@ Loop exponential() {
   };
 }
 
-// Four cycles with `samples` samples each, as a laboratory would measure them. `start` moves all samples along the sine
-// by that many sampling intervals; the force channel is late by `late_s`.
+// Returns the third of four cycles with `samples` samples each, as a laboratory would measure them. `start` moves all
+// samples along the sine by that many sampling intervals; the force channel is late by `late_s`.
 Cycle measured(Loop const& loop, int samples, double late_s = 0.0, double start = 0.0) {
   std::vector<double> time, disp, force;
   for (int i = 0; i <= 4 * samples + 1; ++i) {
@@ -82,9 +83,9 @@ TEST_P(Sampling, MissesThePeakBetweenSamples) {
   EXPECT_NEAR(100.0 * (1.0 - cycle.amplitude_mm / D), peak_loss_percent(N), 1e-9);
 }
 
-// A bilinear loop has corners between samples, and the energy that they cost is about the energy that the curvature of
-// an ellipse costs. The exponential loop bends within two lengths 1 / alpha = 12.5 mm after a reversal, where samples
-// are dense. Both lose less than twice the ellipse's share.
+// A bilinear loop has corners between samples, which cost about as much energy as the curvature of an ellipse does. An
+// exponential loop bends within two lengths 1 / alpha = 12.5 mm after a reversal, where samples are dense. Neither
+// loses twice the share of its energy that an ellipse loses.
 TEST_P(Sampling, OfABilinearLoop) {
   int const N = GetParam();
   auto const cycle = measured(bilinear(), N);
@@ -134,7 +135,8 @@ TEST(Skew, OfAnEllipse) {
   }
 }
 
-// The growth of the damping `xi` in percentage points, from the in-phase amplitude a1 and the unloading stiffness K_u.
+// Returns the growth of the damping `xi` in percentage points, from the in-phase amplitude a1 and the unloading
+// stiffness K_u.
 double predicted(double in_phase_kN, double K, double xi, double K_unloading) {
   double const epsilon = 2.0 * pi * f * skew_s;
   double const first_order = in_phase_kN / (K * D) * epsilon / 2.0;
@@ -187,7 +189,7 @@ TEST(Offset, OfEitherChannelLeavesPeakToPeakStiffnessAndEnergy) {
     EXPECT_NEAR(moved.K_eff_kN_per_mm, plain.K_eff_kN_per_mm, 1e-12);
     EXPECT_NEAR(moved.energy_kN_mm, plain.energy_kN_mm, 1e-9 * plain.energy_kN_mm);
     EXPECT_NEAR(moved.damping_percent, plain.damping_percent, 1e-9);
-    // an offset changes the stiffness of one side
+    // The offset changes the stiffness of the positive side.
     EXPECT_GT(std::abs(moved.K_plus_kN_per_mm - plain.K_plus_kN_per_mm), 0.05);
   }
 }
@@ -206,7 +208,7 @@ TEST(Friction, AddsTwoFOverPiKD) {
   EXPECT_NEAR(rubbed.energy_kN_mm - plain.energy_kN_mm, 4.0 * friction * D, 1e-3 * 4.0 * friction * D);
   EXPECT_NEAR(rubbed.damping_percent - plain.damping_percent,
               friction_damping_points(friction, plain.K_eff_kN_per_mm, D), 0.01);
-  EXPECT_NEAR(friction_damping_points(15.0, 1.0, 150.0), 6.4, 0.05);  // worked example with K D = 150 kN
+  EXPECT_NEAR(friction_damping_points(15.0, 1.0, 150.0), 6.4, 0.05);  // worked example: 15 kN, 1 kN/mm, 150 mm
 }
 
 TEST(MovingMass, TakesMOmegaSquared) {
@@ -217,7 +219,7 @@ TEST(MovingMass, TakesMOmegaSquared) {
       },
       400);
   EXPECT_NEAR(plain.K_eff_kN_per_mm - loaded.K_eff_kN_per_mm, mass_stiffness_kN_per_mm(5000.0, f), 1e-12);
-  EXPECT_NEAR(mass_stiffness_kN_per_mm(5000.0, f), 0.049, 0.001);  // worked example
+  EXPECT_NEAR(mass_stiffness_kN_per_mm(5000.0, f), 0.049, 0.001);  // worked example: a moving mass of 5000 kg
 }
 
 TEST(MovingAverage, TakesWhatTheSincSays) {

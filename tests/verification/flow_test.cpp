@@ -43,24 +43,24 @@ constexpr double kappas[] = {-0.99, -0.9, -0.75, -0.5, 0.0, 1.0, 3.0};
 constexpr double abe_exponents[] = {0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1.0};
 constexpr double abe_kappa = 1.0;
 
-// The errors that saturating_flow.hpp states. Beyond |u| = 3 it uses a table with its own error.
+// saturating_flow.hpp states these errors. Beyond |u| = 3 it uses a table with an error of its own.
 constexpr double claimed_error = 1e-7, claimed_error_of_table = 1e-5;
 double claimed(double n, double kappa) {
   if (n <= 2.0 && kappa <= 1.0) return claimed_error * std::max(1.0, 0.5 / (1.0 + kappa));
   return kappa > 1.0 && n > 1.5 ? 2e-5 : 5e-7 * std::max(1.0, 0.5 / (1.0 + kappa));
 }
 
-// Travel while unloading from u0 to u1, u0 < u1 <= 0. The integrand is bounded, but |u|^n has a singular derivative at
-// 0; tanh-sinh quadrature concentrates its points there.
+// Returns the travel while unloading from u0 to u1, u0 < u1 <= 0. The integrand is bounded, but |u|^n has a singular
+// derivative at 0; tanh-sinh quadrature concentrates its points there.
 double travel_below_zero(double n, double kappa, double u0, double u1) {
   if (u0 == u1) return 0.0;
   boost::math::quadrature::tanh_sinh<double> rule;
   return rule.integrate([&](double w) { return 1.0 / (1.0 + kappa * std::pow(w, n)); }, -u1, -u0, 1e-13);
 }
 
-// Travel while loading from u0 to u1, 0 <= u0 < u1 < 1. Up to 0.5 the integral is in u, by a rule that tolerates the
-// singular derivative of u^n at 0. Beyond 0.5 it is in s = -ln(1 - u), in which the integrand is smooth up to
-// saturation.
+// Returns the travel while loading from u0 to u1, 0 <= u0 < u1 < 1. Up to u = 0.5 the variable of integration is u, and
+// the quadrature tolerates the singular derivative of u^n at 0. Beyond 0.5 the variable is s = -ln(1 - u), because the
+// integrand is smooth in s up to saturation.
 double travel_below_one(double n, double u0, double u1) {
   constexpr double half = 0.5;
   double travel = 0.0;
@@ -77,7 +77,7 @@ double travel_below_one(double n, double u0, double u1) {
   return travel;
 }
 
-// Travel from u0 down to u1, u0 > u1 > 1, with s = ln(u - 1) as the variable of integration.
+// Returns the travel from u0 down to u1, u0 > u1 > 1, with s = ln(u - 1) as the variable of integration.
 double travel_above_one(double n, double u0, double u1) {
   return boost::math::quadrature::gauss_kronrod<double, 61>::integrate(
       [&](double s) { return std::exp(s) / std::expm1(n * std::log1p(std::exp(s))); }, std::log(u1 - 1.0),
@@ -101,7 +101,7 @@ TEST(Quadrature, KnownTravels) {
   EXPECT_NEAR(travel(0.5, 0.0, 0.0, 0.81), -2.0 * (0.9 + std::log(0.1)), 1e-12);
 }
 
-// Values of u. The test follows the flow from each of them to every later one.
+// The test follows the flow from each of these values of u to every later one.
 std::vector<double> const rising_places{-1.0, -0.9, -0.5, -0.1, -0.01, -1e-4, -1e-6, 0.0,   1e-7,   1e-5,
                                         1e-3, 0.02, 0.1,  0.3,  0.6,   0.85,  0.97,  0.999, 0.99999};
 
@@ -136,7 +136,8 @@ TEST(SaturatingFlow, FollowsTheEquationFromBelowSaturation) {
   }
 }
 
-// abe may start below u = -1, where the table applies. The tolerance is relative to the rate at the start, 1 + |u|^n.
+// The law abe may start below u = -1, where saturating_flow.hpp uses a table. The tolerance is relative to the rate at
+// the start, 1 + |u|^n.
 TEST(SaturatingFlow, FollowsTheEquationFromFarBelowToo) {
   auto places = rising_places;
   places.insert(places.begin(), {-50.0, -20.0, -7.0, -2.0});
@@ -147,7 +148,7 @@ TEST(SaturatingFlow, FollowsTheEquationFromFarBelowToo) {
   }
 }
 
-// If the yield force of abe has shrunk, u is above 1 and falls towards 1. The tolerance is relative to u.
+// If the yield force of the law abe has shrunk, u is above 1 and falls towards 1. The tolerance is relative to u.
 TEST(SaturatingFlow, FallsToSaturationFromAbove) {
   std::vector<double> const places{50.0, 30.0, 12.0, 5.0, 2.5, 1.6, 1.2, 1.05, 1.01, 1.0001};
   for (double const n : abe_exponents) {

@@ -109,7 +109,7 @@ TEST(Ozdemir, TheTermOfAlloysIsElastic) {
   }
 }
 
-// For other programs, export writes an ozdemir law as a bouc-wen law. Its parameters must give the same forces.
+// For other programs, `export` writes an ozdemir law as a bouc-wen law. This bouc-wen law must give the same forces.
 TEST(Ozdemir, IsBoucWen) {
   auto const x = through(corners, 7);
   auto const path = laws::make_path(x, {});
@@ -149,7 +149,7 @@ void expect_continuous(Values<Law> const& values, Bound const& bound) {
         auto x = history;
         x.push_back(x.back() + side * d);
         auto const force = forces<Law>(values, laws::make_path(x, {}));
-        // At a reversal the law converts z to travel and back, which changes the force by a share of up to 1e-11.
+        // At a reversal the law converts z to travel and back, which changes the force by up to 1e-11 of its value.
         EXPECT_LE(std::abs(force.back() - force[force.size() - 2]), bound(d) + 1e-9) << d << " from " << history.back();
       }
 }
@@ -163,9 +163,9 @@ TEST(Ozdemir, IsContinuous) {
     });
 }
 
-// By the equation dx = dz / K + |dx| |z/Y|^n sgn(z), the work is the energy stored in z, z^2 / 2K, plus the loss |z|
+// The equation is dx = dz / K + |dx| |z/Y|^n sgn(z). So the work is the energy stored in z, z^2 / 2K, plus the loss |z|
 // |z/Y|^n |dx|, which is never negative. From rest at x = 0, the first and the second cycle of 2, 50 and 208 mm must
-// lose energy anywhere in the box.
+// therefore lose energy for all parameters in the box.
 TEST(Ozdemir, CyclesDissipate) {
   for (double const amplitude : {2.0, 50.0, 208.0})
     for (std::uint32_t i = 0; i < 200; ++i) {
@@ -179,7 +179,7 @@ TEST(Ozdemir, CyclesDissipate) {
     }
 }
 
-// Parameters for which another implementation, with many small steps, gave the values that the next test expects.
+// Another implementation, with many small steps, gave the values that the next test expects for these parameters.
 Values<Bwbn> const joint{0.03, 24.877, 1.0, 0.5, 0.1, 1.0, 0.4, 0.9, 1.0, 0.2, 0.001, 0.05, 0.0, 0.0};
 
 TEST(Bwbn, Values) {
@@ -196,8 +196,8 @@ TEST(Bwbn, Values) {
     double const force = Bwbn::step(params, constants, state, fine_path.steps[i]);
     if (i == 0 || i % steps != 0) continue;
     std::size_t const corner = i / steps - 1;
-    // The tolerances are a little more than half a unit of the last digit that the source prints. Some values of e have
-    // only five decimals.
+    // The tolerances are a little more than half a unit of the last digit that the source prints. It prints some of the
+    // energies e with only five decimals.
     EXPECT_NEAR(force, F[corner], 8e-8);
     EXPECT_NEAR(state.z, z[corner], 8e-8);
     EXPECT_NEAR(state.e, e[corner], corner == 0 ? 8e-8 : 6e-6);
@@ -263,7 +263,7 @@ TEST(Bwbn, AIsRedundant) {
 }
 
 // At the same z unloading is nowhere flatter than loading, even with pinching (q >= 0). The dissipated energy e
-// therefore never falls below 0, and cycles that start and end at x = 0 lose energy anywhere in the box.
+// therefore never falls below 0, and cycles that start and end at x = 0 lose energy for all parameters in the box.
 TEST(Bwbn, CyclesDissipate) {
   for (double const amplitude : {2.0, 50.0, 208.0})
     for (std::uint32_t i = 0; i < 200; ++i) {

@@ -76,7 +76,7 @@ class Stepwise {
   double g_ = 0.0, dg_ = 0.0, z_ = 0.0, phi_ = 0.0, uip_ = 0.0;
 };
 
-// The forces at the corners of the path, as isolaw computes them.
+// The forces that isolaw computes at the corners of the path.
 std::vector<double> exact(Values<Gallardo> const& values, std::vector<double> const& corners, int steps = 1) {
   auto const all = forces<Gallardo>(values, laws::make_path(through(corners, steps), {}));
   std::vector<double> at_corners;
@@ -94,7 +94,8 @@ std::vector<double> stepwise(Values<Gallardo> const& values, std::vector<double>
   return at_corners;
 }
 
-// Converts parameters for strains over a height of `height_mm` to isolaw's, for strains over 100 mm.
+// Converts parameters that count strains over a height of `height_mm` to isolaw's parameters, which count strains over
+// 100 mm.
 Values<Gallardo> of_height(Values<Gallardo> values, double height_mm) {
   double const ratio = height_mm / 100.0;
   auto const value = [&](std::string_view name) -> double& { return values[index_of<Gallardo>(name)]; };
@@ -263,9 +264,9 @@ TEST(Gallardo, Continuous) {
       }
 }
 
-// A cycle that starts and ends at x = 0 takes energy anywhere in the box. For a2 = 0 this can be shown: G and C never
-// shrink, so at any x the elastic force is smaller on the return than on the way out, and z returns less energy than it
-// took. The test finds the same for every a2 of the box.
+// A cycle that starts and ends at x = 0 takes energy for all parameters in the box. For a2 = 0 this can be shown: the
+// states G and C of docs/laws.md never shrink, so at any x the elastic force is smaller on the return than on the way
+// out, and z returns less energy than it took. The test finds the same for every a2 of the box.
 TEST(Gallardo, CyclesDissipate) {
   for (double const amplitude : {1.0, 2.0, 50.0, 208.0})
     for (std::uint32_t i = 0; i < 300; ++i)

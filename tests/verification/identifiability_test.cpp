@@ -147,8 +147,8 @@ TEST(Identifiability, ATruthOutsideTheBoxEndsAtItsBound) {
   EXPECT_GE(p.lower, K2.lower);
 }
 
-// The root mean square over time of the difference of two forces, divided by the standard deviation of the measured
-// force.
+// Returns the root mean square over time of the difference of two forces, divided by the standard deviation of the
+// measured force.
 double force_change(fit::LawOnRecord const& model, std::vector<double> const& from, std::vector<double> const& to) {
   std::vector<double> residuals(2 * model.samples());
   model.residuals(

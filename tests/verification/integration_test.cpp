@@ -25,14 +25,15 @@
 namespace isolaw::fit {
 namespace {
 
-constexpr double tolerance = 1e-4;  // on the objective, whose best values differ by 1e-3 and more from law to law
+// The permitted shift of the objective. The best objectives of two laws differ by 1e-3 and more.
+constexpr double tolerance = 1e-4;
 constexpr int finer = 20;
 constexpr int random_sets = 100;
 constexpr double rare = 0.05;  // permitted share of infinite objectives among random sets with a bounded force
 
 using Values = std::vector<double>;
 
-// The objective of Eq. (27), written without the library: forces in kN, trapezoidal rule, standard deviation with
+// Computes the objective of Eq. (27) without the library: forces in kN, trapezoidal rule, standard deviation with
 // divisor n.
 double objective(data::FitRecord const& record, Values const& computed) {
   auto const& measured = record.force_kN;
@@ -50,7 +51,7 @@ Values divided(Values values, double unit) {
   return values;
 }
 
-// A law's force in kN on a record's path that is refined by a factor.
+// Computes a law's force in kN on the path of a record, refined by a factor.
 class Refined {
  public:
   Refined(laws::LawEntry const& law, data::FitRecord const& record, int refinement)
@@ -74,7 +75,7 @@ class Refined {
 struct Shift {
   double random = 0.0, best = 0.0;  // largest shift at random sets and at the best sets
   double best_objective = 0.0;      // on the record with the largest shift at the best set
-  // numbers of random sets: all, without finite objective, with a shift above the tolerance
+  // How many random sets were drawn, had no finite objective, and shifted by more than the tolerance.
   int sets = 0, not_finite = 0, beyond = 0;
   std::string worst;  // the random set with the largest shift
 };
@@ -138,7 +139,7 @@ void report(char const* records, laws::LawEntry const& law, Shift const& shift) 
   EXPECT_LE(shift.not_finite, rare * shift.sets) << law.info.id;
 }
 
-// The ten records as the example lot's settings read them: smoothed over 5 samples, 200 samples per cycle.
+// Reads the ten records with the settings of the example lot: smoothed over 5 samples, 200 samples per cycle.
 std::vector<data::FitRecord> example_records() {
   auto folder = (std::filesystem::temp_directory_path() / "isolaw-integration-XXXXXX").string();
   if (mkdtemp(folder.data()) == nullptr) return {};
@@ -160,7 +161,7 @@ std::filesystem::path measured_file() {
   return std::filesystem::path(ISOLAW_DATA_DIR) / "hdrb-gallardo-device/cyclic-24-49-98pct.csv";
 }
 
-// The third stage of the measured bearing: its last seven cycles, starting where the displacement crosses zero.
+// Returns the third stage of the measured bearing: its last seven cycles, starting where the displacement crosses zero.
 data::FitRecord third_stage(int samples_per_cycle) {
   data::ReadOptions reading;
   reading.dt_s = 0.00214823;
@@ -206,8 +207,8 @@ TEST(ConvergedIntegration, HoldsOnTheMeasuredThirdStage) {
 
 // Classical Runge-Kutta steps ------------------------------------------------------------------------------------
 
-// Three growing cycles that do not start at zero, with 50 samples per cycle. The time steps are uneven, which must not
-// matter.
+// Returns three growing cycles that do not start at zero, with 50 samples per cycle. The time steps are uneven, which
+// must not matter.
 data::FitRecord swept() {
   data::FitRecord record;
   for (int i = 0; i <= 150; ++i) {
@@ -220,7 +221,7 @@ data::FitRecord swept() {
   return record;
 }
 
-// One step in time t -> t + h of y' = rate(t, y).
+// Returns y after one classical Runge-Kutta step of y' = rate(t, y), from the time t to t + h.
 template <class Rate>
 double classical_step(double t, double h, double y, Rate&& rate) {
   double const k1 = rate(t, y), k2 = rate(t + h / 2, y + h / 2 * k1), k3 = rate(t + h / 2, y + h / 2 * k2),
@@ -232,7 +233,8 @@ double sign(double x) {
   return x > 0 ? 1.0 : x < 0 ? -1.0 : 0.0;
 }
 
-// Eqs. (13)-(14) by hand: z' = A x' - beta |x'| z |z|^(n-1) - gamma x' |z|^n, with x' constant between samples.
+// Integrates Eqs. (13)-(14) as printed: z' = A x' - beta |x'| z |z|^(n-1) - gamma x' |z|^n, with x' constant between
+// samples.
 Values bouc_wen_by_hand(data::FitRecord const& record, double alpha, double Ke, double A, double beta, double n,
                         double gamma) {
   Values force;
@@ -254,7 +256,7 @@ struct AbeParameters {
   double K1, alpha, beta, a, b, n, Y0, Uh, U0, Us, K2, r;
 };
 
-// Eqs. (15)-(21) by hand, with the yield force Yt = Y0, or Yt = Y0 (1 + |x/Uh|^p) if `growth` is true.
+// Integrates Eqs. (15)-(21) as printed. The yield force is Yt = Y0, or Yt = Y0 (1 + |x/Uh|^p) if `growth` is true.
 Values abe_by_hand(data::FitRecord const& record, AbeParameters const& p, bool growth = false, double exponent = 0.0) {
   Values force;
   double F2 = 0.0, peak = std::abs(record.disp_mm[0]);
@@ -363,7 +365,7 @@ TEST(ConvergedIntegration, OfAbeStaysBelowTheYieldForceForSmallYieldDisplacement
   auto const& law = laws::find_law("abe");
   for (double const U0 : {5.0, 1.0, 0.5, 0.25, 0.1})
     for (double const n : {0.05, 0.3, 0.6, 0.85, 1.0}) {
-      // all other forces are zero, so the force is F2
+      // All other terms of the law are zero with these parameters, so the force is F2.
       Values const parameters{0.0, 1.0, 0.0, 0.0, 1.0, n, 100.0, 50.0, 1.0, U0, 300.0, 0.0, 1.0};
       auto const force = Refined(law, record, 1).force_kN(parameters),
                  fine = Refined(law, record, finer).force_kN(parameters);
@@ -402,7 +404,7 @@ TEST(IntegrationShift, IsTheDifferenceFromAPathOfFinerSteps) {
 }
 
 // docs/source.md, "Integration", says that with n = 0.3 one step per sample at 100 samples per cycle changes the
-// objective by 0.007. The test requires this order of magnitude, which is large enough for a warning.
+// objective by 0.007. The test requires this order of magnitude, for which the program warns.
 TEST(IntegrationShift, OfThePaperIsLargeWhereTheSpecificationSaysSo) {
   data::FitRecord record;
   for (int i = 0; i <= 300; ++i) {
@@ -411,7 +413,7 @@ TEST(IntegrationShift, OfThePaperIsLargeWhereTheSpecificationSaysSo) {
     record.vel_mm_s.push_back(208.0 * std::numbers::pi * std::cos(std::numbers::pi * 0.02 * i));
   }
   auto const& law = laws::find_law("abe-y0");
-  // means of device 4 in Table A.5
+  // The means of device 4 in Table A.5.
   Values const device_4{7.14, 2.95, 0.03, 0.71, 7.29, 0.3, 49.5, 114.7, 2.8, 41.75, 0.22, 0.12};
   record.force_kN = Refined(law, record, 400).force_kN(device_4);
   double const paper = LawOnRecord(law, record, laws::Integration::paper).integration_shift(device_4);

@@ -17,7 +17,8 @@ using laws::KikuchiAiken;
 using AtPeak = laws::kikuchi_aiken::AtPeak<double>;
 using CompoundLoops = laws::kikuchi_aiken::Loops<double>;
 
-// The published functions of rubber compound X0.6 at its standard pressure, with stress in MPa over strain.
+// Returns the published functions of rubber compound X0.6 at the strain g and its standard pressure, with stress in
+// MPa.
 AtPeak compound(double g) {
   double const G =
       g < 1.15 ? 0.68358 * std::pow(g, -0.39964) : 1.10103 - 0.61946 * g + 0.22047 * g * g - 0.022191 * g * g * g;
@@ -84,8 +85,8 @@ TEST(KikuchiAiken, InnerBranchesOfTheCompound) {
   }
 }
 
-// Inner branches with the overshoot term of b. The term acts if the last two turns were on opposite sides, not if they
-// were on the same side.
+// Tests inner branches with the overshoot term of b. The term acts if the last two turns were on opposite sides, not if
+// they were on the same side.
 TEST(KikuchiAiken, InnerBranchesWithOvershoot) {
   std::array const stress{1.132924000, -1.132924000, 0.683569418, -0.474645786,
                           0.575618041, -0.284326719, 0.683569418, 1.132924000};
@@ -95,8 +96,8 @@ TEST(KikuchiAiken, InnerBranchesWithOvershoot) {
   for (std::size_t i = 0; i < stress.size(); ++i) EXPECT_NEAR(found.stress[i + 1], stress[i], 6e-10) << i;
 }
 
-// The expected values come from a script with its own code: it finds a by bisection and keeps its own stack of turns.
-// The second set of parameters overshoots and hardens.
+// The expected values come from a script with its own code, which finds the exponent a by bisection and keeps its own
+// stack of turning points. With the second set of parameters the branches overshoot and the stiffness hardens.
 TEST(KikuchiAiken, ItsOwnFunctions) {
   struct Case {
     Values<KikuchiAiken> values;
@@ -153,8 +154,8 @@ TEST(KikuchiAiken, LoopsClose) {
   }
 }
 
-// The force must be continuous: as the last step d is halved, the change of the force over it tends to 0. From rest it
-// falls as d^(1-p), elsewhere as d. This includes steps that end on a peak or a turning point or go past it.
+// The force must be continuous: as the last step d is halved, the change of the force over it tends to 0. From rest
+// this change falls as d^(1-p), elsewhere as d. Some steps end on a peak or on a turning point, others go past it.
 TEST(KikuchiAiken, IsContinuous) {
   std::vector<std::vector<double>> const histories{{0},
                                                    {0, 50},
@@ -172,8 +173,8 @@ TEST(KikuchiAiken, IsContinuous) {
         for (double d = 1.0; d > 1e-12; d *= 0.5) {
           auto on = history, onto = history;
           on.push_back(on.back() + sign * d);
-          // In the second path the last point is approached from the side of the point before, by a last step of length
-          // d.
+          // The path `onto` ends at the last point of the history with a step of length d, from the side from which the
+          // history comes.
           double const from = onto.size() < 2 ? 0.0 : onto[onto.size() - 2] < onto.back() ? -1.0 : 1.0;
           if (from != 0.0) onto.insert(onto.end() - 1, onto.back() + from * std::min(d, 0.5));
           double const bound = 60.0 * std::pow(d / 100.0, 0.6) + 25.0 * d + 1e-12;
@@ -185,7 +186,8 @@ TEST(KikuchiAiken, IsContinuous) {
         }
 }
 
-// A closed loop between the peaks must dissipate 2 pi h Fm m. If b is not needed, only a share of exp(-2a) is missing.
+// A closed loop between the peaks -m and m must dissipate 2 pi h Fm m. The tolerance allows for the share exp(-2a),
+// which is missing where a branch has no term of b.
 TEST(KikuchiAiken, DampingIsThatOfTheLoop) {
   constexpr int steps = 4000;
   for (double const A : {20.0, 100.0, 200.0}) {
@@ -197,9 +199,9 @@ TEST(KikuchiAiken, DampingIsThatOfTheLoop) {
   }
 }
 
-// Up to twice the amplitude of 208 mm for which the box is made, the first cycle, from x = 0, and the second dissipate.
-// At 1040 mm h may be 0, and then only the second cycle must dissipate, through the terms that close the branches. On
-// the first loading the force grows faster than the displacement, so less energy goes in than comes back.
+// Up to 416 mm, twice the amplitude for which the box is made, the first two cycles from x = 0 dissipate. At 1040 mm h
+// may be 0, and on the first loading the force grows faster than the displacement, so less energy goes in than comes
+// back. There only the second cycle must dissipate, through the terms that close the branches.
 TEST(KikuchiAiken, CyclesDissipate) {
   for (double const amplitude : {2.0, 50.0, 208.0, 416.0, 1040.0})
     for (std::uint32_t i = 0; i < 500; ++i) {
@@ -213,7 +215,7 @@ TEST(KikuchiAiken, CyclesDissipate) {
     }
 }
 
-// Every closed loop inside the largest one dissipates, wherever it starts.
+// A closed loop between two inner turning points dissipates, wherever it starts.
 TEST(KikuchiAiken, InnerLoopsDissipate) {
   for (double const length : {1.0, 20.0, 100.0, 300.0})
     for (double const at : {-150.0, -20.0, 100.0, 200.0})

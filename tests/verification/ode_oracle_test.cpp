@@ -106,7 +106,7 @@ Oracle abe_y0(Values<laws::AbeY0> const& v, std::vector<double> const& x, std::v
   return abe_form({v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], 1.0, v[8], v[9], v[10], v[11], false}, x);
 }
 
-// hwang-wu with displacement and velocity linear between the samples.
+// Integrates hwang-wu with displacement and velocity linear between the samples.
 Oracle hwang_wu(Values<laws::HwangWu> const& values, std::vector<double> const& x, std::vector<double> const& v) {
   auto const [a1, a2, a3, a4, a5, a6, a7, a8, a9, a10] = values;
   auto const force_at = [&, a1 = a1, a2 = a2, a3 = a3, a4 = a4, a5 = a5, a6 = a6, a7 = a7, a8 = a8, a9 = a9, a10 = a10](
@@ -123,20 +123,22 @@ Oracle hwang_wu(Values<laws::HwangWu> const& values, std::vector<double> const& 
     auto const slope = [&](double s, double now) {
       return direction * force_at(x[i - 1] + direction * s, v[i - 1] + (v[i] - v[i - 1]) * s / length, now);
     };
-    W = integrate(slope, W, length, 1e5);  // the scale of the work in N cm; with a10 of 1e-5, a10 W is of order one
+    // The scale of the work is 1e5 N cm, because a10 is about 1e-5 per N cm and a10 W then of order one.
+    W = integrate(slope, W, length, 1e5);
     force.push_back(force_at(x[i], v[i], W));
   }
   return force;
 }
 
-// Paths of 60 to 100 samples a cycle: two sines, one path with small loops around the peaks, and one that reverses at
-// every other sample. The random paths have the number `index`.
+// Returns paths of 60 to 100 samples a cycle: two sines, one path with small loops around the peaks, and one that
+// reverses at every other sample. `index` selects the random numbers of the last two paths.
 std::vector<Motion> motions(std::uint32_t index, double roughness) {
   return {sine(208.0, 0.5, 2, 100), sine(60.0, 0.5, 2, 60), irregular(index, 200.0, 3, 100, 0.005),
           irregular(1000 + index, 150.0, 2, 100, roughness)};
 }
 
-// The largest error on each motion for each of `count` parameter sets, divided by the peak force, in ascending order.
+// Computes each of `count` parameter sets on each motion, and divides the largest error over the path by the peak
+// force. Returns these errors in ascending order.
 template <class Law, class Reference, class Source>
 std::vector<double> errors(std::uint32_t count, Reference const& oracle, Source const& source,
                            double roughness = 0.03) {
@@ -161,8 +163,8 @@ double median(std::vector<double> const& ascending) {
   return ascending[ascending.size() / 2];
 }
 
-// With n = 1 every branch is an exponential. This function's own error must be far below the tolerances of the tests of
-// the laws.
+// With n = 1 every branch is an exponential. The integration of this file must reproduce it with an error far below the
+// tolerances in the tests of the laws.
 TEST(OdeOracle, ReproducesAnExponential) {
   Values<laws::BoucWen> const values{0.0, 1.0, 1.0, 0.06, 1.0, 0.04};
   auto const force = bouc_wen(values, {0.0, 5.0, 30.0, 29.0}, {});
@@ -172,7 +174,7 @@ TEST(OdeOracle, ReproducesAnExponential) {
   EXPECT_NEAR(force[3], (z + 50.0) * std::exp(-0.02) - 50.0, 1e-9);
 }
 
-// saturating_flow.hpp states 1e-5 of saturation; the largest error seen is 4e-6.
+// saturating_flow.hpp states an error of up to 1e-5 of saturation; the largest error seen in this test is 4e-6.
 TEST(OdeOracle, BoucWen) {
   EXPECT_LT(errors<laws::BoucWen>(40, bouc_wen, candidate<laws::BoucWen>).back(), 1e-5);
 }
@@ -222,7 +224,7 @@ TEST(OdeOracle, HwangWuForThePublishedDevices) {
   }
 }
 
-// Random parameter set number `index`, or the next one with a bounded force (beta + gamma > 0).
+// Returns the random parameter set number `index`, or the next one whose force is bounded (beta + gamma > 0).
 Values<laws::BoucWen> bounded_bouc_wen(std::uint32_t index) {
   for (std::uint32_t next = index;; next += 100) {
     auto const values = scaled_candidate<laws::BoucWen>(next);
@@ -231,9 +233,9 @@ Values<laws::BoucWen> bounded_bouc_wen(std::uint32_t index) {
   }
 }
 
-// Parameter sets from the box for a device of this size, as a search meets them. bouc-wen has exponents from 0.5 to 2
-// and any ratio of beta to gamma. abe has yield displacements down to a thousandth of the largest displacement. If the
-// force of such sets were wrong, a search would exploit it.
+// These tests draw parameter sets from the box for a device of this size, as a search does. bouc-wen has exponents from
+// 0.5 to 2 and any ratio of beta to gamma. abe has yield displacements down to a thousandth of the largest
+// displacement. If the force of such sets were wrong, a search would exploit it.
 TEST(OdeOracleInTheScaledBox, BoucWen) {
   EXPECT_LT(errors<laws::BoucWen>(100, bouc_wen, bounded_bouc_wen).back(), 1e-4);
 }

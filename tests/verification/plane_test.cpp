@@ -24,11 +24,11 @@ using P = typename Law::template Params<double>;
 template <class Law>
 using S = typename Law::template State<double>;
 
-// Bouc-Wen parameters with alpha = 0, Ke = 1 and A = 1, so that the force is z.
+// Returns Bouc-Wen parameters with alpha = 0, Ke = 1 and A = 1, so that the force is z.
 laws::BoucWen::Params<double> bouc_wen(double n, double beta, double gamma) {
   return {.alpha = 0.0, .Ke = 1.0, .A = 1.0, .beta = beta, .n = n, .gamma = gamma};
 }
-// Abe parameters for the hysteretic force alone, with strength 1 and yield length U.
+// Returns Abe parameters for the hysteretic force alone, with strength 1 and yield length U.
 laws::AbeY0::Params<double> abe(double n, double U) {
   laws::AbeY0::Params<double> p{};
   p.n = n;
@@ -62,8 +62,8 @@ TEST(PlaneLaws, a_straight_step_of_bouc_wen_switches_where_the_component_along_i
   EXPECT_NEAR(at_zero.y, 0.440567110531, 1e-12);
 }
 
-// The last of several turns around a polygon with `corners` corners: the size of the force at the last corner, its
-// angle behind the direction of motion, and the work of the turn.
+// The last of several turns around a polygon with `corners` corners. At the last corner, `size` is the size of the
+// force and `lag` its angle behind the direction of motion. `work` is the work of the whole turn.
 struct Turn {
   double size, lag, work;
 };
@@ -85,7 +85,7 @@ Turn turn(P<Law> const& p, double radius, int corners, int turns = 4) {
   last_turn.lag = std::abs(last_turn.lag) * 180.0 / pi;
   return last_turn;
 }
-// The values for a polygon differ from those for a circle by the square of the side's angle. Two polygons, one with
+// The error of a polygon against the circle grows with the square of the angle of one side. Two polygons, one with
 // twice as many corners, therefore give the values for the circle by extrapolation.
 template <class Law>
 Turn circle(P<Law> const& p, double radius, int corners = 4000) {
@@ -94,7 +94,8 @@ Turn circle(P<Law> const& p, double radius, int corners = 4000) {
   return {limit(once.size, twice.size), limit(once.lag, twice.lag), limit(once.work, twice.work)};
 }
 
-// On a circle of radius R the size q and the lag of the hysteretic force obey q^n = cos(lag) and sin(lag) = U q / R.
+// On a circle of radius R, q is the size of the hysteretic force. It obeys q^n = cos(lag), and its lag obeys sin(lag) =
+// U q / R.
 TEST(PlaneLaws, circles_of_the_core) {
   struct Expected {
     double radius, size, lag;
@@ -156,8 +157,8 @@ Vector<double> integrated(Vector<double> const& z, Vector<double> const& n, doub
   return {at[0], at[1]};
 }
 
-// As integrated(), but the integration stops where the component of z along n passes 0. The slope may have a corner
-// there, which the step control would not notice.
+// Integrates as integrated() does, but stops and starts again where the component of z along n passes 0. The slope may
+// have a corner there, which the step control would not notice.
 template <class Slope>
 Vector<double> integrated_to_the_corner(Vector<double> z, Vector<double> const& n, double length, Slope const& slope) {
   double done = 0.0;
@@ -175,8 +176,8 @@ Vector<double> integrated_to_the_corner(Vector<double> z, Vector<double> const& 
   return integrated(z, n, length - done, slope);
 }
 
-// Random straight steps, short and long, are compared with the differential equation. Each comparison starts at the
-// state to which the law has come. Returns the largest difference.
+// Follows random straight steps, short and long, and compares each with the differential equation, started at the state
+// to which the law has come. Returns the largest difference.
 template <class Law, class Slope>
 double worst_over_a_walk(P<Law> const& p, Vector<double> S<Law>::*q, Slope const& slope) {
   std::mt19937_64 random(3);

@@ -35,7 +35,7 @@ using Values = std::vector<double>;
 constexpr std::size_t devices = 50;
 constexpr double freedom = devices - 1.0;
 constexpr double standard_errors = 3.5;
-// between the logarithms of the first two free parameters; the others are independent
+// The correlation between the logarithms of the first two free parameters. The other parameters are independent.
 constexpr double correlation = 0.6;
 
 // A law and the medians of its free parameters. Its other parameters are fixed at zero.
@@ -50,7 +50,7 @@ std::vector<Lot> const lots{
     {"jankowski", {"a1", "a9", "a2", "a11"}, {6e5, 3e4, 8e6, 0.08}},  // N/m, N, N/m^3, m/s
 };
 
-// Two cycles at each of three amplitudes, at 0.5 Hz. test() replaces the force.
+// Returns a record of two cycles at each of three amplitudes, at 0.5 Hz. test() replaces its force.
 data::FitRecord motion() {
   data::FitRecord record;
   constexpr double omega = std::numbers::pi;
@@ -110,9 +110,9 @@ class Laboratory {
     return values;
   }
 
-  // Asymptotic covariance of a fit by least absolute deviations with weights w (Koenker and Bassett 1978, for
-  // independent errors of one density f): H^-1 V H^-1, H = 2 f(0) sum w J J^T, V = sum w^2 J J^T, J the derivatives of
-  // a residual.
+  // Returns the asymptotic covariance of a fit by least absolute deviations with weights w (Koenker and Bassett 1978,
+  // for independent errors of one density f). It is H^-1 V H^-1 with H = 2 f(0) sum w J J^T and V = sum w^2 J J^T,
+  // where J are the derivatives of a residual.
   SquareMatrix covariance(fit::LawOnRecord const& model, Values const& best) const {
     constexpr double step = 1e-5;
     std::vector<Values> candidates{all(best)};
@@ -141,8 +141,8 @@ class Laboratory {
     return rows;
   }
 
-  // The density of the residuals at zero, by a normal kernel with the width for a normal density (Silverman 1986, Eq.
-  // 3.28).
+  // Estimates the density of the residuals at zero, by a normal kernel with the width for a normal density (Silverman
+  // 1986, Eq. 3.28).
   static double density_at_zero(Vector const& residuals) {
     auto const count = static_cast<double>(residuals.size());
     double const width = 1.06 * std::sqrt(residuals.squaredNorm() / count) * std::pow(count, -0.2);
@@ -170,7 +170,8 @@ Matrix matrix(SquareMatrix const& rows) {
 struct Recovered {
   Vector true_mean, drawn_mean, mean;
   Matrix true_covariance, drawn_covariance;
-  // S is the covariance of the estimates, C the mean covariance of the fits' errors, `covariance` the population's.
+  // S is the covariance of the estimates, C is the mean covariance of the errors of the fits, and `covariance` is the
+  // population's as estimated from the tests.
   Matrix covariance, S, C;
   Population population;
 };
@@ -217,7 +218,8 @@ void expect_within(Matrix const& found, Matrix const& expected, Matrix const& va
           << what << ' ' << i << ' ' << j;
 }
 
-// Variances of the entries of cov(x, x), and of cov(x, y) + cov(y, x) for independent x and y with covariances A and B.
+// These functions return the variances of the entries of cov(x, x), and of cov(x, y) + cov(y, x) for independent x and
+// y with covariances A and B.
 Matrix variance_of_covariance(Matrix const& A) {
   return (A.diagonal() * A.diagonal().transpose() + A.cwiseAbs2()) / freedom;
 }
@@ -238,7 +240,8 @@ TEST_P(PopulationRecovery, GivesMeanAndCovarianceBack) {
     EXPECT_EQ(found.population.directions, lot.names.size());
     EXPECT_TRUE(found.population.undetermined.empty());
 
-    // The estimates differ from the population because only 50 devices were drawn and because each fit has an error.
+    // The estimates scatter about the population for two reasons: only 50 devices were drawn, and each fit has an
+    // error.
     Matrix const T = found.true_covariance + found.C;
     expect_within(found.mean, found.true_mean, T.diagonal() / devices, "mean");
     expect_within(found.covariance, found.true_covariance, variance_of_covariance(T), "covariance");
@@ -268,7 +271,7 @@ TEST_P(PopulationRecovery, OfEqualDevicesFindsNoMoreThanTheErrorsOfTheFits) {
   double const largest = std::pow(1.0 + std::sqrt(n / freedom) + standard_errors / std::sqrt(freedom), 2);
   for (Index i = 0; i < found.C.rows(); ++i) {
     EXPECT_LE(found.covariance(i, i), (largest - 1.0) * found.C(i, i));
-    // far below the smallest variability that the other tests use, 0.025
+    // The limit is far below 0.025, the smallest variability in the other tests.
     EXPECT_LT(std::sqrt(found.covariance(i, i)), 0.01);
   }
   EXPECT_LT(found.population.directions, lot.names.size());

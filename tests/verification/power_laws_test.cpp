@@ -17,7 +17,7 @@ namespace {
 using laws::PowerMasing;
 using laws::PowerScragging;
 
-// corners of the path at which the expected forces are given
+// The numbers of the corners of the path at which the expected forces are given.
 constexpr std::array<std::size_t, 5> asked{2, 4, 5, 8, 9};
 
 template <class Law>
@@ -25,7 +25,7 @@ void expect_at_corners(Values<Law> const& values, std::array<double, 5> const& e
   for (int const steps : {1, 7, 1000}) {
     auto const force = forces<Law>(values, laws::make_path(through(corners, steps), {}));
     for (std::size_t i = 0; i < asked.size(); ++i)
-      // The expected values have six decimals. Cutting a step into a thousand must not change the force.
+      // The expected values have six decimals. The force must be the same if a step is cut into a thousand.
       EXPECT_NEAR(force[asked[i] * static_cast<std::size_t>(steps)], expected[i], 6e-7) << steps << " steps a leg";
   }
 }
@@ -132,7 +132,7 @@ TEST(PowerLaws, MemoryIsAsDeepAsThePath) {
 }
 
 // The force must be continuous: as the last step d is halved, the change of the force over it tends to 0. Where a
-// branch begins, and on a side where the device has not been, it falls as d^g.
+// branch begins, and on a side where the device has not been, this change falls as d^g.
 TEST(PowerLaws, MasingIsContinuous) {
   Values<PowerMasing> const values{80, 0.36, 45, 10, 60, 0.25};
   std::vector<std::vector<double>> const histories{
@@ -143,8 +143,8 @@ TEST(PowerLaws, MasingIsContinuous) {
         auto x = history;
         x.push_back(x.back() + sign * d);
         auto const force = forces<PowerMasing>(values, laws::make_path(x, {}));
-        // The bound adds the change of the branch just after its start, the elastic force on a side where the device
-        // has not been, and 1.5 kN/mm for the terms with C and H.
+        // The bound adds three changes of force: of the branch just after its start, of the elastic force on a side
+        // where the device has not been, and 1.5 kN/mm for the terms with C and H.
         double const bound = 2.0 * 80.0 * std::pow(d / 100.0, 0.36) + 45.0 * std::pow(d / 100.0, 0.36) + 1.5 * d;
         EXPECT_LE(std::abs(force.back() - force[force.size() - 2]), bound) << d << " from " << history.back();
       }
@@ -159,7 +159,7 @@ TEST(PowerLaws, HardeningGovernsFarBeyondTheTests) {
   auto without = bearing;
   without[3] = 0.0;
   double const force = forces<PowerMasing>(bearing, path).back();
-  EXPECT_NEAR(force, 1333.0, 3.0);  // the parameters have only two or three digits
+  EXPECT_NEAR(force, 1333.0, 3.0);  // rounded: the parameters above have only two or three digits
   EXPECT_NEAR(force - forces<PowerMasing>(without, path).back(), 560.0, 0.5);
 }
 
@@ -200,8 +200,8 @@ TEST(PowerLaws, TremorIsNoTravel) {
   EXPECT_GT(behind.back(), 0.99 * behind[100]);
 }
 
-// A cycle that starts and ends at x = 0 dissipates anywhere in the box. A cycle from peak to peak need not: the device
-// may take energy with a low stiffness and return energy that it stored earlier with a higher one.
+// A cycle that starts and ends at x = 0 dissipates for all parameters in the box. A cycle from peak to peak need not:
+// the device may take energy with a low stiffness and return energy that it stored earlier with a higher one.
 TEST(PowerLaws, CyclesDissipate) {
   for (double const amplitude : {2.0, 50.0, 208.0})
     for (std::uint32_t i = 0; i < 200; ++i) {

@@ -43,7 +43,8 @@ TEST(Replay, bilinear_materials_have_the_closed_form) {
   }
 }
 
-// Another implementation gave the expected values. The first one can be checked by hand: 0.1 + 0.9 / 2^(1/20).
+// Another implementation gave the expected values. The first expected value can also be computed by hand: it is 0.1 +
+// 0.9 / 2^(1/20).
 TEST(Replay, steel02_has_the_branches_of_menegotto_and_pinto) {
   Command const command{"Steel02", {1.0, 1.0, 0.1, 20.0, 0.925, 0.15}};
   auto const f = replay({&command, 1}, std::vector<double>{1, 5, -5, 5, 2, 5, 6});
@@ -87,8 +88,8 @@ TEST(Replay, asymmetric_material_gives_the_documented_sets) {
   }
 }
 
-// With n = 1 and gamma = 0 Wen's material obeys dz/dx = A - beta |z| sgn(dx z). The branches are those of the
-// asymmetric material without hardening, but the material errs by the first power of the step.
+// With n = 1 and gamma = 0 Wen's material obeys dz/dx = A - beta |z| sgn(dx z). Exactly solved, its branches would be
+// those of the asymmetric material without hardening. The error of the material falls with the first power of its step.
 TEST(Replay, bouc_wen_of_exponent_one_is_the_asymmetric_material_as_the_step_goes_to_zero) {
   double const kb = 0.6, f0 = 25.0, alpha = 0.08, D = 150.0, Ke = kb + alpha * f0;
   Command const algebraic{"HystereticAsym", {kb + 2.0 * alpha * f0, kb, f0, 0, 0, 0}};

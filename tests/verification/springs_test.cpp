@@ -18,12 +18,12 @@ using laws::Springs;
 using laws::plane::Vector;
 constexpr double pi = std::numbers::pi;
 
-// The law's parameters for K1 6 kN/mm, K2 0.9 kN/mm (or the given one) and Qd 30 kN.
+// Returns a bilinear law with K1 6 kN/mm, K2 0.9 kN/mm (or the given one) and Qd 30 kN.
 laws::Online bilinear(double K2 = 0.9) {
   return {"bilinear", std::vector{6.0, K2, 30.0 / (6.0 - K2)}};
 }
 
-// The force at every point of the path, and the work over the last `round` steps.
+// The force at every point of the path, and the work over its last `round` steps.
 struct Walked {
   std::vector<Vector<double>> forces;
   double work = 0.0;
@@ -45,7 +45,7 @@ Walked walked(Springs springs, std::vector<Vector<double>> const& path, std::siz
 TEST(Springs, strength_depends_on_the_angle_by_so_much) {
   struct Expected {
     int springs;
-    double anisotropy;  // per cent
+    double anisotropy;  // strongest over weakest direction less 1, in percent
   };
   for (auto const& e : {Expected{8, 1.96}, Expected{16, 0.48}, Expected{32, 0.12}}) {
     double least = std::numeric_limits<double>::infinity(), most = 0.0;
@@ -116,8 +116,8 @@ TEST(Springs, turn_by_their_own_angle_exactly_and_by_any_within_a_spring) {
     std::vector<Vector<double>> other;
     for (auto const& at : path) other.push_back(turned(at, 1.0));
     auto const got = walked(Springs(bilinear()), other);
-    // If the path is turned by a fraction of the angle between springs, at most one spring more or less has yielded. If
-    // it is turned by whole angles, the forces are exactly the turned ones.
+    // If the path is turned by a multiple of the angle between two springs, its forces are exactly turned with it. If
+    // it is turned by a fraction of that angle, at most one spring more or less has yielded.
     bool const exact = share == std::floor(share);
     double worst = 0.0;
     for (std::size_t i = 0; i < path.size(); ++i) {

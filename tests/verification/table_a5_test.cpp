@@ -25,7 +25,7 @@ double mean_objective(Law const& law) {
   return num::moments(law.objective_mean).mean;
 }
 
-// The robustness index beta over the law's printed parameters, without the parameter named `leave_out`.
+// Computes the robustness index beta over the law's printed parameters, without the parameter named `leave_out`.
 lot::Robustness robustness(Law const& law, std::string_view leave_out = {}) {
   std::vector<std::string> names;
   std::vector<std::vector<double>> means;
@@ -74,8 +74,8 @@ TEST(TableA5, AgreesWithThePapersText) {
   EXPECT_NEAR(mean_objective(laws[2]), 0.09, 0.005);
 }
 
-// Table A.5 prints 13 parameters of law 5, with p, and the index counts them all. The printed loops agree better with a
-// law without p (docs/source.md).
+// Table A.5 prints 13 parameters of law 5, including p, and the robustness index counts all of them. The printed loops
+// agree better with a law without p (docs/source.md).
 TEST(TableA5, TheIndexOfLaw5CountsAllThirteenPrintedParameters) {
   ASSERT_EQ(laws[4].parameters.size(), 13u);
   EXPECT_NEAR(*robustness(laws[4], "p").beta, 0.2760, half_of_fourth_digit);

@@ -1,5 +1,5 @@
-// Two-sided tolerance factors of the normal distribution (mean +- k standard deviations), for a share of 95 % and a
-// confidence of 95 %, compared with printed tables.
+// Compares two-sided tolerance factors of the normal distribution (mean +- k standard deviations) with printed tables,
+// for a share of 95 % and a confidence of 95 %.
 #include "isolaw/num/tolerance_factor.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,8 @@ namespace {
 
 using Table = std::vector<std::pair<std::size_t, double>>;
 
-// Exact factors from ISO 16269-6:2014. An independent program (Simpson's rule in Python) gave the same four digits.
+// The expected factors are the exact ones of ISO 16269-6:2014. An independent program (Simpson's rule in Python) gave
+// the same four digits.
 TEST(ToleranceFactor, IsExact) {
   for (auto const& [n, k] : Table{
            {2, 36.5192}, {3, 9.7888}, {4, 6.3411}, {5, 5.0769}, {6, 4.4222}, {10, 3.3934}, {20, 2.7603}, {30, 2.5549}})
@@ -43,7 +44,7 @@ TEST(ToleranceFactor, HoldsItsShareWithItsConfidence) {
     double const mean = sum / 4, s = std::sqrt((squares - 4 * mean * mean) / 3);
     held += share_below(mean + k * s) - share_below(mean - k * s) >= 0.95;
   }
-  EXPECT_NEAR(held / static_cast<double>(samples), 0.95, 0.0015);  // three standard errors of the share
+  EXPECT_NEAR(held / static_cast<double>(samples), 0.95, 0.0015);  // 0.0015 is three standard errors
 }
 
 }  // namespace

@@ -110,7 +110,7 @@ def workbook(name, head, time):
     }
     with zipfile.ZipFile(os.path.join(here, name), 'w', zipfile.ZIP_DEFLATED) as archive:
         for entry, content in parts.items():
-            # a fixed date, so that the file has the same bytes every time
+            # A zip file holds the date of each entry. It is fixed here, so that the file has the same bytes every time.
             info = zipfile.ZipInfo(entry, (2024, 1, 1, 0, 0, 0))
             info.compress_type = zipfile.ZIP_DEFLATED
             archive.writestr(info, content)
@@ -184,9 +184,9 @@ def text_files():
     write('empty.csv', b'')
 
 
-# Writes load and displacement of a compression test. The load rises `loadings` times from `least` to `largest` kN,
-# along the curve `disp_of`, and falls again with some hysteresis. In the first loading the device settles: a settlement
-# grows with the load up to `settles` mm, and stays in the later loadings.
+# Writes load and displacement of a compression test. The load rises `loadings` times from `least` to `largest` kN along
+# the curve `disp_of` and falls again with some hysteresis. During the first loading the device also settles: the
+# settlement grows with the load up to `settles` mm and then stays.
 def compression(name, head, disp_of, loadings=3, least=50.0, largest=1000.0, load_sign=1.0, settles=0.02, unloads=True, end=math.inf):
     lines = [head]
     for number in range(loadings):
@@ -201,7 +201,7 @@ def compression(name, head, disp_of, loadings=3, least=50.0, largest=1000.0, loa
 def compression_tests():
     english = 'Vertical displacement [mm];Vertical load [kN]'
     compression('compression.csv', english, lambda p: 0.3 + p / 1200.0)
-    # A curve that stiffens, d ~ P^0.8. From 300 to 1000 kN the displacement grows by 700/1200 mm, so K_v is 1200 kN/mm.
+    # The device stiffens as d ~ P^0.8. From 300 to 1000 kN the displacement grows by 700/1200 mm, so K_v is 1200 kN/mm.
     scale = 700.0 / 1200.0 / (1000.0 ** 0.8 - 300.0 ** 0.8)
     compression('compression-ramp.csv', 'Displacement [mm];Load [kN]', lambda p: scale * p ** 0.8, loadings=1, least=0.0, settles=0.0, unloads=False)
     compression('compression-negative.csv', 'Weg vertikal [mm];Vertikalkraft [kN]', lambda p: 0.3 + p / 1200.0, load_sign=-1.0)
@@ -234,8 +234,8 @@ def machines():
             'Channels\t2\t\t\r\nSamples\t301\t301\t\r\nDate\t2024/05/02\t2024/05/02\t\r\nTime\t10:00:00.25\t10:00:00.25\t\r\n'
             'Y_Unit_Label\tmm\tkN\t\r\nX_Dimension\tTime\tTime\t\r\nX0\t0.0E+0\t0.0E+0\t\r\nDelta_X\t0.020000\t0.020000\t\r\n***End_of_Header***\t\t\t\r\n'
             'X_Value\tDisplacement\tForce\tComment', tabs)
-    # These files have no time column. The header states the sampling interval of each channel, which serves as time if
-    # all channels have the same.
+    # These files have no time column. The header states the sampling interval of each channel, and isolaw makes the
+    # time from it if all channels have the same.
     head = ('LabVIEW Measurement\t\r\nSeparator\tTab\r\nDecimal_Separator\t.\r\nX_Columns\tNo\r\n***End_of_Header***\t\r\n\t\r\n'
             'Channels\t2\t\t\r\nSamples\t301\t301\t\r\nY_Unit_Label\tmm\tkN\t\r\nX_Dimension\tTime\tTime\t\r\nX0\t0.0E+0\t0.0E+0\t\r\n'
             'Delta_X\t{}\t0.020000\t\r\n***End_of_Header***\t\t\t\r\nX_Value\tDisplacement\tForce\tComment')

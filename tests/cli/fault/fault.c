@@ -57,7 +57,8 @@ static int watched_file(int file) {
 
 enum what { succeed, fail, tear };
 
-// Counts an operation, and sets errno if the operation is to fail. `can_tear` is 1 for writes, which may be torn.
+// Counts an operation and decides whether it is to fail, in which case errno is set. `can_tear` is 1 for writes, of
+// which half may be done.
 static enum what next_operation(int can_tear) {
   long const number = ++operations, at = atol(setting("ISOLAW_FAULT_AT"));
   const char* mode = setting("ISOLAW_FAULT_MODE");
@@ -81,7 +82,7 @@ __attribute__((destructor)) static void report_count(void) {
   fclose(file);
 }
 
-// For operations that also work on a full disk, such as removing or truncating a file.
+// Returns 1 if an operation is to fail that also works on a full disk, such as removing or truncating a file.
 static int frees_space_fails(void) {
   return next_operation(0) == fail && errno != ENOSPC;
 }
@@ -144,7 +145,7 @@ static int opening_fails(const char* path, int flags) {
   int const changes = (flags & O_ACCMODE) != O_RDONLY || (flags & (O_CREAT | O_TRUNC)) != 0;
   if (!changes || !watched_path(path)) return 0;
   int const makes = (flags & O_CREAT) != 0 && access(path, F_OK) != 0;
-  // On a full disk a new file cannot be created, but an existing one can be opened.
+  // A full disk prevents a file from being created, but an existing file can still be opened.
   return makes ? next_operation(0) == fail : frees_space_fails();
 }
 static int mode_of(int flags, va_list arguments) { return (flags & O_CREAT) ? va_arg(arguments, int) : 0; }

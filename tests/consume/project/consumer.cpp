@@ -1,5 +1,5 @@
-// A program of a user of the library. It computes the force of a bilinear bearing under a sine and asks for a law that
-// does not exist.
+// A program that a user of the library might write. It computes the force of a bilinear bearing under a sine and asks
+// for a law that does not exist, which must be an error.
 #include <cmath>
 #include <cstdio>
 #include <isolaw/api/isolaw.hpp>

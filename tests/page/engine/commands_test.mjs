@@ -46,8 +46,8 @@ test('wrong words are an answer, not a rejection', async () => {
   const said = await engine.run({ argv: ['calibrate', 'nowhere.csv'] });
   assert.equal(said.code, 2);
   assert.match(said.stderr, /nowhere\.csv: no such file/);
-  // The engine returns the complaints as objects too. Its message must be the same as that of the native program and
-  // consist of these complaints.
+  // The engine returns the complaints as objects too. Its message must be the same as the native program's and consist
+  // of these complaints.
   const own = native(['calibrate', 'nowhere.csv']);
   assert.equal(said.stderr, own.stderr);
   assert.equal(said.error.kind, 'input');
@@ -63,8 +63,8 @@ test('inspection says the same, number by number', async () => {
   same(said, native(argv), 'the example lot');
 });
 
-// The inputs of the fuzz targets are sound and broken records: text, workbooks, MATLAB files, JSON. Both programs must
-// say the same of each.
+// The inputs of the fuzz targets are sound and broken records: text, workbooks, MATLAB files and JSON. The engine and
+// the native program must say the same of each record.
 for (const kind of ['text', 'workbook', 'mat', 'json'])
   test(`files of others: ${kind}`, async () => {
     const extension = { text: '.csv', workbook: '.xlsx', mat: '.mat', json: '.json' }[kind];
@@ -119,7 +119,7 @@ test('what stops a worker is an error, and the next command runs', async () => {
   assert.equal((await engine.run({ argv: ['--version'] })).code, 0);
 });
 
-// Imitates a browser that is short of memory: the memory of the program cannot grow beyond 48 MiB.
+// Imitates a browser that is short of memory: WebAssembly's memory cannot grow beyond 48 MiB.
 const poor = `
 const grow = WebAssembly.Memory.prototype.grow;
 WebAssembly.Memory.prototype.grow = function (pages) {
@@ -153,8 +153,8 @@ test('a campaign that was cancelled goes on from what was finished', async () =>
   assert.ok(cancelled.parts.some(({ path }) => path.startsWith('parts/')));
   const again = await engine.identify({ inputs, files, options, parts: cancelled.parts });
   assert.equal(again.code, 0, again.stderr);
-  // The workers computed all analyses in parts, also the laws that are fitted to the whole lot. So the last merge had
-  // to compute none and only copied them.
+  // The workers computed all analyses in parts, including those of the laws that are fitted to the whole lot. The last
+  // merge therefore only copied 10 analyses and computed none.
   assert.match(again.stderr, / and 10 analyses copied/);
   // A campaign that was computed in parts must give the same bytes as one that a single command computes.
   const one = await engine.run({ argv: ['calibrate', ...inputs, ...options, '--out', 'out', '--figures', 'none'], files });

@@ -1,5 +1,5 @@
-// The page's engine and the native program must give the same numbers for every law. If the native program computes the
-// objectives of the page's results again, they must be equal. The searches of both must reach equal objectives.
+// The page's engine and the native program must agree for every law. From the page's parameters the native program must
+// compute the same objectives. Searches of both must reach equal objectives within `tolerance`.
 //   node numbers_test.mjs PAGE ISOLAW
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -11,8 +11,9 @@ import { bearing, engine, filesIn, lay, native, textOf, work } from './support.m
 
 after(() => engine.close());
 
-// Searches with two instruction sets may end at objectives that differ as much (docs/performance.md), because the
-// objective of the law abe is rough near its minimum. The page may differ by the same amount.
+// The objective of the law abe is rough near its minimum, so native searches with two instruction sets may end at
+// objectives that differ by this much (docs/performance.md). The page may differ from the native program by the same
+// amount.
 const tolerance = 1e-5;
 // Near a minimum the objective changes with the square of a parameter. So a parameter is only known to about the root
 // of the tolerance.
@@ -27,8 +28,8 @@ async function compare(name, inputs, files, options) {
   const said = await engine.identify({ inputs, files, options });
   assert.equal(said.code, 0, said.stderr);
   // `isolaw check` computes every objective again from its parameters and requires agreement within 1e-9
-  // (fit::evaluation_tolerance). It also checks the whole database. It does not get the reports of the page, because
-  // numbers in them may differ in the last digit.
+  // (fit::evaluation_tolerance). It also checks the whole database. The test does not give it the page's reports,
+  // because numbers in them may differ in the last digit.
   lay(said.files.filter(({ path }) => path === 'out/campaign.sqlite'), join(out, 'page'));
   const check = native(['check', join(out, 'page/out')]);
   assert.equal(check.code, 0, check.stdout + check.stderr);

@@ -1,5 +1,5 @@
-// Code that all tests of the page's engine share. They run under Node. Their arguments are the page and the native
-// program: PAGE ISOLAW.
+// Shared by all tests of the page's engine, which run under Node. Their arguments are the page and the native program:
+// PAGE ISOLAW.
 import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -14,7 +14,7 @@ process.on('exit', () => rmSync(work, { recursive: true, force: true }));
 export const engineWith = (options) => engineOf(page, options);
 export const engine = await engineWith({ workers: 2 });
 
-// Runs the native program. `env` may hold ISOLAW_SIMD to choose an instruction set.
+// Runs the native program and returns its outputs. `env` may hold ISOLAW_SIMD to choose an instruction set.
 export const native = (words, env = {}) => {
   const { status, stdout, stderr } = spawnSync(isolaw, words, { cwd: work, encoding: 'utf8', env: { ...process.env, ...env }, maxBuffer: 1 << 28 });
   return { code: status, stdout, stderr };
