@@ -180,7 +180,7 @@ TEST(Summary, AtBoundIsThatOfTheBestRun) {
   // Only the box of device A is changed, so K2 of device A is no longer at a bound.
   contents.searches[0].box.parameters[1].upper = 2.0;
   EXPECT_EQ(build_summary(contents).laws[0].devices[0].parameters[1].at_bound, fit::AtBound::no);
-  // The first run reaches the bound. It does not count, since it is not the best run.
+  // K1 of the first run lies at the lower end of its box. Only the best run is judged, and that is the second.
   contents.runs[0].parameters = {1.0, 0.35, 10.0};
   EXPECT_EQ(build_summary(contents).laws[0].devices[0].parameters[0].at_bound, fit::AtBound::no);
 }

@@ -133,8 +133,8 @@ Values<Gallardo> with(Values<Gallardo> values, std::initializer_list<std::pair<s
   return values;
 }
 
-// The expected values come from the published algorithm with 1,000 to 50,000 steps from corner to corner. Each is good
-// to 0.002.
+// The expected forces come from the published algorithm with 1,000 to 50,000 steps between two turning points. Each is
+// good to 0.002 kN.
 TEST(Gallardo, PublishedAlgorithm) {
   std::vector<double> const corners{0, 78, -78, 78, -156, 156, 0};
   std::array<double, 6> const known{19.128, -20.033, 16.395, -30.740, 30.877, -4.894};

@@ -44,7 +44,8 @@ bool same_record(Device const& there, Device const& now) {
   return there.raw.sha256 == now.raw.sha256 && there.refusal == now.refusal;
 }
 
-// Says why a device's stored results cannot be used. A refused device has none, so its file may have changed.
+// Says why a device's stored results cannot be used. A device that was refused has no results, so a change of its file
+// is no obstacle.
 std::string obstacle(Device const& there, Device const& now) {
   if (!there.usable()) return {};
   if (!now.usable()) return fmt::format("{}: refused now: {}", now.name, now.refusal);

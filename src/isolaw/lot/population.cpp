@@ -168,8 +168,8 @@ Vector alone(Matrix const& C) {
   return num::apply(Matrix(parts.vectors.cwiseAbs2()), inverse).cwiseInverse().cwiseProduct(scale.cwiseAbs2());
 }
 
-// Sets the row and the column of S to zero for each of the parameters in `undetermined` whose estimates scatter no more
-// than their error. The comment on estimate_population gives the reason.
+// Takes a parameter out of the scatter S between devices if the tests do not determine it and its estimates scatter no
+// more than their error, whose covariance is C: then nothing shows that devices differ in it.
 void silence(Matrix& S, Matrix const& C, std::span<std::size_t const> undetermined) {
   Vector const error = alone(C);
   for (auto const parameter : undetermined) {

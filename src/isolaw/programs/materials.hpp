@@ -31,7 +31,8 @@ struct Command {
   std::vector<double> arguments;
 };
 
-// Tags of a command's materials, counted from the tag that the user gives: 0 for the last command, then 1, 2, ...
+// The tags of a command's material and of those it uses, as offsets from the tag that the user gives. The last command
+// of a list makes the material that the user asked for, so it has offset 0; the commands before it have 1, 2, ...
 struct Tags {
   std::size_t own = 0;
   std::vector<std::size_t> inner;  // offsets of the materials that this command uses

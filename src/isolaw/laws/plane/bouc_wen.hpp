@@ -59,7 +59,8 @@ struct BoucWen {
   template <class T>
   static void flow_of_two(Split<T>& z, T const& travel, T const& unloading) {
     T const zero(0.0), one(1.0), from = min(z.along, zero);
-    // The part of the travel up to p = 0, or all of it if p stays below 0.
+    // While the motion unloads, z.along is negative. Another rate holds up to z.along = 0 than after it, so the travel
+    // is cut there; `part` is the travel before, or all of it if z.along stays negative.
     T const to_zero = Circular<T>::length_to(-from, unloading), part = min(travel, to_zero);
     Circular<T> const back(unloading, part);
     T const per = one / (one + unloading * from * back.tan);
