@@ -310,8 +310,8 @@ void add_simulate(Commands& commands) {
     option.help += "; by default the campaign's with --from";
     add_option(c, option, a.how);
   }
-  auto const add = [&](Heading heading, char const* name, auto& value, char const* help) {
-    under(heading, c.add_option(name, value, help));
+  auto const add = [&command = c](Heading heading, char const* name, auto& value, char const* help) {
+    under(heading, command.add_option(name, value, help));
   };
   add(Heading::search, "--refinement", a.refinement,
       "integration steps per sample (default 1; with --from the campaign's)");
