@@ -646,15 +646,7 @@ void raise_error(Error const& thrown) {
   PyErr_SetObject(error_type.ptr(), exception.ptr());
 }
 
-}  // namespace
-}  // namespace isolaw::python
-
-PYBIND11_MODULE(_core, m) {
-  using namespace isolaw;
-  using namespace isolaw::python;
-  m.doc() = "The compiled part of isolaw; import isolaw instead.";
-  m.attr("__version__") = ISOLAW_VERSION;
-
+void translate_errors() {
   error_type = py::object(py::module_::import("isolaw._error").attr("Error")).release();
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
@@ -663,7 +655,9 @@ PYBIND11_MODULE(_core, m) {
       raise_error(error);
     }
   });
+}
 
+void add_records(py::module_& m) {
   py::class_<Record, RecordPtr>(
       m, "Record",
       "A test record or a displacement history, in kN, mm and s, as read_record, read_motion, record and motion\n"
@@ -709,7 +703,9 @@ PYBIND11_MODULE(_core, m) {
                                                         .load_kN = values_of(load_kN, "load_kN")})});
       },
       py::arg("name"), py::arg("disp_mm"), py::arg("force_kN"), py::arg("time_s"), py::arg("load_kN"));
+}
 
+void add_tables(py::module_& m) {
   m.def("catalogue_json", &catalogue_json);
   m.def("options_json", [] {
     return Json{{"settings", described(campaign::setting_table())},
@@ -718,7 +714,9 @@ PYBIND11_MODULE(_core, m) {
                 {"building", described(building::settings_table())}}
         .dump();
   });
+}
 
+void add_laws(py::module_& m) {
   m.def(
       "box",
       [](std::string const& law_id, Record const& record, py::dict const& how) {
@@ -754,7 +752,9 @@ PYBIND11_MODULE(_core, m) {
       .def("objective", &Model::objective, py::arg("parameters"))
       .def("objectives", &Model::objectives, py::arg("population"), py::arg("out").noconvert())
       .def("force", &Model::force, py::arg("parameters"), py::arg("out").noconvert());
+}
 
+void add_campaigns(py::module_& m) {
   py::class_<Campaign, CampaignPtr>(m, "Campaign", "A campaign; see isolaw.Campaign.")
       .def(
           "_summary_json", [](Campaign const& c) { return render::summary_json(c.summary); },
@@ -795,7 +795,9 @@ PYBIND11_MODULE(_core, m) {
         py::gil_scoped_release const released;
         render::write_outputs(c.summary, directory);
       });
+}
 
+void add_calibration(py::module_& m) {
   m.def("load", &loaded, py::arg("directory"));
   m.def(
       "calibrate",
@@ -820,7 +822,9 @@ PYBIND11_MODULE(_core, m) {
         return merged(out, parts, std::move(options), progress);
       },
       py::arg("out"), py::arg("parts"), py::arg("jobs"), py::arg("fresh"), py::arg("progress"));
+}
 
+void add_buildings(py::module_& m) {
   py::class_<StudiedBuilding, BuildingPtr>(m, "Building", "A building that was studied; see isolaw.Building.")
       .def(
           "json", [](StudiedBuilding const& b) { return render::building_json(b.study, *b.answers); },
@@ -856,4 +860,21 @@ PYBIND11_MODULE(_core, m) {
       },
       py::arg("file"), py::arg("campaign"), py::arg("motions"), py::arg("given"), py::arg("jobs"), py::arg("out"),
       py::arg("fresh"), py::arg("progress"));
+}
+
+}  // namespace
+}  // namespace isolaw::python
+
+PYBIND11_MODULE(_core, m) {
+  m.doc() = "The compiled part of isolaw; import isolaw instead.";
+  m.attr("__version__") = ISOLAW_VERSION;
+  using namespace isolaw::python;
+  translate_errors();
+  // A class comes before the functions that take or return it, whose docstrings name it.
+  add_records(m);
+  add_tables(m);
+  add_laws(m);
+  add_campaigns(m);
+  add_calibration(m);
+  add_buildings(m);
 }

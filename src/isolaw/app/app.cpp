@@ -10,7 +10,9 @@
 #include <filesystem>
 #include <functional>
 #include <iterator>
+#include <memory>
 #include <new>
+#include <optional>
 #include <ranges>
 #include <string>
 #include <string_view>
@@ -34,6 +36,8 @@ namespace isolaw::app {
 namespace {
 
 using Words = std::vector<std::string>;
+
+constexpr char const* a_campaign = "directory of a campaign";
 
 CLI::Option* under(Heading heading, CLI::Option* option) {
   return option->group(std::string(title(heading)));
@@ -128,7 +132,55 @@ void add_printing(CLI::App& c, bool& json, bool& details) {
   under(Heading::running, c.add_flag("--details", details, "print every table, finding and warning"));
 }
 
-void add_calibrate(CLI::App& c, CalibrateArguments& a) {
+void add_seed(CLI::App& c, Values& seed) {
+  auto option = *campaign::find_setting("seed");
+  option.help = "seed of the draws (default: the campaign's)";
+  option.heading = Heading::model;
+  add_option(c, option, seed);
+}
+
+// The program's commands. Each keeps the arguments that its options fill until one of the commands runs.
+class Commands {
+ public:
+  Commands(CLI::App& app, Words line) : app_(app), line_(std::move(line)) {}
+
+  CLI::App& add(std::string const& name, char const* description, char const* example, std::function<int()> run) {
+    auto* const command = app_.add_subcommand(name, description)->group("Commands");
+    under(Heading::running, command->get_help_ptr());
+    command->footer(std::string(example_mark) + example);
+    return *commands_.emplace_back(command, std::move(run)).first;
+  }
+
+  template <class Arguments>
+  struct Added {
+    CLI::App& command;
+    Arguments& arguments;
+  };
+  template <class Arguments>
+  Added<Arguments> add(std::string const& name, char const* description, char const* example,
+                       std::function<int(Arguments&)> run) {
+    auto const arguments = std::make_shared<Arguments>();
+    auto& command = add(name, description, example, [arguments, run = std::move(run)] { return run(*arguments); });
+    return {command, *arguments};
+  }
+
+  CLI::App const& app() const { return app_; }
+  Words const& line() const { return line_; }  // the words of the command line
+  int run_given() const {
+    return std::ranges::find_if(commands_, [](auto const& each) { return each.first->parsed(); })->second();
+  }
+
+ private:
+  CLI::App& app_;
+  Words line_;
+  std::vector<std::pair<CLI::App*, std::function<int()>>> commands_;
+};
+
+void add_calibrate(Commands& commands) {
+  auto const [c, a] =
+      commands.add<CalibrateArguments>("calibrate", "Fit laws to the test of every device: statistics, ranking, report",
+                                       "isolaw calibrate d01.csv d02.csv --out out/lot",
+                                       [&](auto const& arguments) { return calibrate(arguments, commands.line()); });
   c.add_option("inputs", a.inputs, "a lot file (.toml), test records, or a directory of them")->required();
   add_campaign(c, a);
   add_part(c, a.part);
@@ -136,7 +188,113 @@ void add_calibrate(CLI::App& c, CalibrateArguments& a) {
   add_printing(c, a.json, a.details);
 }
 
-void add_simulate(CLI::App& c, SimulateArguments& a) {
+void add_init(Commands& commands) {
+  auto const [c, a] =
+      commands.add<InitArguments>("init", "Recognise records and write a lot file that says how to read them",
+                                  "isolaw init d01.csv d02.csv --out lot.toml", init);
+  c.add_option("files", a.files, "test records, or a directory of them")->required();
+  add_reading(c, a.read);
+  c.add_option("--like", a.like, "lot file from which to copy settings and reading options");
+  c.add_option("--out", a.out, "lot file to write (default lot.toml)");
+  c.add_flag("--force", a.force, "overwrite the lot file");
+}
+
+void add_inspect(Commands& commands) {
+  auto const [c, a] = commands.add<InspectArguments>(
+      "inspect", "Show what records hold and how they were read: cycles, properties, verdicts, the lot",
+      "isolaw inspect d01.csv d02.csv --rules ntc-2018 --design K_eff=0.62,damping=19.5,disp=208", inspect);
+  c.add_option("inputs", a.inputs, "a lot file (.toml), test records, or a directory of them")->required();
+  add_reading(c, a.read);
+  add_acceptance(c, a.acceptance);
+  add_vertical(c, a.vertical);
+  c.add_option("--out", a.out, "directory for a page with drawn loops, tables and JSON");
+  add_allow_outside(c, a.allow_outside);
+  c.add_flag("--json", a.json, "print inspection.json instead of text");
+}
+
+void add_report(Commands& commands) {
+  auto const [c, a] = commands.add<ReportArguments>(
+      "report", "Write summary, tables and page again from a campaign's store",
+      "isolaw report out/lot --rules ntc-2018 --design K_eff=0.62,damping=19.5,disp=208", report);
+  c.add_option("directory", a.directory, a_campaign)->required();
+  add_acceptance(c, a.acceptance);
+  c.add_option("--out", a.out, "directory for the results (default: the campaign's)");
+  add_figures(c, a.figures);
+  add_printing(c, a.json, a.details);
+}
+
+void add_merge(Commands& commands) {
+  auto const [c, a] = commands.add<MergeArguments>(
+      "merge", "Join the parts of a campaign or building study that several machines computed",
+      "isolaw merge out/lot part-1 part-2 part-3",
+      [&](auto const& arguments) { return merge(arguments, commands.line()); });
+  c.add_option("directory", a.directory, "directory of the whole campaign or study")->required();
+  c.add_option("parts", a.parts,
+               "directories of the parts, in any order; without parts: analyse and report what the directory holds");
+  c.add_option("--part", a.part,
+               "K/N, such as 3/40: analyse only part 3 of 40 of the devices or, once that is done, of the lot's laws");
+  add_jobs(c, a.jobs);
+  add_figures(c, a.figures);
+  c.add_flag("--copy-only", a.copy_only, "copy the runs only; isolaw merge DIRECTORY makes analyses and reports later");
+  add_fresh(c, a.fresh);
+  add_printing(c, a.json, a.details);
+}
+
+void add_parts(Commands& commands) {
+  auto const [c, a] = commands.add<PartsArguments>(
+      "parts", "Print a script that computes a campaign or building study in parts and merges them",
+      "isolaw parts lot.toml 40 --to slurm > submit.sh", [&](auto& arguments) {
+        for (auto const* option : commands.app().get_subcommand("parts")->get_options())
+          if (option->count() > 0) arguments.given.push_back(option->get_name());
+        return parts(arguments, commands.line().front());
+      });
+  c.add_option("lot", a.lot, "a lot file (.toml), or a directory of records; with --campaign a building file")
+      ->required();
+  c.add_option("count", a.count, "number of parts; two or three for each thread are usual")->required();
+  c.add_option(
+       "--to", a.to,
+       "program that runs the parts: " + joined(part_script_kinds) + " (to end records early, set `to` in a lot file)")
+      ->required();
+  c.add_option("--campaign", a.campaign,
+               "for a building file: directory of the campaign whose lot supplies the bearings");
+  c.add_option("--motion", a.motions, "for a building file: motions, as in isolaw building");
+  add_campaign(c, a.calibrate);
+}
+
+void add_sample(Commands& commands) {
+  auto const [c, a] =
+      commands.add<SampleArguments>("sample", "Draw devices from the lot's distribution of a law's parameters, as CSV",
+                                    "isolaw sample out/lot --law bouc-wen --count 1000 > devices.csv", sample);
+  c.add_option("directory", a.directory, a_campaign)->required();
+  c.add_option("--law", a.law, "id of the law")->required();
+  c.add_option("--count", a.count, "devices to draw (default 100)");
+  add_seed(c, a.seed);
+}
+
+void add_export(Commands& commands) {
+  auto const [c, a] = commands.add<ExportArguments>(
+      "export", "Write a fitted law for an analysis program, with a check of it",
+      "isolaw export out/lot --law bouc-wen --device lot --to opensees --out bearing.tcl", export_law);
+  c.add_option("directory", a.directory, a_campaign)->required();
+  c.add_option("--law", a.law, "id of the law")->required();
+  c.add_option("--device", a.device, "name of the device, or lot for the one law of the lot")->required();
+  c.add_option("--to", a.to, joined(programs::targets() | std::views::transform(&programs::Target::name)))->required();
+  add_acceptance(c, a.acceptance);
+  c.add_option(
+      "--units", a.units,
+      fmt::format("{} (default {})", joined(programs::unit_systems | std::views::transform(&programs::UnitSystem::id)),
+                  programs::unit_systems[0].id));
+  for (auto const& option : programs::model_table()) add_option(c, option, a.model);
+  add_seed(c, a.seed);
+  c.add_option("--out", a.out, "file to write (default: standard output)");
+  c.add_flag("--anyway", a.anyway,
+             "export even if the law's prediction is unusable, or the program's own material is far off");
+}
+
+void add_simulate(Commands& commands) {
+  auto const [c, a] = commands.add<SimulateArguments>(
+      "simulate", "Compute the force of a law under a displacement history, cyclic or seismic, as CSV",
+      "isolaw simulate bouc-wen --from out/lot --device d01 --motion u.csv --out force.csv", simulate);
   c.add_option("law", a.law, "id of a law (isolaw laws lists them)")->required();
   c.add_option("--motion", a.motion, "file of the displacement history, read like a record; force is not needed")
       ->required();
@@ -152,8 +310,8 @@ void add_simulate(CLI::App& c, SimulateArguments& a) {
     option.help += "; by default the campaign's with --from";
     add_option(c, option, a.how);
   }
-  auto const add = [&](Heading heading, char const* name, auto& value, char const* help) {
-    under(heading, c.add_option(name, value, help));
+  auto const add = [&command = c](Heading heading, char const* name, auto& value, char const* help) {
+    under(heading, command.add_option(name, value, help));
   };
   add(Heading::search, "--refinement", a.refinement,
       "integration steps per sample (default 1; with --from the campaign's)");
@@ -168,7 +326,11 @@ void add_simulate(CLI::App& c, SimulateArguments& a) {
   c.add_flag("--anyway", a.anyway, "with --from: simulate even if the law's prediction is unusable");
 }
 
-void add_building(CLI::App& c, BuildingArguments& a) {
+void add_building(Commands& commands) {
+  auto const [c, a] = commands.add<BuildingArguments>(
+      "building", "Analyse an isolated building with bearings drawn from the lot, and its bound analyses",
+      "isolaw building building.toml --from out/lot",
+      [&](auto const& arguments) { return building(arguments, commands.line()); });
   c.add_option("file", a.file, "a building file (isolaw building --template prints one)");
   c.add_option("--from", a.from, "directory of the campaign whose lot supplies the bearings");
   c.add_option("--motion", a.motions,
@@ -186,196 +348,83 @@ void add_building(CLI::App& c, BuildingArguments& a) {
   c.add_flag("--json", a.json, "print building.json");
 }
 
-int dispatch(CLI::App& app, int argc, char** argv) {
-  std::vector<std::pair<CLI::App*, std::function<int()>>> commands;
-  auto const add = [&](char const* name, char const* description, char const* example,
-                       std::function<int()> run) -> CLI::App& {
-    auto* const command = app.add_subcommand(name, description)->group("Commands");
-    under(Heading::running, command->get_help_ptr());
-    command->footer(std::string(example_mark) + example);
-    return *commands.emplace_back(command, std::move(run)).first;
+void add_rules(Commands& commands) {
+  struct Arguments {
+    std::string name;
+    bool json = false;
   };
+  auto const [c, a] =
+      commands.add<Arguments>("rules", "List the rule sets, print one, or print a template to write your own",
+                              "isolaw rules template > contract.toml",
+                              [](auto const& arguments) { return list_rules(arguments.name, arguments.json); });
+  c.add_option("name", a.name, "a rule set, or template");
+  c.add_flag("--json", a.json, "print the list as JSON");
+}
 
-  CalibrateArguments calibrate_arguments;
-  add_calibrate(add("calibrate", "Fit laws to the test of every device: statistics, ranking, report",
-                    "isolaw calibrate d01.csv d02.csv --out out/lot",
-                    [&] {
-                      return calibrate(calibrate_arguments, {argv, argv + argc});
-                    }),
-                calibrate_arguments);
+void add_bench(Commands& commands) {
+  auto const [c, json] = commands.add<bool>(
+      "bench", "Print a signature of the computed numbers and the speed of every law on this machine", "isolaw bench",
+      bench);
+  c.add_flag("--json", json, "print JSON");
+}
 
-  InitArguments init_arguments;
-  auto& init_command = add("init", "Recognise records and write a lot file that says how to read them",
-                           "isolaw init d01.csv d02.csv --out lot.toml", [&] { return init(init_arguments); });
-  init_command.add_option("files", init_arguments.files, "test records, or a directory of them")->required();
-  add_reading(init_command, init_arguments.read);
-  init_command.add_option("--like", init_arguments.like, "lot file from which to copy settings and reading options");
-  init_command.add_option("--out", init_arguments.out, "lot file to write (default lot.toml)");
-  init_command.add_flag("--force", init_arguments.force, "overwrite the lot file");
+void add_check(Commands& commands) {
+  auto const [c, directory] = commands.add<std::filesystem::path>(
+      "check", "Check that a campaign's store is intact, and compute its numbers again", "isolaw check out/lot", check);
+  c.add_option("directory", directory, a_campaign)->required();
+}
 
-  InspectArguments inspect_arguments;
-  auto& inspect_command =
-      add("inspect", "Show what records hold and how they were read: cycles, properties, verdicts, the lot",
-          "isolaw inspect d01.csv d02.csv --rules ntc-2018 --design K_eff=0.62,damping=19.5,disp=208",
-          [&] { return inspect(inspect_arguments); });
-  inspect_command
-      .add_option("inputs", inspect_arguments.inputs, "a lot file (.toml), test records, or a directory of them")
-      ->required();
-  add_reading(inspect_command, inspect_arguments.read);
-  add_acceptance(inspect_command, inspect_arguments.acceptance);
-  add_vertical(inspect_command, inspect_arguments.vertical);
-  inspect_command.add_option("--out", inspect_arguments.out, "directory for a page with drawn loops, tables and JSON");
-  add_allow_outside(inspect_command, inspect_arguments.allow_outside);
-  inspect_command.add_flag("--json", inspect_arguments.json, "print inspection.json instead of text");
+void add_laws(Commands& commands) {
+  struct Arguments {
+    std::string law;
+    bool json = false, markdown = false;
+  };
+  auto const [c, a] = commands.add<Arguments>(
+      "laws", "List the laws, or show one law with its parameters", "isolaw laws bouc-wen",
+      [](auto const& arguments) { return list_laws(arguments.law, arguments.json, arguments.markdown); });
+  c.add_option("id", a.law, "id of a law");
+  c.add_flag("--json", a.json, "print JSON");
+  c.add_flag("--markdown", a.markdown, "print all laws as one page of Markdown");
+}
 
-  char const* const a_campaign = "directory of a campaign";
-  ReportArguments report_arguments;
-  std::filesystem::path directory;
-  bool json = false;
-  auto& report_command = add("report", "Write summary, tables and page again from a campaign's store",
-                             "isolaw report out/lot --rules ntc-2018 --design K_eff=0.62,damping=19.5,disp=208",
-                             [&] { return report(report_arguments); });
-  report_command.add_option("directory", report_arguments.directory, a_campaign)->required();
-  add_acceptance(report_command, report_arguments.acceptance);
-  report_command.add_option("--out", report_arguments.out, "directory for the results (default: the campaign's)");
-  add_figures(report_command, report_arguments.figures);
-  add_printing(report_command, report_arguments.json, report_arguments.details);
+void add_keywords(Commands& commands) {
+  struct Arguments {
+    std::vector<std::string> which, but;
+  };
+  auto const [c, a] = commands.add<Arguments>(
+      "keywords", "Print options as parameters of the Python package, for its stub", "isolaw keywords settings",
+      [](auto const& arguments) { return list_keywords(arguments.which, arguments.but); });
+  c.group("");
+  c.add_option("which", a.which, "settings, acceptance, reading, motion, or single options")->required();
+  c.add_option("--but", a.but, "options to leave out");
+}
 
-  MergeArguments merge_arguments;
-  auto& merge_command = add("merge", "Join the parts of a campaign or building study that several machines computed",
-                            "isolaw merge out/lot part-1 part-2 part-3", [&] {
-                              return merge(merge_arguments, {argv, argv + argc});
-                            });
-  merge_command.add_option("directory", merge_arguments.directory, "directory of the whole campaign or study")
-      ->required();
-  merge_command.add_option(
-      "parts", merge_arguments.parts,
-      "directories of the parts, in any order; without parts: analyse and report what the directory holds");
-  merge_command.add_option(
-      "--part", merge_arguments.part,
-      "K/N, such as 3/40: analyse only part 3 of 40 of the devices or, once that is done, of the lot's laws");
-  add_jobs(merge_command, merge_arguments.jobs);
-  add_figures(merge_command, merge_arguments.figures);
-  merge_command.add_flag("--copy-only", merge_arguments.copy_only,
-                         "copy the runs only; isolaw merge DIRECTORY makes analyses and reports later");
-  add_fresh(merge_command, merge_arguments.fresh);
-  add_printing(merge_command, merge_arguments.json, merge_arguments.details);
-
-  PartsArguments parts_arguments;
-  auto& parts_command =
-      add("parts", "Print a script that computes a campaign or building study in parts and merges them",
-          "isolaw parts lot.toml 40 --to slurm > submit.sh", [&] {
-            for (auto const* option : app.get_subcommand("parts")->get_options())
-              if (option->count() > 0) parts_arguments.given.push_back(option->get_name());
-            return parts(parts_arguments, argv[0]);
-          });
-  parts_command
-      .add_option("lot", parts_arguments.lot,
-                  "a lot file (.toml), or a directory of records; with --campaign a building file")
-      ->required();
-  parts_command.add_option("count", parts_arguments.count, "number of parts; two or three for each thread are usual")
-      ->required();
-  parts_command
-      .add_option("--to", parts_arguments.to,
-                  "program that runs the parts: " + joined(part_script_kinds) +
-                      " (to end records early, set `to` in a lot file)")
-      ->required();
-  parts_command.add_option("--campaign", parts_arguments.campaign,
-                           "for a building file: directory of the campaign whose lot supplies the bearings");
-  parts_command.add_option("--motion", parts_arguments.motions, "for a building file: motions, as in isolaw building");
-  add_campaign(parts_command, parts_arguments.calibrate);
-
-  SampleArguments sample_arguments;
-  auto& sample_command =
-      add("sample", "Draw devices from the lot's distribution of a law's parameters, as CSV",
-          "isolaw sample out/lot --law bouc-wen --count 1000 > devices.csv", [&] { return sample(sample_arguments); });
-  sample_command.add_option("directory", sample_arguments.directory, a_campaign)->required();
-  sample_command.add_option("--law", sample_arguments.law, "id of the law")->required();
-  sample_command.add_option("--count", sample_arguments.count, "devices to draw (default 100)");
-  auto seed = *campaign::find_setting("seed");
-  seed.help = "seed of the draws (default: the campaign's)";
-  seed.heading = Heading::model;
-  add_option(sample_command, seed, sample_arguments.seed);
-
-  ExportArguments export_arguments;
-  auto& export_command = add("export", "Write a fitted law for an analysis program, with a check of it",
-                             "isolaw export out/lot --law bouc-wen --device lot --to opensees --out bearing.tcl",
-                             [&] { return export_law(export_arguments); });
-  export_command.add_option("directory", export_arguments.directory, a_campaign)->required();
-  export_command.add_option("--law", export_arguments.law, "id of the law")->required();
-  export_command
-      .add_option("--device", export_arguments.device, "name of the device, or lot for the one law of the lot")
-      ->required();
-  export_command
-      .add_option("--to", export_arguments.to,
-                  joined(programs::targets() | std::views::transform(&programs::Target::name)))
-      ->required();
-  add_acceptance(export_command, export_arguments.acceptance);
-  export_command.add_option(
-      "--units", export_arguments.units,
-      fmt::format("{} (default {})", joined(programs::unit_systems | std::views::transform(&programs::UnitSystem::id)),
-                  programs::unit_systems[0].id));
-  for (auto const& option : programs::model_table()) add_option(export_command, option, export_arguments.model);
-  add_option(export_command, seed, export_arguments.seed);
-  export_command.add_option("--out", export_arguments.out, "file to write (default: standard output)");
-  export_command.add_flag("--anyway", export_arguments.anyway,
-                          "export even if the law's prediction is unusable, or the program's own material is far off");
-
-  SimulateArguments simulate_arguments;
-  add_simulate(add("simulate", "Compute the force of a law under a displacement history, cyclic or seismic, as CSV",
-                   "isolaw simulate bouc-wen --from out/lot --device d01 --motion u.csv --out force.csv",
-                   [&] { return simulate(simulate_arguments); }),
-               simulate_arguments);
-
-  BuildingArguments building_arguments;
-  add_building(add("building", "Analyse an isolated building with bearings drawn from the lot, and its bound analyses",
-                   "isolaw building building.toml --from out/lot",
-                   [&] {
-                     return building(building_arguments, {argv, argv + argc});
-                   }),
-               building_arguments);
-
-  std::string rule_set;
-  auto& rules_command = add("rules", "List the rule sets, print one, or print a template to write your own",
-                            "isolaw rules template > contract.toml", [&] { return list_rules(rule_set, json); });
-  rules_command.add_option("name", rule_set, "a rule set, or template");
-  rules_command.add_flag("--json", json, "print the list as JSON");
-
-  auto& bench_command =
-      add("bench", "Print a signature of the computed numbers and the speed of every law on this machine",
-          "isolaw bench", [&] { return bench(json); });
-  bench_command.add_flag("--json", json, "print JSON");
-
-  auto& check_command = add("check", "Check that a campaign's store is intact, and compute its numbers again",
-                            "isolaw check out/lot", [&] { return check(directory); });
-  check_command.add_option("directory", directory, a_campaign)->required();
-
-  std::string law;
-  bool markdown = false;
-  auto& laws_command = add("laws", "List the laws, or show one law with its parameters", "isolaw laws bouc-wen",
-                           [&] { return list_laws(law, json, markdown); });
-  laws_command.add_option("id", law, "id of a law");
-  laws_command.add_flag("--json", json, "print JSON");
-  laws_command.add_flag("--markdown", markdown, "print all laws as one page of Markdown");
-
-  std::vector<std::string> keywords, other_keywords;
-  auto& keywords_command = add("keywords", "Print options as parameters of the Python package, for its stub",
-                               "isolaw keywords settings", [&] { return list_keywords(keywords, other_keywords); });
-  keywords_command.group("");
-  keywords_command.add_option("which", keywords, "settings, acceptance, reading, motion, or single options")
-      ->required();
-  keywords_command.add_option("--but", other_keywords, "options to leave out");
-
-  add("reference", "Print the page of the command line, docs/cli.md", "isolaw reference", [&] {
-    print_reference(app);
+void add_reference(Commands& commands) {
+  auto const run = [&] {
+    print_reference(commands.app());
     return exit_done;
-  }).group("");
+  };
+  commands.add("reference", "Print the page of the command line, docs/cli.md", "isolaw reference", run).group("");
+}
 
-  bool example_building = false;
-  auto& example_command = add("example", "Write the built-in example lot, or an example building", "isolaw example lot",
-                              [&] { return example(directory, example_building); });
-  example_command.add_option("directory", directory, "directory to write to")->required();
-  example_command.add_flag("--building", example_building, "write a building file and motions instead of the lot");
+void add_example(Commands& commands) {
+  struct Arguments {
+    std::filesystem::path directory;
+    bool building = false;
+  };
+  auto const [c, a] =
+      commands.add<Arguments>("example", "Write the built-in example lot, or an example building", "isolaw example lot",
+                              [](auto const& arguments) { return example(arguments.directory, arguments.building); });
+  c.add_option("directory", a.directory, "directory to write to")->required();
+  c.add_flag("--building", a.building, "write a building file and motions instead of the lot");
+}
+
+int dispatch(CLI::App& app, int argc, char** argv) {
+  Commands commands(app, {argv, argv + argc});
+  for (auto const add :
+       {add_calibrate, add_init, add_inspect, add_report, add_merge, add_parts, add_sample, add_export, add_simulate,
+        add_building, add_rules, add_bench, add_check, add_laws, add_keywords, add_reference, add_example})
+    add(commands);
 
   require_known_command(app, argc, argv);
   try {
@@ -384,7 +433,7 @@ int dispatch(CLI::App& app, int argc, char** argv) {
     if (error.get_exit_code() == 0) return app.exit(error);  // the user asked for --help or --version
     throw Error(usage_complaints(app, error));
   }
-  return std::ranges::find_if(commands, [](auto const& each) { return each.first->parsed(); })->second();
+  return commands.run_given();
 }
 
 // Who reads a failure as JSON: nobody, the program that gave --json, or the engine of isolaw's web page.

@@ -29,50 +29,30 @@ CampaignWork::CampaignWork(std::vector<std::string> const& command_line)
       cpu_at_start_s_(process_time_s()),
       started_at_(std::time(nullptr)) {}
 
-int CampaignWork::finish(campaign::Contents& contents, HowToWork const& how) {
-  auto const& directory = how.directory;
-  auto const file = directory / store_name;
-  bool finished = false;
-  own_.lap(campaign::Phase::read);
-  profile_.mark({campaign::Phase::read});
+bool CampaignWork::compute(campaign::Contents& contents, std::filesystem::path const& file, HowToWork const& how) {
   try {
     SignalGuard const guard;
     ProgressLine line;
-    finished = campaign::run(contents, file,
-                             {.jobs = how.jobs,
-                              .progress = [&](auto const& p) { line.show(p); },
-                              .interrupted = interrupted,
-                              .short_of_threads =
-                                  [](int threads) {
-                                    say("the system gave no more threads or memory: {} did the work; try: --jobs {}\n",
-                                        counted(threads, "thread"), threads);
-                                  },
-                              .profile = &profile_,
-                              .share = how.share});
+    return campaign::run(contents, file,
+                         {.jobs = how.jobs,
+                          .progress = [&](auto const& p) { line.show(p); },
+                          .interrupted = interrupted,
+                          .short_of_threads =
+                              [](int threads) {
+                                say("the system gave no more threads or memory: {} did the work; try: --jobs {}\n",
+                                    counted(threads, "thread"), threads);
+                              },
+                          .profile = &profile_,
+                          .share = how.share});
   } catch (std::exception const&) {
     say("stopped: {} finished runs are kept in {}\nafter fixing the fault, continue with: {}\n", contents.runs.size(),
         shown(file), command_);
     throw;
   }
-  campaign::Meter::restart();
-  if (how.share && !interrupted()) {
-    say("part {} of {} of the {} is analysed, in {}; when every part is: isolaw merge OUT PARTS...\n",
-        how.share->number, how.share->of,
-        campaign::every_device_examined(contents) ? "devices and of the lot's laws" : "devices", shown(file));
-    return exit_done;
-  }
-  if (!finished) {
-    auto const analyses =
-        contents.analyses() > 0 ? fmt::format(" and {} analyses", contents.analyses()) : std::string();
-    say("interrupted: {} finished runs{} are kept in {}\nto continue: {}\n", contents.runs.size(), analyses,
-        shown(file), command_);
-    return exit_with_refusals;
-  }
-  if (contents.part) {
-    say("part {} of {}: {}, all of its share, in {}; once every part is there: isolaw merge OUT PARTS...\n",
-        contents.part->number, contents.part->of, counted(contents.runs.size(), "run"), shown(file));
-    return exit_done;  // refusals and failures do not count here, only in the whole campaign's report
-  }
+}
+
+int CampaignWork::write_reports(std::filesystem::path const& file, HowToWork const& how) {
+  auto const& directory = how.directory;
   double const search_s = std::chrono::duration<double>(Clock::now() - start_).count();
   // The summary is made from the store, as in `isolaw report`. Both commands thus print the same.
   auto const summary = study::build_summary(campaign::Store::read(file));
@@ -97,6 +77,33 @@ int CampaignWork::finish(campaign::Contents& contents, HowToWork const& how) {
                                .profile = profiled}));
   print(summary, directory, {.json = how.json, .details = how.details}, profiled);
   return exit_code(summary);
+}
+
+int CampaignWork::finish(campaign::Contents& contents, HowToWork const& how) {
+  auto const file = how.directory / store_name;
+  own_.lap(campaign::Phase::read);
+  profile_.mark({campaign::Phase::read});
+  bool const finished = compute(contents, file, how);
+  campaign::Meter::restart();
+  if (how.share && !interrupted()) {
+    say("part {} of {} of the {} is analysed, in {}; when every part is: isolaw merge OUT PARTS...\n",
+        how.share->number, how.share->of,
+        campaign::every_device_examined(contents) ? "devices and of the lot's laws" : "devices", shown(file));
+    return exit_done;
+  }
+  if (!finished) {
+    auto const analyses =
+        contents.analyses() > 0 ? fmt::format(" and {} analyses", contents.analyses()) : std::string();
+    say("interrupted: {} finished runs{} are kept in {}\nto continue: {}\n", contents.runs.size(), analyses,
+        shown(file), command_);
+    return exit_with_refusals;
+  }
+  if (contents.part) {
+    say("part {} of {}: {}, all of its share, in {}; once every part is there: isolaw merge OUT PARTS...\n",
+        contents.part->number, contents.part->of, counted(contents.runs.size(), "run"), shown(file));
+    return exit_done;  // a part's exit code ignores refusals and failures: the report of the whole campaign has them
+  }
+  return write_reports(file, how);
 }
 
 }  // namespace isolaw::app

@@ -31,6 +31,10 @@ class CampaignWork {
  private:
   using Clock = std::chrono::steady_clock;
 
+  // Returns whether all runs and analyses are there; false after an interruption.
+  bool compute(campaign::Contents& contents, std::filesystem::path const& file, HowToWork const& how);
+  int write_reports(std::filesystem::path const& file, HowToWork const& how);
+
   std::string command_;
   Clock::time_point start_;
   double cpu_at_start_s_;

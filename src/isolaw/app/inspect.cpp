@@ -129,51 +129,52 @@ Complaint about_sheets(std::filesystem::path const& file, campaign::Lot const& l
           .advice = "--sheet NAME for the one that is the test"};
 }
 
-}  // namespace
+struct Recognition {
+  std::vector<campaign::DeviceInput> devices = {};
+  campaign::LotFileRemarks remarks = {};
+  std::vector<Complaint> complaints = {};  // about files that cannot be read
+};
 
-int init(InitArguments const& arguments) {
-  if (std::filesystem::exists(arguments.out) && !arguments.force)
-    throw Error({.where = arguments.out.string(),
-                 .found = "exists already",
-                 .advice = "--force to overwrite it, or --out FILE"});
-  auto lot = lot_of_tests(arguments);
-  lot.title = printable(std::filesystem::absolute(arguments.out).parent_path().filename().string());
-  std::vector<Complaint> complaints;
-  campaign::LotFileRemarks remarks;
-  remarks.open_keys = true;
-  std::vector<campaign::DeviceInput> recognised;
-  std::vector<std::filesystem::path> of_sheets;  // files that hold a sheet that cannot be read
+// Reads a test and prints what was recognised. `device` keeps how it was read, and what its file says of it.
+void recognise(campaign::DeviceInput& device, Recognition& found) {
+  auto const& file = device.files.front();
+  if (!is_printable(file.string()))
+    throw Error({.where = file.string(),
+                 .found = "a file name that no lot file can hold: it has control characters, marks that turn the "
+                          "direction of writing, or bytes that are not UTF-8",
+                 .allowed = "printable text in UTF-8",
+                 .advice = "rename the file, or calibrate it without a lot file"});
+  auto const record = data::read_record(file, device.read);
+  device.read = record.layout;
+  found.remarks.stated.push_back(campaign::take_device_facts(record.device_facts, device.info));
+  found.devices.push_back(device);
+  fmt::print("{}: {}\n", device.name == campaign::name_of_file(file) ? device.shown_file : device.name,
+             counted(record.size(), "sample"));
+  for (auto const& line : wording::remarks(record.recognised)) fmt::print("  {}\n", line);
+}
+
+// Throws Error if no test can be read.
+Recognition recognise_tests(campaign::Lot& lot, bool sheet_given) {
+  Recognition found;
+  found.remarks.open_keys = true;
+  std::set<std::filesystem::path> of_sheets;  // files that hold a sheet that cannot be read
   for (auto& device : lot.devices) {
+    auto const& file = device.files.front();
     try {
-      if (!is_printable(device.files.front().string()))
-        throw Error({.where = device.files.front().string(),
-                     .found = "a file name that no lot file can hold: it has control characters, marks that turn the "
-                              "direction of writing, or bytes that are not UTF-8",
-                     .allowed = "printable text in UTF-8",
-                     .advice = "rename the file, or calibrate it without a lot file"});
-      auto const record = data::read_record(device.files.front(), device.read);
-      device.read = record.layout;
-      remarks.stated.push_back(campaign::take_device_facts(record.device_facts, device.info));
-      recognised.push_back(device);
-      fmt::print("{}: {}\n",
-                 device.name == campaign::name_of_file(device.files.front()) ? device.shown_file : device.name,
-                 counted(record.size(), "sample"));
-      for (auto const& line : wording::remarks(record.recognised)) fmt::print("  {}\n", line);
+      recognise(device, found);
     } catch (Error const& error) {
-      complaints.insert(complaints.end(), error.complaints().begin(), error.complaints().end());
-      remarks.left_out.emplace_back(device.files.front(), to_string(error.complaints().front()));
-      if (!arguments.read.contains("sheet") && device.read.sheet) of_sheets.push_back(device.files.front());
+      found.complaints.insert(found.complaints.end(), error.complaints().begin(), error.complaints().end());
+      found.remarks.left_out.emplace_back(file, to_string(error.complaints().front()));
+      if (!sheet_given && device.read.sheet) of_sheets.insert(file);
     }
   }
-  for (auto const& file : std::set(of_sheets.begin(), of_sheets.end())) complaints.push_back(about_sheets(file, lot));
-  if (recognised.empty()) throw Error(complaints);
-  for (auto const& complaint : complaints) say("isolaw: {}\n", to_string(complaint));
-  if (!remarks.left_out.empty())
-    say("{} of {} left out, as comments at the end of {}\n", remarks.left_out.size(), lot.devices.size(),
-        shown(arguments.out));
-  lot.devices = std::move(recognised);
-  auto const folder = std::filesystem::absolute(arguments.out).parent_path();
-  // This size is that of the lot in --like, so the user is told. A size below the number of devices is left out.
+  for (auto const& file : of_sheets) found.complaints.push_back(about_sheets(file, lot));
+  if (found.devices.empty()) throw Error(std::move(found.complaints));
+  return found;
+}
+
+// A size that --like copied is that of another lot, so the user is told. A size below the number of devices is dropped.
+void review_lot_size(campaign::Lot& lot, InitArguments const& arguments) {
   auto& size = lot.acceptance.lot_size;
   if (size && static_cast<std::size_t>(*size) < lot.devices.size()) {
     say("lot-size = {} of {} left out: there are {} devices here\n", *size, shown(*arguments.like), lot.devices.size());
@@ -181,18 +182,40 @@ int init(InitArguments const& arguments) {
   } else if (size) {
     say("lot-size = {} taken over from {}: change it if this lot has another size\n", *size, shown(*arguments.like));
   }
+}
+
+void tell_of_files_outside(std::filesystem::path const& folder, campaign::Lot const& lot,
+                           std::filesystem::path const& out) {
+  auto const tell_if_outside = [&](std::filesystem::path const& file) {
+    if (leads_outside(file, folder))
+      say("{}: not in the folder of {} or below it: isolaw calibrate will need --allow-outside\n", shown(file),
+          shown(out));
+  };
+  if (lot.rules_are_file) tell_if_outside(lot.acceptance.rules_file);
+  for (auto const& device : lot.devices) std::ranges::for_each(campaign::files_of(device), tell_if_outside);
+}
+
+}  // namespace
+
+int init(InitArguments const& arguments) {
+  auto const& out = arguments.out;
+  if (std::filesystem::exists(out) && !arguments.force)
+    throw Error({.where = out.string(), .found = "exists already", .advice = "--force to overwrite it, or --out FILE"});
+  auto lot = lot_of_tests(arguments);
+  auto const folder = std::filesystem::absolute(out).parent_path();
+  lot.title = printable(folder.filename().string());
+  auto [devices, remarks, complaints] = recognise_tests(lot, arguments.read.contains("sheet"));
+  for (auto const& complaint : complaints) say("isolaw: {}\n", to_string(complaint));
+  if (!remarks.left_out.empty())
+    say("{} of {} left out, as comments at the end of {}\n", remarks.left_out.size(), lot.devices.size(), shown(out));
+  lot.devices = std::move(devices);
+  review_lot_size(lot, arguments);
   std::vector<std::filesystem::path> inputs;
   for (auto const& device : lot.devices) std::ranges::copy(campaign::files_of(device), std::back_inserter(inputs));
   for (auto const& [file, reason] : remarks.left_out) inputs.push_back(file);
-  write_output(arguments.out, campaign::lot_file_text(lot, folder, remarks), inputs);
-  auto const say_if_outside = [&](std::filesystem::path const& file) {
-    if (leads_outside(file, folder))
-      say("{}: not in the folder of {} or below it: isolaw calibrate will need --allow-outside\n", shown(file),
-          shown(arguments.out));
-  };
-  if (lot.rules_are_file) say_if_outside(lot.acceptance.rules_file);
-  for (auto const& device : lot.devices) std::ranges::for_each(campaign::files_of(device), say_if_outside);
-  fmt::print("\nwritten: {}; next: isolaw calibrate {}\n", shown(arguments.out), shown(arguments.out));
+  write_output(out, campaign::lot_file_text(lot, folder, remarks), inputs);
+  tell_of_files_outside(folder, lot, out);
+  fmt::print("\nwritten: {}; next: isolaw calibrate {}\n", shown(out), shown(out));
   return remarks.left_out.empty() ? exit_done : exit_with_refusals;
 }
 

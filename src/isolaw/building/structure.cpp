@@ -26,6 +26,30 @@ void check_slab(Diaphragm const& slab, std::string const& name, std::vector<Comp
     complaints.push_back({.where = name, .found = "a centre of mass that is no point", .allowed = "finite numbers"});
 }
 
+void check_storey(Storey const& storey, std::string const& name, std::vector<Complaint>& complaints) {
+  bool const finite =
+      storey.stiffness.allFinite() && std::isfinite(storey.centre.x_mm) && std::isfinite(storey.centre.y_mm);
+  if (!finite || !(num::symmetric_eigen(storey.stiffness).values.minCoeff() > 0.0) ||
+      !storey.stiffness.isApprox(storey.stiffness.transpose()))
+    complaints.push_back({.where = name,
+                          .found = "a storey below it that is not stiff in every direction",
+                          .allowed = "a symmetric, positive definite stiffness"});
+}
+
+void require_valid(Frame const& frame) {
+  std::vector<Complaint> complaints;
+  check_slab(frame.base, "base", complaints);
+  for (std::size_t i = 0; i < frame.floors.size(); ++i) {
+    auto const name = fmt::format("floor {}", i + 1);
+    check_slab(frame.floors[i].slab, name, complaints);
+    check_storey(frame.floors[i].below, name, complaints);
+  }
+  for (double const ratio : frame.damping)
+    if (!(ratio >= 0.0 && ratio < 1.0))
+      complaints.push_back({.where = "damping", .found = fmt::format("{}", ratio), .allowed = "0 <= ratio < 1"});
+  if (!complaints.empty()) throw Error(std::move(complaints));
+}
+
 Vector3 masses_of(Diaphragm const& slab) {
   double const mass = slab.mass_Mg * Mg_in_mass;
   return {mass, mass, mass * slab.gyration_mm * slab.gyration_mm};
@@ -61,25 +85,7 @@ std::vector<Floor> equal_floors(std::size_t count, Diaphragm const& slab, double
 }
 
 Structure::Structure(Frame frame) : frame_(std::move(frame)) {
-  std::vector<Complaint> complaints;
-  check_slab(frame_.base, "base", complaints);
-  for (std::size_t i = 0; i < floors(); ++i) {
-    auto const name = fmt::format("floor {}", i + 1);
-    check_slab(frame_.floors[i].slab, name, complaints);
-    auto const& below = frame_.floors[i].below;
-    bool const finite =
-        below.stiffness.allFinite() && std::isfinite(below.centre.x_mm) && std::isfinite(below.centre.y_mm);
-    if (!finite || !(num::symmetric_eigen(below.stiffness).values.minCoeff() > 0.0) ||
-        !below.stiffness.isApprox(below.stiffness.transpose()))
-      complaints.push_back({.where = name,
-                            .found = "a storey below it that is not stiff in every direction",
-                            .allowed = "a symmetric, positive definite stiffness"});
-  }
-  for (double const ratio : frame_.damping)
-    if (!(ratio >= 0.0 && ratio < 1.0))
-      complaints.push_back({.where = "damping", .found = fmt::format("{}", ratio), .allowed = "0 <= ratio < 1"});
-  if (!complaints.empty()) throw Error(std::move(complaints));
-
+  require_valid(frame_);
   auto const n = static_cast<Eigen::Index>(3 * floors());
   masses_ = num::Vector::Zero(n + 3);
   stiffness_ = num::Matrix::Zero(n + 3, n + 3);
@@ -96,32 +102,36 @@ Structure::Structure(Frame frame) : frame_(std::move(frame)) {
     stiffness_ += part.transpose() * below.stiffness * part;
     rigid.middleRows<3>(row) = carried(frame_.base.centre, slab.centre);
   }
-  num::Vector const upper = masses_.tail(n), root = upper.cwiseSqrt().cwiseInverse();
   base_mass_ = masses_.head<3>().asDiagonal();
   mass_ = base_mass_;
-  if (n > 0) mass_ += num::Matrix(rigid.transpose() * upper.asDiagonal() * rigid);
+  if (n == 0) return;
+  num::Vector const upper = masses_.tail(n);
+  mass_ += num::Matrix(rigid.transpose() * upper.asDiagonal() * rigid);
+  find_modes(deformation, rigid);
+}
 
-  if (n > 0) {
-    num::Matrix const scaled = root.asDiagonal() * stiffness_.bottomRightCorner(n, n) * root.asDiagonal();
-    auto const eigen = num::symmetric_eigen(scaled);
-    num::Matrix const shapes = root.asDiagonal() * eigen.vectors;
-    num::Matrix const gamma = shapes.transpose() * upper.asDiagonal() * rigid;
-    num::Matrix const drift = deformation.rightCols(n) * shapes;
-    auto const row_major = [](num::Matrix const& from, std::vector<double>& to) {
-      for (Eigen::Index i = 0; i < from.rows(); ++i)
-        for (Eigen::Index j = 0; j < from.cols(); ++j) to.push_back(from(i, j));
-    };
-    row_major(gamma, participation_);
-    row_major(shapes, shape_);
-    row_major(rigid, rigid_);
-    row_major(drift, deformation_);
-    for (std::size_t i = 0; i < floors(); ++i)
-      row_major(frame_.floors[i].below.stiffness * drift.middleRows<3>(static_cast<Eigen::Index>(3 * i)), shear_);
-    for (Eigen::Index k = 0; k < n; ++k) {
-      frequency_.push_back(std::sqrt(eigen.values(k)));
-      auto const& given = frame_.damping;
-      damping_.push_back(given.empty() ? 0.0 : given[std::min(static_cast<std::size_t>(k), given.size() - 1)]);
-    }
+void Structure::find_modes(num::Matrix const& deformation, num::Matrix const& rigid) {
+  auto const n = rigid.rows();
+  num::Vector const upper = masses_.tail(n), root = upper.cwiseSqrt().cwiseInverse();
+  num::Matrix const scaled = root.asDiagonal() * stiffness_.bottomRightCorner(n, n) * root.asDiagonal();
+  auto const eigen = num::symmetric_eigen(scaled);
+  num::Matrix const shapes = root.asDiagonal() * eigen.vectors;
+  num::Matrix const gamma = shapes.transpose() * upper.asDiagonal() * rigid;
+  num::Matrix const drift = deformation.rightCols(n) * shapes;
+  auto const row_major = [](num::Matrix const& from, std::vector<double>& to) {
+    for (Eigen::Index i = 0; i < from.rows(); ++i)
+      for (Eigen::Index j = 0; j < from.cols(); ++j) to.push_back(from(i, j));
+  };
+  row_major(gamma, participation_);
+  row_major(shapes, shape_);
+  row_major(rigid, rigid_);
+  row_major(drift, deformation_);
+  for (std::size_t i = 0; i < floors(); ++i)
+    row_major(frame_.floors[i].below.stiffness * drift.middleRows<3>(static_cast<Eigen::Index>(3 * i)), shear_);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    frequency_.push_back(std::sqrt(eigen.values(k)));
+    auto const& given = frame_.damping;
+    damping_.push_back(given.empty() ? 0.0 : given[std::min(static_cast<std::size_t>(k), given.size() - 1)]);
   }
 }
 

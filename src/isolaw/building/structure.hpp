@@ -87,6 +87,9 @@ class Structure {
   std::vector<double> frequencies_on(Matrix3 const& bearings) const;
 
  private:
+  // `deformation` maps the degrees of freedom to the storeys' deformations, `rigid` the base's motion to the floors'.
+  void find_modes(num::Matrix const& deformation, num::Matrix const& rigid);
+
   Frame frame_;
   Matrix3 mass_, base_mass_;
   num::Vector masses_;     // [degree of freedom], the base first

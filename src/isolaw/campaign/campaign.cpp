@@ -123,6 +123,18 @@ void refit_in_finer_steps(Target const& target, fit::LawOnRecord model, Run& run
   }
 }
 
+std::vector<Target> targets_of(Contents const& contents) {
+  std::vector<Target> targets;
+  num::Stream const campaign(contents.settings.seed);
+  for (std::size_t place = 0; place < contents.searches.size(); ++place) {
+    auto const& search = contents.searches[place];
+    if (!search.refusal.empty()) continue;
+    auto const& device = contents.devices[search.device];
+    targets.push_back({place, &search, campaign.split(stable_hash(device.name)).split(stable_hash(search.law))});
+  }
+  return targets;
+}
+
 std::vector<Task> missing_runs(Contents const& contents, std::vector<Target> const& targets) {
   std::set<std::tuple<std::size_t, std::string, int>> present;
   for (auto const& run : contents.runs) present.emplace(run.device, run.law, run.number);
@@ -140,111 +152,145 @@ std::vector<Task> missing_runs(Contents const& contents, std::vector<Target> con
   return tasks;
 }
 
+// Computes what a campaign lacks, puts each result into the store at once, and tells the caller of the progress.
+class Computation {
+ public:
+  Computation(Contents& contents, Store& store, std::vector<Target> const& targets, std::vector<Task> const& tasks,
+              RunOptions const& options)
+      : contents_(contents),
+        store_(store),
+        targets_(targets),
+        tasks_(tasks),
+        options_(options),
+        jobs_(options.jobs > 0 ? static_cast<std::size_t>(options.jobs)
+                               : std::max(1U, std::thread::hardware_concurrency())),
+        progress_{
+            .done = contents.runs.size(), .total = contents.runs.size() + tasks.size(), .analysis = false, .best = {}},
+        estimate_(contents) {
+    expect_only_this_part();
+    for (auto const& run : contents.runs) note(run);
+    contents.runs.reserve(progress_.total);
+  }
+
+  void make_runs() {
+    auto const threads = for_each_in_parallel(tasks_.size(), jobs_, [&](std::size_t i) { perform(tasks_[i]); });
+    Meter::restart();
+    count_threads(threads, std::min(jobs_, tasks_.size()));
+    std::ranges::sort(contents_.runs, {}, [](Run const& r) { return std::tie(r.device, r.law, r.number); });
+  }
+
+  void make_analyses() {
+    bool const whole = !contents_.part && contents_.runs.size() == contents_.expected_runs();
+    if (!contents_.settings.analysis || !whole || asked_to_stop()) return;
+    progress_.analysis = true;
+    auto const threads = analyse(contents_, store_,
+                                 {.threads = jobs_,
+                                  .progress =
+                                      [&](std::size_t done, std::size_t total) {
+                                        progress_.done = done;
+                                        progress_.total = total;
+                                        tell();
+                                      },
+                                  .interrupted = [&] { return asked_to_stop(); },
+                                  .profile = options_.profile,
+                                  .estimate = &estimate_,
+                                  .share = options_.share});
+    Meter::restart();
+    count_threads(threads, jobs_);
+  }
+
+  void tell_if_short_of_threads() const {
+    if (too_few_threads_ && options_.short_of_threads) options_.short_of_threads(static_cast<int>(*too_few_threads_));
+  }
+
+ private:
+  void expect_only_this_part() {
+    if (contents_.part) {
+      for (auto const kind : task_kinds) estimate_.expect_none(kind);
+      for (auto const& task : tasks_) estimate_.expect(TaskKind::run, targets_[task.target].search->law);
+    }
+    if (options_.share && !every_device_examined(contents_))
+      for (auto const kind : {TaskKind::lot, TaskKind::left_out}) estimate_.expect_none(kind);
+  }
+
+  void perform(Task const& task) {
+    if (asked_to_stop()) return;
+    Meter meter(options_.profile);
+    auto const& target = targets_[task.target];
+    auto const& settings = contents_.settings;
+    auto model = law_on_device(contents_, target.search->device, target.search->law);
+    auto const result = search_by(settings, target, model, task.number, [&] { return asked_to_stop(); });
+    if (result.outcome == Outcome::interrupted) return;
+    auto run = finished(target, model, task.number, result);
+    if (run.usable() && settings.method == Method::best && settings.integration == laws::Integration::converged)
+      refit_in_finer_steps(target, std::move(model), run);
+    std::scoped_lock const lock(one_writer_);
+    note(run);
+    store_.add(run);  // after this nothing may fail, since a task that ran out of memory is repeated
+    ++progress_.done;
+    meter.count_evaluations(Phase::search, run.evaluations);
+    estimate_.done(TaskKind::run, run.law);
+    contents_.runs.push_back(std::move(run));
+    tell();
+    meter.lap(Phase::search);
+  }
+
+  bool asked_to_stop() {
+    if (!stop_ && options_.interrupted && options_.interrupted()) stop_ = true;
+    return stop_;
+  }
+
+  void note(Run const& run) {
+    if (!run.usable()) return;
+    auto const [entry, is_new] = progress_.best.try_emplace(run.law, run.objective);
+    entry->second = std::min(entry->second, run.objective);
+  }
+
+  void tell() {
+    if (!options_.progress) return;
+    progress_.share = estimate_.share();
+    progress_.left_s = estimate_.left_s();
+    options_.progress(progress_);
+  }
+
+  void count_threads(std::size_t worked, std::size_t wanted) {
+    if (worked < wanted) too_few_threads_ = std::min(worked, too_few_threads_.value_or(worked));
+  }
+
+  Contents& contents_;
+  Store& store_;
+  std::vector<Target> const& targets_;
+  std::vector<Task> const& tasks_;
+  RunOptions const& options_;
+  std::size_t jobs_;
+  Progress progress_;
+  Estimate estimate_;
+  std::optional<std::size_t> too_few_threads_;  // the fewest that worked, if the system gave fewer than wanted
+  std::atomic<bool> stop_ = false;
+  std::mutex one_writer_;
+};
+
 }  // namespace
 
 bool run(Contents& contents, std::filesystem::path const& file, RunOptions const& options) {
   Meter own(options.profile);
-  std::vector<Target> targets;
-  num::Stream const campaign(contents.settings.seed);
-  for (std::size_t place = 0; place < contents.searches.size(); ++place) {
-    auto const& search = contents.searches[place];
-    if (!search.refusal.empty()) continue;
-    auto const& device = contents.devices[search.device];
-    targets.push_back({place, &search, campaign.split(stable_hash(device.name)).split(stable_hash(search.law))});
-  }
+  auto const targets = targets_of(contents);
   auto const tasks = missing_runs(contents, targets);
   if (tasks.empty() && contents.complete() && sqlite::is_plain(file)) {
     campaign_store().put_in_order(file);
     return true;
   }
-  std::optional<Store> opened = Store::open(file);
-  auto& store = *opened;
-
-  std::size_t const jobs =
-      options.jobs > 0 ? static_cast<std::size_t>(options.jobs) : std::max(1U, std::thread::hardware_concurrency());
-  Progress progress{
-      .done = contents.runs.size(), .total = contents.runs.size() + tasks.size(), .analysis = false, .best = {}};
-  Estimate estimate(contents);
-  if (contents.part) {
-    for (auto const kind : task_kinds) estimate.expect_none(kind);
-    for (auto const& task : tasks) estimate.expect(TaskKind::run, targets[task.target].search->law);
-  }
-  if (options.share && !every_device_examined(contents))
-    for (auto const kind : {TaskKind::lot, TaskKind::left_out}) estimate.expect_none(kind);
-  auto const tell = [&] {
-    if (!options.progress) return;
-    progress.share = estimate.share();
-    progress.left_s = estimate.left_s();
-    options.progress(progress);
-  };
-  auto const note = [&](Run const& run) {
-    if (!run.usable()) return;
-    auto const [entry, is_new] = progress.best.try_emplace(run.law, run.objective);
-    entry->second = std::min(entry->second, run.objective);
-  };
-  for (auto const& run : contents.runs) note(run);
-  contents.runs.reserve(progress.total);
-
-  std::atomic<bool> stop = false;
-  auto const asked_to_stop = [&] {
-    if (!stop && options.interrupted && options.interrupted()) stop = true;
-    return stop.load();
-  };
-  std::mutex one_writer;
-  auto const perform = [&](Task const& task) {
-    if (asked_to_stop()) return;
-    Meter meter(options.profile);
-    auto const& target = targets[task.target];
-    auto model = law_on_device(contents, target.search->device, target.search->law);
-    auto const result = search_by(contents.settings, target, model, task.number, asked_to_stop);
-    if (result.outcome == Outcome::interrupted) return;
-    auto run = finished(target, model, task.number, result);
-    if (run.usable() && contents.settings.method == Method::best &&
-        contents.settings.integration == laws::Integration::converged)
-      refit_in_finer_steps(target, std::move(model), run);
-    std::scoped_lock const lock(one_writer);
-    note(run);
-    store.add(run);  // nothing below may fail: a task that ran out of memory is repeated and would be stored twice
-    ++progress.done;
-    meter.count_evaluations(Phase::search, run.evaluations);
-    estimate.done(TaskKind::run, run.law);
-    contents.runs.push_back(std::move(run));
-    tell();
-    meter.lap(Phase::search);
-  };
-
+  std::optional<Store> store = Store::open(file);
+  Computation computation(contents, *store, targets, tasks, options);
   own.lap(Phase::search);
-  auto worked = for_each_in_parallel(tasks.size(), jobs, [&](std::size_t i) { perform(tasks[i]); });
-  Meter::restart();
-  bool short_of_threads = worked < std::min(jobs, tasks.size());
-  std::ranges::sort(contents.runs, {}, [](Run const& r) { return std::tie(r.device, r.law, r.number); });
+  computation.make_runs();
   own.lap(Phase::search);
   if (options.profile != nullptr) options.profile->mark({Phase::search});
-  bool const whole = !contents.part && contents.runs.size() == contents.expected_runs();
-  if (contents.settings.analysis && whole && !asked_to_stop()) {
-    progress.analysis = true;
-    auto const threads = analyse(contents, store,
-                                 {.threads = jobs,
-                                  .progress =
-                                      [&](std::size_t done, std::size_t total) {
-                                        progress.done = done;
-                                        progress.total = total;
-                                        tell();
-                                      },
-                                  .interrupted = asked_to_stop,
-                                  .profile = options.profile,
-                                  .estimate = &estimate,
-                                  .share = options.share});
-    Meter::restart();
-    if (threads < jobs) {
-      worked = short_of_threads ? std::min(worked, threads) : threads;
-      short_of_threads = true;
-    }
-  }
-  if (short_of_threads && options.short_of_threads) options.short_of_threads(static_cast<int>(worked));
+  computation.make_analyses();
+  computation.tell_if_short_of_threads();
   bool const complete = contents.complete();  // may be true although an interruption was asked for during the last run
-  bool const plain = store.finish();          // after an interruption too, so that the next reader finds one plain file
-  opened.reset();
+  bool const plain = store->finish();  // also after an interruption, so that the next reader finds one plain file
+  store.reset();
   if (complete && plain) campaign_store().put_in_order(file);
   own.lap(Phase::report);
   return complete;

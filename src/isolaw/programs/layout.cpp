@@ -119,6 +119,48 @@ std::vector<FoundColumn> found_columns(std::vector<std::string_view> const& head
   return columns;
 }
 
+// How the cells of a layout are written, and where its header is.
+struct LayoutForm {
+  std::size_t header = 0;  // index of its line
+  char delimiter = ',', decimal = '.';
+};
+
+Error no_bearings(std::string const& name) {
+  return Error({.where = name, .found = "no bearings", .allowed = "a row for each, under " + columns_text});
+}
+
+LayoutForm form_of(std::vector<std::string_view> const& lines, std::string const& name) {
+  auto const says_something = [](auto line) { return !data::is_comment(line) && !trimmed(line).empty(); };
+  auto const header = std::ranges::find_if(lines, says_something);
+  if (header == lines.end() || std::ranges::none_of(header + 1, lines.end(), says_something)) throw no_bearings(name);
+  // Recognises the delimiter from the header alone, since a table may have only one or two rows.
+  auto const has = [&](char c) { return header->find(c) != std::string_view::npos; };
+  char const delimiter = has(';') ? ';' : has('\t') ? '\t' : has(',') ? ',' : ' ';
+  auto const dialect = data::recognise_dialect(lines);
+  char const decimal = delimiter != ',' && dialect && dialect->decimal == ',' ? ',' : '.';
+  return {static_cast<std::size_t>(header - lines.begin()), delimiter, decimal};
+}
+
+void read_place(std::vector<std::string_view> const& cells, std::vector<FoundColumn> const& columns, char decimal,
+                std::string const& where, LayoutRow& place, std::vector<Complaint>& complaints) {
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    auto const& [column, unit] = columns[k];
+    if (column->in_ours == nullptr) {
+      if (!cells[k].empty()) place.name = data::to_utf8(cells[k]);
+      continue;
+    }
+    auto const cell = data::parse_cell(cells[k], data::NumberFormat(decimal));
+    bool const number = cell.kind == data::CellKind::number && std::isfinite(cell.value);
+    if (number && !(column->above_zero && !(cell.value > 0.0)))
+      column->set(place, cell.value * unit);
+    else
+      complaints.push_back({.where = where,
+                            .found = fmt::format("{} is {}", column->names.front(),
+                                                 cells[k].empty() ? std::string("missing") : data::in_quotes(cells[k])),
+                            .allowed = column->above_zero ? "a number above 0" : "a finite number"});
+  }
+}
+
 void check_together(std::vector<LayoutRow> const& places, std::string const& file, std::vector<Complaint>& complaints) {
   constexpr double apart_mm = 1.0;
   for (std::size_t i = 0; i < places.size(); ++i)
@@ -169,64 +211,30 @@ std::vector<LayoutRow> read_layout(std::filesystem::path const& file) {
 std::vector<LayoutRow> read_layout_text(std::string_view bytes, std::string const& name) {
   data::check_text(name, bytes);
   auto const lines = data::split_lines(bytes).lines;
-  std::optional<std::size_t> header_line;
-  std::size_t below = 0;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (data::is_comment(lines[i]) || trimmed(lines[i]).empty()) continue;
-    if (header_line)
-      ++below;
-    else
-      header_line = i;
-  }
-  auto const nothing = [&] {
-    return Error({.where = name, .found = "no bearings", .allowed = "a row for each, under " + columns_text});
-  };
-  if (!header_line || below == 0) throw nothing();
-  // The delimiter is found in the header alone, because a table may have only one or two rows of bearings.
-  auto const& head = lines[*header_line];
-  auto const has = [&](char c) { return head.find(c) != std::string_view::npos; };
-  char const delimiter = has(';') ? ';' : has('\t') ? '\t' : has(',') ? ',' : ' ';
-  auto const dialect = data::recognise_dialect(lines);
-  char const decimal = delimiter != ',' && dialect && dialect->decimal == ',' ? ',' : '.';
+  auto const form = form_of(lines, name);
+  auto const place_of_line = [&](std::size_t line) { return fmt::format("{}:{}", name, line + 1); };
   std::vector<std::string_view> cells;
-  data::split_cells(head, delimiter, cells);
+  data::split_cells(lines[form.header], form.delimiter, cells);
   std::vector<Complaint> complaints;
-  auto const columns = found_columns(cells, fmt::format("{}:{}", name, *header_line + 1), complaints);
+  auto const columns = found_columns(cells, place_of_line(form.header), complaints);
   if (!complaints.empty()) throw Error(std::move(complaints));
   std::vector<LayoutRow> places;
-  for (auto i = *header_line + 1; i < lines.size(); ++i) {
-    if (data::is_comment(lines[i]) || data::is_blank(lines[i], delimiter)) continue;
-    auto const where = fmt::format("{}:{}", name, i + 1);
-    data::split_cells(lines[i], delimiter, cells);
+  for (auto i = form.header + 1; i < lines.size(); ++i) {
+    if (data::is_comment(lines[i]) || data::is_blank(lines[i], form.delimiter)) continue;
+    data::split_cells(lines[i], form.delimiter, cells);
     if (cells.size() != columns.size()) {
-      complaints.push_back({.where = where,
+      complaints.push_back({.where = place_of_line(i),
                             .found = counted(cells.size(), "cell"),
                             .allowed = fmt::format("{}, as the header has", columns.size())});
       continue;
     }
     LayoutRow place;
     place.name = fmt::format("b{}", places.size() + 1);
-    for (std::size_t k = 0; k < cells.size(); ++k) {
-      auto const& [column, unit] = columns[k];
-      if (column->in_ours == nullptr) {
-        if (!cells[k].empty()) place.name = data::to_utf8(cells[k]);
-        continue;
-      }
-      auto const cell = data::parse_cell(cells[k], data::NumberFormat(decimal));
-      bool const number = cell.kind == data::CellKind::number && std::isfinite(cell.value);
-      if (number && !(column->above_zero && !(cell.value > 0.0)))
-        column->set(place, cell.value * unit);
-      else
-        complaints.push_back(
-            {.where = where,
-             .found = fmt::format("{} is {}", column->names.front(),
-                                  cells[k].empty() ? std::string("missing") : data::in_quotes(cells[k])),
-             .allowed = column->above_zero ? "a number above 0" : "a finite number"});
-    }
+    read_place(cells, columns, form.decimal, place_of_line(i), place, complaints);
     places.push_back(std::move(place));
   }
   if (!complaints.empty()) throw Error(std::move(complaints));
-  if (places.empty()) throw nothing();
+  if (places.empty()) throw no_bearings(name);
   if (places.size() > most_rows)
     throw Error(
         {.where = name, .found = counted(places.size(), "bearing"), .allowed = fmt::format("1 to {}", most_rows)});

@@ -257,6 +257,71 @@ void add_prediction(LawResult& law) {
   law.prediction_grade = graded(*law.fitted_objective, *law.predicted_objective, worst);
 }
 
+// The share of usable runs that found the least objective, over all devices.
+void add_success_on_lot(LawResult& law) {
+  double usable = 0.0, found = 0.0;
+  for (auto const& fit : law.devices) {
+    if (!fit.success_share) continue;
+    double const runs = fit.runs - fit.failed_runs;
+    usable += runs;
+    found += runs * *fit.success_share;
+    law.success_reference = fit.success_reference;
+  }
+  if (usable > 0.0) law.success_share = found / usable;
+}
+
+void add_reduced_form(LawResult& law, laws::LawEntry const& entry, campaign::Contents const& contents) {
+  if (entry.redundant.empty()) return;
+  for (auto const& p : parameters_of_search(contents, law.id))
+    if (p.free && p.name == entry.redundant)
+      law.reduced_form = fmt::format("--set {}.{}={}", law.id, entry.redundant, entry.redundant_value);
+}
+
+DeviceFit& fit_on(LawResult& law, campaign::Device const& device) {
+  return *std::ranges::find(law.devices, device.name, &DeviceFit::device);
+}
+
+void add_lot_law(LawResult& law, campaign::Contents const& contents) {
+  auto const lot = std::ranges::find(contents.lot_analyses, law.id, &campaign::LotAnalysis::law);
+  if (lot == contents.lot_analyses.end() || lot->mean.parameters.empty()) return;
+  LotLaw lot_law{.parameters = lot->mean.parameters,
+                 .worst_parameters = lot->worst.law.parameters,
+                 .mean = lot->mean.mean,
+                 .worst = lot->mean.worst,
+                 .least_worst = lot->worst.law.worst,
+                 .least_worst_bound = lot->worst.bound};
+  for (std::size_t i = 0; i < lot->devices.size(); ++i) {
+    auto& fit = fit_on(law, contents.devices[lot->devices[i]]);
+    fit.lot_objective = lot->mean.objectives[i];
+    fit.worst_objective = lot->worst.law.objectives[i];
+    if (lot->mean.objectives[i] == lot->mean.worst) lot_law.worst_device = fit.device;
+  }
+  auto const box = campaign::box_of_lot(contents, law.id);
+  for (std::size_t n = 0; n < lot_law.parameters.size(); ++n)
+    if (auto const bound = fit::at_bound(box.parameters[n], lot_law.parameters[n]); bound != fit::AtBound::no)
+      lot_law.at_bound.emplace_back(box.parameters[n].name, bound);
+  law.lot = std::move(lot_law);
+}
+
+// The error on each device of the law that was fitted to the other devices.
+void add_left_out(LawResult& law, campaign::Contents const& contents) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (auto const& left_out : contents.left_out) {
+    double const objective = left_out.left_out.objective;
+    if (left_out.law != law.id || !std::isfinite(objective)) continue;
+    auto& fit = fit_on(law, contents.devices[left_out.device]);
+    fit.left_out_objective = objective;
+    sum += objective;
+    ++count;
+    if (objective > law.loo_worst.value_or(0.0)) {
+      law.loo_worst = objective;
+      law.loo_worst_device = fit.device;
+    }
+  }
+  if (count > 0) law.loo_objective = sum / static_cast<double>(count);
+}
+
 void add_outliers(Summary& summary) {
   std::vector<std::string> names, units, laws;
   std::vector<std::vector<double>> values;  // [property][device]; NaN for a device without the property
@@ -374,65 +439,17 @@ void mark_front(std::vector<LawResult>& laws, Coordinate robust, Coordinate accu
 
 void add_lot_analysis(LawResult& law, campaign::Contents const& contents) {
   auto const& entry = laws::find_law(law.id);
-  double usable = 0.0, found = 0.0;
-  for (auto const& fit : law.devices) {
-    if (!fit.success_share) continue;
-    double const runs = fit.runs - fit.failed_runs;
-    usable += runs;
-    found += runs * *fit.success_share;
-    law.success_reference = fit.success_reference;
-  }
-  if (usable > 0.0) law.success_share = found / usable;
+  add_success_on_lot(law);
   add_prediction(law);
   if (!contents.settings.analysis) {
     law.beta_converged_note = "no analysis was asked for";
     return;
   }
-  if (!entry.redundant.empty())
-    for (auto const& p : parameters_of_search(contents, law.id))
-      if (p.free && p.name == entry.redundant)
-        law.reduced_form = fmt::format("--set {}.{}={}", law.id, entry.redundant, entry.redundant_value);
+  add_reduced_form(law, entry, contents);
   add_converged_beta(law, entry);
   add_population(law, entry, contents);
-
-  auto const on_device = [&](std::size_t device) {
-    return std::ranges::find(law.devices, contents.devices[device].name, &DeviceFit::device);
-  };
-  auto const lot = std::ranges::find(contents.lot_analyses, law.id, &campaign::LotAnalysis::law);
-  if (lot != contents.lot_analyses.end() && !lot->mean.parameters.empty()) {
-    LotLaw lot_law{.parameters = lot->mean.parameters,
-                   .worst_parameters = lot->worst.law.parameters,
-                   .mean = lot->mean.mean,
-                   .worst = lot->mean.worst,
-                   .least_worst = lot->worst.law.worst,
-                   .least_worst_bound = lot->worst.bound};
-    for (std::size_t i = 0; i < lot->devices.size(); ++i) {
-      auto const fit = on_device(lot->devices[i]);
-      fit->lot_objective = lot->mean.objectives[i];
-      fit->worst_objective = lot->worst.law.objectives[i];
-      if (lot->mean.objectives[i] == lot->mean.worst) lot_law.worst_device = fit->device;
-    }
-    auto const box = campaign::box_of_lot(contents, law.id);
-    for (std::size_t n = 0; n < lot_law.parameters.size(); ++n)
-      if (auto const bound = fit::at_bound(box.parameters[n], lot_law.parameters[n]); bound != fit::AtBound::no)
-        lot_law.at_bound.emplace_back(box.parameters[n].name, bound);
-    law.lot = std::move(lot_law);
-  }
-  double sum = 0.0;
-  std::size_t count = 0;
-  for (auto const& left_out : contents.left_out) {
-    if (left_out.law != law.id || !std::isfinite(left_out.left_out.objective)) continue;
-    auto const fit = on_device(left_out.device);
-    double const objective = left_out.left_out.objective;
-    fit->left_out_objective = objective;
-    sum += objective;
-    ++count;
-    if (objective > law.loo_worst.value_or(0.0)) {
-      law.loo_worst = objective;
-      law.loo_worst_device = fit->device;
-    }
-  }
-  if (count > 0) law.loo_objective = sum / static_cast<double>(count);
+  add_lot_law(law, contents);
+  add_left_out(law, contents);
 }
 
 void add_converged_views(Summary& summary) {

@@ -60,6 +60,10 @@ std::optional<Known> known_of_tests(LawResult const& law) {
   return over_devices(law, sum / count, [](DeviceFit const& fit) { return fit.objective.best; });
 }
 
+std::optional<Known> known_for(bool untested, LawResult const& law) {
+  return untested ? known_for_untested(law) : known_of_tests(law);
+}
+
 std::size_t calibrated(LawResult const& law) {
   auto const& parameters = parameters_of(law);
   return static_cast<std::size_t>(std::ranges::count_if(parameters, &ParameterFit::free));
@@ -213,15 +217,6 @@ std::vector<Finding> why_none(Summary const& summary, Purpose purpose) {
       {.kind = device_names(summary).size() > 1 ? FindingKind::none_left_out : FindingKind::none_beside_one_device}};
 }
 
-Recommendation none(Summary const& summary, Purpose purpose) {
-  Recommendation answer;
-  answer.purpose = purpose;
-  answer.why = why_none(summary, purpose);
-  answer.answer = {.kind = FindingKind::no_law_recommended, .words = {{"purpose", std::string(name(purpose))}}};
-  answer.surer = what_would_decide(summary, purpose, true);
-  return answer;
-}
-
 std::optional<Finding> ruled_out(Summary const& summary, LawResult const& law, bool known, double error) {
   auto const because = [&](FindingKind kind, std::string_view grade = {}) {
     Finding reason{.kind = kind, .law = law.id};
@@ -244,7 +239,7 @@ std::vector<Standing> standings_of(Summary const& summary, bool untested, std::v
   for (std::size_t i = 0; i < summary.laws.size(); ++i) {
     if (std::ranges::find(chosen, i, &Candidate::index) != chosen.end()) continue;
     auto const& law = summary.laws[i];
-    auto const known = untested ? known_for_untested(law) : known_of_tests(law);
+    auto const known = known_for(untested, law);
     auto const error = known ? std::optional(known->error) : std::nullopt;
     auto reason = ruled_out(summary, law, known.has_value(), error.value_or(0.0));
     auto& list = reason ? out : standings;
@@ -255,6 +250,16 @@ std::vector<Standing> standings_of(Summary const& summary, bool untested, std::v
   std::ranges::stable_sort(out, {}, by_error);
   standings.insert(standings.end(), out.begin(), out.end());
   return standings;
+}
+
+Recommendation none(Summary const& summary, Purpose purpose, bool untested) {
+  Recommendation answer;
+  answer.purpose = purpose;
+  answer.standings = standings_of(summary, untested, {});
+  answer.why = why_none(summary, purpose);
+  answer.answer = {.kind = FindingKind::no_law_recommended, .words = {{"purpose", std::string(name(purpose))}}};
+  answer.surer = what_would_decide(summary, purpose, true);
+  return answer;
 }
 
 // Names the law that fits the tests best if it was refused for its prediction: readers ask why it was not taken.
@@ -275,49 +280,80 @@ std::optional<Finding> closer_but_refused(Summary const& summary, Candidate cons
                  .words = {{"grade", std::string(name(*closest->prediction_grade))}}};
 }
 
-Recommendation recommend(Summary const& summary, Purpose purpose) {
-  bool const untested = purpose == Purpose::untested_device ||
-                        (purpose == Purpose::simplest && std::ranges::any_of(summary.laws, [](auto const& law) {
-                           return known_for_untested(law).has_value();
-                         }));
+bool asks_about_untested(Summary const& summary, Purpose purpose) {
+  if (purpose != Purpose::simplest) return purpose == Purpose::untested_device;
+  return std::ranges::any_of(summary.laws, [](auto const& law) { return known_for_untested(law).has_value(); });
+}
+
+// The laws that may be recommended, that of the least error first.
+std::vector<Candidate> candidates_among(Summary const& summary, bool untested) {
   std::vector<Candidate> candidates;
   for (std::size_t i = 0; i < summary.laws.size(); ++i) {
     auto const& law = summary.laws[i];
     if (!may_be_taken(summary, law)) continue;
-    auto const known = untested ? known_for_untested(law) : known_of_tests(law);
+    auto const known = known_for(untested, law);
     if (!known || known->error > fair_prediction) continue;
     candidates.push_back({.index = i, .law = &law, .known = *known, .parameters = calibrated(law)});
   }
-  if (candidates.empty()) {
-    auto advice = none(summary, purpose);
-    advice.standings = standings_of(summary, untested, {});
-    return advice;
-  }
   std::ranges::stable_sort(candidates, {}, [](auto const& c) { return c.known.error; });
-  auto const& best = candidates.front();
+  return candidates;
+}
 
-  std::vector<Candidate> chosen;  // the laws that are equally good for the purpose
-  if (purpose == Purpose::simplest) {
-    double const most = best.known.error + std::max(simple_share * best.known.error, simple_error);
-    auto fewest = best.parameters;
-    for (auto const& c : candidates)
-      if (c.known.error <= most) fewest = std::min(fewest, c.parameters);
-    std::vector<Candidate> serving;
-    for (auto const& c : candidates)
-      if (c.known.error <= most && c.parameters == fewest) serving.push_back(c);
-    for (auto const& c : serving)
-      if (&c == &serving.front() || tie(serving.front().known, c.known)) chosen.push_back(c);
-  } else {
-    for (auto const& c : candidates)
-      if (&c == &best || tie(best.known, c.known)) chosen.push_back(c);
-  }
+// The laws with the fewest parameters among those whose error is near the least.
+std::vector<Candidate> simplest_of(std::vector<Candidate> candidates) {
+  double const least = candidates.front().known.error;
+  double const most = least + std::max(simple_share * least, simple_error);
+  std::erase_if(candidates, [&](auto const& c) { return c.known.error > most; });
+  auto const fewest = std::ranges::min_element(candidates, {}, &Candidate::parameters)->parameters;
+  std::erase_if(candidates, [&](auto const& c) { return c.parameters != fewest; });
+  return candidates;
+}
+
+// The laws that are equally good for the purpose, the preferred one first.
+std::vector<Candidate> equally_good(Summary const& summary, Purpose purpose, std::vector<Candidate> const& candidates) {
+  auto chosen = purpose == Purpose::simplest ? simplest_of(candidates) : candidates;
+  std::erase_if(
+      chosen, [least = chosen.front()](auto const& c) { return c.index != least.index && !tie(least.known, c.known); });
   // A grade comes before an error: a law of grade good is taken before a law of grade fair.
   auto const grade_of = [](Candidate const& c) { return c.law->prediction_grade.value_or(PredictionGrade::good); };
   auto const least_grade = std::ranges::min(chosen | std::views::transform(grade_of));
   std::erase_if(chosen, [&](auto const& c) { return grade_of(c) != least_grade; });
   for (auto& c : chosen) c.weak = weaknesses(summary, c, purpose);
   std::ranges::stable_sort(chosen, preferred);
+  return chosen;
+}
 
+std::vector<Finding> why_taken(Summary const& summary, Recommendation const& advice,
+                               std::vector<Candidate> const& candidates, Candidate const& taken, Names const& tied) {
+  auto const& best = candidates.front();
+  bool const simplest = advice.purpose == Purpose::simplest;
+  std::vector<Finding> why{{.kind = FindingKind::why_error,
+                            .law = taken.law->id,
+                            .numbers = {{"error", taken.known.error}},
+                            .words = {{"measure", advice.measure}}}};
+  if (simplest) why.front().numbers.push_back({"parameters", static_cast<double>(taken.parameters)});
+  if (simplest && taken.index != best.index)
+    why.push_back({.kind = FindingKind::why_simpler,
+                   .law = best.law->id,
+                   .numbers = {{"error", best.known.error}, {"parameters", static_cast<double>(best.parameters)}}});
+  if (!tied.empty()) {
+    why.push_back({.kind = FindingKind::why_ties,
+                   .law = taken.law->id,
+                   .other_laws = tied,
+                   .words = {{"tie", device_names(summary).size() > 1 ? "lot" : "device"}}});
+  } else if (!simplest && candidates.size() > 1) {
+    auto const& next = candidates[best.index == taken.index ? 1 : 0];
+    why.push_back({.kind = FindingKind::why_next, .law = next.law->id, .numbers = {{"error", next.known.error}}});
+  }
+  if (auto closer = closer_but_refused(summary, taken, advice.purpose)) why.push_back(std::move(*closer));
+  return why;
+}
+
+Recommendation recommend(Summary const& summary, Purpose purpose) {
+  bool const untested = asks_about_untested(summary, purpose);
+  auto const candidates = candidates_among(summary, untested);
+  if (candidates.empty()) return none(summary, purpose, untested);
+  auto const chosen = equally_good(summary, purpose, candidates);
   auto const& taken = chosen.front();
   Recommendation advice;
   advice.purpose = purpose;
@@ -332,29 +368,7 @@ Recommendation recommend(Summary const& summary, Purpose purpose) {
   }
   advice.weak = taken.weak;
   advice.sure = !advice.weak.empty() ? Sure::weak : !advice.ties.empty() ? Sure::tie : Sure::clear;
-
-  Finding error{.kind = FindingKind::why_error,
-                .law = taken.law->id,
-                .numbers = {{"error", taken.known.error}},
-                .words = {{"measure", advice.measure}}};
-  if (purpose == Purpose::simplest) error.numbers.push_back({"parameters", static_cast<double>(taken.parameters)});
-  advice.why.push_back(std::move(error));
-  if (purpose == Purpose::simplest && taken.index != best.index)
-    advice.why.push_back(
-        {.kind = FindingKind::why_simpler,
-         .law = best.law->id,
-         .numbers = {{"error", best.known.error}, {"parameters", static_cast<double>(best.parameters)}}});
-  if (!tied.empty()) {
-    advice.why.push_back({.kind = FindingKind::why_ties,
-                          .law = taken.law->id,
-                          .other_laws = tied,
-                          .words = {{"tie", device_names(summary).size() > 1 ? "lot" : "device"}}});
-  } else if (purpose != Purpose::simplest && candidates.size() > 1) {
-    auto const& next = candidates[best.index == taken.index ? 1 : 0];
-    advice.why.push_back(
-        {.kind = FindingKind::why_next, .law = next.law->id, .numbers = {{"error", next.known.error}}});
-  }
-  if (auto closer = closer_but_refused(summary, taken, purpose)) advice.why.push_back(std::move(*closer));
+  advice.why = why_taken(summary, advice, candidates, taken, tied);
   advice.answer = {
       .kind = FindingKind::law_recommended,
       .law = taken.law->id,
