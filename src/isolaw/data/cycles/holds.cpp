@@ -21,11 +21,23 @@ constexpr double clear_edges = 0.9;     // fraction of a hold; a longer part of 
 constexpr std::size_t most_holds = 16;  // in one cycle
 constexpr std::size_t least_in_piece = 8;
 
-struct Stretch {
-  std::size_t first = 0;  // first and last sample
-  std::size_t last = 0;
-  std::size_t size() const { return last - first; }
-};
+// Fraction of a cycle that a sine spends between two levels on its way up. Near a peak, the way down counts too.
+double lingering(double least, double largest) {
+  auto const angle = [](double level) { return std::acos(std::clamp(level, -1.0, 1.0)); };
+  double const once = (angle(least) - angle(largest)) / (2.0 * std::numbers::pi);
+  bool const at_a_peak = largest > 0.98 || least < -0.98;
+  return at_a_peak ? 2.0 * once : once;
+}
+
+Stretch sharpened(std::span<double const> x, Stretch const& stretch, double level, double half_width) {
+  auto const within = [&](std::size_t i) { return std::abs(x[i] - level) <= half_width; };
+  auto sharp = stretch;
+  while (sharp.first < sharp.last && !within(sharp.first)) ++sharp.first;
+  while (sharp.first < sharp.last && !within(sharp.last)) --sharp.last;
+  return static_cast<double>(sharp.size()) >= clear_edges * static_cast<double>(stretch.size()) ? sharp : stretch;
+}
+
+}  // namespace
 
 std::vector<Stretch> stretches_within(std::span<double const> x, std::size_t begin, std::size_t end, double width,
                                       std::size_t least) {
@@ -49,24 +61,6 @@ std::vector<Stretch> stretches_within(std::span<double const> x, std::size_t beg
   }
   return found;
 }
-
-// Fraction of a cycle that a sine spends between two levels on its way up. Near a peak, the way down counts too.
-double lingering(double least, double largest) {
-  auto const angle = [](double level) { return std::acos(std::clamp(level, -1.0, 1.0)); };
-  double const once = (angle(least) - angle(largest)) / (2.0 * std::numbers::pi);
-  bool const at_a_peak = largest > 0.98 || least < -0.98;
-  return at_a_peak ? 2.0 * once : once;
-}
-
-Stretch sharpened(std::span<double const> x, Stretch const& stretch, double level, double half_width) {
-  auto const within = [&](std::size_t i) { return std::abs(x[i] - level) <= half_width; };
-  auto sharp = stretch;
-  while (sharp.first < sharp.last && !within(sharp.first)) ++sharp.first;
-  while (sharp.first < sharp.last && !within(sharp.last)) --sharp.last;
-  return static_cast<double>(sharp.size()) >= clear_edges * static_cast<double>(stretch.size()) ? sharp : stretch;
-}
-
-}  // namespace
 
 StillTime still_time(std::span<double const> disp_mm, std::span<double const> time_s, Piece const& piece,
                      double noise) {
