@@ -1,0 +1,37 @@
+// Swings are the ways of a motion from one turning point to the next. They give the samples of an irregular record
+// weights by which a large, rare swing counts more than the small motion that fills most of the time.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace isolaw::data {
+
+struct Swing {
+  std::size_t first = 0, last = 0;  // samples at its two turning points
+  double half_range_mm = 0.0;
+  double duration = 0.0;  // without rest, in s; in samples if the record has no time
+};
+
+// A sample is a turning point if the motion comes back from it by 5 % of half its range; of equal extremes the first
+// sample is. The first and the last sample are none. A motion with fewer than two turning points has no swings. A rest
+// is longer than the median swing and stays within 1 % of the range. time_s may be empty.
+std::vector<Swing> swings(std::span<double const> disp_mm, std::span<double const> time_s);
+
+// Whether half ranges and durations of all swings agree within 10 %, as in a test of one amplitude and one frequency.
+bool are_alike(std::span<Swing const> swings);
+
+// How much the samples of a record count in the misfit of a law.
+//   time    the time around the sample, as in Eq. (27) of Cucuzza et al. 2025
+//   swing   that time, without rest, times half range / duration of its swing; 0 before the first and after the last turn
+//   travel  the way around the sample
+enum class Weighting { time, swing, travel };
+std::string_view name(Weighting weighting);
+
+// The weights of a record's samples, without a common scale. All of them are those of `time` if there are no swings.
+std::vector<double> sample_weights(std::span<double const> disp_mm, std::span<double const> time_s,
+                                   Weighting weighting);
+
+}  // namespace isolaw::data
