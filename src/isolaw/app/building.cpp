@@ -20,6 +20,8 @@
 #include "isolaw/base/words.hpp"
 #include "isolaw/base/write_file.hpp"
 #include "isolaw/building/answers.hpp"
+#include "isolaw/building/arrangement.hpp"
+#include "isolaw/building/linear_oscillator.hpp"
 #include "isolaw/building/synthetic_motion.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/data/channels/ground_motion.hpp"

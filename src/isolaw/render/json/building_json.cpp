@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "isolaw/base/version.hpp"
+#include "isolaw/building/linear_oscillator.hpp"
 #include "isolaw/data/channels/ground_motion.hpp"
 
 namespace isolaw::render {
