@@ -90,13 +90,16 @@ struct BoucWen {
     T z_max, rate;
     Flow<T, X, Reach::within_saturation> flow;
   };
+  template <class T>
+  static T largest_z(Params<T> const& p) {
+    return exp2((log2(p.A) - log2(p.beta + p.gamma)) / p.n);
+  }
   template <class T, class X>
   static Constants<T, X> constants(Params<T> const& p) {
     Constants<T, X> c;
-    T const both = p.beta + p.gamma;
-    c.z_max = exp2((log2(p.A) - log2(both)) / p.n);
+    c.z_max = largest_z(p);
     c.rate = p.A / c.z_max;
-    c.flow.fit(p.n, (p.beta - p.gamma) / both);
+    c.flow.fit(p.n, (p.beta - p.gamma) / (p.beta + p.gamma));
     return c;
   }
 

@@ -57,22 +57,25 @@ inline Constants<T> constants(Params const& p) {
 // The quantities that change only when the peak displacement grows.
 template <class N>
 struct Softened {
-  N K1_now = N(0.0);      // K1 [beta + (1 - beta) exp(-Umax / alpha)]
+  N K1_now = N(0.0);      // softened_K1
   N inverse_Ut = N(0.0);  // 1 / Ut
   template <class Each>
   void members(Each& each) {
     each(K1_now, inverse_Ut);
   }
 };
+// K1 [beta + (1 - beta) exp(-peak / alpha)]. With alpha = 0 the first motion removes the whole softening part.
+template <class T, class N, class Params>
+inline N softened_K1(Params const& p, N const& peak) {
+  N const left = select(p.alpha <= T(0.0), select(peak > N(0.0), N(0.0), N(1.0)),
+                        exp(-peak / max(p.alpha, T(smallest_power_base))));
+  return p.K1 * (p.beta + (T(1.0) - p.beta) * left);
+}
 template <class T, class X, class N, class Params>
 inline void follow_peak(Params const& p, Constants<T> const& c, Softened<N>& softened, X const& peak) {
-  T const one(1.0);
   N const Umax(peak);
-  // With alpha = 0 the first motion removes the whole softening part.
-  N const left =
-      select(p.alpha <= T(0.0), N(peak > 0.0 ? 0.0 : 1.0), exp(-Umax / max(p.alpha, T(smallest_power_base))));
-  softened.K1_now = p.K1 * (p.beta + (one - p.beta) * left);
-  softened.inverse_Ut = c.inverse_U0 / (one + Umax / p.Us);
+  softened.K1_now = softened_K1<T, N>(p, Umax);
+  softened.inverse_Ut = c.inverse_U0 / (T(1.0) + Umax / p.Us);
 }
 
 // The integral of |dx| / Ut over a straight piece of the path. `softened` holds the values at the start of the piece;

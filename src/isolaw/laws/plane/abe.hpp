@@ -104,12 +104,10 @@ struct AbeOf {
   // (F1 + F3) / distance
   template <class T>
   static T radial(Params<T> const& p, T const& peak, T const& distance) {
-    T const zero(0.0), one(1.0), tiny(num::smallest_power_base);
-    T const left = select(p.alpha <= zero, select(peak > zero, zero, one), exp(-peak / max(p.alpha, tiny)));
-    T const softened = p.K1 * (p.beta + (one - p.beta) * left);
+    T const one(1.0), tiny(num::smallest_power_base);
     // At distance 0 the rounded step of F1 has the slope a b.
     T const step = select(distance > tiny, p.a * (one - exp(-p.b * distance)) / max(distance, tiny), p.a * p.b);
-    return softened + step + p.K2 * power(distance / p.Uh, p.r);
+    return abe_parts::softened_K1<T, T>(p, peak) + step + p.K2 * power(distance / p.Uh, p.r);
   }
 };
 

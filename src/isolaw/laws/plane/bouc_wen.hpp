@@ -34,7 +34,7 @@ struct BoucWen {
   static State<T> start(Params<T> const& p) {
     T const both = p.beta + p.gamma, not_a_number(std::numeric_limits<double>::quiet_NaN());
     State<T> state;
-    state.z_max = select(min(p.beta, both) > T(0.0), exp2((log2(p.A) - log2(both)) / p.n), not_a_number);
+    state.z_max = select(min(p.beta, both) > T(0.0), OneDirection::largest_z(p), not_a_number);
     state.rate = p.A / state.z_max;
     state.unloading = (p.gamma - p.beta) / both;
     return state;
