@@ -116,6 +116,60 @@ TEST_F(Scored, what_was_chosen_is_recorded_and_shown) {
   expect_refused(resumed, {"fit-blocks: all there, 2 now"});
 }
 
+// The objective with a weight for each interval between two samples, half of it for the sample on either side.
+double weighted_objective(std::vector<Sample> const& measured, std::vector<Sample> const& law,
+                          std::vector<double> const& of_interval) {
+  std::vector<double> weights(measured.size(), 0.0);
+  double total = 0.0, mean = 0.0, sum = 0.0, square = 0.0;
+  for (std::size_t i = 0; i < of_interval.size(); ++i) {
+    weights[i] += 0.5 * of_interval[i], weights[i + 1] += 0.5 * of_interval[i];
+    total += of_interval[i];
+  }
+  for (std::size_t i = 0; i < measured.size(); ++i) mean += weights[i] / total * measured[i].force_kN;
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    sum += weights[i] / total * std::abs(measured[i].force_kN - law[i].force_kN);
+    square += weights[i] / total * std::pow(measured[i].force_kN - mean, 2);
+  }
+  return sum / std::sqrt(square);
+}
+
+// The device swings from one extreme to the next in half a cycle. The first extreme is a quarter of a cycle after the
+// start, and the swing from one block to the other goes from -60 to 100 mm.
+TEST_F(Scored, samples_count_by_swing_or_by_travel_if_asked_for) {
+  auto const measured = two_blocks(1), law = two_blocks(0);
+  write("one.csv", csv(measured));
+  constexpr std::size_t half = samples_of_cycle / 2, quarter = half / 2;
+  std::vector<double> by_swing, by_travel;
+  for (std::size_t i = 0; i < 2 * block_samples; ++i) {
+    bool const outside = i < quarter || i >= 2 * block_samples - quarter;
+    by_swing.push_back(outside ? 0.0 : i < block_samples - quarter ? 60.0 : i < block_samples + quarter ? 80.0 : 100.0);
+    by_travel.push_back(std::abs(measured[i + 1].disp_mm - measured[i].disp_mm));
+  }
+  double const by_time = objective_of(measured, law, 0, 2 * block_samples);
+  auto const swing = calibrated({"--weights", "swing"});
+  EXPECT_NEAR(objective(swing), weighted_objective(measured, law, by_swing), 1e-4);
+  EXPECT_LT(objective(swing), 0.8 * by_time);  // the force of the smaller cycles is disturbed
+  EXPECT_NEAR(swing["laws"][0]["devices"][0]["objective_by_time"].get<double>(), by_time, 1e-4);
+  EXPECT_TRUE(contains(page_data(read("O/report.html"))["devices"][0]["cleaning"].dump(), "by swing"));
+  EXPECT_NEAR(objective(calibrated({"--weights", "travel"})), weighted_objective(measured, law, by_travel), 1e-4);
+  EXPECT_TRUE(calibrated({})["laws"][0]["devices"][0]["objective_by_time"].is_null());
+  expect_refused(isolaw({"calibrate", "one.csv", "--out", "O", "--laws", "bilinear", "--weights", "travel"}),
+                 {"weights: \"time\" there, \"travel\" now"});
+}
+
+TEST_F(Scored, a_motion_without_swings_is_weighed_by_time) {
+  std::vector<Sample> pulse;
+  for (int i = 0; i <= 400; ++i) {
+    double const x = 50.0 * std::pow(std::sin(std::numbers::pi * i / 400.0), 2);
+    pulse.push_back({0.01 * i, x, 2.0 * x});
+  }
+  write("pulse.csv", csv(pulse));
+  double const by_time = objective(calibrated({}, "pulse.csv"));
+  auto const summary = calibrated({"--weights", "swing"}, "pulse.csv");
+  EXPECT_EQ(objective(summary), by_time);
+  EXPECT_TRUE(contains(page_data(read("O/report.html"))["devices"][0]["cleaning"].dump(), "no two turning points"));
+}
+
 TEST_F(Scored, errors_in_properties_are_of_a_cycle_that_was_judged) {
   write("one.csv", csv(two_blocks(1)));
   for (auto const& [block, error] : {std::pair{"2", 0.0}, {"1", -25.0}}) {

@@ -54,6 +54,7 @@ enum class FindingKind {
   // Corrections of a record, and steps to prepare it for fitting.
   spikes_repaired, skew_removed, friction_removed, inertia_removed, force_multiplied, centred, smoothed,
   not_smoothed, scored_in_part, all_samples_kept, velocity_computed, no_velocity, samples_thinned,
+  samples_weighed,
   // Conditions under which a device's damping would have another value (study/value_doubts.hpp).
   if_late_force_is_moved, if_force_is_early, if_jump_is_of_rig, if_rig_rubs,
 };

@@ -22,6 +22,8 @@ constexpr std::pair<std::string_view, laws::Integration> integrations[]{{"conver
                                                                         {"paper", laws::Integration::paper}};
 constexpr std::pair<std::string_view, laws::TurningPoints> turnings[]{
     {"sampled", laws::TurningPoints::as_sampled}, {"interpolated", laws::TurningPoints::interpolated}};
+constexpr std::pair<std::string_view, data::Weighting> weightings[]{
+    {"time", data::Weighting::time}, {"swing", data::Weighting::swing}, {"travel", data::Weighting::travel}};
 constexpr std::pair<std::string_view, bool> analyses[]{{"full", true}, {"none", false}};
 constexpr std::pair<std::string_view, bool> in_the_plane[]{{"none", false}, {"springs", true}};
 
@@ -167,6 +169,13 @@ std::vector<Setting> make_settings() {
       thinning(),
       {flag<S>("center", "remove the offset of displacement and force", at(&S::clean, &Clean::center))},
       dead_band(),
+      {word<S>(
+           "weights",
+           "a sample counts in the fit by time (default), by swing (for irregular records: large swings count more), or by travel",
+           at(&S::clean, &Clean::weights), weightings),
+       {},
+       false,
+       "time"},
       blocks("fit-blocks", "fit laws only to these blocks of each test: 2, 1-3, 2- (default all)",
              &data::Selection::blocks),
       blocks("fit-cycles",

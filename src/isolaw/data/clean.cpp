@@ -94,6 +94,14 @@ void choose_scored(FitRecord& record, TestRecord const& raw, Selection const& se
                              .words = {{"blocks", selection.blocks.text()}, {"cycles", selection.cycles.text()}}});
 }
 
+void weigh(FitRecord& record, std::span<double const> time_s, Weighting weights) {
+  if (weights == Weighting::time) return;
+  bool const by_time = weights == Weighting::swing && swings(record.disp_mm, time_s).empty();
+  if (!by_time) record.weights = sample_weights(record.disp_mm, time_s, weights);
+  record.cleaning.push_back({.kind = FindingKind::samples_weighed,
+                             .words = {{"weights", std::string(name(by_time ? Weighting::time : weights))}}});
+}
+
 // An average over a quarter of a cycle lowers its amplitude by a tenth, so parameters fitted to it would mean nothing.
 void refuse_wide_window(int window, Properties const& properties) {
   if (!properties.samples_per_cycle || window < 0.25 * *properties.samples_per_cycle) return;
@@ -155,6 +163,7 @@ FitRecord clean(TestRecord const& raw, Properties const& properties, CleanOption
                                            {"samples", static_cast<double>(record.size())},
                                            {"window_samples", static_cast<double>(window)}}});
   }
+  weigh(record, raw.has_time() ? record.time_s : std::vector<double>{}, options.weights);
   record.dead_band_mm = options.dead_band_mm.value_or(dead_band_of(record.disp_mm));
   return record;
 }

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "isolaw/data/cycles/selection.hpp"
+#include "isolaw/data/cycles/swings.hpp"
 #include "isolaw/data/properties/properties.hpp"
 #include "isolaw/data/signals/smoothing.hpp"
 
@@ -15,6 +16,7 @@ struct CleanOptions {
   std::optional<int> samples_per_cycle = 200;  // keep at least this many samples per cycle (20 or more); nullopt: all
   bool center = false;                         // remove the mean of the extremes of displacement and force
   std::optional<double> dead_band_mm = {};     // see FitRecord::dead_band_mm; nullopt = three sigma of the noise
+  Weighting weights = Weighting::time;         // how much each sample counts in the objective
   Selection scored = {};                       // blocks and cycles that the objective counts
 };
 

@@ -49,23 +49,34 @@ std::vector<double> shared_among(std::span<std::size_t const> kept, std::span<do
   return kept_shares;
 }
 
-// Trapezoidal weights in time, divided by the duration. Only intervals between two scored samples count.
-struct TimeWeights {
+// The weights of the samples, with the sum 1 if the total is not 0. Samples that are not scored have none.
+struct Weights {
   std::vector<double> weight;
-  double duration = 0.0;
+  double total = 0.0;  // by time: the duration of the scored part
 };
-TimeWeights time_weights(data::FitRecord const& record) {
+// Trapezoidal weights in time. Only intervals between two scored samples count.
+Weights time_weights(data::FitRecord const& record) {
   auto const& t = record.time_s;
-  TimeWeights result{.weight = std::vector<double>(t.size(), 0.0)};
+  Weights result{.weight = std::vector<double>(t.size(), 0.0)};
   for (std::size_t i = 1; i < t.size(); ++i) {
     if (!record.is_scored(i - 1) || !record.is_scored(i)) continue;
     result.weight[i - 1] += 0.5 * (t[i] - t[i - 1]);
     result.weight[i] += 0.5 * (t[i] - t[i - 1]);
-    result.duration += t[i] - t[i - 1];
+    result.total += t[i] - t[i - 1];
   }
   // t.back() - t.front() is exact; a sum of many small intervals is not.
-  if (record.scored.empty() && t.size() > 1) result.duration = t.back() - t.front();
-  for (double& w : result.weight) w /= result.duration;
+  if (record.scored.empty() && t.size() > 1) result.total = t.back() - t.front();
+  for (double& w : result.weight) w /= result.total;
+  return result;
+}
+Weights weights_of(data::FitRecord const& record) {
+  if (record.weights.empty()) return time_weights(record);
+  Weights result{.weight = record.weights};
+  for (std::size_t i = 0; i < result.weight.size(); ++i) {
+    if (!record.is_scored(i)) result.weight[i] = 0.0;
+    result.total += result.weight[i];
+  }
+  for (double& w : result.weight) w /= result.total;
   return result;
 }
 
@@ -77,19 +88,33 @@ std::vector<double> scored_values(data::FitRecord const& record, std::vector<dou
   return kept;
 }
 
+// The standard deviation of the scored values, with the record's weights if it has any.
+double spread_of(data::FitRecord const& record, std::vector<double> const& values, Weights const& weights) {
+  if (record.weights.empty()) return num::population_std(scored_values(record, values));
+  double mean = 0.0, variance = 0.0;
+  for (std::size_t i = 0; i < values.size(); ++i) mean += weights.weight[i] * values[i];
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    double const off = values[i] - mean;
+    variance += weights.weight[i] * off * off;
+  }
+  return std::sqrt(variance);
+}
+
 // Refuses records without duration or with a constant force, for which Eq. (27) would give an arbitrary objective.
 void require_something_to_fit(laws::LawInfo const& law, data::FitRecord const& record) {
   auto const refuse = [&](std::string found, std::string allowed) {
     throw Error({.where = "law " + std::string(law.id), .found = std::move(found), .allowed = std::move(allowed)});
   };
   if (record.size() < 2) refuse("a record of " + counted(record.size(), "sample"), "a record of two samples or more");
-  double const duration = time_weights(record).duration;
+  double const duration = time_weights(record).total;
   if (!(duration > 0.0 && std::isfinite(duration)))
     refuse(fmt::format("a record that lasts {} s", duration), "times that increase");
+  auto const weights = weights_of(record);
+  if (!(weights.total > 0.0 && std::isfinite(weights.total)))
+    refuse("samples of which none counts with the weights asked for", "a part of the test in which the device swings");
   double largest = 0.0;
-  auto const scored = scored_values(record, record.force_kN);
-  for (double const force : scored) largest = std::max(largest, std::abs(force));
-  double const spread = num::population_std(scored);
+  for (double const force : scored_values(record, record.force_kN)) largest = std::max(largest, std::abs(force));
+  double const spread = spread_of(record, record.force_kN, weights);
   // A standard deviation below 1e-12 of the largest force is only rounding.
   if (!(spread > 1e-12 * largest && std::isfinite(spread)))
     refuse(fmt::format("the measured force has a standard deviation of {} kN about its mean, its largest size is {} kN",
@@ -185,8 +210,9 @@ LawOnRecord::LawOnRecord(laws::LawEntry const& law, data::FitRecord const& recor
     : motion_(law, record, integration, turning_points, refinement) {
   require_something_to_fit(law.info, record);
   measured_ = in_unit(record.force_kN, law.info.force.in_record_units);
-  share_ = weight_ = time_weights(record).weight;
-  spread_ = num::population_std(scored_values(record, measured_));
+  auto const weights = weights_of(record);
+  share_ = weight_ = weights.weight;
+  spread_ = spread_of(record, measured_, weights);
   for (double& w : weight_) w /= spread_;
 }
 
@@ -319,13 +345,14 @@ double objective_on(data::FitRecord const& record, std::span<double const> force
                        .vel_mm_s = {},
                        .force_kN = record.force_kN,
                        .scored = std::move(scored),
+                       .weights = record.weights,
                        .cleaning = {}};
-  auto const weights = time_weights(part);
-  double const spread = num::population_std(scored_values(part, part.force_kN));
+  auto const weights = weights_of(part);
+  double const spread = spread_of(part, part.force_kN, weights);
   double sum = 0.0;
   for (std::size_t i = 0; i < weights.weight.size(); ++i)
     if (part.is_scored(i)) sum += weights.weight[i] * std::abs(record.force_kN[i] - force_kN[i]);
-  return weights.duration > 0.0 && spread > 0.0 ? sum / spread : std::nan("");
+  return weights.total > 0.0 && spread > 0.0 ? sum / spread : std::nan("");
 }
 
 IdentificationProblem::IdentificationProblem(LawOnRecord const& model, SearchBox const& box)

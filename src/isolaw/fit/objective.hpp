@@ -74,8 +74,8 @@ class LawOnRecord {
   laws::LawEntry const& law() const { return motion_.law(); }
   int refinement() const { return motion_.refinement(); }
 
-  // Eq. (27): mean over time of |measured - computed| force / standard deviation of the measured force; +infinity if a
-  // computed force is not finite. `parameters` are in the law's order and units; `work` is scratch space. Thread-safe.
+  // Eq. (27): mean over time, or with the record's weights, of |measured - computed| force / standard deviation of the
+  // measured force; +infinity if a computed force is not finite. `parameters` are in the law's order and units; `work` is scratch space. Thread-safe.
   double objective(std::span<double const> parameters, std::vector<double>& work) const;
   // Computes the objectives of `count` candidates in blocks; candidate(i, values) writes the parameters of candidate i.
   // Objectives above 1e-3 agree with objective() within block_tolerance, wherever a candidate is in its block.
@@ -109,8 +109,8 @@ class LawOnRecord {
   double spread_ = 1.0;           // standard deviation of the measured force, in the law's unit
 };
 
-// Eq. (27) over the samples whose `scored` is not 0, for the forces of a law over the whole history. NaN if no two
-// neighbours are scored or if the measured force is the same at all scored samples.
+// The objective over the samples whose `scored` is not 0, for the forces of a law over the whole history. NaN if no
+// scored sample has a weight or if the measured force is the same at all scored samples.
 double objective_on(data::FitRecord const& record, std::span<double const> force_kN, std::vector<double> scored);
 
 // The search for a law's free parameters on a record, as a problem in the unit box. Keeps references to both arguments.

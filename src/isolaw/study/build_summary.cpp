@@ -195,6 +195,11 @@ DeviceFit device_fit(campaign::Contents const& contents, campaign::Search const&
   fit::LawOnRecord const model(laws::find_law(search.law), device.record, contents.settings.integration,
                                contents.settings.turning_points, best->refinement);
   fitted.force_kN = model.force_kN(best->parameters);
+  if (!device.record.weights.empty()) {
+    auto by_time = device.record;
+    by_time.weights.clear();
+    fitted.objective_by_time = fit::objective_on(by_time, fitted.force_kN, by_time.scored);
+  }
   fitted.refinement = best->refinement;
   compare_properties(fitted, device.record);
   add_analysis(fitted, contents, search);

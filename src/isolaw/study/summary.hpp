@@ -69,6 +69,7 @@ struct DeviceFit {
   std::string failure;                                    // reason of the first failed run
   std::uint64_t evaluations = 0, failed_evaluations = 0;  // parameter sets tried, and those without a finite force
   Statistic objective;
+  std::optional<double> objective_by_time;  // Eq. (27) of the best run, if the objective has other weights
   std::optional<double> K_eff_error_percent, energy_error_percent, damping_error_percent;
   std::optional<double> integration_shift;
   int refinement = 1;                   // integration steps per sample, in the best run

@@ -401,6 +401,7 @@ std::span<Row const> rows() {
       fact(
           samples_thinned, "samples-thinned",
           "thinned from {from_per_cycle:.1f} to {to_per_cycle:.1f} samples per cycle: every {every}th of {of_samples} samples kept ({samples}), each the average of {window_samples}"),
+      fact(samples_weighed, "samples-weighed", "a law is fitted with weights {weights}"),
       fact(if_late_force_is_moved, "if-late-force-is-moved", "the late force channel is moved back"),
       fact(if_force_is_early, "if-force-is-early", "the force channel is early"),
       fact(if_jump_is_of_rig, "if-jump-is-of-rig", "the force's jump at reversals is friction of the rig"),
