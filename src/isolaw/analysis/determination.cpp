@@ -29,8 +29,7 @@ Point with(Point point, std::size_t coordinate, double value) {
   return point;
 }
 
-// Computes each free parameter's profile of the objective. If one finds a lower objective, all profiles start from
-// there.
+// Computes each free parameter's profile of the objective. If one finds a lower objective, all begin again there.
 class Examination {
  public:
   Examination(fit::LawOnRecord const& model, fit::SearchBox const& box, Point optimum, Interrupted const& interrupted)
@@ -86,7 +85,7 @@ class Examination {
   }
 
   // The change of the force (root mean square / standard deviation of the force) that raises the objective by `rise_`,
-  // if the residuals have a two-sided exponential distribution whose mean magnitude is the objective.
+  // if the residuals have a two-sided exponential distribution whose mean magnitude is the objective. At least `rise_`.
   double visible_change() const { return std::max(std::sqrt(2.0 * best_value_ * rise_), rise_); }
 
   double value_at(Point const& point, int& evaluations) const {
