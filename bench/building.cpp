@@ -2,7 +2,7 @@
 // floors, shaken in two directions for 20 s with steps of 0.005 s. First it times all draws in SIMD lanes with explicit
 // integration, then a few draws in scalar code, then one draw with the implicit integrator. bench/building writes the
 // output to bench/results.
-//   building_bench [DRAWS] [MOTIONS] [THREADS] [N] [--json]      defaults: 1000, 11, 2, 1.2
+//   building_bench [DRAWS] [MOTIONS] [THREADS] [N] [--json]      defaults: 1000, 11, 2, 1.2; N: parameter n of bouc-wen
 #include <fmt/format.h>
 
 #include <chrono>

@@ -1,5 +1,5 @@
 // Times the functions of num/elementary.hpp and of the standard library for each instruction set, on arrays of 32
-// lanes, which fit into the first-level cache. The counter `per_element` is the time per element.
+// numbers, which fit into the first-level cache. The counter `per_element` is the time per number.
 #include <benchmark/benchmark.h>
 
 #include <array>

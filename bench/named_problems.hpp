@@ -53,7 +53,8 @@ struct NamedProblem {
   NamedProblem(NamedProblem const&) = delete;
   NamedProblem& operator=(NamedProblem const&) = delete;
 
-  // Makes the entry for a point of the unit box. Scalar code computes the objective, as it does for reports.
+  // Makes the entry for a point whose coordinates run from 0 to 1 over the interval of each free parameter. Scalar code
+  // computes the objective, as it does for reports.
   BestKnown found(std::span<double const> point, std::string const& found_by) const {
     auto result = entry;
     std::vector<double> work;

@@ -23,8 +23,8 @@ inline std::string_view as_text(std::uint8_t const* data, std::size_t size) {
   return {static_cast<char const*>(static_cast<void const*>(data)), size};
 }
 
-// Ends the program if the condition is false, in every build type. Fuzz targets state by it what must hold for every
-// input.
+// Ends the program if the condition `holds` is false, in every build type. Fuzz targets call this to check what must be
+// true for every input.
 inline void require(bool holds, char const* what) {
   if (holds) return;
   std::fprintf(stderr, "does not hold: %s\n", what);

@@ -75,8 +75,9 @@ FAULTS = {
                         "GENERATED ALWAYS AS (hex(zeroblob(400000000))) VIRTUAL",
 }
 
-# Only these files are committed. Each one made an earlier reader hang, or was wrongly accepted, or is read nearly to
-# its end before it is refused. --all writes all files, as a start for a longer fuzz run.
+# Only these files are committed: a sound one, those that a careless reader would accept or never finish reading, and
+# those that are read nearly to their end before they are refused. --all writes all files, as a start for a longer fuzz
+# run.
 KEPT = {"sound", "view-endless-runs", "view-endless-setting", "view-large-values", "generated-column", "setting-range",
         "run-number-huge", "parameters-infinite", "box-null", "name-control", "series-one-nan", "history-odd"}
 

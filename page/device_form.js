@@ -30,7 +30,8 @@ function linesOf(bytes) {
 }
 
 // `found` is the device's entry in inspection.json, or undefined. `problems` are the program's complaints about the
-// device. `write(key, value)` and `writePart(key, channel, value)` change the lot file.
+// device. `write(key, value)` changes a key of the device in the lot file. `writePart(key, channel, value)` changes the
+// column or unit of one channel; its key is 'columns' or 'units'.
 export function deviceForm(device, found, problems, write, writePart) {
   const id = (key) => 'device-' + device.place + '-' + key;
   const value = (key) => device.table.keys.get(key)?.value;

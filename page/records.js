@@ -10,7 +10,8 @@ import { state } from './state.js';
 import { text } from './text.js';
 import { withKey, withoutDevice } from './toml.js';
 
-// The numbers of the devices whose forms are open. They count only for the lot with the number openIn.
+// The numbers of the devices whose forms are open. They belong to the lot with the number openIn; drawRecords() clears
+// them when the user opens another lot.
 let openForms = new Set(),
   openIn = 0;
 const leftOut = (place) => {

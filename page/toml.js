@@ -197,8 +197,9 @@ const entriesOf = (words) =>
   });
 
 // Returns the values of a group such as `columns` in the table with index `number`, and a function that changes them: {
-// values, write(text, key, value) }. TOML can write a group in four ways: inline, as one text, as dotted keys, or as a
-// table with its own heading. Below an array element that heading follows the element.
+// values, write(text, key, value) }. A lot file can write a group in four ways: as an inline table, as a text such as
+// "disp=a,force=b", as dotted keys, or as a table of its own. For a device, the heading [device.columns] of that table
+// stands between [[device]] and the next [[device]].
 export function valuesOf(tables, number, name) {
   const { path, array, keys } = tables[number];
   const heading = path + '.' + name;

@@ -870,7 +870,7 @@ PYBIND11_MODULE(_core, m) {
   m.attr("__version__") = ISOLAW_VERSION;
   using namespace isolaw::python;
   translate_errors();
-  // A class comes before the functions that take or return it, whose docstrings name it.
+  // Adds a class before the functions that take or return it, because pybind11 writes its name into their docstrings.
   add_records(m);
   add_tables(m);
   add_laws(m);

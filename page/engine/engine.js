@@ -49,7 +49,8 @@ import { identifyWith } from './identify.js';
 import { makePool } from './pool.js';
 import { runSelfTest } from './self_test.js';
 
-// Returns the program and its facts, which embed.mjs put into the document, and a function that starts a worker.
+// Returns the program and the licences of its libraries, which embed.mjs put into the document, and a function that
+// starts a worker.
 function ofDocument() {
   const text = (id) => document.getElementById(id).textContent;
   const script = URL.createObjectURL(new Blob([text('isolaw-worker')], { type: 'text/javascript' }));

@@ -1,8 +1,8 @@
 // Fits two laws to a record of the example lot and compares the objectives with those of the native program.
 
 const expected = { bilinear: 0.05060711114368681, vaiana: 0.021805097912677526 };
-// On processors with different instruction sets, searches end at objectives that differ by this relative amount
-// (docs/page.md).
+// Searches on processors with different instruction sets end at objectives that differ by at most this share of the
+// objective.
 const tolerance = 1e-6;
 
 export const runSelfTest = async (run) => {

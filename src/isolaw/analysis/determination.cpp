@@ -29,7 +29,7 @@ Point with(Point point, std::size_t coordinate, double value) {
   return point;
 }
 
-// Computes the profiles. If one of them finds a lower objective, all are computed again from the better point.
+// Computes each free parameter's profile of the objective. If one finds a lower objective, all begin again there.
 class Examination {
  public:
   Examination(fit::LawOnRecord const& model, fit::SearchBox const& box, Point optimum, Interrupted const& interrupted)
@@ -85,7 +85,7 @@ class Examination {
   }
 
   // The change of the force (root mean square / standard deviation of the force) that raises the objective by `rise_`,
-  // if the residuals have a two-sided exponential distribution whose mean magnitude is the objective.
+  // if the residuals have a two-sided exponential distribution whose mean magnitude is the objective. At least `rise_`.
   double visible_change() const { return std::max(std::sqrt(2.0 * best_value_ * rise_), rise_); }
 
   double value_at(Point const& point, int& evaluations) const {
@@ -101,7 +101,8 @@ class Examination {
     return best_[k] <= fit::bound_tolerance || best_[k] >= 1.0 - fit::bound_tolerance;
   }
 
-  // Finds parameters without effect on the force, and the singular values for relative changes of the remaining ones.
+  // Finds parameters without effect on the force, and the singular values of the force's derivatives by relative
+  // changes of the other parameters.
   void look_around() {
     auto const response = sensitivity(problem_, best_);
     result_.evaluations += static_cast<int>(2 * free_.size() + 1);
@@ -131,8 +132,8 @@ class Examination {
     }
   }
 
-  // `force_change` is the change of the force for a relative parameter change of 100 %. True if half of it is visible,
-  // which is the effect of 50 % in a linear law.
+  // `force_change` is the change of the force if parameters change by 100 %, in linear approximation. Returns whether a
+  // change of the parameters by 50 % (weakly_determined_within) changes the force visibly.
   bool is_seen(double force_change) const { return weakly_determined_within * force_change >= visible_change(); }
 
   // Adds a direction of parameter changes to the trade-offs if it does not change the force visibly. The trade-off
@@ -274,7 +275,8 @@ class Examination {
     return {std::move(found.best), found.best_value};
   }
 
-  // Finds the coordinate where the objective has risen by rise_. Interpolates the rise's root, which is nearly linear.
+  // Finds the coordinate where the objective has risen by rise_. Interpolates the square root of the rise, because it
+  // grows nearly linearly with the coordinate.
   void find_end(Side& side, std::size_t k, double sign) const {
     double before_u = best_[k], before = 0.0;
     for (auto const& [u, value] : side.points) {

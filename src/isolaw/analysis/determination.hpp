@@ -20,7 +20,7 @@ namespace isolaw::analysis {
 
 enum class Verdict { determined, weakly_determined, undetermined, at_bound };
 std::string_view name(Verdict verdict);  // "determined", "weakly determined", "undetermined", "at its bound"
-// A loop looks as good as the best if the objective rises by at most max(visible_rise * least, least_visible_rise).
+// A loop looks as good as the best one up to a rise of max(visible_rise * least objective, least_visible_rise).
 inline constexpr double visible_rise = 0.01, least_visible_rise = 1e-4;
 // A parameter is determined, or weakly determined, if its open range ends within this distance of its value, relative
 // to the value. If the box spans zero, the divisor is at least a hundredth of the box's width.
@@ -52,7 +52,8 @@ struct Determination {
   std::vector<double> optimum;
   double objective = 0.0;
   double rise = 0.0;  // rise of the objective at the ends of the open ranges
-  // Singular values of the Jacobian for relative changes, falling, without parameters at a bound or without effect.
+  // Singular values, falling, of the force's derivatives with respect to relative changes of the parameters. Parameters
+  // at a bound or without effect are left out.
   std::vector<double> singular_values;
   std::vector<ParameterDetermination> parameters;  // the free parameters, in the law's order
   std::vector<TradeOff> trade_offs;

@@ -25,8 +25,8 @@ double quantile(std::vector<double> sorted, double probability) {
   return std::lerp(sorted[below], sorted[above], at - static_cast<double>(below));
 }
 
-// Mean size of the residuals around each sample, since the misfit varies along the record. The window is an eighth of
-// the record: a narrower one would favour samples that the fit happens to meet. A size is at least a tenth of the mean.
+// Mean size of the residuals in an eighth of the record around each sample: in a narrower window, samples that the fit
+// happens to meet would make it too small. It is at least a tenth of the mean over the record.
 Vector local_size(Vector const& residuals) {
   constexpr double rounding = 1e-12;
   Index const n = residuals.size(), half = std::max<Index>(1, n / 16);
@@ -49,7 +49,7 @@ double density_at_zero(Vector const& residuals, Index fitted) {
   auto const count = static_cast<double>(sizes.size());
   double squares = 0.0;
   for (double const size : sizes) squares += size * size;
-  // Half of a normal distribution lies within 0.6745 standard deviations. least_spread serves a record without errors.
+  // Half a normal distribution lies within 0.6745 standard deviations. least_spread keeps the kernel's width above 0.
   constexpr double least_spread = 1e-3;
   double const spread = std::max(std::min(quantile(sizes, 0.5) / 0.6745, std::sqrt(squares / count)), least_spread);
   double const width = 1.06 * spread * std::pow(count, -0.2);
@@ -58,8 +58,8 @@ double density_at_zero(Vector const& residuals, Index fitted) {
   return sum / (count * width * std::sqrt(2.0 * std::numbers::pi));
 }
 
-// Computes H of intervals.hpp. The weight of a sample is the density of its residual at zero, by the residuals around
-// it. Its own residual tells nothing if few samples decide on a parameter, since the fit meets them exactly.
+// Computes H (intervals.hpp). The density f of a sample's residual at zero is estimated from the residuals around it.
+// Its own residual tells nothing if few samples decide on a parameter, since the fit then meets them exactly.
 Matrix curvature(Sensitivity const& response) {
   Vector const size = local_size(response.residuals);
   double const density = density_at_zero(response.residuals.cwiseQuotient(size), response.jacobian.cols());
@@ -76,8 +76,8 @@ double freedom_lost(std::size_t samples, std::size_t fitted, std::vector<double>
   return independent / std::max(independent - static_cast<double>(fitted), 0.25 * independent);
 }
 
-// Computes V of intervals.hpp, the variance of the sum of weight * sign * derivatives. Signs at a given distance have
-// one correlation. Actual products of signs would add up to zero if few samples decide on a parameter.
+// Computes V, the variance of sum(weight * sign of the residual * derivatives). All pairs of signs at one distance get
+// one correlation: their actual products would add up to zero if few samples decide on a parameter.
 Matrix variance_of_score(Sensitivity const& response, std::vector<double> const& correlation) {
   Matrix const rows = response.weights.asDiagonal() * response.jacobian;
   Matrix sum = num::transposed_product(rows, rows);
@@ -97,7 +97,7 @@ Matrix variance_of_score(Sensitivity const& response, std::vector<double> const&
 
 constexpr double variance_over_box = 1.0 / 12.0;  // variance of a uniform distribution over [0, 1]
 
-// H^-1 V H^-1 in coordinates of the unit box. A direction's variance is at most that of a uniform distribution.
+// Covariance H^-1 V H^-1 in the unit box. Along an eigenvector of H it is at most that of a uniform distribution.
 Matrix covariance_in_box(Matrix const& H, Matrix const& V) {
   auto const [values, axes] = num::symmetric_eigen(H);
   double const least = 1e-10 * std::max(values.cwiseAbs().maxCoeff(), 1e-300);

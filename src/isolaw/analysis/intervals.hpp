@@ -1,10 +1,11 @@
 // Computes the uncertainty of fitted parameters in two ways, for residuals that are correlated with their neighbours.
 // Linearisation: the estimate by least absolute residuals is asymptotically normal with covariance H^-1 V H^-1 (Koenker
-// and Bassett 1978). H = sum 2 f w J J^T is the curvature of the expected objective. f is the density of the residuals
-// at zero, from a kernel and the residuals' local size. V is the variance of the score w sign(r) J; the correlation of
-// the signs is estimated from the residuals (Weiss 1990). A factor n / (n - p) allows for the p fitted parameters; n is
-// the number of independent samples that the record is worth. This is valid if the law is nearly linear over the
-// interval and n is ten or more per parameter. With three per parameter, intervals of 95 % cover 80 to 92 %.
+// and Bassett 1978). r is the residual of a sample, w its weight, and J its derivatives by the parameters. H = sum 2 f
+// w J J^T is the curvature of the expected objective. f is the density of the residuals at zero, from a kernel and the
+// residuals' local size. V is the variance of sum w sign(r) J; the correlation of the signs is estimated from the
+// residuals (Weiss 1990). A factor n / (n - p) allows for the p fitted parameters; n is the number of independent
+// samples that the record is worth. This is valid if the law is nearly linear over the interval and n is ten or more
+// per parameter. With three per parameter, intervals of 95 % cover 80 to 92 %.
 // Bootstrap: blocks of the record are drawn with replacement, and the law is fitted again, many times. The residuals of
 // a block count as often as the block was drawn; the law still runs through the whole history (Kuensch 1989). This
 // assumes neither a linear law nor equal residuals everywhere. If correlation is long there are few blocks: with three

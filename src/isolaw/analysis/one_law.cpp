@@ -48,7 +48,8 @@ std::vector<double> median_point(std::span<std::vector<double> const> points) {
   return medians;
 }
 
-// The starts are the fit to all devices and the three other devices' optima that suit all devices but `device` best.
+// Starts of the search without `device`: the fit to all devices, and the three optima of other devices that have the
+// smallest mean objective over all devices except `device`.
 std::vector<std::vector<double>> starts_without(Joint const& problem, fit::SearchBox const& box,
                                                 std::span<double const> parameters_of_all,
                                                 std::span<std::vector<double> const> optima, std::size_t device) {

@@ -11,8 +11,9 @@
 
 namespace isolaw::analysis {
 
-// The smallest box that contains all given boxes. A parameter whose scale differs between devices gets a linear scale.
-// Throws Error unless all boxes have the same free parameters and fix or tie the other parameters in the same way.
+// The smallest box that contains all given boxes. A parameter gets a linear scale unless its scale is logarithmic in
+// all boxes. Throws Error unless all boxes have the same free parameters, and fix the others alike or tie them to the
+// same other parameter.
 fit::SearchBox common_box(std::span<fit::SearchBox const* const> boxes);
 
 struct OneLaw {
@@ -27,9 +28,9 @@ struct OneLaw {
 std::optional<OneLaw> least_mean(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,
                                  std::span<std::vector<double> const> optima, Interrupted const& interrupted = {});
 
-// The parameters with the smallest objective on the worst device. The search starts from the parameters of least mean.
-// It gives the worst device more weight until the weighted mean is near this device's objective. A least weighted mean
-// is a lower bound: if the descent found its global minimum, no parameters bring the worst device below it.
+// The parameters with the smallest objective on the worst device. The search starts from `mean`. It repeatedly gives
+// devices with a large objective more weight and minimises the weighted mean. A least weighted mean is a lower bound
+// for the worst device, if the descent found its global minimum. The search ends near the largest bound.
 struct LeastWorst {
   OneLaw law;
   double bound = 0.0;  // the largest of the least weighted means: a lower bound for the worst device
@@ -37,8 +38,8 @@ struct LeastWorst {
 std::optional<LeastWorst> least_worst(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,
                                       OneLaw const& mean, Interrupted const& interrupted = {});
 
-// The parameters of least mean over all devices but one, tried on that device as if it had not been tested. Descents
-// start from the parameters for all devices and from the other devices' optima that suit those devices best.
+// The parameters of least mean objective over all devices except `device`, tried on it as if it had not been tested.
+// Descents start from the parameters for all devices and from the other devices' optima with the least mean objective.
 struct LeftOut {
   std::vector<double> parameters;
   double objective = 0.0;  // on the device that was left out

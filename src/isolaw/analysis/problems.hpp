@@ -57,7 +57,7 @@ class Held final : public opt::DeviationProblem {  // a problem with one coordin
 };
 
 // Fits one set of parameters to several records. The value is the mean of the records' objectives with the weights
-// `shares`, whose sum is 1. A record of share 0 is not computed. There is an outline if every record has one.
+// `shares`, whose sum is 1. A record of share 0 is skipped. outline(), with fewer samples, exists if all have it.
 class Joint final : public opt::DeviationProblem {
  public:
   Joint(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box, std::span<double const> shares);

@@ -38,7 +38,7 @@ struct StudiedBuilding {
   bool complete = false;                     // false after an interruption
   std::size_t runs = 0;                      // number of runs in the store
   std::optional<building::Answers> answers;  // empty for a part and for an incomplete study
-  // building::Layout::count() measures for each [law][draw][motion]. NaN if the run gave no finite numbers.
+  // layout.count() measured numbers for each [law][draw][motion]. All are NaN if the run gave no finite numbers.
   std::vector<double> measured;
   building::Layout layout;
 };

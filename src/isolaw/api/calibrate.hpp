@@ -26,7 +26,7 @@ struct Calibrated : campaign::Contents {  // a campaign, and what a continued ca
   Continued continued = {};
 };
 
-// Reads the named rule set if its text is empty. Throws Error if the rule set or the design values are wrong.
+// Reads the text of the rule set if only its name is given. Throws Error if it or the design values are wrong.
 void load_rules(campaign::Acceptance& acceptance);
 // Computes the runs and analyses that are missing in the store of this campaign. Writes the reports beside the store,
 // except for a part. Returns what the store then holds, which is incomplete after an interruption.

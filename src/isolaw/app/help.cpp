@@ -78,7 +78,7 @@ void print_list(Options const& options) {
                option->get_required() ? " (required)" : "");
 }
 
-// Links to shared options that `command` has too: "[Reading records](#reading-records) without `--to`".
+// Links to the shared options of a heading that `command` has: "[Reading records](#reading-records) without `--to`".
 std::string reference_to(Heading heading, Options const& shared, CLI::App const& command) {
   std::vector<std::string> with, without;
   for (auto const* option : shared) {

@@ -22,7 +22,7 @@ std::string python_literal(Json const& value) {
   return value.dump();
 }
 
-// Returns a parameter as Python text: "runs: int | None = None,". With `in_place`, None keeps the value of a file.
+// A parameter as Python text: "runs: int | None = None,". With `in_place`, None keeps the building file's value.
 template <class Row>
 std::string keyword(Row const& row, bool in_place = false) {
   auto value = in_place ? Json() : row.get({});

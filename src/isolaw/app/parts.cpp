@@ -103,7 +103,7 @@ std::string script_of_building(PartsArguments const& arguments, std::string cons
                                     .parts = arguments.count,
                                     .jobs = jobs,
                                     .instruction_set = std::string(fit::name(fit::instruction_set())),
-                                    // The merge computes the answers, which need a few runs for each law and motion.
+                                    // The merge's few runs for each law and motion take about as long as one block.
                                     .needs = {.part_s = all_s / arguments.count / jobs,
                                               .merge_s = blocks_s * static_cast<double>(study.file.motions.size()),
                                               .memory_bytes = memory_bytes(jobs)}});

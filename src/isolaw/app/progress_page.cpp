@@ -1,4 +1,4 @@
-// The progress line of the browser version. page/engine/engine.js reads it about five times per second, in this form:
+// The browser version's progress line, about five times per second. page/engine/progress.js reads it in this form:
 //   progress SHARE SECONDS_LEFT DONE TOTAL runs|analyses
 #include <fmt/format.h>
 

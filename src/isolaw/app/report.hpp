@@ -18,7 +18,8 @@ void draw_figures(study::Summary const& summary, render::FigureChoice choice, st
 struct Printed {
   bool json = false, details = false;
 };
-// Prints one screen or all details, then the verdicts of a rule set. With `json`, prints summary.json with the profile.
+// Prints one screen or all details, then the verdicts of a rule set. With `json`, prints summary.json and adds
+// `profile`, the times of the campaign's phases.
 void print(study::Summary const& summary, std::filesystem::path const& directory, Printed how,
            std::string_view profile = {});
 

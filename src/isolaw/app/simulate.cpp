@@ -93,7 +93,7 @@ Chosen chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
     return std::ranges::find(changes, value.name, &NamedValue::name) != changes.end();
   });
   values.insert(values.end(), changes.begin(), changes.end());
-  // A search box may reach beyond a limit on several parameters. A fitted law is therefore not checked against it.
+  // Limits on several parameters together are not checked for an unchanged fit: a search box may reach beyond them.
   auto& taken = chosen.law;
   taken.parameters =
       parameters_in_order(law, values, where, a.from && changes.empty() ? Together::left : Together::checked);
@@ -284,7 +284,7 @@ std::vector<std::string> left_open(fit::LawInPlane const& law, TwoDirections con
         law.dead_band_mm));
   // The comparison below needs the law's own parameters. Parameters that were fitted to springs are different ones.
   if (two.how == laws::Bidirectional::springs && !as_given) return lines;
-  // On a figure of eight the largest speed is sqrt(2) times that of a cycle. A longer period keeps the motion's speed.
+  // A figure of eight is sqrt(2) times as fast as a cycle of equal period. The longer period gives the motion's speed.
   auto const rules = fit::on_a_figure_of_eight(law, size, std::numbers::sqrt2 * cycle);
   if (rules.size() < 2) return lines;
   auto const [peak, work] = fit::spread_of(rules);
