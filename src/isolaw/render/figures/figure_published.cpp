@@ -1,4 +1,4 @@
-// Compares the campaign with Table A.5. As there, standard deviations over runs are divided by the mean's magnitude.
+// The campaign beside Table A.5 of Cucuzza et al. 2025. Both give standard deviations over runs as shares of |mean|.
 #include <algorithm>
 #include <cmath>
 
