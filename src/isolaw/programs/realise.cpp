@@ -123,7 +123,7 @@ bool breaks_beyond_the_test(Form const& form, Subject const& subject, double tra
   return false;
 }
 
-// Maps the law with the factors of each bound. The bound's form has the nominal form's id or, failing that, its index.
+// Maps the law with the factors of each bound. Takes the form with the nominal form's id or, without one, its index.
 void add_bounds(Realised& realised, std::size_t index, laws::LawEntry const& law, std::span<double const> parameters,
                 Bounds const& bounds) {
   auto const form = [&](std::optional<BoundFactors> const& factors) -> std::optional<Form> {

@@ -102,7 +102,7 @@ struct BesidePanel {
   Spreads here, printed;
 };
 
-// Returns the largest magnitude of a number over all devices. The number's axis extends a little farther to both sides.
+// Returns the largest magnitude of `value` over all devices, campaign and study. The axis reaches a little beyond it.
 double largest_of(BesidePanel const& panel, MaybeNumber DeviceSpread::*value) {
   double largest = 0.0;
   for (auto const* spreads : {&panel.here, &panel.printed})
