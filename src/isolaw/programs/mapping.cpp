@@ -45,7 +45,7 @@ Form steel02(laws::MenegottoPintoForm const& v) {
                          {"cR2", v.cR2, 0, 0}}}}};
 }
 
-// The command BoucWen takes gamma before beta. Its z is a length, so that beta and gamma are in 1/length^n.
+// The command BoucWen takes gamma before beta. Its variable z is a length, so the unit of beta and gamma is 1/length^n.
 Form bouc_wen(laws::BoucWenForm const& v) {
   return {.id = "material",
           .title = "uniaxialMaterial BoucWen",
@@ -64,7 +64,7 @@ Form bouc_wen(laws::BoucWenForm const& v) {
                          {"maxIter", 100.0, 0, 0}}}}};
 }
 
-// The command BoucWenOriginal takes beta before gamma. Its z has no unit and saturates at 1, the yield displacement.
+// The command BoucWenOriginal takes beta before gamma. Its variable z is that of BoucWen divided by uy.
 Form bouc_wen_original(laws::BoucWenForm const& v) {
   double const uy = v.z_max(), scale = std::pow(uy, v.n);
   return {.id = "material_original",
@@ -102,7 +102,7 @@ Form bearing_bouc_wen(laws::BoucWenForm const& v) {
 
 std::vector<Form> bouc_wen_forms(laws::BoucWenForm const& v) {
   std::vector<Form> forms{bouc_wen(v), bouc_wen_original(v), bearing_bouc_wen(v)};
-  // With n < 1, |z|^n has an infinite slope at z = 0, where Newton's iteration may fail.
+  // With n < 1, |z|^n has an infinite slope at z = 0, where OpenSees may fail to find z by Newton's iteration.
   if (v.n < 1.0)
     for (auto& form : forms)
       form.condition +=
@@ -111,7 +111,7 @@ std::vector<Form> bouc_wen_forms(laws::BoucWenForm const& v) {
   return forms;
 }
 
-// Returns the law's canonical form, converted to kN and mm.
+// Returns the law as a member of its family (bilinear, Bouc-Wen, ...), with parameters in kN and mm.
 laws::Canonical canonical(laws::LawEntry const& law, std::span<double const> parameters) {
   double const F = law.info.force.in_record_units, L = law.info.length.in_record_units;
   auto form = law.canonical(parameters);
@@ -138,7 +138,7 @@ laws::Canonical canonical(laws::LawEntry const& law, std::span<double const> par
   return form;
 }
 
-// Returns why no OpenSees material can follow these limit curves, or "" if one can.
+// Returns why no OpenSees material can follow a law whose force approaches these limit curves, or "" if one can.
 std::string no_material_of(laws::LawEntry const& law, laws::LimitCurvesForm const& v) {
   auto const &up = v.loading, &down = v.unloading;
   if (up.sigmoid != 0.0 || down.sigmoid != 0.0)
@@ -162,8 +162,8 @@ std::string no_material_of(laws::LawEntry const& law, laws::LimitCurvesForm cons
 }
 
 // Returns the travel in one direction after which the distance of the force from its limit curve, f0 exp(-alpha
-// travel), may be smaller than the rounding error. The displacement reached is `reach` * travel: `reach` is 1 from rest
-// and 0.5 for a swing from one side to the other.
+// travel), may be smaller than the rounding error of the force. This error grows with the displacement, `reach` *
+// travel: `reach` is 1 from rest and 0.5 for a swing from one side to the other.
 double longest_travel(laws::LimitCurve const& v, double reach) {
   constexpr double roundings = 16.0 * std::numeric_limits<double>::epsilon();
   double travel = 0.0;
@@ -177,13 +177,13 @@ double longest_travel(laws::LimitCurve const& v, double reach) {
   return travel;
 }
 
-// HystereticAsym refuses a limit curve that softens (beta1 < 0). Its hysteretic force is proportional to ka, kb and fo.
-// The law is thus one material with 1.1 times this force, minus another with 0.1 times this force and a hardening
-// curve.
+// HystereticAsym allows no limit curve that softens (beta1 < 0) and no hysteretic force of 0. A law that softens is
+// therefore one such material with 1.1 times the law's hysteretic force, minus another with 0.1 times this force and a
+// curve that hardens.
 constexpr double surplus = 0.1;
 
 // In HystereticAsym the hardening term has the coefficient 1, whatever the unit of force. For a law that hardens,
-// HystereticAsym therefore gives the force / the law's coefficient, and a Multiplier scales it back.
+// HystereticAsym therefore gives the force divided by beta1, and a Multiplier multiplies it by beta1.
 Form hysteretic_asym(laws::LimitCurve const& v) {
   Form form{.id = "material",
             .title = "uniaxialMaterial HystereticAsym",

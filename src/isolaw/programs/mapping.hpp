@@ -1,4 +1,4 @@
-// Finds OpenSees commands for a law. realise.hpp replays the commands and compares the forces before they are used.
+// Finds OpenSees commands for a law. Before they are exported, realise.hpp compares their force with the law's.
 #pragma once
 
 #include <optional>
@@ -23,7 +23,7 @@ struct MappedCommand {
   std::vector<Argument> arguments;
 };
 
-// A form is exact at every step, or, if OpenSees integrates, becomes exact as the steps get smaller.
+// Whether commands give the law's force at every step, or, if OpenSees integrates, only as the steps get smaller.
 enum class Exactness { every_step, small_steps };
 
 // Commands that together make a material or an element. The model uses what the last command makes.
@@ -52,7 +52,7 @@ laws::BilinearForm scaled(laws::BilinearForm values, BoundFactors const& scale);
 laws::BoucWenForm scaled(laws::BoucWenForm values, BoundFactors const& scale);
 laws::MenegottoPintoForm scaled(laws::MenegottoPintoForm values, BoundFactors const& scale);
 
-// Return the law's values in kN and mm; nullopt for other laws. Limit curves without hardening are Bouc-Wen with n = 1.
+// Return a bilinear or a Bouc-Wen law in kN and mm, else nullopt. Limit curves without hardening are Bouc-Wen (n = 1).
 std::optional<laws::BilinearForm> bilinear_values(laws::LawEntry const& law, std::span<double const> parameters);
 std::optional<laws::BoucWenForm> bouc_wen_values(laws::LawEntry const& law, std::span<double const> parameters);
 

@@ -79,7 +79,7 @@ class BearingPlasticity final : public Material {
   double k_, qd_, alpha1_, alpha2_, mu_, plastic_ = 0.0;
 };
 
-// Newton's rule for z, with the defaults of OpenSees.
+// How implicit_z() ends Newton's rule. The values are the defaults of OpenSees.
 struct Iteration {
   double tolerance = 1e-8;  // the iteration ends if z changes by less
   int most = 20;
@@ -122,7 +122,7 @@ class BoucWen final : public Material {
   Iteration iteration_;
 };
 
-// The Bouc-Wen law with a z that has no unit and is 1 at the yield displacement uy.
+// The Bouc-Wen law with a z that has no unit: a length divided by the yield displacement uy.
 class DimensionlessBoucWen final : public Material {
  public:
   struct Parameters {
@@ -141,7 +141,7 @@ class DimensionlessBoucWen final : public Material {
   double x_ = 0.0, z_ = 0.0;
 };
 
-// The third to eighth arguments of BoucWenOriginal and of the bearing are alpha1 alpha2 mu eta beta gamma.
+// In BoucWenOriginal and elastomericBearingBoucWen the third to eighth arguments are alpha1 alpha2 mu eta beta gamma.
 DimensionlessBoucWen::Parameters with_shape(double k, double uy, double qd, std::span<double const> a,
                                             Iteration const& iteration) {
   return {k, uy, qd, a[2], a[3], a[4], a[5], a[6], a[7], iteration};
@@ -160,7 +160,7 @@ DimensionlessBoucWen::Parameters bearing_bouc_wen(std::span<double const> a) {
                     {.tolerance = bearing_tolerance, .most = bearing_iterations});
 }
 
-// Arguments: ka kb fo b1 b2 gamma. On a long path in one direction rounding can make the logarithm and the force NaN.
+// Arguments: ka kb fo b1 b2 gamma. After a long one-way path rounding can make s * distance < 0 and the force NaN.
 class HystereticAsym final : public Material {
  public:
   explicit HystereticAsym(std::span<double const> a)

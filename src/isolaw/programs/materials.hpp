@@ -21,7 +21,7 @@ class Material {
   virtual double force(double disp) = 0;
 };
 
-// Number of iterations that exports give to the bearing's option -iter. Without it OpenSees stops after 25 iterations.
+// The option -iter of elastomericBearingBoucWen in exports. Without it OpenSees stops after 25 iterations.
 inline constexpr int bearing_iterations = 100;
 inline constexpr double bearing_tolerance = 1e-9;
 
@@ -40,7 +40,7 @@ struct Tags {
 // Throws Error if a command finds too few materials to use, or if not exactly one unused material is left at the end.
 std::vector<Tags> tags_of(std::span<Command const> commands);
 
-// Returns why OpenSees refuses the arguments, by the limits that its commands state, or "" if it accepts them.
+// Returns a text that names the first argument that OpenSees refuses and the limit it breaks, or "" if it accepts all.
 std::string refused_by_program(std::span<Command const> commands);
 
 // Throws Error for an unknown name, for a wrong number of arguments, and where tags_of() does.

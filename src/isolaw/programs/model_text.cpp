@@ -163,7 +163,7 @@ ModelNumbers model_numbers(Subject const& subject, Realisation const& realisatio
 }
 
 std::vector<std::string> model_cautions(Subject const& subject, UnitSystem const& units) {
-  // Laboratories usually keep the vertical load of a test constant within this share.
+  // No caution up to this share outside the tested loads, since laboratories usually keep a test's load within it.
   constexpr double held_within = 0.2;
   auto const &low = subject.tested.load_min_kN, &high = subject.tested.load_max_kN;
   if (!low || !high) return {};

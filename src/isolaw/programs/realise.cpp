@@ -85,7 +85,7 @@ double longest_step(History const& history) {
   return longest;
 }
 
-// True if the force is finite in every unit system. OpenSees starts Newton's rule at the same number in all of them.
+// True if the force is finite in every unit system. BoucWen starts Newton's rule at 0.01 in each and may fail in some.
 bool has_a_force(Form const& form, Subject const& subject) {
   return std::ranges::all_of(unit_systems, [&](UnitSystem const& units) {
     return std::ranges::all_of(replay_kN(form, units, subject.protocol.disp_mm),
@@ -111,7 +111,7 @@ Realised replayed(Form const& form, Subject const& subject) {
   return realised;
 }
 
-// A longest swing that the form states decides first, since beyond it a replay fails or not by mere rounding.
+// True if the force may be NaN at `overtravel` times the tested motion. Beyond the longest swing a replay may hide it.
 bool breaks_beyond_the_test(Form const& form, Subject const& subject, double travel_mm) {
   if (form.longest_swing_mm && *form.longest_swing_mm < overtravel * travel_mm) return true;
   for (auto const& history : subject.histories) {
@@ -123,7 +123,7 @@ bool breaks_beyond_the_test(Form const& form, Subject const& subject, double tra
   return false;
 }
 
-// Maps the law with the factors of each bound. The bound's form has the nominal form's id or, failing that, its index.
+// Maps the law with the factors of each bound. Takes the form with the nominal form's id or, without one, its index.
 void add_bounds(Realised& realised, std::size_t index, laws::LawEntry const& law, std::span<double const> parameters,
                 Bounds const& bounds) {
   auto const form = [&](std::optional<BoundFactors> const& factors) -> std::optional<Form> {

@@ -65,7 +65,7 @@ inline constexpr double overtravel = 1.5;
 
 inline constexpr std::string_view corner_law = "bilinear", smooth_law = "bouc-wen";
 
-// Limits of far_off() in percent of the peak force: at one sample, and rms. adequacy.hpp has those of the properties.
+// Limits of far_off() in percent of the peak force: at one sample, and rms. Those of K_eff, energy: study/adequacy.hpp.
 inline constexpr double far_off_percent = 50.0, far_off_rms_percent = 10.0;
 bool far_off(Deviation const& from_law);
 bool far_off(std::vector<OtherCycle> const& cycles);

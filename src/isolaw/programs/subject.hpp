@@ -77,7 +77,7 @@ struct Subject {
   double dead_band_mm = 0.0;  // from the device's record; for a lot the largest of its records
   std::optional<double> K_eff_kN_per_mm, damping_percent;  // measured on the device; for a lot the mean
   double design_disp_mm = 0.0;                             // amplitude of the reported cycle
-  std::vector<std::string> beyond;  // sentences about the law beyond the tests (away.hpp), in `units` of make_subject()
+  std::vector<std::string> beyond;                         // what beyond_the_tests() says about the law
   std::vector<std::string> notes;
   std::optional<Model> model;  // only for targets that write a whole building
 };
@@ -89,7 +89,7 @@ History two_cycles(double first_mm, double second_mm, double frequency_Hz, int s
 // Makes a name that programs accept: letters and digits, at most 40 characters. `_` replaces runs of other characters.
 std::string plain_name(std::string_view name);
 
-// Throws Error if the campaign has no such law, device or result. The texts in Bounds::source and `beyond` use `units`.
+// Throws Error if the campaign has no such law, device or result. Bounds::source and Subject::beyond use `units`.
 Subject make_subject(campaign::Contents const& contents, study::Summary const& summary, std::string_view law,
                      std::string_view device, UnitSystem const& units = unit_systems[0]);
 

@@ -153,7 +153,7 @@ std::string parameter_text(laws::LawEntry const& law, std::span<double const> pa
 }
 
 std::string deviation_text(Deviation const& d) {
-  // A largest deviation of 0 has no place to name.
+  // If the largest deviation is 0, it occurs at no particular time or sample.
   auto const place = d.largest > 0.0 ? fmt::format(" (at {})", d.at_s ? fmt::format("{:.4g} s", *d.at_s)
                                                                       : fmt::format("sample {}", d.at_sample))
                                      : std::string();

@@ -38,7 +38,7 @@ struct Assessment {
   std::string reason;  // why there is no verdict
 };
 
-// Whether the assessment compares this property of a device with a limit or the design value, on one side or both.
+// True if the assessment is of the value of `property`, on one side or both, not of its change or the lot's mean.
 bool is_of(Assessment const& assessment, Quantity property);
 
 struct LoadPair {  // properties of one device at the largest and smallest vertical load, for the limit on variation
@@ -60,7 +60,7 @@ std::string limit_text(std::optional<double> lower_percent, std::optional<double
 // deviation of 20.04 % would read +20.0 %, which seems to be within 20 %.
 std::string deviation_text(double deviation_percent, std::optional<double> lower_percent,
                            std::optional<double> upper_percent);
-// Sets the verdict: pass or fail if the set is verified and `unmet` is empty, else information or not assessed.
+// Sets the verdict: information if the set is not verified, not assessed if `unmet` has reasons, else pass or fail.
 void give_verdict(Assessment& assessment, RuleSet const& rules, bool holds, std::vector<std::string> const& unmet);
 // Compares the value with design value and limit, and sets verdict and texts. `without` says why there is no value.
 void hold_to(Assessment& assessment, RuleSet const& rules, Limit const& limit, std::string_view without,

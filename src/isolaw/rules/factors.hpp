@@ -16,10 +16,10 @@ struct FactorPair {
   double min = 1.0, max = 1.0;
 };
 
-// lambda_test of one device: the largest and smallest value of its counted cycles over mean(P_1..P_3). If a property
-// falls from cycle to cycle, these are P_1 and P_n, as in ASCE/SEI 7. If it does not, P_1 and P_n would miss larger or
-// smaller values. Among equal cycles, the first counts as the largest and the last as the smallest. test_factors() is
-// nullopt without the first three cycles, or if a value is not positive.
+// lambda_test of one device: the largest and smallest of the values P_1 to P_n of its counted cycles / mean(P_1..P_3).
+// If a property falls from cycle to cycle, these are P_1 and P_n, as in ASCE/SEI 7. If it does not, P_1 and P_n would
+// miss larger or smaller values. Among equal cycles, the first counts as the largest and the last as the smallest.
+// test_factors() is nullopt without the first three cycles, or if a value is not positive.
 struct TestFactors {
   double min = 1.0, max = 1.0;
   int min_cycle = 0, max_cycle = 0;

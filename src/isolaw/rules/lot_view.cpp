@@ -103,7 +103,7 @@ std::string unmet_sample(RuleSet const& rules, LotView const& lot, LotQuantity c
   return {};
 }
 
-// Reasons why the lot gets no verdict: a small sample, devices without the value, other test conditions.
+// Reasons why a property of the lot gets no verdict: small sample, no value, copied record, other test conditions.
 std::vector<std::string> unmet_of_lot(RuleSet const& rules, LotView const& lot, LotQuantity const& view,
                                       std::span<DeviceValues const> devices, Design const& design) {
   std::vector<std::string> unmet;

@@ -58,7 +58,7 @@ bool take_over(fs::path const& from, fs::path const& to, std::string const& name
   return has_svg && has_pdf;
 }
 
-// Number of figures in a batch. The temporary files of a batch take room until all of its figures are drawn.
+// Number of figures in a batch. The temporary files of a batch take disk space until all of its figures are drawn.
 constexpr std::size_t figures_per_process = 64;
 
 // Draws `names` in one process. If a figure fails, a new process draws the next ones. Copies finished figures to `dir`.

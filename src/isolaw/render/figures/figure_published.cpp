@@ -1,4 +1,4 @@
-// Compares the campaign with Table A.5. As there, standard deviations over runs are divided by the mean's magnitude.
+// The campaign beside Table A.5 of Cucuzza et al. 2025. Both give standard deviations over runs as shares of |mean|.
 #include <algorithm>
 #include <cmath>
 
@@ -102,7 +102,7 @@ struct BesidePanel {
   Spreads here, printed;
 };
 
-// Returns the largest magnitude of a number over all devices. The number's axis extends a little farther to both sides.
+// Returns the largest magnitude of `value` over all devices, campaign and study. The axis reaches a little beyond it.
 double largest_of(BesidePanel const& panel, MaybeNumber DeviceSpread::*value) {
   double largest = 0.0;
   for (auto const* spreads : {&panel.here, &panel.printed})

@@ -1,4 +1,4 @@
-// Writes the rows of study/results.hpp as members of a JSON object.
+// Writes results as members of a JSON object. A row of study/results.hpp gives the key, unit and value of one result.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace isolaw::render {
 
-// Digits of numbers. With `all`, reading gives the same doubles again. With `shown`, each row sets what a plot needs.
+// Digits of numbers: `all` that reading needs to get the same double, or those that the result's row sets for plots.
 enum class Digits { all, shown };
 
 inline constexpr int shown_digits = 9;
@@ -49,7 +49,7 @@ void write_results(JsonWriter& out, Result<Object> const (&rows)[count], Object 
   write_results(out, rows, object, digits, [](std::string_view) {});
 }
 
-// Writes an array with an object for each item. The rows are the members of this object.
+// Writes an array with an object for each item. This object has one member for each row.
 template <class Object, std::size_t count, class Items>
 void write_rows(JsonWriter& out, Result<Object> const (&rows)[count], Items const& items, Digits digits) {
   out.objects(items, [&](Object const& item) { write_results(out, rows, item, digits); });
@@ -61,8 +61,8 @@ void write_recommendations(JsonWriter& out, study::Summary const& summary,
                            std::vector<study::Recommendation> const& recommendations);
 // Writes "published", the comparison with the published study; null if the campaign has too few of the study's laws.
 void write_published(JsonWriter& out, study::Summary const& summary, Digits digits);
-// Writes an array with one object for each sentence of the table (wording/table.hpp): its kind, topic, severity,
-// action, law, devices, parameters and blocks. Its array `each` holds the fields of every finding in the sentence.
+// Writes an array with one object for each sentence, in which findings of one kind may be joined: its kind, topic,
+// severity, action, law, devices, parameters and blocks. Its array `each` holds the fields of every joined finding.
 void write_findings(JsonWriter& out, std::string_view key, std::vector<Finding> const& findings,
                     unsigned place = wording::in_report);
 

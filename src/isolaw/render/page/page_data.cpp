@@ -32,7 +32,7 @@ constexpr int profile_digits = 6;
 constexpr double curve_levels = 20000.0;
 constexpr std::size_t convergence_points = 120;
 
-// Writes differences of rounded integers, which add up without error. A value that is not finite repeats the last one.
+// Rounds values to integers and writes their differences, whose sum is exact. A value not finite repeats the last one.
 void write_curve(JsonWriter& out, std::string_view key, std::vector<double> const& values,
                  std::vector<std::size_t> const& samples) {
   double lower = 0.0, upper = 0.0;
@@ -144,8 +144,8 @@ void write_determination(JsonWriter& out, DeviceFit const& fit) {
   });
 }
 
-// Writes least, median and largest log10 of the best objective after each generation or start. A run that has ended
-// keeps its last value.
+// Writes least, median and largest log10 over the runs of the best objective after each generation or start. A run that
+// has ended keeps its last value.
 void write_convergence(JsonWriter& out, DeviceFit const& fit) {
   std::vector<std::vector<double>> runs;
   std::size_t steps = 0;

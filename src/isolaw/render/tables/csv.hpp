@@ -14,7 +14,7 @@ namespace isolaw::render {
 
 class CsvTable {
  public:
-  // Adds a cell for each value, three for a Statistic and two for Ends. An undefined value gives an empty cell.
+  // Adds a cell for each value: a Statistic has three (mean, std, best), Ends has two, an undefined value an empty one.
   template <class... Of>
   CsvTable& add(Of const&... cells) {
     (put(study::value_of(cells)), ...);

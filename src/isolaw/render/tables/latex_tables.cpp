@@ -81,7 +81,7 @@ std::string block_head(std::vector<std::string> const& devices, std::size_t colu
   return names + "\\\\*\n" + rules + "\\nopagebreak\n" + words + " \\\\*\n\\midrule\\nopagebreak\n";
 }
 
-// Returns the power of ten that divides a row, so that its numbers are short and easy to compare. The unit states it.
+// Returns the power of ten that divides the numbers of a row to make them short. The row's unit includes this power.
 int power_of(LawResult const& law, Quantity const& quantity) {
   double largest = 0.0;
   for (auto const& fit : law.devices) {

@@ -21,7 +21,7 @@ std::vector<Quantity> quantities_of(LawResult const& law);
 // Returns empty values if there is no result.
 Statistic statistic_of(DeviceFit const& fit, Quantity const& quantity);
 Statistic statistic_of(LawResult const& law, std::string const& device, Quantity const& quantity);
-// The points of Fig. 14 by rising objective.
+// The laws by rising objective, as points of Fig. 14 of Cucuzza et al. 2025.
 std::vector<FrontPoint> by_accuracy(Summary const& summary, FrontView view);
 
 }  // namespace isolaw::render

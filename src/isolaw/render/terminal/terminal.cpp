@@ -61,7 +61,7 @@ struct Row {
   std::string remark = {};
 };
 
-// Columns are two blanks wider than their longest text (names: `id_gap` wider) and at least as wide as given.
+// `widths` are minima. A column is two blanks wider than its longest text, the column of Row::id by `id_gap` blanks.
 std::string table(std::vector<Row> const& rows, std::vector<int> widths, int id_width, int id_gap = 0) {
   widths.resize(rows.front().cells.size());
   for (auto const& row : rows) {
@@ -99,7 +99,7 @@ std::string law_table(Summary const& summary) {
   return table(rows, {18, 8, 7, 7, 9, 9}, 3);
 }
 
-// Explains |dK| and |dE| for laws fitted to part of the tests. The errors may then not belong to the reported cycle.
+// Says that |dK| (of K_eff) and |dE| (of energy) are not of the reported cycle if laws are fitted to part of the tests.
 std::string compared_on(Summary const& summary, int width) {
   bool const part =
       std::ranges::any_of(summary.devices, [](auto const& device) { return !device.record.scored.empty(); });

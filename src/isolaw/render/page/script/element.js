@@ -3,7 +3,7 @@
 
 const isThere = (value) => value !== null && value !== undefined && value !== false;
 
-// Returns a function that creates an element. `set` makes children of a text, `unset` the value of an attribute.
+// Returns a function that creates an element. `set` turns a text into nodes, `unset` into the value of an attribute.
 export const elementsWith = (set, unset) => (tag, attributes = {}, ...children) => {
   const node = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {

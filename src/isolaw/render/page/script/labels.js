@@ -59,7 +59,7 @@ export function labelPlaces(points, stair, width, height, others = []) {
   return points.map(({ label }) => label);
 }
 
-// The places nearest to `wanted` (ascending), between `low` and `high`, for labels that are at least `gap` apart.
+// The positions nearest to `wanted` (ascending), between `low` and `high`, for labels that are at least `gap` apart.
 export function spread(wanted, gap, low, high) {
   const most = high - (wanted.length - 1) * gap;
   const groups = [];

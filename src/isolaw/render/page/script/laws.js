@@ -2,7 +2,7 @@ import { element, strong } from './dom.js';
 import { doesNotPredict, laws, report } from './report.js';
 import { enumerate } from './text.js';
 
-// A badge beside the name of a recommended law that does not predict.
+// A badge beside the name of a law that does not predict.
 function predictionBadge(law, name = '') {
   return element(
     'span',

@@ -47,7 +47,7 @@ export function answering(purpose, viewId) {
   return placedIn(view).filter((law) => view.onFront(law));
 }
 
-// The answer as a sentence. Without a recommendation it is a finding or the list of the laws on the front.
+// Says which law to take for a purpose; without a recommendation, a finding or the list of the laws on the front.
 export function answerOf(purpose, viewId) {
   if (purpose.recommendation) return purpose.answer;
   const view = viewOf(viewId);

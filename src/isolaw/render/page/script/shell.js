@@ -3,8 +3,8 @@ import { buildFigure, drawn, redraw, redrawDependents, render, reserve } from '.
 import { joinTables, partTables } from './tables.js';
 import { typeset } from './symbols.js';
 
-// Builds the sections of a page: {id, title, short, figures, controls, adorn}. `opened` is called with a section and
-// its element before its figures exist. `onChoice` registers a listener for the reader's choices.
+// Builds the sections of a page: {id, title, short, figures, controls, adorn}. For each section, adorn(element), which
+// may change the look, and opened(section, element) run before its figures exist. onChoice(f) calls f after a choice.
 export function showSections(sections, { onChoice, opened = () => {} }) {
   const observer = new IntersectionObserver(
     (entries) => {

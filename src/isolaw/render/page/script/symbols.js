@@ -11,7 +11,7 @@ export const symbol = (name) => (parameters[name] ? MARK + name + MARK : name);
 const escaped = Object.keys(words)
   .sort((a, b) => b.length - a.length)
   .map((word) => word.replace(/[^\w]/g, '\\$&'));
-// Leaves symbols inside a file name or another word alone. "1.6e+04" becomes a power of ten.
+// Symbols inside a file name or another word are not found. The exponent of "1.6e+04" is, to become a power of ten.
 const SET = new RegExp(
   MARK + '([^' + MARK + ']+)' + MARK + '|(?<![\\w./-])(' + escaped.join('|') + ')(?![\\w/-]|[.]\\w)|(?<=\\d)e([+-]\\d\\d)(?!\\w)',
   'g',

@@ -77,8 +77,9 @@ export function keyOf({ title, unit = '' }, place = 0, columns = [{ title, unit 
   return columns.findIndex((column) => name(column) === own) === place ? own : own + '\n' + place;
 }
 
-// columns: [{title, unit, number, pinned, by, size}]; rows: [{cells: [text or node], className, foot}]. `by` returns an
-// item's sort key; `size` sorts by magnitude; without `sorts` the order is fixed; `follow` is called with a new order.
+// columns: [{title, unit, number, pinned, by, size}]; rows: [{cells: [text or node], className, foot}]. `by` returns
+// the sort key of one of `items`; `size` sorts by magnitude; a row with `foot` stays at the end; without `sorts` the
+// order is fixed; `follow` is called with a new order.
 export function table(columns, rows, label, { sorts = rows.length > FEW_ROWS, order, follow, items = [] } = {}) {
   const align = (column) =>
     [

@@ -35,8 +35,7 @@ const apart = (device) =>
     ? report.assessment.lot.outliers.filter((outlier) => outlier.device === device.name).map((outlier) => outlier.quantity)
     : [];
 
-// Conditions under which a value would differ, such as friction of the rig. Each has a letter that the caption
-// explains.
+// Conditions that, if they hold, change a value, such as friction of the rig. The caption explains the letter of each.
 const conditions = [...new Set(devices.flatMap((device) => device.doubts.map(({ condition }) => condition)))];
 const letter = (condition) => String.fromCharCode(97 + conditions.indexOf(condition));
 const doubtsOf = (device, quantity) =>

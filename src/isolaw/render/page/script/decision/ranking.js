@@ -30,7 +30,7 @@ const ORDERS = {
   robustness: 'Sorted by \u03b2.',
 };
 
-// The laws in the order of the chosen purpose. Laws that were not identified come last.
+// The laws in the order of the chosen purpose. Laws without a fit come last.
 function ordered() {
   const purpose = purposeOf(chosen.purpose);
   if (purpose.order) return purpose.order;

@@ -23,7 +23,7 @@ export const verdictsFigure = { id: 'verdicts', width: 'narrow', title: '', depe
 
 const ROLES = { taken: 'most accurate', ties: 'most accurate', behind: 'not ranked', 'ruled out': 'not adequate' };
 
-// The badge beside the law's name says that the law does not predict. The reason is therefore left out here.
+// The place of a law, or the reason for it unless that is poor prediction, which the badge beside the name states.
 const said = (place, reason, kind) =>
   reason ? (kind === 'out-prediction' ? '' : ', ' + sentence(reason)) : place === 'behind' ? '' : ', ' + place;
 

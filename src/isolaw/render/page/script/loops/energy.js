@@ -98,7 +98,7 @@ function drawEnergy(look, width) {
       },
       ...fits.map(({ law }, place) => ({
         name: plain(law.name), mode: 'markers', y: cycles.map(({ computed }) => computed[place]),
-        // Bars at the same place would hide one another, so they are side by side.
+        // Markers at the same place would hide one another, so they are side by side.
         x: x.map((value) => value + (0.5 * (place + 1)) / (fits.length + 1) - 0.25),
         marker: { color: look.law(law), symbol: symbolOf(law), size: 8, line: { color: look.colour('paper'), width: 1 } },
         customdata: cycles.map(

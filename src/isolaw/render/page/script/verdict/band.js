@@ -3,7 +3,7 @@ import { report } from '../report.js';
 import { capitalised, sentence } from '../text.js';
 import { WORDS, verdictBadge } from '../verdicts.js';
 
-// The sentence names the requirements that were not assessed. The lists name those that failed and those that passed.
+// The verdict's sentence names the requirements not assessed. The lists name those that failed and those that passed.
 export const verdictFigure = { id: 'verdict', title: '', build: band };
 
 function band() {
