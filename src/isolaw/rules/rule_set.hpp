@@ -115,8 +115,8 @@ struct RuleSet {
 };
 
 inline constexpr std::size_t largest_rule_file = 256 << 10;  // bytes
-// Reads the text of a rule file. Messages and `origin` call it `file`. Throws one Error with every problem and its
-// line: syntax, unknown or missing keys, wrong types, values out of range, contradicting limits.
+// Reads the text of a rule file. Messages and RuleSet::origin name the file as `file`. Throws one Error with every
+// problem and its line: syntax, unknown or missing keys, wrong types, values out of range, contradicting limits.
 RuleSet read_rule_text(std::string_view text, std::string const& file);
 // The rule sets that come with the program, in alphabetical order, without the template.
 std::span<RuleSet const> built_in_rule_sets();
