@@ -76,7 +76,7 @@ struct LoadVariation {
   std::string clause;
 };
 
-// Factors on the design value of one property, from a standard's table or the contract. A factor not given is 1.
+// Factors on the design value of one property, from a standard's table or the contract.
 struct PropertyFactors {
   Quantity quantity = Quantity::K_d;
   double environment_min = 1.0, environment_max = 1.0;  // lambda_ae for ageing, temperature, contamination
