@@ -51,8 +51,8 @@ class MeasuredBuilding(unittest.TestCase):
     def test_the_recommended_law_holds_near_its_tests_and_misses_far_from_them(self):
         near, far = self.errors[self.named]
         self.assertLess(near.worst(), 10.0)
-        # The recommended law misses in ICA100, which reaches larger displacements than the runs that the law was fitted
-        # to.
+        # In ICA100, which reaches larger displacements than the runs that the law was fitted to, the law's largest
+        # displacement is more than 10 % too large.
         self.assertGreater(far.disp, 10.0)
         self.assertGreater(measured.peak(self.runs["ICA100"].disp_mm),
                            1.9 * max(measured.peak(self.runs[name].disp_mm) for name in measured.FITTED))

@@ -52,9 +52,8 @@ class Export : public InFreshDirectory {
   }
 };
 
-// Returns how exactly other programs can have a law with these values. Where the parameters of a law of limit curves
-// are not tied, loading and unloading have different curves. No other program supports this, so the export fits the
-// nearest form that they support.
+// Returns how exactly other programs can have the exported law. Where they have no form of it, or where loading and
+// unloading follow different limit curves, which none of them supports, the export fits their nearest form.
 std::string expected_fidelity(laws::LawEntry const& law, Json const& exported) {
   std::vector<double> values;
   for (auto const& parameter : exported["parameters"]) values.push_back(parameter["value"]);
@@ -262,7 +261,8 @@ TEST_F(Export, of_vaiana_with_equal_branches_is_exact) {
   auto const hardening = Json::parse(exported("vaiana", "a", "json").out);
   EXPECT_EQ(hardening["fidelity"], "exact") << hardening["explanation"] << hardening["refused"];
   EXPECT_LT(hardening["forms"][0]["from_law"]["largest_percent_of_peak"], 1e-7);
-  // Hardening needs one Multiplier material in OpenSees, softening two materials in Parallel.
+  // OpenSees needs two commands for a law that hardens, HystereticAsym and Multiplier. For a law that softens it needs
+  // four: HystereticAsym twice, Multiplier and Parallel.
   double beta1 = 0.0;
   for (auto const& parameter : hardening["parameters"])
     if (parameter["name"] == "beta1+") beta1 = parameter["value"];

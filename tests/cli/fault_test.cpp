@@ -168,8 +168,8 @@ TEST_F(Fault, a_kill_while_starting_over_leaves_one_of_both) {
   expect_one_of_both("former");
 }
 
-// The former store was killed and leaves a write-ahead log of SQLite. The log must not be applied to the new store, nor
-// be left beside it.
+// The former campaign was killed, and a write-ahead log of SQLite lies beside its store. The log must not be applied to
+// the new store, nor be left beside it.
 TEST_F(Fault, starting_over_does_not_take_the_former_log_for_its_own) {
   ASSERT_TRUE(killed_with_log()) << "no kill left a log";
   fs::copy(path("O"), path("former"), fs::copy_options::recursive);

@@ -22,7 +22,7 @@ double stiffness(data::Cycle const& cycle, Side side) {
   return cycle.K_eff_kN_per_mm;
 }
 
-// Damping in percent: E/(2 pi F d) for one side, on which force and displacement have the same sign.
+// Damping in percent; for one side E/(2 pi F d), with the energy E of the whole cycle. F and d have the side's sign.
 double damping(data::Cycle const& cycle, Side side) {
   if (side == Side::both) return cycle.damping_percent;
   double const work = side == Side::positive ? cycle.F_plus_kN * cycle.d_plus_mm : cycle.F_minus_kN * cycle.d_minus_mm;

@@ -76,7 +76,7 @@ struct LoadVariation {
   std::string clause;
 };
 
-// Factors on the design value of one property, from a standard's table or the contract. A factor not given is 1.
+// Factors on the design value of one property, from a standard's table or the contract.
 struct PropertyFactors {
   Quantity quantity = Quantity::K_d;
   double environment_min = 1.0, environment_max = 1.0;  // lambda_ae for ageing, temperature, contamination
@@ -115,8 +115,8 @@ struct RuleSet {
 };
 
 inline constexpr std::size_t largest_rule_file = 256 << 10;  // bytes
-// Reads the text of a rule file. Messages and `origin` call it `file`. Throws one Error with every problem and its
-// line: syntax, unknown or missing keys, wrong types, values out of range, contradicting limits.
+// Reads the text of a rule file. Messages and RuleSet::origin name the file as `file`. Throws one Error with every
+// problem and its line: syntax, unknown or missing keys, wrong types, values out of range, contradicting limits.
 RuleSet read_rule_text(std::string_view text, std::string const& file);
 // The rule sets that come with the program, in alphabetical order, without the template.
 std::span<RuleSet const> built_in_rule_sets();

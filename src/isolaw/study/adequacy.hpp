@@ -11,7 +11,8 @@
 
 namespace isolaw::study {
 
-// The objective and the errors on the compared cycle, as means over the devices, that an adequate law may not exceed.
+// The limits that an adequate law may not exceed, for means over the devices: of the objective, and of the errors of
+// K_eff and energy in the cycle by which law and test are compared (normally the reported cycle).
 inline constexpr double adequate_objective = 0.3;
 inline constexpr double adequate_K_eff_percent = 15.0, adequate_energy_percent = 30.0;
 // The errors by which the law exceeds these limits (FindingKind::law_inadequate); nullopt for an adequate law, and for
@@ -21,8 +22,9 @@ inline bool is_adequate(LawResult const& law) {
   return !inadequacy(law);
 }
 
-// Counts the calibrated parameters that lie at a bound on at least half of the devices. The search box alone makes such
-// a parameter agree between devices. With one device both counts are 0: there are no values to compare.
+// `calibrated` counts the free parameters, `count` those of them that lie at a bound on at least half of the devices.
+// The search box alone makes such a parameter agree between devices. With fewer than two fitted devices there are no
+// values to compare, and both counts are 0.
 struct Pinned {
   std::size_t count = 0, calibrated = 0;
   bool decides() const { return 3 * count >= calibrated && count > 0; }  // true: the search box decides this law's beta

@@ -57,7 +57,7 @@ void add_blocks(DeviceFit& fit, data::FitRecord const& record) {
     fitted[block] = fitted[block] || record.is_scored(i);
   }
   for (auto& [block, mask] : members) {
-    // In a block that the law was fitted to, the objective is computed on the scored samples only.
+    // The law may have been fitted to some cycles of a block only. The block's objective is then of these cycles alone.
     if (fitted[block])
       for (std::size_t i = 0; i < mask.size(); ++i) mask[i] *= record.is_scored(i) ? 1.0 : 0.0;
     double const objective = fit::objective_on(record, fit.force_kN, std::move(mask));
@@ -65,9 +65,9 @@ void add_blocks(DeviceFit& fit, data::FitRecord const& record) {
   }
 }
 
-// The best values of the free parameters on the examined devices, as [parameter][device]. If the redundant parameter
-// was free, they belong to the form without it. `left_out` names parameters that most tests leave undetermined or at a
-// bound.
+// The best values of the free parameters on the analysed devices, as [parameter][device]. If the law has a redundant
+// parameter (LawEntry::redundant) and it was free, LawEntry::reduce() has fixed it and changed the others to give the
+// same forces. `left_out` names parameters that most tests leave undetermined or at a bound.
 struct Examined {
   std::vector<std::string> names, left_out;
   std::vector<std::vector<double>> values;
@@ -139,7 +139,7 @@ std::vector<fit::SearchParameter> parameters_of_search(campaign::Contents const&
 
 // The covariance of one device's estimates by linearisation, [parameter][parameter] over the free ones. A parameter at
 // its bound that the test does not determine gets a quarter of its box's squared width, the largest variance that a box
-// permits. Every variance is raised by the square of a rounding error, which keeps it above zero.
+// permits. The square of a millionth of the estimate, or of a thousandth of the box, keeps every variance above zero.
 lot::SquareMatrix uncertainty(DeviceFit const& fit, campaign::DeviceAnalysis const& analysis) {
   constexpr double rounding = 1e-6;
   auto const& intervals = analysis.intervals;
@@ -156,7 +156,7 @@ lot::SquareMatrix uncertainty(DeviceFit const& fit, campaign::DeviceAnalysis con
   return covariance;
 }
 
-// Converts an estimate to the law's form without its redundant parameter, and its covariance to first order.
+// Fixes the redundant parameter as LawEntry::reduce() does, and converts the covariance of the others to first order.
 lot::DeviceEstimate reduced(laws::LawEntry const& entry, std::vector<double> const& values,
                             std::vector<std::size_t> const& free, lot::SquareMatrix const& covariance,
                             std::vector<std::size_t> const& kept) {
@@ -257,7 +257,7 @@ void add_prediction(LawResult& law) {
   law.prediction_grade = graded(*law.fitted_objective, *law.predicted_objective, worst);
 }
 
-// The share of usable runs that found the least objective, over all devices.
+// The share of the usable runs on all devices that found the least objective known for their device.
 void add_success_on_lot(LawResult& law) {
   double usable = 0.0, found = 0.0;
   for (auto const& fit : law.devices) {
@@ -354,7 +354,7 @@ void add_outliers(Summary& summary) {
   }
   for (auto const& found : lot::find_outliers(names, values)) {
     auto const& unit = units[found.property];
-    // A device that a law fits unusually well is not reported.
+    // Only the misfits of laws have no unit. A device on which a misfit is unusually small is not reported.
     if (unit.empty() && found.score < 0.0) continue;
     summary.outliers.push_back({.device = summary.devices[found.device].name,
                                 .property = names[found.property],

@@ -27,12 +27,12 @@ Collapse collapse(double fitted_objective, double predicted_objective, double wo
 void add_analysis(DeviceFit& fit, campaign::Contents const& contents, campaign::Search const& search);
 // Must be called after the fits of this law on all devices are filled in.
 void add_lot_analysis(LawResult& law, campaign::Contents const& contents);
-// Marks each law that no other law beats in both coordinates. A law that lacks a coordinate is never marked.
+// Marks each law that no other law beats; smaller is better in both coordinates. A law that lacks one is never marked.
 using Coordinate = std::optional<double> (*)(LawResult const&);
 std::vector<bool> front_of(std::vector<LawResult> const& laws, Coordinate robust, Coordinate accurate);
 void mark_front(std::vector<LawResult>& laws, Coordinate robust, Coordinate accurate, bool LawResult::*on_front);
-// Marks the laws on two fronts whose accuracy does not vary from run to run, because it is the least objective that the
-// analyses found. Then adds the outlying devices. Does nothing while runs or analyses are missing. Must be called after
+// Marks the laws on two fronts: objective_converged against beta_converged, and objective_converged against
+// loo_objective. Then adds the outlying devices. Does nothing while runs or analyses are missing. Must be called after
 // all laws are filled in.
 void add_converged_views(Summary& summary);
 

@@ -118,8 +118,8 @@ ParameterFit parameter_fit(fit::SearchParameter const& searched, std::size_t ind
   return fitted;
 }
 
-// The cycle in which law and test are compared: normally the reported cycle. If only part of the record is scored, it
-// is the third scored cycle (or the last, if there are fewer) of the scored block with the largest amplitude.
+// The cycle in which law and test are compared: normally the reported cycle. If the law was fitted to some cycles only,
+// it is the third of these (or the last, if there are fewer) in the block of largest amplitude that has any of them.
 std::optional<data::Cycle> compared_cycle(data::Properties const& measured, data::FitRecord const& record) {
   if (record.scored.empty() || !measured.reported) return measured.reported;
   auto const is_scored = [&](data::Cycle const& cycle) {

@@ -73,7 +73,8 @@ building::LawSource source_of(campaign::Contents const& contents, Summary const&
   return source;
 }
 
-// Replaces the law's parameters by those fitted to springs in several directions. Returns nullopt if some are missing.
+// Replaces the law's parameters, on each device and on the lot, by those with which springs in several directions fit
+// best. Returns nullopt if an analysis of the law has no springs, or if there is no analysis.
 std::optional<campaign::Contents> with_springs_of(campaign::Contents contents, std::string_view law) {
   bool any = false;
   for (auto& analysis : contents.device_analyses) {

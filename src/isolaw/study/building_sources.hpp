@@ -12,10 +12,10 @@ namespace isolaw::study {
 
 // Takes one law's parameters for the building of `file`, and the findings against the law on the lot and on the devices
 // in the building. For a law that acts as springs in plan it takes the parameters fitted to springs, if the campaign
-// has them. Throws Error if the law is not in this campaign or was not analysed.
+// has them. Throws Error, with a message that begins with `where`, if the campaign lacks the law or did not analyse it.
 building::LawSource law_source(campaign::Contents const& contents, Summary const& summary, std::string_view law,
                                std::string_view where, building::BuildingFile const& file);
-// The law that the campaign recommends for untested devices. Throws Error if it recommends none.
+// The law that the campaign recommends for untested devices. If there is none, throws Error that begins with `where`.
 std::string recommended_law(Summary const& summary, std::string_view where);
 
 }  // namespace isolaw::study

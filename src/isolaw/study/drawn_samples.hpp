@@ -6,7 +6,7 @@
 
 namespace isolaw::study {
 
-// Indices of the samples to show: at most `most`, evenly thinned, and the last sample too. 0 keeps all samples.
+// Indices of evenly spaced samples to show, at most `most`, plus the last sample. With `most` = 0 all samples.
 std::vector<std::size_t> drawn_samples(std::size_t samples, std::size_t most);
 
 }  // namespace isolaw::study

@@ -20,7 +20,7 @@ struct Draws {
   std::size_t rejected = 0, pulled_back = 0;  // draws outside the limits, and devices moved inside: lot::Sample
 };
 
-// The source of one parameter of the drawn devices: index `place` of the population, or one value for all devices.
+// Where a parameter of the drawn devices comes from: parameter `place` of the population or, without it, one `value`.
 struct Column {
   std::optional<std::size_t> place;
   double value = 0.0;

@@ -11,12 +11,12 @@
 
 namespace isolaw::study {
 
-// The fall in the block that loses most, among the blocks of eight or more counted cycles. A block counts only if a
-// cycle's energy falls by at least a tenth, with at least a quarter of the fall in each half of the block. `force_kN`
-// is the law's force at the record's samples. Returns nullopt if no block counts.
+// Chooses the block in which the energy on the device falls by the largest percentage from the third counted cycle to
+// the last. A block is considered only if it has eight or more counted cycles and the fall is at least a tenth, with at
+// least a quarter of it in each half. `force_kN` is the law's force at the record's samples. nullopt without a block.
 std::optional<EnergyFall> energy_fall(data::Properties const& measured, data::FitRecord const& record,
                                       std::vector<double> const& force_kN);
-// True if the law loses at least half as much energy as the device.
+// True if the energy falls in the law by at least half the percentage by which it falls on the device.
 bool follows(EnergyFall const& fall);
 
 }  // namespace isolaw::study

@@ -60,7 +60,8 @@ std::vector<bool> converged_among_adequate(Summary const& summary) {
       [](auto const& law) { return law.objective_converged; });
 }
 
-// The place on the front of the most robust law whose beta the search box does not decide, or 0 for the first law.
+// `front` goes from the most accurate to the most robust law. Returns the last place whose law has a beta that the
+// search box does not decide, or 0 if there is none.
 std::size_t robust_end(Summary const& summary, std::vector<std::size_t> const& front) {
   for (std::size_t place = front.size(); place-- > 1;)
     if (!pinned(summary.laws[front[place]]).decides()) return place;
@@ -68,8 +69,8 @@ std::size_t robust_end(Summary const& summary, std::vector<std::size_t> const& f
 }
 
 // Finds the law between the front's two ends that is nearest to the point of least objective and least beta, both
-// scaled by the ends. Returns its place, or the front's size if there is none. The law must predict well, its beta must
-// not be decided by the search box, and it must also be on the front of results without the optimiser's noise.
+// scaled to differ by 1 between the ends. Returns its place, or the front's size if there is none. The law must predict
+// well, the search box must not decide its beta, and it must be on the front without the optimiser's noise too.
 std::size_t compromise(Summary const& summary, std::vector<std::size_t> const& front) {
   auto const& laws = summary.laws;
   bool const analysed = std::ranges::any_of(laws, &LawResult::on_front_converged);

@@ -43,7 +43,7 @@ struct BlockScore {
   double objective = 0.0;
 };
 
-// How the energy of a cycle falls steadily through a block: measured_percent on the device, `percent` in a law.
+// How the energy falls from first_cycle to last_cycle of `block`: measured_percent on the device, `percent` in a law.
 struct EnergyFall {
   int block = 0, first_cycle = 0, last_cycle = 0;
   double measured_percent = 0.0, percent = 0.0;
@@ -84,7 +84,7 @@ struct DeviceFit {
   std::optional<double> lot_objective;       // objective with the parameters that fit the lot best on average
   std::optional<double> worst_objective;     // objective with the parameters that fit the worst device best
   std::optional<double> left_out_objective;  // objective with parameters fitted to all other devices
-  // Objectives of springs in several directions in plan, with parameters fitted to the springs or with the law's own.
+  // Objectives on the device's test of springs around a circle: with parameters fitted to springs, with the law's own.
   std::optional<double> springs_objective, springs_given_objective;
   std::vector<BlockScore> blocks;
   std::optional<EnergyFall> energy_fall;       // empty if the device does not lose energy steadily
@@ -121,7 +121,7 @@ struct LawResult {
   std::optional<double> beta;
   std::string beta_note;  // why beta is empty
   bool on_front = false;
-  // Members from here to left_out_of_beta are from least objectives, without the optimiser's noise (docs/method.md).
+  // Members from here to `reduced` rest on the least objective known for each device, without the optimiser's noise.
   std::optional<double> success_share;
   std::string success_reference;
   std::optional<double> objective_converged, beta_converged;

@@ -26,7 +26,8 @@ void add_once(std::vector<std::string>& names, std::string const& name) {
   if (std::ranges::find(names, name) == names.end()) names.push_back(name);
 }
 
-// The name "K_eff" stands for both sides of a device and the lot's mean. A limit over cycles or loads has its own name.
+// A device's two sides and the lot's mean share the name of the property, such as "K_eff". A limit on the change over
+// cycles or loads keeps its own name.
 std::string property_of(rules::Assessment const& a) {
   bool const plain = a.subject == rules::Subject::device || a.subject == rules::Subject::lot;
   return a.property && plain ? std::string(name(*a.property)) : printable(a.quantity);
