@@ -51,8 +51,8 @@ TEST_F(InOpenSees, exports_of_the_example_lot) {
   EXPECT_EQ(run, 10 * 7 * 2);
 }
 
-// xara is a build of OpenSees with its own Tcl interpreter. It passes no arguments to a script, so check.tcl calls the
-// exported script's comparison of forces instead.
+// xara is a build of OpenSees with its own Tcl interpreter. An exported script compares its forces only if its first
+// argument is `check`, but xara passes no arguments. check.tcl therefore calls the comparison itself.
 TEST_F(InOpenSees, tcl_scripts_in_an_interpreter_of_their_own) {
   if (!here_.has_xara()) GTEST_SKIP() << "xara is not there; " << here_.lacking();
   ASSERT_EQ(isolaw({"example", "lot"}).code, 0);

@@ -1,5 +1,5 @@
-// Runs everything that writes output, on campaigns with all laws and the default search. The sanitized build also
-// checks values that are computed but not shown.
+// Runs everything that writes output, on campaigns with all laws and the default search. In the sanitized build the
+// sanitizers also find errors in computations whose results no output shows.
 #include <map>
 #include <sstream>
 
@@ -84,8 +84,8 @@ TEST_F(Outputs, EveryWriterOnTheExampleLot) {
   EXPECT_EQ(sound({"check", "O"}).code, 0);
 }
 
-// In bouc-wen only the product of Ke and A matters. The population of the lot is therefore given for A = 1, and the
-// table states no scatter of A.
+// bouc-wen gives the same forces for any value of A if the other parameters change with it. The population of the lot
+// is therefore given for A = 1, and the table states no scatter of A.
 TEST_F(Outputs, LotLawOfTheReducedFormLeavesTheRedundantParameterOut) {
   ASSERT_EQ(sound({"calibrate", "a.csv", "b.csv", "--laws", "bouc-wen", "--runs", "1", "--replicates", "0",
                    "--analysis", "full", "--out", "O"})

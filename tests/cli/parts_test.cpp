@@ -261,7 +261,8 @@ TEST_F(Parts, nothing_usable_is_an_error_of_several_files_too) {
   EXPECT_EQ(isolaw({"inspect", "a.csv", "c.csv"}).code, 1);
 }
 
-// A hundred samples a cycle must count as a hundred, although the measured period gives 99.99.
+// inspect advises 100 samples per cycle or more. A record with a hundred must not get this advice, although its
+// measured period gives 99.99.
 TEST_F(Parts, a_hundred_samples_a_cycle_are_enough) {
   write("a.csv", csv(record({.samples = 301, .per_cycle = 100})));
   auto const o = isolaw({"inspect", "a.csv"});

@@ -1,5 +1,6 @@
-// The list of laws in the program, and the seven laws of Cucuzza et al. 2025 with the parameters and units that
-// docs/laws.md states. Tests compare the program with it, because users' scripts may rely on names and units.
+// published_laws() has the seven laws of Cucuzza et al. 2025 with the parameters and units that docs/laws.md states.
+// Tests compare the program with this list, because users' scripts may rely on names and units. expected_laws() has all
+// laws, from the program's own catalogue.
 #pragma once
 
 #include <array>

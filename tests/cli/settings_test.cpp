@@ -86,8 +86,8 @@ TEST_F(Settings, all_parameters_fixed_evaluates_that_one_point) {
 }
 
 TEST_F(Settings, best_value_at_an_edge_of_its_box_is_reported) {
-  // The device has K2 = 0.5, so in the box from 3 to 4 the best value of K2 is 3. Among 4000 random points some lie
-  // within 0.1 % of it.
+  // The device has K2 = 0.5, so in the box from 3 to 4 the best value of K2 is 3. Some of the 4000 random points lie
+  // within 0.1 % of the box's width of it.
   auto const o = isolaw(command({"--laws", "bilinear", "--runs", "1", "--population", "4000", "--generations", "3",
                                  "--set", "bilinear.K1=4.5", "--set", "bilinear.xy=10", "--set", "bilinear.K2=3:4"}));
   EXPECT_EQ(o.code, 0) << o;
@@ -247,8 +247,8 @@ std::vector<Sample> two_blocks() {
   return samples;
 }
 
-// Gives every setting a value that is not its default, once on the command line and once in a lot file. These two
-// campaigns, and that of the command that the page shows, must be equal.
+// Gives every setting a value that is not its default, once on the command line and once in a lot file. Both campaigns
+// must be equal. The command that report.html shows must make the same campaign again.
 TEST_F(Settings, every_setting_comes_by_command_line_and_lot_file_and_makes_the_campaign_again) {
   write("one.csv", csv(two_blocks()));
   Words words{"calibrate", "one.csv", "--out", "O"};

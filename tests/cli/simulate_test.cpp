@@ -242,7 +242,7 @@ TEST_F(Simulate, a_device_called_lot_is_that_device) {
 }
 
 // The motion starts at 5 mm and does not say how the device came there. isolaw takes the device as virgin at the first
-// sample. Analysis programs do not, so isolaw must warn.
+// sample. An analysis program moves the device from 0 to 5 mm first, so isolaw must warn.
 TEST_F(Simulate, a_motion_that_does_not_start_at_zero_is_warned_of) {
   Words const words{"simulate", "bilinear", "--set", "K1=2.5", "--set", "K2=0.5", "--set", "xy=2", "--motion", "m.csv"};
   write("m.csv", "displacement [mm],x\n5,0\n10,0\n0,0\n");

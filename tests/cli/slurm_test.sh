@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Runs a campaign on a real Slurm with the script of `isolaw parts --to slurm`. The test submits the array of jobs and
-# kills the node midway. Slurm must queue the lost work again, and the merged campaign must equal byte by byte one from
-# one machine. The merge must submit parts again that are deleted later, and must refuse parts with other settings.
+# Runs a campaign on a real Slurm with the script that `isolaw parts --to slurm` writes. The test submits the array of
+# jobs and kills the node midway. Slurm must queue the lost jobs again, and the merged campaign must equal byte by byte
+# one from one machine. The test then deletes parts, which the merge job must submit again, and offers parts with other
+# settings, which must be refused.
 # Usage: slurm_test.sh ISOLAW TOOLS. Exit code 77 means skipped; the reason is printed.
 set -euo pipefail
 isolaw=$1 cluster=$2/slurm_here.sh

@@ -198,8 +198,8 @@ TEST_F(Vertical, that_was_changed_in_the_store_is_found_by_check) {
   EXPECT_EQ(isolaw({"check", "O"}).code, 0);
   auto const store = path("O/campaign.sqlite");
   auto const kept = query(store, "SELECT hex(\"values\") FROM series WHERE channel = 'vertical_load_kN'").front();
-  // The test first changes one sample of the load from 50 kN to 100 kN, outside the range that gives K_v. Then it
-  // replaces all samples.
+  // The test first changes one sample of the load, outside the range that gives K_v: check must find that the curve
+  // differs. Then the test replaces all samples: check must find that K_v differs.
   execute(store, "UPDATE series SET \"values\" = x'" + std::string(12, '0') + "5940" + kept.substr(16) +
                      "' WHERE channel = 'vertical_load_kN'");
   auto const one = isolaw({"check", "O"});

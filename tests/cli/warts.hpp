@@ -1,4 +1,5 @@
-// Reads the entries of tests/warts/warts.json. Each entry names a file of that folder and what inspect must say of it.
+// Reads the entries of tests/warts/warts.json. Each entry names a file of that folder, which has an oddity of
+// laboratory files (a wart), and what inspect must say of the file.
 #pragma once
 
 #include "cli/run.hpp"

@@ -1,6 +1,6 @@
-// `isolaw inspect` must say of every file in tests/warts what warts.json expects and docs/records.md lists. To add a
-// wart, add a file, an entry in warts.json and the row of the table that the last test prints. For a sound record,
-// warts.json states the stiffness and all warnings.
+// The files in tests/warts have the oddities of laboratory files (warts). `isolaw inspect` must say of each file what
+// warts.json expects and docs/records.md lists. To add a wart, add a file, an entry in warts.json and the row of the
+// table that the last test prints. For a sound record, warts.json states the stiffness and all warnings.
 #include <cctype>
 #include <set>
 

@@ -50,7 +50,7 @@ struct LawName {
   }
 };
 
-// The sizes of a device like those of Cucuzza et al. 2025: 208 mm, 140 kN, 0.5 Hz.
+// The sizes of a device like those of Cucuzza et al. 2025, tested at 0.5 Hz and 208 mm, with a peak force of 140 kN.
 template <class Law>
 laws::RecordScales published_device() {
   double const force = 1.0 / Law::info.force.in_record_units, length = 1.0 / Law::info.length.in_record_units;

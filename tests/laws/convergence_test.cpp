@@ -78,10 +78,11 @@ TEST(Order, PaperStepOfAbeIsFourth) {
     EXPECT_NEAR(order_at<laws::Abe>(values, polyline(corners, 40), refinement, Integration::paper), 4.0, 0.3);
 }
 
-// abe.hpp states that the step is of fourth order wherever the law is smooth, because it corrects for the change of the
-// yield force within a step. The law is smooth from 45 to 95 mm: the device has been at 100 mm before, so the peak does
-// not grow, and F2 has passed zero before 45 mm (25 mm of travel since the reversal; Ut = 24 mm). The path to 45 mm
-// always has the same fine steps; only the steps from 45 to 95 mm are halved, and the force at 95 mm is compared.
+// abe.hpp states that a step of abe is of fourth order wherever the law is smooth, because the step corrects for the
+// change of the yield force. The law is smooth from 45 to 95 mm: the device has been at 100 mm before, so the peak does
+// not grow, and F2 has passed zero before 45 mm, since the 25 mm of travel after the reversal exceed the yield
+// displacement of 24 mm. The path to 45 mm always has the same fine steps; only the steps from 45 to 95 mm are halved,
+// and the force at 95 mm is compared.
 TEST(Order, ConvergedStepOfAbeIsFourth) {
   auto const last_force = [](int steps) {
     auto motion = polyline(std::vector{0.0, 100.0, 20.0, 45.0}, 2000);
@@ -92,8 +93,8 @@ TEST(Order, ConvergedStepOfAbeIsFourth) {
     return forces<laws::Abe>(smooth_abe<laws::Abe>(), motion).back();
   };
   double const reference = last_force(512);
-  // With fewer than 16 steps abe would divide each step into pieces, which hides the order. With more than 18 the error
-  // of the tabulated flow dominates.
+  // With fewer than 16 steps abe would divide each step into shorter pieces, so halving the step would not halve the
+  // pieces. With more than 18 the error of the polynomials for the exact solution dominates.
   for (int const steps : {16, 17, 18}) {
     double const order =
         std::log2(std::abs(last_force(steps) - reference) / std::abs(last_force(2 * steps) - reference));
@@ -138,10 +139,11 @@ TYPED_TEST(Convergence, TheSamplingOfALaboratoryIsEnough) {
   }
 }
 
-// The integrations `converged` and `paper` share only parts of the right-hand side, so each checks the other. The
-// reference is `paper`, which takes Runge-Kutta steps, here 200 per sample. Where the slope of the force jumps (F2 = 0,
-// small n), the reference itself errs by up to 1e-4 of the peak force. The converged integration of abe, with one step
-// per sample, errs by 4e-4 on this path, which reverses at almost every sample.
+// The integrations `converged` and `paper` share only parts of a law's differential equation, so each checks the other.
+// The reference is `paper`, which takes Runge-Kutta steps, here 200 per sample. Where the slope of the force jumps (at
+// zero hysteretic force, if the exponent n is small), the reference itself errs by up to 1e-4 of the peak force. The
+// converged integration of abe, with one step per sample, errs by 4e-4 on this path, which reverses at almost every
+// sample.
 TYPED_TEST(Convergence, FineRungeKuttaAgreesWithTheConvergedIntegration) {
   for (std::size_t number = 0; number < table_a5::devices; ++number) {
     auto const values = device<TypeParam>(number);

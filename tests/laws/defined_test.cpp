@@ -87,8 +87,8 @@ TYPED_TEST(DefinedByThePaper, TheVirginStateIsTheFirstSampleWhereverItIs) {
       }
 }
 
-// The damping coefficient C is infinite at v = 0 if a11 = 0. At rest the damping force is nevertheless 0, and at the
-// smallest velocity it has its full value.
+// The damping force is C v with C = (a9 + a10 x^2) / sqrt(a11^2 + v^2). If a11 = 0, C is infinite at v = 0. At rest the
+// damping force must nevertheless be 0, and at the smallest velocity it must have its full value.
 TEST(DefinedJankowski, NoMotionAndNoSaturationVelocity) {
   using laws::Jankowski;
   auto const values = named<Jankowski>({{"a1", 3e5},
@@ -131,7 +131,7 @@ TEST(DefinedHwangWu, NoMotionAndNoSaturationVelocity) {
   EXPECT_NEAR(force[2], stiffness * 10.0 - damping, 1e-9 * damping);
 }
 
-// The factor 1 / cosh(a5 v) is 0 where cosh overflows, and 1 at v = 0 for any a5.
+// The stiffness terms 1 / cosh^2(a5 v) and 1 / cosh(a7 v) are 0 where cosh overflows, and 1 at v = 0.
 TEST(DefinedJankowski, CoshBeyondTheLargestDouble) {
   using laws::Jankowski;
   for (double const rate : {1e4, 1e10, 1e300}) {
@@ -169,8 +169,8 @@ TEST(DefinedVaiana, ABranchThatNeverApproachesItsLimitCurve) {
 }
 
 // A loading branch may start above the upper limit curve, here because the record starts at -200 mm with zero force.
-// Eqs. (11)-(12) would take the logarithm of a negative number for such a point. The branch equations that isolaw uses
-// hold from any point.
+// For such a point Eqs. (11)-(12) of Cucuzza et al. 2025 would take the logarithm of a negative number. The branch
+// equations that isolaw uses hold from any point.
 TEST(DefinedVaiana, AReversalPointOutsideTheLimitCurves) {
   using laws::Vaiana;
   double const Kb = 4e5, f0 = 4e4, alpha = 30.0;
@@ -185,8 +185,8 @@ TEST(DefinedVaiana, AReversalPointOutsideTheLimitCurves) {
   }
 }
 
-// With alpha = 0, exp(-Umax / alpha) becomes 0 as soon as the device has moved, and the elastic stiffness falls to K1
-// beta.
+// The elastic stiffness is K1 (beta + (1 - beta) exp(-Umax / alpha)), Umax being the largest |x| so far. With alpha = 0
+// it must fall to K1 beta as soon as the device has moved.
 TEST(DefinedAbe, SofteningOverNoDisplacement) {
   using laws::AbeY0;
   auto const values = named<AbeY0>({{"K1", 8.0},

@@ -124,9 +124,9 @@ TEST_P(Faults, ParametersAtTheEndsOfThePhysicalLimits) {
   }
 }
 
-// Each parameter whose physical limits include zero is set to zero, one parameter at a time. Examples: a11 or a8 = 0
-// (damping saturates at once), vaiana's alpha = 0 (a branch never approaches its limit curve), abe's alpha = 0 (the
-// stiffness softens at once).
+// Each parameter whose physical limits include zero is set to zero, one parameter at a time. Examples: jankowski's a11
+// or hwang-wu's a8 = 0 (damping saturates at once), vaiana's alpha = 0 (a branch never approaches its limit curve),
+// abe's alpha = 0 (the stiffness softens at once).
 TEST_P(Faults, AnyParameterThatMayBeZeroMayBeZero) {
   Motion const slow = scaled(irregular(3, 208.0, 2, 20), 1.0, 1e-200), still = scaled(slow, 1.0, 0.0);
   for (std::size_t i = 0; i < law.parameters.size(); ++i) {

@@ -2,8 +2,8 @@
 // equal Table 4 of Cucuzza et al. 2025. Every law must have a source that names its equation ("Eq"), a formula that
 // contains every parameter as a word, and boxes in the units of its parameters. Other tests of this folder require: a
 // force of 0 if all parameters are 0, unless needs_parameters() in single_laws.hpp lists the law; no finite force from
-// NaN or overflow (mind the order of arguments of min and max); and equal bits if the motion is mirrored, cut or driven
-// at another rate, if the law's traits declare it.
+// NaN or overflow (min and max drop a NaN that is their second argument); and what the law's traits declare, such as
+// the opposite force for the mirrored motion and the same force at any velocity.
 
 #include <gtest/gtest.h>
 
@@ -120,8 +120,8 @@ TYPED_TEST(Metadata, RowsAreTheSameForEveryScalar) {
   for (std::size_t i = 0; i < others.size(); ++i) EXPECT_EQ(others[i].info.name, this->rows[i].info.name);
 }
 
-// The published box must equal Table 4, with the same order and units. Two bounds are illegible in our copy of the
-// paper. docs/source.md says how their values were found.
+// The published box must equal Table 4, with the same order and units. Two upper bounds are illegible in our copy of
+// the paper; `lost` has the values that isolaw takes for them (docs/source.md).
 TYPED_TEST(OfThePaperOnly, PublishedBoxIsTable4) {
   std::map<std::string, double> const lost{{"bouc-wen alpha", 0.3}, {"hwang-wu a1", 6e3}};
   auto const& table = published<TypeParam>().parameters;

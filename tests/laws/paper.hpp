@@ -51,8 +51,8 @@ table_a5::Law const& published() {
   return *std::ranges::find_if(table_a5::laws, [&](auto const& law) { return law.id == id; });
 }
 
-// The means that Table A.5 gives for a device (0 to 9). vaiana's sigmoid is not in the table, so the parameters of the
-// sigmoid are zero. abe-y0 has no parameter p, so the column p is skipped for it.
+// The mean parameters that Table A.5 gives for a device (0 to 9). vaiana's sigmoid is not in the table, so the
+// parameters of the sigmoid are zero. abe-y0 has no parameter p, so the column p is skipped for it.
 template <class Law>
 Values<Law> published_means(std::size_t device) {
   Values<Law> values{};

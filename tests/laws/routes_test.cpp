@@ -1,7 +1,7 @@
-// A law can be evaluated as a double, as the value of a dual number, through the catalogue, or in a lane of a SIMD
-// batch. The first three must agree bit by bit, a lane within rounding, and the derivative of the dual number must be
-// that of the force. Batches in this file use the compiler's baseline instructions; tests/unit/fit_kernels_test.cpp
-// covers every instruction set.
+// A law can be evaluated as a double, as the value of a dual number, through the catalogue (which finds a law by its id
+// at run time), or in a lane of a SIMD batch. The first three must agree bit by bit, a lane within rounding, and the
+// derivative of the dual number must be that of the force. Batches in this file use the compiler's baseline
+// instructions; tests/unit/fit_kernels_test.cpp covers every instruction set.
 #include "isolaw/num/batch.hpp"
 #include "isolaw/num/dual.hpp"
 
@@ -239,11 +239,11 @@ TYPED_TEST(Routes, TheValueOfADerivativeNumberIsAScalar) {
     }
 }
 
-// Central differences with h = 1e-6 of the box err by 1e-12 (truncation) plus a few roundings of the force over h. The
-// tolerance is 1e-5 of the parameter's largest derivative plus a hundred roundings over h. At a kink of the law
-// (yielding of bilinear, z = 0 for small exponents) the difference quotient is wrong although the derivative is right,
-// and a differential law carries this error on to later samples. A difference quotient that changes with h shows such a
-// kink, and the test leaves it out. At most 2 % may be left out.
+// The step h of the central differences is 1e-6 of the parameter's interval, so that truncation errs far less than the
+// tolerance: 1e-5 of the largest derivative by the parameter, plus a hundred roundings of the peak force over h. At a
+// kink of the law (yielding of bilinear, z = 0 for small exponents) the difference quotient is wrong although the
+// derivative is right, and a law with a differential equation carries this error on to later samples. A quotient that
+// changes with h shows such a kink, and the test leaves it out. At most 2 % of the quotients may be left out.
 TYPED_TEST(Routes, TheDerivativeIsTheCentralDifference) {
   constexpr double relative = 1e-5, largest_share_left_out = 0.02;
   auto const path = path_of<TypeParam>(irregular(11, 150.0, 3, 120, 0.01));

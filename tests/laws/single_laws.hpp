@@ -40,8 +40,8 @@ inline bool inadmissible(laws::LawEntry const& law, std::span<double const> p) {
 
 // True for parameter sets whose force may grow without bound on some records. Only hwang-wu has such sets. At some
 // displacement up to the peak they have a negative damping a6 + a7 x^2, or a negative stiffness a1 + a2 x^2 + a3 x^4
-// (also if it is negative only with a4 added). The device then returns more work W than it took, and exp(a10 W) or
-// exp(a9 W) amplifies this.
+// (also if only the term with a4, which fades with velocity and work, makes it negative). The device then returns more
+// work W than it took, and exp(a10 W) or exp(a9 W) amplifies this.
 inline bool may_run_away(laws::LawEntry const& law, std::span<double const> p, double peak_mm) {
   if (law.info.id != "hwang-wu") return false;
   auto const value = [&](char const* name) { return p[law.index_of(name)]; };
@@ -72,8 +72,8 @@ inline bool needs_parameters(std::string_view law) {
 }
 
 // Laws whose loops still change after many equal cycles. hwang-wu and bwbn degrade with the work of all cycles,
-// gallardo and the scragging laws with the total travel. In menegotto-pinto with low R0 the branches do not reach their
-// asymptotes, so a mean force dies out over tens of cycles.
+// gallardo and the scragging laws with the total travel. In menegotto-pinto, if it yields gradually (low R0), the
+// branches do not reach their asymptotes, so a mean force dies out over tens of cycles.
 inline bool changes_over_cycles(std::string_view law) {
   return law == "hwang-wu" || law == "bwbn" || law == "gallardo" || law == "menegotto-pinto" ||
          law.starts_with("power-");
@@ -90,18 +90,18 @@ inline double least_asymmetry(std::string_view law) {
 // samples a cycle.
 //   abe        keeps the yield force constant over a step and corrects for it. The error is largest on the first
 //              loading and at x = 0. The largest seen over 200 paths is 8e-4.
-//   hwang-wu   uses Runge-Kutta. With strong damping and large a10, exp(a10 W) decays within a step or two at the
-//              start. The largest error seen is 1.8e-3.
-//   bwbn       uses Runge-Kutta. With small psi and lambda, z slips within less than a step. The largest error seen
-//              is 5e-4.
+//   hwang-wu   uses Runge-Kutta. With strong damping and large a10, exp(a10 W), W the work, decays within a step or
+//              two at the start. The largest error seen is 1.8e-3.
+//   bwbn       uses Runge-Kutta. With small psi and lambda, which set the range over which the device slips (pinching),
+//              the device slips within less than a step. The largest error seen is 5e-4.
 //   others     are exact along a straight path. The bound is a hundred times the largest rounding seen.
 inline double error_of_the_path(std::string_view id) {
   return id == "abe" || id == "bwbn" ? 1.5e-3 : id == "hwang-wu" ? 3e-3 : 1e-12;
 }
 
 // The largest error of the force that the sampling may cause, relative to the peak, for the published devices at 200
-// samples a cycle. hwang_wu.hpp states 3e-7. The largest error seen is 5e-6 for abe. For bwbn, which has no published
-// devices, random sets of its box are used, and the largest error seen is 4e-5.
+// samples a cycle. The largest errors seen are 5e-6 for abe and, as hwang_wu.hpp states, 3e-7 for hwang-wu. For bwbn,
+// which has no published devices, random sets of its box are used, and the largest error seen is 4e-5.
 inline double error_of_a_laboratory(std::string_view id) {
   return id == "abe" ? 1e-5 : id == "bwbn" ? 1e-4 : 4e-6;
 }
@@ -132,9 +132,9 @@ inline double error_of_the_rate(std::string_view law, double rate_Hz) {
 }
 
 // The largest difference, as a share of the peak force, between a law and its online or exported form. Both compute the
-// same in double precision, unless the law has the trait exact_flow. The curve between reversals of such a law comes
-// from a polynomial (where kappa is above 3, from a table with errors of up to 1e-5). The online form takes it from a
-// finer table.
+// same in double precision, unless the law has the trait exact_flow. Such a law takes the curve between two reversals
+// from a polynomial or, for extreme parameters, from a table with errors of up to 1e-5. The online form takes the curve
+// from a finer table.
 inline double form_tolerance(laws::LawEntry const& law) {
   return law.info.traits.exact_flow ? 1e-5 : 1e-10;
 }

@@ -77,8 +77,9 @@ TYPED_TEST(Traits, OddSymmetry) {
     }
 }
 
-// Vaiana's law is odd if the parameters of loading and unloading are exchanged at the same time. In Eqs. (8)-(9),
-// f_e(-x; beta1, beta2, gamma1, gamma2, gamma3) = -f_e(x; -beta1, -beta2, gamma1, gamma2, -gamma3).
+// Vaiana's law is odd if the parameters of loading and unloading are exchanged at the same time. Its non-linear part,
+// Eqs. (8)-(9) of Cucuzza et al. 2025, obeys f_e(-x; beta1, beta2, gamma1, gamma2, gamma3) = -f_e(x; -beta1, -beta2,
+// gamma1, gamma2, -gamma3).
 TEST(TraitsOfVaiana, MirroredWithItsBranchesExchanged) {
   using laws::Vaiana;
   auto const motion = slower_motion(), mirrored = scaled(motion, -1.0, -1.0);

@@ -40,9 +40,10 @@ inline std::optional<Powers> powers_of(std::string_view unit) {
   return powers;
 }
 
-// The automatic interval of a parameter is a multiple of a size of the device, which a function such as
-// laws::force_at_reference computes. A size that is the value at a fixed displacement has an additional power of
-// length. This function returns that power, and 0 for all other sizes.
+// The automatic interval of a parameter is a multiple of a size of the device, such as its peak force. Some laws state
+// a parameter at 100 mm instead; the size is then converted from the device's largest displacement to 100 mm, by
+// laws::force_at_reference for example, which adds a power of length. This function returns that power, and 0 for all
+// other sizes.
 inline double at_reference(double (*size)(laws::RecordScales const&)) {
   std::map<double (*)(laws::RecordScales const&), double> const known{{laws::force_at_reference, -0.4},
                                                                       {laws::coefficient_at_reference<1>, -1.0},

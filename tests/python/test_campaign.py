@@ -128,7 +128,7 @@ class Campaigns(InFolder):
         with self.assertRaisesRegex(isolaw.Error, "there are none"):
             isolaw.calibrate([], "bilinear")
 
-    # Valid values of those settings that are neither numbers nor flags and have no list of allowed words.
+    # Valid values of the settings that are neither numbers nor flags and have no list of allowed words.
     TEXTS = json.loads((pathlib.Path(os.environ["ISOLAW_SOURCE_DIR"]) / "tests/setting_samples.json").read_text())
 
     def another(self, name, setting):

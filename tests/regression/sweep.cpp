@@ -2,8 +2,9 @@
 // compilers, optimisation levels and processors change a result (tools/compilers.sh).
 //   sweep write FILE     evaluates and writes record, candidates, forces and objectives
 //   sweep compare FILE   evaluates the same candidates on the same record and prints a line per law; the exit code is 1
-//                        if a difference exceeds the bound
-// ISOLAW_DRAWS is the number of candidates of each box and must be the same for both.
+//                        if a relative difference exceeds fit::evaluation_tolerance, or if only one of the two builds
+//                        finds the objective of a candidate finite
+// ISOLAW_DRAWS is the number of candidates of each box and must be the same for both builds.
 #include <algorithm>
 #include <array>
 #include <cmath>

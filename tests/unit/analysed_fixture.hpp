@@ -1,5 +1,6 @@
 // Adds made-up results of the analyses to the made-up lot of study_fixture.hpp. The lot then has every kind of verdict,
-// a law whose prediction is unusable, a population without one correlation, and an outlying device.
+// a law whose prediction is unusable, populations that lack the scatter and the correlations of the last parameter, and
+// an outlying device.
 #pragma once
 
 #include <array>
@@ -104,8 +105,8 @@ inline void analyse(LawResult& law) {
   law.population = population(law);
 }
 
-// Every law but the second is on the front of converged results. Only the first law is on the front of errors on
-// devices that were left out of the fit. The prediction of the second law is unusable.
+// Every law but the second is on the front of `objective_converged` against `beta_converged`. Only the first law is on
+// the front of errors on devices that were left out of the fit. The prediction of the second law is unusable.
 inline Summary analysed(Summary summary) {
   for (std::size_t j = 0; j < summary.laws.size(); ++j) {
     auto& law = summary.laws[j];

@@ -1,5 +1,5 @@
 // Sentences about parameters that can replace one another, and verdicts in limiting cases: no free parameter, one free
-// parameter, ties, a start that is no optimum.
+// parameter, a parameter tied to another, a start that is no optimum.
 #include "isolaw/analysis/determination.hpp"
 
 #include <gtest/gtest.h>
@@ -71,7 +71,8 @@ TEST_F(Determine, OneIsFree) {
   EXPECT_TRUE(found->trade_offs.empty());
 }
 
-// With one free parameter no other parameter can adjust, so the profile of this parameter is the objective itself.
+// The profile of a parameter is the least objective for each of its values. With one free parameter no other parameter
+// can adjust, so the profile is the objective itself.
 TEST_F(Determine, AnOpenRangeEndsWhereTheObjectiveHasRisen) {
   auto const given = twin({"bilinear.K1=4", "bilinear.K2=0.6"});
   auto const on_record = model(given);

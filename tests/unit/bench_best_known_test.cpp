@@ -112,8 +112,8 @@ TEST(ProblemKey, IsTheSameOnEveryScaleAndDespiteRounding) {
   Problem linear;
   for (auto& p : linear.box.parameters) p.scale = laws::Scale::linear;
   EXPECT_EQ(plain.key(), linear.key());
-  // Change the last digits of every number, up and down. Also change numbers that are nothing but rounding errors, such
-  // as the sine of pi.
+  // The key must not change if the last digits of every number change, up and down, nor if numbers change that are
+  // nothing but rounding errors, such as the sine of pi.
   Problem rounded;
   for (std::size_t i = 0; i < rounded.record.size(); ++i) {
     double const factor = i % 2 == 0 ? 1.0 - 2e-15 : 1.0 + 2e-15;
@@ -200,7 +200,8 @@ TEST(BestKnown, IsLoweredAndNeverRaised) {
   EXPECT_EQ(entries[0].objective, 0.6);
 }
 
-// This build must compute the keys that the file holds, and the parameters in the file must give its objectives.
+// The key of a search is a hash of all that decides its best objective, such as record, law and box. This build must
+// compute the keys in best_known.toml, and the parameters in that file must give its objectives.
 TEST(BestKnown, HoldsEverySearchOfTheExampleLot) {
   auto const lot = campaign::read_lot_file(ISOLAW_SOURCE_DIR "/examples/published-lot/lot.toml");
   auto const contents = campaign::prepare(lot);

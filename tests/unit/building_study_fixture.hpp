@@ -1,4 +1,5 @@
-// A study of a building that the tests of its answers and of their output share.
+// A made-up study of a building. The tests of a study's answers and the tests of the files and pages that show them
+// share it.
 #pragma once
 
 #include <cmath>

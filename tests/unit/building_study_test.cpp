@@ -197,8 +197,8 @@ TEST(BuildingStudy, under_motions_along_x_a_law_is_itself) {
     ASSERT_LT(std::abs(run.history.base[i][1]), 1e-6);
   }
   EXPECT_GT(run.of(Measure::isolator), 10.0);
-  // `online` starts at zero displacement. The bearing starts its law only after it has left rest, so the forces differ
-  // slightly.
+  // The online law in this test starts at zero displacement. The bearing of the study starts its law only after it has
+  // left rest, so the forces differ slightly.
   EXPECT_LT(off, 1e-3 * most);
   auto const csv = history_csv(run, study.file.motions[0]);
   EXPECT_EQ(
@@ -327,8 +327,8 @@ TEST_F(BuildingRuns, answers) {
   EXPECT_EQ(law.floor_spectra_g[0].size(), spectrum_periods_s().size());
   EXPECT_NEAR(law.floor_spectra_g[0].front() / law.distributions[7].nominal, 1.0, 0.25);
   EXPECT_GT(std::ranges::max(law.floor_spectra_g[3]), law.floor_spectra_g[3].front());
-  // The mean displacement of a bearing is at most the 95 % fractile of the largest displacement of any bearing. The
-  // bearings' shares of the energy add up to 1.
+  // The largest displacement of a bearing, as a mean over draws and motions, is at most the 95 % fractile of the
+  // largest displacement of any bearing. The bearings' shares of the energy add up to 1.
   double share = 0.0;
   for (std::size_t b = 0; b < 6; ++b) {
     EXPECT_GT(law.bearing_mm[b], 0.0);
@@ -382,8 +382,8 @@ TEST_F(BuildingRuns, bounds_of_one_law_are_held_to_the_others) {
       << answers.verdict;
   EXPECT_EQ(wording::sentence(answers.verdict[1]), "With Bilinear the same bounds cover 0 %.");
   EXPECT_EQ(wording::sentence(answers.verdict[2]), "The choice of the law matters more than the scatter of the lot.");
-  // The draws hardly scatter, so the factors that would cover them lie within one step of the search around 1. Such
-  // factors are no basis for design.
+  // The answer names the factors on the nominal properties whose bounds would cover 95 % of the draws. The draws hardly
+  // scatter, so these factors lie within one step of the search around 1 and are no basis for design.
   EXPECT_EQ(answers.verdict[0].word("factors"), "near");
   EXPECT_TRUE(contains(answers.verdict[0], "; factors within 2 % of 1, the step of the search, would cover 95 %."))
       << answers.verdict;

@@ -1,4 +1,5 @@
-// Small campaigns for the tests: records in a temporary folder of each test, and exact comparison of contents.
+// Small campaigns for the tests: records in a temporary folder of each test, and exact comparison of campaign contents
+// (settings, devices, boxes, runs).
 #pragma once
 
 #include <fmt/format.h>
