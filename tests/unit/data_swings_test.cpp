@@ -42,7 +42,7 @@ double misfit(std::vector<double> const& weights, std::vector<double> const& mea
 }
 
 // Ninety small cycles and ten of ten times their amplitude. The force equals the displacement, and a computed force is
-// a fifth too large from 90 s on. The expected misfits were computed by a program of their own for samples every 2.5 ms.
+// a fifth too large from 90 s on. The expected misfits come from another program, for samples every 2.5 ms.
 TEST(Swings, WeighTheLargeCyclesOfAnIrregularRecord) {
   auto const h = history(0.0025, 100.0, [](double t) { return (t <= 90.0 ? 10.0 : 100.0) * sine(t); });
   auto too_large = h.disp_mm, small_too_large = h.disp_mm;

@@ -75,7 +75,8 @@ class LawOnRecord {
   int refinement() const { return motion_.refinement(); }
 
   // Eq. (27): mean over time, or with the record's weights, of |measured - computed| force / standard deviation of the
-  // measured force; +infinity if a computed force is not finite. `parameters` are in the law's order and units; `work` is scratch space. Thread-safe.
+  // measured force; +infinity if a computed force is not finite. `parameters` are in the law's order and
+  // units; `work` is scratch space. Thread-safe.
   double objective(std::span<double const> parameters, std::vector<double>& work) const;
   // Computes the objectives of `count` candidates in blocks; candidate(i, values) writes the parameters of candidate i.
   // Objectives above 1e-3 agree with objective() within block_tolerance, wherever a candidate is in its block.

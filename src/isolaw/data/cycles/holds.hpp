@@ -13,8 +13,8 @@ struct Stretch {
   std::size_t last = 0;
   std::size_t size() const { return last - first; }
 };
-// The longest stretches of at least `least` intervals in [begin, end) within which x varies by at most `width`. They may
-// overlap. O(n).
+// The longest stretches of at least `least` intervals in [begin, end) within which x varies by at most `width`. They
+// may overlap. O(n).
 std::vector<Stretch> stretches_within(std::span<double const> x, std::size_t begin, std::size_t end, double width,
                                       std::size_t least);
 

@@ -25,7 +25,7 @@ bool are_alike(std::span<Swing const> swings);
 
 // How much the samples of a record count in the misfit of a law.
 //   time    the time around the sample, as in Eq. (27) of Cucuzza et al. 2025
-//   swing   that time, without rest, times half range / duration of its swing; 0 before the first and after the last turn
+//   swing   that time, without rest, times half range / duration of its swing; 0 outside all swings
 //   travel  the way around the sample
 enum class Weighting { time, swing, travel };
 std::string_view name(Weighting weighting);
