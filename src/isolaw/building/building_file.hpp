@@ -29,7 +29,7 @@ struct Settings {
   double rest_s = 5.0;
 };
 
-// What a bearing is: drawn from the lot, of the lot's law, a tested device, or of that law times a bound's factor.
+// A bearing is a draw from the lot, the lot's law, a tested device, or the lot's law times the lower or upper factor.
 enum class Stands { draw, lot, device, lower, upper };
 std::string_view name(Stands stands);  // the word in building files, or "tested device"
 struct BearingPlace {
