@@ -1,5 +1,5 @@
 // Writes JSON straight into a string: shortest round-trip numbers, U+FFFD for invalid UTF-8, null for numbers that are
-// not finite. It builds no document tree, since a page of 160 devices holds a million numbers.
+// not finite. It builds no document tree, since the report page of 160 devices holds a million numbers.
 #pragma once
 
 #include <cstdint>

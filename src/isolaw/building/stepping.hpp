@@ -149,7 +149,7 @@ inline void acceleration_of(Run<T> const& run, StructureArrays const& s, std::si
   add(1, y);
 }
 
-// Adds a step to the measures. Suffixes 0 and 1 mean its start and end; `run` is at the end. momentum() gives momenta.
+// Adds a step to the measures. Suffixes 0 and 1 mean its start and end; `run` is at the end, momenta are momentum().
 template <class T>
 inline void measure(Run<T>& run, StructureArrays const& s, double dt, T const (&u0)[3], T const (&v0)[3],
                     double const (&ground0)[2], double const (&ground1)[2], T const& momentum0_x, T const& momentum0_y,

@@ -40,7 +40,7 @@ class Store {
   // Writes the title, the devices' facts and compression tests, the requirements for the tests, and whether to analyse.
   // No law depends on these, so they may change before a campaign is continued.
   void describe(Contents const& contents);
-  // Copies the runs of another store of this campaign, which this program computed. A run that both stores hold must be
+  // Copies the runs of another store of this campaign that this build computed. A run that both stores hold must be
   // the same in both. Copies all runs or, with an Error, none; holds one row at a time in memory.
   struct Taken {
     std::size_t added = 0, there = 0;
