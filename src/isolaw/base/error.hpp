@@ -1,4 +1,4 @@
-// The library's only exception. It reports all problems of one input, or a fault of the environment.
+// The library's only exception. It reports all problems of one input, or a fault of the system such as a full disk.
 #pragma once
 
 #include <concepts>

@@ -63,8 +63,8 @@ std::string read_file(fs::path const& file, ReadLimits const& limits) {
     if (size > limits.largest_bytes) refuse("is " + size_text(size, limits.largest_bytes), limits.when_too_large);
   };
 
-  // stat() comes before open(), since opening a device file could start the device. By then the name may lead to
-  // another file, so fstat() checks the open file again.
+  // stat() comes before open(), since opening a device file could start the device. Between the two calls another
+  // file may take the name, so fstat() checks the file that was opened.
   struct stat status {};
   if (::stat(file.c_str(), &status) != 0) {
     bool const missing = errno == ENOENT || errno == ENOTDIR;
@@ -101,7 +101,7 @@ std::optional<fs::path> leads_outside(fs::path const& file, fs::path const& fold
   if (failure) return file;
   auto const target = fs::weakly_canonical(fs::absolute(file, failure), failure).lexically_normal();
   if (failure) return file;
-  // weakly_canonical leaves a link without a target as it is, but the link leads anywhere once that target exists.
+  // A link that weakly_canonical left has no target yet. It counts as outside, since its target may appear anywhere.
   fs::path part;
   for (auto const& name : target) {
     part /= name;

@@ -48,7 +48,7 @@ enum class FindingKind {
   // Notes: numbers of a record that the reader should know.
   samples_per_cycle, force_early, jump_of_force, rig_friction, moving_mass, stands_still, cut_off_zero,
   largest_speed, average_over_samples,
-  // How the record was read. The word named "text" of the finding holds the description.
+  // How the record was read. word("text") of the finding is the description.
   file_format, header_found, column_taken, columns_unused, units_given, time_scale, no_time_column, rows_read,
   test_chosen, file_joined, force_flipped,
   // Corrections of a record, and steps to prepare it for fitting.

@@ -1,5 +1,5 @@
 // Writes JSON straight into a string: shortest round-trip numbers, U+FFFD for invalid UTF-8, null for numbers that are
-// not finite. It builds no document tree, since a page of 160 devices holds a million numbers.
+// not finite. It builds no document tree, since the report page of 160 devices holds a million numbers.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +33,7 @@ class JsonWriter {
   JsonWriter& rounded(std::optional<double> const& number, int digits);  // to significant digits; for plots
   JsonWriter& line(std::vector<double> const& numbers, int digits);  // rounded, on one line in any layout; for curves
   JsonWriter& null() { return put("null"); }
-  // Inserts `text`, which should be JSON. Text that does not parse is written as a string, so that no setting is lost.
+  // Inserts `text`, which should be JSON. Text that does not parse is written as a string instead.
   JsonWriter& json(std::string_view text);
   JsonWriter& value(std::vector<std::string> const& texts);
 

@@ -12,7 +12,7 @@ struct Letter {
   std::string_view name, sign, latex;
 };
 
-// A text is matched with the first name here with which it begins. A longer name must precede a name that begins it.
+// A text takes the first name that it begins with. So a name that is the beginning of another must come after that one.
 constexpr auto greek = std::to_array<Letter>({
     {"alpha", "α", "\\alpha"},
     {"beta", "β", "\\beta"},

@@ -89,7 +89,7 @@ class TomlTable {
   }
   // The node's value if it is a text, a number, a bool or a date (as text). Complains about any other node.
   std::optional<Json> scalar(toml::node const& node, std::string_view key, std::size_t longest);
-  // `of_kind` is true for a whole number that does not fit its type, and false for a value of another kind.
+  // Complains that a value is not `expected`, or, if `of_kind` is true, that a whole number is too large for its type.
   void complain_value(toml::node const& node, std::string_view key, std::string_view expected, bool of_kind);
 
   toml::table const& table_;

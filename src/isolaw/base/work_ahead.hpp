@@ -14,8 +14,8 @@ namespace isolaw {
 
 class WorkAhead;
 
-// Hears of threads that help with the work that the listener's thread, or a helper of this thread, offers during the
-// listener's life. A helping thread calls help_begins() before and help_ends() after each item.
+// Is told when other threads help the thread that made the listener. A helping thread calls help_begins() before and
+// help_ends() after each item of a WorkAhead made during the listener's life, by the listener's thread or by a helper.
 class HelpListener {
  public:
   HelpListener();

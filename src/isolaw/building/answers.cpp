@@ -82,8 +82,8 @@ std::string_view form_sentence(LawAnswer const& law) {
              : "as sixteen springs around the circle, with the parameters of the law along one direction, so that they dissipate less";
 }
 
-// Warns of each quantity for which the bound analyses enclose too few draws. The verdict says this of the first one,
-// the bearing displacement, so it is warned of only if the bounds are not monotonic.
+// Warns of each quantity for which the bound analyses enclose too few draws. For the first quantity, the bearing
+// displacement, the verdict says so already. It gets a warning only if its bounds are not monotonic.
 void warn_of_coverage(LawAnswer const& law, std::vector<Finding>& warnings) {
   for (auto const& c : law.coverage) {
     if (c.inside >= wanted_share) continue;
@@ -134,7 +134,7 @@ std::vector<std::string> assumed_of(Study const& study, Answers const& answers) 
 
 using Kept = std::vector<std::vector<std::vector<double>>>;  // [motion][quantity][case]
 
-// Reads the runs of one law, with the means over draws and motions of each bearing.
+// Reads the runs of one law. Puts each bearing's means over the runs of draws, and the worst balance, into `out`.
 Kept take_runs(RunStore const& store, std::size_t law, std::size_t motions, CasePlaces const& places,
                Layout const& layout, double weight_kN, LawAnswer& out) {
   out.bearing_mm.assign(layout.bearings, 0.0);
@@ -179,7 +179,7 @@ void add_distributions(LawAnswer& out, Kept const& kept, CasePlaces const& place
   }
 }
 
-// Integrates the nominal building implicitly under every motion, and compares other methods with it.
+// Integrates the nominal building implicitly under every motion, and finds the errors of the methods in Checked.
 void add_nominal_building(LawAnswer& out, Study const& study, LawSource const& source, Model const& model,
                           Kept const& kept) {
   auto const& motions = study.file.motions;

@@ -20,7 +20,7 @@ namespace isolaw::building {
 // Codes let a design use the mean response only with at least this number of motions (EN 1998-1, 4.3.3.4.3; ASCE 7-16,
 // 17.3.3; chapter 16 of ASCE 7-16 asks for eleven).
 inline constexpr std::size_t motions_for_a_mean = 7;
-// The nominal building under one motion by implicit integration, and the errors of two other methods against it.
+// The nominal building under one motion by implicit integration, and the errors of the two other methods below.
 struct Checked {
   std::string outcome;
   double isolator_mm = 0.0, balance = 0.0, step_s = 0.0;

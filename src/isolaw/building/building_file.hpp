@@ -29,7 +29,7 @@ struct Settings {
   double rest_s = 5.0;
 };
 
-// What a bearing is: drawn from the lot, of the lot's law, a tested device, or of that law times a bound's factor.
+// A bearing is a draw from the lot, the lot's law, a tested device, or the lot's law times the lower or upper factor.
 enum class Stands { draw, lot, device, lower, upper };
 std::string_view name(Stands stands);  // the word in building files, or "tested device"
 struct BearingPlace {
@@ -51,7 +51,7 @@ struct BuildingFile {
 };
 
 // The tables of a building file, in the file's units. For a list such as [[floor]] they hold the table being read or
-// written. A key without a default starts with the template's value, except for the files of motions.
+// written. A key without a default starts as in building_template(), except for the files of motions.
 struct Slab {
   double mass_Mg = 700.0, gyration_m = 9.0, x_m = 0.0, y_m = 0.0;
 };

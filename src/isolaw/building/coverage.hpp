@@ -21,16 +21,16 @@ struct Coverage {
   double inside = 0.0;                             // share of the draws between both bound analyses
   double interval_low = 0.0, interval_high = 0.0;  // 95 % interval of `inside`, Clopper and Pearson 1934
   double below = 0.0, above = 0.0;                 // shares of the draws below and above both bound analyses
-  // The factors 1 - a and 1 + a of the smallest a for which the analyses with factors between them (grid_factor)
-  // enclose `wanted_share` of the draws. nullopt if all factors of the grid enclose less.
+  // The narrowest factors 1 - a and 1 + a on all forces that suffice: the analyses with these factors and those between
+  // them (grid_factor) enclose `wanted_share` of the draws. nullopt if all factors of the grid enclose less.
   std::optional<double> factor_low, factor_high;
-  // FindingKind::bounds_not_monotonic if the nominal building is not between the bound analyses; empty otherwise.
+  // FindingKind::bounds_not_monotonic if the nominal response is not between those of the bound analyses.
   std::optional<Finding> monotony = {};
   std::string not_monotonic;
 };
 Finding covering_factors(Coverage const& coverage);
 
-// `draws` and `grid` hold the responses of the draws and of the analyses with the factors of the grid.
+// `draws` holds the responses of the draws, and `grid` those of the analyses with all forces times grid_factor(i).
 Coverage covered(Quantity const& quantity, std::vector<double> const& draws, Distribution const& d,
                  Settings const& settings, std::vector<double> const& grid);
 

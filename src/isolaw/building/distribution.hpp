@@ -30,7 +30,7 @@ struct Distribution {
   Histogram histogram = {};  // of the draws' means over the motions
 };
 
-// Where the cases of a study lie in cases_of().
+// The list that cases_of() returns, and where each kind of case begins in it.
 struct CasePlaces {
   explicit CasePlaces(Settings const& settings);
   std::vector<Case> cases;

@@ -73,7 +73,7 @@ class Model {
   StructureArrays arrays() const;
   std::vector<double> shares(double dt) const;  // [mode] ModeStep::share for steps of length dt
   Matrix3 condensed_mass(double dt) const;      // M - sum share participation participation^T
-  // Stiffness of all bearings about the base's centre of mass, sum T_j^T k_j T_j, from every 2 x 2 k_j by rows.
+  // Stiffness of all bearings against the base's motion at its centre of mass, from each bearing's 2 x 2 by rows.
   Matrix3 stiffness(std::span<std::array<double, 4> const> bearings) const;
 
  private:
@@ -91,7 +91,7 @@ Steps steps_of(Motion const& motion, double longest_step_s, double rest_s);
 // The bearings start in their present state and keep the state at the end of the run.
 Response integrate(Model const& model, std::span<std::unique_ptr<Bearing> const> bearings, Motion const& motion,
                    Options const& options = {});
-// Explicit integration of one building in plain doubles, the reference for the vector code of lanes.hpp. No history.
+// Explicit integration of one building in plain doubles, without history: the reference for lanes.hpp's vector code.
 Response integrate_explicitly(Model const& model, std::span<std::unique_ptr<Bearing> const> bearings,
                               Motion const& motion, Options const& options = {});
 // [measure] step error of `coarse`, from `fine` with half its step: a third of the difference (second-order method).

@@ -1,5 +1,5 @@
-// The types of the lane kernels and of their arguments. They are not in lanes.hpp, since it includes headers that must
-// not be compiled once per instruction set (fit/kernels.cpp says why).
+// The types of the lane kernels and of their arguments. They are not in lanes.hpp, because lanes.hpp includes functions
+// that must not be compiled once per instruction set (lane_kernels.cpp).
 #pragma once
 
 #include <array>

@@ -24,7 +24,7 @@ std::vector<double> respond(Model const& model, std::string_view law, std::span<
                             num::InstructionSet set = num::instruction_set());
 
 // The longest step [s] of the explicit integration on bearings with this stiffness at rest ([bearing], 2 x 2 by rows):
-// dt^2 K = m / 2, an eighth of the limit of stability, which leaves a margin for stiffer draws.
+// dt^2 K = m / 2, K that stiffness, m the base's mass. Steps are stable below 4 m, so stiffer draws have a margin.
 double longest_explicit_step(Model const& model, std::span<std::array<double, 4> const> first_stiffness);
 
 }  // namespace isolaw::building

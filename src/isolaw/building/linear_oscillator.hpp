@@ -15,11 +15,11 @@ struct Effective {
 };
 Effective effective(std::string_view law, std::span<double const> parameters, double amplitude_mm, Coupling coupling);
 
-// The linear oscillator whose peak displacement gives the bearings just its own stiffness and damping.
+// The linear oscillator whose stiffness and damping are the bearings' effective ones at its own peak displacement.
 struct EquivalentLinear {
   double displacement_mm = 0.0, period_s = 0.0, damping = 0.0;
 };
-// `bearings` holds the parameters of all bearings, one after the other; `mass` is that of the building in t.
+// `bearings` holds the parameters of all bearings, one after the other; `mass` is that of the building in kN s2/mm.
 EquivalentLinear equivalent_linear(Devices const& devices, Motion const& motion, std::vector<double> const& bearings,
                                    double mass);
 

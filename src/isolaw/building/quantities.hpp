@@ -1,4 +1,4 @@
-// The quantities that a run of the building answers: displacements, forces, accelerations, work.
+// The quantities that a building study evaluates for every run: displacements, forces, accelerations, work.
 #pragma once
 
 #include <span>

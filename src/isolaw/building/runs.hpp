@@ -28,7 +28,7 @@ struct StudyProperty {
 // Everything that the numbers depend on besides the program and its instruction set: settings by value, inputs by hash.
 std::vector<StudyProperty> properties_of(Study const& study);
 
-// The part of a study in a store (nullopt: all of it), and the paths of the inputs for the merged study's answers.
+// A store's part of a study (nullopt: all of it), and the paths of the inputs that the answers need after a merge.
 struct StudyPart {
   std::optional<campaign::Part> part = {};
   std::string building_file = {}, campaign = {};

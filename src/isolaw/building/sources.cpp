@@ -77,7 +77,7 @@ lot::Population population_again(lot::Population const& population, num::Stream 
       for (std::size_t j = 0; j < values.size(); ++j) estimate.covariance[i][j] *= unit(i) * unit(j);
     estimates.push_back(std::move(estimate));
   }
-  // The first estimate left out the parameters that no test determined, so this one leaves them out too.
+  // `population` leaves out the parameters that no test determined: their std is 0. They are left out again here.
   std::vector<std::size_t> without;
   for (std::size_t i = 0; i < population.std.size(); ++i)
     if (population.std[i] == 0.0) without.push_back(i);

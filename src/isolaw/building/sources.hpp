@@ -82,8 +82,8 @@ class Devices {
   std::vector<lot::Population> uncertain_;
 };
 
-// Parametric bootstrap: draws as many devices as were tested from N(mu, S), the distribution of the estimates, and
-// estimates the population from them with the same uncertainty, as another series of tests might have done.
+// Parametric bootstrap: estimates the population again from as many devices as were tested, drawn from N(mu, S), the
+// distribution of the fitted values. Each drawn device gets the mean uncertainty of the real fits.
 lot::Population population_again(lot::Population const& population, num::Stream const& stream,
                                  std::vector<lot::Limits> const& limits);
 

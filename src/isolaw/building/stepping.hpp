@@ -1,6 +1,6 @@
 // Code that the implicit and the explicit integration of a building share: the superstructure's modes over one step and
 // the measures of a run. The explicit integration itself is here too. The scalar T is double, or a batch with one draw
-// per lane. Only plain arrays are used, since this is also compiled once per instruction set (fit/kernels.cpp).
+// per lane. Only plain arrays are used: a container's functions from another instruction set's object could be linked.
 //
 // Both integrations are Newmark's method with gamma = 1/2 (Newmark 1959). The modes have average acceleration (beta =
 // 1/4), and so has the base in the implicit integration (integrate.cpp). In explicit_run() the base has central
@@ -15,12 +15,12 @@
 
 #include "isolaw/num/scalar.hpp"
 
-// Every function without T in its type must be inlined (num/batch.hpp says why).
+// Functions without T in their type must be inlined: the linker could take a copy made for another instruction set.
 #define ISOLAW_AWAY __attribute__((always_inline))
 
 namespace isolaw::building {
 
-// A structure and its bearings as plain arrays. Structure's functions of the same names give the shapes.
+// A structure and its bearings as plain arrays. Structure's functions of the same names give the dimensions.
 struct StructureArrays {
   std::size_t modes = 0, floors = 0, bearings = 0, corners = 0;
   double const *mass = nullptr, *frequency = nullptr, *damping = nullptr, *participation = nullptr, *shape = nullptr,
@@ -49,7 +49,7 @@ struct Layout {
   ISOLAW_AWAY constexpr std::size_t count() const { return measures_of_all + 1 + 3 * floors + 2 * bearings; }
 };
 
-// A step of length dt. At its end mode k has q'' = share_k (free_part_k - participation_k . A), with Run::A.
+// A step of length dt. At its end mode k has the acceleration q'' = share_k (free_part_k - participation_k . Run::A).
 struct ModeStep {
   double dt = 0.0;
   double const* share = nullptr;  // [mode]
@@ -149,7 +149,7 @@ inline void acceleration_of(Run<T> const& run, StructureArrays const& s, std::si
   add(1, y);
 }
 
-// Adds a step to the measures. Suffixes 0 and 1 mean its start and end; `run` is at the end. momentum() gives momenta.
+// Adds a step to the measures. Suffixes 0 and 1 mean its start and end; `run` is at the end, momenta are momentum().
 template <class T>
 inline void measure(Run<T>& run, StructureArrays const& s, double dt, T const (&u0)[3], T const (&v0)[3],
                     double const (&ground0)[2], double const (&ground1)[2], T const& momentum0_x, T const& momentum0_y,

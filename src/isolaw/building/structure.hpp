@@ -3,9 +3,10 @@
 // Source: Chopra, Dynamics of Structures, sections 9.5 and 18; Naeim and Kelly, Design of Seismic Isolated Structures.
 //
 // The superstructure is linear: its motion relative to the rigidly moving base is a sum of its modes on a fixed base.
-// With u_b the base's displacement relative to the ground, A its absolute acceleration and q the modes' amplitudes,
-//   q'' + 2 zeta omega q' + omega^2 q = -Gamma A            Gamma = phi^T M_s R, R the rigid motion of the floors
-//   M A + Gamma^T q'' + f(u_b, u_b') = 0                    M the mass of the whole rigid building, f of the bearings
+// With u_b the base's displacement relative to the ground, A its absolute acceleration, and q, phi, omega, zeta the
+// modes' amplitudes, shapes, frequencies and damping ratios,
+//   q'' + 2 zeta omega q' + omega^2 q = -Gamma A      Gamma = phi^T M_s R; M_s, R the floors' masses and rigid motion
+//   M A + Gamma^T q'' + f(u_b, u_b') = 0              M the mass of the whole rigid building, f of the bearings
 // No mode is left out, so these are the full equations. Only the modes on the fixed base are damped, not the isolation
 // layer.
 //

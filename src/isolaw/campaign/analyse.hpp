@@ -12,7 +12,7 @@
 
 namespace isolaw::campaign {
 
-// The box in which the analysis of a device varies the parameters: the search's box on the scales of Method::best.
+// The box of a device's analysis: the search's box, but always with the logarithmic scales of Method::best.
 fit::SearchBox examined_box(Search const& search);
 // The box in which one law is fitted to all devices that have a DeviceAnalysis of this law.
 fit::SearchBox box_of_lot(Contents const& contents, std::string_view law);
@@ -25,7 +25,7 @@ struct AnalyseOptions {
   std::function<bool()> interrupted;                                  // asked from any thread
   Profile* profile = nullptr;
   Estimate* estimate = nullptr;
-  // Analyse only this share of the devices. If none is left to analyse then, also fit this share of laws to the lot.
+  // Analyse only this share of the devices and, once no share's device is left, fit this share of laws to the lot.
   std::optional<Part> share = {};
 };
 

@@ -58,7 +58,7 @@ struct Search {  // a law that is fitted to a device: its box, or the reason why
 // all_generations, stagnated or no_finite_value. Interrupted runs are not kept.
 using opt::Outcome;
 std::string_view name(Outcome outcome);
-// The most integration steps per sample that a run may use in the end. Their number is a power of four.
+// The most integration steps per sample to which a run is refined. A run has 1, 4, 16 or 64.
 inline constexpr int finest_refinement = 64;
 
 struct Run {

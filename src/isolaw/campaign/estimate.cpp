@@ -9,10 +9,10 @@ namespace isolaw::campaign {
 Estimate::Estimate(Contents const& contents) : contents_(contents), tasks_(contents.settings.laws.size()) {
   auto const& settings = contents.settings;
   bool const genetic = settings.method == Method::genetic;
-  // Seconds per evaluated sample for a step cost of 1. The law alone takes 0.01 ns; descents run more code around it.
+  // Seconds per sample and unit of step_cost of an evaluation. A law takes 1e-11 s; descents run more code around it.
   constexpr double population_s = 1.5e-11, descent_s = 3.5e-11;
-  // Evaluations of each device's record, divided by the square of the number of free parameters. The values lie between
-  // those of the example lot and of a measured bearing.
+  // How often a task of each kind evaluates the law on each record, divided by the square of the number of free
+  // parameters. The values lie between those counted for the example lot and for a measured bearing.
   constexpr double of_run = 100.0, of_device = 230.0, of_lot = 58.0, of_left_out = 4.5;
   double const run_s =
       genetic ? population_s * settings.genetic.population * settings.genetic.generations : descent_s * of_run;

@@ -1,4 +1,4 @@
-// Estimates how much of a campaign is done and how long the rest takes. A task counts by the step cost of its law.
+// Estimates the share done of a campaign and the time left, from the laws' step costs, records and free parameters.
 #pragma once
 
 #include <array>

@@ -124,14 +124,14 @@ std::vector<InfoOption> const& info_table() {
   return table;
 }
 
-// Visits the options for reading a compression test. They are those that apply to ground motions too.
+// Visits the options for reading a compression test: all but those for the force of a shear test (`of_test`).
 template <class Visit>
 void for_each_vertical_option(Visit&& visit) {
   for (auto const& option : data::reading_table())
     if (!option.of_test) visit(option);
 }
 
-// Reads K_v = 1234.0, vertical = "file.csv", or a table of file, loads and options. `take_file` refuses files outside.
+// Reads K_v = 1234.0, vertical = "file.csv", or a table of file, loads and options. `take_file` may refuse a file.
 void read_vertical_input(TomlTable& table, std::filesystem::path const& directory,
                          std::function<void(std::string const&)> const& take_file, std::string const& lot_file,
                          std::vector<Complaint>& complaints, VerticalInput& vertical) {

@@ -1,4 +1,4 @@
-// Tells which build of isolaw computed a campaign. Builds may give different numbers, so one must compute all of it.
+// Tells which build of isolaw computed a campaign. One build must compute all of it, since builds may differ.
 #pragma once
 
 #include <span>

@@ -38,18 +38,18 @@ class Merge {
   virtual ~Merge() = default;
 
   // Adds the runs of the stores `parts` to the store `out` and creates `out` if it is missing. `fresh` replaces `out`
-  // once everything that takes its place was checked and copied. StoreKind::create explains `before_replacing`. The
-  // order of the parts does not matter, and a part may be given twice. All parts are checked before the first is
-  // copied. Each part is copied in one transaction, so the same call completes a merge that was stopped. Throws Error
-  // for a store that is damaged or of another campaign or study, build or instruction set, for runs that contradict
-  // each other, and if `out` is a part itself or would lose runs.
+  // once everything that takes its place was checked and copied. Calls before_replacing() before a new store takes the
+  // name `out`. The order of the parts does not matter, and a part may be given twice. All parts are checked before the
+  // first is copied. Each part is copied in one transaction, so the same call completes a merge that was stopped.
+  // Throws Error for a store that is damaged or of another campaign or study, build or instruction set, for runs that
+  // contradict each other, and if `out` is a part itself or would lose runs.
   Merged run(Path const& out, std::vector<Path> const& parts, bool fresh,
              std::function<void()> const& before_replacing);
 
  protected:
   // The differences of the campaigns or studies in `first` and `file`, a text each; empty if there are none.
   virtual std::vector<std::string> differences(Path const& first, Path const& file) = 0;
-  // Makes a store that begins as `first` does, but is not a part and has no runs.
+  // Makes a store with the settings and inputs of the store `first`. It belongs to no part and has no runs.
   virtual void create(Path const& file, Path const& first, std::function<void()> const& before_replacing) = 0;
   virtual void copy_runs(Path const& to, std::vector<Path> const& parts, Merged& merged) = 0;
   virtual void tell_missing(Path const& file, Merged& merged) = 0;  // sets `missing` and `missing_of`

@@ -157,7 +157,7 @@ Contents with_devices(Lot const& lot, FalseSignals false_signals) {
 Contents with_searches(Contents contents, std::vector<std::string> const& laws) {
   contents.settings.laws = laws.empty() ? parse_laws(usual_laws) : laws;
   contents.settings.validate();
-  // Settings::validate() does not check joint limits, so that stores with settings outside them can still be read.
+  // Settings::validate() skips joint limits, conditions between parameters, so that stores outside them can be read.
   for (auto const& id : contents.settings.laws)
     fit::require_joint_limits(laws::find_law(id), contents.settings.overrides);
   if (std::ranges::none_of(contents.devices, &Device::usable)) {

@@ -130,7 +130,7 @@ std::vector<Setting> make_settings() {
                "sampled (default): reversals lie at samples; interpolated: between them, for smooth records",
                at(&S::turning_points), turnings)},
       {number<S>("runs", "independent runs per law and device", at(&S::runs), {.least = 1, .most = 1e5}, "3; ga: 20")},
-      // The upper limits keep the number of evaluations an int; selection_pressure's keeps every weight above zero.
+      // The upper limits keep the number of evaluations an int; selection_pressure's keeps roulette weights above zero.
       {number<S>("population", "with --method ga: individuals", at(&S::genetic, &Ga::population),
                  {.least = 4, .most = 1e5, .words = "an even number from 4 to 100000", .step = 2}),
        ga},
@@ -188,7 +188,7 @@ std::vector<Setting> make_settings() {
            "full (default): intervals, parameters left open, one law for the lot, errors on devices left out; or none",
            at(&S::analysis), analyses)
            .under(Heading::analysis)},
-      // With forty replicates or more, at least one lies below the 2.5 % quantile.
+      // A 95 % interval leaves 2.5 % of the replicates outside at each end: one of forty.
       {number<S>("replicates", "bootstrap fits for the intervals", at(&S::replicates),
                  {.least = 40, .most = 1e5, .words = "0 for none, or 40 to 100000", .or_zero = true})
            .under(Heading::analysis)},

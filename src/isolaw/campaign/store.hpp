@@ -14,11 +14,11 @@ namespace isolaw::campaign {
 
 class Store {
  public:
-  // Makes a store of `contents` with its results; see StoreKind::create.
+  // Makes a store of `contents` with its results, and replaces a file of that name by it only when it is complete.
   static Store create(std::filesystem::path const& file, Contents const& contents,
                       std::function<void()> const& before_replacing = {});
-  // Opens an existing store to add results. Throws Error like StoreKind::to_write, and if the stored settings, devices
-  // or boxes are not as isolaw writes them.
+  // Opens an existing store to add results. Throws Error if the file is no campaign store of the present schema, or
+  // if the stored settings, devices or boxes are not as isolaw writes them.
   static Store open(std::filesystem::path const& file);
   static Contents read(std::filesystem::path const& file);  // everything; the file is not changed; throws as open()
   // Reads what a campaign begins with: settings, devices and boxes, without the records' series.
@@ -40,13 +40,13 @@ class Store {
   // Writes the title, the devices' facts and compression tests, the requirements for the tests, and whether to analyse.
   // No law depends on these, so they may change before a campaign is continued.
   void describe(Contents const& contents);
-  // Copies the runs of another store of this campaign, which this program computed. A run that both stores hold must be
+  // Copies the runs of another store of this campaign that this build computed. A run that both stores hold must be
   // the same in both. Copies all runs or, with an Error, none; holds one row at a time in memory.
   struct Taken {
     std::size_t added = 0, there = 0;
   };
   Taken take_runs(std::filesystem::path const& other);
-  // Copies, all or none, the analyses missing here from another store of this campaign with all runs; returns how many.
+  // Copies analyses missing here, all or none, from a store of this campaign that has every run; returns how many.
   std::size_t take_analyses(std::filesystem::path const& other);
   // To be called after the last result: folds the write-ahead log into the file. Returns false if another program is
   // reading the store. The log then stays beside the file, and whoever next opens the store to write folds it in.

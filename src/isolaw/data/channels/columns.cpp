@@ -217,7 +217,7 @@ class Resolver {
     auto const small = lower(trimmed(wanted));
     auto const base = lower(dissect_name(wanted).base);
     auto found = columns_where([&](auto const& text) { return text == wanted; });
-    // In a workbook, "F" means column F, unless a column is named exactly "F". The name "F [kN]" does not count.
+    // In a workbook "F" means column F, even beside a column named "F [kN]", unless a column is named exactly "F".
     if (auto const letter = found.empty() ? lettered(wanted) : std::nullopt) return std::vector{*letter};
     if (found.empty()) found = columns_where([&](auto const& text) { return lower(text) == small; });
     if (found.empty()) found = columns_where([&](auto const& text) { return lower(dissect_name(text).base) == small; });

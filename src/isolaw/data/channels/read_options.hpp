@@ -26,7 +26,7 @@ struct Corrections {
   void validate() const;  // throws Error that names the options
 };
 
-// What is not given here is recognised from the file.
+// Options that are not given are recognised from the file.
 struct ReadOptions {
   std::map<Channel, std::string> columns;  // name or number from 1; "none": leave the channel out
   std::map<Channel, std::string> units;    // "cm", "tonf", ...; others are read from the header
