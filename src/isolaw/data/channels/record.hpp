@@ -31,7 +31,7 @@ struct TestRecord {
   std::vector<double> load_kN;
   // All choices made in reading. Read with these options, the file gives the same record.
   ReadOptions layout;
-  // Facts about the device, such as its serial number, as pairs of a lot file's key and the text in the record's file.
+  // Facts that the file states about the device: pairs of a key as in lot files, such as "serial", and the stated text.
   std::vector<std::pair<std::string, std::string>> device_facts;
   std::vector<Finding> recognised;   // each choice made in reading, and why
   std::vector<Finding> corrections;  // corrections made; also in `recognised`

@@ -89,7 +89,7 @@ Swings swings_of(std::span<double const> x, std::vector<std::size_t> const& at) 
   return swings;
 }
 
-// The weighted median of the swings' middles. The largest swings weigh most, because an offset matters most in them.
+// The median of the swings' middles, weighted by the eighth power of their size, so that small swings hardly count.
 double middle_of(Swings const& swings) {
   double const largest = swings.largest();
   std::vector<std::pair<double, double>> weighted;
@@ -255,7 +255,7 @@ double regular_ends(std::vector<Shape> const& shapes, Swings const& swings, std:
   return travel;
 }
 
-// The share of regular cycles in the travel. Leaves out pre-loads, tapers, regular_ends() and the outermost swings.
+// Regular cycles as a share of the whole way, without pre-loads, tapers, regular_ends() and the first and last swing.
 double regular_share(std::vector<Shape> const& shapes, Swings const& swings, Motion const& motion,
                      std::vector<std::size_t> const& at) {
   double regular = 0.0, in_cycles = 0.0, in_tapers = 0.0, travel = 0.0;

@@ -77,7 +77,7 @@ std::optional<double> force_at_level(std::span<double const> x, std::span<double
   return std::nullopt;
 }
 
-// Half the loop's height where cycles are cut. Ignores an end of the cycle at rest or at a turn, which is off the loop.
+// Half the loop's height at the cycle's two ends. Ignores an end at rest or at a turn: its force is not on the loop.
 double strength(Cycle const& cycle, Peaks const& peaks, std::span<double const> x, std::span<double const> F) {
   bool const rises = peaks.at_largest < peaks.at_least;
   bool const starts_in_motion = cycle.first > 0.0 && !cycle.turns_at_start;
