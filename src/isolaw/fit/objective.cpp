@@ -32,7 +32,7 @@ std::vector<double> at_samples(std::vector<double> const& values, std::span<std:
   return kept_values;
 }
 
-// Adds the share of each dropped sample to the kept samples before and after it, more to the nearer one. Weighted sums
+// Adds the weight of each dropped sample to the kept samples before and after it, more to the nearer one. Weighted sums
 // stay the same if dropped values lie on the lines between kept ones.
 std::vector<double> shared_among(std::span<std::size_t const> kept, std::span<double const> shares) {
   std::vector<double> kept_shares(kept.size(), 0.0);

@@ -43,7 +43,7 @@ struct TestRecord {
 };
 
 // Without a time channel, `time_s` counts the samples and `vel_mm_s` is empty. Then only rate-independent laws apply.
-// Their objective does not depend on the time scale if sampling is uniform.
+// The objective of these laws does not depend on the time scale if sampling is uniform.
 struct FitRecord {
   std::vector<double> time_s;
   std::vector<double> disp_mm;

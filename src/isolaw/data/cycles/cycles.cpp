@@ -115,7 +115,7 @@ std::size_t swings_across(Swings const& swings, double level, double margin) {
 
 // The displacement about which cycles are counted. It is zero if the motion's middle is close to zero and as many
 // swings cross zero as cross the middle, because noise makes the middle less certain than the zero of the test. If the
-// record ends where it starts, somewhat off the middle, the start is the centre.
+// record ends where it starts, off the middle by at most a quarter of the amplitude, the start is the centre.
 double centre_of(std::span<double const> x, Swings const& swings, double band) {
   double const middle = middle_of(swings);
   double const amplitude = swings.largest();

@@ -123,7 +123,7 @@ void idealise(Cycle& cycle) {
   cycle.K_1_kN_per_mm = cycle.K_d_kN_per_mm + cycle.Q_d_kN / yield;
 }
 
-// Takes slopes over 1/25 of a cycle (0.3 % low for a sine). Sample by sample, 0.02 mm of noise at 1 kHz adds 30 mm/s.
+// Velocity over 1/25 of a cycle (0.3 % low for a sine). From sample to sample, 0.02 mm of noise at 1 kHz adds 30 mm/s.
 double largest_slope(Cycle const& cycle, CycleView const& view) {
   auto const peaks = peak_positions(view.disp_mm, cycle.first, cycle.last);
   auto const reach =
