@@ -48,7 +48,7 @@ Loop measure_loop(TestRecord const& record, std::vector<Cycle const*> const& cyc
   }
   loop.slope_kN_per_mm = xF / xx;
   loop.correlation = xF / std::sqrt(xx * FF);
-  // An elliptic loop of uncorrelated x and F has the area 2 pi sigma_x sigma_F, with their standard deviations.
+  // Damping is relative to elliptic loops of uncorrelated x and F, of the area 2 pi sigma_x sigma_F each.
   double const fullest = 2.0 * std::numbers::pi * std::sqrt(xx * FF) / count * static_cast<double>(cycles.size());
   loop.equivalent_damping = loop.energy_kN_mm / fullest;
   return loop;

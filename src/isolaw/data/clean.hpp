@@ -20,10 +20,10 @@ struct CleanOptions {
   Selection scored = {};                       // blocks and cycles that the objective counts
 };
 
-// Steps: 1. subtract (max + min) / 2 of the raw reported cycle; 2. moving average over `smooth` samples; 3. if k, the
-// record's samples per cycle over samples_per_cycle, rounded down, is 2 or more: moving average over k samples (k + 1
-// if k is even); 4. velocity; 5. keep every k-th sample. Velocity comes before step 5, because more samples make it
-// more exact. A record without a complete cycle keeps all samples. Throws Error for a record without samples.
+// Steps: 1. if `center`: subtract (max + min) / 2 of the raw reported cycle; 2. moving average over `smooth` samples;
+// 3. k = the record's samples per cycle / samples_per_cycle, rounded down; if k > 1: moving average over k samples
+// (k + 1 if k is even); 4. velocity, which is more exact with all samples; 5. keep every k-th sample. A record without
+// a complete cycle keeps all samples. Throws Error for a record without samples.
 FitRecord clean(TestRecord const& raw, CleanOptions const& options);
 FitRecord clean(TestRecord const& raw, Properties const& properties, CleanOptions const& options);
 

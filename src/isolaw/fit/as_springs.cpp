@@ -17,7 +17,7 @@ struct Share {  // one spring or two mirrored springs; `force` is their share of
   double force;
 };
 
-// A law as springs around the circle, on the record of one device. The record's motion is along spring 0.
+// A law as equal springs at equal angles around a circle, on the record of one device. The motion is along spring 0.
 class SpringsOnRecord {
  public:
   SpringsOnRecord(laws::LawEntry const& law, data::FitRecord const& record, int refinement)

@@ -1,6 +1,6 @@
-// Fits a law as springs around the circle, the form that motions in two directions use (laws/plane/springs.hpp).
-// Springs with the law's own parameters keep its stiffness and strength along one direction, but not the shape of its
-// knee.
+// Fits a law in its form for motions in two directions: equal springs around a circle that each follow the law (see
+// laws/plane/springs.hpp). Springs with the law's own parameters have its stiffness and strength along a line, but
+// another knee.
 #pragma once
 
 #include <span>

@@ -12,7 +12,7 @@
 namespace isolaw::fit {
 namespace {
 
-// Six decades as a natural logarithm. A logarithmic scale that ends at or spans zero covers six on each of its sides.
+// Six decades as a natural logarithm. A logarithmic scale that touches or spans zero covers them from its farther end.
 constexpr double decades_from_zero = 6.0 * 2.302585092994046;
 
 struct AcrossZero {  // value = linear_size sinh(c), c from asinh(lower / linear_size) to asinh(upper / linear_size)

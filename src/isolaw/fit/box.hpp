@@ -54,9 +54,9 @@ struct SearchBox {
   void expand(std::span<double const> point, std::span<double> values) const;
 };
 
-// Returns the box with logarithmic scales for free parameters whose interval does not span zero, if its ends differ by
-// a factor of `wide_interval` or more, or if the law asks for this. On a linear scale, 90 % of a wide interval is its
-// last decade. A scale that ends at zero covers six decades; a scale that spans zero covers six on each side.
+// Gives a free parameter a logarithmic scale if the law asks for it, or if the ends of its interval differ by a factor
+// of `wide_interval` or more: on a linear scale, the last decade is 90 % of such an interval. Leaves intervals that
+// span zero as they are. A logarithmic scale that ends at zero covers six decades.
 inline constexpr double wide_interval = 100.0;
 SearchBox on_logarithmic_scales(SearchBox box, laws::LawEntry const& law);
 // A value counts as at the bound if its distance from the bound is at most this share of the interval on its scale.
@@ -66,8 +66,8 @@ std::string_view name(AtBound bound);  // for `no`, `lower` and `upper`: "", "lo
 AtBound at_bound(SearchParameter const& parameter, double value);
 // Typical sizes of a record's quantities, in the units of the law. Throws Error for a record without samples.
 laws::RecordScales scales_of(data::FitRecord const& record, laws::LawInfo const& law);
-// Makes the box for a law. Where the paper has no interval for a parameter, `published` uses the scaled one. Throws
-// Error if a parameter is tied to a parameter that is tied itself.
+// Makes the box for a law. If the paper has no interval for a parameter, BoxKind::published takes the interval of
+// BoxKind::scaled. Throws Error if a parameter is tied to a parameter that is tied itself.
 SearchBox make_box(laws::LawEntry const& law, BoxKind kind, laws::RecordScales const& scales,
                    std::span<Override const> overrides);
 

@@ -33,7 +33,7 @@ struct OnAnEight {
   std::string_view rule;  // the extension to two directions: "coupled", "springs", ...
   double peak_kN, work_kN_mm;
 };
-// One result for each extension that the law has: the coupled one with either rule of softening, and springs.
+// One result for each extension that the law has: coupled, coupled with a peak along each axis, springs.
 std::vector<OnAnEight> on_a_figure_of_eight(LawInPlane const& law, double size_mm, double duration_s);
 struct Spread {  // largest differences between the extensions, relative to the first one
   double peak = 0.0, work = 0.0;

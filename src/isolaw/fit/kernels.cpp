@@ -1,6 +1,7 @@
 // Compiles the laws for batches of candidates, once for every instruction set. ISOLAW_KERNELS (for example
 // kernels_avx2) is the only object that other files may use. A function that is not inlined must have the instruction
-// set in its name. Functions with a batch among their template arguments do; tests/kernels checks this.
+// set in its name: the linker keeps only one function of each name, perhaps one that this processor cannot run. Names
+// of functions with a batch among their template arguments have it; tests/kernels checks this.
 #include "isolaw/fit/kernels.hpp"
 
 #include <algorithm>

@@ -32,7 +32,7 @@ std::vector<double> at_samples(std::vector<double> const& values, std::span<std:
   return kept_values;
 }
 
-// Adds the share of each dropped sample to the kept samples before and after it, more to the nearer one. Weighted sums
+// Adds the weight of each dropped sample to the kept samples before and after it, more to the nearer one. Weighted sums
 // stay the same if dropped values lie on the lines between kept ones.
 std::vector<double> shared_among(std::span<std::size_t const> kept, std::span<double const> shares) {
   std::vector<double> kept_shares(kept.size(), 0.0);
@@ -167,9 +167,9 @@ laws::Path LawOnMotion::path(int refinement) const {
 }
 
 std::vector<std::size_t> LawOnMotion::outline() const {
-  // Keeps more samples just after a reversal, where the loop bends most, because the bend decides which valley a
-  // descent finds. The distance between kept samples grows to a sixth of the distance from the reversal, at most 8.
-  // Keeping every third sample halves the chance of finding the best valley of the law abe.
+  // Keeps more samples just after a reversal, where the loop bends most, because the bend decides which minimum a
+  // descent finds. The distance between kept samples is a sixth of the distance from the reversal, at most 8 samples.
+  // With every third sample instead, half as many descents find the best minimum of the law abe.
   constexpr std::size_t distance_per_gap = 6, widest_gap = 8;
   std::vector<std::size_t> samples;
   auto const reverses = [&](std::size_t i) {

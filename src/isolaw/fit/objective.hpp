@@ -67,7 +67,7 @@ class LawOnRecord {
               laws::TurningPoints turning_points = laws::TurningPoints::as_sampled, int refinement = 1);
   LawOnRecord refined(int refinement) const;  // a copy with `refinement` steps from sample to sample
   // The law on the samples of outline(). Each has the weight of the dropped samples near it, so that the objective
-  // changes little. nullopt if more than 3/4 of the samples would remain, or if samples are integration steps.
+  // changes little. nullopt if over 3/4 of the samples would remain, or if the law takes one integration step a sample.
   std::optional<LawOnRecord> outline() const;
   std::vector<double> on_outline(std::span<double const> shares) const;  // spreads all weights over the outline
 

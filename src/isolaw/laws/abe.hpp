@@ -103,7 +103,7 @@ struct Abe {
       // A step is cut into pieces, into shorter ones near x = 0, where |x|^p is not smooth.
       double const x0 = value_of(step.x0), x1 = value_of(step.x1), length = value_of(step.length);
       double const nearest = x0 * x1 <= 0.0 ? 0.0 : std::min(std::abs(x0), std::abs(x1));
-      // The pieces are no longer than the largest step of a sine of 200 samples per cycle, unless 64 do not suffice.
+      // No piece is longer than the largest step of a sine of 200 samples per cycle, unless that takes over 64 pieces.
       int const smooth = static_cast<int>(std::ceil(std::min(64.0, length / (0.0317 * value_of(step.peak1)))));
       int const pieces = std::max(nearest < 1.5 * length ? 5 : nearest < 4.0 * length ? 2 : 1, smooth);
       X x = step.x0, peak = step.peak0;
@@ -150,8 +150,8 @@ struct Abe {
     N const travel = abe_parts::travel(p, c.parts, state.softened, length, peak0, peak1);
     auto const moved = c.flow.advance(direction * state.F2 * c.per_Y0 * per_mean, travel);
     N const d = (after - before) * per_mean, relaxed = p.n * travel, some = N(1.0 / 12.0) * relaxed;
-    // relaxed (1 + some) fade is relaxed - relaxed^3 / 72 + ... for short travel. For long travel it is 6, so that
-    // `first` is d/2.
+    // relaxed (1 + some) fade is relaxed - relaxed^3 / 72 + ... for short travel. For long travel the product is 6, so
+    // that `first` is d/2.
     N const fade = one / (one + some + N(2.0) * some * some), fade2 = fade * fade;
     N const first = d * (some + some * some) * fade * (one - moved.ratio);
     N const second = d * d * (some * (fade2 * fade2)) * (one - p.n) * (N(0.5) - N(0.25) * (moved.rate0 + moved.rate1));

@@ -31,7 +31,7 @@ struct TestRecord {
   std::vector<double> load_kN;
   // All choices made in reading. Read with these options, the file gives the same record.
   ReadOptions layout;
-  // Facts about the device, such as its serial number, as pairs of a lot file's key and the text in the record's file.
+  // Facts that the file states about the device: pairs of a key as in lot files, such as "serial", and the stated text.
   std::vector<std::pair<std::string, std::string>> device_facts;
   std::vector<Finding> recognised;   // each choice made in reading, and why
   std::vector<Finding> corrections;  // corrections made; also in `recognised`
@@ -43,7 +43,7 @@ struct TestRecord {
 };
 
 // Without a time channel, `time_s` counts the samples and `vel_mm_s` is empty. Then only rate-independent laws apply.
-// Their objective does not depend on the time scale if sampling is uniform.
+// The objective of these laws does not depend on the time scale if sampling is uniform.
 struct FitRecord {
   std::vector<double> time_s;
   std::vector<double> disp_mm;

@@ -16,7 +16,8 @@ struct Span {
   std::size_t first = 0, count = 0;
 };
 
-// Samples between from_s and to_s, or nullopt and a complaint if none. Messages write `dashes` before names of options.
+// The samples from options.from_s to options.to_s, or nullopt and a complaint if none. Messages write `dashes` before
+// the names of these options, which are --motion-from and --motion-to for a motion.
 std::optional<Span> span_of_time(std::vector<double> const& time_s, ReadOptions const& options,
                                  std::string const& place, std::vector<Complaint>& complaints,
                                  std::string_view dashes = "--");
@@ -40,7 +41,7 @@ std::vector<double>& values_of(TestRecord& record, Channel channel);
 
 void append(std::vector<Finding>& findings, std::vector<Finding> const& more);
 
-// Adds the channels of `other` to `main`, interpolated at main's times, or row by row without a common clock.
+// Adds other's channels to `main`, interpolated at main's times if both have times of one kind, else row by row.
 void join_channels(RecordPart& main, RecordPart other);
 
 }  // namespace isolaw::data

@@ -9,9 +9,9 @@
 
 namespace isolaw::data {
 
-// The time stamp, in the first of several files, from which --from and --to count.
+// The first time stamp of the first of several files. --from and --to count from it in all of the files.
 struct FirstStamp {
-  double since_s = 0.0;
+  double since_s = 0.0;  // from midnight; from 1970 if the stamp is dated
   bool dated = false;
 };
 

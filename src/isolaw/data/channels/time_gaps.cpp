@@ -20,7 +20,7 @@ std::vector<Gap> time_gaps(std::span<double const> x, std::span<double const> ti
   double const longest = std::ranges::max(intervals);
   double const interval = num::median(intervals);
   if (!(longest > most_intervals * interval)) return {};
-  // Several long intervals in a row are no gap. They are a slower part of the test with as many samples in a cycle.
+  // Only a single long interval is a gap. Several in a row are a part of the test that was sampled more slowly.
   auto const is_long = [&](std::size_t i) { return intervals[i] > most_intervals * interval; };
   std::vector<Gap> gaps;
   for (std::size_t i = 0; i + 1 < time_s.size(); ++i) {

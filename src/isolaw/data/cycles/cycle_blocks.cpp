@@ -62,7 +62,7 @@ bool is_even(Shape const& shape) {
   return same_pace(shape.rise_and_fall, shape.period + shape.still_time, far_period);
 }
 
-// Whether the period changes from the cycles [begin, at) to the two from `after` on. One cycle alone must differ more.
+// Whether periods change from [begin, at) to the two cycles from `after` on: by 5 %, or 20 % if only one is before.
 bool changes(std::vector<Shape> const& shapes, std::size_t begin, std::size_t at, std::size_t after) {
   if (begin >= at) return false;
   auto const period = [](Shape const& shape) { return shape.period; };
@@ -79,7 +79,7 @@ bool changes(std::vector<Shape> const& shapes, std::size_t begin, std::size_t at
 
 // Splits a run where its frequency changes. A new part starts at cycle i if the periods of i and i + 1 agree, the
 // periods of the cycles before agree, and the two groups differ. Cycle i - 1 may lead from one frequency to the other.
-// The first cycle of a part may start slowly, so it is compared only if it is the only one.
+// The first cycle of a part may start slowly, so it is not compared if two or more cycles follow it before cycle i.
 std::vector<Run> split_by_frequency(std::vector<Shape> const& shapes, Run const& run) {
   std::vector<Run> parts{{.begin = run.begin, .end = run.end}};
   auto const split_at = [&](std::size_t i) {
@@ -150,7 +150,7 @@ bool is_build_up(Run const& lone, Run const& run) {
          same_pace(lone.period, run.period, far_period);
 }
 
-// A lone cycle joins a neighbouring run of cycles if it is uneven, builds up to that run or lies between similar runs.
+// A lone cycle joins a run beside it if it is asymmetric, builds up to the run or lies between two similar runs.
 std::vector<Draft> drafts_of(std::vector<Shape> const& shapes, std::vector<Run> const& runs) {
   std::vector<Draft> drafts;
   std::size_t pending = 0;  // first of the lone cycles that lead to the next block
@@ -190,7 +190,7 @@ std::vector<Draft> drafts_of(std::vector<Shape> const& shapes, std::vector<Run> 
     waiting = false;
   }
   if (waiting && !drafts.empty()) drafts.back().end = runs.back().end;
-  // If all cycles are lone and uneven, they form one block, with the cycle of largest amplitude as its core.
+  // If all cycles are lone and asymmetric, they form one block, with the cycle of largest amplitude as its core.
   if (drafts.empty() && !runs.empty())
     drafts.push_back({.begin = runs.front().begin,
                       .end = runs.back().end,

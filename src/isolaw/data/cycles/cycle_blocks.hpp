@@ -21,11 +21,11 @@ struct Shape : CycleCut {
   double amplitude() const { return largest / 2.0 - least / 2.0; }
 };
 
-// A block is a run of cycles of one amplitude (within 5 %) and one frequency. A symmetric lone cycle is a block of its
-// own. A lone cycle joins a neighbouring block, but does not count, if it is uneven or within 15 % of the amplitude of
-// a run of three or more, as when a rig builds up its amplitude. A new frequency splits a block if it differs by 5 %
-// and lasts for two cycles; before and after it, periods scatter by less than a quarter of the change. A cycle does not
-// count if its period is off the block's by a factor of 1.4 or more. `unit` is the unit of periods in messages.
+// A block is a run of cycles of one amplitude (within 5 %) and one frequency. A cycle alone with its amplitude is a
+// block if it is symmetric about the centre. It joins a neighbouring block, but does not count, if it is asymmetric or
+// within 15 % of the amplitude of a run of three or more, as when a rig builds up its amplitude. A new frequency splits
+// a block if it differs by 5 % and lasts for two cycles; periods before and after must scatter by less than a quarter
+// of that. A cycle does not count if its period is over 1.4 times the block's, or the reverse. `unit` is for messages.
 std::vector<CycleCut> number_cycles(std::vector<Shape>& shapes, std::string_view unit);
 
 }  // namespace isolaw::data

@@ -89,7 +89,7 @@ Swings swings_of(std::span<double const> x, std::vector<std::size_t> const& at) 
   return swings;
 }
 
-// The weighted median of the swings' middles. The largest swings weigh most, because an offset matters most in them.
+// The median of the swings' middles, weighted by the eighth power of their size, so that small swings hardly count.
 double middle_of(Swings const& swings) {
   double const largest = swings.largest();
   std::vector<std::pair<double, double>> weighted;
@@ -115,7 +115,7 @@ std::size_t swings_across(Swings const& swings, double level, double margin) {
 
 // The displacement about which cycles are counted. It is zero if the motion's middle is close to zero and as many
 // swings cross zero as cross the middle, because noise makes the middle less certain than the zero of the test. If the
-// record ends where it starts, somewhat off the middle, the start is the centre.
+// record ends where it starts, off the middle by at most a quarter of the amplitude, the start is the centre.
 double centre_of(std::span<double const> x, Swings const& swings, double band) {
   double const middle = middle_of(swings);
   double const amplitude = swings.largest();
@@ -255,7 +255,7 @@ double regular_ends(std::vector<Shape> const& shapes, Swings const& swings, std:
   return travel;
 }
 
-// The share of regular cycles in the travel. Leaves out pre-loads, tapers, regular_ends() and the outermost swings.
+// Regular cycles as a share of the whole way, without pre-loads, tapers, regular_ends() and the first and last swing.
 double regular_share(std::vector<Shape> const& shapes, Swings const& swings, Motion const& motion,
                      std::vector<std::size_t> const& at) {
   double regular = 0.0, in_cycles = 0.0, in_tapers = 0.0, travel = 0.0;

@@ -177,7 +177,7 @@ std::vector<Group> group_excursions(std::vector<Excursion> const& excursions) {
     if (excursion.ends_open || i + 1 == excursions.size()) {
       i = add(excursion.starts_open ? Part::open_start : Part::open_end, i, i + 1);
     } else if (excursion.starts_open) {
-      // If the record starts within an excursion on its way out, the next one is left out too: cycles start outwards.
+      // If the record starts on its way out, cycles start to that side, so the next excursion is left out as well.
       bool const outwards = excursion.tip > 0 && opposite && !excursions[i + 1].ends_open && i + 2 < excursions.size();
       i = add(Part::open_start, i, outwards ? i + 2 : i + 1);
     } else if (!opposite) {

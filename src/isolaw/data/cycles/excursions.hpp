@@ -1,7 +1,7 @@
-// An excursion is a motion to one side of the centre and back; two excursions to opposite sides make a cycle. It ends
-// where the motion crosses the centre, or comes back to it and turns there. An excursion after the start, a rest or a
-// turn is left out as a pre-load if those after it are alike and it differs from them in reach (by 15 %) or in the
-// time in which it falls (by a factor of 1.5). A half cycle at the end of a stage is left out as well.
+// An excursion is a motion to one side of the centre and back. It ends where the motion crosses the centre, or comes
+// back to it and turns there. Two excursions to opposite sides make a cycle. An excursion after the start, a rest or a
+// turn is left out as a pre-load if the next two are alike and it differs from them in reach (by 15 %) or in the time
+// in which it falls (by a factor of 1.5). So is half a cycle with which a series of like excursions ends.
 #pragma once
 
 #include <cstddef>

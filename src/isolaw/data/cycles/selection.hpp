@@ -41,7 +41,7 @@ struct Selection {
 std::vector<double> scored_samples(Selection const& selection, Segmentation const& segmentation, std::size_t samples);
 
 // For each sample, the number of its block if that block is fitted or predicted, else 0. Empty if all blocks are
-// fitted. Throws Error if predicted blocks are named, but the record has none of them beside those that are fitted.
+// fitted. Throws Error if predicted blocks are named, but the record has none of them, or only such as are fitted.
 std::vector<double> block_numbers(Selection const& selection, Segmentation const& segmentation, std::size_t samples);
 
 }  // namespace isolaw::data

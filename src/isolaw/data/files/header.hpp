@@ -40,10 +40,10 @@ struct Header {
   std::string listing;               // lists all contents of the file if not all are columns
 };
 
-// The column's name if it is unique and --columns can hold it, else its number.
+// The text by which a lot file names a column: its name if --columns accepts it and it is unique, else its number.
 std::string column_key(std::size_t index, Header const& header);
 
-// The text that --columns accepts for a column: its number, its letter, or the name of a variable.
+// The text that messages suggest for --columns: the letter in a workbook, a variable's name, else the number.
 std::string option_key(std::size_t index, Header const& header);
 // The letter of a workbook's column with this index, from 0: "A" to "Z", "AA", ...
 std::string column_letters(std::size_t index);

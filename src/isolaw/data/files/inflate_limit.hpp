@@ -1,5 +1,5 @@
-// Limits how much a file may grow when it is unpacked. Packing shrinks a laboratory's file tenfold at most, but a file
-// made to fill the memory a thousandfold. A small file may grow more, because a constant channel packs just as well.
+// Limits how much a file may grow when it is unpacked. A laboratory's file grows tenfold at most, a file made to fill
+// the memory a thousandfold. A constant channel grows a thousandfold too, so every file may grow to 64 MiB.
 #pragma once
 
 #include <cstdint>

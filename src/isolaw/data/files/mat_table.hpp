@@ -1,4 +1,4 @@
-// Reads MATLAB variables as columns: vectors, fields of structs, and columns of a matrix ("x_F:3"), or its rows if few.
+// Reads MATLAB variables as columns: vectors, fields of structs, columns of a matrix ("x_F:3") or rows of a wide one.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@ namespace isolaw::data {
 
 bool is_mat(std::string_view bytes);
 
-// `owner` names a struct or matrix, whose columns alone are then read and named without the owner. Without `owner`, all
-// variables are one test. If several structs seem to hold one test each, Tests::sheets lists them. Throws Error.
+// Reads only the columns of the struct or matrix `owner`, fields without the struct's name. Without `owner`, reads all
+// variables as one table; if several owners name two channels each, Tests::sheets lists these owners. Throws Error.
 Tests mat_tests(std::string_view bytes, std::string const& file, std::optional<std::string> const& owner);
 
 }  // namespace isolaw::data

@@ -21,7 +21,7 @@ std::string rows_text(RowRange const& range);
 
 inline constexpr std::size_t least_samples = 3;
 
-// Advises to read the longer part of the `of` rows, before or behind the bad `row`, or else to export the record again.
+// Advises to read only the rows before the bad `row`, or those behind it, of `of` rows; if too few, to export again.
 std::string without_row(RowRange const& range, std::size_t row, std::size_t of);
 
 }  // namespace isolaw::data

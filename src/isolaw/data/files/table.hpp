@@ -46,8 +46,8 @@ struct RawChannel {
   std::vector<double> values;
 };
 
-// Complaints about rows of a file. It keeps the first five and counts the others, which `rest` names, as "cells that
-// are no number".
+// Keeps the first five complaints about rows of a file, and counts the others. Messages call the others `rest`: "cells
+// that are no number".
 class FirstComplaints {
  public:
   FirstComplaints(std::string file, std::string_view rest) : file_(std::move(file)), rest_(rest) {}

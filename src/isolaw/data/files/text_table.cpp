@@ -69,7 +69,7 @@ class RowReader {
   }
 
  private:
-  // Removes text below the rows, such as statistics, a signature or "End of data", or complains of it.
+  // Removes text below the rows, such as statistics or a signature. Complains of it without the option --footer skip.
   void take_footer_off(std::vector<Complaint>& complaints) {
     auto const is_open = [&](std::size_t i) {
       return is_comment(lines_[i]) || is_blank(lines_[i], dialect_.delimiter);
@@ -118,7 +118,7 @@ class RowReader {
       digits = digits || cells_[i].find_first_of("0123456789") != std::string_view::npos;
       statistics = statistics || (word && is_statistic(cells_[i]));
     }
-    // A line with one number may be a count of rows or a broken row. It is text only if the user skips the footer.
+    // A line with one number may be a count of rows or a broken row. It counts as text only with --footer skip.
     if (!as_wide) return words || !digits || (choice_.skip_footer && cells_.size() == 1);
     if (statistics) return true;
     auto const reads = std::ranges::count_if(indices_, [&](auto k) { return is_value(cells_[k]); });

@@ -26,7 +26,7 @@ struct Stamp {
 };
 
 std::string_view date_order_word(DateOrder order);  // "dmy" or "mdy"
-// nullopt if the cell is no time stamp. date_cell_mark follows a number that a workbook shows as a date.
+// nullopt if the cell is no time stamp. In a workbook's cell, date_cell_mark follows a number that is shown as a date.
 std::optional<Stamp> parse_stamp(std::string_view cell);
 StampKind kind_of(Stamp const& stamp);
 Stamp stamp_of_serial(double days);

@@ -23,7 +23,7 @@ struct Budget {
   std::vector<Effect> effects;    // all effects, in numbers
 };
 
-// Names of the effects that are given as points of equivalent damping, added to the device's own damping.
+// Names of the effects that add to the device's equivalent damping. They are given in percentage points of damping.
 inline constexpr char const *damping_by_skew = "damping by skew", *damping_by_jump = "damping by the jump",
                             *damping_by_rig_friction = "damping by rig friction of 0.5 % of the vertical load";
 
@@ -37,7 +37,7 @@ double peak_loss_percent(double samples_per_cycle);    // share of a peak halfwa
 double average_loss_percent(int window, double samples_per_cycle);
 // Mean distance of a sine's largest sample beyond its true peak, for white noise of standard deviation noise_mm.
 double peak_gain_mm(double noise_mm, double amplitude_mm, double samples_per_cycle);
-// Points of equivalent damping that friction adds: 200 F_f / (pi K D)
+// Percentage points of equivalent damping that friction adds: 200 F_f / (pi K D)
 double friction_damping_points(double friction_kN, double K_eff_kN_per_mm, double amplitude_mm);
 // Stiffness in kN/mm by which a mass that moves in a sine lowers the measured stiffness: m (2 pi f)^2
 double mass_stiffness_kN_per_mm(double mass_kg, double frequency_Hz);

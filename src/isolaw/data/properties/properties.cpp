@@ -77,7 +77,7 @@ std::optional<double> force_at_level(std::span<double const> x, std::span<double
   return std::nullopt;
 }
 
-// Half the loop's height where cycles are cut. Ignores an end of the cycle at rest or at a turn, which is off the loop.
+// Half the loop's height at the cycle's two ends. Ignores an end at rest or at a turn: its force is not on the loop.
 double strength(Cycle const& cycle, Peaks const& peaks, std::span<double const> x, std::span<double const> F) {
   bool const rises = peaks.at_largest < peaks.at_least;
   bool const starts_in_motion = cycle.first > 0.0 && !cycle.turns_at_start;
@@ -123,7 +123,7 @@ void idealise(Cycle& cycle) {
   cycle.K_1_kN_per_mm = cycle.K_d_kN_per_mm + cycle.Q_d_kN / yield;
 }
 
-// Takes slopes over 1/25 of a cycle (0.3 % low for a sine). Sample by sample, 0.02 mm of noise at 1 kHz adds 30 mm/s.
+// Velocity over 1/25 of a cycle (0.3 % low for a sine). From sample to sample, 0.02 mm of noise at 1 kHz adds 30 mm/s.
 double largest_slope(Cycle const& cycle, CycleView const& view) {
   auto const peaks = peak_positions(view.disp_mm, cycle.first, cycle.last);
   auto const reach =

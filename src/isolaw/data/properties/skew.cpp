@@ -273,7 +273,7 @@ std::optional<Skew> estimate_skew(CycleView const& of, Properties const& propert
   double const least = (friction_kN != 0.0 ? 0.5 : 0.1) * sampling;
   auto const found = skew_of(of_wide, least);
   auto const near = skew_of(of_narrow, least);
-  // The shape of the loop disturbs only the fit in the wide window. Noise disturbs the narrow window more.
+  // The shape of the loop disturbs only the fit in the wide window. Noise disturbs the fit in the narrow window more.
   if (!near || !found) return near ? near : found;
   double const apart = std::abs(near->phase - found->phase);
   double const unsure = std::abs(near->uncertainty * near->phase / near->force_late);

@@ -185,7 +185,7 @@ class Clipping {
         return std::abs(pair_.force.x[to] - pair_.force.x[from]) /
                std::max(std::abs(pair_.disp.x[to] - pair_.disp.x[from]), 1e-6 * pair_.disp.half_range);
       };
-      // A yielding device may rise to its plateau within one sampling step. Clipping makes no step steeper.
+      // A yielding device may rise to its plateau within the last step, so it counts too. Clipping never steepens it.
       into.push_back(std::max(slope(run.first - reach, run.first - 1), slope(run.first - 1, run.first)));
       ratios.push_back(into.back() / std::max(slope(run.last, run.last + reach), 1e-12));
       double const clear = std::max(3.0 * pair_.force.quantum, 6.0 * pair_.force.noise);
@@ -343,7 +343,7 @@ class Clipping {
     double const last = (tops.rise_last - top_deviations * noise * std::sqrt(2.0 * count)) /
                         std::max(tops.last_way, 1e-3 * pair_.disp.half_range * count);
     if (!(std::max({slope, slope_before, last}) < 0.4 * leaves)) return false;
-    // A clipped force stays level until displacement has come back by `expected`. Noise may hide a small return.
+    // A force cut by `depth` stays level until displacement has come back by `expected`. Noise may hide a small return.
     double const expected = depth / leaves;
     double const told = std::max(8.0 * pair_.disp.noise, past_the_tip * pair_.disp.half_range);
     return expected < 2.0 * told || tops.returned / count > least_return * expected;

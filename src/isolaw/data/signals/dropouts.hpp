@@ -16,7 +16,7 @@ struct Dropout {
 
 // Whether the other channel must move in a dropout. It must for a force, which may truly vanish while a device rests.
 enum class Other { moves, may_stand };
-// docs/properties.md has the limits, and the rates of missed and false dropouts.
+// bridged() draws a straight line across each dropout. docs/properties.md has the rates of missed and false dropouts.
 std::vector<Dropout> dropouts(std::span<double const> values, std::span<double const> other, Other does);
 std::vector<double> bridged(std::span<double const> values, std::vector<Dropout> const& gone);
 

@@ -21,7 +21,7 @@ namespace isolaw::data {
 std::string_view said_of(
     FaultKind kind);  // "clipped", "stuck", "disturbed by spikes", "without its sign", "interrupted"
 
-// A finding with the count of `samples` (from 0) and, for the first five, "sample", "time_s", "sample_2", and so on.
+// A finding with the count of `samples` (from 0) and the first five (from 1): "sample", "time_s", "sample_2", etc.
 Finding finding_at(FindingKind kind, std::string const& channel, std::string_view unit,
                    std::span<std::size_t const> samples, std::span<double const> time_s);
 

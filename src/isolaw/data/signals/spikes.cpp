@@ -13,7 +13,7 @@ namespace {
 constexpr double least_spike = 0.04;       // fraction of the half range; kinks of true records deviate by 3 %
 constexpr double spike_deviations = 13.0;  // standard deviations of the noise
 constexpr double spike_quanta = 2.5;
-// Distance of a spike from the cubic through its neighbours, over their own rms distance. Corners reach 7.4, steps 5.6.
+// Times the neighbours' rms distance from the cubic through them; a spike is farther off. Corners reach 7.4, steps 5.6.
 constexpr double spike_contrast = 10.0;
 constexpr double edge_contrast = 2.0;   // times spike_contrast near an end, where most neighbours are on one side
 constexpr double on_one_side = 0.5;     // times a spike's size; a sample closer to its neighbours' line is no spike

@@ -158,7 +158,7 @@ class Sticking {
     std::vector<std::size_t> first;
     std::size_t longest = 0;
     auto const keep = [&](SampleRange const& run) {
-      // Counts only stretches shorter than half a cycle, because a channel that is sampled slowly may cause them.
+      // A channel that is sampled slowly makes many stretches, each shorter than half a cycle. `covered` counts these.
       if (run.size() < pair_.half_cycle) covered += run.size();
       first.push_back(run.first);
       longest = std::max(longest, run.size());

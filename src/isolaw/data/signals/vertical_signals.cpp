@@ -90,7 +90,7 @@ class Plateaus {
   }
 
  private:
-  // How far the other channel must go, as a fraction of its range.
+  // How far the other channel must go during a plateau, as a fraction of its range; more if the plateau is noisy.
   double threshold(double least) const { return std::max(least, width_of_both * stands_.width / stands_.range); }
 
   bool is_clipped(SampleRange const& run) const {
