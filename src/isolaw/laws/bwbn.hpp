@@ -140,7 +140,7 @@ struct Bwbn {
     N const length(way), half(0.5 * way), one(1.0), none(0.0), z = direction * state.z;
     N const work = max(state.e + half * c.share * z, none);
     N const zu = c.strength * exp2(-log2(one + p.dnu * work) / p.n), pace = p.A / zu;
-    // If degradation brings zu below z, the excess of z over zu decays as exp(-n t), as u' = 1 - u^n does near u = 1.
+    // If degradation brings zu below z, the excess decays as exp(-n t) over the curve's time t, as u - 1 does near 1.
     N const inside = min(z / zu, N(c.flow.end_of_curve)), beyond = z / zu - inside;
     N const begin = c.flow.time_at(inside);
     // How fast the place on the curve advances per unit of travel, at the given z and work e.
