@@ -1,7 +1,7 @@
-// Abe with a constant yield force: Abe without the factor (1 + |x/Uh|^p) of Eq. (19).
-// Source: Cucuzza et al. 2025, Eqs. (15)-(21) with Yt = Y0. This is the closest reading of law 5 in Table A.5 and is
-// kept for comparison with that table; it is not known which form the authors computed. Units kN, mm.  Step: exact
-// between samples (saturating_flow.hpp); Integration::paper takes one classical Runge-Kutta step per sample.
+// Abe with a constant yield force: Y0 without the factor (1 + |x/Uh|^p) of Eq. (19).
+// Source: Cucuzza et al. 2025, Eqs. (15)-(21) with the yield force Yt = Y0. Kept for comparison with Table A.5, as
+// the closest reading of its law 5; which form the authors computed is not known. Units kN, mm.  Step: exact between
+// samples (saturating_flow.hpp); Integration::paper takes one classical Runge-Kutta step per sample.
 #pragma once
 
 #include "isolaw/laws/flows/flow.hpp"

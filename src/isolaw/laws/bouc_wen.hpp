@@ -53,7 +53,7 @@ struct BoucWen {
        parameter("gamma", "1/mm^n", "shape of the loop", any_value, Interval{0.025, 0.075}, {-20.0, 60.0, per_disp})},
   });
 
-  // reduced() gives the parameters with A = 1, and so dz/dx = 1 at z = 0, that give the same forces.
+  // reduced() gives parameters with A = 1 that give the same forces as `p`. They make dz/dx 1 at z = 0.
   static constexpr std::string_view redundant = "A";
   static constexpr double redundant_value = 1.0;
   static constexpr std::array<std::string_view, 4> redundant_with{"alpha", "Ke", "beta", "gamma"};

@@ -3,8 +3,8 @@
 // Source: Gallardo, de la Llera, Restrepo and Chen 2023, with the authors' programs; docs/laws.md. The source's strain
 // is x over the height of the rubber; this file divides x by 100 mm, and uy is a displacement. Units kN, mm.  Step:
 // exact. The states of the elastic part depend on the displacement alone (Memory). Between turns z runs along one curve
-// while z dx < 0 and along another while z dx > 0. The shape of each does not depend on phi, so both are parts of one
-// flow (saturating_flow.hpp), each at its own scale.
+// while z dx < 0 and along another while z dx > 0. Divided by one strength while z dx < 0 and by the branch's own
+// strength while z dx > 0, z follows one flow (saturating_flow.hpp) that no turn changes.
 #pragma once
 
 #include "isolaw/laws/flows/flow.hpp"
@@ -95,7 +95,7 @@ struct Gallardo {
   }
 
   // [export struct Gallardo]
-  // The factors of g, g^3 and g^5 (g = x / 100 mm) on one side of x = 0. km also multiplies the term of g.
+  // On one side of x = 0 the elastic force is km linear g - cubic g^3 + quintic g^5, with g = x / 100 mm.
   template <class N>
   struct Side {
     N linear = N(0.0), cubic = N(0.0), quintic = N(0.0), km = N(1.0);
@@ -132,7 +132,7 @@ struct Gallardo {
     Constants<T, X> c;
     c.per_uy = T(1.0) / p.uy;
     c.strongest = strength_at(p, p.phimax);
-    // With u = z / strongest, the slope in unloading is 1 + (2 B - 1) strongest^n |u|^n.
+    // In unloading u = z / strongest has uy dz/dx = 1 + (2 B - 1) strongest^n |u|^n, strongest^n = 1 / (1 - 2 phimax).
     c.flow.fit(p.n, (T(2.0) * p.B - T(1.0)) / (T(1.0) - T(2.0) * p.phimax));
     c.zero = c.flow.time_at(T(0.0));
     return c;

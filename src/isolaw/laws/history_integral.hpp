@@ -1,8 +1,8 @@
-// Deformation-history integral: a force that remembers the motion over a length, and an elastic force that softens with
-// the amplitude. The integral of the motion with exponentially fading weights, q(L) = int exp(-(L - l)/D) dx(l) / D
-// over the travel l so far, obeys dq = (dx - q |dx|)/D.
-// Source: Masaki et al., Kasai et al. for high damping rubber; the link of that name in commercial programs sums such
-// terms. Units kN, mm. Step: exact along a straight path.
+// Deformation-history integral: a force that remembers the motion over a length D, and an elastic force that softens
+// with the amplitude. The integral of the motion with exponentially fading weights over the travel l from 0 to L,
+// q(L) = int exp(-(L - l)/D) dx(l) / D, obeys dq = (dx - q |dx|)/D.
+// Source: Masaki et al., Kasai et al. for high damping rubber; the link of that name in commercial programs sums
+// several q. Units kN, mm. Step: exact along a straight path.
 #pragma once
 
 #include "isolaw/laws/law.hpp"
@@ -88,7 +88,7 @@ struct HistoryIntegral {
     }
     if (memory.peak_grows)
       state.elastic = p.K * T(1.0 / reference_mm) * power(N(memory.peak / reference_mm), p.g - T(1.0));
-    // As the peak grows from 0 the slope of the force has no bound; the tangent is at most the slope at 0.01 mm.
+    // As the peak grows from 0 the slope of the force has no bound; the tangent is at most the secant at 0.01 mm.
     auto const steepest = [&] { return p.K / T(reference_mm) * power(T(1e-4), p.g - T(1.0)); };
     N const x(step.x1);
     N force = rounded(state.elastic * x) + p.S * (state.slow + p.s * (state.quick - state.slow));

@@ -1,10 +1,10 @@
 // Kikuchi-Aiken: loops between plus and minus the largest displacement so far, the peak. Their secant stiffness,
 // damping and shape depend on the peak; inner branches follow Masing's rules.
 // Source: Kikuchi and Aiken 1997; docs/laws.md. Units kN, mm. Step: exact; every sample depends only on the turning
-// points and the peak of the displacement, which the record decides. Departures: the published outer branch misses the
-// peak that it leads to by 2 exp(-2a) - 2 b exp(-2c) of the hysteretic force (1e-6 to 5e-4 for the published
-// compounds). The missing force is added as a term in (s/2)^8, so that the force is continuous. One rule sets both the
-// cap of a and the strain above which b sets in; this holds for the published compounds too.
+// points and the peak of the displacement, which the record decides. Departures: after the travel s (in peaks) a
+// published outer branch has risen by 2 - 2 exp(-a s) + b s exp(-c s) strengths. It misses the peak that it leads to by
+// 2 exp(-2a) - 2 b exp(-2c) strengths (1e-6 to 5e-4 for the published compounds). A term in (s/2)^8 adds these, so that
+// the force is continuous. b acts only at peaks where a has reached its cap, as for the published compounds.
 #pragma once
 
 #include <cmath>
@@ -95,7 +95,7 @@ struct Loops {
     half_elastic = N(0.5) * (now.force - strength);
     exponent = now.exponent;
     N const wanted = N(1.0) - N(1.57079632679489661923) * now.damping / now.share;
-    // max returns its first argument if one is NaN, so a NaN in c.least_area stays. b below keeps a NaN in `wanted`.
+    // max returns its first argument if one is NaN, so a NaN in c.least_area stays. One in `wanted` makes b NaN.
     N const area = max(N(c.least_area), wanted);
     // Newton's method for area a - 1 + exp(-2a) = 0, which is convex; five steps from 1/area suffice for any area <= 1.
     N root = N(1.0) / area;
@@ -109,7 +109,7 @@ struct Loops {
     closing = N(2.0) - shape(c, 2.0, true, true);
   }
 
-  // f(s) of a branch, where s is the distance moved since its turn, divided by the peak.
+  // The unscaled rise of the hysteretic force on a branch, in strengths, at the distance s from its turn, in peaks.
   template <class T, class X>
   N shape(Constants<T> const& c, X const& s, bool outer, bool bump) const {
     N f = N(2.0) - N(2.0) * exp2(-a * N(s));

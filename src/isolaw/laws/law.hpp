@@ -151,8 +151,8 @@ struct LawInfo {
   std::string_view formula;    // lines of plain text with the parameters' names; x, v and F in the units above
   std::string_view note = "";  // how the source was read where it is incomplete, what the law was made for
   LawSet set = LawSet::further;
-  // Time of one step of one candidate [0.01 ns], once measured by `isolaw bench` with 512-bit lanes. Runs are ordered
-  // by this number instead of a clock (campaign/part_assignment.hpp), so it may stay as it is when the law changes.
+  // Time of one step of one candidate [0.01 ns], once measured by `isolaw bench` with 512-bit lanes. It only estimates
+  // which runs cost more, so that each machine of a campaign gets its share: it may stay when the law changes.
   unsigned step_cost = 500;
 };
 

@@ -1,7 +1,7 @@
 // Menegotto-Pinto: from each reversal a smooth curve, which starts along the elastic line, leads to the asymptote of
 // the other side.
-// Source: Menegotto and Pinto 1973 with the R of Filippou et al. 1983, without isotropic hardening. This file does not
-// use the intersection (x0, F0) but F = b E x + (1 - b) z. From its value zr at the reversal z moves towards +-Fy,
+// Source: Menegotto and Pinto 1973 with the sharpness R of Filippou et al. 1983, without isotropic hardening. This file
+// does not use the intersection (x0, F0) but F = b E x + (1 - b) z. From its value zr at the reversal z moves to +-Fy,
 // which is a distance D away, by (D^-R + t^-R)^(-1/R), where t = E |x - xr| is the elastic travel; then E (x0 - xr) =
 // +-D.  Units kN, mm.  Step: exact.
 #pragma once

@@ -1,4 +1,4 @@
-// Ozdemir: a force that follows a backstress, with Graesser and Cozzarelli's term for superelastic alloys.
+// Ozdemir: a force that follows a backstress, with Graesser and Cozzarelli's term g(x) for superelastic alloys.
 // Source: Ozdemir 1976; Graesser and Cozzarelli 1991, F' = Ks (x' - |x'| |s/Ys|^n sgn(s)), s = F - b, with the
 // backstress b = Ks alpha (x - F/Ks + g(x)). Solved for F and s':
 //     F = (Ks alpha (x + g) + s) / (1 + alpha),   s' = Ks (x' (1 - alpha g'(x)) - (1 + alpha) |x'| |s/Ys|^n sgn(s)).

@@ -94,7 +94,7 @@ struct PowerMasing {
     state.make_room(memory);
     N const Fh = state.branches.move(step.x1, memory, [&](X const& x) { return skeleton(p, x); });
     if (memory.peak_grows) state.per_strength = T(1.0) / max(N(skeleton(p, memory.peak)), N(smallest_power_base));
-    // min and max return their first argument if the two are equal, so a share of exactly 1 keeps its slope.
+    // If both arguments are equal, min and max return the first, so a force of exactly the strength keeps its slope.
     N const share = min(max(Fh * state.per_strength, N(-1.0)), N(1.0));
     return {Fh, state.scragging.force(p, step.x1, memory, share, p.U)};
   }

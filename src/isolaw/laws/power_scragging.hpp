@@ -95,7 +95,7 @@ struct PowerScragging {
     return state.strength * share + state.scragging.force(p, step.x1, memory, share, rounding);
   }
 
-  // Growth of the peak M in this step, in lengths of the slow memory: the integral of dM / (U (M/100)^h).
+  // Growth of the peak M in this step over the slow memory's length U (M/100)^h: the integral of dM / (U (M/100)^h).
   template <class T, class X>
   static NumberOf<T, X> growth(Params<T> const& p, X const& peak0, X const& peak) {
     using N = NumberOf<T, X>;

@@ -20,7 +20,7 @@ struct Outlier {
 
 // With fewer values the median absolute deviation does not tell how much they scatter.
 inline constexpr std::size_t fewest_for_outliers = 4;
-// The smallest standard deviation that is assumed, as a share of |median|: the error of a property from one record.
+// The least standard deviation assumed for a property, as a share of |median|: one record determines it no better.
 inline constexpr double least_scatter = 0.005;
 // values[property][device] is NaN if the device does not have the property. A device is an outlier if the size of its
 // modified z-score exceeds 3.5 and at least fewest_for_outliers devices have the property. The largest scores come

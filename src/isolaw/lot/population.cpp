@@ -18,7 +18,7 @@ using num::Vector;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double rounding = 1e-13;  // eigenvalues below this share of the largest one are rounding errors
-// In between_devices() a direction has variance if 2 m - 1 exceeds this value, a multiple of rounding errors.
+// Devices differ in a direction if the variance of the estimates exceeds that of their errors by this share of the sum.
 constexpr double least_remainder = 1e-10;
 
 std::size_t as_size(Index i) {
@@ -127,9 +127,10 @@ std::vector<double> unit_direction(Vector v) {
   return plain(Vector(v[largest] < 0.0 ? -v : v));
 }
 
-// Computes Sigma from S x = lambda C x. We solve S x = m T x with T = S + C and m = lambda / (1 + lambda) instead: m is
-// between 0 and 1 even if C and S are singular or zero. (lambda - 1) C becomes (2 m - 1) T. Division by the diagonal of
-// T makes units irrelevant. Directions in which T is zero are left out, since they have no scatter.
+// Computes the covariance Sigma between devices from S, that of the estimates, and C, that of their errors, by S x =
+// lambda C x. We solve S x = m T x with T = S + C and m = lambda / (1 + lambda) instead: m is between 0 and 1 even if C
+// and S are singular or zero. (lambda - 1) C becomes (2 m - 1) T. Division by the diagonal of T makes units irrelevant.
+// Directions in which T is zero are left out, since they have no scatter.
 Matrix between_devices(Matrix const& S, Matrix const& C, Population& population) {
   Vector const scale = or_one((S + C).diagonal().cwiseMax(0.0).cwiseSqrt());
   Vector const shrink = scale.cwiseInverse();
@@ -213,7 +214,7 @@ void describe(Matrix const& sigma, Population& population) {
   population.note = note_on_rank(population);
 }
 
-// The symmetric square root of Sigma. It is computed from the correlations, so that units are irrelevant.
+// The symmetric square root of the covariance between devices, from correlations, so that units are irrelevant.
 Matrix symmetric_root(Population const& population) {
   Matrix const sigma = matrix(population.covariance);
   Vector const spread = sigma.diagonal().cwiseMax(0.0).cwiseSqrt(), scale = or_one(spread);

@@ -35,8 +35,8 @@ bool has_x86_64_v4() {
   return __builtin_cpu_supports("x86-64-v4") != 0;
 }
 #else
-// A compiler that does not know these levels does not know lzcnt, movbe, f16c, cmpxchg16b and lahf by name either. We
-// check older extensions too, because a virtual machine may hide any of them.
+// A compiler that does not know these levels does not know lzcnt, movbe, f16c, cmpxchg16b and lahf by name either, so
+// we ask the processor for them. We check older extensions too, because a virtual machine may hide any of them.
 bool has_x86_64_v3() {
   unsigned a = 0, b = 0, basic = 0, extended = 0, d = 0;
   __get_cpuid(1, &a, &b, &basic, &d);

@@ -8,7 +8,7 @@
 
 namespace isolaw::num {
 
-// A one-to-one mapping of 128-bit counters for each key. The low words of counter and key are Random123's first words.
+// A one-to-one mapping of 128-bit counters for each key. The low words come first in Random123's counter and key.
 std::array<std::uint32_t, 4> philox_4x32_10(std::array<std::uint32_t, 4> const& counter, std::uint64_t key);
 
 // A family of independent generators. The key says what the numbers are for: campaign seed, device, law, run.

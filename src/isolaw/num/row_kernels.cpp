@@ -1,5 +1,6 @@
 // Sums over tables of residuals, compiled once per instruction set. Each compilation gives ISOLAW_ROW_KERNELS, the only
-// object defined here, another name. The rules at the top of fit/kernels.cpp hold here too.
+// object defined here, another name. A function that is not inlined needs a batch among its template arguments: its
+// name then contains the instruction set.
 #include "isolaw/num/row_kernels.hpp"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ void sizes(RowTable const& table, std::size_t columns, double delta, double* val
   }
 }
 
-// Differences of a chunk of rows, unweighted and times the curvatures `cautious` and `bold`. A chunk fits in the cache.
+// For a chunk of rows, the columns less column 0, plain and times either curvature. A chunk fits in the cache.
 constexpr std::size_t chunk = 32, tile = 4;
 struct Chunk {
   alignas(64) double difference[chunk * most_columns], cautious[chunk * most_columns], bold[chunk * most_columns];

@@ -20,15 +20,15 @@ namespace {
 // "The optimum"). Gains and distances between values are relative. Coordinates are in [0, 1].
 namespace tuning {
 
-// A stage of a descent lowers delta (see multistart.hpp) to `smoothing` times the mean residual. It ends when the
-// iterations at this delta gain too little, at the latest after `iterations`.
+// A stage of a descent lowers delta, which rounds off |residual|, to `smoothing` times the mean residual. It ends when
+// the iterations at this delta gain too little, at the latest after `iterations`.
 struct Stage {
   double smoothing;
   int iterations;
   double least_gain = 0.0;   // the stage ends if it gains less over `patience` iterations at its last delta
   std::size_t patience = 4;  // several iterations, since one may gain little while a residual crosses zero
 };
-// Finds the valley. Stops with delta at half the mean residual: the sum is still smooth, and the outline suffices.
+// Finds the valley. Stops with delta at half the mean residual: the sum is still smooth, and fewer residuals suffice.
 constexpr Stage approach{.smoothing = 0.5, .iterations = 25};
 // Finds the valley's floor. Stops at gains below the hit tolerance of 5e-4, since its end is only compared with others.
 constexpr Stage settle{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4};
@@ -43,12 +43,12 @@ constexpr double gain_worth_staying = 3e-3;  // after a smaller gain, delta fall
 // Delta falls by this factor, about half a decade. A few steps then lead from the minimum for one delta to the next.
 constexpr double fall_of_delta = 0.3;
 constexpr double noise_of_gain = 1e-6;  // error of one-sided differences; smaller gains count as none
-// Step of one-sided differences: curvature changes a slope by about 1e-6 and rounding by 1e-9, damping by far more.
+// Step of one-sided differences. Curvature falsifies a slope by about 1e-6, rounding by 1e-9; damping matters more.
 constexpr double difference_step = 1e-6;
-// The curvature for bold steps is bold_share times the true curvature plus cautious_share times that of a parabola,
-// since the true one vanishes if no residual is near zero.
+// The curvature for bold steps is bold_share times the true curvature plus cautious_share times the cautious one, since
+// the true one vanishes if no residual is near zero.
 constexpr double bold_share = 0.9, cautious_share = 0.1;
-// Trial steps in an iteration. They are a full block, since half a block costs as much (docs/performance.md).
+// Trial steps in an iteration: as many as a law's kernel computes at once, since fewer would cost as much.
 constexpr std::size_t tried = 8;
 constexpr double damping_ratio = 20.0;  // trial steps use 1/20, 1, 20 and 400 times the present damping
 constexpr double damping_rise = 1e4;    // factor after all trial steps failed; larger than the 400 just tried
@@ -72,7 +72,7 @@ constexpr std::ptrdiff_t more_when_ragged = 3;  // if the floor is ragged, a thi
 // Above this number of dimensions, hops found better valleys than scattered starts, at a quarter of the cost.
 constexpr std::size_t wide = 14;
 constexpr double more_when_wide = 2.5;  // factor on the starts, half of which are hops: 180 instead of 72
-// A descent is given up if its value after approach() exceeds this multiple of the best value: settle() gains less.
+// A descent is given up if its value after approach() exceeds this multiple of the best: settle() gains less than that.
 constexpr double promising = 1.5;
 constexpr double least_power_of_hop = -1.5, most_power_of_hop = -0.3;  // 0.03 to 0.5 of the box, to leave a valley
 constexpr double least_power_of_last_hop = -2.0, most_power_of_last_hop = -0.5;  // 0.01 to 0.3, to stay in a valley

@@ -36,8 +36,8 @@ struct MultistartResult : SearchResult {
 };
 
 // Outcomes: confirmed by enough hits; budget_spent after most_evaluations; interrupted; no_finite_value if no scattered
-// start of the first round has a value. Residuals of an outline count as a part of an evaluation. The history ends with
-// the value after polishing. A stream determines the result, however many threads help (base/work_ahead.hpp).
+// start of the first round has a value. Evaluating an outline with a third of the residuals counts a third. The history
+// ends with the value after polishing. `stream` determines the result, however many threads help (base/work_ahead.hpp).
 // `interrupted`, if given, is called before each start. Throws Error if the problem has no dimensions.
 MultistartResult minimise_multistart(DeviationProblem const& problem, num::Stream const& stream,
                                      MultistartOptions const& options = {},

@@ -49,8 +49,8 @@ std::string constants(Subject const& subject, UnitSystem const& units) {
   return text;
 }
 
-// Tolerance of the self-check as a share of the peak force. A law with a closed-form step is accurate to 1e-7, except
-// in unloading near rest (kappa near -1), which magnifies rounding errors.
+// Tolerance of the self-check as a share of the peak force. With an exact flow the exported law reads a table, and the
+// expected force comes from polynomials: they differ by 1e-7, and by more in unloading near rest (kappa near -1).
 double allowed(laws::LawInfo const& law) {
   return law.traits.exact_flow ? 1e-4 : 1e-6;
 }

@@ -1,4 +1,4 @@
-// Writes the law for Abaqus/Standard as a user element (UEL) in C++. All state is in SVARS, for repeated increments.
+// Writes the law for Abaqus/Standard as a user element (UEL) in C++. All state is in SVARS: Abaqus repeats increments.
 #include <fmt/format.h>
 
 #include <array>

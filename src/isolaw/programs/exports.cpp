@@ -67,7 +67,7 @@ constexpr std::array all{
     Target{"opensees-cpp",
            [](Subject const& s, UnitSystem const& units, Remarks&) { return opensees_material(s, units); }},
     Target{"abaqus", [](Subject const& s, UnitSystem const& units, Remarks&) { return abaqus_element(s, units); }},
-    // The JSON contains the law itself and the error of every form. A poor form is no reason to refuse it.
+    // The JSON contains the law itself and the error of each substitute, so a poor substitute is no reason to refuse.
     Target{"json",
            [](Subject const& s, UnitSystem const& units, Remarks&) { return export_json(s, realise(s), units); }},
     Target{"sheet", value_sheet},

@@ -71,7 +71,7 @@ bool is_template_head(std::string_view line) {
   return line.starts_with("template <") && line.ends_with('>');
 }
 
-// True for a literal or a name with members, with or without a minus sign. It needs no cast to double.
+// True for a literal or a name with members, with or without a minus sign: these need no cast to double.
 bool is_simple(std::string_view text) {
   if (text.starts_with('-')) text.remove_prefix(1);
   return !text.empty() && std::ranges::all_of(text, [](char c) { return of_a_name(c) || c == '.' || c == ':'; });

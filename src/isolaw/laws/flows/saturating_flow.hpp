@@ -11,12 +11,12 @@
 //   - bend = 2^(n-1) - 1 removes the pole that u has beyond saturation for n > 1 (exactly for n = 2, u = tanh t);
 //   - at 0, where u = t - t^(n+1) / (n + 1) ..., u is 5 (1 + n) times differentiable in v = x^(1/5).
 // So |u| = x G(v), and conversely x = |u| H(|u|^(1/5)), with G and H of degree 16. The fit happens once per candidate.
-// Quadrature gives the travel to 17 fixed places, with the pole of 1 / (1 - |u|^n) removed in closed form. H
-// interpolates this travel, and G its own values at 17 fixed v, which Newton's method finds on H. All of this is
-// arithmetic with fixed matrices, the same for all candidates.
+// Quadrature gives the travel t to 17 fixed values of |u|, with the pole of 1 / (1 - |u|^n) removed in closed form. H
+// interpolates x / |u| at these values, and G interpolates |u| / x at 17 fixed v, for which Newton's method finds |u|
+// on H. All of this is arithmetic with fixed matrices, the same for all candidates.
 // Largest error in u over n in [0.01, 3], kappa in (-1, 3]: 1e-7 (abe with n < 0.1: 3e-7). For n > 2 with kappa > 1 it
-// grows to 2e-5, and near kappa = -1 the equation magnifies errors by up to 1 / (1 + kappa) (tests/verification).
-// Elsewhere, and for abe beyond |u| = 3, a lane uses the table of tabulated_flow.hpp, with an error of 1e-5.
+// grows to 2e-5, and near kappa = -1 the equation magnifies errors by up to 1 / (1 + kappa) (tests/verification). For
+// other n or kappa, and for abe beyond |u| = 3, a lane uses the table of tabulated_flow.hpp, with an error of 1e-5.
 // Rejected: the table for all lanes (its gathers made AVX2 as slow as SSE2); coefficients as polynomials of n and kappa
 // (2,400 numbers still leave 1e-6); Runge-Kutta with sub-steps (32 per sample still leave 3.8 % in the objective of abe
 // near its optimum); an exponential step with frozen exponent (first order where n < 1 and u crosses 0).
@@ -43,11 +43,11 @@ struct Nodes {  // numbers of the fit that are the same for all candidates, comp
   Values log2_fifth;
   Values inverse_place;
   std::array<Values, terms> mean;  // turns values at the places into means over 0 to |u|, for each place
-  // `chebyshev` turns values at the places into coefficients of the Chebyshev polynomials T_k(y), y = 2 place - 1;
-  // `power` turns those into coefficients of y^k. One matrix for both would lose six digits more.
+  // `chebyshev` turns values at the points `place` into coefficients of the Chebyshev polynomials T_k(y), y = 2 place -
+  // 1; `power` turns those into coefficients of y^k. One matrix in place of the two would lose six digits.
   std::array<Values, terms> chebyshev, power;
-  // The matrices of a rough polynomial through a few of the places: its Chebyshev coefficients, and T_k at all places.
-  // The fit subtracts the rough polynomial first, so that it loses less to rounding.
+  // The matrices of a rough polynomial through a few of the points `place`: its Chebyshev coefficients, and T_k at all
+  // points. The fit subtracts the rough polynomial first, since a small rest has small rounding errors.
   static constexpr std::array<std::size_t, 7> few{0, 2, 5, 8, 11, 14, 16};
   std::array<std::array<double, few.size()>, few.size()> chebyshev_of_few;
   std::array<std::array<double, few.size()>, terms> at_places;
@@ -87,7 +87,7 @@ class SaturatingFlow {
     return value;
   }
 
-  // u after the given travel, also from u > 1; du/dt before and after, and their ratio, valid even for 0 / 0.
+  // u after the given travel, also from u > 1; du/dt before and after the travel; rate1 / rate0, also where both are 0.
   struct Advance {
     T u, rate0, rate1, ratio;
   };
@@ -210,7 +210,7 @@ void SaturatingFlow<T, reach>::Side::fit(T const& n, T const& kappa, T const& re
   for (std::size_t k = 1; k < terms; ++k) end = end + inverse[k];
   per_end = one / end;
   for (std::size_t k = 0; k < terms; ++k) inverse[k] = rounded(inverse[k] * per_end);
-  // Finds the places at which v = place H^(1/5) has its fixed values, from the largest down.
+  // For each fixed v = x^(1/5), from the largest down, finds place = w^(1/5) such that place H^(1/5) is v.
   bool const sharp = any(n > T(flow_parts::sharp_n));
   std::array<T, terms + 1> place;
   place[terms] = one;

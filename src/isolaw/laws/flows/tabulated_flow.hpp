@@ -214,7 +214,7 @@ auto TabulatedFlow<T, reach>::place_of(T const& u) const -> Place {
   auto const& nodes = Layout::nodes();
   T const lowest(nodes.key.front());
   T key = u;
-  // A u above the reach starts at the first node of the falling piece, where the rate hardly changes over a step.
+  // A u above 55, the table's largest, starts at that node: the rate there hardly changes over a step.
   if constexpr (Layout::falls)
     key = select(u > T(1.0), max(T(tabulated_flow_parts::falling_origin) - u, T(nodes.key[Layout::rising])),
                  min(u, T(nodes.key[Layout::rising - 1] * tabulated_flow_parts::just_below_one)));

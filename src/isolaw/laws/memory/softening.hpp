@@ -22,7 +22,7 @@ inline Dual log2_of_travel(Dual const& travel) {
   return chain(travel, std::log2(max(travel.v, smallest_power_base)), log2_e / max(travel.v, 1e-3));
 }
 // When the motion enters a side, G is 0 and the force is 0 for every G. The tangent there is that of a small G, because
-// the tangent changes fastest at G = 0.
+// the one at G = 0 changes at once.
 inline Dual log2_of_softening(Dual const& G) {
   return log2_of_travel(G.v > 0.0 ? G : Dual(1e-2));
 }

@@ -1,4 +1,4 @@
-// Shared by `abe` and `abe-y0`: the parameters, the forces F1 and F3, and the travel measured in yield displacements.
+// Shared by `abe` and `abe-y0`: the parameters, the elastic forces F1 and F3, and the travel in yield displacements Ut.
 #pragma once
 
 #include <cmath>
@@ -79,7 +79,7 @@ inline void follow_peak(Params const& p, Constants<T> const& c, Softened<N>& sof
 }
 
 // The integral of |dx| / Ut over a straight piece of the path. `softened` holds the values at the start of the piece;
-// Ut grows only where the path goes beyond the earlier peak.
+// the yield displacement Ut grows only where the path goes beyond the earlier peak.
 template <class T, class X, class N, class Params>
 inline N travel(Params const& p, Constants<T> const& c, Softened<N> const& softened, X const& length, X const& peak0,
                 X const& peak1) {
@@ -92,7 +92,7 @@ inline N travel(Params const& p, Constants<T> const& c, Softened<N> const& softe
   return travelled;
 }
 
-// F1 + F3 at the end of the step. The caller must have called follow_peak for the peak at that end.
+// The elastic forces F1 + F3 at the end of the step. The caller must have called follow_peak for the peak at that end.
 template <class T, class X, class N, class Params>
 inline N elastic_force(Params const& p, Constants<T> const& c, Softened<N> const& softened, StepOf<X> const& step) {
   if (step.x1 == 0.0) return slope_alone(step.x1, softened.K1_now + p.a * p.b + select(p.r > T(0.0), T(0.0), p.K2));
@@ -114,7 +114,7 @@ T hysteretic_slope(T const& F2, Point<T> const& at, T const& n, T const& directi
   return at.Yt * at.inverse_Ut * (T(1.0) - select(direction * F2 < T(0.0), -ratio, ratio));
 }
 
-// 1 / Ut where the path is at x. `softened` holds the values for peak0, the peak before the step.
+// 1 / Ut, Ut the yield displacement, where the path is at x. `softened` holds the values for peak0, the earlier peak.
 template <class T, class Params>
 T inverse_Ut_at(Params const& p, Constants<T> const& c, Softened<T> const& softened, double x, double peak0) {
   return std::abs(x) <= peak0 ? softened.inverse_Ut : c.inverse_U0 / (T(1.0) + T(std::abs(x)) / p.Us);

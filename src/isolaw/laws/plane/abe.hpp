@@ -1,9 +1,9 @@
 // Abe in the plane, with a yield force that grows with the distance from the origin (abe) or stays constant (abe-y0).
 // Source: Abe, Yoshida and Fujino 2004, part II, for the form F = F1 + F2 + F3 with the largest distance so far in
-// place of the largest displacement:
+// place of the largest displacement. The hysteretic force F2 has the yield force Yt and the yield displacement Ut:
 //     dF2 = (Yt / Ut) (dx - |F2 / Yt|^(n-1) F2 / Yt |dx|)
-// F1 and F3 act along the vector x, as large as in one direction; Yt = Y0 (1 + |x / Uh|^p) or Y0. Tests in one
-// direction do not show whether a motion also softens F1 at right angles to itself (Softening). Step: sixth order
+// The elastic F1 and F3 act along the vector x, as large as in one direction; Yt = Y0 (1 + |x / Uh|^p) or Y0. Tests in
+// one direction do not show whether a motion also softens F1 at right angles to itself (Softening). Step: sixth order
 // (follow.hpp), in two pieces that meet where the distance begins to exceed the largest one so far.
 #pragma once
 
@@ -96,7 +96,7 @@ struct AbeOf {
       if (grows || extends) size = min(size, max(distance, T(least_distance) * U));
       return T(step_share) * size;
     };
-    // Motion further back than longest_memory no longer matters.
+    // Motion more than longest_memory yield displacements ago no longer matters.
     T l = max(begin, end - T(longest_memory) * yield_length(p, max(peak0, max(distance_at(begin), distance_at(end)))));
     follow(f, l, end, slope, longest);
   }
@@ -105,7 +105,7 @@ struct AbeOf {
   template <class T>
   static T radial(Params<T> const& p, T const& peak, T const& distance) {
     T const one(1.0), tiny(num::smallest_power_base);
-    // At distance 0 the rounded step of F1 has the slope a b.
+    // The term a (1 - exp(-b distance)) of F1, divided by the distance, tends to a b at distance 0.
     T const step = select(distance > tiny, p.a * (one - exp(-p.b * distance)) / max(distance, tiny), p.a * p.b);
     return abe_parts::softened_K1<T, T>(p, peak) + step + p.K2 * power(distance / p.Uh, p.r);
   }

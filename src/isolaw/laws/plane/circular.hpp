@@ -1,4 +1,4 @@
-// Solves p' = 1 - c p^2, s' = -c p s for any c by tanh or tan, and 1 / cosh or 1 / cos, from arithmetic, exp and log2.
+// Solves p' = 1 - c p^2, s' = -c p s by tanh or tan and 1 / cosh or 1 / cos, using only arithmetic, exp and log2.
 #pragma once
 
 #include "isolaw/laws/law.hpp"

@@ -13,7 +13,8 @@
 
 namespace isolaw::laws::plane {
 
-// A step is this share of the distance from the origin, or of the law's own shortest length if that is smaller.
+// In yield displacements, a step is step_share times the distance |q| of the state from the origin, or times a length
+// that the law sets if that is smaller; a distance below least_distance counts as least_distance.
 inline constexpr double step_share = 0.25;
 inline constexpr double least_distance = 1e-8;
 // Motion more than this many yield displacements ago no longer matters, except for exponents below 0.01.

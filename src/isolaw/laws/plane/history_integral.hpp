@@ -1,6 +1,6 @@
-// History integral in the plane: each memory q obeys q' = (n - q)/D along the path, where n is the direction of motion.
-// The elastic force softens with the largest distance so far, or its component along each axis with the largest
-// displacement along that axis (Softening). Step: exact along a straight path.
+// History integral in the plane: each memory q, of length D, obeys q' = (n - q)/D along the path, where n is the
+// direction of motion. The elastic force softens with the largest distance so far, or each of its two components with
+// the largest displacement along that component's axis (Softening). Step: exact along a straight path.
 #pragma once
 
 #include "isolaw/laws/history_integral.hpp"

@@ -15,7 +15,7 @@ namespace isolaw::laws {
 
 inline constexpr int usual_springs = 16;
 
-// The law's force times `force` is a spring's; the device's displacement along a spring times `way` is the law's.
+// A spring's force is `force` times the law's; the law's displacement is `way` times the device's along the spring.
 struct SpringShares {
   double force, way;  // rf, rs / rf
 };

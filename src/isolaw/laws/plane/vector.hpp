@@ -1,6 +1,6 @@
 // Vectors for the laws of the plane. Their numbers are double, num::Dual with the derivatives by the trial's
-// displacement, or num::Batch with one device per lane. Parameters and motion then differ between lanes, so every
-// branch is a select.
+// displacement, or num::Batch with one device per lane. In a batch parameters and motion differ between lanes, so
+// every branch is a select.
 #pragma once
 
 #include "isolaw/laws/law.hpp"
