@@ -132,8 +132,8 @@ TEST(Cycles, ConstantOffsetsChangeNeitherStiffnessNorEnergy) {
 }
 
 TEST(Cycles, TheLoopIsClosedByAStraightLine) {
-  // The record starts at (1, 2), within the band of zero, and ends at (0, 0). The closing line adds its mean force of 1
-  // kN times 1 mm.
+  // The record starts at 1 mm and 2 kN, near enough to zero for a cycle to start, and ends at 0 mm and 0 kN. The line
+  // that closes the loop adds its mean force of 1 kN times 1 mm.
   History history;
   history.add(1.0, 2.0);
   for (int i = 1; i <= 100; ++i) history.add(100.0 * std::sin(2.0 * pi * i / 100), 0.0);
