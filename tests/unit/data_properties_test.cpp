@@ -271,7 +271,7 @@ TEST(Properties, TheIdealisationOfABilinearLoopIsTheLoop) {
     EXPECT_NEAR(cycle.K_minus_kN_per_mm, K2 + Qd / D, 1e-12);
     EXPECT_NEAR(cycle.closure_mm, 0.0, 1e-9);
   }
-  // The first cycle starts from rest, so only the crossing at its end lies on the loop.
+  // The first cycle starts from rest at zero force. This point is not on the loop and must not lower Q_d.
   EXPECT_NEAR(nth(properties, 0).Q_d_kN, Qd, 1e-9);
 }
 
@@ -315,7 +315,7 @@ TEST(Properties, TimeGivesFrequencyVelocityAndWaveform) {
   EXPECT_EQ(other.blocks[0].waveform, "other");
   EXPECT_NEAR(of_sine.blocks[0].frequency_Hz.value(), 0.5, 1e-4);
   EXPECT_NEAR(of_triangle.blocks[0].frequency_Hz.value(), 0.5, 1e-4);
-  // The velocity is a chord over a 25th of a cycle. For a sine it is 1 - sinc(pi / 25) = 0.3 % below the peak velocity.
+  // isolaw takes the velocity over a 25th of a cycle. For a sine it is 1 - sinc(pi / 25) = 0.3 % below the peak velocity.
   EXPECT_NEAR(of_sine.blocks[0].v_max_mm_s.value(), 2.0 * pi * 0.5 * 100.0, 0.004 * 314.0);
   EXPECT_NEAR(of_triangle.blocks[0].v_max_mm_s.value(), 4.0 * 0.5 * 100.0, 1e-6);
   EXPECT_NEAR(of_sine.reported->period_s.value(), 2.0, 1e-9);

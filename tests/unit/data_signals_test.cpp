@@ -295,7 +295,7 @@ TEST(Signals, a_channel_that_stuck_before_its_noise_is_found) {
   }
 }
 
-// A channel is zero, or at another value off its path, for 3 to 20 samples while the other channel goes on.
+// One channel is zero, or at another wrong value, for 3 to 20 samples while the other channel is sound.
 TEST(Signals, a_channel_that_drops_out_is_found) {
   for (bool const of_force : {true, false})
     for (bool const to_nought : {true, false}) {

@@ -1,5 +1,5 @@
-// Laws to export without a campaign: a history of sine cycles of growing amplitude, and the subject of an export made
-// from it.
+// Laws to export without a campaign: histories of sine cycles, and a Subject, which holds all that an export needs, made
+// from a law's parameters and such histories.
 #pragma once
 
 #include <algorithm>
