@@ -315,7 +315,7 @@ TEST(Properties, TimeGivesFrequencyVelocityAndWaveform) {
   EXPECT_EQ(other.blocks[0].waveform, "other");
   EXPECT_NEAR(of_sine.blocks[0].frequency_Hz.value(), 0.5, 1e-4);
   EXPECT_NEAR(of_triangle.blocks[0].frequency_Hz.value(), 0.5, 1e-4);
-  // isolaw takes the velocity over a 25th of a cycle. For a sine it is 1 - sinc(pi / 25) = 0.3 % below the peak velocity.
+  // isolaw takes the velocity over a 25th of a cycle. For a sine, 1 - sinc(pi / 25) = 0.3 % of the peak is lost.
   EXPECT_NEAR(of_sine.blocks[0].v_max_mm_s.value(), 2.0 * pi * 0.5 * 100.0, 0.004 * 314.0);
   EXPECT_NEAR(of_triangle.blocks[0].v_max_mm_s.value(), 4.0 * 0.5 * 100.0, 1e-6);
   EXPECT_NEAR(of_sine.reported->period_s.value(), 2.0, 1e-9);

@@ -1,5 +1,5 @@
-// Laws to export without a campaign: histories of sine cycles, and a Subject, which holds all that an export needs, made
-// from a law's parameters and such histories.
+// Laws to export without a campaign: histories of sine cycles, and a Subject (all that an export needs) made from the
+// parameters of a law and such histories.
 #pragma once
 
 #include <algorithm>
