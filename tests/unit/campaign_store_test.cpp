@@ -178,7 +178,7 @@ class StoreTest : public testing::Folder {
     contents.runs = runs();
     return contents;
   }
-  // The messages of opening and of reading the file. Both calls must refuse it.
+  // Reads and opens the file, which both must refuse, and returns their error messages.
   std::string refusal(std::filesystem::path const& path) const {
     std::string said;
     auto const attempt = [&](std::function<void()> const& action, char const* what) {

@@ -361,8 +361,8 @@ TEST(Summary, ACampaignWithoutRunsHasNoNumbers) {
   EXPECT_EQ(summary.laws[0].devices[0].runs, 0);
 }
 
-// A moving average of 31 samples, at 200 samples per cycle, lowers a sine by 1 - sin(31 pi/200)/(31 sin(pi/200)) = 3.9
-// %.
+// A moving average of 31 samples, at 200 samples per cycle, lowers the peak of a sine by 1 - sin(31 pi/200)/(31
+// sin(pi/200)) = 3.9 %.
 TEST(Summary, WarnsOfWhatTheMovingAverageTakes) {
   auto const warnings = [](int smooth) {
     Contents contents;

@@ -180,15 +180,15 @@ TEST(Clean, CentresOnTheReportedCycleOnlyWhenAsked) {
   EXPECT_EQ(clean(raw, {}).disp_mm, raw.disp_mm);
   auto const record = clean(raw, {.center = true});
   EXPECT_NEAR(record.disp_mm[0], 0.0, 1e-9);
-  // The peak may lie between two samples, so the centre is exact to 0.1 kN only.
+  // The force's peaks may lie between two samples, so the centre of the force is exact to 0.1 kN only.
   EXPECT_NEAR(record.force_kN[250], raw.force_kN[250] + 6.0, 0.1);
   EXPECT_TRUE(text_of(record.cleaning.front()).starts_with("centred: 4 mm subtracted from displacement and -6"));
   EXPECT_TRUE(text_of(record.cleaning.front()).ends_with("(max + min) / 2 over cycle 3 of block 1"))
       << text_of(record.cleaning.front());
 }
 
-// Blocks of two cycles at 50 mm and two at 100 mm, with 1000 samples a cycle. Only the second cycle at 100 mm is
-// scored.
+// A block of two cycles at 50 mm and one of two at 100 mm, with 1000 samples a cycle. Only the second cycle at 100 mm
+// is scored, which means that it counts in the objective.
 TEST(Clean, KeepsTheChosenPartThroughSmoothingAndThinning) {
   TestRecord raw;
   for (int i = 0; i <= 4000; ++i) {

@@ -93,8 +93,8 @@ TEST(Corrections, FrictionOfTheRigIsTakenOff) {
   EXPECT_EQ(by_load.force_kN, record.force_kN);
 }
 
-// At a peak, noise of displacement seems to move single samples up and down. The correction for friction of the rig
-// must not follow these false directions, whether the rig has friction or not.
+// Near a peak, noise of displacement makes the direction of motion seem to change from sample to sample. The friction
+// that isolaw subtracts must not change its sign with this noise, whether the rig has friction or not.
 TEST(Corrections, FrictionTakenOffLeavesThePeaksToTheForce) {
   auto const truth = bearing();
   std::mt19937_64 random(3);
@@ -145,7 +145,8 @@ TEST(Corrections, TheInertiaOfANoisyMotionIsNoNoise) {
     if (record.time_s[i] > 1.0 && record.time_s[i] < 10.0)
       largest = std::max(largest, std::abs(record.force_kN[i] - before[i]));
   EXPECT_GT(largest, 0.99 * 0.0493 * 208.0);
-  // Without averaging, noise of 0.02 mm would change the inertia force by 0.02 sqrt(6) m / dt^2, about 10 kN.
+  // Without averaging, noise of 0.02 mm would change the inertia force by 10 kN: 0.02 mm times sqrt(6) times the mass,
+  // over the sampling interval squared.
   EXPECT_LT(largest, 1.02 * 0.0493 * 208.0);
 }
 

@@ -161,7 +161,7 @@ TEST(Segment, APreLoadEitherWayCostsNoCycle) {
           EXPECT_NEAR(cycle->amplitude_mm, 150.0, 0.1);
         }
         if (cycles >= 2) {
-          // The loop is exponential, so its energy is 4 f0 (D - tanh(a D) / a).
+          // The energy is 4 Q (D - tanh(alpha D) / alpha) with D = 150 mm, Q = 25 kN and the alpha of Motion::loop().
           EXPECT_NEAR(properties.find(1, 2)->energy_kN_mm, 13750.0, 10.0);
         }
       }

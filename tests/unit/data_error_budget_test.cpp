@@ -194,8 +194,8 @@ TEST(ErrorBudget, NoiseMovesTheExtremes) {
     EXPECT_NEAR(find(budget, "extremes moved by noise")->value, 2.82, 0.4);
     EXPECT_TRUE(find(budget, "extremes moved by noise")->exceeds);
   }
-  // Each extreme scatters by 0.6 of the noise, so the mean amplitude of 200 cycles, with two extremes each, scatters by
-  // 0.09 mm. The tolerance is about three times this.
+  // Each extreme has a standard deviation of 0.6 times the 3 mm of the noise. The mean amplitude of 200 cycles, with
+  // two extremes each, then has one of 0.09 mm. The tolerance is about three times this.
   EXPECT_NEAR(beyond, peak_gain_mm(3.0, 150.0, 200.0), 0.3);
   // Noise moves the extreme of displacement away from the peak of the force. The stiffness therefore falls by more than
   // the amplitude rises.
@@ -279,7 +279,8 @@ struct SkewCount {
 void rubber_or_lead(Plan& plan, Drawn& random) {
   plan.device = random.chance(0.5) ? Device::rubber : Device::lead;
 }
-// Smooth loops that turn sharply. After a reversal, their force is no polynomial of the displacement.
+// Bouc-Wen loops, which turn sharply. isolaw estimates the delay by a cubic through the force after each reversal, and
+// no cubic fits these loops well.
 void sharp(Plan& plan, Drawn& random) {
   plan.device = Device::bouc_wen;
   plan.exponent = random.whole(1, 2);

@@ -209,7 +209,8 @@ TEST_F(Parts, DigitsAreGroupedAsTheUserSays) {
   one.thousands = ',';
   EXPECT_EQ(read_motion(write("Displacement [mm]\n1,000.5\n2,000.25\n-1,500\n"), one).disp_mm,
             (std::vector{1000.5, 2000.25, -1500.0}));
-  // The option names the comma, but every number has three digits after a comma and could be a decimal number.
+  // The option names the comma as the mark of thousands. Here every number with a comma may be a decimal number too,
+  // and isolaw reads it as one.
   EXPECT_EQ(read_with("1;1,234\n2;2,345\n3;3,456\n", ','), (std::vector{1.234, 2.345, 3.456}));
 }
 

@@ -132,8 +132,8 @@ TEST(Cycles, ConstantOffsetsChangeNeitherStiffnessNorEnergy) {
 }
 
 TEST(Cycles, TheLoopIsClosedByAStraightLine) {
-  // The record starts at (1, 2), within the band of zero, and ends at (0, 0). The closing line adds its mean force of 1
-  // kN times 1 mm.
+  // The record starts at 1 mm and 2 kN, near enough to zero for a cycle to start, and ends at 0 mm and 0 kN. The line
+  // that closes the loop adds its mean force of 1 kN times 1 mm.
   History history;
   history.add(1.0, 2.0);
   for (int i = 1; i <= 100; ++i) history.add(100.0 * std::sin(2.0 * pi * i / 100), 0.0);
@@ -271,7 +271,7 @@ TEST(Properties, TheIdealisationOfABilinearLoopIsTheLoop) {
     EXPECT_NEAR(cycle.K_minus_kN_per_mm, K2 + Qd / D, 1e-12);
     EXPECT_NEAR(cycle.closure_mm, 0.0, 1e-9);
   }
-  // The first cycle starts from rest, so only the crossing at its end lies on the loop.
+  // The first cycle starts from rest at zero force. This point is not on the loop and must not lower Q_d.
   EXPECT_NEAR(nth(properties, 0).Q_d_kN, Qd, 1e-9);
 }
 
@@ -315,7 +315,7 @@ TEST(Properties, TimeGivesFrequencyVelocityAndWaveform) {
   EXPECT_EQ(other.blocks[0].waveform, "other");
   EXPECT_NEAR(of_sine.blocks[0].frequency_Hz.value(), 0.5, 1e-4);
   EXPECT_NEAR(of_triangle.blocks[0].frequency_Hz.value(), 0.5, 1e-4);
-  // The velocity is a chord over a 25th of a cycle. For a sine it is 1 - sinc(pi / 25) = 0.3 % below the peak velocity.
+  // isolaw takes the velocity over a 25th of a cycle. For a sine, 1 - sinc(pi / 25) = 0.3 % of the peak is lost.
   EXPECT_NEAR(of_sine.blocks[0].v_max_mm_s.value(), 2.0 * pi * 0.5 * 100.0, 0.004 * 314.0);
   EXPECT_NEAR(of_triangle.blocks[0].v_max_mm_s.value(), 4.0 * 0.5 * 100.0, 1e-6);
   EXPECT_NEAR(of_sine.reported->period_s.value(), 2.0, 1e-9);

@@ -242,7 +242,7 @@ TEST_F(Read, LayoutReadsTheFileTheSameWay) {
   std::string const bytes = "t;Disp [mm];Disp [mm];Force [N];N [kN]\ns;;;;\n0;1;9;2;5\n1;2;9;3;5\n2;3;9;1;5\n";
   auto const record = read(bytes, with("disp=2"));
   EXPECT_EQ(record.layout.columns, (std::map<Channel, std::string>{{Channel::time, "t"},
-                                                                   // Two columns are named "Disp [mm]".
+                                                                   // Both columns are "Disp [mm]".
                                                                    {Channel::disp, "2"},
                                                                    {Channel::force, "Force [N]"},
                                                                    {Channel::load, "N [kN]"}}));

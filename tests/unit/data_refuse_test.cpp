@@ -161,7 +161,8 @@ TEST_F(Refuse, CellsThatAreNoNumbersAllAtOnce) {
       "FILE: and 1 more cells that are no number");
 }
 
-// The message suggests rows to read instead: the longer part beside the error, within the rows that the user asked for.
+// The message suggests rows to read instead: those before or those behind the error, whichever are more, within the
+// rows that the user asked for.
 TEST_F(Refuse, TheAdviceLeavesEnoughRowsOfThoseAskedFor) {
   auto const text = header_row + "0;1;2\n1;3;3\n2;2;1\n3;1;2\n4;x;1\n5;2;3\n6;1;2\n7;0;1\n8;2;3\n9;3;1\n";
   auto const advice = [&](char const* rows) {
@@ -249,7 +250,7 @@ TEST_F(Refuse, Overloads) {
           rest);
   EXPECT_NE(refusal(loop_with({{10, "-9999"}, {11, "-9999"}})).find("FILE:13: -9999 kN"), std::string::npos);
   EXPECT_NE(refusal(loop_with({{10, "999.9"}})).find("FILE:12: 999.9 kN"), std::string::npos);
-  // The largest of the other forces is 78 kN. A value 56 times as large is an overload.
+  // The largest of the other forces is 78 kN. More than 50 times this is an overload.
   EXPECT_NE(refusal(loop_with({{10, "4321"}})).find("FILE:12: 4321 kN"), std::string::npos);
 }
 
@@ -264,7 +265,7 @@ TEST_F(Refuse, ManyOverloadsAreCounted) {
 TEST_F(Refuse, LegitimateValuesAreNoOverloads) {
   EXPECT_EQ(refusal(loop_with({{10, "999"}}, {.amplitude_mm = 1000.0})), "");  // the other forces reach 776 kN
   EXPECT_EQ(refusal(loop_with({{10, "9999"}}, {.amplitude_mm = 12000.0})), "");
-  // 700 kN is nine times the largest of the other forces, so it is a spike and no overload.
+  // 700 kN is nine times the largest of the other forces. Only more than 50 times would make it an overload.
   EXPECT_EQ(refusal(loop_with({{10, "700"}})), "");
   std::string held = "Disp [mm];Force [kN]\n";  // a long hold before the test
   for (int i = 0; i < 20000; ++i) held += "0.001;0.01\n";

@@ -39,7 +39,7 @@ std::string text_of(std::vector<SignalFault> const& faults) {
   return text;
 }
 
-// The number of samples of a cycle that lie beyond the level at which the signal is clipped.
+// The number of samples of a cycle that clipping changes on one side. `depth` is the share of the amplitude cut off.
 double samples_beyond(Plan const& plan, double depth) {
   return plan.samples * (plan.waveform == Waveform::triangle ? depth / 2.0 : std::acos(1.0 - depth) / std::numbers::pi);
 }
@@ -78,7 +78,7 @@ Rate rate_of(unsigned first_seed, bool holds, std::function<Found(Plan&, Drawn&)
   return rate;
 }
 
-// Whether the clipping of this depth is found. Prints the record if it is not.
+// Whether isolaw finds the clipping in `record`. Prints the record if it does not.
 Found found_at(double depth, auto const& record, std::string const& channel) {
   auto const faults = faults_of(record);
   if (stands(faults, channel)) return Found::yes;
@@ -295,7 +295,7 @@ TEST(Signals, a_channel_that_stuck_before_its_noise_is_found) {
   }
 }
 
-// A channel is zero, or at another value off its path, for 3 to 20 samples while the other channel goes on.
+// One channel is zero, or at another wrong value, for 3 to 20 samples while the other channel is sound.
 TEST(Signals, a_channel_that_drops_out_is_found) {
   for (bool const of_force : {true, false})
     for (bool const to_nought : {true, false}) {

@@ -132,8 +132,8 @@ TEST(Vertical, NeitherNoiseNorAHeldLoadMovesIt) {
   EXPECT_EQ(vertical_stiffness(noisy).loadings_kN_per_mm.size(), 3u);
 }
 
-// The largest noisy load lies above the true largest load, and noise biases other extremes in the same way. Without
-// averaging, K_v would be 2 to 7 % too large.
+// The largest noisy load lies above the true largest load, and noisy samples cross a load too early. Without averaging,
+// noise of 1 % would make K_v 2 to 7 % too large.
 TEST(Vertical, NoiseMakesNoDeviceStiffer) {
   Drawn drawn(7);
   for (int const samples : {200, 1000, 6000})

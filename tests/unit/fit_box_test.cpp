@@ -1,5 +1,5 @@
-// Search boxes: scales, the bounds of the paper's Table 4, boxes scaled from a record, overrides, and when a value
-// counts as at a bound.
+// Search boxes: linear and logarithmic scales, the bounds of the paper's Table 4, bounds in proportion to a record,
+// overrides by --set, and when a value counts as at a bound.
 #include "isolaw/fit/box.hpp"
 #include "isolaw/laws/parts/scragging.hpp"
 
@@ -50,8 +50,8 @@ TEST(SearchParameter, LogarithmicScaleOfNegativeValues) {
   EXPECT_NEAR(p.coordinate(-1e-7), 0.75, 1e-14);
 }
 
-// The scale has six decades on each side of zero. Within them, equal steps of the coordinate multiply the value by
-// equal factors.
+// A search moves in the coordinate, which goes from 0 at the lower bound to 1 at the upper. The scale has six decades
+// on each side of zero. Within them, equal steps of the coordinate multiply the value by equal factors.
 TEST(SearchParameter, LogarithmicScaleAcrossZero) {
   auto const p = parameter(-1.0, 1.0, laws::Scale::logarithmic);
   EXPECT_EQ(p.at(0.0), -1.0);
@@ -375,8 +375,8 @@ std::map<std::string, std::vector<Published>> const table_4{
       {"a10", -2.925e-5, 0}}},
 };
 
-// The size of a record of a bearing like the paper's, in the law's units: ±200 mm, 130 kN, 0.65 kN/mm, Qd 40 kN, 650
-// mm/s, 80 kN m.
+// The sizes of a record of a bearing like the paper's, in the law's units. The caller may multiply its lengths by
+// `size`, its forces by `strength` and its velocity by `speed`.
 laws::RecordScales scales(laws::LawInfo const& law, double size = 1.0, double strength = 1.0, double speed = 1.0) {
   double const L = law.length.in_record_units, F = law.force.in_record_units;
   return {.disp = 200.0 * size / L,
@@ -436,8 +436,8 @@ TEST(Box, EveryIntervalCanBeSearched) {
 }
 
 // The bounds of a scaled box must grow with the record as the unit of the parameter demands. The unit 1/mm^n of
-// bouc-wen is taken at n = 1. A parameter that is a force at a fixed displacement also grows with a power of the
-// length.
+// bouc-wen is taken at n = 1. Some parameters are values at a fixed displacement, whatever the size of the record.
+// Their bounds also grow with a power of the length, which at_reference() gives.
 TEST(Box, ScaledFollowsTheSizeOfTheRecordInTheUnitOfEachParameter) {
   double const size = 3.0, strength = 5.0, speed = 7.0;
   for (auto const& law : laws::catalogue()) {
@@ -620,8 +620,8 @@ data::FitRecord bilinear_loop() {
 
 TEST(Scales, OfABilinearLoopInTheUnitsOfEveryLaw) {
   auto const record = bilinear_loop();
-  // Work of the whole record. 40 kN times a plastic travel of 80 + 5 * 160 + 60 mm is dissipated, and 40^2 / (2 * 2) kN
-  // mm are stored at the end.
+  // Work of the whole record. Dissipated are 40 kN times a plastic travel of 80 + 5 * 160 + 60 mm. Stored at the end
+  // are Qd^2 / (2 (K1 - K2)) = 400 kN mm.
   double const work_kN_mm = 40.0 * 940.0 + 400.0;
   for (auto const& law : laws::catalogue()) {
     double const L = law.info.length.in_record_units, F = law.info.force.in_record_units;

@@ -103,7 +103,7 @@ class Kernels : public ::testing::TestWithParam<Case> {
     return law_tests::record_of(law_tests::irregular(2, 208.0, 2, 60), 0.02, 0.67, 45.0);
   }
 
-  // Candidates drawn uniformly, in turn from the published box and from the box scaled to a device of this size.
+  // Candidates drawn uniformly, in turn from the published box and from the box scaled to the record.
   std::vector<Values> candidates(data::FitRecord const& record, std::size_t count) const {
     std::vector<Values> all;
     std::array const boxes{make_box(law(), BoxKind::published, scales_of(record, law().info), {}),
@@ -123,9 +123,9 @@ class Kernels : public ::testing::TestWithParam<Case> {
     return objectives(model, candidates, set());
   }
 
-  // Whether rounding errors may grow from step to step. The fourth-order Runge-Kutta rule is stable if the force decays
-  // by less than 2.78 per step. The hysteretic force approaches saturation at the rate n A / z_max in bouc-wen, and at
-  // n / U0 or slower in the abe laws.
+  // Whether rounding errors may grow from step to step. The fourth-order Runge-Kutta rule is stable if the rate of
+  // decay, here per length, times the longest step is below 2.78. The hysteretic force approaches saturation at the
+  // rate n A / z_max in bouc-wen, with z_max = (A / (beta + gamma))^(1/n), and at n / U0 or slower in the abe laws.
   bool may_be_unstable(Values const& p, double longest_step) const {
     if (how() != Integration::paper) return false;
     auto const value = [&](char const* name) { return p[law().index_of(name)]; };
@@ -152,9 +152,9 @@ double longest_step(std::span<double const> x) {
   return ::testing::AssertionSuccess();
 }
 
-// If the objective is above this, the force grows without bound and each step multiplies rounding errors. Kernel and
-// scalar code then need not agree, but both objectives must be above it. This happens for hwang-wu if the device gives
-// energy out (W < 0): exp(a9 W) and exp(a10 W) then grow, since a9 and a10 are not positive.
+// Above this objective the force has grown without bound and each step has multiplied rounding errors. Kernel and
+// scalar code then need not agree, but both objectives must be large. For hwang-wu this happens if the work W done on
+// the device is negative: its factors exp(a9 W) and exp(a10 W) then grow, since a9 and a10 are not positive.
 constexpr double absurd = 1e6;
 
 // The largest relative differences between kernel and scalar code, seen in 40000 candidates, are bilinear 1e-15,

@@ -33,7 +33,7 @@ data::FitRecord uneven() {
           .cleaning = {}};
 }
 
-// Three cycles of ±100 mm at 0.5 Hz. The caller fills in the force.
+// Three cycles of ±100 mm at 0.5 Hz with an elliptic loop of force.
 data::FitRecord sine(int samples_per_cycle = 60) {
   data::FitRecord record;
   for (int i = 0; i <= 3 * samples_per_cycle; ++i) {
@@ -46,8 +46,8 @@ data::FitRecord sine(int samples_per_cycle = 60) {
   return record;
 }
 
-// For the paper's laws, parameters that give a finite force of about the size of `sine`. For other laws, the middle of
-// the box.
+// For the paper's laws, parameters whose force on sine() is finite and about as large as the record's. For other laws,
+// the middle of the box.
 Values plausible(laws::LawEntry const& law) {
   if (law.info.id == "bilinear") return {1.5, 0.5, 30.0};
   if (law.info.id == "jankowski") return {3e5, 4e6, 5e6, 4e4, 5e3, 1.2e6, 4.0, 15.0, 5e4, 7e4, 0.4};
@@ -63,16 +63,16 @@ Values plausible(laws::LawEntry const& law) {
 }
 
 TEST(Objective, IsEquation27WorkedOutByHand) {
-  // With K1 = K2 = 1 kN/mm the force is F = x, so the differences are 0, 1, 0, 1 kN. The trapezoids add up to 0.5 * 1 s
-  // + 0.5 * 2 s + 0.5 * 0.5 s = 1.75 kN s, which is 0.5 kN over 3.5 s. The measured forces 0, 2, -1, 3 kN have the mean
-  // 1, squared deviations 1 + 1 + 4 + 4 = 10 and the population variance 2.5.
+  // With K1 = K2 = 1 kN/mm the law's force is F = x, so it differs from the measured force by 0, 1, 0 and 1 kN. The
+  // trapezoids add up to 0.5 * 1 s + 0.5 * 2 s + 0.5 * 0.5 s = 1.75 kN s, which is 0.5 kN over 3.5 s. The measured
+  // forces 0, 2, -1, 3 kN have the mean 1, squared deviations 1 + 1 + 4 + 4 = 10 and the population variance 2.5.
   LawOnRecord const model(laws::find_law("bilinear"), uneven(), laws::Integration::converged);
   EXPECT_NEAR(objective_of(model, {1.0, 1.0, 5.0}), 0.5 / std::sqrt(2.5), 1e-15);
   EXPECT_NEAR(objective_of(model, {1.0, 1.0, 5.0}), 0.31622776601683794, 1e-15);
 }
 
 TEST(Objective, WeighsByTheTrueTimeStamps) {
-  // The differences stay 0, 1, 0, 1 kN, but the middle interval is longer.
+  // Computed and measured force still differ by 0, 1, 0 and 1 kN, but the middle interval is longer.
   auto record = uneven();
   record.time_s = {0.0, 0.1, 3.4, 3.5};
   LawOnRecord const model(laws::find_law("bilinear"), record, laws::Integration::converged);
@@ -175,7 +175,7 @@ TEST(Objective, AnOffsetOfTheForceIsSeenInTheDifferenceAndNotInTheSpread) {
   auto record = uneven();
   for (double& f : record.force_kN) f += 10.0;
   LawOnRecord const model(laws::find_law("bilinear"), record, laws::Integration::converged);
-  // The differences are 10, 11, 10, 11 kN. Their mean over time is 10.5 kN.
+  // Computed and measured force differ by 10, 11, 10 and 11 kN, with a mean over time of 10.5 kN.
   EXPECT_NEAR(objective_of(model, {1.0, 1.0, 5.0}), 10.5 / std::sqrt(2.5), 1e-14);
 }
 
@@ -253,8 +253,8 @@ TEST(Force, IsTheLawsFormulaInKilonewton) {
   EXPECT_NEAR(force[1], (K * x + C * v) / 1000.0, 1e-10);
   EXPECT_EQ(force[0], 0.0);
 
-  // Hwang-Wu's force without degradation at 10 cm and 50 cm/s: (a1 + a2 x^2 + a3 x^4 + a4 / cosh^2) x + 2 (a6 + a7 x^2)
-  // v / sqrt.
+  // Hwang-Wu's force at 10 cm and 50 cm/s without degradation (a9 = a10 = 0):
+  // (a1 + a2 x^2 + a3 x^4 + a4 / cosh^2(a5 v)) x + 2 (a6 + a7 x^2) v / sqrt(a8^2 + v^2).
   LawOnRecord const other(laws::find_law("hwang-wu"), record, laws::Integration::converged);
   double const expected = (4000.0 - 1.0 * 100.0 + 0.01 * 1e4 + 60.0 / std::pow(std::cosh(0.02 * 50.0), 2)) * 10.0 +
                           2.0 * (5e4 + 6.0 * 100.0) * 50.0 / std::sqrt(60.0 * 60.0 + 2500.0);

@@ -1,5 +1,6 @@
-// A law that acts as a set of springs around the circle. The springs round the knee of the loop, and parameters fitted
-// anew bring the loop back near the record.
+// For motions in two directions, a law acts as springs in directions all around the circle. Springs with the law's own
+// parameters round the knee where the loop yields. Parameters fitted to the springs bring the loop back near the
+// record.
 #include <gtest/gtest.h>
 
 #include <cmath>

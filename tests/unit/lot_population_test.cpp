@@ -108,13 +108,14 @@ TEST(Population, KeepsWhatExceedsTheErrorInEachDirection) {
   EXPECT_EQ(found.note, "the devices differ by more than the uncertainty of their fits in 1 of 2 directions");
 }
 
-// The errors C and the scatter S have different axes here. For 2 x 2 matrices lambda solves the quadratic det(S -
-// lambda C) = 0. Only one lambda is above 1, and Sigma = (lambda - 1) p p^T with p = C x and x^T C x = 1.
+// The covariances C of the errors and S of the estimates have different axes here. Each lambda of S x = lambda C x
+// solves the quadratic det(S - lambda C) = 0. Only one lambda is above 1. The population's covariance is therefore
+// (lambda - 1) p p^T with p = C x and x^T C x = 1.
 TEST(Population, SolvesTheGeneralisedProblem) {
   SquareMatrix const C{{1.0, 0.0}, {0.0, 4.0}};
   auto const found = estimate_population(two, with(ellipse(1.5, 0.75), C));
   double const along = 2.0, across = 0.5, s = 0.5 * (along + across), c = 0.5 * (along - across);
-  // det [[s - l, c], [c, s - 4 l]] = 4 l^2 - 5 s l + s^2 - c^2
+  // S = [[s, c], [c, s]], so det(S - lambda C) = 4 lambda^2 - 5 s lambda + s^2 - c^2.
   double const lambda = (5.0 * s + std::sqrt(25.0 * s * s - 16.0 * (s * s - c * c))) / 8.0;
   ASSERT_GT(lambda, 1.0);
   double const ratio = (lambda - s) / c;  // x = (1, ratio)

@@ -56,7 +56,7 @@ struct Motion {
     return *this;
   }
 
-  // Sets the force to an exponential loop after Vaiana: K x + Q z with z' = alpha (sign - z).
+  // Sets the force to an exponential loop after Vaiana: K x + Q z with dz/d|x| = alpha (sgn(dx) - z).
   Motion& loop(double K = 0.5, double Q = 30.0, double alpha = 0.08) {
     force_kN.clear();
     double z = 0.0, before = disp_mm.front();

@@ -87,8 +87,8 @@ TEST(Draws, UniformIsUniformAlone) {
   EXPECT_LT(excess_chi_square(counts, n), 5.0);
 }
 
-// Pairs of numbers must be independent: successive draws of one place, first draws of neighbouring places, and first
-// draws of neighbouring streams.
+// Pairs of numbers must be independent: successive draws at one place (a, b) of a stream, first draws at neighbouring
+// places, and first draws of neighbouring streams.
 TEST(Draws, UniformIsUniformInPairs) {
   constexpr std::uint32_t n = 100'000;
   std::array<int, 64> successive{}, places{}, streams{};

@@ -20,7 +20,8 @@ TEST(Moments, SampleAndPopulationForm) {
   EXPECT_DOUBLE_EQ(population_std(values), 2.0);
 }
 
-// Subtracting the square of the sum from the sum of squares would lose all digits here: 1e18 against 30.
+// The variance is 30, and the squares are about 1e18. A variance computed as the mean of squares less the square of the
+// mean would lose all digits.
 TEST(Moments, SmallSpreadAboutALargeMean) {
   std::vector<double> const values{1e9 + 4, 1e9 + 7, 1e9 + 13, 1e9 + 16};
   EXPECT_DOUBLE_EQ(moments(values).mean, 1e9 + 10);

@@ -55,7 +55,7 @@ double rosenbrock(Point x) {
   return 100.0 * (v - u * u) * (v - u * u) + (1.0 - u) * (1.0 - u);
 }
 
-// Rastrigin's function on [-5.12, 5.12] per gene, shifted by 1. Neighbouring local minima differ by about 1.
+// Rastrigin's function on [-5.12, 5.12] per gene, shifted by 1. Neighbouring local minima differ by about 1 in value.
 double rastrigin(Point x) {
   double sum = 0.0;
   for (double const gene : x) {
@@ -248,9 +248,9 @@ TEST(Genetic, AnInterruptionBeforeTheFirstGenerationFindsNothing) {
 
 // --- problems with known optima ---
 
-// Among 60 random streams, nine of ten end within a third to a half of the tolerance. At the paper's mutation rate a
-// gene is hardly ever better than the nearest of the 100 initial ones, so a quadratic in six parameters ends near 1e-3.
-// Curved valleys and functions with many local minima need the wide search.
+// Each tolerance is two to three times the excess within which nine of ten of 60 random streams end. At the paper's
+// mutation rate the search hardly ever finds a better value of a gene than the best of its 100 initial values, so
+// sphere() in six dimensions ends near 1e-3. Curved valleys and functions with many local minima need the wide search.
 struct KnownOptimum {
   char const* name;
   std::size_t dimension;
@@ -320,7 +320,8 @@ TEST(Genetic, BeatsUniformSamplingInSixDimensions) {
   }
 }
 
-// outcome_of() must find the outcome from the history alone. A history that is cut short or continued was interrupted.
+// outcome_of() must find the outcome from the history alone. With one generation less or more, the history meets no
+// stopping rule and counts as interrupted.
 TEST(Outcome, FollowsFromTheHistory) {
   for (int const stagnation : {1, 3, 20}) {
     for (int const generations : {1, 4, 60}) {

@@ -6,8 +6,8 @@
 
 namespace isolaw::programs_test {
 
-// Returns parameters inside the box in which a fit to a record of 150 mm would search. Each `share` gives another point
-// of the box.
+// Returns parameters inside the box in which a fit to a record of 150 mm would search. `share`, from 0 to 1, chooses
+// the point.
 inline std::vector<double> inside_box(laws::LawEntry const& law, double share) {
   data::FitRecord record;
   auto const history = cycles({50.0, 150.0}, 200);

@@ -138,7 +138,7 @@ TEST(Replays, find_a_wrong_order_of_arguments) {
   }
 }
 
-// A replay must also find the error if two arguments are too large by the same factor, as with a wrong unit.
+// A replay must also find the error if gamma and beta are too large by the same factor, as with a wrong unit.
 TEST(Replays, find_a_wrong_normalisation) {
   auto const subject = subject_of("bouc-wen", bouc_wen_parameters);
   auto form = map_law(*subject.law, subject.parameters).forms[0];
@@ -148,8 +148,9 @@ TEST(Replays, find_a_wrong_normalisation) {
   EXPECT_NE(failure_of(form, subject, realised), "");
 }
 
-// The algebraic material fails for a travel beyond 35 / alpha. Bouc-Wen with exponent 1 then replaces it. A law with
-// hardening has no equal replacement, so a Bouc-Wen law is fitted to it.
+// The force of OpenSees' HystereticAsym becomes NaN if the device travels further than about 35 / alpha in one
+// direction. isolaw then exports a Bouc-Wen material with exponent 1, which gives the same force. If the law hardens,
+// no other material gives the same force, and isolaw fits a Bouc-Wen law instead.
 TEST(Replays, refuse_the_material_that_turns_into_no_number) {
   auto const fast = subject_of("vaiana", vaiana_parameters(0.0, 0.0, 150.0));  // alpha times travel is 45
   auto const realisation = realise(fast);

@@ -91,8 +91,8 @@ TEST(ModelNumbers, follow_the_units_of_the_file) {
   EXPECT_NEAR(mass, first.mass, 1e-12);
 }
 
-// Bouc-Wen is integrated by OpenSees, with an error that falls with the step. The model's step must be small enough for
-// it.
+// OpenSees integrates Bouc-Wen with an error that falls with the step. The model's step must be as small as isolaw
+// demands for this law.
 TEST(ModelNumbers, take_the_step_that_the_law_needs) {
   auto model = four(450.0);
   model.motions = {shaking(450.0, 0.1)};

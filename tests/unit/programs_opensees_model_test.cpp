@@ -36,7 +36,7 @@ std::vector<double> sum(std::vector<double> a, std::vector<double> const& b) {
 }
 
 // Newmark's rule (average acceleration) for one mass, from rest. Each new displacement x1 solves mass (4 (x1 - x0)/dt2
-// - 4 v0/dt - a0) + force = -mass ground. It is found by bisection, so the result does not depend on the iteration in
+// - 4 v0/dt - a0) + force = -mass ground. The test finds it by bracketing, and so does not depend on the iteration in
 // OpenSees. `force` is called with the whole path.
 std::vector<double> response(double mass, std::vector<double> const& ground, double dt,
                              std::function<double(std::vector<double> const&)> const& force) {
@@ -138,8 +138,8 @@ TEST_F(ModelInOpenSees, a_symmetric_building_moves_as_one_mass_on_one_isolator) 
     double const peak = peak_of(of_form);
     EXPECT_GT(peak, 30.0) << b.name;
     EXPECT_LT(peak, 225.0) << b.name;
-    // Errors add up over 900 steps. Newton's rule stops at 1e-8 mm in a step, and forms that iterate for z stop at 1e-9
-    // of z.
+    // Errors add up over 900 steps. In each step Newton's rule for the displacement stops at 1e-8 mm. OpenSees iterates
+    // for the hysteretic variable z of Bouc-Wen and stops at 1e-9 of its largest value.
     EXPECT_LT(largest_difference(found.at("ux"), of_form), 1e-6 * peak) << b.name;
     auto const of_law = at_samples(response(mass, ground, dt, [&](auto const& path) {
       History history;

@@ -88,9 +88,9 @@ struct Response {
 
 class InTime : public OpenSees {
  protected:
-  // Four cycles of ground motion shake a mass on the bearing, near its period of two seconds with the stiffness after
-  // yielding. Units are kN and mm. `element` is the command that puts element 1 between nodes 1 and 2 of a model of 2
-  // or 3 `dimensions`.
+  // Four cycles of ground motion shake a mass on the bearing. They are near its period of two seconds, which it has
+  // with the stiffness after yielding. Units are kN and mm. `element` is the command that puts element 1 between nodes
+  // 1 and 2 of a model of 2 or 3 `dimensions`.
   Response shaken(Subject const& subject, Realisation const& realisation, std::string const& element, int dimensions,
                   double step_s, double acceleration) const {
     write("bearing.tcl", opensees_script(subject, realisation, unit_systems[0]));
@@ -148,8 +148,8 @@ TEST_F(InTime, elements_give_the_force_of_the_replay) {
           EXPECT_GT(peak_of(found.disp), 30.0) << said;
           EXPECT_LT(peak_of(found.disp), 225.0) << said;
           auto const expected = replay(in_units(form.nominal, unit_systems[0]), found.disp);
-          // Errors add up over the steps: Newton's rule stops at 1e-10 mm, and forms that iterate for z stop at a
-          // tolerance of their own.
+          // Errors add up over the steps. Newton's rule for the displacement stops at 1e-10 mm. Materials of Bouc-Wen
+          // also iterate for its hysteretic variable and stop at a tolerance of their own.
           double const tolerance = form.nominal.exactness == Exactness::every_step ? 1e-8 : 1e-5;
           EXPECT_LT(largest_difference(found.force, expected), tolerance * peak_of(expected)) << said;
         }

@@ -1,5 +1,5 @@
-// Runs exported files as users do: C++ headers are compiled, and Python and Tcl scripts are interpreted, with materials
-// that the test writes from the formulas.
+// Runs exported files as users do: compiles C++ headers and interprets Python and Tcl scripts. The scripts run without
+// OpenSees, with stand-ins for its materials that this file writes in Python and Tcl.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,8 @@ constexpr double shares[] = {0.1, 0.35, 0.6};
 // For every law, the header's forces must equal the library's. Its tangents must equal differences of its forces.
 TEST_F(Folder, headers_are_the_laws) {
   UnitSystem const& units = unit_systems[1];
-  // Set samples near zero to exactly zero. Laws assign zero to the side from which the motion comes.
+  // Set samples near zero to exactly zero. Laws assign zero to the side from which the motion comes, but a rounding
+  // error would assign it to either side.
   auto history = cycles({40.0, 150.0, 90.0}, 120);
   for (double& x : history.disp_mm) x = std::abs(x) < 1e-9 ? 0.0 : x;
   std::string includes = "#include <cstdio>\n#include <initializer_list>\n", body;
@@ -47,7 +48,8 @@ TEST_F(Folder, headers_are_the_laws) {
     }
   }
   // At each point the program first tries displacements and velocities on both sides, which must change no state. Then
-  // it computes the point twice.
+  // it computes the point in the material and in a copy. Last it loads the committed state into another material, and
+  // goes on with that one after trials from rest.
   std::string motion;
   for (std::size_t i = 0; i < history.disp_mm.size(); ++i)
     motion += fmt::format("  {{{}, {}}},\n", history.disp_mm[i] / 1e3, history.vel_mm_s[i] / 1e3);
@@ -109,9 +111,11 @@ int main() {
       auto const between = [&](double slope, double a, double b, double scale) {
         return slope >= std::min(a, b) - scale && slope <= std::max(a, b) + scale;
       };
-      // The force of abe has no second derivative at the start (|F2/Yt|^n), so the slope has a larger error there.
+      // The slope of abe contains |F2 / Yt|^n of its hysteretic force F2, which starts at 0. It has no derivative there
+      // if n < 1, so a difference of forces gives the slope with a larger error.
       double const share = i == 0 ? 0.03 : 1e-3;
-      // If a law remembers its peaks, its slope at the start may be infinite (|x|^g). It then gives a limited tangent.
+      // If a law remembers its peaks, its force may start like |x|^g with g < 1, whose slope is infinite. The tangent
+      // is then limited to a finite value.
       bool const bounded = i == 0 && remembers[c] && tangent > 0.0 && tangent < std::min(ahead, behind);
       if (!bounded && !between(tangent, ahead, behind, 1e-4 * stiffness + share * std::abs(tangent)) &&
           ++off_tangents == 1)
@@ -130,8 +134,8 @@ int main() {
     EXPECT_EQ(off_tangents, 0U) << where;
     EXPECT_EQ(off_damping, 0U);
     // At rest, the tangent may lie outside the slopes to both sides at up to a tenth of the samples. Where the motion
-    // first enters negative displacements, the slope is infinite and the law gives a limited one. On the way back from
-    // a peak, power-masing-worn has a part of the slope that belongs to neither side.
+    // first enters negative displacements, the true slope is infinite and the law limits its tangent. On the way back
+    // from a peak, the tangent of power-masing-worn contains a term that is in the slope to neither side.
     EXPECT_LE(off_at_rest, expected[c].size() / 10) << where;
   }
   std::string rest;
