@@ -51,7 +51,7 @@ void check_overload(std::string const& file, RawChannel const& raw, std::span<st
     if (!is_overload(raw.values[i], ordinary)) continue;
     std::string found =
         fmt::format("{} {} in {} looks like an overload of the sensor", raw.values[i], raw.unit, raw.column);
-    if (ordinary) found += fmt::format(" (99.9 % of the values stay within {:.4g})", *ordinary);
+    if (ordinary) found += fmt::format(" (all but a few values stay within {:.4g} {})", *ordinary, raw.unit);
     findings.add(lines[i], std::move(found), "measured values",
                  "--rows A:B or --to SECONDS, which end before the overload, or test again");
   }
