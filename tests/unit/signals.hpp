@@ -119,8 +119,8 @@ inline double shape_of(Plan const& plan, double phase) {
 // so that the force does not depend on it.
 inline std::vector<double> force_of(Device device, std::vector<double> const& x, double dt, Plan const& plan) {
   double const D = plan.amplitude_mm, K = 100.0 / D, period = 1.0 / plan.frequency_Hz;
-  // The parts of the force (elastic, plastic Q, relaxing `maxwell`, viscous `damper`) are in 100 kN. After a reversal
-  // the plastic part approaches Q exponentially over the distance `way`, in amplitudes of displacement.
+  // The parts of the force (elastic, plastic Q, relaxing `maxwell`, viscous `damper`) are in 100 kN. The plastic part
+  // approaches its strength Q by a factor e per travel of `way` displacement amplitudes.
   double elastic = 0.6, Q = 0.4, way = 0.1, maxwell = 0.0, damper = 0.0;
   if (device == Device::lead) elastic = 0.35, Q = 0.65, way = 0.02;
   if (device == Device::friction) elastic = 0.2, Q = 0.8, way = 0.001;

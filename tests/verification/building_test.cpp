@@ -158,8 +158,7 @@ Released release(double step_s) {
                              {.longest_step_s = step_s, .histories = true, .pulled_to = {150.0, 0.0}});
   Released released;
   auto const& h = run.history;
-  // At 150 mm the bearing is at its yield force. On the way back it therefore yields after twice its yield
-  // displacement.
+  // At 150 mm the bearing has yielded, so on the way back it yields after twice its yield displacement.
   double const slides = 150.0 - 2.0 * 30.0 / 5.1;
   for (std::size_t i = 1; i < h.time_s.size(); ++i) {
     double const x0 = h.base[i - 1][0], x1 = h.base[i][0], v0 = h.velocity[i - 1][0], v1 = h.velocity[i][0];

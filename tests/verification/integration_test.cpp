@@ -86,7 +86,7 @@ bool without_bounded_force(laws::LawEntry const& law, Values const& p) {
 }
 
 // Adds to `found` how far the objective of one law on one record shifts with finer steps. The dead band of the record
-// is switched off: it changes the samples before they are divided into steps.
+// is switched off, because the path of finer steps has none.
 void measure(laws::LawEntry const& law, data::FitRecord record, BoxKind kind, std::uint64_t stream_number,
              Shift& found) {
   record.dead_band_mm = 0.0;

@@ -233,7 +233,7 @@ Values<laws::BoucWen> bounded_bouc_wen(std::uint32_t index) {
   }
 }
 
-// These tests draw parameter sets from the search box for a device of the published ones' size, as a search does.
+// These tests draw parameter sets from the search box for a device as large as the published ones, as a search does.
 // bouc-wen has exponents from 0.5 to 2 and any ratio of beta to gamma. abe has yield displacements down to a thousandth
 // of the largest displacement. If the force of such sets were wrong, a search would exploit it.
 TEST(OdeOracleInTheScaledBox, BoucWen) {
